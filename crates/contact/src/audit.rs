@@ -1,0 +1,76 @@
+//! Equilibrium of a step, reported and never assumed.
+
+use nalgebra::DVector;
+
+use crate::problem::InterfaceProblem;
+use crate::state::ContactState;
+
+/// Resultants and balances at the end of a load step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Audit {
+    /// Resultant [force] of the contact forces on the first body of each pair, x and y.
+    pub resultants: Vec<[f64; 2]>,
+    /// Moment [force·length] of those forces about the origin.
+    pub moments: Vec<f64>,
+    /// Sum of |λ_t| over each pair [force], and signed sum of λ_t.
+    pub friction: Vec<FrictionSum>,
+    /// Largest unbalanced resultant of a floating body, relative to the largest load resultant or contact resultant.
+    pub balance: f64,
+    /// Virtual work of the contact forces on the gaps, Σ λ_n g_n relative to Σ |λ_n| · max |g|: zero by complementarity.
+    pub gap_work: f64,
+}
+
+/// Sums of contact forces over one pair.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FrictionSum {
+    /// Σ λ_n [force].
+    pub normal: f64,
+    /// Σ λ_t [force], along e_t.
+    pub tangential: f64,
+    /// Σ |λ_t| [force].
+    pub magnitude: f64,
+}
+
+impl Audit {
+    /// Audits `state`.
+    pub fn of(problem: &InterfaceProblem, state: &ContactState) -> Self {
+        let pairs = problem.pairs().len();
+        let mut audit = Self {
+            resultants: vec![[0.0; 2]; pairs],
+            moments: vec![0.0; pairs],
+            friction: vec![FrictionSum::default(); pairs],
+            balance: 0.0,
+            gap_work: 0.0,
+        };
+        let (mut work, mut effort) = (0.0, 0.0);
+        let widest = (0..state.status.len()).fold(0.0, |gap: f64, k| gap.max(state.gap(k).abs()));
+        for (k, point) in problem.points().iter().enumerate() {
+            let (normal, tangential) = (state.normal_force(k), state.tangential_force(k));
+            let [nx, ny] = point.normal;
+            let force = [normal * nx - tangential * ny, normal * ny + tangential * nx];
+            let [x, y] = point.place.position;
+            audit.resultants[point.pair][0] += force[0];
+            audit.resultants[point.pair][1] += force[1];
+            audit.moments[point.pair] += x * force[1] - y * force[0];
+            let sum = &mut audit.friction[point.pair];
+            sum.normal += normal;
+            sum.tangential += tangential;
+            sum.magnitude += tangential.abs();
+            work += (normal * state.gap(k)).abs();
+            effort += normal.abs() * widest;
+        }
+        audit.gap_work = if effort > 0.0 { work / effort } else { 0.0 };
+        audit.balance = unbalanced(problem, state, &audit);
+        audit
+    }
+}
+
+fn unbalanced(problem: &InterfaceProblem, state: &ContactState, audit: &Audit) -> f64 {
+    let load: DVector<f64> = problem.mode_load(&state.multipliers);
+    if load.is_empty() {
+        return 0.0;
+    }
+    let largest = audit.resultants.iter().fold(load.amax(), |scale, force| scale.max(force[0].hypot(force[1])));
+    let sum = &load + problem.modes().tr_mul(&state.forces);
+    if largest > 0.0 { sum.amax() / largest } else { 0.0 }
+}

@@ -1,0 +1,48 @@
+//! Errors of the contact crate.
+
+use thiserror::Error;
+
+use crate::solver::StepFailure;
+
+/// Why a contact problem cannot be made or a history cannot be followed.
+#[derive(Clone, Debug, Error)]
+#[non_exhaustive]
+pub enum ContactError {
+    /// A contact pair is malformed.
+    #[error("contact '{pair}', point {point}: {what}")]
+    InvalidPair {
+        /// Name of the pair.
+        pair: String,
+        /// Index of the point in the pair.
+        point: usize,
+        /// What is wrong, with the numbers.
+        what: String,
+    },
+    /// Bodies have different numbers of load cases.
+    #[error("bodies with {first} and {other} load cases cannot share one load history")]
+    LoadCases {
+        /// Cases of the first body.
+        first: usize,
+        /// Cases of another body.
+        other: usize,
+    },
+    /// A load step has the wrong number of multipliers, or one that is not finite.
+    #[error("load step {step}: {what}")]
+    InvalidLoad {
+        /// Index of the step.
+        step: usize,
+        /// What is wrong, with the numbers.
+        what: String,
+    },
+    /// A load step was not solved, with every solver tried and the increment cut as far as allowed.
+    #[error("load step {step} was not solved beyond {reached:.4} of its increment: {cause}")]
+    StepFailed {
+        /// Index of the step.
+        step: usize,
+        /// Fraction of the step's increment that was reached.
+        reached: f64,
+        /// What the last attempt said.
+        #[source]
+        cause: StepFailure,
+    },
+}

@@ -1,0 +1,220 @@
+//! Load histories: from one load step to the next by sub-steps, cut back where a solver fails.
+
+use nalgebra::DVector;
+
+use crate::audit::Audit;
+use crate::error::ContactError;
+use crate::problem::InterfaceProblem;
+use crate::solver::{InterfaceSolver, Residuals, Step, Work};
+use crate::state::ContactState;
+
+/// How the load grows within the first load step, from nothing; later steps are always linear.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Ramp {
+    /// In equal increments.
+    #[default]
+    Linear,
+    /// P_k = P (k/n)²: finer where contact spreads fastest.
+    Quadratic,
+}
+
+/// Load steps and how they are walked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadHistory {
+    steps: Vec<Vec<f64>>,
+    substeps: usize,
+    ramp: Ramp,
+}
+
+/// Smallest part of an increment to which cut-back goes.
+const SMALLEST_PART: f64 = 1.0 / 1024.0;
+
+impl LoadHistory {
+    /// A history with `steps[k]` the multipliers of all load cases at the end of step `k`.
+    ///
+    /// # Errors
+    /// [`ContactError::InvalidLoad`] if steps differ in length, a multiplier is not finite, or `substeps` is zero.
+    pub fn new(steps: Vec<Vec<f64>>, substeps: usize, ramp: Ramp) -> Result<Self, ContactError> {
+        if substeps == 0 {
+            return Err(ContactError::InvalidLoad { step: 0, what: "0 sub-steps; at least 1 is needed".into() });
+        }
+        let cases = steps.first().map_or(0, Vec::len);
+        for (step, multipliers) in steps.iter().enumerate() {
+            if multipliers.len() != cases {
+                let what = format!("{} multipliers where the first step has {cases}", multipliers.len());
+                return Err(ContactError::InvalidLoad { step, what });
+            }
+            if let Some(value) = multipliers.iter().find(|value| !value.is_finite()) {
+                return Err(ContactError::InvalidLoad { step, what: format!("the multiplier {value} is not finite") });
+            }
+        }
+        Ok(Self { steps, substeps, ramp })
+    }
+
+    /// Multipliers at the end of each step.
+    pub fn steps(&self) -> &[Vec<f64>] {
+        &self.steps
+    }
+
+    /// Walks the history with `solver`; `observe` sees each record as soon as its step is accepted.
+    ///
+    /// # Errors
+    /// [`ContactError::InvalidLoad`] if the problem has another number of load cases; [`ContactError::StepFailed`] with
+    /// the step and the reasons of all solvers. Steps accepted before are in what `observe` saw.
+    pub fn follow(
+        &self,
+        problem: &InterfaceProblem,
+        solver: &dyn InterfaceSolver,
+        mut observe: impl FnMut(&StepRecord),
+    ) -> Result<Vec<StepRecord>, ContactError> {
+        let mut state = ContactState::unloaded(problem);
+        let mut records: Vec<StepRecord> = Vec::with_capacity(self.steps.len());
+        for (index, target) in self.steps.iter().enumerate() {
+            if target.len() != problem.load_cases() {
+                let what = format!("{} multipliers for {} load cases", target.len(), problem.load_cases());
+                return Err(ContactError::InvalidLoad { step: index, what });
+            }
+            let record = self.walk(problem, solver, &state, index, target)?;
+            state = record.state.clone();
+            observe(&record);
+            records.push(record);
+        }
+        Ok(records)
+    }
+
+    /// Fraction of a step's increment that is applied after the part `k` of it.
+    fn fraction(&self, index: usize, part: f64) -> f64 {
+        if index == 0 && self.ramp == Ramp::Quadratic { part * part } else { part }
+    }
+
+    fn walk(
+        &self,
+        problem: &InterfaceProblem,
+        solver: &dyn InterfaceSolver,
+        start: &ContactState,
+        index: usize,
+        target: &[f64],
+    ) -> Result<StepRecord, ContactError> {
+        let mut walk = Walk::new(start.clone());
+        let whole = 1.0 / self.substeps as f64;
+        for substep in 0..self.substeps {
+            let (mut reached, end) = (substep as f64 * whole, (substep + 1) as f64 * whole);
+            let mut part = end - reached;
+            while reached < end {
+                let next = if end - reached <= part * (1.0 + 1e-9) { end } else { reached + part };
+                let fraction = if next >= 1.0 { 1.0 } else { self.fraction(index, next) };
+                let multipliers: Vec<f64> =
+                    start.multipliers.iter().zip(target).map(|(from, to)| from + fraction * (to - from)).collect();
+                match walk.advance(problem, solver, &multipliers) {
+                    Ok(()) => reached = next,
+                    Err(cause) if part > whole * SMALLEST_PART && !cause.is_proved_impossible() => {
+                        walk.work += cause.work;
+                        walk.cutbacks += 1;
+                        part *= 0.5;
+                    }
+                    Err(cause) => return Err(ContactError::StepFailed { step: index, reached, cause }),
+                }
+            }
+        }
+        Ok(walk.finish(problem))
+    }
+}
+
+/// The increments of one load step as they are accepted.
+struct Walk {
+    state: ContactState,
+    work: Work,
+    residuals: Residuals,
+    doubtful: usize,
+    solvers: Vec<&'static str>,
+    increments: usize,
+    cutbacks: usize,
+    dissipation: f64,
+    slip: DVector<f64>,
+}
+
+impl Walk {
+    fn new(state: ContactState) -> Self {
+        Self {
+            slip: DVector::zeros(state.status.len()),
+            state,
+            work: Work::default(),
+            residuals: Residuals::default(),
+            doubtful: 0,
+            solvers: Vec::new(),
+            increments: 0,
+            cutbacks: 0,
+            dissipation: 0.0,
+        }
+    }
+
+    fn advance(
+        &mut self,
+        problem: &InterfaceProblem,
+        solver: &dyn InterfaceSolver,
+        multipliers: &[f64],
+    ) -> Result<(), crate::solver::StepFailure> {
+        let solution = solver.solve(&Step::new(problem, &self.state, multipliers))?;
+        self.work += solution.work;
+        self.residuals = Residuals {
+            complementarity: self.residuals.complementarity.max(solution.residuals.complementarity),
+            cone: self.residuals.cone.max(solution.residuals.cone),
+            balance: self.residuals.balance.max(solution.residuals.balance),
+        };
+        self.doubtful = self.doubtful.max(solution.doubtful);
+        if !self.solvers.contains(&solution.solver) {
+            self.solvers.push(solution.solver);
+        }
+        self.increments += 1;
+        for (k, status) in solution.trial.status.iter().enumerate() {
+            if status.slip_sign() != 0.0 {
+                let slip = solution.trial.motion[2 * k + 1] - self.state.tangential_displacement(k);
+                let mean = f64::midpoint(solution.trial.forces[2 * k + 1], self.state.tangential_force(k));
+                self.dissipation -= mean * slip;
+                self.slip[k] += slip;
+            }
+        }
+        self.state = self.state.advance(solution.trial, multipliers);
+        Ok(())
+    }
+
+    fn finish(self, problem: &InterfaceProblem) -> StepRecord {
+        StepRecord {
+            audit: Audit::of(problem, &self.state),
+            state: self.state,
+            work: self.work,
+            residuals: self.residuals,
+            doubtful: self.doubtful,
+            solvers: self.solvers,
+            increments: self.increments,
+            cutbacks: self.cutbacks,
+            dissipation: self.dissipation,
+            slip: self.slip,
+        }
+    }
+}
+
+/// One accepted load step.
+#[derive(Clone, Debug)]
+pub struct StepRecord {
+    /// Contact at its end.
+    pub state: ContactState,
+    /// Work of all its increments, failed attempts included.
+    pub work: Work,
+    /// Largest residuals of its increments.
+    pub residuals: Residuals,
+    /// Largest number of points in doubt in an increment.
+    pub doubtful: usize,
+    /// Solvers that found its increments.
+    pub solvers: Vec<&'static str>,
+    /// Increments accepted.
+    pub increments: usize,
+    /// Increments that failed and were halved.
+    pub cutbacks: usize,
+    /// Work lost to friction in the step [force·length], by the mean force over each increment; ≥ 0 up to its error.
+    pub dissipation: f64,
+    /// Slip of each point in the step [length], first body against the second along e_t; zero where it did not slip.
+    pub slip: DVector<f64>,
+    /// Equilibrium at its end.
+    pub audit: Audit,
+}

@@ -1,0 +1,35 @@
+//! Frictional contact of condensed bodies over load histories.
+//!
+//! Elasticity is linear and expensive, contact nonlinear and cheap; they meet on the contact points. Bodies arrive as
+//! [`InterfaceOperator`](stickslip_fem_core::InterfaceOperator)s, are assembled into one dense [`InterfaceProblem`], and a
+//! [`LoadHistory`] walks that problem through its load steps with an [`InterfaceSolver`](solver::InterfaceSolver).
+//!
+//!     g_n ≥ 0,  λ_n ≥ 0,  g_n λ_n = 0;     |λ_t| ≤ F (stick),   λ_t = −F sign Δs (slip)
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | [`gap`] | initial gaps from the true geometry |
+//! | [`problem`] | pairs, points, and the operators of all bodies in one problem |
+//! | [`state`] | what is known at the end of a step |
+//! | [`solver`] | the family of one-step solvers and their fallback chain |
+//! | [`history`] | load steps, sub-steps, cut-back, dissipation |
+//! | [`zones`] | where contact is open, sticks and slips, with interpolated ends |
+//! | [`audit`] | equilibrium of every step |
+//!
+//! Signs: normals e_n point from the second body into the first, e_t is e_n turned by +90°. Forces λ act on the first
+//! body; λ_n ≥ 0 presses; Δs is the motion of the first body against the second along e_t.
+
+pub mod audit;
+mod error;
+pub mod gap;
+pub mod history;
+pub mod problem;
+pub mod solver;
+pub mod state;
+pub mod zones;
+
+pub use error::ContactError;
+pub use history::{LoadHistory, Ramp, StepRecord};
+pub use problem::{ContactPair, ContactPoint, InterfaceProblem};
+pub use solver::{Chain, InterfaceSolver, Pivoting, SemismoothNewton, StatusIteration};
+pub use state::{ContactState, Status};

@@ -1,0 +1,131 @@
+//! One load step of frictional contact, and the family of solvers for it.
+//!
+//!     g_n ≥ 0,  λ_n ≥ 0,  g_n λ_n = 0
+//!     |λ_t| ≤ F_stick where Δs = 0 (stick),   λ_t = −F_slip sign(Δs) where Δs ≠ 0 (slip)
+//!
+//! | solver | idea | ends |
+//! | --- | --- | --- |
+//! | [`StatusIteration`] | guess open/stick/slip, solve, correct all at once (Post & Reddy 1988, II 2.1) | may cycle, and says so |
+//! | [`SemismoothNewton`] | the same solves, corrected by the projection's own sign rules (Alart & Curnier 1991) | may cycle, and says so |
+//! | [`Pivoting`] | Lemke's complementary pivoting (Cottle, Pang & Stone 1992) | after finitely many pivots |
+//! | [`Chain`] | a solver made of solvers: the next one takes over where one fails | with its last member |
+
+mod active_set;
+mod chain;
+mod frozen;
+mod lemke;
+mod pivoting;
+mod residual;
+mod step;
+
+use thiserror::Error;
+
+pub use active_set::{SemismoothNewton, StatusIteration};
+pub use chain::Chain;
+pub use pivoting::Pivoting;
+pub use residual::Residuals;
+pub use step::Step;
+
+use crate::state::TrialState;
+
+/// What a solver did, in its own units of work.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Interface solves with frozen statuses, the confirming one included.
+    pub solves: usize,
+    /// Complementary pivots.
+    pub pivots: usize,
+}
+
+impl std::ops::AddAssign for Work {
+    fn add_assign(&mut self, other: Self) {
+        self.solves += other.solves;
+        self.pivots += other.pivots;
+    }
+}
+
+/// A verified solution of one step.
+#[derive(Clone, Debug)]
+pub struct StepSolution {
+    /// The proposed state.
+    pub trial: TrialState,
+    /// How well it meets the conditions.
+    pub residuals: Residuals,
+    /// Points that stick although a slip at once would be admissible too (μ_d p < |λ_t| ≤ μ_s p).
+    pub doubtful: usize,
+    /// Work of all solvers that were tried.
+    pub work: Work,
+    /// Name of the solver that found it.
+    pub solver: &'static str,
+}
+
+/// Why a solver did not solve a step.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum FailureCause {
+    /// The statuses repeat.
+    #[error("the statuses of {} points repeat with period {period}", points.len())]
+    Cycled {
+        /// Number of iterations after which the statuses return.
+        period: usize,
+        /// Points whose status changes within the cycle.
+        points: Vec<usize>,
+    },
+    /// The iteration limit was reached.
+    #[error("not converged after {0} iterations")]
+    Limit(usize),
+    /// The interface matrix of the current statuses is singular.
+    #[error("the interface matrix of the current statuses is singular")]
+    Singular,
+    /// Pivoting ended on a ray, which proves nothing for friction.
+    #[error("complementary pivoting ended on a ray")]
+    Ray,
+    /// A candidate does not meet the conditions.
+    #[error("the candidate violates the contact conditions by {violation:.1e} of their scale")]
+    Inaccurate {
+        /// Largest relative violation.
+        violation: f64,
+    },
+    /// A floating body's load cannot be balanced: a rigid motion along which the load works separates, or slides along,
+    /// every contact.
+    #[error("the load cannot be balanced: nothing stops a rigid motion on which it does work{}", if *proved { " (proved)" } else { "" })]
+    Unbalanced {
+        /// The rigid motion α, one number per mode.
+        motion: Vec<f64>,
+        /// Whether that motion is a proof (Farkas): no admissible contact force works against it.
+        proved: bool,
+    },
+}
+
+/// A step that was not solved: what each solver said, and the work spent.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[error("{}", attempts.iter().map(|(solver, cause)| format!("{solver}: {cause}")).collect::<Vec<_>>().join("; "))]
+pub struct StepFailure {
+    /// Each solver that was tried, with its reason.
+    pub attempts: Vec<(&'static str, FailureCause)>,
+    /// Work of all of them.
+    pub work: Work,
+}
+
+impl StepFailure {
+    pub(crate) fn new(solver: &'static str, cause: FailureCause, work: Work) -> Self {
+        Self { attempts: vec![(solver, cause)], work }
+    }
+
+    /// Whether the load was proved to have no balance, so that smaller increments cannot help.
+    pub fn is_proved_impossible(&self) -> bool {
+        self.attempts.iter().any(|(_, cause)| matches!(cause, FailureCause::Unbalanced { proved: true, .. }))
+    }
+}
+
+/// Solves one load step: problem, loads and the last accepted state in; a verified solution or a typed failure out.
+pub trait InterfaceSolver: std::fmt::Debug + Send + Sync {
+    /// Name for results.
+    fn name(&self) -> &'static str;
+
+    /// Solves `step`.
+    ///
+    /// # Errors
+    /// [`StepFailure`] with the reason of every solver that was tried.
+    fn solve(&self, step: &Step<'_>) -> Result<StepSolution, StepFailure>;
+}

@@ -1,0 +1,313 @@
+//! Solvers that guess the statuses, solve, and correct the guess.
+
+use std::collections::HashMap;
+
+use super::frozen::{Frozen, SlipLine, solve};
+use super::residual::Scales;
+use super::step::Step;
+use super::{FailureCause, InterfaceSolver, Residuals, StepFailure, StepSolution, Work};
+use crate::state::{Status, TrialState};
+
+/// Relative size below which a violation is rounding.
+const ROUNDING: f64 = 1e-12;
+/// Largest relative residual of an accepted solution.
+pub(super) const ACCEPTED: f64 = 1e-10;
+
+/// The status iteration of Post & Reddy (1988, II 2.1): solve with frozen statuses, then correct all of them at once. A
+/// penetrating point closes and sticks, a pulled one opens, one loaded beyond its bound slips against the force, one that
+/// slips along the force sticks. Fast; it can cycle, and says so.
+#[derive(Clone, Copy, Debug)]
+pub struct StatusIteration {
+    /// Largest number of solves.
+    pub limit: usize,
+}
+
+impl Default for StatusIteration {
+    fn default() -> Self {
+        Self { limit: 60 }
+    }
+}
+
+/// Semismooth Newton method on the projection form of the conditions (Alart & Curnier 1991), as an active-set iteration:
+/// the next status of a point follows from the sign of λ_n − c g_n and the size of λ_t − c Δs against the bound, c being the
+/// inverse of the point's own compliance. When statuses repeat, only the most violated point changes from then on.
+#[derive(Clone, Copy, Debug)]
+pub struct SemismoothNewton {
+    /// Largest number of solves.
+    pub limit: usize,
+}
+
+impl Default for SemismoothNewton {
+    fn default() -> Self {
+        Self { limit: 200 }
+    }
+}
+
+impl InterfaceSolver for StatusIteration {
+    fn name(&self) -> &'static str {
+        "status iteration"
+    }
+
+    fn solve(&self, step: &Step<'_>) -> Result<StepSolution, StepFailure> {
+        Iteration::new(step, Rules::Report).run(self.limit, self.name())
+    }
+}
+
+impl InterfaceSolver for SemismoothNewton {
+    fn name(&self) -> &'static str {
+        "semismooth Newton"
+    }
+
+    fn solve(&self, step: &Step<'_>) -> Result<StepSolution, StepFailure> {
+        Iteration::new(step, Rules::Projection).run(self.limit, self.name())
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Rules {
+    Report,
+    Projection,
+}
+
+struct Iteration<'a> {
+    step: &'a Step<'a>,
+    rules: Rules,
+    status: Vec<Status>,
+    lines: Vec<SlipLine>,
+    /// Iteration in which each set of statuses was met.
+    seen: HashMap<Vec<Status>, usize>,
+    /// Statuses of each iteration, to name the points of a cycle.
+    trail: Vec<Vec<Status>>,
+    one_at_a_time: bool,
+}
+
+impl<'a> Iteration<'a> {
+    fn new(step: &'a Step<'a>, rules: Rules) -> Self {
+        let status = step.starting_status();
+        let mut iteration = Self {
+            step,
+            rules,
+            lines: vec![SlipLine::default(); status.len()],
+            status,
+            seen: HashMap::new(),
+            trail: Vec::new(),
+            one_at_a_time: false,
+        };
+        for k in 0..iteration.status.len() {
+            iteration.lines[k] = slip_line(step, k, step.committed.normal_force(k).max(0.0), 0.0);
+        }
+        iteration
+    }
+
+    fn run(mut self, limit: usize, name: &'static str) -> Result<StepSolution, StepFailure> {
+        let mut work = Work::default();
+        let fail = |cause, work| Err(StepFailure::new(name, cause, work));
+        while work.solves < limit {
+            work.solves += 1;
+            let frozen = match solve(self.step, &self.status, &self.lines) {
+                Ok(frozen) => frozen,
+                Err(cause) => return fail(cause, work),
+            };
+            if let Some(direction) = &frozen.unbalanced {
+                match close_next(self.step, &self.status, &frozen, direction.as_slice()) {
+                    Ok(point) => self.status[point] = Status::Stick,
+                    Err(cause) => return fail(cause, work),
+                }
+                continue;
+            }
+            let scales = Scales::of(self.step, &frozen.forces, &frozen.motion);
+            let changes = self.changes(&frozen, scales);
+            let settled = self.relinearise(&frozen, scales);
+            if changes.is_empty() {
+                if settled {
+                    return accept(self.step, frozen, self.status, name, work).map_err(|cause| {
+                        StepFailure::new(name, cause, work)
+                    });
+                }
+                continue;
+            }
+            if let Err(cause) = self.apply(&changes) {
+                return fail(cause, work);
+            }
+        }
+        fail(FailureCause::Limit(limit), work)
+    }
+
+    /// Points whose status is to change, with the new status and the relative size of the violation.
+    fn changes(&self, frozen: &Frozen, scales: Scales) -> Vec<Change> {
+        (0..self.status.len())
+            .filter_map(|point| {
+                let (status, violation) = match self.rules {
+                    Rules::Report => self.report_rule(point, frozen, scales),
+                    Rules::Projection => self.projection_rule(point, frozen, scales),
+                };
+                (status != self.status[point]).then_some(Change { point, status, violation })
+            })
+            .collect()
+    }
+
+    fn apply(&mut self, changes: &[Change]) -> Result<(), FailureCause> {
+        self.seen.insert(self.status.clone(), self.trail.len());
+        self.trail.push(self.status.clone());
+        let mut next = self.status.clone();
+        if !self.one_at_a_time {
+            changes.iter().for_each(|change| next[change.point] = change.status);
+            if let Some(&first) = self.seen.get(&next) {
+                if self.rules == Rules::Report {
+                    return Err(self.cycle(first));
+                }
+                self.one_at_a_time = true;
+                self.seen.clear();
+                self.trail.clear();
+                self.seen.insert(self.status.clone(), 0);
+                self.trail.push(self.status.clone());
+                next.clone_from(&self.status);
+            }
+        }
+        if self.one_at_a_time {
+            let worst = changes.iter().max_by(|a, b| a.violation.total_cmp(&b.violation));
+            if let Some(change) = worst {
+                next[change.point] = change.status;
+            }
+            if let Some(&first) = self.seen.get(&next) {
+                return Err(self.cycle(first));
+            }
+        }
+        self.status = next;
+        Ok(())
+    }
+
+    fn cycle(&self, first: usize) -> FailureCause {
+        let repeated = &self.trail[first..];
+        let points = (0..self.status.len())
+            .filter(|&k| repeated.iter().any(|status| status[k] != repeated[0][k]))
+            .collect();
+        FailureCause::Cycled { period: repeated.len(), points }
+    }
+
+    /// Linearises the law about the new iterate; returns whether the slip tractions were already met.
+    fn relinearise(&mut self, frozen: &Frozen, scales: Scales) -> bool {
+        let mut settled = true;
+        for k in 0..self.status.len() {
+            let (force, slip) = (frozen.forces[2 * k].max(0.0), frozen.motion[2 * k + 1]);
+            let sign = self.status[k].slip_sign();
+            if sign != 0.0 && self.step.problem.points()[k].slides {
+                let bound = self.step.bound(k, force, slip).slip;
+                settled &= (frozen.forces[2 * k + 1] + sign * bound).abs() <= ROUNDING * scales.force;
+            }
+            self.lines[k] = slip_line(self.step, k, force, slip);
+        }
+        settled
+    }
+
+    fn report_rule(&self, point: usize, frozen: &Frozen, scales: Scales) -> (Status, f64) {
+        let now = self.status[point];
+        let (normal, tangential) = (frozen.forces[2 * point], frozen.forces[2 * point + 1]);
+        let (gap, slip) = (frozen.motion[2 * point], frozen.motion[2 * point + 1]);
+        if now == Status::Open {
+            let depth = -gap / scales.length;
+            return if depth > ROUNDING { (Status::Stick, depth) } else { (now, 0.0) };
+        }
+        let pull = -normal / scales.force;
+        if pull > ROUNDING {
+            return (Status::Open, pull);
+        }
+        if !self.step.problem.points()[point].slides {
+            return (Status::Stick, 0.0);
+        }
+        if now == Status::Stick {
+            let excess = (tangential.abs() - self.step.bound(point, normal, 0.0).stick) / scales.force;
+            if excess > ROUNDING { (Status::slip_along(-tangential), excess) } else { (now, 0.0) }
+        } else {
+            let backward = -now.slip_sign() * slip / scales.length;
+            if backward > ROUNDING { (Status::Stick, backward) } else { (now, 0.0) }
+        }
+    }
+
+    fn projection_rule(&self, point: usize, frozen: &Frozen, scales: Scales) -> (Status, f64) {
+        let (plain, violation) = self.report_rule(point, frozen, scales);
+        let now = self.status[point];
+        let turns = plain == Status::Stick && now != Status::Stick && self.step.problem.points()[point].slides;
+        if !turns {
+            return (plain, violation);
+        }
+        // A closing or turning point sticks only if the force that would stop its motion lies within the bound.
+        let compliance = self.step.problem.compliance();
+        let stop = |row: usize| frozen.motion[row] / compliance[(row, row)].max(f64::MIN_POSITIVE);
+        let trial = frozen.forces[2 * point + 1] - stop(2 * point + 1);
+        let normal = (frozen.forces[2 * point] - stop(2 * point)).max(0.0);
+        let bound = self.step.bound(point, normal, frozen.motion[2 * point + 1]).stick;
+        if trial.abs() > bound { (Status::slip_along(-trial), violation) } else { (Status::Stick, violation) }
+    }
+}
+
+struct Change {
+    point: usize,
+    status: Status,
+    violation: f64,
+}
+
+/// Linearises the slip traction of `point` about a normal force and a slip increment.
+pub(super) fn slip_line(step: &Step<'_>, point: usize, normal: f64, slip: f64) -> SlipLine {
+    let bound = step.bound(point, normal, slip);
+    SlipLine {
+        constant: bound.slip - bound.slip_dp * normal - bound.slip_ds * slip.abs(),
+        normal: bound.slip_dp,
+        slip: bound.slip_ds,
+    }
+}
+
+/// The open point that first closes when the bodies move along `direction`.
+fn close_next(
+    step: &Step<'_>,
+    status: &[Status],
+    frozen: &Frozen,
+    direction: &[f64],
+) -> Result<usize, FailureCause> {
+    let modes = step.problem.modes();
+    let rate = |row: usize| modes.row(row).iter().zip(direction).map(|(mode, amount)| mode * amount).sum::<f64>();
+    let speed = direction.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
+    let mut first: Option<(f64, usize)> = None;
+    let mut proved = true;
+    for k in 0..status.len() {
+        let (normal, tangential) = (rate(2 * k), rate(2 * k + 1));
+        if status[k] == Status::Open && normal < -ROUNDING * speed {
+            let time = frozen.motion[2 * k] / -normal;
+            if first.is_none_or(|(earliest, _)| time < earliest) {
+                first = Some((time, k));
+            }
+        }
+        proved &= tangential.abs() <= ROUNDING * speed || step.bound(k, step.problem.points()[k].area, 0.0).stick == 0.0;
+    }
+    first.map(|(_, k)| k).ok_or(FailureCause::Unbalanced { motion: direction.to_vec(), proved })
+}
+
+/// Turns a solve with consistent statuses into a solution, if it meets the conditions.
+pub(super) fn accept(
+    step: &Step<'_>,
+    frozen: Frozen,
+    status: Vec<Status>,
+    solver: &'static str,
+    work: Work,
+) -> Result<StepSolution, FailureCause> {
+    let trial = TrialState {
+        forces: frozen.forces,
+        motion: step.total_motion(frozen.motion),
+        rigid: frozen.rigid,
+        status,
+    };
+    let residuals = Residuals::of(step, &trial);
+    let violation = residuals.largest();
+    if !(violation <= ACCEPTED) {
+        return Err(FailureCause::Inaccurate { violation });
+    }
+    let doubtful = (0..step.count())
+        .filter(|&k| {
+            trial.status[k] == Status::Stick && step.problem.points()[k].slides && {
+                let bound = step.bound(k, trial.forces[2 * k], 0.0);
+                trial.forces[2 * k + 1].abs() > bound.slip * (1.0 + ROUNDING) && bound.stick > bound.slip
+            }
+        })
+        .count();
+    Ok(StepSolution { trial, residuals, doubtful, work, solver })
+}

@@ -1,0 +1,62 @@
+//! A solver made of solvers.
+
+use super::{InterfaceSolver, Pivoting, SemismoothNewton, StatusIteration, Step, StepFailure, StepSolution, Work};
+
+/// Tries its members in order until one solves the step. On ordinary steps it costs what its first member costs.
+#[derive(Debug)]
+pub struct Chain {
+    members: Vec<Box<dyn InterfaceSolver>>,
+}
+
+impl Chain {
+    /// A chain of `members`, the fastest first, the one that always ends last.
+    pub fn new(members: Vec<Box<dyn InterfaceSolver>>) -> Self {
+        Self { members }
+    }
+
+    /// Semismooth Newton, then pivoting: the default.
+    pub fn newton_first() -> Self {
+        Self::new(vec![Box::new(SemismoothNewton::default()), Box::new(Pivoting::default())])
+    }
+
+    /// The report's status iteration, then semismooth Newton, then pivoting.
+    pub fn status_first() -> Self {
+        Self::new(vec![
+            Box::new(StatusIteration::default()),
+            Box::new(SemismoothNewton::default()),
+            Box::new(Pivoting::default()),
+        ])
+    }
+}
+
+impl Default for Chain {
+    fn default() -> Self {
+        Self::newton_first()
+    }
+}
+
+impl InterfaceSolver for Chain {
+    fn name(&self) -> &'static str {
+        "chain"
+    }
+
+    fn solve(&self, step: &Step<'_>) -> Result<StepSolution, StepFailure> {
+        let mut failure = StepFailure { attempts: Vec::new(), work: Work::default() };
+        for member in &self.members {
+            match member.solve(step) {
+                Ok(mut solution) => {
+                    solution.work += failure.work;
+                    return Ok(solution);
+                }
+                Err(next) => {
+                    failure.attempts.extend(next.attempts);
+                    failure.work += next.work;
+                    if failure.is_proved_impossible() {
+                        break;
+                    }
+                }
+            }
+        }
+        Err(failure)
+    }
+}

@@ -1,0 +1,191 @@
+//! One interface solve with frozen statuses.
+//!
+//! Unknown are λ_n of touching points, λ_t of sticking ones, and the rigid motions α. A slipping point carries
+//! λ_t = −σ F_slip(λ_n, |Δs|), linearised about the last iterate, F ≈ f₀ + f₁ λ_n + f₂ σ Δs:
+//!
+//!     g_n = 0 (touching),   Δs = 0 (sticking),   λ_t + σ f₁ λ_n + f₂ Δs = −σ f₀ (slipping),   Gᵀ λ + r = 0
+//!
+//! Where f₂ = 0 the third line is eliminated. Rigid motions that the touching points do not resist keep their committed
+//! amount; the load left unbalanced in them is reported, so that the caller can bring further points into contact.
+
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use stickslip_fem_core::linalg::DenseLu;
+
+use super::FailureCause;
+use super::step::Step;
+use crate::state::Status;
+
+/// Linearised slip traction of one point.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct SlipLine {
+    pub(super) constant: f64,
+    pub(super) normal: f64,
+    pub(super) slip: f64,
+}
+
+/// Result of a solve with frozen statuses.
+#[derive(Clone, Debug)]
+pub(super) struct Frozen {
+    pub(super) forces: DVector<f64>,
+    pub(super) rigid: DVector<f64>,
+    /// Gap and slip increment, 2n.
+    pub(super) motion: DVector<f64>,
+    /// A rigid motion along which the load is not balanced, if there is one.
+    pub(super) unbalanced: Option<DVector<f64>>,
+}
+
+/// How the unknown at each position of the reduced system relates to the contact forces.
+struct Layout {
+    /// Touching points: unknown λ_n.
+    normal: Vec<usize>,
+    /// Points whose λ_t is an unknown: sticking ones, and slipping ones with f₂ ≠ 0.
+    tangential: Vec<usize>,
+}
+
+pub(super) fn solve(step: &Step<'_>, status: &[Status], lines: &[SlipLine]) -> Result<Frozen, FailureCause> {
+    let points = step.problem.points();
+    let layout = Layout {
+        normal: (0..points.len()).filter(|&k| status[k].touches()).collect(),
+        tangential: (0..points.len())
+            .filter(|&k| {
+                points[k].slides && (status[k] == Status::Stick || (status[k].touches() && lines[k].slip != 0.0))
+            })
+            .collect(),
+    };
+    let (matrix, side, unbalanced) = reduced_system(step, status, lines, &layout);
+    let mut solution = side;
+    DenseLu::new(matrix).map_err(|_| FailureCause::Singular)?.solve(&mut solution);
+    if !solution.iter().all(|value| value.is_finite()) {
+        return Err(FailureCause::Singular);
+    }
+
+    let mut forces = DVector::zeros(2 * points.len());
+    for (value, &k) in solution.iter().zip(&layout.normal) {
+        forces[2 * k] = *value;
+        if points[k].slides {
+            forces[2 * k + 1] = -status[k].slip_sign() * (lines[k].constant + lines[k].normal * value);
+        }
+    }
+    let touching = layout.normal.len();
+    for (value, &k) in solution.iter().skip(touching).zip(&layout.tangential) {
+        forces[2 * k + 1] = *value;
+    }
+    let rigid = solution.rows(touching + layout.tangential.len(), step.mode_load.len()).into_owned();
+    let motion = step.motion(&forces, &rigid);
+    Ok(Frozen { forces, rigid, motion, unbalanced })
+}
+
+/// Matrix and right-hand side of the reduced system, and the direction of unbalanced load if there is one.
+fn reduced_system(
+    step: &Step<'_>,
+    status: &[Status],
+    lines: &[SlipLine],
+    layout: &Layout,
+) -> (DMatrix<f64>, DVector<f64>, Option<DVector<f64>>) {
+    let (compliance, modes) = (step.problem.compliance(), step.problem.modes());
+    let rows: Vec<usize> = layout.normal.iter().map(|k| 2 * k).chain(layout.tangential.iter().map(|k| 2 * k + 1)).collect();
+    let (touching, contact, rigid) = (layout.normal.len(), rows.len(), modes.ncols());
+    let size = contact + rigid;
+    let mut matrix = DMatrix::zeros(size, size);
+    let mut side = DVector::zeros(size);
+    for (i, &row) in rows.iter().enumerate() {
+        side[i] = -step.free_motion[row];
+        for mode in 0..rigid {
+            matrix[(i, contact + mode)] = modes[(row, mode)];
+        }
+    }
+    for mode in 0..rigid {
+        side[contact + mode] = -step.mode_load[mode];
+    }
+    let full_column = |column: usize| compliance.column(column);
+    for (j, &k) in layout.normal.iter().enumerate() {
+        let sign = if step.problem.points()[k].slides { status[k].slip_sign() } else { 0.0 };
+        let eliminated = sign != 0.0 && lines[k].slip == 0.0;
+        let (normal, tangential) = (full_column(2 * k), full_column(2 * k + 1));
+        let (slope, constant) =
+            if eliminated { (-sign * lines[k].normal, -sign * lines[k].constant) } else { (0.0, 0.0) };
+        for (i, &row) in rows.iter().enumerate() {
+            matrix[(i, j)] = normal[row] + slope * tangential[row];
+            side[i] -= constant * tangential[row];
+        }
+        for mode in 0..rigid {
+            let (along_normal, along_tangent) = (modes[(2 * k, mode)], modes[(2 * k + 1, mode)]);
+            matrix[(contact + mode, j)] = along_normal + slope * along_tangent;
+            side[contact + mode] -= constant * along_tangent;
+        }
+    }
+    for (j, &k) in layout.tangential.iter().enumerate() {
+        let column = full_column(2 * k + 1);
+        for (i, &row) in rows.iter().enumerate() {
+            matrix[(i, touching + j)] = column[row];
+        }
+        for mode in 0..rigid {
+            matrix[(contact + mode, touching + j)] = modes[(2 * k + 1, mode)];
+        }
+    }
+    soften_slip_rows(&mut matrix, &mut side, status, lines, layout);
+    let unbalanced = hold_free_motions(step, &rows, contact, &mut matrix, &mut side);
+    (matrix, side, unbalanced)
+}
+
+/// Turns the row Δs = 0 of a slipping point with f₂ ≠ 0 into λ_t + σ f₁ λ_n + f₂ Δs = −σ f₀.
+fn soften_slip_rows(
+    matrix: &mut DMatrix<f64>,
+    side: &mut DVector<f64>,
+    status: &[Status],
+    lines: &[SlipLine],
+    layout: &Layout,
+) {
+    let touching = layout.normal.len();
+    for (position, &k) in layout.tangential.iter().enumerate() {
+        let sign = status[k].slip_sign();
+        if sign == 0.0 {
+            continue;
+        }
+        let row = touching + position;
+        matrix.row_mut(row).scale_mut(lines[k].slip);
+        side[row] = lines[k].slip * side[row] - sign * lines[k].constant;
+        matrix[(row, row)] += 1.0;
+        // Every tangential unknown belongs to a touching point.
+        if let Ok(j) = layout.normal.binary_search(&k) {
+            matrix[(row, j)] += sign * lines[k].normal;
+        }
+    }
+}
+
+/// Keeps rigid motions that no row resists at their committed amount and returns the unbalanced load in them.
+fn hold_free_motions(
+    step: &Step<'_>,
+    rows: &[usize],
+    contact: usize,
+    matrix: &mut DMatrix<f64>,
+    side: &mut DVector<f64>,
+) -> Option<DVector<f64>> {
+    const NEGLIGIBLE: f64 = 1e-12;
+    let modes = step.problem.modes();
+    let rigid = modes.ncols();
+    if rigid == 0 {
+        return None;
+    }
+    let mut gram = DMatrix::zeros(rigid, rigid);
+    for &row in rows {
+        let motion = modes.row(row);
+        gram += motion.transpose() * motion;
+    }
+    let scale = gram.trace().max(1.0);
+    let eigen = SymmetricEigen::new(gram);
+    let free: Vec<usize> = (0..rigid).filter(|&k| eigen.eigenvalues[k] <= NEGLIGIBLE * scale).collect();
+    if free.is_empty() {
+        return None;
+    }
+    let basis = eigen.eigenvectors.select_columns(&free);
+    let projector = &basis * basis.transpose();
+    let mut corner = matrix.view_mut((contact, contact), (rigid, rigid));
+    corner += &projector;
+    let load = side.rows(contact, rigid).into_owned();
+    let along = &projector * &load;
+    let held = &projector * &step.committed.rigid;
+    side.rows_mut(contact, rigid).copy_from(&(load - &along + held));
+    // `side` holds minus the load, so the body is pushed along −along.
+    (along.amax() > NEGLIGIBLE * step.mode_load.amax()).then(|| -along)
+}

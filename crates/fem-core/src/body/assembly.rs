@@ -1,0 +1,170 @@
+//! Assembly of the stiffness matrix: cells in parallel, the sum in one fixed order.
+
+use rayon::prelude::*;
+
+use super::ElasticBody;
+use super::equations::{BodyStructure, HELD};
+use crate::element::{Element, KindVisitor, gather, stiffness, with_element};
+use crate::linalg::LowerMatrix;
+use crate::material::PlaneStiffness;
+use crate::mesh::Mesh;
+use crate::support::NodeConstraint;
+
+/// Cells whose matrices are held at once; bounds the memory beside the matrix.
+const CHUNK: usize = 2048;
+
+/// The assembled matrix, and the forces that unit movement of the supports exerts on the unknowns.
+pub(super) struct Assembled {
+    pub(super) matrix: LowerMatrix,
+    /// −K_fh u_h for the prescribed displacements u_h, one per unknown.
+    pub(super) support_forces: Vec<f64>,
+}
+
+pub(super) fn assemble(body: &ElasticBody, structure: &BodyStructure) -> Assembled {
+    let mut assembled = Assembled {
+        matrix: structure.pattern.clone(),
+        support_forces: vec![0.0; structure.unknowns],
+    };
+    let stiffnesses = body.stiffnesses();
+    for (block, stiffness) in body.mesh.blocks().iter().zip(&stiffnesses) {
+        let visit = AssembleBlock {
+            mesh: &body.mesh,
+            connectivity: &block.connectivity,
+            stiffness,
+            thickness: body.thickness,
+            structure,
+            assembled: &mut assembled,
+        };
+        with_element(block.kind, visit);
+    }
+    assembled
+}
+
+struct AssembleBlock<'a> {
+    mesh: &'a Mesh,
+    connectivity: &'a [usize],
+    stiffness: &'a PlaneStiffness,
+    thickness: f64,
+    structure: &'a BodyStructure,
+    assembled: &'a mut Assembled,
+}
+
+impl KindVisitor for AssembleBlock<'_> {
+    type Output = ();
+
+    fn visit<const N: usize, E: Element<N>>(self) {
+        let size = 4 * N * N;
+        let mut buffer = vec![0.0; CHUNK.min(self.connectivity.len() / N) * size];
+        for cells in self.connectivity.chunks(CHUNK * N) {
+            let count = cells.len() / N;
+            buffer[..count * size]
+                .par_chunks_exact_mut(size)
+                .zip(cells.par_chunks_exact(N))
+                .for_each(|(local, cell)| {
+                    let x = gather::<N>(self.mesh.nodes(), cell);
+                    stiffness::<N, E>(&x, self.stiffness, self.thickness, local);
+                    turn_to_node_axes(local, cell, &self.structure.constraints);
+                });
+            for (local, cell) in buffer.chunks_exact(size).zip(cells.chunks_exact(N)) {
+                scatter(local, cell, self.structure, self.assembled);
+            }
+        }
+    }
+}
+
+/// Turns the rows and columns of nodes whose axes are not x and y.
+fn turn_to_node_axes(local: &mut [f64], cell: &[usize], constraints: &[NodeConstraint]) {
+    let width = 2 * cell.len();
+    for (a, &node) in cell.iter().enumerate() {
+        let constraint = constraints[node];
+        if !constraint.is_turned() {
+            continue;
+        }
+        for k in 0..width {
+            let row =
+                constraint.to_local([local[2 * a * width + k], local[(2 * a + 1) * width + k]]);
+            local[2 * a * width + k] = row[0];
+            local[(2 * a + 1) * width + k] = row[1];
+        }
+        for row in local.chunks_exact_mut(width) {
+            let turned = constraint.to_local([row[2 * a], row[2 * a + 1]]);
+            row[2 * a] = turned[0];
+            row[2 * a + 1] = turned[1];
+        }
+    }
+}
+
+fn scatter(local: &[f64], cell: &[usize], structure: &BodyStructure, assembled: &mut Assembled) {
+    let width = 2 * cell.len();
+    let matrix = &mut assembled.matrix;
+    for (b, &node_b) in cell.iter().enumerate() {
+        for j in 0..2 {
+            let column = structure.equations[node_b][j];
+            let prescribed = structure.constraints[node_b].displacement[j];
+            if column == HELD && prescribed == 0.0 {
+                continue;
+            }
+            for (a, &node_a) in cell.iter().enumerate() {
+                for i in 0..2 {
+                    let row = structure.equations[node_a][i];
+                    if row == HELD {
+                        continue;
+                    }
+                    let value = local[(2 * a + i) * width + 2 * b + j];
+                    if column == HELD {
+                        assembled.support_forces[row as usize] -= value * prescribed;
+                    } else if row >= column {
+                        let (start, end) = (
+                            matrix.column_start[column as usize],
+                            matrix.column_start[column as usize + 1],
+                        );
+                        // The pattern was made from the same cells, so the row is there.
+                        let offset = matrix.rows[start..end].partition_point(|&r| r < row as usize);
+                        matrix.values[start + offset] += value;
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Nodal forces K u [force], interleaved, that hold the body in the displacements `u` [length]; supports are ignored.
+pub fn internal_forces(body: &ElasticBody, u: &[f64]) -> Vec<f64> {
+    struct Visit<'a> {
+        body: &'a ElasticBody,
+        connectivity: &'a [usize],
+        stiffness: &'a PlaneStiffness,
+        u: &'a [f64],
+        forces: &'a mut [f64],
+    }
+    impl KindVisitor for Visit<'_> {
+        type Output = ();
+        fn visit<const N: usize, E: Element<N>>(self) {
+            let mut local = vec![0.0; 4 * N * N];
+            for cell in self.connectivity.chunks_exact(N) {
+                let x = gather::<N>(self.body.mesh.nodes(), cell);
+                stiffness::<N, E>(&x, self.stiffness, self.body.thickness, &mut local);
+                for (row, line) in local.chunks_exact(2 * N).enumerate() {
+                    let sum: f64 = line
+                        .iter()
+                        .enumerate()
+                        .map(|(k, value)| value * self.u[2 * cell[k / 2] + k % 2])
+                        .sum();
+                    self.forces[2 * cell[row / 2] + row % 2] += sum;
+                }
+            }
+        }
+    }
+    let mut forces = vec![0.0; u.len()];
+    for (block, stiffness) in body.mesh.blocks().iter().zip(&body.stiffnesses()) {
+        let visit = Visit {
+            body,
+            connectivity: &block.connectivity,
+            stiffness,
+            u,
+            forces: &mut forces,
+        };
+        with_element(block.kind, visit);
+    }
+    forces
+}

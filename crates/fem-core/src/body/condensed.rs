@@ -1,0 +1,333 @@
+//! A finite-element body condensed to its contact nodes.
+
+use std::sync::Arc;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::assembly::assemble;
+use super::equations::{BodyStructure, HELD};
+use super::{BodyError, ElasticBody};
+use crate::interface::InterfaceOperator;
+use crate::linalg::{SparseCholesky, invert_from_cholesky, solve_lower_transposed};
+use crate::load::initial_strain_load;
+use crate::mesh::Point;
+
+/// A linear elastic body seen from its contact nodes, with its factor kept for the fields inside.
+///
+/// Cost: one numeric factorisation, one dense inverse of the interface's size, and half a sparse solve per load case.
+#[derive(Clone, Debug)]
+pub struct CondensedBody {
+    body: Arc<ElasticBody>,
+    structure: Arc<BodyStructure>,
+    factor: SparseCholesky,
+    points: Vec<Point>,
+    compliance: DMatrix<f64>,
+    modes: DMatrix<f64>,
+    /// Forces of each load case on the unknowns; `None` for a case that does not load this body.
+    case_forces: Vec<Option<Vec<f64>>>,
+    responses: Vec<Option<DVector<f64>>>,
+    mode_loads: Vec<DVector<f64>>,
+}
+
+impl CondensedBody {
+    /// Condenses `body` with a structure made by [`ElasticBody::analyse`], perhaps of a body that differs in material.
+    ///
+    /// # Errors
+    /// [`BodyError::OtherStructure`]; [`BodyError::Factor`] if the stiffness matrix is not positive definite.
+    pub fn new(body: Arc<ElasticBody>, structure: Arc<BodyStructure>) -> Result<Self, BodyError> {
+        let (expected, found) = (structure.equations.len(), body.mesh.nodes().len());
+        if expected != found {
+            return Err(BodyError::OtherStructure { expected, found });
+        }
+        let assembled = assemble(&body, &structure);
+        let factor = SparseCholesky::factorise(&structure.symbolic, &assembled.matrix)?;
+        drop(assembled.matrix);
+        let lower = factor.trailing_block(structure.interface_unknowns);
+        let compliance = invert_from_cholesky(&lower);
+
+        let mut condensed = Self {
+            points: structure
+                .interface
+                .iter()
+                .map(|&node| body.mesh.nodes()[node])
+                .collect(),
+            compliance: structure.spread(&compliance),
+            modes: structure.interface_modes(&body),
+            case_forces: Vec::new(),
+            responses: Vec::new(),
+            mode_loads: Vec::new(),
+            body,
+            structure,
+            factor,
+        };
+        condensed.add_load_cases(&assembled.support_forces, &lower);
+        Ok(condensed)
+    }
+
+    fn add_load_cases(&mut self, support_forces: &[f64], lower: &DMatrix<f64>) {
+        let stiffnesses = self.body.stiffnesses();
+        for case in &self.body.cases {
+            let mut nodal = case.forces.clone();
+            if !case.initial_strain.is_empty() {
+                let thermal = initial_strain_load(
+                    &self.body.mesh,
+                    &stiffnesses,
+                    &case.initial_strain,
+                    self.body.thickness,
+                );
+                if nodal.is_empty() {
+                    nodal = thermal;
+                } else {
+                    nodal
+                        .iter_mut()
+                        .zip(thermal)
+                        .for_each(|(sum, part)| *sum += part);
+                }
+            }
+            self.mode_loads
+                .push(self.structure.mode_load(&self.body, &nodal));
+            let mut forces = self.structure.to_unknowns(&nodal);
+            if case.moves_supports {
+                forces
+                    .iter_mut()
+                    .zip(support_forces)
+                    .for_each(|(sum, part)| *sum += part);
+            }
+            if forces.iter().all(|&force| force == 0.0) {
+                self.case_forces.push(None);
+                self.responses.push(None);
+                continue;
+            }
+            let mut half = forces.clone();
+            self.factor.solve_lower(&mut half);
+            let mut tail =
+                DVector::from_column_slice(&half[self.structure.unknowns - lower.nrows()..]);
+            solve_lower_transposed(lower, &mut tail);
+            self.responses.push(Some(
+                self.structure.spread_response(&tail, case.moves_supports),
+            ));
+            self.case_forces.push(Some(forces));
+        }
+    }
+
+    /// The body.
+    pub fn body(&self) -> &Arc<ElasticBody> {
+        &self.body
+    }
+
+    /// The structure, to condense a body that differs in material or load only.
+    pub fn structure(&self) -> &Arc<BodyStructure> {
+        &self.structure
+    }
+
+    /// Mesh nodes of the interface, in the order of the contact points.
+    pub fn interface_nodes(&self) -> &[usize] {
+        &self.structure.interface
+    }
+
+    /// Bytes held by the factor.
+    pub fn factor_bytes(&self) -> usize {
+        self.factor.bytes()
+    }
+
+    /// Displacements of all nodes [length], interleaved, under interface forces `forces` (2n) [force], load cases times
+    /// `multipliers`, and rigid motions `motions` (f): one pair of sparse triangular solves.
+    pub fn displacements(&self, forces: &[f64], multipliers: &[f64], motions: &[f64]) -> Vec<f64> {
+        let structure = &self.structure;
+        let mut unknowns = self.right_hand_side(forces, multipliers);
+        self.factor.solve(&mut unknowns);
+        let support_scale: f64 = self
+            .body
+            .cases
+            .iter()
+            .zip(multipliers)
+            .filter(|(case, _)| case.moves_supports)
+            .map(|(_, m)| m)
+            .sum();
+        let motions = DVector::from_column_slice(motions);
+        let mut u = vec![0.0; 2 * structure.equations.len()];
+        for (node, equations) in structure.equations.iter().enumerate() {
+            let constraint = structure.constraints[node];
+            let local = std::array::from_fn(|axis| match equations[axis] {
+                HELD => support_scale * constraint.displacement[axis],
+                equation => unknowns[equation as usize],
+            });
+            let mut at_node = constraint.to_global(local);
+            if !motions.is_empty() {
+                let rigid = structure.motions.at(&self.body.mesh, node) * &motions;
+                at_node = [at_node[0] + rigid[0], at_node[1] + rigid[1]];
+            }
+            u[2 * node..2 * node + 2].copy_from_slice(&at_node);
+        }
+        u
+    }
+
+    /// Unbalanced nodal forces [force] of the displacements `u`: K u − f − λ, interleaved; at supported nodes these are
+    /// the reactions, elsewhere they vanish within rounding.
+    pub fn residual_forces(&self, u: &[f64], forces: &[f64], multipliers: &[f64]) -> Vec<f64> {
+        let mut residual = super::internal_forces(&self.body, u);
+        let strain = self.body.initial_strain(multipliers);
+        if !strain.is_empty() {
+            let thermal = initial_strain_load(
+                &self.body.mesh,
+                &self.body.stiffnesses(),
+                &strain,
+                self.body.thickness,
+            );
+            residual
+                .iter_mut()
+                .zip(thermal)
+                .for_each(|(sum, part)| *sum -= part);
+        }
+        for (case, factor) in self.body.cases.iter().zip(multipliers) {
+            residual
+                .iter_mut()
+                .zip(&case.forces)
+                .for_each(|(sum, part)| *sum -= factor * part);
+        }
+        for (force, &node) in forces.chunks_exact(2).zip(&self.structure.interface) {
+            residual[2 * node] -= force[0];
+            residual[2 * node + 1] -= force[1];
+        }
+        residual
+    }
+
+    fn right_hand_side(&self, forces: &[f64], multipliers: &[f64]) -> Vec<f64> {
+        let structure = &self.structure;
+        let mut side = vec![0.0; structure.unknowns];
+        for (case, &factor) in self.case_forces.iter().zip(multipliers) {
+            if let Some(case) = case {
+                side.iter_mut()
+                    .zip(case)
+                    .for_each(|(sum, part)| *sum += factor * part);
+            }
+        }
+        for (force, &node) in forces.chunks_exact(2).zip(&structure.interface) {
+            let local = structure.constraints[node].to_local([force[0], force[1]]);
+            for axis in 0..2 {
+                if structure.equations[node][axis] != HELD {
+                    side[structure.equations[node][axis] as usize] += local[axis];
+                }
+            }
+        }
+        side
+    }
+}
+
+impl InterfaceOperator for CondensedBody {
+    fn points(&self) -> &[Point] {
+        &self.points
+    }
+
+    fn compliance(&self) -> Option<&DMatrix<f64>> {
+        Some(&self.compliance)
+    }
+
+    fn modes(&self) -> &DMatrix<f64> {
+        &self.modes
+    }
+
+    fn load_cases(&self) -> usize {
+        self.mode_loads.len()
+    }
+
+    fn load_response(&self, case: usize) -> Option<&DVector<f64>> {
+        self.responses[case].as_ref()
+    }
+
+    fn mode_load(&self, case: usize) -> &DVector<f64> {
+        &self.mode_loads[case]
+    }
+}
+
+impl BodyStructure {
+    /// For each interface unknown: contact point, and the xy direction of the unknown's axis.
+    fn interface_axes(&self) -> Vec<(usize, [f64; 2])> {
+        let mut axes = Vec::with_capacity(self.interface_unknowns);
+        for (point, &node) in self.interface.iter().enumerate() {
+            for axis in 0..2 {
+                if self.equations[node][axis] != HELD {
+                    axes.push((point, self.constraints[node].axes()[axis]));
+                }
+            }
+        }
+        axes
+    }
+
+    /// Spreads a matrix on the interface unknowns to the xy components of all contact points.
+    fn spread(&self, reduced: &DMatrix<f64>) -> DMatrix<f64> {
+        let axes = self.interface_axes();
+        let size = 2 * self.interface.len();
+        if axes.len() == size
+            && !self
+                .interface
+                .iter()
+                .any(|&node| self.constraints[node].is_turned())
+        {
+            return reduced.clone();
+        }
+        let mut full = DMatrix::zeros(size, size);
+        for (q, &(column_point, column_axis)) in axes.iter().enumerate() {
+            for (p, &(row_point, row_axis)) in axes.iter().enumerate() {
+                for j in 0..2 {
+                    for i in 0..2 {
+                        full[(2 * row_point + i, 2 * column_point + j)] +=
+                            row_axis[i] * reduced[(p, q)] * column_axis[j];
+                    }
+                }
+            }
+        }
+        full
+    }
+
+    fn spread_response(&self, reduced: &DVector<f64>, moves_supports: bool) -> DVector<f64> {
+        let mut full = DVector::zeros(2 * self.interface.len());
+        for (&(point, axis), value) in self.interface_axes().iter().zip(reduced.iter()) {
+            full[2 * point] += axis[0] * value;
+            full[2 * point + 1] += axis[1] * value;
+        }
+        if moves_supports {
+            for (point, &node) in self.interface.iter().enumerate() {
+                let held = self.constraints[node].to_global(self.constraints[node].displacement);
+                full[2 * point] += held[0];
+                full[2 * point + 1] += held[1];
+            }
+        }
+        full
+    }
+
+    fn interface_modes(&self, body: &ElasticBody) -> DMatrix<f64> {
+        let mut modes = DMatrix::zeros(2 * self.interface.len(), self.motions.count());
+        for (point, &node) in self.interface.iter().enumerate() {
+            modes
+                .rows_mut(2 * point, 2)
+                .copy_from(&self.motions.at(&body.mesh, node));
+        }
+        modes
+    }
+
+    /// Resultants of nodal forces in the free motions.
+    fn mode_load(&self, body: &ElasticBody, nodal: &[f64]) -> DVector<f64> {
+        let mut load = DVector::zeros(self.motions.count());
+        for (node, force) in nodal.chunks_exact(2).enumerate() {
+            if !load.is_empty() && force != [0.0, 0.0] {
+                load += self.motions.at(&body.mesh, node).transpose()
+                    * DVector::from_column_slice(force);
+            }
+        }
+        load
+    }
+
+    fn to_unknowns(&self, nodal: &[f64]) -> Vec<f64> {
+        let mut unknowns = vec![0.0; self.unknowns];
+        for (node, force) in nodal.chunks_exact(2).enumerate() {
+            let local = self.constraints[node].to_local([force[0], force[1]]);
+            for axis in 0..2 {
+                if self.equations[node][axis] != HELD {
+                    unknowns[self.equations[node][axis] as usize] += local[axis];
+                }
+            }
+        }
+        unknowns
+    }
+}

@@ -1,0 +1,268 @@
+//! Numbering of a body's equations and the structure of its stiffness matrix.
+
+use nalgebra::{DMatrix, SymmetricEigen};
+
+use super::{BodyError, ElasticBody};
+use crate::linalg::{LowerMatrix, SparseStructure, minimum_degree};
+use crate::mesh::{Mesh, Point};
+use crate::support::{NodeConstraint, node_constraints};
+
+/// Number of an equation that does not exist because its unknown is held.
+pub(super) const HELD: u32 = u32::MAX;
+
+/// What of a condensation depends only on connectivity, supports and interface: the order of the equations, the
+/// pattern and symbolic factorisation of the stiffness matrix, and the rigid motions left free. Bodies that differ in
+/// material or load share it.
+#[derive(Clone, Debug)]
+pub struct BodyStructure {
+    pub(super) constraints: Vec<NodeConstraint>,
+    /// Equation of each node in each of its own axes.
+    pub(super) equations: Vec<[u32; 2]>,
+    pub(super) unknowns: usize,
+    pub(super) interface: Vec<usize>,
+    /// Number of interface equations, which are the last.
+    pub(super) interface_unknowns: usize,
+    pub(super) pattern: LowerMatrix,
+    pub(super) symbolic: SparseStructure,
+    pub(super) motions: FreeMotions,
+}
+
+impl BodyStructure {
+    pub(super) fn new(body: &ElasticBody, interface: &[usize]) -> Result<Self, BodyError> {
+        let mesh = &body.mesh;
+        let mut constraints = node_constraints(mesh, &body.supports, body.platen.as_ref())?;
+        let on_interface = flag_interface(mesh, interface)?;
+        let motions = FreeMotions::of(body, &constraints);
+        motions.hold_isostatically(mesh, &mut constraints, &on_interface, body.platen.is_some());
+
+        let adjacency = node_adjacency(mesh);
+        let order = minimum_degree(&adjacency, interface)?;
+        let mut equations = vec![[HELD; 2]; mesh.nodes().len()];
+        let mut unknowns = 0_u32;
+        for &node in &order {
+            for axis in 0..2 {
+                if !constraints[node].held[axis] {
+                    equations[node][axis] = unknowns;
+                    unknowns += 1;
+                }
+            }
+        }
+        let interface_unknowns = interface
+            .iter()
+            .flat_map(|&node| equations[node])
+            .filter(|&equation| equation != HELD)
+            .count();
+        let pattern = lower_pattern(&order, &adjacency, &equations);
+        let symbolic = SparseStructure::analyse(&pattern)?;
+        Ok(Self {
+            constraints,
+            equations,
+            unknowns: unknowns as usize,
+            interface: interface.to_vec(),
+            interface_unknowns,
+            pattern,
+            symbolic,
+            motions,
+        })
+    }
+
+    /// Number of unknowns.
+    pub fn unknowns(&self) -> usize {
+        self.unknowns
+    }
+
+    /// Stored entries of the Cholesky factor, explicit zeros of supernodes included.
+    pub fn factor_entries(&self) -> usize {
+        self.symbolic.factor_entries()
+    }
+}
+
+fn flag_interface(mesh: &Mesh, interface: &[usize]) -> Result<Vec<bool>, BodyError> {
+    let mut flags = vec![false; mesh.nodes().len()];
+    for &node in interface {
+        let flag = flags.get_mut(node).ok_or(BodyError::NoSuchNode { node })?;
+        if std::mem::replace(flag, true) {
+            return Err(BodyError::RepeatedNode { node });
+        }
+    }
+    Ok(flags)
+}
+
+/// Neighbours of each node in the mesh, ascending, without the node.
+fn node_adjacency(mesh: &Mesh) -> Vec<Vec<u32>> {
+    let mut adjacency = vec![Vec::with_capacity(24); mesh.nodes().len()];
+    for block in mesh.blocks() {
+        for cell in block.connectivity.chunks_exact(block.kind.nodes()) {
+            for &a in cell {
+                adjacency[a].extend(cell.iter().filter(|&&b| b != a).map(|&b| b as u32));
+            }
+        }
+    }
+    for neighbours in &mut adjacency {
+        neighbours.sort_unstable();
+        neighbours.dedup();
+    }
+    adjacency
+}
+
+/// Pattern of the lower triangle for equations numbered along `order`.
+fn lower_pattern(order: &[usize], adjacency: &[Vec<u32>], equations: &[[u32; 2]]) -> LowerMatrix {
+    let mut rank = vec![0; order.len()];
+    for (position, &node) in order.iter().enumerate() {
+        rank[node] = position;
+    }
+    let mut pattern = LowerMatrix {
+        column_start: vec![0],
+        ..LowerMatrix::default()
+    };
+    let mut later: Vec<usize> = Vec::new();
+    for &node in order {
+        later.clear();
+        later.extend(
+            adjacency[node]
+                .iter()
+                .map(|&b| rank[b as usize])
+                .filter(|&other| other > rank[node]),
+        );
+        later.sort_unstable();
+        for column in equations[node]
+            .into_iter()
+            .filter(|&equation| equation != HELD)
+        {
+            let own = equations[node]
+                .into_iter()
+                .filter(|&row| row != HELD && row >= column);
+            let others = later
+                .iter()
+                .flat_map(|&position| equations[order[position]])
+                .filter(|&row| row != HELD);
+            pattern
+                .rows
+                .extend(own.chain(others).map(|row| row as usize));
+            pattern.column_start.push(pattern.rows.len());
+        }
+    }
+    pattern.values = vec![0.0; pattern.rows.len()];
+    pattern
+}
+
+/// Rigid motions that the supports leave free, as combinations of two translations and a turn.
+#[derive(Clone, Debug)]
+pub(super) struct FreeMotions {
+    centre: Point,
+    length: f64,
+    /// 3 × f.
+    combinations: DMatrix<f64>,
+}
+
+impl FreeMotions {
+    /// Null space of the supports on the candidate motions: all three, or the translations that a platen is free to make.
+    fn of(body: &ElasticBody, constraints: &[NodeConstraint]) -> Self {
+        let [low, high] = body.mesh.bounding_box();
+        let centre = [
+            f64::midpoint(low[0], high[0]),
+            f64::midpoint(low[1], high[1]),
+        ];
+        let length = (high[0] - low[0])
+            .hypot(high[1] - low[1])
+            .max(f64::MIN_POSITIVE);
+        let mut motions = Self {
+            centre,
+            length,
+            combinations: DMatrix::identity(3, 3),
+        };
+        let mut counts = vec![true; constraints.len()];
+        if let Some(platen) = &body.platen {
+            let free: Vec<usize> = (0..2).filter(|&i| platen.free[i]).collect();
+            motions.combinations = motions.combinations.select_columns(&free);
+            platen.nodes.iter().for_each(|&node| counts[node] = false);
+        }
+        let candidates = motions.count();
+        let mut gram = DMatrix::zeros(candidates, candidates);
+        for (node, constraint) in constraints
+            .iter()
+            .enumerate()
+            .filter(|&(node, _)| counts[node])
+        {
+            for axis in (0..2).filter(|&axis| constraint.held[axis]) {
+                let row = motions.row(&body.mesh, node, constraint.axes()[axis]);
+                gram += row.transpose() * row;
+            }
+        }
+        let scale = gram.trace();
+        if scale > 0.0 {
+            let eigen = SymmetricEigen::new(gram);
+            let free: Vec<usize> = (0..candidates)
+                .filter(|&k| eigen.eigenvalues[k] <= 1e-12 * scale)
+                .collect();
+            motions.combinations = &motions.combinations * eigen.eigenvectors.select_columns(&free);
+        }
+        motions
+    }
+
+    /// Number of free motions.
+    pub(super) fn count(&self) -> usize {
+        self.combinations.ncols()
+    }
+
+    /// Component of each free motion at a node along `direction`, 1 × f.
+    fn row(&self, mesh: &Mesh, node: usize, direction: [f64; 2]) -> DMatrix<f64> {
+        let [x, y] = mesh.nodes()[node];
+        let turn = [
+            -(y - self.centre[1]) / self.length,
+            (x - self.centre[0]) / self.length,
+        ];
+        let basis = [
+            direction[0],
+            direction[1],
+            direction[0] * turn[0] + direction[1] * turn[1],
+        ];
+        DMatrix::from_row_slice(1, 3, &basis) * &self.combinations
+    }
+
+    /// Displacement of a node by each free motion, 2 × f.
+    pub(super) fn at(&self, mesh: &Mesh, node: usize) -> DMatrix<f64> {
+        let mut both = DMatrix::zeros(2, self.count());
+        both.row_mut(0).copy_from(&self.row(mesh, node, [1.0, 0.0]));
+        both.row_mut(1).copy_from(&self.row(mesh, node, [0.0, 1.0]));
+        both
+    }
+
+    /// Holds one unknown per free motion so that the stiffness matrix becomes regular. Which ones does not change any
+    /// answer, because the balance of the body makes their reactions vanish; a platen's nodes are held already.
+    fn hold_isostatically(
+        &self,
+        mesh: &Mesh,
+        constraints: &mut [NodeConstraint],
+        on_interface: &[bool],
+        platen: bool,
+    ) {
+        if platen {
+            return;
+        }
+        let mut basis: Vec<DMatrix<f64>> = Vec::new();
+        for _ in 0..self.count() {
+            let mut best: Option<(f64, usize, usize, DMatrix<f64>)> = None;
+            for node in (0..constraints.len()).filter(|&node| !on_interface[node]) {
+                for axis in (0..2).filter(|&axis| !constraints[node].held[axis]) {
+                    let mut row = self.row(mesh, node, constraints[node].axes()[axis]);
+                    for known in &basis {
+                        let along = row.dot(known);
+                        row -= known * along;
+                    }
+                    let size = row.norm();
+                    if best
+                        .as_ref()
+                        .is_none_or(|(largest, ..)| size > largest * (1.0 + 1e-9))
+                    {
+                        best = Some((size, node, axis, row));
+                    }
+                }
+            }
+            if let Some((size, node, axis, row)) = best {
+                constraints[node].held[axis] = true;
+                basis.push(row / size);
+            }
+        }
+    }
+}

@@ -1,0 +1,203 @@
+//! The core of a disk: an octagon with a vertex on each half-axis and one in each quadrant.
+//!
+//! Each quadrant of the core is a quadrilateral centre – axis – corner – next axis, mapped bilinearly. On its outer sides the
+//! nodes are half equally spaced, half following the rim's angles; on the half-axes equally spaced. Inside, lattice point
+//! (i, j) is the crossing of the straight lines that join the i-th and j-th points of opposite sides.
+
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+
+use super::super::fan::{Rim, unit};
+use super::super::spacing::at_step;
+use crate::mesh::Point;
+
+/// Distance of the axis vertices over that of the corners: between a square (0.71) and a circle (1).
+const BULGE: f64 = 0.85;
+
+/// A quarter of the core.
+#[derive(Debug)]
+pub(super) struct Quadrant {
+    /// First rim index of the quadrant.
+    start: usize,
+    /// Cells from the first axis to the corner, and from there to the next axis.
+    before: usize,
+    after: usize,
+    /// First axis vertex, corner, next axis vertex [length].
+    vertices: [Point; 3],
+    /// Node positions on the two outer sides, each from 0 to 1 in the sense of increasing angle.
+    sides: [Vec<f64>; 2],
+}
+
+impl Quadrant {
+    /// Cells along the first and the next half-axis.
+    pub(super) fn cells(&self) -> [usize; 2] {
+        [self.after, self.before]
+    }
+
+    /// Point of the outer sides at rim step `step`.
+    fn outer(&self, step: f64) -> Point {
+        let [axis, corner, next] = self.vertices;
+        let step = step - self.start as f64;
+        let before = self.before as f64;
+        if step <= before {
+            mixed(axis, corner, at_step(&self.sides[0], step))
+        } else {
+            mixed(corner, next, at_step(&self.sides[1], step - before))
+        }
+    }
+}
+
+/// The core of a whole or half disk.
+#[derive(Debug)]
+pub(super) struct Core {
+    quadrants: Vec<Quadrant>,
+}
+
+impl Core {
+    /// `radius` is that of the corners [length]; the rim has been checked for count and parity.
+    pub(super) fn new(rim: &Rim, radius: f64) -> Self {
+        let counts = if rim.closed {
+            whole_counts(rim)
+        } else {
+            half_counts(rim)
+        };
+        let mut start = 0;
+        let mut quadrants = Vec::with_capacity(counts.len());
+        for (k, [before, after]) in counts.into_iter().enumerate() {
+            let axis = k as f64 * FRAC_PI_2;
+            let vertex = |radius: f64, angle: f64| unit(angle).map(|c| radius * c);
+            quadrants.push(Quadrant {
+                start,
+                before,
+                after,
+                vertices: [
+                    vertex(BULGE * radius, axis),
+                    vertex(radius, axis + FRAC_PI_4),
+                    vertex(BULGE * radius, axis + FRAC_PI_2),
+                ],
+                sides: [
+                    positions(rim, start, before),
+                    positions(rim, start + before, after),
+                ],
+            });
+            start += before + after;
+        }
+        Self { quadrants }
+    }
+
+    pub(super) fn quadrants(&self) -> &[Quadrant] {
+        &self.quadrants
+    }
+
+    /// Cells of the core as one lattice.
+    pub(super) fn cells(&self) -> [usize; 2] {
+        let first = &self.quadrants[0];
+        let second = &self.quadrants[1];
+        let below = self.quadrants.get(3).map_or(0, |last| last.after);
+        [first.after + second.before, first.before + below]
+    }
+
+    /// Outline at half steps of the rim.
+    pub(super) fn outline(&self) -> Vec<Point> {
+        let steps = |q: &Quadrant| 2 * q.start..2 * (q.start + q.before + q.after);
+        let quadrants = self.quadrants.iter();
+        let points = quadrants.flat_map(|q| steps(q).map(|k| q.outer(k as f64 / 2.0)));
+        points
+            .chain(self.quadrants.last().map(|q| q.vertices[2]))
+            .collect()
+    }
+
+    /// Point of a quadrant: i along the first half-axis, j along the next.
+    #[expect(
+        clippy::unused_self,
+        reason = "a quadrant is meaningful only as part of its core"
+    )]
+    pub(super) fn at(&self, quadrant: &Quadrant, i: f64, j: f64) -> Point {
+        let [axis, corner, next] = quadrant.vertices;
+        let (columns, rows) = (quadrant.after as f64, quadrant.before as f64);
+        let (bottom, left) = (i / columns, j / rows);
+        let top = 1.0 - at_step(&quadrant.sides[1], columns - i);
+        let right = at_step(&quadrant.sides[0], j);
+        let u = ((1.0 - left) * bottom + left * top) / (1.0 - (top - bottom) * (right - left));
+        let v = (1.0 - u) * left + u * right;
+        [0, 1].map(|k| u * (1.0 - v) * axis[k] + u * v * corner[k] + (1.0 - u) * v * next[k])
+    }
+}
+
+fn mixed(a: Point, b: Point, share: f64) -> Point {
+    [0, 1].map(|k| (1.0 - share) * a[k] + share * b[k])
+}
+
+/// Positions 0 … 1 of `cells + 1` nodes: mean of equal spacing and that of the rim's angles.
+fn positions(rim: &Rim, start: usize, cells: usize) -> Vec<f64> {
+    let angles = &rim.angles[start..=start + cells];
+    let (from, to) = (angles[0], angles[cells]);
+    let share = |k: usize| f64::midpoint(k as f64 / cells as f64, (angles[k] - from) / (to - from));
+    (0..=cells).map(share).collect()
+}
+
+/// Sum of squares of the turns between rim nodes and the octagon's vertices they are joined to.
+fn turns(rim: &Rim, counts: &[[usize; 2]]) -> f64 {
+    let (mut index, mut vertex, mut sum) = (0, 0, 0.0);
+    for cells in counts.iter().flatten() {
+        index += cells;
+        vertex += 1;
+        sum += (rim.angles[index] - f64::from(vertex) * FRAC_PI_4).powi(2);
+    }
+    sum
+}
+
+/// Cells of the two outer sides of each quadrant of a half disk: [k, a], [b, k] with the smallest turns.
+fn half_counts(rim: &Rim) -> Vec<[usize; 2]> {
+    let cells = rim.intervals();
+    let candidate = |k: usize| {
+        let (first, last) = (k + 1, cells - k - 1);
+        let above = rim.angles.partition_point(|&angle| angle < FRAC_PI_2);
+        let near = |m: &usize| (rim.angles[*m] - FRAC_PI_2).abs();
+        let choices = [above.saturating_sub(1), above].map(|m| m.clamp(first, last));
+        let [a, b] = choices;
+        let top = if near(&a) <= near(&b) { a } else { b };
+        vec![[k, top - k], [cells - k - top, k]]
+    };
+    (2..=(cells - 2) / 2)
+        .map(candidate)
+        .fold(candidate(1), |best, other| {
+            if turns(rim, &other) < turns(rim, &best) {
+                other
+            } else {
+                best
+            }
+        })
+}
+
+/// Cells of the outer sides of each quadrant of a whole disk, found by moving cells between the four free counts.
+fn whole_counts(rim: &Rim) -> Vec<[usize; 2]> {
+    let sides = |free: [usize; 4]| {
+        let [a, b, c, d] = free;
+        vec![[a, b], [c, a], [d, c], [b, d]]
+    };
+    let half = rim.intervals() / 2;
+    let mut free = [0, 1, 2, 3].map(|k| half / 4 + usize::from(k < half % 4));
+    let mut best = turns(rim, &sides(free));
+    let mut step = (half / 8).max(1);
+    loop {
+        let mut improved = false;
+        for (from, to) in (0..4).flat_map(|from| (0..4).map(move |to| (from, to))) {
+            let mut moved = free;
+            if from == to || moved[from] <= step {
+                continue;
+            }
+            moved[from] -= step;
+            moved[to] += step;
+            let cost = turns(rim, &sides(moved));
+            // A real gain only, so that rounding cannot make the search go round in circles.
+            if cost < best * (1.0 - 1e-12) {
+                (free, best, improved) = (moved, cost, true);
+            }
+        }
+        match (improved, step) {
+            (true, _) => {}
+            (false, 1) => return sides(free),
+            (false, _) => step /= 2,
+        }
+    }
+}

@@ -1,0 +1,244 @@
+//! Layers of cells between a contact circle and something around or inside it.
+//!
+//!     x(i, j) = (1 − s) Cᵢ + s Fᵢ,   s = s(i, j) from 0 on the circle to 1 on the far side
+//!
+//! Cᵢ lies on the circle at the i-th angle, Fᵢ on the far side; half steps in i use the mean angle, so that mid-side nodes of
+//! the circle are on it. All cells between two rays that do not cross are convex, whatever the two lists of s.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use super::spacing::{at_least, at_step, increasing, layer_fractions, positive};
+use super::{Extent, GenerateError, Growth};
+use crate::mesh::Point;
+
+/// Angles this close to the ends 0, π or 2π are meant to be there [rad].
+const ANGLE_ROUNDING: f64 = 1e-9;
+
+/// Largest change of the first layer's thickness per length along the circle, so that a jump in the angles' spacing does not
+/// become a step in the layers.
+const THICKNESS_SLOPE: f64 = 0.5;
+
+/// Equally spaced angles [rad] for the contact circle: `intervals + 1` from 0 to π for half, `intervals` from 0 to below 2π
+/// for whole. Empty for zero intervals.
+pub fn uniform_angles(extent: Extent, intervals: usize) -> Vec<f64> {
+    let (count, end) = match extent {
+        _ if intervals == 0 => (0, 0.0),
+        Extent::Half => (intervals + 1, PI),
+        Extent::Whole => (intervals, TAU),
+    };
+    (0..count)
+        .map(|k| end * (k as f64 / intervals as f64))
+        .collect()
+}
+
+/// The angles [rad] with every interval halved; for whole also the one from the last angle to 2π.
+pub fn bisected_angles(extent: Extent, angles: &[f64]) -> Vec<f64> {
+    let end = if extent == Extent::Whole {
+        Some(TAU)
+    } else {
+        None
+    };
+    let next = angles.iter().skip(1).copied().map(Some).chain([end]);
+    let halves = angles.iter().zip(next);
+    halves
+        .flat_map(|(&a, b)| [Some(a), b.map(|b| f64::midpoint(a, b))])
+        .flatten()
+        .collect()
+}
+
+/// (cos, sin), exact at multiples of a right angle, so that symmetry lines are straight to the last bit.
+pub(super) fn unit(angle: f64) -> Point {
+    let quarters = angle / FRAC_PI_2;
+    let nearest = quarters.round();
+    if (quarters - nearest).abs() > 1e-14 * nearest.abs().max(1.0) {
+        return [angle.cos(), angle.sin()];
+    }
+    match nearest.rem_euclid(4.0) as u8 {
+        0 => [1.0, 0.0],
+        1 => [0.0, 1.0],
+        2 => [-1.0, 0.0],
+        _ => [0.0, -1.0],
+    }
+}
+
+/// Checked angles of a contact circle; for a whole circle closed by 2π.
+#[derive(Debug)]
+pub(super) struct Rim {
+    pub(super) angles: Vec<f64>,
+    pub(super) closed: bool,
+}
+
+impl Rim {
+    pub(super) fn new(extent: Extent, given: &[f64]) -> Result<Self, GenerateError> {
+        at_least("angles", given.len(), 3)?;
+        increasing("angles", given)?;
+        let closed = extent == Extent::Whole;
+        let (first, last) = (given[0], given[given.len() - 1]);
+        if first.abs() > ANGLE_ROUNDING {
+            return Err(GenerateError::WrongEnd {
+                what: "first angle",
+                expected: "0",
+                value: first,
+            });
+        }
+        if !closed && (last - PI).abs() > ANGLE_ROUNDING {
+            return Err(GenerateError::WrongEnd {
+                what: "last angle of a half",
+                expected: "π",
+                value: last,
+            });
+        }
+        if closed && last > TAU - ANGLE_ROUNDING {
+            let what = "last angle of a whole circle";
+            return Err(GenerateError::WrongEnd {
+                what,
+                expected: "below 2π",
+                value: last,
+            });
+        }
+        let mut angles = given.to_vec();
+        angles[0] = 0.0;
+        if closed {
+            angles.push(TAU);
+        } else {
+            angles[given.len() - 1] = PI;
+        }
+        increasing("angles", &angles)?;
+        Ok(Self { angles, closed })
+    }
+
+    /// Number of cells along the circle.
+    pub(super) fn intervals(&self) -> usize {
+        self.angles.len() - 1
+    }
+
+    /// Points on a circle about the origin at every half step.
+    pub(super) fn circle(&self, radius: f64) -> Vec<Point> {
+        let steps = 0..=2 * self.intervals();
+        steps
+            .map(|k| unit(at_step(&self.angles, k as f64 / 2.0)).map(|c| radius * c))
+            .collect()
+    }
+
+    /// Width of the neighbouring intervals [rad] at every angle, smoothed to [`THICKNESS_SLOPE`].
+    fn local_spacing(&self) -> Vec<f64> {
+        let n = self.intervals();
+        let width: Vec<f64> = self
+            .angles
+            .windows(2)
+            .map(|pair| pair[1] - pair[0])
+            .collect();
+        let mut spacing = vec![0.0; n + 1];
+        for k in 0..=n {
+            let wrap = if self.closed { [n - 1, 0] } else { [0, n - 1] };
+            let before = width[if k == 0 { wrap[0] } else { k - 1 }];
+            let after = width[if k == n { wrap[1] } else { k }];
+            spacing[k] = f64::midpoint(before, after);
+        }
+        for _ in 0..=usize::from(self.closed) {
+            for k in 0..n {
+                spacing[k + 1] = spacing[k + 1].min(spacing[k] + THICKNESS_SLOPE * width[k]);
+            }
+            if self.closed {
+                spacing[0] = spacing[0].min(spacing[n]);
+                spacing[n] = spacing[0];
+            }
+            for k in (0..n).rev() {
+                spacing[k] = spacing[k].min(spacing[k + 1] + THICKNESS_SLOPE * width[k]);
+            }
+            if self.closed {
+                spacing[n] = spacing[n].min(spacing[0]);
+            }
+        }
+        spacing
+    }
+}
+
+impl Growth {
+    /// Refuses what does not describe `layers` layers.
+    pub(super) fn check(&self, layers: usize) -> Result<(), GenerateError> {
+        at_least("layers", layers, 1)?;
+        match self {
+            Self::Geometric { aspect } => positive("aspect of the first layer", *aspect),
+            Self::Fractions(list) => {
+                if list.len() != layers {
+                    return Err(GenerateError::FractionCount {
+                        fractions: list.len(),
+                        layers,
+                    });
+                }
+                positive("first layer fraction", list[0])?;
+                increasing("layer fractions", list)?;
+                let last = list[layers - 1];
+                if last == 1.0 {
+                    return Ok(());
+                }
+                Err(GenerateError::WrongEnd {
+                    what: "last layer fraction",
+                    expected: "1",
+                    value: last,
+                })
+            }
+        }
+    }
+}
+
+/// The lattice between the circle and the far side.
+#[derive(Debug)]
+pub(super) struct Fan {
+    /// Circle and far side at half steps.
+    near: Vec<Point>,
+    far: Vec<Point>,
+    /// s at the layers' boundaries along every whole ray.
+    fractions: Vec<Vec<f64>>,
+}
+
+impl Fan {
+    /// `far` has a point for every half step along the circle of `radius`; `growth` has been checked for `layers`.
+    pub(super) fn new(
+        rim: &Rim,
+        radius: f64,
+        far: Vec<Point>,
+        layers: usize,
+        growth: &Growth,
+    ) -> Self {
+        let near = rim.circle(radius);
+        let spacing = rim.local_spacing();
+        let along_ray = |k: usize| match growth {
+            Growth::Fractions(list) => [0.0].iter().chain(list).copied().collect(),
+            Growth::Geometric { aspect } => {
+                let (c, f) = (near[2 * k], far[2 * k]);
+                let length = (f[0] - c[0]).hypot(f[1] - c[1]);
+                layer_fractions(layers, aspect * radius * spacing[k] / length)
+            }
+        };
+        let fractions = (0..=rim.intervals()).map(along_ray).collect();
+        Self {
+            near,
+            far,
+            fractions,
+        }
+    }
+
+    /// Point at lattice position (i, j) in whole or half steps.
+    pub(super) fn at(&self, i: f64, j: f64) -> Point {
+        let half_step = (2.0 * i) as usize;
+        let rays = [half_step / 2, half_step.div_ceil(2)];
+        let [a, b] = rays.map(|ray| at_step(&self.fractions[ray], j));
+        let s = f64::midpoint(a, b);
+        let (c, f) = (self.near[half_step], self.far[half_step]);
+        [0, 1].map(|axis| (1.0 - s) * c[axis] + s * f[axis])
+    }
+
+    /// Far side at lattice position `i`.
+    pub(super) fn far_at(&self, i: f64) -> Point {
+        self.far[(2.0 * i) as usize]
+    }
+
+    /// Thickness of the layer at the far side along ray `i` [length].
+    pub(super) fn last_thickness(&self, i: usize) -> f64 {
+        let list = &self.fractions[i];
+        let (c, f) = (self.near[2 * i], self.far[2 * i]);
+        (f[0] - c[0]).hypot(f[1] - c[1]) * (1.0 - list[list.len() - 2])
+    }
+}

@@ -1,0 +1,122 @@
+//! Nodal forces of loads.
+//!
+//!     f_a = t ∫ N_a q ds   (tractions q on edges)      f = t ∫ Bᵀ D ε₀ dA   (initial strain ε₀)
+
+use crate::element::{Element, KindVisitor, gather, thermal_load, with_element};
+use crate::material::PlaneStiffness;
+use crate::mesh::{EdgeRef, Mesh, Point};
+
+/// Where a traction is evaluated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EdgePoint {
+    /// Position [length].
+    pub position: Point,
+    /// Unit outward normal.
+    pub normal: [f64; 2],
+}
+
+/// Five-point Gauss rule on [−1, 1]: abscissae and weights.
+const GAUSS_5: [(f64, f64); 5] = [
+    (-0.906_179_845_938_664, 0.236_926_885_056_189_1),
+    (-0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
+    (0.0, 0.568_888_888_888_888_9),
+    (0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
+    (0.906_179_845_938_664, 0.236_926_885_056_189_1),
+];
+
+/// Forces [force] on all nodes, interleaved (2 × nodes), of a traction [stress] on `edges` of a body of `thickness`
+/// [length]. The traction is integrated by five Gauss points on each isoparametric edge.
+pub fn edge_load(
+    mesh: &Mesh,
+    edges: &[EdgeRef],
+    thickness: f64,
+    traction: impl Fn(EdgePoint) -> [f64; 2],
+) -> Vec<f64> {
+    let mut forces = vec![0.0; 2 * mesh.nodes().len()];
+    for &edge in edges {
+        let nodes = mesh.edge_nodes(edge);
+        let [start, end] = nodes.ends.map(|node| mesh.nodes()[node]);
+        let middle = nodes.mid.map(|node| mesh.nodes()[node]);
+        for (xi, weight) in GAUSS_5 {
+            let (shape, slope) = edge_shape(xi, middle.is_some());
+            let interpolate = |f: [f64; 3]| -> Point {
+                std::array::from_fn(|i| {
+                    f[0] * start[i] + f[1] * end[i] + middle.map_or(0.0, |m| f[2] * m[i])
+                })
+            };
+            let tangent = interpolate(slope);
+            let speed = tangent[0].hypot(tangent[1]);
+            let normal = [tangent[1] / speed, -tangent[0] / speed];
+            let q = traction(EdgePoint {
+                position: interpolate(shape),
+                normal,
+            });
+            let factor = weight * speed * thickness;
+            for (node, value) in nodes.ends.into_iter().chain(nodes.mid).zip(shape) {
+                forces[2 * node] += factor * value * q[0];
+                forces[2 * node + 1] += factor * value * q[1];
+            }
+        }
+    }
+    forces
+}
+
+/// Shape functions of an edge and their slopes at ξ ∈ [−1, 1], in the order start, end, middle.
+fn edge_shape(xi: f64, quadratic: bool) -> ([f64; 3], [f64; 3]) {
+    if quadratic {
+        (
+            [xi * (xi - 1.0) / 2.0, xi * (xi + 1.0) / 2.0, 1.0 - xi * xi],
+            [xi - 0.5, xi + 0.5, -2.0 * xi],
+        )
+    } else {
+        (
+            [(1.0 - xi) / 2.0, f64::midpoint(1.0, xi), 0.0],
+            [-0.5, 0.5, 0.0],
+        )
+    }
+}
+
+/// Forces [force] on all nodes, interleaved, of one initial strain (ε_xx, ε_yy, γ_xy) per block, with the blocks'
+/// stiffnesses [stress].
+pub fn initial_strain_load(
+    mesh: &Mesh,
+    stiffness: &[PlaneStiffness],
+    strain: &[[f64; 3]],
+    thickness: f64,
+) -> Vec<f64> {
+    struct Visit<'a> {
+        mesh: &'a Mesh,
+        connectivity: &'a [usize],
+        stiffness: &'a PlaneStiffness,
+        strain: [f64; 3],
+        thickness: f64,
+        forces: &'a mut [f64],
+    }
+    impl KindVisitor for Visit<'_> {
+        type Output = ();
+        fn visit<const N: usize, E: Element<N>>(self) {
+            let mut local = vec![0.0; 2 * N];
+            for cell in self.connectivity.chunks_exact(N) {
+                let x = gather::<N>(self.mesh.nodes(), cell);
+                thermal_load::<N, E>(&x, self.stiffness, self.strain, self.thickness, &mut local);
+                for (&node, force) in cell.iter().zip(local.chunks_exact(2)) {
+                    self.forces[2 * node] += force[0];
+                    self.forces[2 * node + 1] += force[1];
+                }
+            }
+        }
+    }
+    let mut forces = vec![0.0; 2 * mesh.nodes().len()];
+    for ((block, stiffness), &strain) in mesh.blocks().iter().zip(stiffness).zip(strain) {
+        let visit = Visit {
+            mesh,
+            connectivity: &block.connectivity,
+            stiffness,
+            strain,
+            thickness,
+            forces: &mut forces,
+        };
+        with_element(block.kind, visit);
+    }
+    forces
+}

@@ -1,0 +1,145 @@
+//! Draws every kind of figure from made-up data, as SVG and PNG:
+//! `cargo run --release -p stickslip-report --example gallery -- FOLDER`.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+
+use stickslip_report::axis::Axis;
+use stickslip_report::chart::{
+    Band, Dash, Legend, LineChart, Panels, ReferenceLine, Series, SeriesStyle,
+};
+use stickslip_report::color::{Color, loading_sequence, unloading_sequence};
+use stickslip_report::folder::write_atomic;
+use stickslip_report::raster::{DEFAULT_SCALE, to_png};
+use stickslip_report::svg::Svg;
+
+const STICK: Color = Color::rgb(0x1f, 0x6f, 0xb4);
+const SLIP: Color = Color::rgb(0xe0, 0x7b, 0x1a);
+const OPEN: Color = Color::rgb(0x88, 0x88, 0x88);
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let folder = PathBuf::from(std::env::args().nth(1).ok_or("name a folder for the pictures")?);
+    std::fs::create_dir_all(&folder)?;
+    save(&folder, "traction", &hole_edge_traction().render()?)?;
+    save(&folder, "family", &load_steps().render()?)?;
+    save(&folder, "convergence", &convergence().render()?)?;
+    save(&folder, "panels", &panels().render()?)?;
+    Ok(())
+}
+
+fn save(folder: &Path, name: &str, picture: &Svg) -> Result<(), Box<dyn Error>> {
+    write_atomic(&folder.join(format!("{name}.svg")), picture.as_str().as_bytes())?;
+    write_atomic(&folder.join(format!("{name}.png")), &to_png(picture, DEFAULT_SCALE)?)?;
+    Ok(())
+}
+
+/// Points of `f` at every degree from −180° to 180°.
+fn around(f: impl Fn(f64) -> f64) -> Vec<[f64; 2]> {
+    (-180..=180).map(|degree| [f64::from(degree), f(f64::from(degree))]).collect()
+}
+
+/// A cosine pressure that ends at 82° with a vertical tangent [MPa].
+fn pressure(degree: f64) -> f64 {
+    let s = (degree / 82.0).abs();
+    if s < 1.0 { 385.0 * (1.0 - s * s).sqrt() * degree.to_radians().cos().powf(0.3) } else { 0.0 }
+}
+
+/// Shear that slips at 0.2 p beyond 38° [MPa].
+fn shear(degree: f64) -> f64 {
+    let bound = 0.2 * pressure(degree);
+    let sticking = 0.2 * pressure(38.0) * (degree / 38.0).clamp(-1.0, 1.0).powi(3);
+    sticking.clamp(-bound, bound)
+}
+
+fn hole_edge_traction() -> LineChart {
+    let hoop = |degree: f64| 610.0 * degree.to_radians().sin().powi(2) - 95.0;
+    let zones = [(-180, -82), (-82, -38), (-38, 38), (38, 82), (82, 180)];
+    let names = [("open", OPEN), ("slip", SLIP), ("stick", STICK), ("slip", SLIP), ("open", OPEN)];
+    let mut chart = LineChart::new(
+        "Tractions on the hole edge",
+        Axis::linear("Angle θ from the bearing point [deg]").between(-180.0, 180.0).every(30.0),
+        Axis::linear("Traction, stress [MPa]"),
+    )
+    .subtitle("Pin-loaded plate, W/D = 6, [45/−45/0/90]s, μ = 0.2, P = 1240 lbf")
+    .with(Series::new("CPRESS, contact pressure", around(pressure)))
+    .with(Series::new("CSHEAR1, friction", around(shear)).dash(Dash::Dashed))
+    .with(Series::new("σ_θθ, hoop stress in the plate", around(hoop)).dash(Dash::DashDotted))
+    .reference(ReferenceLine::horizontal("nominal bearing stress P/(D t)", 302.0))
+    .reference(ReferenceLine::vertical("contact ends", 82.0))
+    .reference(ReferenceLine::vertical("contact ends", -82.0));
+    for ((low, high), (name, color)) in zones.into_iter().zip(names) {
+        chart = chart.band(Band::new(name, f64::from(low), f64::from(high), color));
+    }
+    chart
+}
+
+fn load_steps() -> LineChart {
+    let mut chart = LineChart::new(
+        "Friction through one load cycle",
+        Axis::linear("Angle θ from the bearing point [deg]").between(0.0, 90.0).every(15.0),
+        Axis::linear("CSHEAR1 [MPa]"),
+    )
+    .subtitle("Seven steps of loading, then seven of unloading")
+    .legend(Legend::Right);
+    let colors = loading_sequence(7).into_iter().chain(unloading_sequence(7));
+    for (step, color) in colors.enumerate() {
+        let up = step < 7;
+        let load = if up { (step + 1) as f64 / 7.0 } else { (13 - step) as f64 / 7.0 };
+        let turned = if up { 0.0 } else { 1.0 - load };
+        let at = |degree: f64| {
+            let reach = 20.0 + 60.0 * load;
+            let slipped = (load - 2.2 * turned) * shear(degree * 80.0 / reach);
+            [degree, slipped]
+        };
+        let points = (0..=180).map(|half| at(f64::from(half) / 2.0)).collect();
+        let label = format!("{} P = {:.2} P_max", if up { "loading" } else { "unloading" }, load);
+        let dash = if up { Dash::Solid } else { Dash::Dashed };
+        chart = chart.with(Series::new(label, points).color(color).dash(dash).width(1.5));
+    }
+    chart
+}
+
+fn convergence() -> LineChart {
+    let study = |order: i32, constant: f64| -> Vec<[f64; 2]> {
+        (0..7)
+            .map(|level| 0.5 * 0.5_f64.powi(level))
+            .map(|h| [h, constant * h.powi(order) * (1.0 + 0.4 * (9.0 * h).sin())])
+            .collect()
+    };
+    LineChart::new(
+        "Error of the contact half-width",
+        Axis::log("Element size at the contact edge h/a [–]"),
+        Axis::log("Relative error |a_h − a| / a [–]"),
+    )
+    .subtitle("Hertz contact of two cylinders, plane strain")
+    .with(Series::new("Q4", study(1, 0.31)).style(SeriesStyle::Both))
+    .with(Series::new("Q8", study(2, 0.17)).style(SeriesStyle::Both))
+    .with(Series::new("Q9, mortar pairs", study(3, 0.08)).style(SeriesStyle::Both))
+    .reference(ReferenceLine::horizontal("asked accuracy", 1e-4))
+}
+
+fn panels() -> Panels {
+    let load: Vec<f64> = (0..=40).map(|k| 1.0 - (f64::from(k) / 20.0 - 1.0).abs()).collect();
+    let history = |f: &dyn Fn(f64, bool) -> f64| -> Vec<[f64; 2]> {
+        load.iter().enumerate().map(|(k, &p)| [k as f64 / 40.0, f(p, k > 20)]).collect()
+    };
+    let zones = LineChart::new(
+        "(a) Slip zone",
+        Axis::linear("Load time t/T [–]"),
+        Axis::linear("Slip angle [deg]"),
+    )
+    .with(
+        Series::new("", history(&|p, down| if down { 82.0 - 60.0 * p } else { 30.0 + 22.0 * p }))
+            .style(SeriesStyle::Step),
+    )
+    .size(440.0, 0.62);
+    let slip = LineChart::new(
+        "(b) Slip at θ = 60°",
+        Axis::linear("Load time t/T [–]"),
+        Axis::linear("CSLIP1 [mm]"),
+    )
+    .with(Series::new("μ = 0.1", history(&|p, down| if down { 2e-5 } else { 3e-5 * p * p })))
+    .with(Series::new("μ = 0.4", history(&|p, down| if down { 8e-6 } else { 1e-5 * p * p })))
+    .size(440.0, 0.62);
+    Panels::new("One load cycle", 2, vec![zones, slip])
+}

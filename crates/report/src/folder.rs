@@ -1,0 +1,284 @@
+//! Result folders and files that appear whole or not at all.
+//!
+//!     write     everything into a hidden folder beside the target, synced to disk
+//!     finish    move an old result aside, move the new one in, delete the old one
+//!     drop      without `finish`: delete the hidden folder; the target is as before
+//!
+//! A rename within one folder is atomic on POSIX systems, so a reader sees the old
+//! files or the new ones, never a part. A process that is killed leaves a hidden
+//! folder `.NAME.partial-…`, which may be deleted, and never a half result.
+
+use std::fs::{self, File};
+use std::io::{self, Write as _};
+use std::path::{Component, Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use thiserror::Error;
+
+/// The file that makes a folder a result folder; [`ResultFolder::finish`] writes it.
+pub const MARKER: &str = "summary.json";
+
+/// What keeps results from being written. Each message names the path and a remedy.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum FolderError {
+    /// The target is there already and may not be replaced.
+    #[error("'{}' exists; choose another folder or ask to overwrite it", path.display())]
+    Exists {
+        /// The target.
+        path: PathBuf,
+    },
+    /// The target is to be replaced but holds something else than results.
+    #[error(
+        "'{}' is not empty and has no {MARKER}, so it does not look like results and is not \
+         overwritten; choose another folder or delete it yourself",
+        path.display()
+    )]
+    NotResults {
+        /// The target.
+        path: PathBuf,
+    },
+    /// The target is a file, or its path names no folder.
+    #[error("'{}' is not a folder; choose another path", path.display())]
+    NotAFolder {
+        /// The target.
+        path: PathBuf,
+    },
+    /// A name inside the folder that leads out of it, or is [`MARKER`].
+    #[error("'{name}' cannot be a file of the result folder; use a relative path other than {MARKER}")]
+    Name {
+        /// The name as given.
+        name: String,
+    },
+    /// The place for the results cannot be written.
+    #[error("cannot write to '{}'; check that it exists, its permissions and the free space", path.display())]
+    Unwritable {
+        /// The file or folder that was to be written.
+        path: PathBuf,
+        /// The system's reason.
+        #[source]
+        cause: io::Error,
+    },
+    /// The finished results could not be moved to the target.
+    #[error(
+        "results are complete but could not be moved to '{}'; they are kept in '{}'",
+        path.display(),
+        kept.display()
+    )]
+    NotPlaced {
+        /// The target.
+        path: PathBuf,
+        /// Where the new results are.
+        kept: PathBuf,
+        /// The system's reason.
+        #[source]
+        cause: io::Error,
+    },
+    /// The results are in place, but what they replaced could not be deleted.
+    #[error("results are in '{}', but the old ones in '{}' could not be deleted", path.display(), old.display())]
+    OldKept {
+        /// The target, with the new results.
+        path: PathBuf,
+        /// Where what is left of the old results is.
+        old: PathBuf,
+        /// The system's reason.
+        #[source]
+        cause: io::Error,
+    },
+}
+
+/// What to do with a result folder that is there already.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Overwrite {
+    /// Leave it and report an error.
+    Refuse,
+    /// Replace it when the new results are complete.
+    Force,
+}
+
+/// A result folder being filled. Nothing is at its path before [`Self::finish`].
+#[derive(Debug)]
+pub struct ResultFolder {
+    target: PathBuf,
+    staging: PathBuf,
+    overwrite: Overwrite,
+    /// Whether the staging folder is this value's to delete.
+    owns_staging: bool,
+}
+
+impl ResultFolder {
+    /// Prepares a result folder at `path`, and its parents; finds out before a long run
+    /// whether it can be written.
+    ///
+    /// # Errors
+    /// [`FolderError::Exists`], [`FolderError::NotResults`] and [`FolderError::NotAFolder`]
+    /// for what is at `path`; [`FolderError::Unwritable`] where nothing can be written.
+    pub fn create(path: &Path, overwrite: Overwrite) -> Result<Self, FolderError> {
+        let target = resolved(path)?;
+        check_target(&target, overwrite)?;
+        let staging = sibling(&target, "partial")?;
+        if let Some(parent) = staging.parent() {
+            fs::create_dir_all(parent).map_err(|cause| unwritable(parent, cause))?;
+        }
+        fs::create_dir(&staging).map_err(|cause| unwritable(&staging, cause))?;
+        let folder = Self { target, staging, overwrite, owns_staging: true };
+        let probe = folder.staging.join(".probe");
+        write_synced(&probe, b"probe").map_err(|cause| unwritable(&probe, cause))?;
+        fs::remove_file(&probe).map_err(|cause| unwritable(&probe, cause))?;
+        Ok(folder)
+    }
+
+    /// Where the results will be.
+    pub fn path(&self) -> &Path {
+        &self.target
+    }
+
+    /// The hidden folder where files are collected, for writers that want a path.
+    pub fn staging(&self) -> &Path {
+        &self.staging
+    }
+
+    /// Writes file `name`, a relative path such as `figures/traction.svg`.
+    ///
+    /// # Errors
+    /// [`FolderError::Name`] for a path that leads out of the folder or is [`MARKER`];
+    /// [`FolderError::Unwritable`].
+    pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), FolderError> {
+        let relative = Path::new(name);
+        let inside = relative.components().all(|part| matches!(part, Component::Normal(_)));
+        if !inside || relative.file_name().is_none() || relative == Path::new(MARKER) {
+            return Err(FolderError::Name { name: name.to_owned() });
+        }
+        let path = self.staging.join(relative);
+        if let Some(parent) = path.parent() {
+            fs::create_dir_all(parent).map_err(|cause| unwritable(parent, cause))?;
+        }
+        write_synced(&path, bytes).map_err(|cause| unwritable(&path, cause))
+    }
+
+    /// Writes `summary` as [`MARKER`] and puts the folder in its place; returns its path.
+    ///
+    /// # Errors
+    /// [`FolderError::Unwritable`] for the summary; [`FolderError::NotPlaced`] if the
+    /// results had to stay beside the target, which is then as before;
+    /// [`FolderError::OldKept`] if only the deletion of the old results failed.
+    pub fn finish(mut self, summary: &str) -> Result<PathBuf, FolderError> {
+        let marker = self.staging.join(MARKER);
+        write_synced(&marker, summary.as_bytes()).map_err(|cause| unwritable(&marker, cause))?;
+        // From here on the results are complete and are not deleted any more.
+        self.owns_staging = false;
+        let not_placed = |cause| FolderError::NotPlaced {
+            path: self.target.clone(),
+            kept: self.staging.clone(),
+            cause,
+        };
+        let old = self.move_old_aside().map_err(not_placed)?;
+        if let Err(cause) = fs::rename(&self.staging, &self.target) {
+            if let Some(old) = &old {
+                fs::rename(old, &self.target).map_err(not_placed)?;
+            }
+            return Err(not_placed(cause));
+        }
+        if let Some(old) = old {
+            fs::remove_dir_all(&old).map_err(|cause| FolderError::OldKept {
+                path: self.target.clone(),
+                old,
+                cause,
+            })?;
+        }
+        Ok(self.target.clone())
+    }
+
+    /// Renames what is at the target, checked again since the run may have been long.
+    fn move_old_aside(&self) -> io::Result<Option<PathBuf>> {
+        if !exists(&self.target) {
+            return Ok(None);
+        }
+        check_target(&self.target, self.overwrite).map_err(io::Error::other)?;
+        let old = sibling(&self.target, "old").map_err(io::Error::other)?;
+        fs::rename(&self.target, &old)?;
+        Ok(Some(old))
+    }
+}
+
+impl Drop for ResultFolder {
+    fn drop(&mut self) {
+        if self.owns_staging {
+            // A drop cannot report; the folder is hidden and named as partial.
+            let _ = fs::remove_dir_all(&self.staging);
+        }
+    }
+}
+
+/// Writes a file that appears whole or not at all; an old one is replaced.
+///
+/// # Errors
+/// [`FolderError::NotAFolder`] for a path without a file name, [`FolderError::Unwritable`].
+pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), FolderError> {
+    let target = resolved(path)?;
+    let staging = sibling(&target, "partial")?;
+    let written = write_synced(&staging, bytes).and_then(|()| fs::rename(&staging, &target));
+    written.map_err(|cause| {
+        // The first error is the one to report.
+        let _ = fs::remove_file(&staging);
+        unwritable(&target, cause)
+    })
+}
+
+/// The path itself, or what it leads to if it is a symbolic link.
+fn resolved(path: &Path) -> Result<PathBuf, FolderError> {
+    if path.file_name().is_none() {
+        return Err(FolderError::NotAFolder { path: path.to_owned() });
+    }
+    Ok(if path.is_symlink() {
+        path.canonicalize().map_err(|cause| unwritable(path, cause))?
+    } else {
+        path.to_owned()
+    })
+}
+
+fn exists(path: &Path) -> bool {
+    path.symlink_metadata().is_ok()
+}
+
+fn check_target(target: &Path, overwrite: Overwrite) -> Result<(), FolderError> {
+    let path = || target.to_owned();
+    if !exists(target) {
+        return Ok(());
+    }
+    if !target.is_dir() {
+        return Err(FolderError::NotAFolder { path: path() });
+    }
+    if overwrite == Overwrite::Refuse {
+        return Err(FolderError::Exists { path: path() });
+    }
+    let mut entries = fs::read_dir(target).map_err(|cause| unwritable(target, cause))?;
+    if entries.next().is_none() || target.join(MARKER).is_file() {
+        Ok(())
+    } else {
+        Err(FolderError::NotResults { path: path() })
+    }
+}
+
+/// A hidden name beside `target` that no other run uses.
+fn sibling(target: &Path, purpose: &str) -> Result<PathBuf, FolderError> {
+    static COUNTER: AtomicU64 = AtomicU64::new(0);
+    let Some(name) = target.file_name() else {
+        return Err(FolderError::NotAFolder { path: target.to_owned() });
+    };
+    let count = COUNTER.fetch_add(1, Ordering::Relaxed);
+    let mut hidden = std::ffi::OsString::from(".");
+    hidden.push(name);
+    hidden.push(format!(".{purpose}-{}-{count}", std::process::id()));
+    Ok(target.with_file_name(hidden))
+}
+
+fn write_synced(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut file = File::create(path)?;
+    file.write_all(bytes)?;
+    file.sync_all()
+}
+
+fn unwritable(path: &Path, cause: io::Error) -> FolderError {
+    FolderError::Unwritable { path: path.to_owned(), cause }
+}

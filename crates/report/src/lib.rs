@@ -1,0 +1,31 @@
+//! Figures, pages and result folders.
+//!
+//! | module     | holds                                                                    |
+//! |------------|--------------------------------------------------------------------------|
+//! | [`chart`]  | line charts with bands, reference lines and legends; panels of charts    |
+//! | [`field`]  | fields on finite-element meshes with a colour bar                        |
+//! | [`axis`]   | what the two have in common: labels, scales, ranges and ticks            |
+//! | [`color`]  | categorical, sequential and diverging colours                            |
+//! | [`svg`]    | the finished picture, a self-contained SVG document                      |
+//! | [`raster`] | SVG → PNG with the embedded font                                         |
+//! | [`table`]  | tables for the terminal and for the page                                 |
+//! | [`page`]   | one self-contained HTML page                                             |
+//! | [`folder`] | result folders and files that appear whole or not at all                 |
+//!
+//! Nothing here knows what a number means: quantities arrive as plain values, and
+//! labels carry their units. Equal input gives equal bytes.
+
+pub mod axis;
+pub mod chart;
+pub mod color;
+mod error;
+pub mod field;
+pub mod folder;
+mod frame;
+pub mod page;
+pub mod raster;
+pub mod svg;
+pub mod table;
+mod text;
+
+pub use error::FigureError;

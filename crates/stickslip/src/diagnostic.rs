@@ -1,0 +1,194 @@
+//! Errors that show file, line and remedy.
+//!
+//! A [`SceneProblem`] says what is wrong and how to mend it, in numbers. A [`Finding`] is a problem at its place: the key, and
+//! the span of the scene file or of the `--set` argument that it stands in. A [`SceneError`] is everything that was found in
+//! one scene.
+
+mod nearest;
+mod problem;
+
+use std::fmt;
+use std::sync::Arc;
+
+use miette::{
+    Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, SourceCode, SourceOffset,
+};
+use serde::Serialize;
+
+pub(crate) use nearest::nearest;
+pub use problem::SceneProblem;
+
+/// A text that a problem can be shown in: a scene file, or an argument of `--set`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SourceText {
+    /// Path of the file as given, or `--set`.
+    pub name: String,
+    /// The whole text.
+    pub text: String,
+}
+
+/// Bytes `start..end` of a [`SourceText`].
+pub type Span = std::ops::Range<usize>;
+
+/// A problem at its place.
+#[derive(Debug, Clone)]
+pub struct Finding {
+    /// What is wrong.
+    pub problem: SceneProblem,
+    /// The key, as `--set` would name it: `contacts.0.friction`. Empty for the scene as a whole.
+    pub key: String,
+    /// The text it stands in.
+    pub source: Arc<SourceText>,
+    /// Where in the text, if it stands anywhere.
+    pub span: Option<Span>,
+}
+
+impl Finding {
+    /// Line and column in the source, both from 1.
+    pub fn position(&self) -> Option<(usize, usize)> {
+        let before = self.source.text.get(..self.span.as_ref()?.start)?;
+        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        let line = before.matches('\n').count() + 1;
+        Some((line, before[line_start..].chars().count() + 1))
+    }
+
+    /// The finding as numbers and texts for programs.
+    pub fn summary(&self) -> FindingSummary {
+        let (line, column) = self.position().unzip();
+        FindingSummary {
+            code: self.problem.code().map(|code| code.to_string()),
+            message: self.problem.to_string(),
+            help: self.problem.help().map(|help| help.to_string()),
+            source: self.source.name.clone(),
+            line,
+            column,
+            key: self.key.clone(),
+        }
+    }
+}
+
+/// A [`Finding`] for programs.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct FindingSummary {
+    /// Kind of the problem, such as `scene::unknown_key`.
+    pub code: Option<String>,
+    /// What is wrong.
+    pub message: String,
+    /// How to mend it.
+    pub help: Option<String>,
+    /// File, or `--set`.
+    pub source: String,
+    /// Line from 1.
+    pub line: Option<usize>,
+    /// Column from 1, in characters.
+    pub column: Option<usize>,
+    /// The key in the scene.
+    pub key: String,
+}
+
+impl fmt::Display for Finding {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.problem.fmt(formatter)
+    }
+}
+
+impl std::error::Error for Finding {}
+
+impl Diagnostic for Finding {
+    fn code<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        self.problem.code()
+    }
+
+    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        self.problem.help()
+    }
+
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        self.span.as_ref().map(|_| &*self.source as &dyn SourceCode)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        let span = self.span.clone()?;
+        let label = if self.key.is_empty() { "here" } else { &self.key };
+        let label = LabeledSpan::new(Some(label.to_owned()), span.start, span.len());
+        Some(Box::new(std::iter::once(label)))
+    }
+}
+
+impl SourceCode for SourceText {
+    fn read_span<'a>(
+        &'a self,
+        span: &miette::SourceSpan,
+        lines_before: usize,
+        lines_after: usize,
+    ) -> Result<Box<dyn miette::SpanContents<'a> + 'a>, miette::MietteError> {
+        let inner = self.text.read_span(span, lines_before, lines_after)?;
+        Ok(Box::new(miette::MietteSpanContents::new_named(
+            self.name.clone(),
+            inner.data(),
+            *inner.span(),
+            inner.line(),
+            inner.column(),
+            inner.line_count(),
+        )))
+    }
+}
+
+/// Everything that was found wrong with a scene; at least one finding.
+#[derive(Debug, Clone)]
+pub struct SceneError {
+    findings: Vec<Finding>,
+}
+
+impl SceneError {
+    pub(crate) fn new(first: Finding, others: impl IntoIterator<Item = Finding>) -> Self {
+        let mut findings = vec![first];
+        findings.extend(others);
+        Self { findings }
+    }
+
+    /// The findings in the order in which they were met.
+    pub fn findings(&self) -> &[Finding] {
+        &self.findings
+    }
+
+    /// The findings as text with the lines they stand in, `width` columns wide, with colours on request.
+    pub fn render(&self, width: usize, colours: bool) -> String {
+        self.findings.iter().map(|finding| render(finding, width, colours)).collect()
+    }
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, finding) in self.findings.iter().enumerate() {
+            if index > 0 {
+                formatter.write_str("; ")?;
+            }
+            write!(formatter, "{}", finding.source.name)?;
+            if let Some((line, column)) = finding.position() {
+                write!(formatter, ":{line}:{column}")?;
+            }
+            write!(formatter, ": {}", finding.problem)?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for SceneError {}
+
+/// One diagnostic as text.
+pub(crate) fn render(diagnostic: &dyn Diagnostic, width: usize, colours: bool) -> String {
+    let theme = if colours { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
+    let handler = GraphicalReportHandler::new_themed(theme).with_width(width).with_links(false);
+    let mut text = String::new();
+    match handler.render_report(&mut text, diagnostic) {
+        Ok(()) => text,
+        // Writing into a string does not fail; a span outside its text would, and then the words must do.
+        Err(_) => format!("{diagnostic}\n"),
+    }
+}
+
+/// Byte offset of a line and column, both from 1 and the column in bytes, as `serde_json` gives them.
+pub(crate) fn offset_of(text: &str, line: usize, column: usize) -> usize {
+    SourceOffset::from_location(text, line, column).offset().min(text.len())
+}

@@ -1,0 +1,2 @@
+//! stickslip.
+pub mod units;

@@ -1,0 +1,40 @@
+//! A line that would do for each required key.
+
+/// What to write for the missing `key`, given in full: `bodies.plate.thickness`.
+pub(super) fn example(key: &str) -> String {
+    let name = key.rsplit('.').next().unwrap_or(key);
+    let value = match name {
+        "young" => "\"70 GPa\"",
+        "poisson" => "0.3",
+        "e1" => "\"140 GPa\"",
+        "e2" | "e3" => "\"9 GPa\"",
+        "g12" => "\"5 GPa\"",
+        "nu12" | "nu13" => "0.3",
+        "nu23" => "0.4",
+        "material" => "\"aluminium\"",
+        "thickness" => "\"1.5 mm\"",
+        "shape" => return "shape.disk = { radius = \"5 mm\" }".to_owned(),
+        "outline" => {
+            return "outline.strip = { half_width = \"40 mm\", left = \"180 mm\", right = \"40 mm\" }".to_owned();
+        }
+        "hole_radius" | "radius" => "\"5 mm\"",
+        "half_width" | "left" | "right" | "width" | "height" | "half_length" | "depth" => "\"40 mm\"",
+        "element" => "\"Q8\"",
+        "spacing" => "\"2 deg\"",
+        "first" => "\"plate.hole\"",
+        "second" => "\"pin.rim\"",
+        "on" => "\"plate.left\"",
+        "free" => "[\"x\", \"y\"]",
+        "direction" => "[-1, 0]",
+        "file" => "\"data/ring.csv\"",
+        "stress" => "\"MPa\"",
+        "steps" => match key.rsplit('.').nth(1) {
+            Some("force") => "[\"1 kN\"]",
+            Some("pressure") => "[\"1 MPa\"]",
+            Some("temperature") => "[\"-100 K\"]",
+            _ => "[1.0]",
+        },
+        _ => return format!("{name} = …"),
+    };
+    format!("{name} = {value}")
+}
