@@ -12,6 +12,7 @@
 
 mod active_set;
 mod chain;
+mod complementarity;
 mod frozen;
 mod lemke;
 mod pivoting;

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! An [`Element`] holds only what is fixed by the reference cell: nodes, shape functions, sampling points. The material
-//! enters the kernels as a 3×3 matrix D [stress]; t is the thickness [length].
+//! enters the kernels as a 3×3 matrix D `[stress]`; t is the thickness `[length]`.
 //!
 //! | element | reference cell      | quadrature      | superconvergent points |
 //! |---------|---------------------|-----------------|------------------------|

@@ -23,7 +23,7 @@ pub use isotropic::Isotropic;
 pub use orthotropic::{Orthotropic, OrthotropicConstants, OutOfPlane};
 pub use tensor::{apply, inverse, rotated_compliance, rotated_stiffness, rotated_strain};
 
-/// Symmetric 3×3 matrix in Voigt order (xx, yy, xy): a stiffness [stress] or its inverse, a compliance [1/stress].
+/// Symmetric 3×3 matrix in Voigt order (xx, yy, xy): a stiffness `[stress]` or its inverse, a compliance `[1/stress]`.
 pub type PlaneStiffness = [[f64; 3]; 3];
 
 /// What happens across the thickness.
@@ -38,17 +38,17 @@ pub enum PlaneState {
 
 /// A linear elastic material as plane elements need it.
 pub trait Material: Debug + Send + Sync {
-    /// The matrix D [stress], symmetric and positive definite.
+    /// The matrix D `[stress]`, symmetric and positive definite.
     fn stiffness(&self) -> PlaneStiffness;
 
-    /// In-plane strain (ε_xx, ε_yy, γ_xy) that the temperature rise `dt` [temperature] causes where nothing resists; in
+    /// In-plane strain (ε_xx, ε_yy, γ_xy) that the temperature rise `dt` `[temperature]` causes where nothing resists; in
     /// plane strain the effective one, which includes what the suppressed ε_zz does through Poisson's effect.
     fn thermal_strain(&self, dt: f64) -> [f64; 3] {
         let _ = dt;
         [0.0; 3]
     }
 
-    /// The inverse S of the stiffness [1/stress].
+    /// The inverse S of the stiffness `[1/stress]`.
     fn compliance(&self) -> PlaneStiffness {
         inverse(&self.stiffness())
     }
@@ -72,7 +72,7 @@ pub enum MaterialError {
     Modulus {
         /// The constant's name.
         name: &'static str,
-        /// The value given [stress].
+        /// The value given `[stress]`.
         value: f64,
     },
     /// A number that is infinite or not a number.

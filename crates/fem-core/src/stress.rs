@@ -9,7 +9,7 @@
 //! On an edge whose tractions are known, as after a contact analysis, [`edge_stresses`] is better than all of them: only the
 //! stress along the edge is then unknown, and it follows from the edge's own displacement.
 //!
-//! Stresses are (σ_xx, σ_yy, τ_xy) [stress], tension positive.
+//! Stresses are (σ_xx, σ_yy, τ_xy) `[stress]`, tension positive.
 
 mod edge;
 mod gauss;
@@ -39,7 +39,7 @@ pub enum StressError {
     /// An edge path with a number of nodes that its order and ends do not admit.
     #[error(
         "{nodes} nodes do not make {} edge path of order {order}: order 1 takes at least 3, order 2 an odd number of at \
-         least 5 if open, an even number of at least 4 if closed",
+         least 5 if open, an even number of at least 6 if closed",
         if *closed { "a closed" } else { "an open" }
     )]
     PathNodes {
@@ -57,9 +57,9 @@ pub enum StressError {
     Parameter {
         /// Path node before the defect.
         node: usize,
-        /// Parameter there [length].
+        /// Parameter there `[length]`.
         before: f64,
-        /// Parameter of the next node, one turn later if that is the first [length].
+        /// Parameter of the next node, one turn later if that is the first `[length]`.
         after: f64,
     },
     /// A direction that is not a unit vector.
@@ -86,7 +86,7 @@ fn length(name: &'static str, expected: usize, found: usize) -> Result<(), Stres
     }
 }
 
-/// Components (σ_rr, σ_θθ, τ_rθ) of the stress (σ_xx, σ_yy, τ_xy) where the radius has the direction `theta` [rad].
+/// Components (σ_rr, σ_θθ, τ_rθ) of the stress (σ_xx, σ_yy, τ_xy) where the radius has the direction `theta` `[rad]`.
 pub fn polar(stress: [f64; 3], theta: f64) -> [f64; 3] {
     let (s, c) = theta.sin_cos();
     let [xx, yy, xy] = stress;
@@ -97,7 +97,7 @@ pub fn polar(stress: [f64; 3], theta: f64) -> [f64; 3] {
     ]
 }
 
-/// Components (σ_xx, σ_yy, τ_xy) of the stress (σ_rr, σ_θθ, τ_rθ) where the radius has the direction `theta` [rad].
+/// Components (σ_xx, σ_yy, τ_xy) of the stress (σ_rr, σ_θθ, τ_rθ) where the radius has the direction `theta` `[rad]`.
 pub fn cartesian(stress: [f64; 3], theta: f64) -> [f64; 3] {
     polar(stress, -theta)
 }

@@ -50,12 +50,20 @@ pub struct Axis {
 impl Axis {
     /// A linear axis that fits its data.
     pub fn linear(label: impl Into<String>) -> Self {
-        Self { label: label.into(), scale: Scale::Linear, tick_spacing: None, range: None }
+        Self {
+            label: label.into(),
+            scale: Scale::Linear,
+            tick_spacing: None,
+            range: None,
+        }
     }
 
     /// A logarithmic axis that fits its data.
     pub fn log(label: impl Into<String>) -> Self {
-        Self { scale: Scale::Log, ..Self::linear(label) }
+        Self {
+            scale: Scale::Log,
+            ..Self::linear(label)
+        }
     }
 
     /// Labels a tick every `spacing` (on a log axis: decades).
@@ -83,14 +91,23 @@ impl Axis {
             None => self.fitted(values, padding)?,
         };
         let positive = self.scale == Scale::Linear || low > 0.0;
-        let span = Span { scale: self.scale, low, high };
+        let span = Span {
+            scale: self.scale,
+            low,
+            high,
+        };
         let resolved = span.length() > RESOLUTION * span.magnitude();
         if low.is_finite() && high.is_finite() && positive && resolved && span.length().is_finite()
         {
             Ok(span)
         } else {
             let axis = self.label.clone();
-            Err(FigureError::Range { axis, low, high, scale: self.scale.name() })
+            Err(FigureError::Range {
+                axis,
+                low,
+                high,
+                scale: self.scale.name(),
+            })
         }
     }
 
@@ -99,14 +116,17 @@ impl Axis {
         values: impl Iterator<Item = f64>,
         padding: Padding,
     ) -> Result<[f64; 2], FigureError> {
-        let drawable = |value: &f64| {
-            value.is_finite() && (self.scale == Scale::Linear || *value > 0.0)
-        };
+        let drawable =
+            |value: &f64| value.is_finite() && (self.scale == Scale::Linear || *value > 0.0);
         let (low, high) = values
             .filter(drawable)
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
+                (low.min(v), high.max(v))
+            });
         if low > high {
-            return Err(FigureError::NoData { axis: self.label.clone() });
+            return Err(FigureError::NoData {
+                axis: self.label.clone(),
+            });
         }
         Ok(match self.scale {
             Scale::Linear => padded_linear(low, high, padding),
@@ -128,7 +148,11 @@ fn padded_linear(low: f64, high: f64, padding: Padding) -> [f64; 2] {
     let magnitude = low.abs().max(high.abs());
     // Differences in the last digits are rounding, not a curve.
     if high - low <= 1e-9 * magnitude || high == low {
-        let half = if magnitude > 0.0 { 0.1 * magnitude } else { 1.0 };
+        let half = if magnitude > 0.0 {
+            0.1 * magnitude
+        } else {
+            1.0
+        };
         return [low - half, high + half];
     }
     match padding {
@@ -165,7 +189,9 @@ impl Span {
     /// The place of `value`, 0 at the low and 1 at the high end.
     pub(crate) fn fraction(&self, value: f64) -> Option<f64> {
         let coordinate = self.coordinate(value);
-        coordinate.is_finite().then(|| (coordinate - self.coordinate(self.low)) / self.length())
+        coordinate
+            .is_finite()
+            .then(|| (coordinate - self.coordinate(self.low)) / self.length())
     }
 
     pub(crate) fn contains(&self, value: f64) -> bool {
@@ -184,7 +210,9 @@ impl Span {
     }
 
     fn magnitude(&self) -> f64 {
-        self.coordinate(self.low).abs().max(self.coordinate(self.high).abs())
+        self.coordinate(self.low)
+            .abs()
+            .max(self.coordinate(self.high).abs())
     }
 }
 
@@ -224,13 +252,23 @@ mod tests {
 
     #[test]
     fn bad_ranges_are_refused_with_their_numbers() {
-        for (low, high) in [(1.0, 1.0), (2.0, 1.0), (f64::NAN, 1.0), (0.0, f64::INFINITY)] {
+        for (low, high) in [
+            (1.0, 1.0),
+            (2.0, 1.0),
+            (f64::NAN, 1.0),
+            (0.0, f64::INFINITY),
+        ] {
             let error = fit(&Axis::linear("x").between(low, high), &[]).unwrap_err();
             assert!(matches!(error, FigureError::Range { .. }), "{error}");
         }
         assert!(fit(&Axis::linear("x").between(-f64::MAX, f64::MAX), &[]).is_err());
         assert!(fit(&Axis::log("x").between(0.0, 1.0), &[]).is_err());
         let error = fit(&Axis::linear("gap"), &[f64::NAN]).unwrap_err();
-        assert_eq!(error, FigureError::NoData { axis: "gap".to_owned() });
+        assert_eq!(
+            error,
+            FigureError::NoData {
+                axis: "gap".to_owned()
+            }
+        );
     }
 }

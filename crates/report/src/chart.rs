@@ -22,6 +22,7 @@ pub use panels::{Panels, tile};
 use crate::axis::Axis;
 use crate::color::Color;
 use crate::error::FigureError;
+use crate::frame::OUTER;
 use crate::svg::{Canvas, Svg};
 use layout::{Layout, Margins};
 
@@ -137,7 +138,11 @@ pub struct Band {
 impl Band {
     /// A band from `low` to `high` on the x axis.
     pub fn new(label: impl Into<String>, low: f64, high: f64, color: Color) -> Self {
-        Self { label: label.into(), range: [low, high], color }
+        Self {
+            label: label.into(),
+            range: [low, high],
+            color,
+        }
     }
 }
 
@@ -168,12 +173,20 @@ impl ReferenceLine {
     /// A grey line at `y`.
     pub fn horizontal(label: impl Into<String>, y: f64) -> Self {
         let color = Color::rgb(0x55, 0x55, 0x55);
-        Self { label: label.into(), direction: Direction::Horizontal, value: y, color }
+        Self {
+            label: label.into(),
+            direction: Direction::Horizontal,
+            value: y,
+            color,
+        }
     }
 
     /// A grey line at `x`.
     pub fn vertical(label: impl Into<String>, x: f64) -> Self {
-        Self { direction: Direction::Vertical, ..Self::horizontal(label, x) }
+        Self {
+            direction: Direction::Vertical,
+            ..Self::horizontal(label, x)
+        }
     }
 
     /// Sets the colour.
@@ -295,7 +308,7 @@ impl LineChart {
     fn draw(&self, layout: &Layout) -> Svg {
         let mut canvas = Canvas::default();
         let frame = &layout.frame;
-        layout.heading.draw(&mut canvas, [layout::OUTER, layout::OUTER]);
+        layout.heading.draw(&mut canvas, [OUTER, OUTER]);
         layout.annotations.draw_bands(&mut canvas, frame);
         frame.draw_grid(&mut canvas);
         layout.annotations.draw_lines(&mut canvas, frame);

@@ -74,7 +74,11 @@ pub enum Colormap {
 impl Colormap {
     /// The colour at `fraction`, which is clamped to [0, 1]; NaN gives the colour at 0.
     pub fn at(self, fraction: f64) -> Color {
-        let fraction = if fraction.is_nan() { 0.0 } else { fraction.clamp(0.0, 1.0) };
+        let fraction = if fraction.is_nan() {
+            0.0
+        } else {
+            fraction.clamp(0.0, 1.0)
+        };
         match self {
             Self::Viridis => colorous::VIRIDIS.eval_continuous(fraction).into(),
             Self::BlueWhiteRed => colorous::RED_BLUE.eval_continuous(1.0 - fraction).into(),
@@ -95,12 +99,16 @@ pub fn sequence(count: usize) -> Vec<Color> {
 
 /// `count` colours for the steps of increasing load, from light to dark blue.
 pub fn loading_sequence(count: usize) -> Vec<Color> {
-    spread(count, 0.4, 1.0, |t| colorous::BLUES.eval_continuous(t).into())
+    spread(count, 0.4, 1.0, |t| {
+        colorous::BLUES.eval_continuous(t).into()
+    })
 }
 
 /// `count` colours for the steps of decreasing load, from dark to light orange.
 pub fn unloading_sequence(count: usize) -> Vec<Color> {
-    spread(count, 1.0, 0.4, |t| colorous::ORANGES.eval_continuous(t).into())
+    spread(count, 1.0, 0.4, |t| {
+        colorous::ORANGES.eval_continuous(t).into()
+    })
 }
 
 fn spread(count: usize, from: f64, to: f64, map: impl Fn(f64) -> Color) -> Vec<Color> {
@@ -118,7 +126,11 @@ mod tests {
     #[test]
     fn families_have_as_many_distinct_colours_as_asked() {
         for count in [0, 1, 7, 14] {
-            for family in [sequence(count), loading_sequence(count), unloading_sequence(count)] {
+            for family in [
+                sequence(count),
+                loading_sequence(count),
+                unloading_sequence(count),
+            ] {
                 let distinct: HashSet<_> = family.iter().collect();
                 assert_eq!(distinct.len(), count);
             }
@@ -139,7 +151,10 @@ mod tests {
     #[test]
     fn maps_take_any_number() {
         assert_eq!(Colormap::Viridis.at(f64::NAN), Colormap::Viridis.at(-1.0));
-        assert_eq!(Colormap::Viridis.at(f64::INFINITY), Colormap::Viridis.at(1.0));
+        assert_eq!(
+            Colormap::Viridis.at(f64::INFINITY),
+            Colormap::Viridis.at(1.0)
+        );
     }
 
     #[test]

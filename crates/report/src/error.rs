@@ -71,6 +71,18 @@ pub enum FigureError {
         /// Number of nodes.
         nodes: usize,
     },
+    /// A node without a place.
+    #[error("'{title}': node {node} is at ({x}, {y}), which cannot be drawn")]
+    Node {
+        /// Title of the figure.
+        title: String,
+        /// Index of the node.
+        node: usize,
+        /// Its x as given.
+        x: f64,
+        /// Its y as given.
+        y: f64,
+    },
     /// A cell with fewer than three nodes, or one that names a node that is not there.
     #[error("'{title}': cell {cell} is not a polygon on {nodes} nodes: {corners:?}")]
     Cell {

@@ -1,1 +1,306 @@
-//! field
+//! Fields on meshes: colours between nodes, outline, optional mesh lines, colour bar.
+//!
+//!     x(ξ, η) = Σ Nᵢ(ξ, η) xᵢ        v(ξ, η) = Σ Nᵢ(ξ, η) vᵢ
+//!
+//! A cell is the loop of its border nodes, in order: 3 and 4 nodes are linear, 6 and 8
+//! are quadratic with mid-side nodes between the corners (c₀ m₀ c₁ m₁ …), so curved
+//! edges stay curved; any other number is a polygon around its mean. N are the usual
+//! Lagrange and serendipity functions (Zienkiewicz & Taylor, 2000). Each cell is cut
+//! into pieces of one colour, small enough that steps are not seen; a large mesh is
+//! painted pixel by pixel into an image inside the SVG.
+
+mod color_bar;
+mod layout;
+mod outline;
+mod patch;
+mod pixels;
+mod shading;
+
+use crate::axis::{Axis, Padding, Span};
+use crate::color::Colormap;
+use crate::error::FigureError;
+use crate::frame::OUTER;
+use crate::svg::{Canvas, Svg};
+use layout::Layout;
+use patch::Patch;
+
+/// How a half model is completed below the x axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Mirror {
+    /// Not at all.
+    None,
+    /// v(x, −y) = v(x, y): normal stresses, u_x, magnitudes.
+    Symmetric,
+    /// v(x, −y) = −v(x, y): shear stress τ_xy, u_y.
+    Antisymmetric,
+}
+
+/// A scalar field on a mesh of cells.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FieldPlot<'a> {
+    /// What the picture shows.
+    pub title: String,
+    /// A second, smaller line: case, load, step.
+    pub subtitle: Option<String>,
+    /// Coordinates of the nodes [length]; displace them for a deformed shape.
+    pub nodes: &'a [[f64; 2]],
+    /// Node indices around each cell, see the module's text.
+    pub cells: &'a [Vec<usize>],
+    /// One value per node; cells that touch NaN or infinity are drawn grey.
+    pub values: &'a [f64],
+    /// Name, symbol and unit of the field, beside the colour bar.
+    pub label: String,
+    /// Names and units of the x and y axes.
+    pub axes: [String; 2],
+    /// Colours of the values.
+    pub colormap: Colormap,
+    /// Values at the ends of the colour bar; those beyond it keep the end's colour and
+    /// the bar is pointed. If not given, the least and largest value in sight, and for
+    /// a diverging map ± the largest magnitude.
+    pub range: Option<[f64; 2]>,
+    /// The part to show, `[x_low, x_high, y_low, y_high]` [length].
+    pub window: Option<[f64; 4]>,
+    /// Whether mesh lines are drawn; they are left out where cells are so small
+    /// (3 px) that lines would hide the field.
+    pub draw_mesh: bool,
+    /// Completes a half model.
+    pub mirror: Mirror,
+    /// Largest width of the whole figure [px].
+    pub width: f64,
+}
+
+impl<'a> FieldPlot<'a> {
+    /// A field over the whole mesh in the colours of Viridis, axes in `length_unit`.
+    pub fn new(
+        title: impl Into<String>,
+        label: impl Into<String>,
+        length_unit: &str,
+        nodes: &'a [[f64; 2]],
+        cells: &'a [Vec<usize>],
+        values: &'a [f64],
+    ) -> Self {
+        Self {
+            title: title.into(),
+            subtitle: None,
+            nodes,
+            cells,
+            values,
+            label: label.into(),
+            axes: ["x", "y"].map(|name| format!("{name} [{length_unit}]")),
+            colormap: Colormap::Viridis,
+            range: None,
+            window: None,
+            draw_mesh: false,
+            mirror: Mirror::None,
+            width: 720.0,
+        }
+    }
+
+    /// Sets the line below the title.
+    #[must_use]
+    pub fn subtitle(mut self, subtitle: impl Into<String>) -> Self {
+        self.subtitle = Some(subtitle.into());
+        self
+    }
+
+    /// Sets the colours.
+    #[must_use]
+    pub fn colormap(mut self, colormap: Colormap) -> Self {
+        self.colormap = colormap;
+        self
+    }
+
+    /// Sets the values at the ends of the colour bar.
+    #[must_use]
+    pub fn between(mut self, low: f64, high: f64) -> Self {
+        self.range = Some([low, high]);
+        self
+    }
+
+    /// Shows `[x_low, x_high, y_low, y_high]` only.
+    #[must_use]
+    pub fn window(mut self, window: [f64; 4]) -> Self {
+        self.window = Some(window);
+        self
+    }
+
+    /// Draws the mesh lines.
+    #[must_use]
+    pub fn with_mesh(mut self) -> Self {
+        self.draw_mesh = true;
+        self
+    }
+
+    /// Completes a half model.
+    #[must_use]
+    pub fn mirror(mut self, mirror: Mirror) -> Self {
+        self.mirror = mirror;
+        self
+    }
+
+    /// Draws the field.
+    ///
+    /// # Errors
+    /// [`FigureError::ValueCount`], [`FigureError::Node`] and [`FigureError::Cell`] for a
+    /// mesh that does not fit together; [`FigureError::NoData`] if no cell or value is in
+    /// sight; [`FigureError::Range`] and [`FigureError::Size`] for a window, a range or a
+    /// width that cannot be drawn; [`FigureError::Raster`] if the image of a large mesh
+    /// cannot be written.
+    pub fn render(&self) -> Result<Svg, FigureError> {
+        self.check()?;
+        let patches = patch::visible(self);
+        let extent = self.extent(&patches)?;
+        let seen: Vec<[f64; 3]> = patches
+            .iter()
+            .flat_map(|patch| patch.corners().iter().copied())
+            .filter(|corner| self.in_window([corner[0], corner[1]]) && corner[2].is_finite())
+            .collect();
+        let bar = self.bar_axis();
+        let range = self.value_span(&bar, &patches, &seen)?;
+        let layout = Layout::new(self, extent, &bar, &range, extremes(&seen).as_ref())?;
+        self.draw(&patches, &layout, &range, &seen)
+    }
+
+    fn draw(
+        &self,
+        patches: &[Patch],
+        layout: &Layout,
+        range: &Span,
+        seen: &[[f64; 3]],
+    ) -> Result<Svg, FigureError> {
+        let frame = &layout.frame;
+        let paint = shading::Paint::new(frame, range, self.colormap);
+        let image = pixels::painted(&paint, patches).map_err(|reason| FigureError::Raster {
+            width: frame.area.width,
+            height: frame.area.height,
+            scale: pixels::SCALE,
+            reason,
+        })?;
+        let mut canvas = Canvas::default();
+        layout.heading.draw(&mut canvas, [OUTER, OUTER]);
+        frame.draw_grid(&mut canvas);
+        canvas.clipped(&frame.area, |canvas| {
+            match &image {
+                Some(png) => canvas.image(&frame.area, png),
+                None => shading::fill(canvas, &paint, patches),
+            }
+            outline::draw(canvas, self, frame, patches.len());
+        });
+        frame.draw_axes(&mut canvas);
+        let beyond = [
+            seen.iter().any(|value| value[2] < range.low),
+            seen.iter().any(|value| value[2] > range.high),
+        ];
+        color_bar::draw(&mut canvas, &layout.bar, self.colormap, beyond);
+        Ok(canvas.finish(layout.width, layout.height, &self.title))
+    }
+
+    fn check(&self) -> Result<(), FigureError> {
+        let title = || self.title.clone();
+        let (nodes, values) = (self.nodes.len(), self.values.len());
+        if nodes != values {
+            return Err(FigureError::ValueCount {
+                title: title(),
+                values,
+                nodes,
+            });
+        }
+        if let Some(node) = self
+            .nodes
+            .iter()
+            .position(|p| !(p[0].is_finite() && p[1].is_finite()))
+        {
+            let [x, y] = self.nodes[node];
+            return Err(FigureError::Node {
+                title: title(),
+                node,
+                x,
+                y,
+            });
+        }
+        let bad = |cell: &Vec<usize>| cell.len() < 3 || cell.iter().any(|&node| node >= nodes);
+        match self.cells.iter().position(bad) {
+            Some(cell) => {
+                let corners = self.cells[cell].clone();
+                Err(FigureError::Cell {
+                    title: title(),
+                    cell,
+                    corners,
+                    nodes,
+                })
+            }
+            None => Ok(()),
+        }
+    }
+
+    fn in_window(&self, [x, y]: [f64; 2]) -> bool {
+        self.window.is_none_or(|[x_low, x_high, y_low, y_high]| {
+            (x_low..=x_high).contains(&x) && (y_low..=y_high).contains(&y)
+        })
+    }
+
+    /// The ends of the x and y axes: the window, or the mesh with a little room.
+    fn extent(&self, patches: &[Patch]) -> Result<[Span; 2], FigureError> {
+        let [x, y] = self.coordinate_axes();
+        let along = |axis: usize| {
+            patches
+                .iter()
+                .flat_map(move |patch| patch.corners().iter().map(move |c| c[axis]))
+        };
+        Ok([
+            x.span(along(0), Padding::Loose)?,
+            y.span(along(1), Padding::Loose)?,
+        ])
+    }
+
+    fn coordinate_axes(&self) -> [Axis; 2] {
+        let mut axes = self.axes.clone().map(Axis::linear);
+        if let Some([x_low, x_high, y_low, y_high]) = self.window {
+            axes[0].range = Some([x_low, x_high]);
+            axes[1].range = Some([y_low, y_high]);
+        }
+        axes
+    }
+
+    fn bar_axis(&self) -> Axis {
+        Axis {
+            range: self.range,
+            ..Axis::linear(self.label.clone())
+        }
+    }
+
+    /// The values at the ends of the colour bar.
+    fn value_span(
+        &self,
+        bar: &Axis,
+        patches: &[Patch],
+        seen: &[[f64; 3]],
+    ) -> Result<Span, FigureError> {
+        let mut values: Vec<f64> = seen.iter().map(|corner| corner[2]).collect();
+        if values.is_empty() {
+            // The window lies inside cells and shows no node.
+            values = patches
+                .iter()
+                .flat_map(|p| p.corners().iter().map(|c| c[2]))
+                .collect();
+        }
+        let flipped = if self.colormap.is_diverging() {
+            -1.0
+        } else {
+            1.0
+        };
+        let all = values.iter().flat_map(|&value| [value, flipped * value]);
+        bar.span(all, Padding::Tight)
+    }
+}
+
+/// Where the least and the largest value are first met, as (x, y, value).
+fn extremes(seen: &[[f64; 3]]) -> Option<[[f64; 3]; 2]> {
+    let first = *seen.first()?;
+    Some(seen.iter().fold([first, first], |[least, largest], &node| {
+        [
+            if node[2] < least[2] { node } else { least },
+            if node[2] > largest[2] { node } else { largest },
+        ]
+    }))
+}

@@ -38,14 +38,22 @@ pub enum FolderError {
         /// The target.
         path: PathBuf,
     },
-    /// The target is a file, or its path names no folder.
+    /// A path such as `..` or the empty one.
+    #[error("'{}' names no file or folder; give a path that ends in a name", path.display())]
+    NoName {
+        /// The path as given.
+        path: PathBuf,
+    },
+    /// The target is a file.
     #[error("'{}' is not a folder; choose another path", path.display())]
     NotAFolder {
         /// The target.
         path: PathBuf,
     },
     /// A name inside the folder that leads out of it, or is [`MARKER`].
-    #[error("'{name}' cannot be a file of the result folder; use a relative path other than {MARKER}")]
+    #[error(
+        "'{name}' cannot be a file of the result folder; use a relative path other than {MARKER}"
+    )]
     Name {
         /// The name as given.
         name: String,
@@ -59,9 +67,9 @@ pub enum FolderError {
         #[source]
         cause: io::Error,
     },
-    /// The finished results could not be moved to the target.
+    /// The new results could not be put in place; the target is as before.
     #[error(
-        "results are complete but could not be moved to '{}'; they are kept in '{}'",
+        "the new results could not be put in '{}'; they are kept in '{}'",
         path.display(),
         kept.display()
     )]
@@ -111,8 +119,8 @@ impl ResultFolder {
     /// whether it can be written.
     ///
     /// # Errors
-    /// [`FolderError::Exists`], [`FolderError::NotResults`] and [`FolderError::NotAFolder`]
-    /// for what is at `path`; [`FolderError::Unwritable`] where nothing can be written.
+    /// [`FolderError::Exists`], [`FolderError::NotResults`], [`FolderError::NotAFolder`] and
+    /// [`FolderError::NoName`] for what is at `path`; [`FolderError::Unwritable`] where nothing can be written.
     pub fn create(path: &Path, overwrite: Overwrite) -> Result<Self, FolderError> {
         let target = resolved(path)?;
         check_target(&target, overwrite)?;
@@ -121,7 +129,12 @@ impl ResultFolder {
             fs::create_dir_all(parent).map_err(|cause| unwritable(parent, cause))?;
         }
         fs::create_dir(&staging).map_err(|cause| unwritable(&staging, cause))?;
-        let folder = Self { target, staging, overwrite, owns_staging: true };
+        let folder = Self {
+            target,
+            staging,
+            overwrite,
+            owns_staging: true,
+        };
         let probe = folder.staging.join(".probe");
         write_synced(&probe, b"probe").map_err(|cause| unwritable(&probe, cause))?;
         fs::remove_file(&probe).map_err(|cause| unwritable(&probe, cause))?;
@@ -145,9 +158,13 @@ impl ResultFolder {
     /// [`FolderError::Unwritable`].
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), FolderError> {
         let relative = Path::new(name);
-        let inside = relative.components().all(|part| matches!(part, Component::Normal(_)));
+        let inside = relative
+            .components()
+            .all(|part| matches!(part, Component::Normal(_)));
         if !inside || relative.file_name().is_none() || relative == Path::new(MARKER) {
-            return Err(FolderError::Name { name: name.to_owned() });
+            return Err(FolderError::Name {
+                name: name.to_owned(),
+            });
         }
         let path = self.staging.join(relative);
         if let Some(parent) = path.parent() {
@@ -159,12 +176,10 @@ impl ResultFolder {
     /// Writes `summary` as [`MARKER`] and puts the folder in its place; returns its path.
     ///
     /// # Errors
-    /// [`FolderError::Unwritable`] for the summary; [`FolderError::NotPlaced`] if the
-    /// results had to stay beside the target, which is then as before;
+    /// [`FolderError::NotPlaced`] if the results had to stay beside the target, which is
+    /// then as before;
     /// [`FolderError::OldKept`] if only the deletion of the old results failed.
     pub fn finish(mut self, summary: &str) -> Result<PathBuf, FolderError> {
-        let marker = self.staging.join(MARKER);
-        write_synced(&marker, summary.as_bytes()).map_err(|cause| unwritable(&marker, cause))?;
         // From here on the results are complete and are not deleted any more.
         self.owns_staging = false;
         let not_placed = |cause| FolderError::NotPlaced {
@@ -172,6 +187,8 @@ impl ResultFolder {
             kept: self.staging.clone(),
             cause,
         };
+        let marker = self.staging.join(MARKER);
+        write_synced(&marker, summary.as_bytes()).map_err(not_placed)?;
         let old = self.move_old_aside().map_err(not_placed)?;
         if let Err(cause) = fs::rename(&self.staging, &self.target) {
             if let Some(old) = &old {
@@ -213,7 +230,7 @@ impl Drop for ResultFolder {
 /// Writes a file that appears whole or not at all; an old one is replaced.
 ///
 /// # Errors
-/// [`FolderError::NotAFolder`] for a path without a file name, [`FolderError::Unwritable`].
+/// [`FolderError::NoName`] and [`FolderError::Unwritable`].
 pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), FolderError> {
     let target = resolved(path)?;
     let staging = sibling(&target, "partial")?;
@@ -225,16 +242,17 @@ pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), FolderError> {
     })
 }
 
-/// The path itself, or what it leads to if it is a symbolic link.
+/// What an existing path leads to, through symbolic links; a new path as it is.
 fn resolved(path: &Path) -> Result<PathBuf, FolderError> {
-    if path.file_name().is_none() {
-        return Err(FolderError::NotAFolder { path: path.to_owned() });
+    if exists(path) {
+        return path.canonicalize().map_err(|cause| unwritable(path, cause));
     }
-    Ok(if path.is_symlink() {
-        path.canonicalize().map_err(|cause| unwritable(path, cause))?
-    } else {
-        path.to_owned()
-    })
+    if path.file_name().is_none() {
+        return Err(FolderError::NoName {
+            path: path.to_owned(),
+        });
+    }
+    Ok(path.to_owned())
 }
 
 fn exists(path: &Path) -> bool {
@@ -264,7 +282,9 @@ fn check_target(target: &Path, overwrite: Overwrite) -> Result<(), FolderError> 
 fn sibling(target: &Path, purpose: &str) -> Result<PathBuf, FolderError> {
     static COUNTER: AtomicU64 = AtomicU64::new(0);
     let Some(name) = target.file_name() else {
-        return Err(FolderError::NotAFolder { path: target.to_owned() });
+        return Err(FolderError::NoName {
+            path: target.to_owned(),
+        });
     };
     let count = COUNTER.fetch_add(1, Ordering::Relaxed);
     let mut hidden = std::ffi::OsString::from(".");
@@ -280,5 +300,8 @@ fn write_synced(path: &Path, bytes: &[u8]) -> io::Result<()> {
 }
 
 fn unwritable(path: &Path, cause: io::Error) -> FolderError {
-    FolderError::Unwritable { path: path.to_owned(), cause }
+    FolderError::Unwritable {
+        path: path.to_owned(),
+        cause,
+    }
 }

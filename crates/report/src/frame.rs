@@ -5,7 +5,7 @@ use crate::axis::ticks::Ticks;
 use crate::axis::{Axis, Span};
 use crate::color::Color;
 use crate::error::FigureError;
-use crate::svg::{Anchor, Area, Canvas, Stroke, TextStyle};
+use crate::svg::{Anchor, Area, Canvas, Px, Stroke, TextStyle};
 use crate::text::{self, Weight};
 
 pub(crate) const INK: Color = Color::rgb(0x22, 0x22, 0x22);
@@ -14,8 +14,10 @@ const GRID: Color = Color::rgb(0xe3, 0xe3, 0xe3);
 const FAINT_GRID: Color = Color::rgb(0xf1, 0xf1, 0xf1);
 const FRAME: Color = Color::rgb(0x77, 0x77, 0x77);
 
+/// Free border around a figure [px].
+pub(crate) const OUTER: f64 = 12.0;
 pub(crate) const TITLE_SIZE: f64 = 15.0;
-pub(crate) const SUBTITLE_SIZE: f64 = 12.0;
+const SUBTITLE_SIZE: f64 = 12.0;
 pub(crate) const LABEL_SIZE: f64 = 12.0;
 pub(crate) const TICK_SIZE: f64 = 11.0;
 /// Height of a line of text over its size.
@@ -44,7 +46,7 @@ impl Frame {
     pub(crate) fn new(axes: [&Axis; 2], spans: [Span; 2], area: Area) -> Result<Self, FigureError> {
         let [x_axis, y_axis] = axes;
         let [x, y] = spans;
-        let y_wanted = (area.height / 45.0).clamp(2.0, 9.0) as usize;
+        let y_wanted = (area.height / 30.0).clamp(2.0, 12.0) as usize;
         Ok(Self {
             area,
             x,
@@ -68,12 +70,20 @@ impl Frame {
 
     /// Room needed above the area for the factor of the y labels [px].
     pub(crate) fn top_margin(&self) -> f64 {
-        if self.y_ticks.factor.is_some() { TICK_SIZE * LINE_HEIGHT } else { 0.0 }
+        if self.y_ticks.factor.is_some() {
+            TICK_SIZE * LINE_HEIGHT
+        } else {
+            0.0
+        }
     }
 
     /// Room needed right of the area for half of the last tick's label [px].
     pub(crate) fn right_margin(&self) -> f64 {
-        let last = self.x_ticks.major.last().map_or("", |tick| tick.label.as_str());
+        let last = self
+            .x_ticks
+            .major
+            .last()
+            .map_or("", |tick| tick.label.as_str());
         let factor = self.x_ticks.factor.as_deref().unwrap_or_default();
         let half = text::width(last, TICK_SIZE, Weight::Regular) / 2.0;
         if factor.is_empty() {
@@ -89,11 +99,15 @@ impl Frame {
     }
 
     pub(crate) fn pixel_x(&self, x: f64) -> Option<f64> {
-        self.x.fraction(x).map(|s| self.area.left + s * self.area.width)
+        self.x
+            .fraction(x)
+            .map(|s| self.area.left + s * self.area.width)
     }
 
     pub(crate) fn pixel_y(&self, y: f64) -> Option<f64> {
-        self.y.fraction(y).map(|s| self.area.bottom() - s * self.area.height)
+        self.y
+            .fraction(y)
+            .map(|s| self.area.bottom() - s * self.area.height)
     }
 
     /// Grid lines, fainter between the ticks; zero is drawn stronger.
@@ -109,13 +123,24 @@ impl Frame {
         for y in self.y_ticks.minor.iter().filter_map(|&y| self.pixel_y(y)) {
             canvas.line([left, y], [right, y], &minor);
         }
-        for x in self.x_ticks.major.iter().filter_map(|tick| self.pixel_x(tick.value)) {
+        for x in self
+            .x_ticks
+            .major
+            .iter()
+            .filter_map(|tick| self.pixel_x(tick.value))
+        {
             canvas.line([x, top], [x, bottom], &major);
         }
         for tick in &self.y_ticks.major {
-            let Some(y) = self.pixel_y(tick.value) else { continue };
+            let Some(y) = self.pixel_y(tick.value) else {
+                continue;
+            };
             let zero = Stroke::solid(Color::rgb(0xa8, 0xa8, 0xa8), 1.0);
-            canvas.line([left, y], [right, y], if tick.value == 0.0 { &zero } else { &major });
+            canvas.line(
+                [left, y],
+                [right, y],
+                if tick.value == 0.0 { &zero } else { &major },
+            );
         }
     }
 
@@ -131,17 +156,27 @@ impl Frame {
         let stroke = Stroke::solid(FRAME, 1.0);
         let mut data = format!(
             "M{} {}h{}v{}h{}z",
-            crate::svg::Px(area.left),
-            crate::svg::Px(area.top),
-            crate::svg::Px(area.width),
-            crate::svg::Px(area.height),
-            crate::svg::Px(-area.width),
+            Px(area.left),
+            Px(area.top),
+            Px(area.width),
+            Px(area.height),
+            Px(-area.width),
         );
-        for x in self.x_ticks.major.iter().filter_map(|tick| self.pixel_x(tick.value)) {
-            data += &format!("M{} {}v{TICK_LENGTH}", crate::svg::Px(x), crate::svg::Px(area.bottom()));
+        for x in self
+            .x_ticks
+            .major
+            .iter()
+            .filter_map(|tick| self.pixel_x(tick.value))
+        {
+            data += &format!("M{} {}v{TICK_LENGTH}", Px(x), Px(area.bottom()));
         }
-        for y in self.y_ticks.major.iter().filter_map(|tick| self.pixel_y(tick.value)) {
-            data += &format!("M{} {}h-{TICK_LENGTH}", crate::svg::Px(area.left), crate::svg::Px(y));
+        for y in self
+            .y_ticks
+            .major
+            .iter()
+            .filter_map(|tick| self.pixel_y(tick.value))
+        {
+            data += &format!("M{} {}h-{TICK_LENGTH}", Px(area.left), Px(y));
         }
         canvas.stroked_path(&data, &stroke);
     }
@@ -155,9 +190,17 @@ impl Frame {
             }
         }
         if let Some(factor) = &self.x_ticks.factor {
-            let last = self.x_ticks.major.last().map_or("", |tick| tick.label.as_str());
+            let last = self
+                .x_ticks
+                .major
+                .last()
+                .map_or("", |tick| tick.label.as_str());
             let x = self.area.right() + text::width(last, TICK_SIZE, Weight::Regular) / 2.0 + 6.0;
-            canvas.text([x, baseline], factor, &TextStyle::new(TICK_SIZE, INK, Anchor::Start));
+            canvas.text(
+                [x, baseline],
+                factor,
+                &TextStyle::new(TICK_SIZE, INK, Anchor::Start),
+            );
         }
         let label = TextStyle::new(LABEL_SIZE, INK, Anchor::Middle);
         let first = self.area.bottom() + TICK_LENGTH + TICK_SIZE * LINE_HEIGHT + LABEL_GAP;
@@ -176,7 +219,10 @@ impl Frame {
             }
         }
         if let Some(factor) = &self.y_ticks.factor {
-            let at = [self.area.left - TICK_LENGTH, self.area.top - 0.7 * TICK_SIZE];
+            let at = [
+                self.area.left - TICK_LENGTH,
+                self.area.top - 0.7 * TICK_SIZE,
+            ];
             canvas.text(at, factor, &TextStyle::new(TICK_SIZE, INK, Anchor::Start));
         }
         let label = TextStyle::new(LABEL_SIZE, INK, Anchor::Middle).upwards();
@@ -188,7 +234,10 @@ impl Frame {
     }
 
     fn tick_label_width(&self) -> f64 {
-        text::widest(self.y_ticks.major.iter().map(|tick| tick.label.as_str()), TICK_SIZE)
+        text::widest(
+            self.y_ticks.major.iter().map(|tick| tick.label.as_str()),
+            TICK_SIZE,
+        )
     }
 
     fn label_depth(&self, lines: &[String]) -> f64 {
@@ -204,7 +253,10 @@ fn fitting_x_ticks(axis: &Axis, span: &Span, width: f64) -> Result<Ticks, Figure
     let mut wanted = (width / 55.0).clamp(2.0, 12.0) as usize;
     loop {
         let mut ticks = Ticks::new(axis, span, wanted)?;
-        let widest = text::widest(ticks.major.iter().map(|tick| tick.label.as_str()), TICK_SIZE);
+        let widest = text::widest(
+            ticks.major.iter().map(|tick| tick.label.as_str()),
+            TICK_SIZE,
+        );
         let room = (width / (widest + 10.0)) as usize;
         if ticks.major.len() <= room + 1 {
             return Ok(ticks);
@@ -226,43 +278,48 @@ fn y_ticks(axis: &Axis, span: &Span, wanted: usize, height: f64) -> Result<Ticks
     Ok(ticks)
 }
 
-/// Title and subtitle, wrapped to a width.
+/// Title and the muted lines below it, wrapped to a width.
 #[derive(Debug)]
 pub(crate) struct Heading {
+    title_size: f64,
     title: Vec<String>,
-    subtitle: Vec<String>,
+    lines: Vec<String>,
 }
 
 impl Heading {
-    pub(crate) fn new(title: &str, subtitle: Option<&str>, width: f64) -> Self {
+    pub(crate) fn new(title: &str, title_size: f64, below: &[&str], width: f64) -> Self {
+        let lines = below
+            .iter()
+            .flat_map(|line| text::wrap(line, width, SUBTITLE_SIZE, Weight::Regular))
+            .collect();
         Self {
-            title: text::wrap(title, width, TITLE_SIZE, Weight::Bold),
-            subtitle: text::wrap(
-                subtitle.unwrap_or_default(),
-                width,
-                SUBTITLE_SIZE,
-                Weight::Regular,
-            ),
+            title_size,
+            title: text::wrap(title, width, title_size, Weight::Bold),
+            lines,
         }
     }
 
     pub(crate) fn height(&self) -> f64 {
-        let title = TITLE_SIZE * LINE_HEIGHT * self.title.len() as f64;
-        let subtitle = SUBTITLE_SIZE * LINE_HEIGHT * self.subtitle.len() as f64;
-        if title + subtitle > 0.0 { title + subtitle + 8.0 } else { 0.0 }
+        let title = self.title_size * LINE_HEIGHT * self.title.len() as f64;
+        let lines = SUBTITLE_SIZE * LINE_HEIGHT * self.lines.len() as f64;
+        if title + lines > 0.0 {
+            title + lines + 8.0
+        } else {
+            0.0
+        }
     }
 
     /// Draws from the upper left corner `at`.
     pub(crate) fn draw(&self, canvas: &mut Canvas, at: [f64; 2]) {
         let [left, mut top] = at;
-        let title = TextStyle::new(TITLE_SIZE, INK, Anchor::Start).bold();
+        let title = TextStyle::new(self.title_size, INK, Anchor::Start).bold();
         for line in &self.title {
-            canvas.text([left, top + TITLE_SIZE], line, &title);
-            top += TITLE_SIZE * LINE_HEIGHT;
+            canvas.text([left, top + self.title_size], line, &title);
+            top += self.title_size * LINE_HEIGHT;
         }
-        let subtitle = TextStyle::new(SUBTITLE_SIZE, MUTED, Anchor::Start);
-        for line in &self.subtitle {
-            canvas.text([left, top + SUBTITLE_SIZE], line, &subtitle);
+        let muted = TextStyle::new(SUBTITLE_SIZE, MUTED, Anchor::Start);
+        for line in &self.lines {
+            canvas.text([left, top + SUBTITLE_SIZE], line, &muted);
             top += SUBTITLE_SIZE * LINE_HEIGHT;
         }
     }

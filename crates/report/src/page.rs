@@ -1,1 +1,218 @@
-//! page
+//! One self-contained HTML page: summary, tables and figures, nothing loaded from
+//! elsewhere, no scripts. It follows the reader's choice of light or dark; figures stay
+//! on white. Every text is escaped; only pictures of this crate enter as they are.
+
+use std::collections::BTreeMap;
+
+use minijinja::{Environment, Value, context};
+use thiserror::Error;
+
+use crate::svg::Svg;
+use crate::table::Table;
+
+/// A page that could not be written.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum PageError {
+    /// Two figures or sections share an anchor.
+    #[error("anchor '{anchor}' is used twice; links could reach only one of them")]
+    DuplicateAnchor {
+        /// The anchor.
+        anchor: String,
+    },
+    /// The page's template failed.
+    #[error("the page could not be put together")]
+    Template {
+        /// The template engine's reason.
+        #[from]
+        cause: minijinja::Error,
+    },
+}
+
+/// A picture with a caption.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// The picture.
+    pub picture: Svg,
+    /// What it shows, below it.
+    pub caption: String,
+    /// Name for links to it, `#traction`; unique on the page. Characters other than
+    /// letters, digits, `-`, `_` and `.` become `-`.
+    pub anchor: String,
+}
+
+impl Figure {
+    /// A picture with a caption that `anchor` links to.
+    pub fn new(picture: Svg, caption: impl Into<String>, anchor: impl Into<String>) -> Self {
+        Self {
+            picture,
+            caption: caption.into(),
+            anchor: anchor.into(),
+        }
+    }
+}
+
+/// One thing in a section.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Block {
+    /// A paragraph.
+    Text(String),
+    /// A table.
+    Table(Table),
+    /// A figure.
+    Figure(Figure),
+}
+
+/// A titled part of the page.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Section {
+    /// Title, also in the table of contents.
+    pub title: String,
+    /// What it holds, in order.
+    pub blocks: Vec<Block>,
+}
+
+impl Section {
+    /// An empty section.
+    pub fn new(title: impl Into<String>) -> Self {
+        Self {
+            title: title.into(),
+            blocks: Vec::new(),
+        }
+    }
+
+    /// Adds a block.
+    #[must_use]
+    pub fn with(mut self, block: Block) -> Self {
+        self.blocks.push(block);
+        self
+    }
+}
+
+/// A page: title, warnings, summary, then the sections in order.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Page {
+    /// Title.
+    pub title: String,
+    /// One line below the title; may be empty.
+    pub subtitle: String,
+    /// What a reader must know before trusting the numbers.
+    pub warnings: Vec<String>,
+    /// The answer first: names and values.
+    pub summary: Vec<(String, String)>,
+    /// Remarks below the summary: choices made, signs, sources.
+    pub notes: Vec<String>,
+    /// The rest.
+    pub sections: Vec<Section>,
+    /// A line at the end: program, version; may be empty.
+    pub footer: String,
+}
+
+impl Page {
+    /// An empty page.
+    pub fn new(title: impl Into<String>, subtitle: impl Into<String>) -> Self {
+        Self {
+            title: title.into(),
+            subtitle: subtitle.into(),
+            ..Self::default()
+        }
+    }
+
+    /// The page as HTML 5, UTF-8.
+    ///
+    /// # Errors
+    /// [`PageError::DuplicateAnchor`] if two figures share an anchor.
+    pub fn render(&self) -> Result<String, PageError> {
+        let sections: Vec<Value> = self
+            .sections
+            .iter()
+            .enumerate()
+            .map(|(index, section)| section_value(index + 1, section))
+            .collect();
+        self.check_anchors()?;
+        let mut environment = Environment::new();
+        environment.add_template("page.html", include_str!("page.html"))?;
+        let pairs = |(name, value): &(String, String)| context! { name, value };
+        Ok(environment.get_template("page.html")?.render(context! {
+            title => self.title.clone(),
+            subtitle => self.subtitle.clone(),
+            warnings => self.warnings.clone(),
+            summary => self.summary.iter().map(pairs).collect::<Vec<Value>>(),
+            notes => self.notes.clone(),
+            sections,
+            footer => self.footer.clone(),
+        })?)
+    }
+
+    fn check_anchors(&self) -> Result<(), PageError> {
+        let mut seen = BTreeMap::new();
+        let blocks = self.sections.iter().flat_map(|section| &section.blocks);
+        for block in blocks {
+            if let Block::Figure(figure) = block {
+                let anchor = figure_anchor(figure);
+                if seen.insert(anchor.clone(), ()).is_some() {
+                    return Err(PageError::DuplicateAnchor { anchor });
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+fn section_value(number: usize, section: &Section) -> Value {
+    let blocks: Vec<Value> = section.blocks.iter().map(block_value).collect();
+    // A colon keeps these apart from the anchors of figures.
+    context! { title => section.title.clone(), anchor => format!("section:{number}"), blocks }
+}
+
+fn block_value(block: &Block) -> Value {
+    match block {
+        Block::Text(text) => context! { kind => "text", text => text.clone() },
+        Block::Table(table) => table_value(table),
+        Block::Figure(figure) => context! {
+            kind => "figure",
+            picture => Value::from_safe_string(figure.picture.to_string()),
+            caption => figure.caption.clone(),
+            anchor => figure_anchor(figure),
+        },
+    }
+}
+
+fn table_value(table: &Table) -> Value {
+    let numeric = table.numeric_columns();
+    let heading = |index: usize| {
+        let column = table.columns.get(index);
+        context! {
+            name => column.map_or("", |column| column.name.as_str()),
+            unit => column.map_or("", |column| column.unit.as_str()),
+            number => numeric[index],
+        }
+    };
+    let cells = |row: Vec<String>| -> Vec<Value> {
+        row.into_iter()
+            .zip(&numeric)
+            .map(|(text, number)| context! { text, number => *number })
+            .collect()
+    };
+    let rows: Vec<Vec<Value>> = table.full_rows().into_iter().map(cells).collect();
+    context! {
+        kind => "table",
+        caption => table.caption.clone(),
+        columns => (0..table.column_count()).map(heading).collect::<Vec<Value>>(),
+        units => table.columns.iter().any(|column| !column.unit.is_empty()),
+        rows,
+        notes => table.notes.clone(),
+    }
+}
+
+/// The anchor in characters that need no escape in a link.
+fn figure_anchor(figure: &Figure) -> String {
+    let safe = |c: char| {
+        if c.is_ascii_alphanumeric() || "-_.".contains(c) {
+            c
+        } else {
+            '-'
+        }
+    };
+    figure.anchor.chars().map(safe).collect()
+}

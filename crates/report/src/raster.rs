@@ -38,14 +38,24 @@ pub fn to_png(picture: &Svg, scale: f64) -> Result<Vec<u8>, FigureError> {
     let height = (picture.height() * scale).ceil();
     let drawable = |side: f64| (1.0..=LONGEST_SIDE).contains(&side);
     if !drawable(width) || !drawable(height) {
-        return Err(fail(format!("its sides must have 1 to {LONGEST_SIDE} pixels")));
+        return Err(fail(format!(
+            "its sides must have 1 to {LONGEST_SIDE} pixels"
+        )));
     }
-    let options = Options { fontdb: Arc::clone(&FONTS), ..Options::default() };
-    let tree = Tree::from_str(picture.as_str(), &options).map_err(|cause| fail(cause.to_string()))?;
+    let options = Options {
+        fontdb: Arc::clone(&FONTS),
+        ..Options::default()
+    };
+    let tree =
+        Tree::from_str(picture.as_str(), &options).map_err(|cause| fail(cause.to_string()))?;
     let mut pixels = Pixmap::new(width as u32, height as u32)
         .ok_or_else(|| fail("not enough memory".to_owned()))?;
     pixels.fill(resvg::tiny_skia::Color::WHITE);
     let scale = scale as f32;
-    resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixels.as_mut());
+    resvg::render(
+        &tree,
+        Transform::from_scale(scale, scale),
+        &mut pixels.as_mut(),
+    );
     pixels.encode_png().map_err(|cause| fail(cause.to_string()))
 }

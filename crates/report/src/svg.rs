@@ -88,11 +88,19 @@ pub(crate) struct Stroke {
 
 impl Stroke {
     pub(crate) fn solid(color: Color, width: f64) -> Self {
-        Self { color, width, dashes: String::new() }
+        Self {
+            color,
+            width,
+            dashes: String::new(),
+        }
     }
 
     pub(crate) fn dashed(color: Color, width: f64, dashes: &str) -> Self {
-        Self { color, width, dashes: dashes.to_owned() }
+        Self {
+            color,
+            width,
+            dashes: dashes.to_owned(),
+        }
     }
 }
 
@@ -117,15 +125,27 @@ pub(crate) struct TextStyle {
 
 impl TextStyle {
     pub(crate) fn new(size: f64, color: Color, anchor: Anchor) -> Self {
-        Self { size, weight: Weight::Regular, color, anchor, upwards: false }
+        Self {
+            size,
+            weight: Weight::Regular,
+            color,
+            anchor,
+            upwards: false,
+        }
     }
 
     pub(crate) fn bold(self) -> Self {
-        Self { weight: Weight::Bold, ..self }
+        Self {
+            weight: Weight::Bold,
+            ..self
+        }
     }
 
     pub(crate) fn upwards(self) -> Self {
-        Self { upwards: true, ..self }
+        Self {
+            upwards: true,
+            ..self
+        }
     }
 }
 
@@ -214,7 +234,11 @@ impl Canvas {
     pub(crate) fn centred_text(&mut self, at: [f64; 2], text: &str, style: &TextStyle) {
         // Digits and capitals of the font are 0.73 em high.
         let drop = 0.365 * style.size;
-        let at = if style.upwards { [at[0] + drop, at[1]] } else { [at[0], at[1] + drop] };
+        let at = if style.upwards {
+            [at[0] + drop, at[1]]
+        } else {
+            [at[0], at[1] + drop]
+        };
         self.text(at, text, style);
     }
 
@@ -272,7 +296,11 @@ impl Canvas {
             title = Escaped(title),
             body = self.body,
         );
-        Svg { markup, width, height }
+        Svg {
+            markup,
+            width,
+            height,
+        }
     }
 
     fn stroke_attributes(&mut self, stroke: &Stroke) {
@@ -327,11 +355,16 @@ mod tests {
     #[test]
     fn any_text_gives_well_formed_xml() {
         let mut canvas = Canvas::default();
-        let style = TextStyle::new(12.0, Color::category(0), Anchor::Middle).bold().upwards();
+        let style = TextStyle::new(12.0, Color::category(0), Anchor::Middle)
+            .bold()
+            .upwards();
         canvas.text([1.0, 2.0], "a < b & \"c\"\u{0}\u{b}\n'd'", &style);
         let svg = canvas.finish(10.0, 20.0, "<title> & more");
         let document = roxmltree::Document::parse(svg.as_str()).unwrap();
-        let text = document.descendants().find(|node| node.has_tag_name("text")).unwrap();
+        let text = document
+            .descendants()
+            .find(|node| node.has_tag_name("text"))
+            .unwrap();
         assert_eq!(text.text(), Some("a < b & \"c\"\u{fffd}\u{fffd} 'd'"));
     }
 

@@ -1,1 +1,145 @@
-//! table
+//! Tables: one description for the terminal and for the page.
+
+use comfy_table::{CellAlignment, ContentArrangement, LineStyle, TableStyle};
+
+/// A column's heading.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Column {
+    /// Name: `CPRESS`.
+    pub name: String,
+    /// Unit, in its own row below the names; empty for none.
+    pub unit: String,
+}
+
+impl Column {
+    /// A column with a name and a unit (empty for none).
+    pub fn new(name: impl Into<String>, unit: impl Into<String>) -> Self {
+        Self {
+            name: name.into(),
+            unit: unit.into(),
+        }
+    }
+}
+
+/// A table of texts; numbers arrive formatted.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Table {
+    /// What the table shows; may be empty.
+    pub caption: String,
+    /// Headings.
+    pub columns: Vec<Column>,
+    /// Cells, row by row. A short row is completed by empty cells; cells beyond the
+    /// last column are shown under an empty heading.
+    pub rows: Vec<Vec<String>>,
+    /// Remarks below the table.
+    pub notes: Vec<String>,
+}
+
+impl Table {
+    /// An empty table with headings.
+    pub fn new(caption: impl Into<String>, columns: Vec<Column>) -> Self {
+        Self {
+            caption: caption.into(),
+            columns,
+            ..Self::default()
+        }
+    }
+
+    /// Adds a row.
+    pub fn push<I, T>(&mut self, row: I)
+    where
+        I: IntoIterator<Item = T>,
+        T: Into<String>,
+    {
+        self.rows.push(row.into_iter().map(Into::into).collect());
+    }
+
+    /// Adds a remark.
+    #[must_use]
+    pub fn note(mut self, note: impl Into<String>) -> Self {
+        self.notes.push(note.into());
+        self
+    }
+
+    /// The table as plain text: caption, aligned columns with a row of units, notes.
+    /// Numbers are aligned right. Cells are wrapped so that lines have at most `width`
+    /// characters, if one is given. Ends with a line break.
+    pub fn to_text(&self, width: Option<u16>) -> String {
+        let mut text = comfy_table::Table::new();
+        let rule = LineStyle::none().fill('─').junction('─');
+        text.load_style(TableStyle::new().header_separator(rule));
+        if let Some(width) = width {
+            text.set_content_arrangement(ContentArrangement::Dynamic)
+                .set_width(width);
+        }
+        text.set_header(self.headings());
+        for row in self.full_rows() {
+            text.add_row(row);
+        }
+        for (index, number) in self.numeric_columns().into_iter().enumerate() {
+            if let (true, Some(column)) = (number, text.column_mut(index)) {
+                column.set_cell_alignment(CellAlignment::Right);
+            }
+        }
+        let mut lines: Vec<String> = Vec::new();
+        if !self.caption.is_empty() {
+            lines.push(self.caption.clone());
+        }
+        lines.extend(text.lines().map(|line| line.trim_end().to_owned()));
+        lines.extend(self.notes.iter().map(|note| format!("  {note}")));
+        lines.join("\n") + "\n"
+    }
+
+    /// The rows, each with as many cells as there are columns.
+    pub(crate) fn full_rows(&self) -> Vec<Vec<String>> {
+        let count = self.column_count();
+        let fill = |row: &Vec<String>| {
+            let mut row = row.clone();
+            row.resize(count, String::new());
+            row
+        };
+        self.rows.iter().map(fill).collect()
+    }
+
+    /// Which columns hold numbers and nothing else but gaps.
+    pub(crate) fn numeric_columns(&self) -> Vec<bool> {
+        let rows = self.full_rows();
+        let numeric = |column: usize| {
+            let mut cells = rows.iter().map(|row| row[column].trim());
+            rows.iter().any(|row| is_number(row[column].trim()))
+                && cells.all(|cell| is_number(cell) || is_gap(cell))
+        };
+        (0..self.column_count()).map(numeric).collect()
+    }
+
+    pub(crate) fn column_count(&self) -> usize {
+        self.rows
+            .iter()
+            .map(Vec::len)
+            .fold(self.columns.len(), usize::max)
+    }
+
+    fn headings(&self) -> Vec<String> {
+        let units = self.columns.iter().any(|column| !column.unit.is_empty());
+        let heading = |index: usize| match self.columns.get(index) {
+            Some(column) if units => format!("{}\n{}", column.name, column.unit),
+            Some(column) => column.name.clone(),
+            None => String::new(),
+        };
+        (0..self.column_count()).map(heading).collect()
+    }
+}
+
+fn is_gap(cell: &str) -> bool {
+    matches!(cell, "" | "–" | "—" | "-" | "n/a")
+}
+
+/// Whether a cell reads as a number: with a true minus, a power of ten, a percent sign.
+fn is_number(cell: &str) -> bool {
+    let plain = cell.replace('−', "-");
+    let plain = plain.trim_end_matches('%').trim_end();
+    let mantissa = plain
+        .split_once("×10")
+        .map_or(plain, |(mantissa, _)| mantissa);
+    !mantissa.is_empty() && mantissa.parse::<f64>().is_ok()
+}

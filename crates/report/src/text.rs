@@ -59,7 +59,11 @@ pub(crate) fn wrap(text: &str, limit: f64, size: f64, weight: Weight) -> Vec<Str
     let mut lines: Vec<String> = Vec::new();
     let mut line = String::new();
     for word in text.split_whitespace() {
-        let joined = if line.is_empty() { word.to_owned() } else { format!("{line} {word}") };
+        let joined = if line.is_empty() {
+            word.to_owned()
+        } else {
+            format!("{line} {word}")
+        };
         if width(&joined, size, weight) <= limit {
             line = joined;
             continue;
@@ -87,7 +91,10 @@ mod tests {
 
     #[test]
     fn digits_have_one_width_and_bold_is_wider() {
-        assert_eq!(width("111", 10.0, Weight::Regular), width("987", 10.0, Weight::Regular));
+        assert_eq!(
+            width("111", 10.0, Weight::Regular),
+            width("987", 10.0, Weight::Regular)
+        );
         assert!(width("stick", 10.0, Weight::Bold) > width("stick", 10.0, Weight::Regular));
         // DejaVu Sans 2.37: digits are 1303 of 2048 units wide.
         approx_eq(width("0", 2048.0, Weight::Regular), 1303.0);
@@ -96,7 +103,8 @@ mod tests {
     #[test]
     fn every_character_that_figures_use_is_in_the_font() {
         let font = REGULAR.as_ref().unwrap();
-        for character in "−×·⁰¹²³⁴⁵⁶⁷⁸⁹⁻µ°θσετφμΔδ≤≥–—…→√½".chars() {
+        for character in "−×·⁰¹²³⁴⁵⁶⁷⁸⁹⁻µ°θσετφμΔδ≤≥–—…→√½".chars()
+        {
             assert!(font.charmap().map(character).is_some(), "{character}");
         }
     }
@@ -106,7 +114,11 @@ mod tests {
         let text = "contact pressure along the hole edge and averyveryverylongwordwithoutanyspace";
         let lines = wrap(text, 90.0, 12.0, Weight::Regular);
         assert!(lines.len() > 4);
-        assert!(lines.iter().all(|line| width(line, 12.0, Weight::Regular) <= 90.0));
+        assert!(
+            lines
+                .iter()
+                .all(|line| width(line, 12.0, Weight::Regular) <= 90.0)
+        );
         let squeeze = |text: &str| text.replace(' ', "");
         assert_eq!(squeeze(&lines.concat()), squeeze(text));
     }

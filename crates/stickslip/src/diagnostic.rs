@@ -59,10 +59,10 @@ impl Finding {
             code: self.problem.code().map(|code| code.to_string()),
             message: self.problem.to_string(),
             help: self.problem.help().map(|help| help.to_string()),
-            source: self.source.name.clone(),
+            source: Some(self.source.name.clone()),
             line,
             column,
-            key: self.key.clone(),
+            key: Some(self.key.clone()).filter(|key| !key.is_empty()),
         }
     }
 }
@@ -77,13 +77,13 @@ pub struct FindingSummary {
     /// How to mend it.
     pub help: Option<String>,
     /// File, or `--set`.
-    pub source: String,
+    pub source: Option<String>,
     /// Line from 1.
     pub line: Option<usize>,
     /// Column from 1, in characters.
     pub column: Option<usize>,
     /// The key in the scene.
-    pub key: String,
+    pub key: Option<String>,
 }
 
 impl fmt::Display for Finding {

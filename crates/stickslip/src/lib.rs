@@ -1,2 +1,23 @@
-//! stickslip.
+//! stickslip: plane frictional contact from a scene file to tractions, pictures and a report.
+//!
+//! ```text
+//! scene file ──► scene ──► model ──► run ──► results ──► output
+//!                checked   bodies,   steps   numbers in  files, figures,
+//!                          pairs             base units  page, table
+//! ```
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | [`scene`], [`units`], [`diagnostic`] | scene files, quantities with units, errors that point at a line |
+//! | [`model`] | meshes, bodies, contact pairs, load history; the choices made |
+//! | [`run`](mod@run), [`results`] | the solution and what is reported of it |
+//!
+//! A program with friction laws of its own links them and calls [`cli::main`].
+
+pub mod cli;
+pub mod diagnostic;
+pub mod model;
+pub mod results;
+pub mod run;
+pub mod scene;
 pub mod units;

@@ -1,1 +1,5 @@
-fn main() {}
+//! The `stickslip` command.
+
+fn main() -> std::process::ExitCode {
+    stickslip::cli::main()
+}

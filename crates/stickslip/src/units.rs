@@ -124,6 +124,14 @@ impl Unit {
         value / self.in_base
     }
 
+    /// `value`, given in base units, in this unit with its name: six digits, for people.
+    pub fn show(&self, value: f64) -> String {
+        let digits = format!("{:.5e}", self.from_base(value));
+        // Formatted by this function's own pattern, so it is a number.
+        let rounded = digits.parse::<f64>().unwrap_or(value);
+        format!("{rounded} {}", self.name)
+    }
+
     /// The unit called `name`.
     ///
     /// # Errors
@@ -327,6 +335,13 @@ pub fn parse(text: &str, expected: &Expected) -> Result<(f64, Dimension), UnitEr
     } else {
         Err(UnitError::NotFinite { text: text.to_owned() })
     }
+}
+
+/// The unit that a quantity is written in, if it is one.
+pub fn unit_of(text: &str) -> Option<&'static Unit> {
+    let trimmed = text.trim();
+    let name = trimmed[number_length(trimmed)..].trim();
+    UNITS.iter().find(|unit| unit.name == name)
 }
 
 /// Bytes of the decimal number at the start of `text`; an `e` belongs to it only if digits follow.

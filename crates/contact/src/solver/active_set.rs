@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::complementarity::Candidate;
 use super::frozen::{Frozen, SlipLine, solve};
 use super::residual::Scales;
 use super::step::Step;
@@ -83,54 +84,39 @@ struct Iteration<'a> {
 
 impl<'a> Iteration<'a> {
     fn new(step: &'a Step<'a>, rules: Rules) -> Self {
-        let status = step.starting_status();
-        let mut iteration = Self {
-            step,
-            rules,
-            lines: vec![SlipLine::default(); status.len()],
-            status,
-            seen: HashMap::new(),
-            trail: Vec::new(),
-            one_at_a_time: false,
-        };
-        for k in 0..iteration.status.len() {
-            iteration.lines[k] = slip_line(step, k, step.committed.normal_force(k).max(0.0), 0.0);
-        }
-        iteration
+        let lines = (0..step.count()).map(|k| slip_line(step, k, step.committed.normal_force(k).max(0.0), 0.0)).collect();
+        Self::starting_at(step, rules, step.starting_status(), lines)
+    }
+
+    fn starting_at(step: &'a Step<'a>, rules: Rules, status: Vec<Status>, lines: Vec<SlipLine>) -> Self {
+        Self { step, rules, status, lines, seen: HashMap::new(), trail: Vec::new(), one_at_a_time: false }
     }
 
     fn run(mut self, limit: usize, name: &'static str) -> Result<StepSolution, StepFailure> {
         let mut work = Work::default();
-        let fail = |cause, work| Err(StepFailure::new(name, cause, work));
-        while work.solves < limit {
+        self.iterate(limit, name, &mut work).map_err(|cause| StepFailure::new(name, cause, work))
+    }
+
+    fn iterate(&mut self, limit: usize, name: &'static str, work: &mut Work) -> Result<StepSolution, FailureCause> {
+        let start = work.solves;
+        while work.solves < start + limit {
             work.solves += 1;
-            let frozen = match solve(self.step, &self.status, &self.lines) {
-                Ok(frozen) => frozen,
-                Err(cause) => return fail(cause, work),
-            };
+            let frozen = solve(self.step, &self.status, &self.lines)?;
             if let Some(direction) = &frozen.unbalanced {
-                match close_next(self.step, &self.status, &frozen, direction.as_slice()) {
-                    Ok(point) => self.status[point] = Status::Stick,
-                    Err(cause) => return fail(cause, work),
-                }
+                let changes = hold(self.step, &self.status, &frozen, direction.as_slice())?;
+                self.apply(&changes)?;
                 continue;
             }
             let scales = Scales::of(self.step, &frozen.forces, &frozen.motion);
             let changes = self.changes(&frozen, scales);
             let settled = self.relinearise(&frozen, scales);
-            if changes.is_empty() {
-                if settled {
-                    return accept(self.step, frozen, self.status, name, work).map_err(|cause| {
-                        StepFailure::new(name, cause, work)
-                    });
-                }
-                continue;
-            }
-            if let Err(cause) = self.apply(&changes) {
-                return fail(cause, work);
+            if !changes.is_empty() {
+                self.apply(&changes)?;
+            } else if settled {
+                return accept(self.step, frozen, self.status.clone(), name, *work);
             }
         }
-        fail(FailureCause::Limit(limit), work)
+        Err(FailureCause::Limit(limit))
     }
 
     /// Points whose status is to change, with the new status and the relative size of the violation.
@@ -151,7 +137,9 @@ impl<'a> Iteration<'a> {
         self.trail.push(self.status.clone());
         let mut next = self.status.clone();
         if !self.one_at_a_time {
-            changes.iter().for_each(|change| next[change.point] = change.status);
+            for change in changes {
+                next[change.point] = change.status;
+            }
             if let Some(&first) = self.seen.get(&next) {
                 if self.rules == Rules::Report {
                     return Err(self.cycle(first));
@@ -247,6 +235,18 @@ struct Change {
     violation: f64,
 }
 
+/// Confirms the statuses of a `candidate` that is exact up to rounding or springs, correcting them where they are not.
+pub(super) fn confirm(
+    step: &Step<'_>,
+    candidate: &Candidate,
+    name: &'static str,
+    work: &mut Work,
+) -> Result<StepSolution, FailureCause> {
+    const LIMIT: usize = 30;
+    let lines = (0..step.count()).map(|k| slip_line(step, k, candidate.normal[k], candidate.slip[k])).collect();
+    Iteration::starting_at(step, Rules::Projection, candidate.status.clone(), lines).iterate(LIMIT, name, work)
+}
+
 /// Linearises the slip traction of `point` about a normal force and a slip increment.
 pub(super) fn slip_line(step: &Step<'_>, point: usize, normal: f64, slip: f64) -> SlipLine {
     let bound = step.bound(point, normal, slip);
@@ -257,29 +257,41 @@ pub(super) fn slip_line(step: &Step<'_>, point: usize, normal: f64, slip: f64) -
     }
 }
 
-/// The open point that first closes when the bodies move along `direction`.
-fn close_next(
+/// What can stop the bodies from moving along `direction`, on which the load does work: the open point that first closes;
+/// if none does, sticking of all slipping points on the way, and of open points that are already pressed together.
+fn hold(
     step: &Step<'_>,
     status: &[Status],
     frozen: &Frozen,
     direction: &[f64],
-) -> Result<usize, FailureCause> {
+) -> Result<Vec<Change>, FailureCause> {
     let modes = step.problem.modes();
     let rate = |row: usize| modes.row(row).iter().zip(direction).map(|(mode, amount)| mode * amount).sum::<f64>();
     let speed = direction.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
     let mut first: Option<(f64, usize)> = None;
+    let mut pressed = Vec::new();
     let mut proved = true;
     for k in 0..status.len() {
         let (normal, tangential) = (rate(2 * k), rate(2 * k + 1));
-        if status[k] == Status::Open && normal < -ROUNDING * speed {
+        let open = status[k] == Status::Open;
+        if open && normal < -ROUNDING * speed {
             let time = frozen.motion[2 * k] / -normal;
             if first.is_none_or(|(earliest, _)| time < earliest) {
                 first = Some((time, k));
             }
         }
-        proved &= tangential.abs() <= ROUNDING * speed || step.bound(k, step.problem.points()[k].area, 0.0).stick == 0.0;
+        let slides = tangential.abs() > ROUNDING * speed;
+        let friction = slides && step.bound(k, step.problem.points()[k].area, 0.0).stick > 0.0;
+        proved &= !friction;
+        if friction && (status[k].slip_sign() != 0.0 || (open && frozen.motion[2 * k] < 0.0)) {
+            pressed.push(k);
+        }
     }
-    first.map(|(_, k)| k).ok_or(FailureCause::Unbalanced { motion: direction.to_vec(), proved })
+    let held = first.map_or(pressed, |(_, k)| vec![k]);
+    if held.is_empty() {
+        return Err(FailureCause::Unbalanced { motion: direction.to_vec(), proved });
+    }
+    Ok(held.into_iter().map(|point| Change { point, status: Status::Stick, violation: f64::INFINITY }).collect())
 }
 
 /// Turns a solve with consistent statuses into a solution, if it meets the conditions.
@@ -298,7 +310,7 @@ pub(super) fn accept(
     };
     let residuals = Residuals::of(step, &trial);
     let violation = residuals.largest();
-    if !(violation <= ACCEPTED) {
+    if violation > ACCEPTED || violation.is_nan() {
         return Err(FailureCause::Inaccurate { violation });
     }
     let doubtful = (0..step.count())

@@ -192,6 +192,18 @@ impl CondensedBody {
         residual
     }
 
+    /// Largest of the `residual` forces on unknowns that nothing holds, relative to the largest force of `forces` and of the
+    /// load cases times `multipliers`; 0 where nothing is loaded.
+    pub fn relative_imbalance(&self, residual: &[f64], forces: &[f64], multipliers: &[f64]) -> f64 {
+        let largest = |values: &[f64]| values.iter().fold(0.0, |worst: f64, value| worst.max(value.abs()));
+        let loads = self.case_forces.iter().zip(multipliers);
+        let load = loads.fold(0.0, |worst: f64, (case, factor)| {
+            worst.max(factor.abs() * case.as_deref().map_or(0.0, largest))
+        });
+        let scale = load.max(largest(forces));
+        if scale > 0.0 { largest(&self.structure.to_unknowns(residual)) / scale } else { 0.0 }
+    }
+
     fn right_hand_side(&self, forces: &[f64], multipliers: &[f64]) -> Vec<f64> {
         let structure = &self.structure;
         let mut side = vec![0.0; structure.unknowns];

@@ -17,23 +17,23 @@ use crate::mesh::Point;
 /// Derivative of the map from the reference cell to the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jacobian {
-    /// det ∂x/∂ξ [length²]; positive in every cell of a [`Mesh`](crate::mesh::Mesh).
+    /// det ∂x/∂ξ `[length²]`; positive in every cell of a [`Mesh`](crate::mesh::Mesh).
     pub det: f64,
-    /// `inverse[i][j]` = ∂ξᵢ/∂xⱼ [1/length]; not finite where `det` is zero.
+    /// `inverse[i][j]` = ∂ξᵢ/∂xⱼ `[1/length]`; not finite where `det` is zero.
     pub inverse: [[f64; 2]; 2],
 }
 
 /// Shape-function gradients in the plane at one point of a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PhysicalGradients<const N: usize> {
-    /// det ∂x/∂ξ [length²].
+    /// det ∂x/∂ξ `[length²]`.
     pub det: f64,
-    /// `[∂Nₐ/∂x, ∂Nₐ/∂y]` for each node [1/length].
+    /// `[∂Nₐ/∂x, ∂Nₐ/∂y]` for each node `[1/length]`.
     pub gradients: [[f64; 2]; N],
 }
 
 impl<const N: usize> PhysicalGradients<N> {
-    /// Strain (ε_xx, ε_yy, γ_xy) of the nodal displacements `u` [length].
+    /// Strain (ε_xx, ε_yy, γ_xy) of the nodal displacements `u` `[length]`.
     pub fn strain(&self, u: &[[f64; 2]; N]) -> [f64; 3] {
         let mut strain = [0.0; 3];
         for ([gx, gy], [ux, uy]) in self.gradients.iter().zip(u) {
@@ -67,7 +67,7 @@ fn jacobian_of<const N: usize>(x: &[Point; N], gradients: &[[f64; 2]; N]) -> Jac
     Jacobian { det, inverse }
 }
 
-/// Jacobian of the cell with nodes `x` [length] at the reference point `xi`.
+/// Jacobian of the cell with nodes `x` `[length]` at the reference point `xi`.
 pub fn jacobian<const N: usize, E: Element<N>>(x: &[Point; N], xi: Point) -> Jacobian {
     jacobian_of(x, &E::gradients(xi))
 }
@@ -89,8 +89,8 @@ pub fn physical_gradients<const N: usize, E: Element<N>>(
     PhysicalGradients { det, gradients }
 }
 
-/// Stiffness matrix [force/length] of the cell with nodes `x` [length], symmetric material matrix `d` [stress] and
-/// `thickness` [length].
+/// Stiffness matrix `[force/length]` of the cell with nodes `x` `[length]`, symmetric material matrix `d` `[stress]` and
+/// `thickness` `[length]`.
 ///
 /// `out` receives (2N)² numbers row by row, `out[(2a + i) * 2N + 2b + j]` for nodes a, b and directions i, j; whatever it
 /// held before is overwritten. The result is symmetric to the last bit.
@@ -139,7 +139,7 @@ pub fn stiffness<const N: usize, E: Element<N>>(
     }
 }
 
-/// Nodal forces [force] by which an initial strain `strain` (ε_xx, ε_yy, γ_xy) loads the cell: f = t ∫ Bᵀ D ε₀ dA.
+/// Nodal forces `[force]` by which an initial strain `strain` (ε_xx, ε_yy, γ_xy) loads the cell: f = t ∫ Bᵀ D ε₀ dA.
 ///
 /// `out` receives 2N numbers, interleaved; whatever it held before is overwritten. Arguments otherwise as for
 /// [`stiffness`].

@@ -156,7 +156,7 @@ impl CylinderOnBlock {
         })
     }
 
-    /// Meshes one body; `depth` runs from 0 at the contact to 1.
+    /// Meshes one body; `y` gives the height at x and relative depth, 0 at the contact and 1 at the far side.
     fn body(
         &self,
         name: &str,

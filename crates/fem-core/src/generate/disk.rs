@@ -137,7 +137,7 @@ impl Generate for Disk {
         let quadrants: Vec<_> = core
             .quadrants()
             .iter()
-            .map(|q| blocks.add(q.cells(), |i, j| self.placed(core.at(q, i, j))))
+            .map(|q| blocks.add(q.cells(), |i, j| self.placed(q.at(i, j))))
             .collect();
         blocks.name_node("centre", quadrants[0], [0, 0]);
         if !rim.closed {

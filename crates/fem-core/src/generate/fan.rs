@@ -16,7 +16,7 @@ const ANGLE_ROUNDING: f64 = 1e-9;
 
 /// Largest change of the first layer's thickness per length along the circle, so that a jump in the angles' spacing does not
 /// become a step in the layers.
-const THICKNESS_SLOPE: f64 = 0.5;
+const THICKNESS_SLOPE: f64 = 0.2;
 
 /// Equally spaced angles [rad] for the contact circle: `intervals + 1` from 0 to π for half, `intervals` from 0 to below 2π
 /// for whole. Empty for zero intervals.
@@ -220,13 +220,26 @@ impl Fan {
         }
     }
 
-    /// Point at lattice position (i, j) in whole or half steps.
+    /// Point at lattice position (i, j) in whole or half steps. Half way between two rays it is the middle of the chord,
+    /// moved by the share of the bulges of both sides.
     pub(super) fn at(&self, i: f64, j: f64) -> Point {
         let half_step = (2.0 * i) as usize;
-        let rays = [half_step / 2, half_step.div_ceil(2)];
-        let [a, b] = rays.map(|ray| at_step(&self.fractions[ray], j));
-        let s = f64::midpoint(a, b);
-        let (c, f) = (self.near[half_step], self.far[half_step]);
+        let (before, after) = (half_step / 2, half_step.div_ceil(2));
+        if before == after {
+            return self.on_ray(before, j);
+        }
+        let (a, b) = (self.on_ray(before, j), self.on_ray(after, j));
+        let s = f64::midpoint(
+            at_step(&self.fractions[before], j),
+            at_step(&self.fractions[after], j),
+        );
+        let (near, far) = (bulge(&self.near, half_step), bulge(&self.far, half_step));
+        [0, 1].map(|axis| f64::midpoint(a[axis], b[axis]) + (1.0 - s) * near[axis] + s * far[axis])
+    }
+
+    fn on_ray(&self, ray: usize, j: f64) -> Point {
+        let s = at_step(&self.fractions[ray], j);
+        let (c, f) = (self.near[2 * ray], self.far[2 * ray]);
         [0, 1].map(|axis| (1.0 - s) * c[axis] + s * f[axis])
     }
 
@@ -241,4 +254,10 @@ impl Fan {
         let (c, f) = (self.near[2 * i], self.far[2 * i]);
         (f[0] - c[0]).hypot(f[1] - c[1]) * (1.0 - list[list.len() - 2])
     }
+}
+
+/// How far a point at a half step lies beside the middle of its neighbours' chord.
+fn bulge(points: &[Point], half_step: usize) -> Point {
+    let [a, middle, b] = [half_step - 1, half_step, half_step + 1].map(|k| points[k]);
+    [0, 1].map(|axis| middle[axis] - f64::midpoint(a[axis], b[axis]))
 }

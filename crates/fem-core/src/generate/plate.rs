@@ -17,7 +17,7 @@
 
 mod outline;
 
-use self::outline::{Frame, Join};
+use self::outline::{Frame, Join, check_rays, exceeds_hole};
 use super::count::{Count, within};
 use super::fan::{Fan, Rim};
 use super::spacing::{at_step, layer_fractions, positive};
@@ -87,11 +87,38 @@ pub struct PlateWithHole {
     pub kind: ElementKind,
 }
 
+/// The checked outline.
+enum Surround {
+    Circle { radius: f64 },
+    Box(Frame),
+}
+
 impl PlateWithHole {
     fn rim(&self) -> Result<Rim, GenerateError> {
         positive("hole radius", self.hole_radius)?;
         self.growth.check(self.layers)?;
         Rim::new(self.extent, &self.angles)
+    }
+
+    /// Checks the outline and fits the rays to it.
+    fn surround(&self, rim: &Rim) -> Result<Surround, GenerateError> {
+        match self.outline {
+            Outline::Ring {
+                outer_radius: radius,
+            } => {
+                exceeds_hole("outer radius", radius, self.hole_radius)?;
+                Ok(Surround::Circle { radius })
+            }
+            Outline::Strip {
+                half_width,
+                left,
+                right,
+            } => {
+                let sizes = [half_width, left, right];
+                let frame = Frame::new(rim, self.hole_radius, sizes, self.far_cells)?;
+                Ok(Surround::Box(frame))
+            }
+        }
     }
 
     fn ring_mesh(&self, rim: &Rim, outer_radius: f64) -> Result<Mesh, GenerateError> {
@@ -111,7 +138,7 @@ impl PlateWithHole {
 
     fn strip_mesh(&self, rim: &Rim, frame: &Frame) -> Result<Mesh, GenerateError> {
         let far = frame.points(rim);
-        frame.check_rays(rim, &far, self.hole_radius)?;
+        check_rays(rim, &far, self.hole_radius)?;
         let fan = Fan::new(rim, self.hole_radius, far, self.layers, &self.growth);
         let (mut blocks, plate) = self.fan_block(rim, &fan);
         for join in frame.joins() {
@@ -181,20 +208,9 @@ impl Generate for PlateWithHole {
         } else {
             fan
         };
-        let Outline::Strip {
-            half_width,
-            left,
-            right,
-        } = self.outline
-        else {
+        let Surround::Box(frame) = self.surround(&rim)? else {
             return Ok(fan.estimate(self.kind));
         };
-        let frame = Frame::new(
-            &rim,
-            self.hole_radius,
-            [half_width, left, right],
-            self.far_cells,
-        )?;
         let far = frame.joins().into_iter().filter(|join| join.end.is_some());
         let count = far.fold(fan, |sum, join| {
             sum.joined([self.far_cells, join.cells], join.cells + 1)
@@ -205,20 +221,9 @@ impl Generate for PlateWithHole {
     fn generate_within(&self, limit: usize) -> Result<Mesh, GenerateError> {
         within(self.estimate()?, self.kind, limit)?;
         let rim = self.rim()?;
-        match self.outline {
-            Outline::Ring { outer_radius } => {
-                outline::exceeds_hole("outer radius", outer_radius, self.hole_radius)?;
-                self.ring_mesh(&rim, outer_radius)
-            }
-            Outline::Strip {
-                half_width,
-                left,
-                right,
-            } => {
-                let sizes = [half_width, left, right];
-                let frame = Frame::new(&rim, self.hole_radius, sizes, self.far_cells)?;
-                self.strip_mesh(&rim, &frame)
-            }
+        match self.surround(&rim)? {
+            Surround::Box(frame) => self.strip_mesh(&rim, &frame),
+            Surround::Circle { radius } => self.ring_mesh(&rim, radius),
         }
     }
 }

@@ -146,9 +146,9 @@ pub(super) fn layer_fractions(cells: usize, first: f64) -> Vec<f64> {
     for _ in 0..64 {
         let middle = f64::midpoint(low, high);
         if first * geometric_sum(middle, cells as f64) < 1.0 {
-            low = middle
+            low = middle;
         } else {
-            high = middle
+            high = middle;
         }
     }
     fractions(cells, f64::midpoint(low, high))

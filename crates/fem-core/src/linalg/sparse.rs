@@ -195,14 +195,14 @@ impl SparseCholesky {
     /// Overwrites `x` with `L⁻¹ x`.
     pub fn solve_lower(&self, x: &mut [f64]) {
         self.with_factor(x, |factor, x, stack| {
-            factor.l_solve_with_conj(Conj::No, x, Par::Seq, stack)
+            factor.l_solve_with_conj(Conj::No, x, Par::Seq, stack);
         });
     }
 
     /// Overwrites `x` with `L⁻ᵀ x`.
     pub fn solve_lower_transposed(&self, x: &mut [f64]) {
         self.with_factor(x, |factor, x, stack| {
-            factor.l_transpose_solve_with_conj(Conj::No, x, Par::Seq, stack)
+            factor.l_transpose_solve_with_conj(Conj::No, x, Par::Seq, stack);
         });
     }
 

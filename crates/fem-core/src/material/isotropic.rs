@@ -19,7 +19,7 @@ pub struct Isotropic {
 }
 
 impl Isotropic {
-    /// Material with Young's modulus `young` [stress] and Poisson's ratio `poisson`, without thermal expansion.
+    /// Material with Young's modulus `young` `[stress]` and Poisson's ratio `poisson`, without thermal expansion.
     ///
     /// # Errors
     /// [`MaterialError::Modulus`] unless `young` is positive and finite; [`MaterialError::Poisson`] unless
@@ -42,7 +42,7 @@ impl Isotropic {
         }
     }
 
-    /// The same material with the coefficient of thermal expansion `alpha` [1/temperature].
+    /// The same material with the coefficient of thermal expansion `alpha` `[1/temperature]`.
     ///
     /// # Errors
     /// [`MaterialError::NotFinite`] unless `alpha` is finite.
@@ -54,7 +54,7 @@ impl Isotropic {
         })
     }
 
-    /// Young's modulus E [stress].
+    /// Young's modulus E `[stress]`.
     pub fn young(&self) -> f64 {
         self.young
     }
@@ -64,7 +64,7 @@ impl Isotropic {
         self.poisson
     }
 
-    /// Shear modulus G = E / 2(1 + ν) [stress].
+    /// Shear modulus G = E / 2(1 + ν) `[stress]`.
     pub fn shear(&self) -> f64 {
         0.5 * self.young / (1.0 + self.poisson)
     }

@@ -15,11 +15,11 @@ use super::{
 /// In-plane constants of an orthotropic material, for example a unidirectional ply with 1 along the fibres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OrthotropicConstants {
-    /// Young's modulus along 1 [stress].
+    /// Young's modulus along 1 `[stress]`.
     pub e1: f64,
-    /// Young's modulus along 2 [stress].
+    /// Young's modulus along 2 `[stress]`.
     pub e2: f64,
-    /// Shear modulus in the 1–2 plane [stress].
+    /// Shear modulus in the 1–2 plane `[stress]`.
     pub g12: f64,
     /// Poisson's ratio −ε₂/ε₁ for stress along 1.
     pub nu12: f64,
@@ -28,13 +28,13 @@ pub struct OrthotropicConstants {
 /// What plane strain needs beyond [`OrthotropicConstants`]; the 3 axis is normal to the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutOfPlane {
-    /// Young's modulus along 3 [stress].
+    /// Young's modulus along 3 `[stress]`.
     pub e3: f64,
     /// Poisson's ratio −ε₃/ε₁ for stress along 1.
     pub nu13: f64,
     /// Poisson's ratio −ε₃/ε₂ for stress along 2.
     pub nu23: f64,
-    /// Coefficient of thermal expansion along 3 [1/temperature].
+    /// Coefficient of thermal expansion along 3 `[1/temperature]`.
     pub alpha3: f64,
 }
 
@@ -47,12 +47,12 @@ pub struct Orthotropic {
     compliance: PlaneStiffness,
     /// Effective expansion along 1 and 2 per unit of (α₁, α₂, α₃): αᵢ + `out_of_plane[i]`, zero in plane stress.
     out_of_plane: [f64; 2],
-    /// Effective (α_xx, α_yy, α_xy) in x, y, engineering shear [1/temperature].
+    /// Effective (α_xx, α_yy, α_xy) in x, y, engineering shear `[1/temperature]`.
     expansion: [f64; 3],
 }
 
 impl Orthotropic {
-    /// Material in plane stress with the 1 axis at `angle` [rad], counter-clockwise from x; no thermal expansion.
+    /// Material in plane stress with the 1 axis at `angle` `[rad]`, counter-clockwise from x; no thermal expansion.
     ///
     /// # Errors
     /// [`MaterialError::Modulus`] unless E₁, E₂ and G₁₂ are positive and finite,
@@ -67,7 +67,7 @@ impl Orthotropic {
         ))
     }
 
-    /// Material in plane strain with the 1 axis at `angle` [rad], counter-clockwise from x; no thermal expansion along 1
+    /// Material in plane strain with the 1 axis at `angle` `[rad]`, counter-clockwise from x; no thermal expansion along 1
     /// and 2.
     ///
     /// # Errors
@@ -97,7 +97,7 @@ impl Orthotropic {
         Ok(material.expanding(0.0, 0.0))
     }
 
-    /// The same material with the coefficients of thermal expansion `alpha1` and `alpha2` [1/temperature] along 1 and 2.
+    /// The same material with the coefficients of thermal expansion `alpha1` and `alpha2` `[1/temperature]` along 1 and 2.
     ///
     /// # Errors
     /// [`MaterialError::NotFinite`] unless both are finite.
@@ -112,7 +112,7 @@ impl Orthotropic {
         self.constants
     }
 
-    /// Angle of the 1 axis [rad], counter-clockwise from x.
+    /// Angle of the 1 axis `[rad]`, counter-clockwise from x.
     pub fn angle(&self) -> f64 {
         self.angle
     }

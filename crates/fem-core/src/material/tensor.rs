@@ -9,7 +9,7 @@
 
 use super::PlaneStiffness;
 
-/// Matrix times vector: the stress [stress] of the strain `strain` under the stiffness `matrix`, or the strain of a stress
+/// Matrix times vector: the stress `[stress]` of the strain `strain` under the stiffness `matrix`, or the strain of a stress
 /// under a compliance.
 pub fn apply(matrix: &PlaneStiffness, strain: [f64; 3]) -> [f64; 3] {
     matrix.map(|row| row[0] * strain[0] + row[1] * strain[1] + row[2] * strain[2])
@@ -55,12 +55,12 @@ fn transpose(m: &PlaneStiffness) -> PlaneStiffness {
     std::array::from_fn(|i| std::array::from_fn(|j| m[j][i]))
 }
 
-/// The compliance `compliance` [1/stress], given in (x, y), in axes whose first direction is the unit vector `axis`.
+/// The compliance `compliance` `[1/stress]`, given in (x, y), in axes whose first direction is the unit vector `axis`.
 pub fn rotated_compliance(compliance: &PlaneStiffness, axis: [f64; 2]) -> PlaneStiffness {
     congruence(&strain_rotation(axis), compliance)
 }
 
-/// The stiffness `stiffness` [stress], given in (x, y), in axes whose first direction is the unit vector `axis`.
+/// The stiffness `stiffness` `[stress]`, given in (x, y), in axes whose first direction is the unit vector `axis`.
 pub fn rotated_stiffness(stiffness: &PlaneStiffness, axis: [f64; 2]) -> PlaneStiffness {
     // Stress rotates by the inverse transpose of the strain rotation, which is the transpose for the opposite angle.
     congruence(&transpose(&strain_rotation([axis[0], -axis[1]])), stiffness)

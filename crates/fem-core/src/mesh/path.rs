@@ -98,6 +98,14 @@ impl Mesh {
                 chains,
             });
         }
+        // An inner edge named from both of its cells closes a chain of two edges over the same nodes.
+        if let [first, second] = path.edges[..]
+            && closed
+            && self.edge_nodes(first).mid == self.edge_nodes(second).mid
+        {
+            let (set, node) = (name.to_owned(), path.nodes[0]);
+            return Err(MeshError::MixedOrientation { set, node });
+        }
         Ok(path)
     }
 

@@ -28,12 +28,12 @@ pub struct GaussStresses {
 
 impl GaussStresses {
     /// Stresses of cell `element` (a global index of the mesh), in the order of its
-    /// [`QUADRATURE`](Element::QUADRATURE) [stress].
+    /// [`QUADRATURE`](Element::QUADRATURE) `[stress]`.
     pub fn of(&self, element: usize) -> &[[f64; 3]] {
         &self.values[self.first[element]..self.first[element + 1]]
     }
 
-    /// All stresses, one cell after the other [stress].
+    /// All stresses, one cell after the other `[stress]`.
     pub fn values(&self) -> &[[f64; 3]] {
         &self.values
     }
@@ -66,7 +66,7 @@ impl Samples {
 }
 
 impl<'a> ElasticField<'a> {
-    /// Joins `mesh` with one of `materials` per block, the nodal `displacement` (u₀, v₀, u₁, v₁, …) [length] and, if there
+    /// Joins `mesh` with one of `materials` per block, the nodal `displacement` (u₀, v₀, u₁, v₁, …) `[length]` and, if there
     /// is one, the initial strain (ε_xx, ε_yy, γ_xy) of each block, for example [`Material::thermal_strain`].
     ///
     /// # Errors

@@ -25,8 +25,13 @@ use crate::mesh::{ElementBlock, Point};
 impl ElasticField<'_> {
     /// Stress at every node by superconvergent patch recovery.
     ///
-    /// Second order in the element size on T3 and Q4, third on T6, Q8 and Q9, boundary nodes included. A block without any
-    /// interior corner (a strip one cell wide) has no patch; its values are those of [`ElasticField::nodal_stresses`].
+    /// Inside a smooth mesh the error falls as h² on T3 and Q4, between h² and h³ on T6, and as h⁴ on Q8 and Q9. Boundary
+    /// nodes are extrapolated: h^1.3 on T3, h² on Q4, h³ on the others, with constants that make
+    /// [`ElasticField::nodal_stresses`] the better choice where a cell is as large as the stress gradient's length; where
+    /// the tractions are known, use [`edge_stresses`](super::edge_stresses).
+    ///
+    /// A block without any interior corner (a strip one cell wide) has no patch; its values are those of
+    /// [`ElasticField::nodal_stresses`].
     pub fn patch_recovery(&self) -> NodalStresses {
         let blocks = (0..self.mesh.blocks().len())
             .map(|block| self.recovered(block))

@@ -4,6 +4,7 @@ mod domain;
 mod edge;
 mod kirsch;
 mod meshes;
+mod solve;
 
 /// Observed rates of `error` between successive entries, the resolution doubling from one to the next.
 fn rates(error: &[f64]) -> Vec<f64> {

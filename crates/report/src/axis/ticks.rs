@@ -80,10 +80,17 @@ fn linear(span: &Span, step: f64) -> Ticks {
     let values = multiples(span, step);
     let major = values
         .iter()
-        .map(|&value| Tick { value, label: fixed(value / unit, decimals) })
+        .map(|&value| Tick {
+            value,
+            label: fixed(value / unit, decimals),
+        })
         .collect();
     let factor = (exponent != 0).then(|| format!("×10{}", superscript(exponent)));
-    Ticks { major, minor: Vec::new(), factor }
+    Ticks {
+        major,
+        minor: Vec::new(),
+        factor,
+    }
 }
 
 /// The multiples of `step` on the axis, zero exactly zero.
@@ -92,14 +99,20 @@ fn multiples(span: &Span, step: f64) -> Vec<f64> {
     let first = (span.low / step - slack).ceil();
     let last = (span.high / step + slack).floor();
     let count = ((last - first).max(-1.0) + 1.0) as usize;
-    (0..count.min(MOST_TICKS + 1)).map(|k| (first + k as f64) * step + 0.0).collect()
+    (0..count.min(MOST_TICKS + 1))
+        .map(|k| (first + k as f64) * step + 0.0)
+        .collect()
 }
 
 /// The multiple of three that labels are relieved of; 0 where they are short anyway.
 fn common_exponent(span: &Span) -> i32 {
     let magnitude = span.low.abs().max(span.high.abs());
     let exponent = magnitude.log10().floor() as i32;
-    if (-2..5).contains(&exponent) { 0 } else { 3 * exponent.div_euclid(3) }
+    if (-2..5).contains(&exponent) {
+        0
+    } else {
+        3 * exponent.div_euclid(3)
+    }
 }
 
 /// Decimals needed to write multiples of `step` exactly, at most 9.
@@ -144,13 +157,22 @@ fn logarithmic(span: &Span, spacing: Option<f64>, wanted: usize) -> Ticks {
     let decades = span.length();
     if spacing.is_none() && decades < 0.7 {
         let step = round_step((span.high - span.low) / wanted.max(1) as f64);
-        return linear(&Span { scale: Scale::Linear, ..*span }, step);
+        return linear(
+            &Span {
+                scale: Scale::Linear,
+                ..*span
+            },
+            step,
+        );
     }
     let automatic = (decades / wanted.max(1) as f64).ceil();
     let stride = spacing.unwrap_or(automatic).round().max(1.0) as i32;
     let with_parts = spacing.is_none() && decades * 3.0 <= wanted as f64 + 1.0;
-    let (first, last) = (span.low.log10().floor() as i32, span.high.log10().floor() as i32);
-    let plain = first >= -3 && last <= 3;
+    let (first, last) = (
+        span.low.log10().floor() as i32,
+        span.high.log10().floor() as i32,
+    );
+    let plain = span.low.log10().ceil() >= -3.0 && last <= 3;
     let mut ticks = Ticks::default();
     for exponent in first..=last {
         for digit in 1..10 {
@@ -165,7 +187,10 @@ fn logarithmic(span: &Span, spacing: Option<f64>, wanted: usize) -> Ticks {
                 with_parts && matches!(digit, 2 | 5)
             };
             if labelled {
-                ticks.major.push(Tick { value, label: power_label(digit, exponent, plain) });
+                ticks.major.push(Tick {
+                    value,
+                    label: power_label(digit, exponent, plain),
+                });
             } else if stride == 1 || digit == 1 {
                 ticks.minor.push(value);
             }
@@ -182,7 +207,11 @@ fn power_label(digit: i32, exponent: i32, plain: bool) -> String {
         );
     }
     let power = format!("10{}", superscript(exponent));
-    if digit == 1 { power } else { format!("{digit}×{power}") }
+    if digit == 1 {
+        power
+    } else {
+        format!("{digit}×{power}")
+    }
 }
 
 /// `exponent` in superscript digits.
@@ -214,7 +243,10 @@ mod tests {
     fn labels(axis: &Axis, wanted: usize) -> (Vec<String>, Option<String>) {
         let span = axis.span(std::iter::empty(), Padding::Tight).unwrap();
         let ticks = Ticks::new(axis, &span, wanted).unwrap();
-        (ticks.major.into_iter().map(|tick| tick.label).collect(), ticks.factor)
+        (
+            ticks.major.into_iter().map(|tick| tick.label).collect(),
+            ticks.factor,
+        )
     }
 
     #[test]
@@ -229,7 +261,10 @@ mod tests {
     #[test]
     fn small_and_large_values_share_a_power_of_a_thousand() {
         let (texts, factor) = labels(&Axis::linear("slip").between(0.0, 4e-5), 4);
-        assert_eq!((texts[1].as_str(), factor.as_deref()), ("10", Some("×10⁻⁶")));
+        assert_eq!(
+            (texts[1].as_str(), factor.as_deref()),
+            ("10", Some("×10⁻⁶"))
+        );
         let (texts, factor) = labels(&Axis::linear("E").between(0.0, 2e11), 4);
         assert_eq!((texts[1].as_str(), factor.as_deref()), ("50", Some("×10⁹")));
     }
@@ -253,7 +288,13 @@ mod tests {
             let axis = Axis::linear("x").between(0.0, 1.0).every(spacing);
             let span = axis.span(std::iter::empty(), Padding::Tight).unwrap();
             let error = Ticks::new(&axis, &span, 5).unwrap_err();
-            assert!(matches!(error, FigureError::TickSpacing { limit: MOST_TICKS, .. }));
+            assert!(matches!(
+                error,
+                FigureError::TickSpacing {
+                    limit: MOST_TICKS,
+                    ..
+                }
+            ));
         }
     }
 

@@ -38,7 +38,12 @@ impl Annotations {
         let named = bands.iter().map(|band| name_fits(band, frame)).collect();
         let lines = chart.references.clone();
         let rows = vertical_rows(&lines, frame);
-        Self { bands, lines, named, rows }
+        Self {
+            bands,
+            lines,
+            named,
+            rows,
+        }
     }
 
     /// Names and colours of the visible bands that are too narrow for their names.
@@ -56,28 +61,51 @@ impl Annotations {
 
     /// Room for the names above the frame [px].
     pub(crate) fn height_above(&self) -> f64 {
-        let rows = self.rows.iter().flatten().map(|row| row + 1).max().unwrap_or(0);
+        let rows = self
+            .rows
+            .iter()
+            .flatten()
+            .map(|row| row + 1)
+            .max()
+            .unwrap_or(0);
         self.strip_height() + ROW * rows as f64
     }
 
     /// Room for the names right of the frame [px]; does not depend on the frame.
     pub(crate) fn width_right(chart: &LineChart) -> f64 {
-        let names = chart.references.iter().filter(|line| line.direction == Direction::Horizontal);
+        let names = chart
+            .references
+            .iter()
+            .filter(|line| line.direction == Direction::Horizontal);
         let widest = names
             .map(|line| text::widest(wrapped(line).iter().map(String::as_str), SIZE))
             .fold(0.0, f64::max);
-        if widest > 0.0 { widest + LEADER + 4.0 } else { 0.0 }
+        if widest > 0.0 {
+            widest + LEADER + 4.0
+        } else {
+            0.0
+        }
     }
 
     pub(crate) fn draw_bands(&self, canvas: &mut Canvas, frame: &Frame) {
         for (band, named) in self.bands.iter().zip(&self.named) {
-            let Some([left, right]) = extent(band, frame) else { continue };
-            let shade = Area { left, width: right - left, ..frame.area };
+            let Some([left, right]) = extent(band, frame) else {
+                continue;
+            };
+            let shade = Area {
+                left,
+                width: right - left,
+                ..frame.area
+            };
             canvas.rectangle(&shade, band.color.tint(SHADE), None);
             if self.strip_height() == 0.0 {
                 continue;
             }
-            let strip = Area { top: frame.area.top - STRIP, height: STRIP, ..shade };
+            let strip = Area {
+                top: frame.area.top - STRIP,
+                height: STRIP,
+                ..shade
+            };
             canvas.rectangle(&strip, band.color.tint(2.2 * SHADE), None);
             if *named {
                 let style = TextStyle::new(SIZE, dark(band.color), Anchor::Middle);
@@ -88,7 +116,9 @@ impl Annotations {
 
     pub(crate) fn draw_lines(&self, canvas: &mut Canvas, frame: &Frame) {
         for (line, row) in self.lines.iter().zip(&self.rows) {
-            let Some([from, mut to]) = segment(line, frame) else { continue };
+            let Some([from, mut to]) = segment(line, frame) else {
+                continue;
+            };
             if let Some(row) = row {
                 to[1] -= self.strip_height() + ROW * *row as f64 + 3.0;
             }
@@ -98,8 +128,11 @@ impl Annotations {
 
     pub(crate) fn draw_labels(&self, canvas: &mut Canvas, frame: &Frame) {
         for (line, row) in self.lines.iter().zip(&self.rows) {
-            let (Some(row), Some(x)) = (row, frame.pixel_x(line.value)) else { continue };
-            let middle = name_extent(line, x, frame).map_or(x, |[left, right]| (left + right) / 2.0);
+            let (Some(row), Some(x)) = (row, frame.pixel_x(line.value)) else {
+                continue;
+            };
+            let middle =
+                name_extent(line, x, frame).map_or(x, |[left, right]| (left + right) / 2.0);
             let bottom = frame.area.top - self.strip_height() - ROW * *row as f64;
             let style = TextStyle::new(SIZE, dark(line.color), Anchor::Middle);
             canvas.centred_text([middle, bottom - ROW / 2.0], &line.label, &style);
@@ -122,7 +155,11 @@ impl Annotations {
             .collect();
         let right = frame.area.right();
         for ((y, line, lines), middle) in names.iter().zip(moved_apart(&wanted, frame.area)) {
-            canvas.line([right, *y], [right + LEADER - 2.0, middle], &Stroke::solid(line.color, 0.8));
+            canvas.line(
+                [right, *y],
+                [right + LEADER - 2.0, middle],
+                &Stroke::solid(line.color, 0.8),
+            );
             let first = middle - SIZE * LINE_HEIGHT * (lines.len() as f64 - 1.0) / 2.0;
             for (index, text) in lines.iter().enumerate() {
                 let at = [right + LEADER, first + SIZE * LINE_HEIGHT * index as f64];
@@ -132,7 +169,11 @@ impl Annotations {
     }
 
     fn strip_height(&self) -> f64 {
-        if self.named.contains(&true) { STRIP } else { 0.0 }
+        if self.named.contains(&true) {
+            STRIP
+        } else {
+            0.0
+        }
     }
 }
 
@@ -171,7 +212,9 @@ fn name_extent(line: &ReferenceLine, x: f64, frame: &Frame) -> Option<[f64; 2]> 
         return None;
     }
     let width = text::width(&line.label, SIZE, Weight::Regular);
-    let left = (x - width / 2.0).min(frame.area.right() - width).max(frame.area.left);
+    let left = (x - width / 2.0)
+        .min(frame.area.right() - width)
+        .max(frame.area.left);
     Some([left, left + width])
 }
 
@@ -182,7 +225,9 @@ fn vertical_rows(lines: &[ReferenceLine], frame: &Frame) -> Vec<Option<usize>> {
     lines
         .iter()
         .map(|line| {
-            let x = frame.pixel_x(line.value).filter(|_| frame.x.contains(line.value))?;
+            let x = frame
+                .pixel_x(line.value)
+                .filter(|_| frame.x.contains(line.value))?;
             let [left, right] = name_extent(line, x, frame)?;
             let free = |row: usize| {
                 placed.iter().all(|&(other, [a, b], line_x)| {
@@ -194,7 +239,9 @@ fn vertical_rows(lines: &[ReferenceLine], frame: &Frame) -> Vec<Option<usize>> {
             };
             // Above all others a name is crossed only by its own line's way up; with
             // n names, n + 1 rows are always enough to try.
-            let row = (0..=placed.len()).find(|&row| free(row)).unwrap_or(placed.len());
+            let row = (0..=placed.len())
+                .find(|&row| free(row))
+                .unwrap_or(placed.len());
             placed.push((row, [left, right], x));
             Some(row)
         })
@@ -239,9 +286,22 @@ mod tests {
 
     #[test]
     fn names_are_moved_apart_and_kept_inside() {
-        let area = Area { left: 0.0, top: 0.0, width: 100.0, height: 100.0 };
-        let places = moved_apart(&[[50.0, 14.0], [52.0, 14.0], [98.0, 14.0], [99.0, 14.0]], area);
-        assert!(places.windows(2).all(|pair| pair[1] - pair[0] >= 14.0 - 1e-9), "{places:?}");
+        let area = Area {
+            left: 0.0,
+            top: 0.0,
+            width: 100.0,
+            height: 100.0,
+        };
+        let places = moved_apart(
+            &[[50.0, 14.0], [52.0, 14.0], [98.0, 14.0], [99.0, 14.0]],
+            area,
+        );
+        assert!(
+            places
+                .windows(2)
+                .all(|pair| pair[1] - pair[0] >= 14.0 - 1e-9),
+            "{places:?}"
+        );
         assert!(places[3] + 7.0 <= 100.0 + SIZE / 2.0);
         assert_eq!(places[0], 50.0);
     }

@@ -50,7 +50,10 @@ pub(crate) fn draw_line(canvas: &mut Canvas, frame: &Frame, series: &Series, col
             _ => trace(&run, &cut, &mut data),
         }
     }
-    canvas.stroked_path(&data, &Stroke::dashed(color, series.width, series.dash.pattern()));
+    canvas.stroked_path(
+        &data,
+        &Stroke::dashed(color, series.width, series.dash.pattern()),
+    );
 }
 
 /// Appends path data for the part of `run` inside `cut`.
@@ -140,7 +143,11 @@ pub(crate) fn draw_sample(
         canvas.line([x, y], [x + width, y], &stroke);
     }
     if matches!(series.style, SeriesStyle::Markers | SeriesStyle::Both) {
-        canvas.filled_path(&marker([x + width / 2.0, y], index), color, &marker_outline());
+        canvas.filled_path(
+            &marker([x + width / 2.0, y], index),
+            color,
+            &marker_outline(),
+        );
     }
 }
 
@@ -189,12 +196,23 @@ fn circle([x, y]: [f64; 2], r: f64) -> String {
 mod tests {
     use super::*;
 
-    const AREA: Area = Area { left: 0.0, top: 0.0, width: 10.0, height: 10.0 };
+    const AREA: Area = Area {
+        left: 0.0,
+        top: 0.0,
+        width: 10.0,
+        height: 10.0,
+    };
 
     #[test]
     fn segments_are_cut_at_the_border() {
-        assert_eq!(clip([1.0, 1.0], [2.0, 2.0], &AREA), Some([[1.0, 1.0], [2.0, 2.0]]));
-        assert_eq!(clip([-5.0, 5.0], [15.0, 5.0], &AREA), Some([[0.0, 5.0], [10.0, 5.0]]));
+        assert_eq!(
+            clip([1.0, 1.0], [2.0, 2.0], &AREA),
+            Some([[1.0, 1.0], [2.0, 2.0]])
+        );
+        assert_eq!(
+            clip([-5.0, 5.0], [15.0, 5.0], &AREA),
+            Some([[0.0, 5.0], [10.0, 5.0]])
+        );
         assert_eq!(clip([-5.0, 12.0], [15.0, 12.0], &AREA), None);
         assert_eq!(clip([11.0, 0.0], [20.0, 9.0], &AREA), None);
         // A segment that starts very far away keeps its direction.

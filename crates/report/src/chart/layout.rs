@@ -11,11 +11,9 @@ use super::legend::{LegendBox, empty_place};
 use super::{Direction, Legend, LineChart, SeriesStyle};
 use crate::axis::{Padding, Span};
 use crate::error::FigureError;
-use crate::frame::{Frame, Heading};
+use crate::frame::{Frame, Heading, OUTER, TITLE_SIZE};
 use crate::svg::Area;
 
-/// Free border around a figure [px].
-pub(crate) const OUTER: f64 = 12.0;
 const LEGEND_GAP: f64 = 14.0;
 /// Smallest side of the area inside the frame [px].
 const SMALLEST_SIDE: f64 = 40.0;
@@ -57,7 +55,11 @@ impl Layout {
         if !sized || chart.aspect <= 0.0 {
             return Err(no_room(chart));
         }
-        let placer = Placer { chart, spans: spans(chart)?, least };
+        let placer = Placer {
+            chart,
+            spans: spans(chart)?,
+            least,
+        };
         match chart.legend {
             Legend::Hidden => placer.without_legend(),
             Legend::Right => placer.legend_right(),
@@ -105,7 +107,9 @@ impl Placer<'_> {
     /// The layout with the legend inside the frame, if there is room (or no legend).
     fn legend_inside(&self) -> Result<Option<Layout>, FigureError> {
         let mut layout = self.place(0.0)?;
-        let Some(mut legend) = self.legend_of(&layout) else { return Ok(Some(layout)) };
+        let Some(mut legend) = self.legend_of(&layout) else {
+            return Ok(Some(layout));
+        };
         legend.enclose();
         let place = empty_place(self.chart, &layout.frame, legend.size());
         Ok(place.map(|at| {
@@ -128,11 +132,15 @@ impl Placer<'_> {
 
     fn legend_right(&self) -> Result<Layout, FigureError> {
         let layout = self.place(0.0)?;
-        let Some(legend) = self.legend_of(&layout) else { return Ok(layout) };
+        let Some(legend) = self.legend_of(&layout) else {
+            return Ok(layout);
+        };
         let [width, _] = legend.size();
         let mut layout = self.place(width + LEGEND_GAP)?;
         // A narrower frame may leave more bands without a name.
-        let Some(legend) = self.legend_of(&layout) else { return Ok(layout) };
+        let Some(legend) = self.legend_of(&layout) else {
+            return Ok(layout);
+        };
         let [width, height] = legend.size();
         let area = layout.frame.area;
         layout.height = layout.height.max(area.top + height + OUTER);
@@ -147,10 +155,16 @@ impl Placer<'_> {
     /// Everything but the legend, with `reserved` px free at the right.
     fn place(&self, reserved: f64) -> Result<Layout, FigureError> {
         let chart = self.chart;
-        let heading = Heading::new(&chart.title, chart.subtitle.as_deref(), chart.width - 2.0 * OUTER);
+        let below = chart.subtitle.as_deref().unwrap_or_default();
+        let width = chart.width - 2.0 * OUTER;
+        let heading = Heading::new(&chart.title, TITLE_SIZE, &[below], width);
         // The ticks, and with them the margins, depend on the area, the area on the
         // margins: the second pass has the margins of the first.
-        let mut margins = Margins { left: 60.0, right: 12.0, top: 0.0 };
+        let mut margins = Margins {
+            left: 60.0,
+            right: 12.0,
+            top: 0.0,
+        };
         let mut frame = self.frame(margins)?;
         for _ in 0..2 {
             let annotations = Annotations::new(chart, &frame);
@@ -166,7 +180,13 @@ impl Placer<'_> {
         }
         let height = frame.area.bottom() + frame.bottom_margin() + OUTER;
         let annotations = Annotations::new(chart, &frame);
-        Ok(Layout { heading, frame, annotations, legend: None, height })
+        Ok(Layout {
+            heading,
+            frame,
+            annotations,
+            legend: None,
+            height,
+        })
     }
 
     fn frame(&self, margins: Margins) -> Result<Frame, FigureError> {
@@ -176,34 +196,61 @@ impl Placer<'_> {
         if width < SMALLEST_SIDE || !(SMALLEST_SIDE..1e5).contains(&height) {
             return Err(no_room(chart));
         }
-        let area = Area { left: margins.left, top: margins.top, width, height };
+        let area = Area {
+            left: margins.left,
+            top: margins.top,
+            width,
+            height,
+        };
         Frame::new([&chart.x, &chart.y], self.spans, area)
     }
 }
 
 fn no_room(chart: &LineChart) -> FigureError {
-    FigureError::Size { title: chart.title.clone(), width: chart.width, aspect: chart.aspect }
+    FigureError::Size {
+        title: chart.title.clone(),
+        width: chart.width,
+        aspect: chart.aspect,
+    }
 }
 
 /// The ends of both axes: data and reference lines, markers with room around them.
 fn spans(chart: &LineChart) -> Result<[Span; 2], FigureError> {
     let coordinate = |axis: usize| {
-        chart.series.iter().flat_map(move |series| series.points.iter().map(move |p| p[axis]))
+        chart
+            .series
+            .iter()
+            .flat_map(move |series| series.points.iter().map(move |p| p[axis]))
     };
     let fixed = |direction: Direction| {
-        chart.references.iter().filter(move |line| line.direction == direction).map(|line| line.value)
+        chart
+            .references
+            .iter()
+            .filter(move |line| line.direction == direction)
+            .map(|line| line.value)
     };
     let marked = chart
         .series
         .iter()
         .any(|series| matches!(series.style, SeriesStyle::Markers | SeriesStyle::Both));
-    let padding = if marked { Padding::Loose } else { Padding::Tight };
-    let x = chart.x.span(coordinate(0).chain(fixed(Direction::Vertical)), padding)?;
+    let padding = if marked {
+        Padding::Loose
+    } else {
+        Padding::Tight
+    };
+    let x = chart
+        .x
+        .span(coordinate(0).chain(fixed(Direction::Vertical)), padding)?;
     // A fitted y axis sees only what the x axis shows.
-    let shown = chart
-        .series
-        .iter()
-        .flat_map(|series| series.points.iter().filter(|point| x.contains(point[0])).map(|p| p[1]));
-    let y = chart.y.span(shown.chain(fixed(Direction::Horizontal)), Padding::Loose)?;
+    let shown = chart.series.iter().flat_map(|series| {
+        series
+            .points
+            .iter()
+            .filter(|point| x.contains(point[0]))
+            .map(|p| p[1])
+    });
+    let y = chart
+        .y
+        .span(shown.chain(fixed(Direction::Horizontal)), Padding::Loose)?;
     Ok([x, y])
 }

@@ -55,13 +55,23 @@ impl LegendBox {
     /// The legend of `chart` in one column, with `shades` for bands; nothing without entries.
     pub(crate) fn new(chart: &LineChart, shades: &[(String, Color)]) -> Option<Self> {
         let wrap = |label: &str| text::wrap(label, WIDEST_NAME, SIZE, Weight::Regular);
-        let curves = chart.series.iter().enumerate().filter(|(_, s)| !s.label.trim().is_empty());
+        let curves = chart
+            .series
+            .iter()
+            .enumerate()
+            .filter(|(_, s)| !s.label.trim().is_empty());
         let mut entries: Vec<Entry> = curves
             .map(|(index, series)| {
                 // Only the look of the series is needed, not its points.
-                let look = Series { points: Vec::new(), ..series.clone() };
+                let look = Series {
+                    points: Vec::new(),
+                    ..series.clone()
+                };
                 Entry {
-                    sample: Sample::Curve { series: Box::new(look), index },
+                    sample: Sample::Curve {
+                        series: Box::new(look),
+                        index,
+                    },
                     color: chart.color_of(index),
                     lines: wrap(&series.label),
                 }
@@ -72,7 +82,11 @@ impl LegendBox {
             color: *color,
             lines: wrap(label),
         }));
-        (!entries.is_empty()).then_some(Self { entries, columns: 1, boxed: false })
+        (!entries.is_empty()).then_some(Self {
+            entries,
+            columns: 1,
+            boxed: false,
+        })
     }
 
     pub(crate) fn len(&self) -> usize {
@@ -100,7 +114,12 @@ impl LegendBox {
         let height = self
             .entries
             .chunks(self.rows())
-            .map(|column| column.iter().map(|entry| entry.height() + ROW_GAP).sum::<f64>())
+            .map(|column| {
+                column
+                    .iter()
+                    .map(|entry| entry.height() + ROW_GAP)
+                    .sum::<f64>()
+            })
             .fold(0.0, f64::max);
         [width + inset, height - ROW_GAP + inset]
     }
@@ -109,7 +128,12 @@ impl LegendBox {
         let [width, height] = self.size();
         let mut corner = at;
         if self.boxed {
-            let ground = Area { left: at[0], top: at[1], width, height };
+            let ground = Area {
+                left: at[0],
+                top: at[1],
+                width,
+                height,
+            };
             let border = Stroke::solid(Color::rgb(0xcc, 0xcc, 0xcc), 1.0);
             canvas.rectangle(&ground, Color::rgb(255, 255, 255), Some(&border));
             corner = [at[0] + INSET, at[1] + INSET];
@@ -140,9 +164,18 @@ fn draw_entry(canvas: &mut Canvas, [left, top]: [f64; 2], entry: &Entry) {
             draw_sample(canvas, [left, middle], SAMPLE, series, entry.color, *index);
         }
         Sample::Shade => {
-            let swatch = Area { left, top: middle - 5.0, width: SAMPLE, height: 10.0 };
+            let swatch = Area {
+                left,
+                top: middle - 5.0,
+                width: SAMPLE,
+                height: 10.0,
+            };
             let border = Stroke::solid(entry.color.tint(0.5), 1.0);
-            canvas.rectangle(&swatch, entry.color.tint(super::annotations::SHADE), Some(&border));
+            canvas.rectangle(
+                &swatch,
+                entry.color.tint(super::annotations::SHADE),
+                Some(&border),
+            );
         }
     }
     for (index, line) in entry.lines.iter().enumerate() {
@@ -165,17 +198,32 @@ pub(crate) fn empty_place(chart: &LineChart, frame: &Frame, size: [f64; 2]) -> O
     let segments = drawn_segments(chart, frame);
     let columns = [1.0, 0.0, 0.5, 0.75, 0.25];
     let rows = [0.0, 1.0, 0.5, 0.25, 0.75];
-    let mut places: Vec<(f64, f64)> =
-        columns.iter().flat_map(|&s| rows.iter().map(move |&t| (s, t))).collect();
+    let mut places: Vec<(f64, f64)> = columns
+        .iter()
+        .flat_map(|&s| rows.iter().map(move |&t| (s, t)))
+        .collect();
     // Corners, then the middles of the sides, then the rest; the sort is stable.
     let rank = |(s, t): &(f64, f64)| [s, t].iter().filter(|u| ***u != 0.0 && ***u != 1.0).count();
     places.sort_by_key(rank);
     places
         .into_iter()
-        .map(|(s, t)| [area.left + s * (area.width - width), area.top + t * (area.height - height)])
+        .map(|(s, t)| {
+            [
+                area.left + s * (area.width - width),
+                area.top + t * (area.height - height),
+            ]
+        })
         .find(|&[left, top]| {
-            let place = Area { left, top, width, height }.grown(CLEARANCE);
-            segments.iter().all(|[from, to]| clip(*from, *to, &place).is_none())
+            let place = Area {
+                left,
+                top,
+                width,
+                height,
+            }
+            .grown(CLEARANCE);
+            segments
+                .iter()
+                .all(|[from, to]| clip(*from, *to, &place).is_none())
         })
 }
 

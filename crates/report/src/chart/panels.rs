@@ -1,12 +1,14 @@
 //! Several figures in one picture.
 
 use super::LineChart;
-use super::layout::{Layout, Margins, OUTER};
+use super::layout::{Layout, Margins};
 use crate::error::FigureError;
-use crate::frame::Heading;
+use crate::frame::{Heading, OUTER};
 use crate::svg::{Canvas, Svg};
 
 const GAP: f64 = 6.0;
+/// The common title is larger than those of the parts.
+const TITLE_SIZE: f64 = 18.0;
 
 /// Charts in rows and columns whose frames line up.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,7 +24,11 @@ pub struct Panels {
 impl Panels {
     /// Charts under a common title.
     pub fn new(title: impl Into<String>, columns: usize, charts: Vec<LineChart>) -> Self {
-        Self { title: title.into(), columns, charts }
+        Self {
+            title: title.into(),
+            columns,
+            charts,
+        }
     }
 
     /// Draws all charts. Charts of one column share their left and right margins,
@@ -37,13 +43,19 @@ impl Panels {
         for (index, chart) in self.charts.iter().enumerate() {
             let margins = Layout::new(chart, Margins::default())?.margins(chart.width);
             let shared = &mut column_margins[index % columns];
-            *shared = shared.covering(Margins { top: 0.0, ..margins });
+            *shared = shared.covering(Margins {
+                top: 0.0,
+                ..margins
+            });
             let top = &mut row_tops[index / columns];
             *top = top.max(margins.top);
         }
         let mut pictures = Vec::with_capacity(self.charts.len());
         for (index, chart) in self.charts.iter().enumerate() {
-            let least = Margins { top: row_tops[index / columns], ..column_margins[index % columns] };
+            let least = Margins {
+                top: row_tops[index / columns],
+                ..column_margins[index % columns]
+            };
             pictures.push(chart.draw(&Layout::new(chart, least)?));
         }
         tile(&self.title, self.columns, &pictures)
@@ -57,7 +69,11 @@ impl Panels {
 pub fn tile(title: &str, columns: usize, pictures: &[Svg]) -> Result<Svg, FigureError> {
     if columns == 0 || pictures.is_empty() {
         let panels = pictures.len();
-        return Err(FigureError::NoPanels { title: title.to_owned(), panels, columns });
+        return Err(FigureError::NoPanels {
+            title: title.to_owned(),
+            panels,
+            columns,
+        });
     }
     let columns = columns.min(pictures.len());
     let mut widths = vec![0.0_f64; columns];
@@ -65,10 +81,14 @@ pub fn tile(title: &str, columns: usize, pictures: &[Svg]) -> Result<Svg, Figure
         widths[index % columns] = widths[index % columns].max(picture.width());
     }
     let width = widths.iter().sum::<f64>() + GAP * (columns - 1) as f64;
-    let heading = Heading::new(title, None, width - 2.0 * OUTER);
+    let heading = Heading::new(title, TITLE_SIZE, &[], width - 2.0 * OUTER);
     let mut canvas = Canvas::default();
     heading.draw(&mut canvas, [OUTER, OUTER]);
-    let mut top = if heading.height() > 0.0 { OUTER + heading.height() } else { 0.0 };
+    let mut top = if heading.height() > 0.0 {
+        OUTER + heading.height()
+    } else {
+        0.0
+    };
     for row in pictures.chunks(columns) {
         let mut left = 0.0;
         for (picture, width) in row.iter().zip(&widths) {

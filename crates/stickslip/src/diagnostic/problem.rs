@@ -61,7 +61,7 @@ pub enum SceneProblem {
         found: String,
     },
     /// The index of an override is not in its list.
-    #[error("'{key}' cannot be set: '{list}' has {length} entries and '{index}' is not one of them")]
+    #[error("'{key}' cannot be set: '{list}' has {length} {} and '{index}' is not one of them", counted(*length, "entry", "entries"))]
     #[diagnostic(code(scene::override_index), help("entries are counted from 0; the number {length} adds one"))]
     OverrideIndex {
         /// The whole key.
@@ -249,7 +249,7 @@ pub enum SceneProblem {
         example: String,
     },
     /// Loads with different numbers of steps.
-    #[error("load '{load}' has {steps} steps, but load '{other}' has {other_steps}")]
+    #[error("load '{load}' has {steps} {}, but load '{other}' has {other_steps}", counted(*steps, "step", "steps"))]
     #[diagnostic(code(scene::unequal_steps), help("give both the same number of steps; repeat a value to hold a load constant"))]
     UnequalSteps {
         /// The load.
@@ -309,6 +309,10 @@ pub enum SceneProblem {
 
 fn meant(nearest: &Option<String>) -> String {
     nearest.as_ref().map_or_else(String::new, |name| format!("did you mean '{name}'? "))
+}
+
+fn counted(count: usize, one: &'static str, many: &'static str) -> &'static str {
+    if count == 1 { one } else { many }
 }
 
 fn listed(names: &[String]) -> String {

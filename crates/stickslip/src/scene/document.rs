@@ -203,7 +203,7 @@ impl Document {
                 None => written = parent(written),
             }
         };
-        let is_table = !matches!(self.get(written), Some(value) if !value.is_object());
+        let is_table = self.get(written).is_some_and(Value::is_object);
         let part = if written != key || is_table { Part::Key } else { part };
         let (source, span) = match place {
             Some(place) => {

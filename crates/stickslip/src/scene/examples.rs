@@ -12,6 +12,8 @@ pub(super) fn example(key: &str) -> String {
         "nu12" | "nu13" => "0.3",
         "nu23" => "0.4",
         "material" => "\"aluminium\"",
+        "bodies" => return "[bodies.plate] with its shape, thickness and material".to_owned(),
+        "mesh" => return "[mesh] spacing = \"2 deg\"".to_owned(),
         "thickness" => "\"1.5 mm\"",
         "shape" => return "shape.disk = { radius = \"5 mm\" }".to_owned(),
         "outline" => {

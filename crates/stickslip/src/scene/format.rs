@@ -7,49 +7,331 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use stickslip_fem_core::ElementKind;
 use stickslip_fem_core::material::PlaneState;
+use stickslip_fem_core::mesh::ElementKind;
 
 use super::schema::{Axis, FieldOutput, GapKind, ModelChoice, Ramp, SolverChoice};
 use crate::units::{
-    Angle, AngleOrLength, Force, Length, PerTemperature, Quantity, Stress, Temperature, UnitError,
-    UnitName,
+    Angle, AngleOrLength, Force, Length, PerTemperature, Quantity, Stress, Temperature, UnitName,
 };
 
-/// Optional keys are left out where they are empty.
-macro_rules! optional {
-    ($(#[$attribute:meta])* $name:ident { $($(#[$field_attribute:meta])* $field:ident: $kind:ty,)* }) => {
-        $(#[$attribute])*
-        #[derive(Debug, Clone, Deserialize, Serialize)]
-        #[serde(deny_unknown_fields, expecting = "a table, for example { key = value }")]
-        pub(super) struct $name { $($(#[$field_attribute])* pub(super) $field: $kind,)* }
-    };
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct SceneFormat {
+    pub(super) version: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) title: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) description: Option<String>,
+    #[serde(default)]
+    pub(super) units: UnitsFormat,
+    #[serde(default)]
+    pub(super) analysis: AnalysisFormat,
+    #[serde(default)]
+    pub(super) materials: BTreeMap<String, MaterialFormat>,
+    pub(super) bodies: BTreeMap<String, BodyFormat>,
+    pub(super) mesh: MeshFormat,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) contacts: Vec<ContactFormat>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) supports: Vec<SupportFormat>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) platens: Vec<PlatenFormat>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) loads: Vec<LoadFormat>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) edges: Vec<EdgeFormat>,
+    #[serde(default)]
+    pub(super) output: OutputFormat,
 }
 
-optional!(SceneFormat {
-    version: u64,
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(default, deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct UnitsFormat {
+    pub(super) length: UnitName<Length>,
+    pub(super) force: UnitName<Force>,
+    pub(super) stress: UnitName<Stress>,
+}
+
+impl Default for UnitsFormat {
+    fn default() -> Self {
+        Self { length: UnitName::base(), force: UnitName::base(), stress: UnitName::base() }
+    }
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(default, deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct AnalysisFormat {
+    pub(super) plane: PlaneState,
+    pub(super) model: ModelChoice,
+    pub(super) solver: SolverChoice,
+    pub(super) substeps: usize,
+    pub(super) ramp: Ramp,
+}
+
+impl Default for AnalysisFormat {
+    fn default() -> Self {
+        Self {
+            plane: PlaneState::Stress,
+            model: ModelChoice::Auto,
+            solver: SolverChoice::Auto,
+            substeps: 1,
+            ramp: Ramp::Linear,
+        }
+    }
+}
+
+/// `[materials.NAME.isotropic]` or `[materials.NAME.orthotropic]`.
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum MaterialFormat {
+    Isotropic(IsotropicFormat),
+    Orthotropic(OrthotropicFormat),
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct IsotropicFormat {
+    pub(super) young: Quantity<Stress>,
+    pub(super) poisson: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
-    title: Option<String>,
+    pub(super) expansion: Option<Quantity<PerTemperature>>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct OrthotropicFormat {
+    pub(super) e1: Quantity<Stress>,
+    pub(super) e2: Quantity<Stress>,
+    pub(super) g12: Quantity<Stress>,
+    pub(super) nu12: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
-    description: Option<String>,
+    pub(super) angle: Option<Quantity<Angle>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) expansion1: Option<Quantity<PerTemperature>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) expansion2: Option<Quantity<PerTemperature>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) e3: Option<Quantity<Stress>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) nu13: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) nu23: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) expansion3: Option<Quantity<PerTemperature>>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct BodyFormat {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) material: Option<String>,
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub(super) rigid: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) thickness: Option<Quantity<Length>>,
+    pub(super) shape: ShapeFormat,
+}
+
+/// `shape.NAME = { … }`.
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum ShapeFormat {
+    PlateWithHole(PlateWithHoleFormat),
+    Disk(RadiusFormat),
+    Rectangle(RectangleFormat),
+    Block(BlockFormat),
+    Cylinder(CylinderFormat),
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct PlateWithHoleFormat {
+    pub(super) hole_radius: Quantity<Length>,
+    pub(super) outline: OutlineFormat,
+}
+
+/// `outline.strip = { … }` or `outline.ring = { … }`.
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum OutlineFormat {
+    Strip(StripFormat),
+    Ring(RadiusFormat),
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct StripFormat {
+    pub(super) half_width: Quantity<Length>,
+    pub(super) left: Quantity<Length>,
+    pub(super) right: Quantity<Length>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct RadiusFormat {
+    pub(super) radius: Quantity<Length>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct RectangleFormat {
+    pub(super) width: Quantity<Length>,
+    pub(super) height: Quantity<Length>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct BlockFormat {
+    pub(super) half_length: Quantity<Length>,
+    pub(super) depth: Quantity<Length>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct CylinderFormat {
+    pub(super) radius: Quantity<Length>,
+    pub(super) half_length: Quantity<Length>,
+    pub(super) depth: Quantity<Length>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct MeshFormat {
+    #[serde(default = "default_element")]
+    pub(super) element: ElementKind,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) spacing: Option<Quantity<AngleOrLength>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) angles: Option<Vec<Quantity<Angle>>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) fine_to: Option<Quantity<AngleOrLength>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) coarse_spacing: Option<Quantity<AngleOrLength>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) layers: Option<usize>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct ContactFormat {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) name: Option<String>,
+    pub(super) first: String,
+    pub(super) second: String,
     #[serde(default)]
-    units: UnitsFormat,
+    pub(super) gap: GapKind,
     #[serde(default)]
-    analysis: AnalysisFormat,
-    #[serde(default)]
-    materials: BTreeMap<String, MaterialFormat>,
-    bodies: BTreeMap<String, BodyFormat>,
-    mesh: MeshFormat,
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    contacts: Vec<ContactFormat>,
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    supports: Vec<SupportFormat>,
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    platens: Vec<PlatenFormat>,
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    loads: Vec<LoadFormat>,
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    edges: Vec<EdgeFormat>,
-    #[serde(default)]
-    output: OutputFormat,
-});
+    pub(super) interference: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) friction: Option<Value>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct SupportFormat {
+    pub(super) on: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) fix: Option<Vec<Axis>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) normal: Option<Quantity<Angle>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) displacement: Option<Quantity<Length>>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct PlatenFormat {
+    pub(super) on: String,
+    pub(super) free: Vec<Axis>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct LoadFormat {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) name: Option<String>,
+    pub(super) on: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) force: Option<ForceFormat>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) pressure: Option<PressureFormat>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) polar_traction: Option<PolarTractionFormat>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) temperature: Option<TemperatureFormat>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct ForceFormat {
+    pub(super) direction: [f64; 2],
+    pub(super) steps: Vec<Quantity<Force>>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct PressureFormat {
+    pub(super) steps: Vec<Quantity<Stress>>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct PolarTractionFormat {
+    pub(super) file: String,
+    pub(super) stress: UnitName<Stress>,
+    #[serde(default = "default_theta")]
+    pub(super) theta: String,
+    #[serde(default = "default_radial")]
+    pub(super) radial: String,
+    #[serde(default = "default_shear")]
+    pub(super) shear: String,
+    pub(super) steps: Vec<f64>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct TemperatureFormat {
+    pub(super) steps: Vec<Quantity<Temperature>>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct EdgeFormat {
+    pub(super) on: String,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(default, deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct OutputFormat {
+    pub(super) fields: FieldOutput,
+    pub(super) figures: bool,
+}
+
+impl Default for OutputFormat {
+    fn default() -> Self {
+        Self { fields: FieldOutput::Last, figures: true }
+    }
+}
+
+const fn default_element() -> ElementKind {
+    ElementKind::Q8
+}
+
+fn default_theta() -> String {
+    "theta_deg".to_owned()
+}
+
+fn default_radial() -> String {
+    "sigma_r".to_owned()
+}
+
+fn default_shear() -> String {
+    "tau_rtheta".to_owned()
+}
+
+// Serde hands over a reference.
+#[allow(clippy::trivially_copy_pass_by_ref)]
+fn is_false(flag: &bool) -> bool {
+    !flag
+}

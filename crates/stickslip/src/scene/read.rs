@@ -62,7 +62,8 @@ impl de::Error for ReadError {
 
     fn invalid_type(found: Unexpected<'_>, expected: &dyn de::Expected) -> Self {
         let found = in_words(found);
-        Self::new(SceneProblem::WrongKind { expected: expected.to_string(), found }, Part::Value)
+        let expected = wanted(&expected.to_string());
+        Self::new(SceneProblem::WrongKind { expected, found }, Part::Value)
     }
 
     fn invalid_value(found: Unexpected<'_>, expected: &dyn de::Expected) -> Self {
@@ -96,6 +97,21 @@ impl de::Error for ReadError {
         };
         Self::new(problem, Part::Key)
     }
+}
+
+/// Serde's names of what it wants, as a person would say them.
+fn wanted(expected: &str) -> String {
+    match expected {
+        "f64" => "a number",
+        "u64" | "usize" => "a whole number, at least 0",
+        "a string" => "a text in quotes",
+        "a boolean" => "true or false",
+        "a sequence" => "a list",
+        "a map" => "a table, such as { key = value }",
+        "an array of length 2" => "a list of two numbers",
+        other => other,
+    }
+    .to_owned()
 }
 
 fn in_words(found: Unexpected<'_>) -> String {

@@ -143,6 +143,14 @@ impl<M: Measure> UnitName<M> {
         self.unit
     }
 
+    /// The base unit.
+    pub fn base() -> Self {
+        let is_base = |unit: &&Unit| unit.dimension == M::DIMENSIONS[0];
+        // Every dimension has units, and its first one is the base unit: a test of the table holds this.
+        let unit = super::UNITS.iter().find(is_base).unwrap_or(&super::UNITS[0]);
+        Self { unit, measure: PhantomData }
+    }
+
     /// The unit `name`.
     ///
     /// # Errors

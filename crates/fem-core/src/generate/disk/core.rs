@@ -10,8 +10,11 @@ use super::super::fan::{Rim, unit};
 use super::super::spacing::at_step;
 use crate::mesh::Point;
 
-/// Distance of the axis vertices over that of the corners: between a square (0.71) and a circle (1).
+/// Distance of the axis vertices over that of the corners when both are 45° apart: between a square (0.71) and a circle (1).
 const BULGE: f64 = 0.85;
+
+/// Farthest that a vertex turns from its nominal direction [rad]: 15°, which keeps the quadrants convex.
+const LARGEST_TURN: f64 = FRAC_PI_4 / 3.0;
 
 /// A quarter of the core.
 #[derive(Debug)]
@@ -31,6 +34,18 @@ impl Quadrant {
     /// Cells along the first and the next half-axis.
     pub(super) fn cells(&self) -> [usize; 2] {
         [self.after, self.before]
+    }
+
+    /// Point at lattice position (i, j): i along the first half-axis, j along the next.
+    pub(super) fn at(&self, i: f64, j: f64) -> Point {
+        let [axis, corner, next] = self.vertices;
+        let (columns, rows) = (self.after as f64, self.before as f64);
+        let (bottom, left) = (i / columns, j / rows);
+        let top = 1.0 - at_step(&self.sides[1], columns - i);
+        let right = at_step(&self.sides[0], j);
+        let u = ((1.0 - left) * bottom + left * top) / (1.0 - (top - bottom) * (right - left));
+        let v = (1.0 - u) * left + u * right;
+        [0, 1].map(|k| u * (1.0 - v) * axis[k] + u * v * corner[k] + (1.0 - u) * v * next[k])
     }
 
     /// Point of the outer sides at rim step `step`.
@@ -60,24 +75,21 @@ impl Core {
         } else {
             half_counts(rim)
         };
+        let vertices = vertices(rim, radius, &counts);
         let mut start = 0;
         let mut quadrants = Vec::with_capacity(counts.len());
         for (k, [before, after]) in counts.into_iter().enumerate() {
-            let axis = k as f64 * FRAC_PI_2;
-            let vertex = |radius: f64, angle: f64| unit(angle).map(|c| radius * c);
+            let sides = [
+                positions(rim, start, before),
+                positions(rim, start + before, after),
+            ];
+            let vertices = [0, 1, 2].map(|v| vertices[2 * k + v]);
             quadrants.push(Quadrant {
                 start,
                 before,
                 after,
-                vertices: [
-                    vertex(BULGE * radius, axis),
-                    vertex(radius, axis + FRAC_PI_4),
-                    vertex(BULGE * radius, axis + FRAC_PI_2),
-                ],
-                sides: [
-                    positions(rim, start, before),
-                    positions(rim, start + before, after),
-                ],
+                vertices,
+                sides,
             });
             start += before + after;
         }
@@ -105,22 +117,48 @@ impl Core {
             .chain(self.quadrants.last().map(|q| q.vertices[2]))
             .collect()
     }
+}
 
-    /// Point of a quadrant: i along the first half-axis, j along the next.
-    #[expect(
-        clippy::unused_self,
-        reason = "a quadrant is meaningful only as part of its core"
-    )]
-    pub(super) fn at(&self, quadrant: &Quadrant, i: f64, j: f64) -> Point {
-        let [axis, corner, next] = quadrant.vertices;
-        let (columns, rows) = (quadrant.after as f64, quadrant.before as f64);
-        let (bottom, left) = (i / columns, j / rows);
-        let top = 1.0 - at_step(&quadrant.sides[1], columns - i);
-        let right = at_step(&quadrant.sides[0], j);
-        let u = ((1.0 - left) * bottom + left * top) / (1.0 - (top - bottom) * (right - left));
-        let v = (1.0 - u) * left + u * right;
-        [0, 1].map(|k| u * (1.0 - v) * axis[k] + u * v * corner[k] + (1.0 - u) * v * next[k])
+/// The octagon's vertices, from the first axis on. A vertex turns part of the way to the rim node that it is joined to, so
+/// that unequal lists of angles shear the rings less.
+fn vertices(rim: &Rim, radius: f64, counts: &[[usize; 2]]) -> Vec<Point> {
+    let ends = [0].into_iter().chain(counts.iter().flatten().copied());
+    let rays = ends.scan(0, |sum, cells| {
+        *sum += cells;
+        Some(*sum)
+    });
+    let last = 2 * counts.len();
+    let angles: Vec<f64> = rays
+        .enumerate()
+        .map(|(v, ray)| {
+            let nominal = v as f64 * FRAC_PI_4;
+            let turn = (rim.angles[ray] - nominal) / 2.0;
+            let free = v != 0 && v != last;
+            nominal
+                + if free {
+                    turn.clamp(-LARGEST_TURN, LARGEST_TURN)
+                } else {
+                    0.0
+                }
+        })
+        .collect();
+    let vertex = |(v, &angle): (usize, &f64)| {
+        let axis_radius = || {
+            let neighbours = [v.checked_sub(1), Some(v + 1)].into_iter().flatten();
+            let apart = neighbours
+                .filter_map(|k| angles.get(k))
+                .map(|other| (other - angle).abs());
+            let nearest = apart.fold(FRAC_PI_4, f64::min);
+            1.0 - (1.0 - BULGE) * nearest / FRAC_PI_4
+        };
+        let relative = if v % 2 == 0 { axis_radius() } else { 1.0 };
+        unit(angle).map(|c| relative * radius * c)
+    };
+    let mut vertices: Vec<Point> = angles.iter().enumerate().map(vertex).collect();
+    if rim.closed {
+        vertices[last] = vertices[0];
     }
+    vertices
 }
 
 fn mixed(a: Point, b: Point, share: f64) -> Point {

@@ -174,23 +174,6 @@ impl Frame {
         (1.0 - share) * from + share * to
     }
 
-    /// Every ray must leave the hole outwards.
-    pub(super) fn check_rays(
-        &self,
-        rim: &Rim,
-        far: &[Point],
-        hole_radius: f64,
-    ) -> Result<(), GenerateError> {
-        for (ray, &angle) in rim.angles.iter().enumerate() {
-            let ([x, y], [cos, sin]) = (far[2 * ray], unit(angle));
-            if x * cos + y * sin <= hole_radius {
-                let outline = direction(far[2 * ray]);
-                return Err(GenerateError::RayThroughHole { angle, outline });
-            }
-        }
-        Ok(())
-    }
-
     /// The two ends of the box.
     pub(super) fn joins(&self) -> [Join; 2] {
         let corner = |k: usize| self.corners[k];
@@ -250,6 +233,18 @@ impl Frame {
         let turn = self.intervals as f64;
         if step > turn { step - turn } else { step }
     }
+}
+
+/// Every ray must leave the hole outwards; `far` are the outline's points at half steps.
+pub(super) fn check_rays(rim: &Rim, far: &[Point], hole_radius: f64) -> Result<(), GenerateError> {
+    for (ray, &angle) in rim.angles.iter().enumerate() {
+        let ([x, y], [cos, sin]) = (far[2 * ray], unit(angle));
+        if x * cos + y * sin <= hole_radius {
+            let outline = direction(far[2 * ray]);
+            return Err(GenerateError::RayThroughHole { angle, outline });
+        }
+    }
+    Ok(())
 }
 
 /// Direction of a point seen from the origin [rad], in [0, 2π).

@@ -1,0 +1,173 @@
+//! The linear complementarity problem of one step with bounds F = μ λ_n, and its statuses by Lemke's method.
+//!
+//!     w = (g_n, s⁺, 2μλ_n − v),   z = (λ_n, v, s⁻),   v = λ_t + μλ_n,   w = M z + q,  w ≥ 0, z ≥ 0, wᵀz = 0
+//!
+//! Lemke's method adds z₀ d to q. It ends with a solution, and on no ray, if z = 0 alone solves the problem with q = d.
+//! Here that holds for every μ if d > 0 and d_n > μ d_t: any solution has λ_t Δs ≤ 0 and λ_t ≥ −μ λ_n, so that
+//!
+//!     λᵀ A λ = −Σ λ_n d_n + Σ λ_t (Δs − d_t) ≤ −Σ λ_n (d_n − μ d_t)
+//!
+//! and A, positive semidefinite, leaves λ_n = 0, then λ_t = v = 0, then s⁻ = 0. Homogeneous rays (z₀ = 0) are excluded in
+//! the same way where A is positive definite. So a supported body's step is always solved, up to rounding.
+//!
+//! Rigid motions α are held by springs, A + κ G Gᵀ, which makes the statement hold for floating bodies. The springs are
+//! soft beside the bodies, and serve to find statuses only: forces are then solved from the balance itself.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::lemke::{Outcome, lemke};
+use super::step::Step;
+use crate::state::Status;
+
+/// What a complementary pair stands for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Kind {
+    Normal,
+    Tangent,
+    Reverse,
+}
+
+/// M and q in units in which the largest compliance and the largest entry of q are 1.
+pub(super) struct Complementarity {
+    matrix: DMatrix<f64>,
+    constant: DVector<f64>,
+    pairs: Vec<(Kind, usize)>,
+    slides: Vec<bool>,
+    coefficients: Vec<f64>,
+    /// Compliance and free motion, springs included, relative to the largest compliance.
+    sprung: (DMatrix<f64>, DVector<f64>),
+    force_unit: f64,
+    compliance_unit: f64,
+}
+
+/// A solution up to the springs.
+pub(super) struct Candidate {
+    pub(super) status: Vec<Status>,
+    /// Normal force of each point.
+    pub(super) normal: Vec<f64>,
+    /// Slip increment of each point.
+    pub(super) slip: Vec<f64>,
+}
+
+impl Complementarity {
+    /// The problem of `step` with friction coefficients `coefficients` of all points. Springs are `softness` times as
+    /// compliant as the bodies.
+    pub(super) fn new(step: &Step<'_>, coefficients: Vec<f64>, softness: f64) -> Self {
+        let points = step.problem.points();
+        let count = points.len();
+        let frictional: Vec<usize> = (0..count).filter(|&k| points[k].slides && coefficients[k] > 0.0).collect();
+        let pairs: Vec<(Kind, usize)> = (0..count)
+            .map(|k| (Kind::Normal, k))
+            .chain(frictional.iter().map(|&k| (Kind::Tangent, k)))
+            .chain(frictional.iter().map(|&k| (Kind::Reverse, k)))
+            .collect();
+        let compliance_unit = positive(step.problem.compliance().diagonal().max());
+        let (compliance, motion) = sprung(step, compliance_unit, softness);
+        let row_of = |kind, k| if kind == Kind::Normal { 2 * k } else { 2 * k + 1 };
+        let (size, shift) = (pairs.len(), frictional.len());
+        let mut matrix = DMatrix::zeros(size, size);
+        let mut constant = DVector::zeros(size);
+        for (i, &(kind, k)) in pairs.iter().enumerate() {
+            if kind == Kind::Reverse {
+                matrix[(i, k)] = 2.0 * coefficients[k];
+                matrix[(i, i - shift)] = -1.0;
+                continue;
+            }
+            let row = row_of(kind, k);
+            constant[i] = motion[row];
+            for (j, &(other, l)) in pairs[..size - shift].iter().enumerate() {
+                matrix[(i, j)] = compliance[(row, row_of(other, l))];
+                if other == Kind::Normal && points[l].slides {
+                    matrix[(i, j)] -= coefficients[l] * compliance[(row, 2 * l + 1)];
+                }
+            }
+            if kind == Kind::Tangent {
+                matrix[(i, i + shift)] = 1.0;
+            }
+        }
+        let force_unit = positive(constant.amax());
+        constant /= force_unit;
+        let slides = points.iter().map(|point| point.slides).collect();
+        let sprung = (compliance, motion);
+        Self { matrix, constant, pairs, slides, coefficients, sprung, force_unit, compliance_unit }
+    }
+
+    /// The solution found with covering vector number `cover`; `None` if pivoting did not end with one.
+    pub(super) fn solve(&self, cover: usize, pivots_per_unknown: usize, pivots: &mut usize) -> Option<Candidate> {
+        let limit = pivots_per_unknown * self.constant.len();
+        match lemke(&self.matrix, &self.constant, &self.cover(cover), limit, pivots) {
+            Outcome::Solved(z) => Some(self.candidate(&z)),
+            Outcome::Unsolved => None,
+        }
+    }
+
+    /// A covering vector with d > 0 and d_n > μ d_t; each number gives another.
+    fn cover(&self, number: usize) -> DVector<f64> {
+        DVector::from_fn(self.pairs.len(), |i, _| {
+            let (kind, k) = self.pairs[i];
+            // Deterministic, between 1 and 2, and 1 throughout for the first.
+            let variation = 1.0 + ((i * 37 * number) % 11) as f64 / 11.0;
+            match kind {
+                Kind::Normal => variation,
+                Kind::Tangent => 0.25 * variation / self.coefficients[k].max(1.0),
+                Kind::Reverse => variation,
+            }
+        })
+    }
+
+    fn candidate(&self, z: &DVector<f64>) -> Candidate {
+        let count = self.coefficients.len();
+        let w = &self.matrix * z + &self.constant;
+        let mut status = vec![Status::Open; count];
+        let mut forces = DVector::zeros(2 * count);
+        for (pair, &(kind, k)) in self.pairs.iter().enumerate() {
+            match kind {
+                Kind::Normal => {
+                    forces[2 * k] = self.force_unit * z[pair];
+                    if self.slides[k] {
+                        forces[2 * k + 1] = -self.coefficients[k] * forces[2 * k];
+                    }
+                    if z[pair] > w[pair] {
+                        status[k] = Status::Stick;
+                    }
+                }
+                Kind::Tangent => {
+                    forces[2 * k + 1] += self.force_unit * z[pair];
+                    if status[k].touches() && w[pair] > z[pair] {
+                        status[k] = Status::SlipPositive;
+                    }
+                }
+                Kind::Reverse if status[k].touches() && z[pair] > w[pair] => status[k] = Status::SlipNegative,
+                Kind::Reverse => {}
+            }
+        }
+        let motion = (&self.sprung.0 * &forces + &self.sprung.1) * self.compliance_unit;
+        for k in 0..count {
+            if status[k].touches() && self.slides[k] && self.coefficients[k] == 0.0 {
+                status[k] = Status::slip_along(motion[2 * k + 1]);
+            }
+        }
+        Candidate {
+            status,
+            normal: (0..count).map(|k| forces[2 * k]).collect(),
+            slip: (0..count).map(|k| motion[2 * k + 1]).collect(),
+        }
+    }
+}
+
+/// Compliance and free motion with springs on the rigid motions, in units of `unit` [length/force].
+fn sprung(step: &Step<'_>, unit: f64, softness: f64) -> (DMatrix<f64>, DVector<f64>) {
+    let mut compliance = step.problem.compliance() / unit;
+    let mut motion = &step.free_motion / unit;
+    let modes = step.problem.modes();
+    if modes.ncols() > 0 {
+        let spring = softness / positive(modes.amax().powi(2));
+        compliance.gemm(spring, modes, &modes.transpose(), 1.0);
+        motion.gemv(spring, modes, &step.mode_load, 1.0);
+    }
+    (compliance, motion)
+}
+
+fn positive(value: f64) -> f64 {
+    if value > 0.0 { value } else { 1.0 }
+}

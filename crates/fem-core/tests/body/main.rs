@@ -1,0 +1,14 @@
+//! Bodies from mesh to interface operator: exactness, convergence, condensation, supports, equilibrium.
+//!
+//! Every reference is made independently of the code under test: exact fields of elasticity, or dense algebra on
+//! stiffness matrices assembled entry by entry.
+
+mod condensation;
+mod fields;
+mod floating;
+mod manufactured;
+mod meshes;
+mod norms;
+mod patch;
+mod probe;
+mod reference;

@@ -1,0 +1,100 @@
+//! The command line.
+//!
+//! ```text
+//! stickslip check SCENE [--set KEY=VALUE …]      check a scene and print it with all defaults
+//! stickslip init TEMPLATE [FILE]                 write a commented scene to start from
+//! stickslip list [TOPIC]                         laws and their parameters, templates, elements, solvers, units
+//! ```
+//!
+//! Results go to standard output, errors and progress to standard error. The exit code is 0 only if everything succeeded: 1 for a
+//! scene, run or file that failed, 2 for arguments that make no sense. With `--json` both streams are JSON, one document each.
+//!
+//! A program that adds friction laws of its own is the same command: its `main` is one line,
+//!
+//! ```no_run
+//! fn main() -> std::process::ExitCode {
+//!     stickslip::cli::main()
+//! }
+//! ```
+//!
+//! because laws register themselves.
+
+mod check;
+mod console;
+mod failure;
+mod init;
+mod list;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Args, Parser, Subcommand};
+
+use crate::diagnostic::SceneError;
+use crate::scene::Scene;
+use console::Console;
+
+/// Plane frictional contact of elastic bodies.
+#[derive(Debug, Parser)]
+#[command(name = "stickslip", version, arg_required_else_help = true)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+    /// Print nothing but errors
+    #[arg(long, global = true)]
+    quiet: bool,
+    /// Print machine-readable JSON: results on standard output, errors on standard error
+    #[arg(long, global = true)]
+    json: bool,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Check a scene, and print it with overrides applied and defaults filled in
+    Check(SceneArguments),
+    /// Write a commented scene to start from; never overwrites
+    Init(init::InitArguments),
+    /// List friction laws with their parameters, templates, elements, solvers and units
+    List(list::ListArguments),
+}
+
+/// A scene file and overrides.
+#[derive(Debug, Args)]
+struct SceneArguments {
+    /// Scene file: TOML, or JSON if the name ends in .json
+    scene: PathBuf,
+    /// Set any key of the scene, for example --set mesh.spacing="2.25 deg" or --set contacts.0.friction.coulomb.mu=0.15
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    overrides: Vec<String>,
+}
+
+impl SceneArguments {
+    fn read(&self) -> Result<Scene, SceneError> {
+        Scene::from_file(&self.scene, &self.overrides)
+    }
+}
+
+/// Runs the command on the arguments of the process.
+pub fn main() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(refusal) => {
+            // Help and version are such "refusals" too, with exit code 0. Nothing can be done if printing them fails.
+            let _ = refusal.print();
+            return if refusal.use_stderr() { ExitCode::from(2) } else { ExitCode::SUCCESS };
+        }
+    };
+    let console = Console::new(arguments.quiet, arguments.json);
+    let outcome = match arguments.command {
+        Command::Check(scene) => check::check(&scene, &console),
+        Command::Init(template) => init::init(&template, &console),
+        Command::List(topic) => list::list(&topic, &console),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            console.fail(&failure);
+            ExitCode::FAILURE
+        }
+    }
+}

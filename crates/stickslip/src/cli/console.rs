@@ -1,0 +1,61 @@
+//! The two output streams.
+
+use std::io::{self, IsTerminal, Write};
+
+use serde::Serialize;
+use serde_json::json;
+
+use super::failure::{CommandError, Failure};
+
+/// Columns of a message on a terminal. Elsewhere lines are not broken, so that they can be searched.
+const TERMINAL_WIDTH: usize = 100;
+const UNBROKEN: usize = 10_000;
+
+/// Where and how the command speaks.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Console {
+    quiet: bool,
+    json: bool,
+}
+
+impl Console {
+    pub(super) fn new(quiet: bool, json: bool) -> Self {
+        Self { quiet, json }
+    }
+
+    /// Prints a result: `text` for people, `value` for programs.
+    pub(super) fn result(
+        self,
+        text: impl FnOnce() -> String,
+        value: &impl Serialize,
+    ) -> Result<(), Failure> {
+        let output = match (self.json, self.quiet) {
+            (true, _) => {
+                let rendered = serde_json::to_string_pretty(value);
+                rendered.map_err(|error| CommandError::Output { cause: error.to_string() })? + "\n"
+            }
+            (false, true) => return Ok(()),
+            (false, false) => text(),
+        };
+        match io::stdout().lock().write_all(output.as_bytes()) {
+            // The reader has seen enough: `stickslip list | head`.
+            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+            Err(error) => Err(CommandError::Output { cause: error.to_string() }.into()),
+            Ok(()) => Ok(()),
+        }
+    }
+
+    /// Prints an error to standard error.
+    pub(super) fn fail(self, failure: &Failure) {
+        let mut stream = io::stderr().lock();
+        let terminal = stream.is_terminal();
+        let text = if self.json {
+            format!("{:#}\n", json!({ "errors": failure.summaries() }))
+        } else {
+            let colours = terminal && std::env::var_os("NO_COLOR").is_none();
+            failure.render(if terminal { TERMINAL_WIDTH } else { UNBROKEN }, colours)
+        };
+        // The exit code tells of the failure even if nobody can read the message.
+        let _ = stream.write_all(text.as_bytes());
+    }
+}

@@ -1,0 +1,74 @@
+//! Why a command fails.
+
+use miette::Diagnostic;
+use thiserror::Error;
+
+use crate::diagnostic::{FindingSummary, SceneError, render};
+
+/// A failure outside the scene.
+#[derive(Debug, Error, Diagnostic)]
+pub(super) enum CommandError {
+    /// `init` does not overwrite.
+    #[error("the file '{path}' exists already")]
+    #[diagnostic(code(init::exists), help("name another file: stickslip init {template} my-scene.toml"))]
+    FileExists { path: String, template: String },
+    /// There is no such template.
+    #[error("there is no template '{name}'")]
+    #[diagnostic(code(init::template), help("templates: {}", known.join(", ")))]
+    UnknownTemplate { name: String, known: Vec<String> },
+    /// A file cannot be written.
+    #[error("the file '{path}' cannot be written: {cause}")]
+    #[diagnostic(code(init::write), help("check that its folder exists and can be written to"))]
+    Write { path: String, cause: String },
+    /// Standard output cannot be written.
+    #[error("the output cannot be written: {cause}")]
+    #[diagnostic(code(output::write))]
+    Output { cause: String },
+}
+
+/// Why a command fails.
+#[derive(Debug)]
+pub(super) enum Failure {
+    /// Something is wrong with the scene.
+    Scene(SceneError),
+    /// Something else is wrong.
+    Other(Box<dyn Diagnostic + Send + Sync>),
+}
+
+impl From<SceneError> for Failure {
+    fn from(error: SceneError) -> Self {
+        Self::Scene(error)
+    }
+}
+
+impl<E: Diagnostic + Send + Sync + 'static> From<E> for Failure {
+    fn from(error: E) -> Self {
+        Self::Other(Box::new(error))
+    }
+}
+
+impl Failure {
+    /// The failure as text for people.
+    pub(super) fn render(&self, width: usize, colours: bool) -> String {
+        match self {
+            Self::Scene(error) => error.render(width, colours),
+            Self::Other(error) => render(error.as_ref(), width, colours),
+        }
+    }
+
+    /// The failure for programs.
+    pub(super) fn summaries(&self) -> Vec<FindingSummary> {
+        match self {
+            Self::Scene(error) => error.findings().iter().map(crate::diagnostic::Finding::summary).collect(),
+            Self::Other(error) => vec![FindingSummary {
+                code: error.code().map(|code| code.to_string()),
+                message: error.to_string(),
+                help: error.help().map(|help| help.to_string()),
+                source: None,
+                line: None,
+                column: None,
+                key: None,
+            }],
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! `stickslip init`: scenes to start from.
+
+use std::fs::OpenOptions;
+use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use serde_json::json;
+
+use super::console::Console;
+use super::failure::{CommandError, Failure};
+
+/// A commented scene that comes with the program.
+#[derive(Debug)]
+pub(super) struct Template {
+    pub(super) name: &'static str,
+    pub(super) summary: &'static str,
+    scene: &'static str,
+    /// Data files that the scene refers to, written beside it.
+    data: &'static [(&'static str, &'static str)],
+}
+
+pub(super) const TEMPLATES: [Template; 4] = [
+    Template {
+        name: "pin-loaded-plate",
+        summary: "elastic pin in a plate of finite width, loaded and unloaded, static and dynamic friction",
+        scene: include_str!("../templates/pin-loaded-plate.toml"),
+        data: &[],
+    },
+    Template {
+        name: "pin-infinite-plate",
+        summary: "frictionless pin in an infinite plate, with the closed form to compare with",
+        scene: include_str!("../templates/pin-infinite-plate.toml"),
+        data: &[(
+            "persson-ring5R-65deg.csv",
+            include_str!("../templates/persson-ring5R-65deg.csv"),
+        )],
+    },
+    Template {
+        name: "hertz",
+        summary: "cylinder pressed on a block of the same material, plane strain",
+        scene: include_str!("../templates/hertz.toml"),
+        data: &[],
+    },
+    Template {
+        name: "open-hole",
+        summary: "strip with a hole under tension, no contact",
+        scene: include_str!("../templates/open-hole.toml"),
+        data: &[],
+    },
+];
+
+#[derive(Debug, Args)]
+pub(super) struct InitArguments {
+    /// Name of a template; `stickslip list templates` shows them
+    template: String,
+    /// File to write; by default the template's name with .toml
+    file: Option<PathBuf>,
+}
+
+pub(super) fn init(arguments: &InitArguments, console: &Console) -> Result<(), Failure> {
+    let Some(template) = TEMPLATES.iter().find(|template| template.name == arguments.template) else {
+        return Err(CommandError::UnknownTemplate {
+            name: arguments.template.clone(),
+            known: TEMPLATES.iter().map(|template| template.name.to_owned()).collect(),
+        }
+        .into());
+    };
+    let default = || PathBuf::from(format!("{}.toml", template.name));
+    let file = arguments.file.clone().unwrap_or_else(default);
+    let folder = file.parent().unwrap_or(Path::new(""));
+    let data = template.data.iter().map(|(name, text)| (folder.join(name), *text));
+    let files: Vec<_> = data.chain([(file.clone(), template.scene)]).collect();
+    if let Some((path, _)) = files.iter().find(|(path, _)| path.exists()) {
+        return Err(exists(path, template).into());
+    }
+    for (path, text) in &files {
+        write_new(path, text, template)?;
+    }
+    let shown = file.display().to_string();
+    let names: Vec<_> = files.iter().map(|(path, _)| path.display().to_string()).collect();
+    console.result(
+        || format!("wrote {}\nnext: stickslip check {shown}\n", names.join(" and ")),
+        &json!({ "template": template.name, "scene": shown, "files": names }),
+    )
+}
+
+fn exists(path: &Path, template: &Template) -> CommandError {
+    CommandError::FileExists { path: path.display().to_string(), template: template.name.to_owned() }
+}
+
+/// Writes a file that must not exist yet.
+fn write_new(path: &Path, text: &str, template: &Template) -> Result<(), CommandError> {
+    let written = OpenOptions::new()
+        .write(true)
+        .create_new(true)
+        .open(path)
+        .and_then(|mut file| file.write_all(text.as_bytes()));
+    written.map_err(|error| match error.kind() {
+        ErrorKind::AlreadyExists => exists(path, template),
+        _ => CommandError::Write { path: path.display().to_string(), cause: error.to_string() },
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Format, Scene};
+
+    #[test]
+    fn every_template_is_a_valid_scene_as_it_stands() {
+        let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/src/templates"));
+        for template in &TEMPLATES {
+            let name = format!("{}.toml", template.name);
+            let scene = Scene::from_text(template.scene, Format::Toml, &name, folder, &[] as &[&str]);
+            let scene = scene.unwrap_or_else(|error| panic!("{}", error.render(100, false)));
+            assert!(template.scene.lines().filter(|line| line.contains('#')).count() >= 8, "{name}: comments");
+            assert!(scene.description.is_some() && scene.title != template.name);
+        }
+    }
+}

@@ -1,0 +1,202 @@
+//! From a checked scene to condensed bodies and one interface problem: the choices are made here, and said.
+
+mod contacts;
+mod extent;
+mod loads;
+mod meshes;
+mod polar_table;
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use stickslip_contact::{ContactError, ContactPair, LoadHistory};
+use stickslip_fem_core::body::BodyError;
+use stickslip_fem_core::generate::GenerateError;
+use stickslip_fem_core::material::{Material, MaterialError};
+use stickslip_fem_core::mesh::{Mesh, MeshError};
+use stickslip_fem_core::{ElasticBody, RigidBody};
+use thiserror::Error;
+
+use crate::results::{Choice, EdgeGeometry};
+use crate::scene::Scene;
+
+pub use meshes::NODE_LIMIT;
+
+/// Why a scene that reads well cannot be modelled.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum ModelError {
+    /// More nodes than a machine should be asked for.
+    #[error("the mesh would have about {nodes:.3e} nodes and need about {gigabytes:.1} GB; the limit is {limit:.0e} nodes")]
+    TooManyNodes {
+        /// Nodes that the scene asks for.
+        nodes: f64,
+        /// Memory of mesh, matrix and factor [GB].
+        gigabytes: f64,
+        /// Limit on the number of nodes.
+        limit: f64,
+    },
+    /// A mesh generator refused.
+    #[error("body '{body}': {cause}")]
+    Generate {
+        /// The body.
+        body: String,
+        /// Its reason.
+        #[source]
+        cause: GenerateError,
+    },
+    /// A mesh has no such set, or an edge that is not one chain.
+    #[error("body '{body}': {cause}")]
+    Mesh {
+        /// The body.
+        body: String,
+        /// Its reason.
+        #[source]
+        cause: MeshError,
+    },
+    /// Elastic constants that no stable material has.
+    #[error("material '{material}': {cause}")]
+    Material {
+        /// The material.
+        material: String,
+        /// Its reason.
+        #[source]
+        cause: MaterialError,
+    },
+    /// A body cannot be condensed.
+    #[error("body '{body}': {cause}")]
+    Body {
+        /// The body.
+        body: String,
+        /// Its reason.
+        #[source]
+        cause: BodyError,
+    },
+    /// The contact problem cannot be made.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
+    /// Shapes that cannot touch each other here.
+    #[error("contact '{contact}': {what}")]
+    Pairing {
+        /// The contact.
+        contact: String,
+        /// What does not fit, and what does.
+        what: String,
+    },
+    /// `model = "half"` where the scene has no such symmetry.
+    #[error("model = \"half\" asks for symmetry, but {0}; say model = \"whole\" or \"auto\"")]
+    NotSymmetric(String),
+    /// Something that a shape needs in the mesh settings.
+    #[error("mesh: {0}")]
+    MeshSettings(String),
+}
+
+/// A body ready to be condensed.
+#[derive(Clone, Debug)]
+pub struct ModelBody {
+    /// Name in the scene.
+    pub name: String,
+    /// What it is.
+    pub kind: ModelBodyKind,
+    /// Mesh nodes of its contact points, in the order that pairs refer to; empty for rigid bodies.
+    pub interface: Vec<usize>,
+}
+
+/// An elastic or a rigid body.
+#[derive(Clone, Debug)]
+pub enum ModelBodyKind {
+    /// To be condensed.
+    Elastic(Arc<ElasticBody>),
+    /// Ready.
+    Rigid(RigidBody),
+}
+
+/// An edge to report, with what its stresses need.
+#[derive(Clone, Debug)]
+pub struct ModelEdge {
+    /// What does not change from step to step.
+    pub geometry: EdgeGeometry,
+    /// Index of the body whose stresses are reported.
+    pub body: usize,
+    /// Mesh nodes along the edge, by ascending parameter.
+    pub nodes: Vec<usize>,
+    /// Position of each node among the body's contact points; empty for an edge without contact.
+    pub local: Vec<usize>,
+    /// Polynomial order of the edge.
+    pub order: usize,
+    /// Unit normal per node: e_r, or e_n of a line.
+    pub normals: Vec<[f64; 2]>,
+    /// Index of the contact pair.
+    pub pair: Option<usize>,
+}
+
+/// A scene turned into bodies, pairs and a load history.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// Bodies in the order of their names.
+    pub bodies: Vec<ModelBody>,
+    /// Contact pairs.
+    pub pairs: Vec<ContactPair>,
+    /// Contact edges first, then further edges.
+    pub edges: Vec<ModelEdge>,
+    /// Load multipliers per step.
+    pub history: LoadHistory,
+    /// Whether one half of a symmetric scene is modelled.
+    pub half: bool,
+    /// What was chosen.
+    pub choices: Vec<Choice>,
+    /// What the reader must know.
+    pub notes: Vec<String>,
+}
+
+impl Model {
+    /// Builds the model of `scene`.
+    ///
+    /// # Errors
+    /// [`ModelError`]; nothing large is allocated before the size of the meshes is known.
+    pub fn build(scene: &Scene) -> Result<Self, ModelError> {
+        let mut choices = Vec::new();
+        let half = extent::choose(scene, &mut choices)?;
+        let meshes = meshes::build(scene, half, &mut choices)?;
+        let materials = materials(scene)?;
+        let names: Vec<String> = scene.bodies.keys().cloned().collect();
+        let contacts = contacts::build(scene, &meshes, &names, half, &mut choices)?;
+        let mut bodies = Vec::with_capacity(names.len());
+        for (index, name) in names.iter().enumerate() {
+            let kind = loads::body(scene, name, &meshes, &materials, half, &contacts.rigid_points[index])?;
+            bodies.push(ModelBody { name: name.clone(), kind, interface: contacts.interfaces[index].clone() });
+        }
+        choices.push(Choice {
+            what: "kinematics".into(),
+            value: "small displacement".into(),
+            reason: "contact is found on the undeformed geometry; on the deformed one a conforming pin's peak pressure differs by \
+                     a few tenths of a percent"
+                .into(),
+        });
+        Ok(Self {
+            bodies,
+            pairs: contacts.pairs,
+            edges: contacts.edges,
+            history: loads::history(scene)?,
+            half,
+            choices,
+            notes: contacts.notes,
+        })
+    }
+}
+
+/// Each body's mesh by name; rigid bodies have none.
+type Meshes = BTreeMap<String, Arc<Mesh>>;
+
+fn materials(scene: &Scene) -> Result<BTreeMap<String, Arc<dyn Material>>, ModelError> {
+    scene
+        .materials
+        .iter()
+        .map(|(name, constants)| {
+            let material = constants
+                .in_plane(scene.analysis.plane)
+                .map_err(|cause| ModelError::Material { material: name.clone(), cause })?;
+            Ok((name.clone(), Arc::from(material)))
+        })
+        .collect()
+}

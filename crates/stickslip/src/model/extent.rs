@@ -1,0 +1,83 @@
+//! Half or whole: no more than the scene needs.
+
+use super::ModelError;
+use crate::results::Choice;
+use crate::scene::Scene;
+use crate::scene::schema::{Hold, LoadKind, Material, ModelChoice, PolarTable, Shape, Substance};
+
+/// Whether half of the scene is modelled: y ≥ 0 for round shapes, x ≥ 0 for line contacts.
+pub(super) fn choose(scene: &Scene, choices: &mut Vec<Choice>) -> Result<bool, ModelError> {
+    let obstacle = obstacle(scene);
+    let (half, reason) = match (scene.analysis.model, obstacle) {
+        (ModelChoice::Whole, _) => (false, "the scene says so".to_owned()),
+        (ModelChoice::Half, None) => (true, "the scene says so".to_owned()),
+        (ModelChoice::Half, Some(why)) => return Err(ModelError::NotSymmetric(why)),
+        (ModelChoice::Auto, None) => (true, "geometry, material, supports and loads are symmetric".to_owned()),
+        (ModelChoice::Auto, Some(why)) => (false, why),
+    };
+    let value = if half { "half" } else { "whole" }.to_owned();
+    choices.push(Choice { what: "model".into(), value, reason });
+    Ok(half)
+}
+
+/// Direction across the line of symmetry of the scene's shapes: y for round ones, x for line contacts.
+fn across(scene: &Scene) -> Option<usize> {
+    let axis = |shape: &Shape| match shape {
+        Shape::PlateWithHole { .. } | Shape::Disk { .. } => Some(1),
+        Shape::Block { .. } | Shape::Cylinder { .. } => Some(0),
+        Shape::Rectangle { .. } => None,
+    };
+    let mut axes = scene.bodies.values().map(|body| axis(&body.shape));
+    let first = axes.next()??;
+    axes.all(|other| other == Some(first)).then_some(first)
+}
+
+/// What breaks the symmetry, if anything does.
+fn obstacle(scene: &Scene) -> Option<String> {
+    let Some(across) = across(scene) else {
+        return Some("the shapes have no common line of symmetry".into());
+    };
+    for (name, body) in &scene.bodies {
+        if let Substance::Elastic { material, .. } = &body.substance
+            && scene.materials.get(material).is_some_and(|material| !mirrors(material))
+        {
+            return Some(format!("the material axes of body '{name}' are skew to the load axis"));
+        }
+    }
+    for support in &scene.supports {
+        if matches!(support.hold, Hold::Direction(_)) {
+            return Some(format!("the support on {} is skew", support.on));
+        }
+        let lateral = match support.on.set.as_str() {
+            "left" | "right" => across == 0,
+            "top" | "bottom" => across == 1,
+            _ => false,
+        };
+        if lateral {
+            return Some(format!("the support on {} has no mirror image", support.on));
+        }
+    }
+    scene.loads.iter().find_map(|load| {
+        let why = |what: &str| Some(format!("load '{}' {what}", load.name));
+        match &load.kind {
+            LoadKind::Force { direction, .. } if direction[across].abs() > 1e-12 => why("acts across the line of symmetry"),
+            LoadKind::Force { on, .. } | LoadKind::Pressure { on, .. } => {
+                let lateral = if across == 1 { ["top", "bottom"] } else { ["left", "right"] };
+                if lateral.contains(&on.set.as_str()) { why("acts on one side only") } else { None }
+            }
+            LoadKind::PolarTraction { table, .. } if !table_mirrors(table) => why("is not symmetric"),
+            LoadKind::PolarTraction { .. } | LoadKind::Temperature { .. } => None,
+        }
+    })
+}
+
+fn mirrors(material: &Material) -> bool {
+    let quarter_turns = material.angle() / std::f64::consts::FRAC_PI_2;
+    matches!(material, Material::Isotropic { .. }) || (quarter_turns - quarter_turns.round()).abs() < 1e-12
+}
+
+/// A table from 0 to π stands for a symmetric load.
+fn table_mirrors(table: &PolarTable) -> bool {
+    let last = table.theta.last().copied().unwrap_or(0.0);
+    (last - std::f64::consts::PI).abs() < 1e-9
+}

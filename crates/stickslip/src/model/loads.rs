@@ -1,0 +1,160 @@
+//! Supports, platens and loads of each body; the load history.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use stickslip_contact::{LoadHistory, Ramp};
+use stickslip_fem_core::load::edge_load;
+use stickslip_fem_core::material::Material;
+use stickslip_fem_core::mesh::{Mesh, Point};
+use stickslip_fem_core::{ElasticBody, HeldDirection, LoadCase, Platen, RigidBody, Support};
+
+use super::polar_table::PolarField;
+use super::{Meshes, ModelBodyKind, ModelError};
+use crate::scene::Scene;
+use crate::scene::schema::{self, Hold, LoadKind, Shape, Substance};
+
+/// Multipliers of all load cases per step: one case per load, and one that holds the displacements of supports.
+pub(super) fn history(scene: &Scene) -> Result<LoadHistory, ModelError> {
+    let count = scene.loads.iter().map(|load| load.kind.steps().len()).max().unwrap_or(1);
+    let steps = (0..count)
+        .map(|step| {
+            let loads = scene.loads.iter().map(|load| load.kind.steps().get(step).copied().unwrap_or(0.0));
+            loads.chain(std::iter::once(1.0)).collect()
+        })
+        .collect();
+    let ramp = match scene.analysis.ramp {
+        schema::Ramp::Linear => Ramp::Linear,
+        schema::Ramp::Quadratic => Ramp::Quadratic,
+    };
+    Ok(LoadHistory::new(steps, scene.analysis.substeps, ramp)?)
+}
+
+/// The body `name` with its supports and unit loads.
+pub(super) fn body(
+    scene: &Scene,
+    name: &str,
+    meshes: &Meshes,
+    materials: &BTreeMap<String, Arc<dyn Material>>,
+    half: bool,
+    rigid_points: &[Point],
+) -> Result<ModelBodyKind, ModelError> {
+    // The scene was checked: every name in it refers to something.
+    let description = &scene.bodies[name];
+    let Substance::Elastic { material, thickness } = &description.substance else {
+        return Ok(ModelBodyKind::Rigid(rigid(scene, name, half, rigid_points)));
+    };
+    let mesh = &meshes[name];
+    let material = &materials[material];
+    let body_error = |cause| ModelError::Body { body: name.to_owned(), cause };
+    let mesh_error = |cause| ModelError::Mesh { body: name.to_owned(), cause };
+
+    let mut supports = Vec::new();
+    for support in scene.supports.iter().filter(|support| support.on.body == name) {
+        let nodes = mesh.node_set(&support.on.set).map_err(mesh_error)?;
+        let directions: Vec<HeldDirection> = match support.hold {
+            Hold::Direction(angle) => vec![HeldDirection::Angle(angle)],
+            Hold::Axes(axes) => [(axes.x, HeldDirection::X), (axes.y, HeldDirection::Y)]
+                .into_iter()
+                .filter_map(|(held, direction)| held.then_some(direction))
+                .collect(),
+        };
+        supports.extend(directions.into_iter().map(|direction| Support {
+            nodes: nodes.to_vec(),
+            direction,
+            displacement: support.displacement,
+        }));
+    }
+    if half {
+        let direction = if description.shape.is_round() { HeldDirection::Y } else { HeldDirection::X };
+        let nodes = mesh.node_set("symmetry").map_err(mesh_error)?.to_vec();
+        supports.push(Support { nodes, direction, displacement: 0.0 });
+    }
+    let blocks = vec![Arc::clone(material); mesh.blocks().len()];
+    let mut body =
+        ElasticBody::new(Arc::clone(mesh), blocks, *thickness).map_err(body_error)?.with_supports(supports);
+    if let Some(platen) = scene.platens.iter().find(|platen| platen.on.body == name) {
+        let nodes = mesh.node_set(&platen.on.set).map_err(mesh_error)?.to_vec();
+        let mut free = [platen.free.x, platen.free.y];
+        if half {
+            free[usize::from(description.shape.is_round())] = false;
+        }
+        body = body.with_platen(Platen { nodes, free });
+    }
+    let mut cases = Vec::with_capacity(scene.loads.len() + 1);
+    for load in &scene.loads {
+        cases.push(unit_load(&load.kind, name, mesh, material, *thickness, &description.shape, half).map_err(mesh_error)?);
+    }
+    cases.push(LoadCase { moves_supports: true, ..LoadCase::default() });
+    Ok(ModelBodyKind::Elastic(Arc::new(body.with_load_cases(cases).map_err(body_error)?)))
+}
+
+/// Load `kind` for a multiplier of one, as far as it acts on body `name`.
+fn unit_load(
+    kind: &LoadKind,
+    name: &str,
+    mesh: &Mesh,
+    material: &Arc<dyn Material>,
+    thickness: f64,
+    shape: &Shape,
+    half: bool,
+) -> Result<LoadCase, stickslip_fem_core::mesh::MeshError> {
+    let forces = match kind {
+        LoadKind::Force { on, direction, .. } if on.body == name => {
+            let edges = &mesh.edge_set(&on.set)?.edges;
+            let unit = edge_load(mesh, edges, thickness, |_| [1.0, 0.0]);
+            // Force of a unit traction on the whole edge; a half model has half of an edge that crosses the symmetry line.
+            let whole = unit.iter().sum::<f64>() * if half { 2.0 } else { 1.0 };
+            edge_load(mesh, edges, thickness, |_| direction.map(|component| component / whole))
+        }
+        LoadKind::Pressure { on, .. } if on.body == name => {
+            edge_load(mesh, &mesh.edge_set(&on.set)?.edges, thickness, |at| at.normal.map(|component| -component))
+        }
+        LoadKind::PolarTraction { on, table, .. } if on.body == name => {
+            let field = PolarField::new(table);
+            // On the hole's side the outward normal is −e_r, and so are the tractions of the same stresses.
+            let sign = if shape.circle(&on.set).is_some() && on.set == "hole" { -1.0 } else { 1.0 };
+            edge_load(mesh, &mesh.edge_set(&on.set)?.edges, thickness, |at| {
+                let theta = at.position[1].atan2(at.position[0]);
+                let [radial, shear] = field.at(theta);
+                let (s, c) = theta.sin_cos();
+                [sign * (radial * c - shear * s), sign * (radial * s + shear * c)]
+            })
+        }
+        LoadKind::Temperature { body, .. } if body == name => {
+            let strain = material.thermal_strain(1.0);
+            return Ok(LoadCase { initial_strain: vec![strain; mesh.blocks().len()], ..LoadCase::default() });
+        }
+        _ => Vec::new(),
+    };
+    Ok(LoadCase { forces, ..LoadCase::default() })
+}
+
+/// A rigid body slides along the axes in which nothing holds it, and never turns.
+fn rigid(scene: &Scene, name: &str, half: bool, points: &[Point]) -> RigidBody {
+    let mut free = [true; 2];
+    for support in scene.supports.iter().filter(|support| support.on.body == name) {
+        match support.hold {
+            Hold::Axes(axes) => free = [free[0] && !axes.x, free[1] && !axes.y],
+            Hold::Direction(_) => free = [false; 2],
+        }
+    }
+    let share = if half { 0.5 } else { 1.0 };
+    if half {
+        free[usize::from(scene.bodies[name].shape.is_round())] = false;
+    }
+    let mut forces: Vec<[f64; 2]> = scene
+        .loads
+        .iter()
+        .map(|load| match &load.kind {
+            LoadKind::Force { on, direction, .. } if on.body == name => direction.map(|component| share * component),
+            _ => [0.0; 2],
+        })
+        .collect();
+    forces.push([0.0; 2]);
+    if free == [false; 2] {
+        RigidBody::held(points.to_vec(), forces.len())
+    } else {
+        RigidBody::sliding(points.to_vec(), free, &forces)
+    }
+}

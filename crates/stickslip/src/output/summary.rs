@@ -1,0 +1,352 @@
+//! `summary.json`: the numbers that other programs read. The format is described in `docs/summary-format.md`.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+use stickslip_contact::Status;
+
+use super::display::{EdgeView, tidy};
+use crate::results::{EdgeKind, LoadValue, Results};
+use crate::scene::schema::DisplayUnits;
+
+/// Version of the format; a change that could break a reader raises it.
+pub(super) const FORMAT_VERSION: u32 = 1;
+
+/// Everything in `summary.json`, in its order.
+#[derive(Debug, Serialize)]
+pub(super) struct Summary<'a> {
+    format: &'static str,
+    format_version: u32,
+    title: &'a str,
+    source: &'a str,
+    scene_hash: &'a str,
+    program: Program,
+    units: Units,
+    choices: Vec<Choice<'a>>,
+    pub(super) notes: Vec<String>,
+    bodies: Vec<Body<'a>>,
+    dofs: usize,
+    factorisations: usize,
+    wall_time_s: BTreeMap<&'static str, f64>,
+    /// Name of the edge whose quantities stand directly in each step.
+    edge: Option<&'a str>,
+    edges: Vec<Edge<'a>>,
+    steps: Vec<Step<'a>>,
+}
+
+#[derive(Debug, Serialize)]
+struct Program {
+    name: &'static str,
+    version: &'static str,
+}
+
+#[derive(Debug, Serialize)]
+struct Units {
+    length: &'static str,
+    force: &'static str,
+    stress: &'static str,
+    energy: String,
+    angle: &'static str,
+}
+
+#[derive(Debug, Serialize)]
+struct Choice<'a> {
+    what: &'a str,
+    value: &'a str,
+    reason: &'a str,
+}
+
+#[derive(Debug, Serialize)]
+struct Body<'a> {
+    name: &'a str,
+    rigid: bool,
+    nodes: usize,
+    elements: usize,
+    dofs: usize,
+    factor_entries: usize,
+    free_motions: usize,
+}
+
+#[derive(Debug, Serialize)]
+struct Edge<'a> {
+    name: &'a str,
+    kind: &'static str,
+    contact: bool,
+    body: &'a str,
+    law: Option<&'a str>,
+    radius: Option<Quantity>,
+    nodes: usize,
+    half: bool,
+}
+
+#[derive(Debug, Serialize)]
+struct Quantity {
+    value: Option<f64>,
+    unit: String,
+}
+
+#[derive(Debug, Serialize)]
+struct Load<'a> {
+    name: &'a str,
+    value: Option<f64>,
+    unit: &'a str,
+}
+
+#[derive(Debug, Serialize)]
+struct Step<'a> {
+    step: usize,
+    load: Option<Quantity>,
+    loads: Vec<Load<'a>>,
+    unloading: bool,
+    #[serde(flatten)]
+    edge: Option<EdgeStep>,
+    edges: BTreeMap<&'a str, EdgeStep>,
+    iterations: usize,
+    pivots: usize,
+    solvers: &'a [&'static str],
+    increments: usize,
+    cutbacks: usize,
+    points_in_doubt: usize,
+    balance_residual: Option<f64>,
+    complementarity_residual: Option<f64>,
+    cone_violation: Option<f64>,
+    dissipation: Quantity,
+    wall_time_s: f64,
+}
+
+/// Quantities of one edge at the end of a step.
+#[derive(Debug, Serialize)]
+struct EdgeStep {
+    #[serde(flatten)]
+    places: Places,
+    peak_pressure: Option<Quantity>,
+    peak_hoop: Option<Quantity>,
+    hoop_at_bearing_point: Option<Quantity>,
+    friction_force: Option<Quantity>,
+    normal_force: Option<Quantity>,
+    resultant: Option<Resultant>,
+}
+
+#[derive(Debug, Serialize)]
+struct Resultant {
+    x: Option<f64>,
+    y: Option<f64>,
+    unit: &'static str,
+}
+
+/// What is measured along the edge: in degrees on a circle, in lengths on a line.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+enum Places {
+    Circle {
+        contact_half_angle_deg: Option<f64>,
+        stick_half_angle_deg: Option<f64>,
+        slip_zones_deg: Vec<SlipZone>,
+        bearing_stress: Option<Quantity>,
+        peak_pressure_over_bearing: Option<f64>,
+        peak_pressure_angle_deg: Option<f64>,
+        peak_hoop_over_bearing: Option<f64>,
+        peak_hoop_angle_deg: Option<f64>,
+        hoop_at_bearing_point_over_bearing: Option<f64>,
+    },
+    Line {
+        contact_half_width: Option<Quantity>,
+        stick_half_width: Option<Quantity>,
+        slip_zones: Vec<SlipZone>,
+        peak_pressure_position: Option<Quantity>,
+        peak_hoop_position: Option<Quantity>,
+    },
+}
+
+#[derive(Debug, Serialize)]
+struct SlipZone {
+    start: Option<f64>,
+    end: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unit: Option<&'static str>,
+    direction: &'static str,
+}
+
+/// The summary of `results`, which are consistent.
+pub(super) fn summary(results: &Results) -> Summary<'_> {
+    let DisplayUnits { length, force, stress } = results.units;
+    let mut wall_time_s = BTreeMap::new();
+    for (phase, seconds) in &results.phases {
+        *wall_time_s.entry(*phase).or_insert(0.0) += seconds;
+    }
+    let choice = |choice: &'_ crate::results::Choice| -> Choice<'_> {
+        Choice { what: &choice.what, value: &choice.value, reason: &choice.reason }
+    };
+    Summary {
+        format: "stickslip-summary",
+        format_version: FORMAT_VERSION,
+        title: &results.title,
+        source: &results.source,
+        scene_hash: &results.scene_hash,
+        program: Program { name: env!("CARGO_PKG_NAME"), version: env!("CARGO_PKG_VERSION") },
+        units: Units {
+            length: length.name,
+            force: force.name,
+            stress: stress.name,
+            energy: energy_unit(results.units),
+            angle: "deg",
+        },
+        choices: results.choices.iter().map(choice).collect(),
+        notes: results.notes.clone(),
+        bodies: results.bodies.iter().map(body).collect(),
+        dofs: results.bodies.iter().map(|body| body.dofs).sum(),
+        factorisations: results.factorisations,
+        wall_time_s,
+        edge: EdgeView::main(results).map(|edge| edge.geometry.name.as_str()),
+        edges: EdgeView::all(results).iter().map(edge).collect(),
+        steps: (0..results.steps.len()).map(|step| step_entry(results, step)).collect(),
+    }
+}
+
+fn energy_unit(units: DisplayUnits) -> String {
+    format!("{} {}", units.force.name, units.length.name)
+}
+
+fn body(body: &crate::results::BodySummary) -> Body<'_> {
+    Body {
+        name: &body.name,
+        rigid: body.mesh.is_none(),
+        nodes: body.mesh.as_ref().map_or(0, |mesh| mesh.nodes().len()),
+        elements: body.mesh.as_ref().map_or(0, |mesh| mesh.element_count()),
+        dofs: body.dofs,
+        factor_entries: body.factor_entries,
+        free_motions: body.free_motions,
+    }
+}
+
+fn edge<'a>(view: &EdgeView<'a>) -> Edge<'a> {
+    let geometry = view.geometry;
+    let radius = match geometry.kind {
+        EdgeKind::Circle { radius, .. } => Some(length(view, radius)),
+        EdgeKind::Line => None,
+    };
+    Edge {
+        name: &geometry.name,
+        kind: if view.is_circle() { "circle" } else { "line" },
+        contact: geometry.contact,
+        body: &geometry.body,
+        law: geometry.contact.then_some(geometry.law.as_str()),
+        radius,
+        nodes: geometry.parameter.len(),
+        half: geometry.half,
+    }
+}
+
+fn step_entry(results: &Results, index: usize) -> Step<'_> {
+    let step = &results.steps[index];
+    let further = EdgeView::all(results);
+    let units = results.units;
+    let load = |load: &LoadValue| Quantity { value: tidy(load.value), unit: load.unit.clone() };
+    let named = |load: &'_ LoadValue| -> Load<'_> {
+        Load { name: &load.name, value: tidy(load.value), unit: &load.unit }
+    };
+    Step {
+        step: index + 1,
+        load: step.loads.first().map(load),
+        loads: step.loads.iter().map(named).collect(),
+        unloading: step.unloading,
+        edge: EdgeView::main(results).map(|edge| edge_step(&edge, index)),
+        edges: further.iter().map(|edge| (edge.geometry.name.as_str(), edge_step(edge, index))).collect(),
+        iterations: step.work.solves,
+        pivots: step.work.pivots,
+        solvers: &step.solvers,
+        increments: step.increments,
+        cutbacks: step.cutbacks,
+        points_in_doubt: step.doubtful,
+        balance_residual: tidy(step.balance_residual),
+        complementarity_residual: tidy(step.residuals.complementarity),
+        cone_violation: tidy(step.residuals.cone),
+        dissipation: Quantity {
+            value: tidy(units.length.from_base(units.force.from_base(step.dissipation))),
+            unit: energy_unit(units),
+        },
+        wall_time_s: step.seconds,
+    }
+}
+
+fn edge_step(view: &EdgeView<'_>, step: usize) -> EdgeStep {
+    let edge = view.step(step);
+    let units = view.units();
+    let stress = |value: f64| Quantity {
+        value: tidy(view.stress(value)),
+        unit: units.stress.name.to_owned(),
+    };
+    let force = |value: f64| Quantity {
+        value: tidy(units.force.from_base(value)),
+        unit: units.force.name.to_owned(),
+    };
+    let in_contact = |value: f64| view.geometry.contact.then_some(value);
+    EdgeStep {
+        places: if view.is_circle() { on_circle(view, step) } else { on_line(view, step) },
+        peak_pressure: edge.peak_pressure.map(|(value, _)| stress(value)),
+        peak_hoop: edge.peak_hoop.map(|(value, _)| stress(value)),
+        hoop_at_bearing_point: edge.hoop_at_bearing_point.map(stress),
+        friction_force: in_contact(edge.friction_force).map(force),
+        normal_force: in_contact(edge.normal_force).map(force),
+        resultant: view.geometry.contact.then(|| Resultant {
+            x: tidy(units.force.from_base(edge.resultant[0])),
+            y: tidy(units.force.from_base(edge.resultant[1])),
+            unit: units.force.name,
+        }),
+    }
+}
+
+fn on_circle(view: &EdgeView<'_>, step: usize) -> Places {
+    let edge = view.step(step);
+    let degrees = |angle: f64| tidy(angle.to_degrees());
+    let bearing = view.bearing(step);
+    let over_bearing = |stress: f64| bearing.and_then(|bearing| tidy(stress / bearing));
+    Places::Circle {
+        contact_half_angle_deg: edge.contact_half_extent.and_then(degrees),
+        stick_half_angle_deg: edge.stick_half_extent.and_then(degrees),
+        slip_zones_deg: slip_zones(view, step),
+        bearing_stress: bearing.map(|bearing| Quantity {
+            value: tidy(view.stress(bearing)),
+            unit: view.units().stress.name.to_owned(),
+        }),
+        peak_pressure_over_bearing: edge.peak_pressure.and_then(|(value, _)| over_bearing(value)),
+        peak_pressure_angle_deg: edge.peak_pressure.and_then(|(_, place)| degrees(place)),
+        peak_hoop_over_bearing: edge.peak_hoop.and_then(|(value, _)| over_bearing(value)),
+        peak_hoop_angle_deg: edge.peak_hoop.and_then(|(_, place)| degrees(place)),
+        hoop_at_bearing_point_over_bearing: edge.hoop_at_bearing_point.and_then(over_bearing),
+    }
+}
+
+fn on_line(view: &EdgeView<'_>, step: usize) -> Places {
+    let edge = view.step(step);
+    let length = |value: f64| length(view, value);
+    Places::Line {
+        contact_half_width: edge.contact_half_extent.map(length),
+        stick_half_width: edge.stick_half_extent.map(length),
+        slip_zones: slip_zones(view, step),
+        peak_pressure_position: edge.peak_pressure.map(|(_, place)| length(place)),
+        peak_hoop_position: edge.peak_hoop.map(|(_, place)| length(place)),
+    }
+}
+
+fn length(view: &EdgeView<'_>, value: f64) -> Quantity {
+    let unit = view.units().length;
+    Quantity { value: tidy(unit.from_base(value)), unit: unit.name.to_owned() }
+}
+
+fn slip_zones(view: &EdgeView<'_>, step: usize) -> Vec<SlipZone> {
+    let direction = |status: Status| match status {
+        Status::SlipPositive => Some("+"),
+        Status::SlipNegative => Some("-"),
+        Status::Open | Status::Stick => None,
+    };
+    let zone = |zone: &stickslip_contact::zones::Zone| {
+        Some(SlipZone {
+            start: tidy(view.place(zone.start)),
+            end: tidy(view.place(zone.end)),
+            unit: (!view.is_circle()).then(|| view.place_unit()),
+            direction: direction(zone.status)?,
+        })
+    };
+    view.step(step).zones.iter().filter_map(zone).collect()
+}

@@ -1,0 +1,211 @@
+//! What a run yields, in base units (mm, N, MPa, rad): the source of every table, file and figure.
+
+use std::sync::Arc;
+
+use stickslip_contact::Status;
+use stickslip_contact::audit::Audit;
+use stickslip_contact::solver::{Residuals, Work};
+use stickslip_contact::zones::Zone;
+use stickslip_fem_core::mesh::Mesh;
+
+use crate::scene::schema::DisplayUnits;
+
+/// Everything that a run found.
+#[derive(Clone, Debug)]
+pub struct Results {
+    /// Title of the scene.
+    pub title: String,
+    /// Name of the scene's file.
+    pub source: String,
+    /// SHA-256 of the resolved scene.
+    pub scene_hash: String,
+    /// Units to show results in.
+    pub units: DisplayUnits,
+    /// What the program chose, and why.
+    pub choices: Vec<Choice>,
+    /// What a reader must know: several solutions, points in doubt, cut-backs.
+    pub notes: Vec<String>,
+    /// Bodies in the order of their names.
+    pub bodies: Vec<BodySummary>,
+    /// Sparse factorisations made.
+    pub factorisations: usize,
+    /// Contact edges, then further edges asked for: what does not change from step to step.
+    pub edges: Vec<EdgeGeometry>,
+    /// Load steps.
+    pub steps: Vec<StepResults>,
+    /// Wall time of each phase [s].
+    pub phases: Vec<(&'static str, f64)>,
+}
+
+/// A choice that the program made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Choice {
+    /// What was chosen, e.g. "model".
+    pub what: String,
+    /// The choice, e.g. "half".
+    pub value: String,
+    /// Why.
+    pub reason: String,
+}
+
+/// A body as it was modelled.
+#[derive(Clone, Debug)]
+pub struct BodySummary {
+    /// Name in the scene.
+    pub name: String,
+    /// Its mesh; `None` for a rigid body.
+    pub mesh: Option<Arc<Mesh>>,
+    /// Number of unknowns.
+    pub dofs: usize,
+    /// Stored entries of its Cholesky factor.
+    pub factor_entries: usize,
+    /// Rigid motions that its supports leave free.
+    pub free_motions: usize,
+}
+
+/// How places along an edge are measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum EdgeKind {
+    /// A circle: `parameter` is the angle θ [rad], counter-clockwise from the bearing point.
+    Circle {
+        /// Centre [mm].
+        centre: [f64; 2],
+        /// Radius [mm].
+        radius: f64,
+    },
+    /// A line or shallow arc along x: `parameter` is x [mm].
+    Line,
+}
+
+/// An edge whose quantities are reported.
+#[derive(Clone, Debug)]
+pub struct EdgeGeometry {
+    /// Contact name, or `body.set` of a further edge; part of file names.
+    pub name: String,
+    /// Whether it is a contact edge.
+    pub contact: bool,
+    /// Name of the body whose stresses are given (the first body of a contact).
+    pub body: String,
+    /// Circle or line.
+    pub kind: EdgeKind,
+    /// Place of each node along the edge: θ [rad] or x [mm], ascending.
+    pub parameter: Vec<f64>,
+    /// Corner node (true) or mid-side node (false).
+    pub corner: Vec<bool>,
+    /// Whether only half of a symmetric edge is modelled (the other half is its mirror image).
+    pub half: bool,
+    /// D·t [mm²] of a hole, by which a force becomes a bearing stress; `None` for lines.
+    pub bearing_area: Option<f64>,
+    /// Name of the friction law; empty without contact.
+    pub law: String,
+}
+
+/// One node of an edge at the end of a load step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EdgeRow {
+    /// Contact pressure, ≥ 0 [MPa].
+    pub pressure: f64,
+    /// Tangential traction λ_t on the first body along e_t [MPa].
+    pub shear: f64,
+    /// Gap, positive when open [mm].
+    pub gap: f64,
+    /// Accumulated relative tangential displacement, first minus second body along e_t [mm].
+    pub slip: f64,
+    /// Status.
+    pub status: Status,
+    /// σ_r (circle) or σ_yy (line) [MPa].
+    pub sigma_normal: f64,
+    /// σ_θ or σ_xx [MPa].
+    pub sigma_tangential: f64,
+    /// τ_rθ or τ_xy [MPa].
+    pub tau: f64,
+}
+
+/// One edge at the end of a load step.
+#[derive(Clone, Debug)]
+pub struct EdgeResults {
+    /// One row per node.
+    pub rows: Vec<EdgeRow>,
+    /// Zones of equal status; empty without contact.
+    pub zones: Vec<Zone>,
+    /// Half of the contact's extent [rad or mm]; `None` if the pair is open or not a contact.
+    pub contact_half_extent: Option<f64>,
+    /// Half of the extent of the stick zone around the bearing point [rad or mm].
+    pub stick_half_extent: Option<f64>,
+    /// Largest pressure [MPa] and its place.
+    pub peak_pressure: Option<(f64, f64)>,
+    /// Largest tangential stress σ_θ or σ_xx [MPa] and its place.
+    pub peak_hoop: Option<(f64, f64)>,
+    /// σ_θ at the bearing point, or σ_xx at x = 0 [MPa].
+    pub hoop_at_bearing_point: Option<f64>,
+    /// Resultant force on the first body, of the whole (both halves) [N].
+    pub resultant: [f64; 2],
+    /// ∫|τ| dA over the whole contact [N].
+    pub friction_force: f64,
+    /// ∫p dA over the whole contact [N].
+    pub normal_force: f64,
+}
+
+impl EdgeResults {
+    /// Bearing stress |resultant| / (D t) [MPa]; `None` for lines or without force.
+    pub fn bearing_stress(&self, geometry: &EdgeGeometry) -> Option<f64> {
+        let force = self.resultant[0].hypot(self.resultant[1]);
+        geometry.bearing_area.filter(|_| force > 0.0).map(|area| force / area)
+    }
+}
+
+/// A load at the end of a step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadValue {
+    /// Name of the load.
+    pub name: String,
+    /// Its value in `unit`.
+    pub value: f64,
+    /// Display unit: of force, of stress, "K", or "1" for a factor.
+    pub unit: String,
+}
+
+/// One load step.
+#[derive(Clone, Debug)]
+pub struct StepResults {
+    /// Loads at its end, the first being the one that tables show.
+    pub loads: Vec<LoadValue>,
+    /// Whether the first load is smaller in magnitude than in the step before.
+    pub unloading: bool,
+    /// Edges in the order of [`Results::edges`].
+    pub edges: Vec<EdgeResults>,
+    /// Work of the solvers.
+    pub work: Work,
+    /// Names of the solvers that found its increments.
+    pub solvers: Vec<&'static str>,
+    /// Increments and cut-backs.
+    pub increments: usize,
+    /// Increments that failed and were halved.
+    pub cutbacks: usize,
+    /// Points that stick although slip at once would be admissible too.
+    pub doubtful: usize,
+    /// Residuals of the contact conditions.
+    pub residuals: Residuals,
+    /// Unbalanced force relative to the load: the worst of the floating bodies, the contacts against the applied load, and
+    /// the recovered fields where they were computed.
+    pub balance_residual: f64,
+    /// Frictional dissipation in the step, whole model [N·mm].
+    pub dissipation: f64,
+    /// Equilibrium audit.
+    pub audit: Audit,
+    /// Fields of each elastic body, where asked for.
+    pub fields: Vec<BodyFields>,
+    /// Wall time of the step's contact solution [s].
+    pub seconds: f64,
+}
+
+/// Fields of a body at the end of a load step.
+#[derive(Clone, Debug)]
+pub struct BodyFields {
+    /// Index of the body in [`Results::bodies`].
+    pub body: usize,
+    /// Displacements, interleaved [mm].
+    pub displacement: Vec<f64>,
+    /// Averaged nodal stresses (xx, yy, xy) by patch recovery [MPa].
+    pub stress: Vec<[f64; 3]>,
+}

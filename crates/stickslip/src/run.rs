@@ -1,0 +1,285 @@
+//! Solves a scene: condense the bodies, follow the load history, recover what is reported.
+
+mod edges;
+mod fields;
+
+use std::time::Instant;
+
+use rayon::prelude::*;
+use stickslip_contact::{Chain, ContactError, InterfaceProblem, InterfaceSolver, Pivoting, StepRecord};
+use stickslip_fem_core::body::BodyError;
+use stickslip_fem_core::stress::StressError;
+use stickslip_fem_core::{CondensedBody, InterfaceOperator};
+use thiserror::Error;
+
+use crate::model::{Model, ModelBodyKind, ModelError};
+use crate::results::{BodySummary, Choice, LoadValue, Results, StepResults};
+use crate::scene::Scene;
+use crate::scene::schema::{FieldOutput, LoadKind, SolverChoice};
+
+/// Why a run stopped.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum RunError {
+    /// The scene cannot be modelled.
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    /// A body cannot be condensed.
+    #[error("body '{body}': {cause}")]
+    Body {
+        /// The body.
+        body: String,
+        /// Its reason.
+        #[source]
+        cause: BodyError,
+    },
+    /// A load step was not solved.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
+    /// Stresses could not be recovered.
+    #[error("stresses: {0}")]
+    Stress(#[from] StressError),
+}
+
+/// What a run tells while it goes on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Progress {
+    /// A phase begins.
+    Phase(&'static str),
+    /// A load step is done.
+    Step {
+        /// Steps done.
+        done: usize,
+        /// Steps in all.
+        total: usize,
+    },
+}
+
+/// A body as the interface problem sees it.
+#[derive(Debug)]
+pub enum Operator {
+    /// Condensed finite elements.
+    Elastic(Box<CondensedBody>),
+    /// Rigid.
+    Rigid(stickslip_fem_core::RigidBody),
+}
+
+impl Operator {
+    /// The operator's common face.
+    pub fn interface(&self) -> &dyn InterfaceOperator {
+        match self {
+            Self::Elastic(body) => body.as_ref(),
+            Self::Rigid(body) => body,
+        }
+    }
+
+    /// The condensed body, if it is elastic.
+    pub fn elastic(&self) -> Option<&CondensedBody> {
+        match self {
+            Self::Elastic(body) => Some(body),
+            Self::Rigid(_) => None,
+        }
+    }
+}
+
+/// A model whose history has been followed.
+#[derive(Debug)]
+pub struct Solved {
+    /// One operator per body.
+    pub operators: Vec<Operator>,
+    /// The interface problem.
+    pub problem: InterfaceProblem,
+    /// One record per load step.
+    pub records: Vec<StepRecord>,
+    /// Wall time of each load step [s].
+    pub step_seconds: Vec<f64>,
+    /// Wall time of the phases [s].
+    pub phases: Vec<(&'static str, f64)>,
+}
+
+/// Runs `scene` and reports to `progress`.
+///
+/// # Errors
+/// [`RunError`].
+pub fn run(scene: &Scene, progress: &mut dyn FnMut(Progress)) -> Result<Results, RunError> {
+    progress(Progress::Phase("mesh"));
+    let start = Instant::now();
+    let model = Model::build(scene)?;
+    let mesh_seconds = start.elapsed().as_secs_f64();
+    let mut solved = solve(&model, solver(scene.analysis.solver).as_ref(), progress)?;
+    solved.phases.insert(0, ("mesh", mesh_seconds));
+    progress(Progress::Phase("stresses"));
+    results(scene, &model, solved)
+}
+
+/// Condenses the bodies of `model` and follows its history with `solver`.
+///
+/// # Errors
+/// [`RunError`].
+pub fn solve(
+    model: &Model,
+    solver: &dyn InterfaceSolver,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Solved, RunError> {
+    progress(Progress::Phase("factorisation"));
+    let start = Instant::now();
+    let operators = condense(model)?;
+    let condensed = start.elapsed().as_secs_f64();
+    let faces: Vec<&dyn InterfaceOperator> = operators.iter().map(Operator::interface).collect();
+    let problem = InterfaceProblem::new(&faces, model.pairs.clone())?;
+    let assembled = start.elapsed().as_secs_f64();
+    progress(Progress::Phase("contact"));
+    let total = model.history.steps().len();
+    let mut step_seconds = Vec::with_capacity(total);
+    let mut last = Instant::now();
+    let records = model.history.follow(&problem, solver, |_| {
+        step_seconds.push(last.elapsed().as_secs_f64());
+        last = Instant::now();
+        progress(Progress::Step { done: step_seconds.len(), total });
+    })?;
+    let finished = start.elapsed().as_secs_f64();
+    let phases = vec![
+        ("factorisation", condensed),
+        ("interface", assembled - condensed),
+        ("contact", finished - assembled),
+    ];
+    Ok(Solved { operators, problem, records, step_seconds, phases })
+}
+
+/// The solver chain of a choice.
+pub fn solver(choice: SolverChoice) -> Box<dyn InterfaceSolver> {
+    match choice {
+        SolverChoice::Auto | SolverChoice::Newton => Box::new(Chain::newton_first()),
+        SolverChoice::Status => Box::new(Chain::status_first()),
+        SolverChoice::Pivoting => Box::new(Pivoting::default()),
+    }
+}
+
+/// Condenses all bodies, in parallel; the result does not depend on the number of threads.
+fn condense(model: &Model) -> Result<Vec<Operator>, RunError> {
+    model
+        .bodies
+        .par_iter()
+        .map(|body| match &body.kind {
+            ModelBodyKind::Rigid(rigid) => Ok(Operator::Rigid(rigid.clone())),
+            ModelBodyKind::Elastic(elastic) => elastic
+                .condense(&body.interface)
+                .map(|condensed| Operator::Elastic(Box::new(condensed)))
+                .map_err(|cause| RunError::Body { body: body.name.clone(), cause }),
+        })
+        .collect()
+}
+
+fn results(scene: &Scene, model: &Model, mut solved: Solved) -> Result<Results, RunError> {
+    let start = Instant::now();
+    let mut steps = Vec::with_capacity(solved.records.len());
+    let mut previous = 0.0;
+    let last = solved.records.len().saturating_sub(1);
+    for (index, record) in solved.records.iter().enumerate() {
+        let wants_fields = match scene.output.fields {
+            FieldOutput::None => false,
+            FieldOutput::Last => index == last,
+            FieldOutput::All => true,
+        };
+        let recovered = fields::recover(model, &solved, record, wants_fields)?;
+        let edges = edges::all(model, &solved, record, &recovered)?;
+        let loads = loads(scene, index);
+        let value = loads.first().map_or(0.0, |load: &LoadValue| load.value.abs());
+        steps.push(StepResults {
+            unloading: value < previous,
+            loads,
+            edges,
+            work: record.work,
+            solvers: record.solvers.clone(),
+            increments: record.increments,
+            cutbacks: record.cutbacks,
+            doubtful: record.doubtful,
+            residuals: record.residuals,
+            balance_residual: record.audit.balance.max(recovered.imbalance),
+            dissipation: record.dissipation * if model.half { 2.0 } else { 1.0 },
+            audit: record.audit.clone(),
+            fields: if wants_fields { fields::with_stresses(model, &recovered)? } else { Vec::new() },
+            seconds: solved.step_seconds[index],
+        });
+        previous = value;
+    }
+    solved.phases.push(("stresses", start.elapsed().as_secs_f64()));
+    let mut notes = model.notes.clone();
+    notes.extend(remarks(&steps));
+    let mut choices = model.choices.clone();
+    choices.push(Choice {
+        what: "solver".into(),
+        value: solver(scene.analysis.solver).name().into(),
+        reason: "the fastest method first, one that always ends last".into(),
+    });
+    Ok(Results {
+        title: scene.title.clone(),
+        source: scene.source_name.clone(),
+        scene_hash: scene.hash.clone(),
+        units: scene.display,
+        choices,
+        notes,
+        bodies: bodies(model, &solved),
+        factorisations: solved.operators.iter().filter(|operator| operator.elastic().is_some()).count(),
+        edges: model.edges.iter().map(|edge| edge.geometry.clone()).collect(),
+        steps,
+        phases: solved.phases,
+    })
+}
+
+fn bodies(model: &Model, solved: &Solved) -> Vec<BodySummary> {
+    model
+        .bodies
+        .iter()
+        .zip(&solved.operators)
+        .map(|(body, operator)| {
+            let elastic = operator.elastic();
+            BodySummary {
+                name: body.name.clone(),
+                mesh: elastic.map(|condensed| condensed.body().mesh().clone()),
+                dofs: elastic.map_or(0, |condensed| condensed.structure().unknowns()),
+                factor_entries: elastic.map_or(0, |condensed| condensed.structure().factor_entries()),
+                free_motions: operator.interface().modes().ncols(),
+            }
+        })
+        .collect()
+}
+
+fn loads(scene: &Scene, step: usize) -> Vec<LoadValue> {
+    let display = &scene.display;
+    scene
+        .loads
+        .iter()
+        .map(|load| {
+            let value = load.kind.steps().get(step).copied().unwrap_or(0.0);
+            let (value, unit) = match load.kind {
+                LoadKind::Force { .. } => (display.force.from_base(value), display.force.name),
+                LoadKind::Pressure { .. } => (display.stress.from_base(value), display.stress.name),
+                LoadKind::PolarTraction { .. } => (value, "1"),
+                LoadKind::Temperature { .. } => (value, "K"),
+            };
+            LoadValue { name: load.name.clone(), value, unit: unit.to_owned() }
+        })
+        .collect()
+}
+
+/// What a reader must know of the steps: where an answer was not unique, and where the history was cut back.
+fn remarks(steps: &[StepResults]) -> Vec<String> {
+    let list = |chosen: Vec<usize>| chosen.iter().map(|k| (k + 1).to_string()).collect::<Vec<_>>().join(", ");
+    let mut notes = Vec::new();
+    let doubtful: Vec<usize> = (0..steps.len()).filter(|&k| steps[k].doubtful > 0).collect();
+    if !doubtful.is_empty() {
+        let most = steps.iter().map(|step| step.doubtful).max().unwrap_or(0);
+        notes.push(format!(
+            "The answer is not unique in load step {}: up to {most} contact points stick with a traction between the dynamic and the \
+             static bound, where slip at the dynamic traction would be admissible too. They were taken to stick because they had \
+             not slipped before.",
+            list(doubtful)
+        ));
+    }
+    let cut: Vec<usize> = (0..steps.len()).filter(|&k| steps[k].cutbacks > 0).collect();
+    if !cut.is_empty() {
+        notes.push(format!("The increment was cut back in load step {}.", list(cut)));
+    }
+    notes
+}

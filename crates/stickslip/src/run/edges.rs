@@ -1,0 +1,176 @@
+//! Quantities along the reported edges: contact forces become tractions, edge strains become stresses.
+
+use nalgebra::DVector;
+use stickslip_contact::zones::{Zone, zones};
+use stickslip_contact::{Status, StepRecord};
+use stickslip_fem_core::stress::{EdgeData, PathEnd, PathEnds, StressError, edge_stresses};
+
+use super::fields::Recovered;
+use super::Solved;
+use crate::model::{Model, ModelBodyKind, ModelEdge};
+use crate::results::{EdgeKind, EdgeResults, EdgeRow};
+
+pub(super) fn all(
+    model: &Model,
+    solved: &Solved,
+    record: &StepRecord,
+    recovered: &Recovered,
+) -> Result<Vec<EdgeResults>, StressError> {
+    model.edges.iter().map(|edge| one(model, solved, record, recovered, edge)).collect()
+}
+
+fn one(
+    model: &Model,
+    solved: &Solved,
+    record: &StepRecord,
+    recovered: &Recovered,
+    edge: &ModelEdge,
+) -> Result<EdgeResults, StressError> {
+    let displacement = match edge.pair {
+        Some(_) => interface_displacement(solved, record, edge),
+        None => edge
+            .nodes
+            .iter()
+            .map(|&node| [recovered.displacement[edge.body][2 * node], recovered.displacement[edge.body][2 * node + 1]])
+            .collect(),
+    };
+    let mut rows = contact_rows(solved, record, edge);
+    let initial = match &model.bodies[edge.body].kind {
+        ModelBodyKind::Elastic(body) => body.initial_strain(&record.state.multipliers),
+        ModelBodyKind::Rigid(_) => Vec::new(),
+    };
+    add_stresses(model, edge, &displacement, initial.first().copied().unwrap_or_default(), &mut rows)?;
+    let zones = edge
+        .pair
+        .map_or_else(Vec::new, |pair| zones(&solved.problem, &record.state, pair, &edge.geometry.parameter));
+    Ok(summarise(edge, rows, zones, record, model.half))
+}
+
+/// Displacements of a contact edge's nodes on its first body: u = C λ + Σ m_k u_k + R α, no sparse solve.
+fn interface_displacement(solved: &Solved, record: &StepRecord, edge: &ModelEdge) -> Vec<[f64; 2]> {
+    let operator = solved.operators[edge.body].interface();
+    let count = operator.points().len();
+    let forces = DVector::from_vec(solved.problem.forces_on_body(edge.body, count, &record.state.forces));
+    let mut u = operator.compliance().map_or_else(|| DVector::zeros(2 * count), |compliance| compliance * &forces);
+    for (case, &factor) in record.state.multipliers.iter().enumerate() {
+        if let Some(response) = operator.load_response(case) {
+            u.axpy(factor, response, 1.0);
+        }
+    }
+    let motions = record.state.rigid.rows_range(solved.problem.body_modes(edge.body));
+    u += operator.modes() * motions;
+    edge.local.iter().map(|&k| [u[2 * k], u[2 * k + 1]]).collect()
+}
+
+fn contact_rows(solved: &Solved, record: &StepRecord, edge: &ModelEdge) -> Vec<EdgeRow> {
+    let free = EdgeRow {
+        pressure: 0.0,
+        shear: 0.0,
+        gap: 0.0,
+        slip: 0.0,
+        status: Status::Open,
+        sigma_normal: 0.0,
+        sigma_tangential: 0.0,
+        tau: 0.0,
+    };
+    let Some(pair) = edge.pair else { return vec![free; edge.nodes.len()] };
+    solved
+        .problem
+        .pair_points(pair)
+        .map(|k| {
+            let area = solved.problem.points()[k].area;
+            EdgeRow {
+                pressure: record.state.normal_force(k) / area,
+                shear: record.state.tangential_force(k) / area,
+                gap: record.state.gap(k),
+                slip: record.state.tangential_displacement(k),
+                status: record.state.status[k],
+                ..free
+            }
+        })
+        .collect()
+}
+
+fn add_stresses(
+    model: &Model,
+    edge: &ModelEdge,
+    displacement: &[[f64; 2]],
+    initial_strain: [f64; 3],
+    rows: &mut [EdgeRow],
+) -> Result<(), StressError> {
+    let ModelBodyKind::Elastic(body) = &model.bodies[edge.body].kind else { return Ok(()) };
+    let geometry = &edge.geometry;
+    let (parameter, ends): (Vec<f64>, PathEnds) = match geometry.kind {
+        EdgeKind::Circle { radius, .. } => {
+            let along = geometry.parameter.iter().map(|theta| radius * theta).collect();
+            let mirror = PathEnd::Mirror { axis: [1.0, 0.0] };
+            let closed = PathEnds::Closed { length: std::f64::consts::TAU * radius };
+            (along, if geometry.half { PathEnds::Open([mirror; 2]) } else { closed })
+        }
+        EdgeKind::Line => {
+            // e_t = −e_x for a normal along +y.
+            let along = geometry.parameter.iter().map(|x| -x).collect();
+            let start = if geometry.half { PathEnd::Mirror { axis: [0.0, 1.0] } } else { PathEnd::Free };
+            (along, PathEnds::Open([start, PathEnd::Free]))
+        }
+    };
+    let normal_stress: Vec<f64> = rows.iter().map(|row| -row.pressure).collect();
+    let shear_stress: Vec<f64> = rows.iter().map(|row| -row.shear).collect();
+    let data = EdgeData {
+        order: edge.order,
+        ends,
+        parameter: &parameter,
+        displacement,
+        normal: &edge.normals,
+        normal_stress: &normal_stress,
+        shear_stress: &shear_stress,
+    };
+    let Some(material) = body.materials().first() else { return Ok(()) };
+    let stresses = edge_stresses(&data, material.as_ref(), initial_strain)?;
+    // (n, t) = (e_r, e_θ) on a circle; on a line (e_y, −e_x), which turns the sign of the shear.
+    let sign = if matches!(geometry.kind, EdgeKind::Line) { -1.0 } else { 1.0 };
+    for (row, stress) in rows.iter_mut().zip(stresses) {
+        row.sigma_normal = stress.normal;
+        row.sigma_tangential = stress.tangential;
+        row.tau = sign * stress.shear;
+    }
+    Ok(())
+}
+
+fn summarise(edge: &ModelEdge, rows: Vec<EdgeRow>, zones: Vec<Zone>, record: &StepRecord, half: bool) -> EdgeResults {
+    let parameter = &edge.geometry.parameter;
+    let peak = |value: &dyn Fn(&EdgeRow) -> f64| {
+        rows.iter()
+            .zip(parameter)
+            .map(|(row, &at)| (value(row), at))
+            .max_by(|a, b| a.0.total_cmp(&b.0))
+    };
+    let touching = || zones.iter().filter(|zone| zone.status.touches());
+    let share = if half { 1.0 } else { 0.5 };
+    let extent = touching().next().zip(touching().next_back()).map(|(first, last)| share * (last.end - first.start));
+    let sticking: Vec<&Zone> = zones.iter().filter(|zone| zone.status == Status::Stick).collect();
+    let stick = extent.map(|_| share * sticking.iter().map(|zone| zone.end - zone.start).sum::<f64>());
+    let double = if half { 2.0 } else { 1.0 };
+    let (resultant, sums) = edge.pair.map_or_else(Default::default, |pair| {
+        let [x, y] = record.audit.resultants[pair];
+        let whole = match (half, edge.geometry.kind) {
+            (false, _) => [x, y],
+            (true, EdgeKind::Circle { .. }) => [2.0 * x, 0.0],
+            (true, EdgeKind::Line) => [0.0, 2.0 * y],
+        };
+        (whole, record.audit.friction[pair])
+    });
+    let bearing = (0..rows.len()).min_by(|&a, &b| parameter[a].abs().total_cmp(&parameter[b].abs()));
+    EdgeResults {
+        contact_half_extent: extent,
+        stick_half_extent: stick,
+        peak_pressure: peak(&|row| row.pressure).filter(|_| extent.is_some()),
+        peak_hoop: peak(&|row| row.sigma_tangential),
+        hoop_at_bearing_point: bearing.map(|k| rows[k].sigma_tangential),
+        resultant,
+        friction_force: double * sums.magnitude,
+        normal_force: double * sums.normal,
+        rows,
+        zones,
+    }
+}

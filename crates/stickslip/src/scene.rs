@@ -1,0 +1,240 @@
+//! Scenes: what is modelled, in a text file with units.
+//!
+//! A scene names materials, bodies, a mesh, contacts with their friction laws, supports and loads; see `stickslip init` for a
+//! commented one. Every quantity carries its unit and arrives here in base units (mm, N, MPa, rad, K). A [`Scene`] that exists is
+//! checked: names resolve, sizes are positive, every body is held, all loads have the same number of steps.
+//!
+//! ```
+//! use std::path::Path;
+//! use stickslip::scene::{Format, Scene};
+//!
+//! let text = r#"
+//!     version = 1
+//!     [materials.steel.isotropic]
+//!     young = "210 GPa"
+//!     poisson = 0.3
+//!     [bodies.plate]
+//!     material = "steel"
+//!     thickness = "2 mm"
+//!     shape.plate_with_hole = { hole_radius = "5 mm", outline.ring = { radius = "50 mm" } }
+//!     [mesh]
+//!     spacing = "5 deg"
+//!     [[supports]]
+//!     on = "plate.outer"
+//!     fix = ["x", "y"]
+//!     [[loads]]
+//!     on = "plate.hole"
+//!     pressure.steps = ["10 MPa"]
+//! "#;
+//! let scene = Scene::from_text(text, Format::Toml, "press.toml", Path::new("."), &["mesh.spacing=2.5 deg"])?;
+//! assert_eq!(scene.steps(), 1);
+//! # Ok::<(), stickslip::diagnostic::SceneError>(())
+//! ```
+
+mod build;
+mod document;
+mod examples;
+mod format;
+mod friction;
+mod json;
+mod material;
+mod overrides;
+mod read;
+pub mod schema;
+mod table;
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use serde::Deserialize;
+use serde_json::Value;
+use sha2::{Digest, Sha256};
+
+use crate::diagnostic::{Finding, SceneError, SceneProblem, SourceText};
+use crate::units::{Dimension, Expected, parse};
+pub use document::Format;
+use document::{Document, Part};
+use format::SceneFormat;
+use read::Reader;
+use schema::{
+    Analysis, Body, Contact, DisplayUnits, Load, LoadKind, Material, MeshSettings, Output, Platen, SetRef, Support,
+};
+
+/// Version of the scene format that this program reads.
+pub const VERSION: u64 = 1;
+
+/// A checked scene. Numbers are in mm, N, MPa, rad and K.
+#[derive(Debug, Clone)]
+pub struct Scene {
+    /// Title; the name of the file where the scene has none.
+    pub title: String,
+    /// What the scene shows, in the words of its author.
+    pub description: Option<String>,
+    /// Units that results are shown in.
+    pub display: DisplayUnits,
+    /// How the model is solved.
+    pub analysis: Analysis,
+    /// Materials by name.
+    pub materials: BTreeMap<String, Material>,
+    /// Bodies by name.
+    pub bodies: BTreeMap<String, Body>,
+    /// How finely the bodies are divided.
+    pub mesh: MeshSettings,
+    /// Pairs of edges that may touch.
+    pub contacts: Vec<Contact>,
+    /// Nodes with given displacements.
+    pub supports: Vec<Support>,
+    /// Rigid plates glued to edges.
+    pub platens: Vec<Platen>,
+    /// Loads; all have [`steps`](Self::steps) steps.
+    pub loads: Vec<Load>,
+    /// Edges to report besides those in contact.
+    pub edges: Vec<SetRef>,
+    /// What is written beside tables.
+    pub output: Output,
+    /// Path of the scene file as given.
+    pub source_name: String,
+    /// Folder that data files are relative to.
+    pub base_dir: PathBuf,
+    /// SHA-256 of the scene in hexadecimal digits: of all keys with defaults filled in, quantities in base units, and of
+    /// its data files. Equal scenes have equal hashes whatever their layout, comments and units.
+    pub hash: String,
+    resolved: String,
+    document: Document,
+}
+
+impl Scene {
+    /// Reads and checks a scene file, JSON if its name ends in `.json` and otherwise TOML, with the overrides
+    /// `key=value` applied in turn.
+    ///
+    /// # Errors
+    /// [`SceneError`] with everything that is wrong, each at its line or in its override.
+    pub fn from_file(path: &Path, overrides: &[impl AsRef<str>]) -> Result<Self, SceneError> {
+        let name = path.display().to_string();
+        let text = std::fs::read_to_string(path).map_err(|error| {
+            let problem = match error.kind() {
+                std::io::ErrorKind::NotFound => SceneProblem::MissingFile { path: name.clone() },
+                _ => SceneProblem::Unreadable { path: name.clone(), cause: error.to_string() },
+            };
+            let source = Arc::new(SourceText { name: name.clone(), text: String::new() });
+            SceneError::new(Finding { problem, key: String::new(), source, span: None }, [])
+        })?;
+        let base = path.parent().unwrap_or(Path::new(""));
+        Self::from_text(&text, Format::of_path(path), &name, base, overrides)
+    }
+
+    /// Reads and checks a scene. `name` stands for the text in errors, and data files are looked for in `base_dir`.
+    ///
+    /// # Errors
+    /// As [`Scene::from_file`].
+    pub fn from_text(
+        text: &str,
+        format: Format,
+        name: &str,
+        base_dir: &Path,
+        overrides: &[impl AsRef<str>],
+    ) -> Result<Self, SceneError> {
+        let source = SourceText { name: name.to_owned(), text: text.to_owned() };
+        let mut document = Document::parse(source, format)?;
+        for argument in overrides {
+            overrides::apply(&mut document, argument.as_ref())?;
+        }
+        check_version(&document)?;
+        let mut spelled = SceneFormat::deserialize(Reader::new(&document.root, "")).map_err(|error| {
+            document.error(error.key.as_deref().unwrap_or_default(), error.part, error.problem)
+        })?;
+        let parts = build::build(&document, &mut spelled, base_dir)?;
+        let stem = Path::new(name).file_stem().map(|stem| stem.to_string_lossy().into_owned());
+        Ok(Self {
+            title: parts.title.or(stem).unwrap_or_default(),
+            description: parts.description,
+            display: parts.display,
+            analysis: parts.analysis,
+            materials: parts.materials,
+            bodies: parts.bodies,
+            mesh: parts.mesh,
+            contacts: parts.contacts,
+            supports: parts.supports,
+            platens: parts.platens,
+            hash: hash(&spelled, &parts.loads),
+            loads: parts.loads,
+            edges: parts.edges,
+            output: parts.output,
+            source_name: name.to_owned(),
+            base_dir: base_dir.to_owned(),
+            resolved: resolved(&document, &spelled)?,
+            document,
+        })
+    }
+
+    /// Number of load steps, at least 1.
+    pub fn steps(&self) -> usize {
+        self.loads.first().map_or(1, |load| load.kind.steps().len())
+    }
+
+    /// The scene in TOML with all overrides applied and all defaults filled in; it reads back to the same scene.
+    pub fn resolved(&self) -> &str {
+        &self.resolved
+    }
+
+    /// A problem that shows only later, such as a mesh that is too large, at the key that causes it: `mesh.spacing`.
+    pub fn error_at(&self, key: &str, problem: SceneProblem) -> SceneError {
+        self.document.error(key, Part::Value, problem)
+    }
+}
+
+fn check_version(document: &Document) -> Result<(), SceneError> {
+    let supported = VERSION;
+    let problem = match document.get("version") {
+        None => SceneProblem::MissingVersion { supported },
+        Some(version) if version.as_u64() == Some(supported) => return Ok(()),
+        Some(version) => SceneProblem::UnsupportedVersion { found: version.to_string(), supported },
+    };
+    Err(document.error("version", Part::Value, problem))
+}
+
+fn resolved(document: &Document, spelled: &SceneFormat) -> Result<String, SceneError> {
+    toml::to_string(spelled).map_err(|error| {
+        let message = format!("the scene cannot be written as TOML: {error}");
+        document.error("", Part::Key, SceneProblem::Refused { message })
+    })
+}
+
+fn hash(spelled: &SceneFormat, loads: &[Load]) -> String {
+    // Serialising plain structs with text keys does not fail; a scene without a hash would be no error either.
+    let value = serde_json::to_value(spelled).unwrap_or_default();
+    let mut digest = Sha256::new();
+    digest.update(canonical(value).to_string());
+    for load in loads {
+        if let LoadKind::PolarTraction { table, .. } = &load.kind {
+            for number in table.theta.iter().chain(&table.radial).chain(&table.shear) {
+                digest.update(number.to_le_bytes());
+            }
+        }
+    }
+    digest.finalize().iter().fold(String::new(), |mut text, byte| {
+        // Writing into a string does not fail.
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
+}
+
+/// The value with every quantity in base units.
+fn canonical(value: Value) -> Value {
+    match value {
+        Value::String(text) => match parse(&text, &Expected::any(&Dimension::ALL)) {
+            Ok((number, dimension)) => Value::String(format!("{number:e} {}", dimension.base_unit())),
+            Err(_) => Value::String(text),
+        },
+        Value::Array(list) => list.into_iter().map(canonical).collect(),
+        Value::Object(map) => {
+            Value::Object(map.into_iter().map(|(key, value)| (key, canonical(value))).collect())
+        }
+        other => other,
+    }
+}
+
+#[cfg(test)]
+mod tests;

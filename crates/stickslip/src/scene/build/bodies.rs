@@ -1,0 +1,206 @@
+//! Materials and bodies.
+
+use std::collections::BTreeMap;
+
+use stickslip_fem_core::material::{MaterialError, OrthotropicConstants, OutOfPlane, PlaneState};
+
+use super::Builder;
+use crate::diagnostic::SceneProblem;
+use crate::scene::document::{Part, child};
+use crate::scene::format::{
+    BodyFormat, IsotropicFormat, MaterialFormat, OrthotropicFormat, OutlineFormat, PlateWithHoleFormat,
+    SceneFormat, ShapeFormat, StripFormat,
+};
+use crate::scene::schema::{Body, Material, Outline, Shape, Substance};
+use crate::units::{PerTemperature, Quantity};
+
+fn expansion(given: Option<&Quantity<PerTemperature>>) -> f64 {
+    given.map_or(0.0, Quantity::value)
+}
+
+impl Builder<'_> {
+    pub(super) fn materials(
+        &mut self,
+        format: &SceneFormat,
+        plane: PlaneState,
+    ) -> BTreeMap<String, Material> {
+        let mut materials = BTreeMap::new();
+        for (name, material) in &format.materials {
+            self.name("materials", name);
+            let table = child("materials", name);
+            let before = self.findings.len();
+            let (kind, material) = match material {
+                MaterialFormat::Isotropic(given) => ("isotropic", self.isotropic(&table, given)),
+                MaterialFormat::Orthotropic(given) => {
+                    ("orthotropic", self.orthotropic(&table, given, plane))
+                }
+            };
+            // Constants that are wrong each for itself need no second message.
+            if self.findings.len() == before
+                && let Err(cause) = material.in_plane(plane)
+            {
+                self.bad_material(&child(&table, kind), name, cause);
+            }
+            materials.insert(name.clone(), material);
+        }
+        materials
+    }
+
+    fn isotropic(&mut self, table: &str, given: &IsotropicFormat) -> Material {
+        Material::Isotropic {
+            young: self.positive(&child(table, "isotropic"), "young", &given.young),
+            poisson: given.poisson,
+            expansion: expansion(given.expansion.as_ref()),
+        }
+    }
+
+    fn orthotropic(&mut self, table: &str, given: &OrthotropicFormat, plane: PlaneState) -> Material {
+        let table = child(table, "orthotropic");
+        let constants = OrthotropicConstants {
+            e1: self.positive(&table, "e1", &given.e1),
+            e2: self.positive(&table, "e2", &given.e2),
+            g12: self.positive(&table, "g12", &given.g12),
+            nu12: given.nu12,
+        };
+        let e3 = given.e3.as_ref().map(|e3| self.positive(&table, "e3", e3));
+        let out_of_plane = match (e3, given.nu13, given.nu23) {
+            (Some(e3), Some(nu13), Some(nu23)) => {
+                Some(OutOfPlane { e3, nu13, nu23, alpha3: expansion(given.expansion3.as_ref()) })
+            }
+            _ => None,
+        };
+        if plane == PlaneState::Strain {
+            let present = [e3.is_some(), given.nu13.is_some(), given.nu23.is_some()];
+            for (name, _) in ["e3", "nu13", "nu23"].into_iter().zip(present).filter(|(_, given)| !given) {
+                self.missing(&table, name);
+            }
+        }
+        Material::Orthotropic {
+            constants,
+            angle: given.angle.as_ref().map_or(0.0, Quantity::value),
+            expansion: [expansion(given.expansion1.as_ref()), expansion(given.expansion2.as_ref())],
+            out_of_plane,
+        }
+    }
+
+    fn bad_material(&mut self, table: &str, name: &str, cause: MaterialError) {
+        let key = match &cause {
+            MaterialError::Poisson { .. } => child(table, "poisson"),
+            MaterialError::OrthotropicPoisson { name, .. } => child(table, name),
+            _ => table.to_owned(),
+        };
+        self.report(&key, Part::Value, SceneProblem::Material { material: name.to_owned(), cause });
+    }
+
+    pub(super) fn bodies(&mut self, format: &SceneFormat, materials: &BTreeMap<String, Material>) {
+        if format.bodies.is_empty() {
+            self.missing("", "bodies");
+        }
+        for (name, body) in &format.bodies {
+            self.name("bodies", name);
+            let table = child("bodies", name);
+            let substance = self.substance(&table, body, materials);
+            let shape = self.shape(&child(&table, "shape"), &body.shape);
+            self.bodies.insert(name.clone(), Body { substance, shape });
+        }
+    }
+
+    fn substance(
+        &mut self,
+        table: &str,
+        body: &BodyFormat,
+        materials: &BTreeMap<String, Material>,
+    ) -> Substance {
+        let thickness = body.thickness.as_ref().map(|given| self.positive(table, "thickness", given));
+        let material = match (&body.material, body.rigid) {
+            (Some(material), false) => material,
+            (None, true) => return Substance::Rigid,
+            (given, _) => {
+                let found = if given.is_some() { "both" } else { "none" };
+                let choices = "material = \"…\", rigid = true".to_owned();
+                let problem =
+                    SceneProblem::OneOf { table: table.to_owned(), choices, found: found.to_owned() };
+                self.report(table, Part::Key, problem);
+                return Substance::Rigid;
+            }
+        };
+        if !materials.contains_key(material) {
+            let known = materials.keys().cloned().collect();
+            self.undefined(&child(table, "material"), "material", material, known);
+        }
+        if thickness.is_none() {
+            self.missing(table, "thickness");
+        }
+        Substance::Elastic { material: material.clone(), thickness: thickness.unwrap_or(1.0) }
+    }
+
+    fn shape(&mut self, table: &str, shape: &ShapeFormat) -> Shape {
+        match shape {
+            ShapeFormat::PlateWithHole(given) => self.plate(&child(table, "plate_with_hole"), given),
+            ShapeFormat::Disk(given) => {
+                Shape::Disk { radius: self.positive(&child(table, "disk"), "radius", &given.radius) }
+            }
+            ShapeFormat::Rectangle(given) => {
+                let table = child(table, "rectangle");
+                Shape::Rectangle {
+                    width: self.positive(&table, "width", &given.width),
+                    height: self.positive(&table, "height", &given.height),
+                }
+            }
+            ShapeFormat::Block(given) => {
+                let table = child(table, "block");
+                Shape::Block {
+                    half_length: self.positive(&table, "half_length", &given.half_length),
+                    depth: self.positive(&table, "depth", &given.depth),
+                }
+            }
+            ShapeFormat::Cylinder(given) => {
+                let table = child(table, "cylinder");
+                let radius = self.positive(&table, "radius", &given.radius);
+                let half_length = self.positive(&table, "half_length", &given.half_length);
+                let depth = self.positive(&table, "depth", &given.depth);
+                if half_length >= radius {
+                    let allowed = format!("less than the radius, {}", given.radius.text());
+                    self.out_of_range(&child(&table, "half_length"), given.half_length.text(), allowed);
+                } else if depth <= radius - (radius * radius - half_length * half_length).sqrt() {
+                    let allowed = "greater than the arc's rise at its ends, R − sqrt(R² − half_length²)";
+                    self.out_of_range(&child(&table, "depth"), given.depth.text(), allowed);
+                }
+                Shape::Cylinder { radius, half_length, depth }
+            }
+        }
+    }
+
+    fn plate(&mut self, table: &str, given: &PlateWithHoleFormat) -> Shape {
+        let hole_radius = self.positive(table, "hole_radius", &given.hole_radius);
+        let hole = given.hole_radius.text();
+        let table = child(table, "outline");
+        let outline = match &given.outline {
+            OutlineFormat::Strip(strip) => {
+                let table = child(&table, "strip");
+                let StripFormat { half_width, left, right } = strip;
+                for (name, size) in [("half_width", half_width), ("left", left), ("right", right)] {
+                    if self.positive(&table, name, size) > 0.0 && size.value() <= hole_radius {
+                        let allowed = format!("greater than the hole's radius, {hole}");
+                        self.out_of_range(&child(&table, name), size.text(), allowed);
+                    }
+                }
+                Outline::Strip {
+                    half_width: half_width.value(),
+                    left: left.value(),
+                    right: right.value(),
+                }
+            }
+            OutlineFormat::Ring(ring) => {
+                let table = child(&table, "ring");
+                let radius = self.positive(&table, "radius", &ring.radius);
+                if radius > 0.0 && radius <= hole_radius {
+                    let allowed = format!("greater than the hole's radius, {hole}");
+                    self.out_of_range(&child(&table, "radius"), ring.radius.text(), allowed);
+                }
+                Outline::Ring { radius }
+            }
+        };
+        Shape::PlateWithHole { hole_radius, outline }
+    }
+}

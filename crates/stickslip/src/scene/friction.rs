@@ -1,0 +1,311 @@
+//! Friction laws of a scene, with units.
+//!
+//! The laws take plain numbers and their registry says which parameter is a length, a stress or an angle. So a parameter is
+//! checked against the registry, its quantity becomes a number in base units, and the law reads the rest. A law of another
+//! crate needs nothing else to be used in a scene.
+
+use serde_json::{Map, Value};
+use stickslip_friction::{Dimension as Kind, FrictionLaw, LawInfo, ParameterInfo, laws};
+
+use super::document::{Document, Part, child};
+use super::read::described;
+use crate::diagnostic::{Finding, SceneProblem, nearest};
+use crate::units::{Dimension, Expected, UnitError, parse};
+
+/// A law, and its table with all defaults filled in.
+pub(super) struct ReadLaw {
+    pub(super) law: Box<dyn FrictionLaw>,
+    pub(super) shown: Value,
+}
+
+/// A table in numbers, and the same as a file would spell it.
+struct Converted {
+    plain: Value,
+    shown: Value,
+}
+
+fn find(name: &str) -> Option<&'static LawInfo> {
+    laws().find(|law| law.name == name)
+}
+
+/// Reads the table `friction` that stands at `key`.
+pub(super) fn read(document: &Document, key: &str, table: &Value) -> Result<ReadLaw, Box<Finding>> {
+    let reader = LawReader { document };
+    let Converted { plain, shown } = reader.law(key, table)?;
+    serde_json::from_value(plain).map(|law| ReadLaw { law, shown }).map_err(|error| {
+        let law = table.as_object().and_then(|map| map.keys().next()).cloned().unwrap_or_default();
+        reader.refused(&child(key, &law), law, error.to_string())
+    })
+}
+
+struct LawReader<'a> {
+    document: &'a Document,
+}
+
+impl LawReader<'_> {
+    fn finding(&self, key: &str, part: Part, problem: SceneProblem) -> Box<Finding> {
+        Box::new(self.document.finding(key, part, problem))
+    }
+
+    fn wrong_kind(&self, key: &str, expected: &str, found: &Value) -> Box<Finding> {
+        let problem =
+            SceneProblem::WrongKind { expected: expected.to_owned(), found: described(found) };
+        self.finding(key, Part::Value, problem)
+    }
+
+    /// The words of the law itself, at the parameter that they name if there is one.
+    fn refused(&self, key: &str, law: String, message: String) -> Box<Finding> {
+        let parameter = self.document.get(key).and_then(Value::as_object).and_then(|map| {
+            map.keys().find(|name| message.contains(&format!(" {name} = ")))
+        });
+        let place = parameter.map_or_else(|| key.to_owned(), |name| child(key, name));
+        self.finding(&place, Part::Value, SceneProblem::Friction { law, message })
+    }
+
+    fn law(&self, key: &str, value: &Value) -> Result<Converted, Box<Finding>> {
+        let Value::Object(map) = value else {
+            return Err(self.wrong_kind(key, "a friction law, for example { coulomb = { mu = 0.3 } }", value));
+        };
+        let mut entries = map.iter();
+        let (Some((name, parameters)), None) = (entries.next(), entries.next()) else {
+            let names: Vec<_> = laws().map(|law| law.name).collect();
+            return Err(self.one_of(key, names.join(", "), map));
+        };
+        let key = child(key, name);
+        let Some(info) = find(name) else {
+            let names: Vec<_> = laws().map(|law| law.name).collect();
+            let problem = SceneProblem::UnknownName {
+                what: "a friction law".to_owned(),
+                found: name.clone(),
+                nearest: nearest(name, names.iter().copied()).map(str::to_owned),
+                known: names.into_iter().map(str::to_owned).collect(),
+            };
+            return Err(self.finding(&key, Part::Key, problem));
+        };
+        let Value::Object(parameters) = parameters else {
+            return Err(self.wrong_kind(&key, "a table of the law's parameters", parameters));
+        };
+        let converted = self.group(info, "", &key, parameters)?;
+        let tagged = |value| Value::Object(Map::from_iter([(name.clone(), value)]));
+        Ok(Converted { plain: tagged(converted.plain), shown: tagged(converted.shown) })
+    }
+
+    fn one_of(&self, key: &str, choices: String, map: &Map<String, Value>) -> Box<Finding> {
+        let found: Vec<_> = map.keys().cloned().collect();
+        let found = if found.is_empty() { "none".to_owned() } else { found.join(", ") };
+        let problem = SceneProblem::OneOf { table: key.to_owned(), choices, found };
+        self.finding(key, Part::Key, problem)
+    }
+
+    /// The table of `info` whose registered path is `prefix`.
+    fn group(
+        &self,
+        info: &LawInfo,
+        prefix: &str,
+        key: &str,
+        map: &Map<String, Value>,
+    ) -> Result<Converted, Box<Finding>> {
+        let names = names_below(info, prefix);
+        let (mut plain, mut shown) = (Map::new(), Map::new());
+        for (name, value) in map {
+            let key = child(key, name);
+            if !names.contains(&name.as_str()) {
+                let problem = SceneProblem::UnknownKey {
+                    key: name.clone(),
+                    nearest: nearest(name, names.iter().copied()).map(str::to_owned),
+                    known: names.iter().map(|name| (*name).to_owned()).collect(),
+                };
+                return Err(self.finding(&key, Part::Key, problem));
+            }
+            let converted = self.entry(info, &child(prefix, name), &key, value)?;
+            plain.insert(name.clone(), converted.plain);
+            shown.insert(name.clone(), converted.shown);
+        }
+        if holds_one(info, prefix) {
+            if map.len() != 1 {
+                return Err(self.one_of(key, names.join(", "), map));
+            }
+        } else {
+            for name in names.iter().filter(|name| !map.contains_key(**name)) {
+                let default = self.default_of(info, &child(prefix, name), key, name)?;
+                shown.extend(default.map(|value| ((*name).to_owned(), value)));
+            }
+        }
+        Ok(Converted { plain: Value::Object(plain), shown: Value::Object(shown) })
+    }
+
+    /// What stands for the parameter that `table` lacks; an error if nothing does.
+    fn default_of(
+        &self,
+        info: &LawInfo,
+        path: &str,
+        table: &str,
+        name: &str,
+    ) -> Result<Option<Value>, Box<Finding>> {
+        let below: Vec<_> = below(info, path).collect();
+        match info.parameters.iter().find(|parameter| parameter.path == path) {
+            Some(ParameterInfo { default: Some(default), .. }) => {
+                return Ok(Some(written(default)));
+            }
+            None if below.iter().any(|parameter| parameter.default.is_some()) => return Ok(None),
+            _ => {}
+        }
+        let dimension = below.first().map(|parameter| parameter.dimension);
+        let example = match dimension {
+            Some(Kind::Length) => "\"0.1 mm\"",
+            Some(Kind::Stress) => "\"10 MPa\"",
+            Some(Kind::Angle) => "\"5 deg\"",
+            Some(Kind::Dimensionless) if below.first().is_some_and(|own| own.path == path) => "0.3",
+            Some(Kind::Flag) => "false",
+            Some(Kind::Law) => "{ coulomb = { mu = 0.3 } }",
+            _ => "…",
+        };
+        let problem = SceneProblem::MissingKey {
+            key: name.to_owned(),
+            table: table.to_owned(),
+            example: format!("{name} = {example}"),
+        };
+        Err(self.finding(table, Part::Key, problem))
+    }
+
+    fn entry(
+        &self,
+        info: &LawInfo,
+        path: &str,
+        key: &str,
+        value: &Value,
+    ) -> Result<Converted, Box<Finding>> {
+        if let Some(parameter) = info.parameters.iter().find(|parameter| parameter.path == path) {
+            return self.parameter(parameter.dimension, key, value);
+        }
+        match value {
+            Value::Object(map) => self.group(info, path, key, map),
+            Value::Array(list) => {
+                let (mut plain, mut shown) = (Vec::new(), Vec::new());
+                for (index, value) in list.iter().enumerate() {
+                    let converted =
+                        self.entry(info, &format!("{path}[]"), &child(key, index), value)?;
+                    plain.push(converted.plain);
+                    shown.push(converted.shown);
+                }
+                Ok(Converted { plain: Value::Array(plain), shown: Value::Array(shown) })
+            }
+            other => Err(self.wrong_kind(key, "a table or a list", other)),
+        }
+    }
+
+    fn parameter(&self, kind: Kind, key: &str, value: &Value) -> Result<Converted, Box<Finding>> {
+        let plain = match (kind, value) {
+            (Kind::Law, value) => return self.law(key, value),
+            (Kind::Length, value) => self.quantity(Dimension::Length, key, value)?,
+            (Kind::Stress, value) => self.quantity(Dimension::Stress, key, value)?,
+            (Kind::Angle, value) => self.quantity(Dimension::Angle, key, value)?,
+            (Kind::Dimensionless, Value::Number(_))
+            | (Kind::Text, Value::String(_))
+            | (Kind::Flag, Value::Bool(_)) => value.clone(),
+            (Kind::Dimensionless, other) => {
+                return Err(self.wrong_kind(key, "a number without unit or quotes", other));
+            }
+            (Kind::Text, other) => return Err(self.wrong_kind(key, "a word in quotes", other)),
+            (Kind::Flag, other) => return Err(self.wrong_kind(key, "true or false", other)),
+        };
+        Ok(Converted { plain, shown: value.clone() })
+    }
+
+    fn quantity(&self, dimension: Dimension, key: &str, value: &Value) -> Result<Value, Box<Finding>> {
+        let expected = Expected::one(dimension);
+        let read = match value {
+            Value::String(text) => parse(text, &expected),
+            Value::Number(number) => {
+                Err(UnitError::MissingUnit { value: number.to_string(), expected })
+            }
+            other => {
+                return Err(self.wrong_kind(key, &format!("{expected} with its unit in quotes"), other));
+            }
+        };
+        match read {
+            Ok((number, _)) => Ok(number.into()),
+            Err(error) => Err(self.finding(key, Part::Value, error.into())),
+        }
+    }
+}
+
+/// The parameters at or below a registered path.
+fn below<'a>(info: &'a LawInfo, path: &'a str) -> impl Iterator<Item = &'a ParameterInfo> {
+    info.parameters.iter().filter(move |parameter| {
+        parameter.path.strip_prefix(path).is_some_and(|rest| {
+            path.is_empty() || rest.is_empty() || rest.starts_with(['.', '['])
+        })
+    })
+}
+
+/// The rest of a parameter's path below `prefix`.
+fn rest<'a>(parameter: &'a ParameterInfo, prefix: &str) -> &'a str {
+    let rest = parameter.path.strip_prefix(prefix).unwrap_or_default();
+    rest.strip_prefix('.').unwrap_or(rest)
+}
+
+/// The keys that may stand in the table at `prefix`.
+fn names_below<'a>(info: &'a LawInfo, prefix: &'a str) -> Vec<&'a str> {
+    let mut names: Vec<&str> = Vec::new();
+    for parameter in below(info, prefix) {
+        let name = rest(parameter, prefix).split(['.', '[']).next().unwrap_or_default();
+        if !name.is_empty() && !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names
+}
+
+/// Whether the table at `prefix` is a choice: below the law's own table, one that holds only tables, as `kernel` does.
+fn holds_one(info: &LawInfo, prefix: &str) -> bool {
+    !prefix.is_empty()
+        && below(info, prefix).next().is_some()
+        && below(info, prefix).all(|parameter| rest(parameter, prefix).contains('.'))
+        && !below(info, prefix).any(|parameter| rest(parameter, prefix).starts_with('['))
+}
+
+/// Whether the key names a table inside a friction law that holds exactly one entry: a nested law, or a choice such as `kernel`.
+pub(super) fn is_choice(key: &str) -> bool {
+    let mut segments = key.split('.');
+    let (Some("contacts"), Some(_), Some("friction")) =
+        (segments.next(), segments.next(), segments.next())
+    else {
+        return false;
+    };
+    let mut law: Option<&LawInfo> = None;
+    let mut path = String::new();
+    for segment in segments {
+        let Some(info) = law else {
+            law = find(segment);
+            if law.is_none() {
+                return false;
+            }
+            continue;
+        };
+        if segment.parse::<usize>().is_ok() {
+            path.push_str("[]");
+        } else {
+            path = child(&path, segment);
+        }
+        let is_law = |parameter: &ParameterInfo| parameter.path == path && parameter.dimension == Kind::Law;
+        if info.parameters.iter().any(is_law) {
+            law = None;
+            path.clear();
+        }
+    }
+    law.is_none_or(|info| holds_one(info, &path))
+}
+
+/// A default of the registry, which is TOML.
+fn written(default: &str) -> Value {
+    let table: Result<toml::Table, _> = toml::from_str(&format!("value = {default}"));
+    table
+        .ok()
+        .and_then(|mut table| table.remove("value"))
+        .and_then(|value| serde_json::to_value(value).ok())
+        .unwrap_or_else(|| Value::String(default.to_owned()))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,431 @@
+//! A checked scene in plain numbers.
+//!
+//! Base units throughout: mm, N, MPa, rad, K. Angles are counter-clockwise from +x, the load axis; names of bodies, materials and
+//! sets refer to things that exist.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::path::PathBuf;
+
+use serde::{Deserialize, Serialize};
+use stickslip_fem_core::material::PlaneState;
+use stickslip_fem_core::mesh::ElementKind;
+use stickslip_friction::FrictionLaw;
+
+pub use super::material::{Material, OutOfPlane};
+use crate::units::Unit;
+
+/// Units that results are shown in.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DisplayUnits {
+    /// Of lengths; `length.from_base(mm)` converts.
+    pub length: &'static Unit,
+    /// Of forces; `force.from_base(N)` converts.
+    pub force: &'static Unit,
+    /// Of stresses; `stress.from_base(MPa)` converts.
+    pub stress: &'static Unit,
+}
+
+/// How the model is solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Analysis {
+    /// Plane stress or plane strain.
+    pub plane: PlaneState,
+    /// Half or whole model.
+    pub model: ModelChoice,
+    /// Solver of the contact problem.
+    pub solver: SolverChoice,
+    /// Equal sub-steps from one load step to the next, at least 1.
+    pub substeps: usize,
+    /// How the load grows within the first step.
+    pub ramp: Ramp,
+}
+
+/// How much of the bodies is modelled.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ModelChoice {
+    /// Half where shape, material, supports and loads are symmetric about the x axis, otherwise whole.
+    Auto,
+    /// The half y ≥ 0.
+    Half,
+    /// The whole.
+    Whole,
+}
+
+/// Which solver.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SolverChoice {
+    /// Fast first, safer ones where it fails.
+    Auto,
+    /// Iteration of contact statuses.
+    Status,
+    /// Semismooth Newton.
+    Newton,
+    /// Pivoting on the linear complementarity problem.
+    Pivoting,
+}
+
+/// How the load P grows over the n sub-steps k of the first step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Ramp {
+    /// P k/n.
+    Linear,
+    /// P (k/n)²: small steps while contact spreads fast.
+    Quadratic,
+}
+
+/// A body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Body {
+    /// What it is made of.
+    pub substance: Substance,
+    /// Its outline.
+    pub shape: Shape,
+}
+
+/// What a body is made of.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Substance {
+    /// An elastic material of the scene.
+    Elastic {
+        /// Name of the material, defined in [`Scene::materials`](super::Scene::materials).
+        material: String,
+        /// Thickness [mm].
+        thickness: f64,
+    },
+    /// Nothing in it deforms.
+    Rigid,
+}
+
+/// A shape and its place. The centre of a hole or disk is the origin.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Shape {
+    /// A plate around a circular hole.
+    PlateWithHole {
+        /// Radius of the hole [mm].
+        hole_radius: f64,
+        /// Outer edge.
+        outline: Outline,
+    },
+    /// A disk.
+    Disk {
+        /// Radius [mm].
+        radius: f64,
+    },
+    /// x in [−width/2, width/2], y in [−height, 0].
+    Rectangle {
+        /// [mm]
+        width: f64,
+        /// [mm]
+        height: f64,
+    },
+    /// x in [−half_length, half_length], y in [−depth, 0]; stands for the half-plane y ≤ 0.
+    Block {
+        /// [mm]
+        half_length: f64,
+        /// [mm]
+        depth: f64,
+    },
+    /// Above an arc that touches the origin from above, y = R − √(R² − x²), up to y = depth, for |x| ≤ half_length.
+    Cylinder {
+        /// Radius R of the arc [mm].
+        radius: f64,
+        /// [mm], less than the radius.
+        half_length: f64,
+        /// [mm], above the ends of the arc.
+        depth: f64,
+    },
+}
+
+/// Outer edge of a plate with a hole.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Outline {
+    /// x in [−left, right], |y| ≤ half_width.
+    Strip {
+        /// [mm]
+        half_width: f64,
+        /// [mm]
+        left: f64,
+        /// [mm]
+        right: f64,
+    },
+    /// A circle around the hole.
+    Ring {
+        /// [mm]
+        radius: f64,
+    },
+}
+
+impl Shape {
+    /// Name in scenes.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::PlateWithHole { .. } => "plate_with_hole",
+            Self::Disk { .. } => "disk",
+            Self::Rectangle { .. } => "rectangle",
+            Self::Block { .. } => "block",
+            Self::Cylinder { .. } => "cylinder",
+        }
+    }
+
+    /// Its edges, by name.
+    pub const fn edges(&self) -> &'static [&'static str] {
+        match self {
+            Self::PlateWithHole { outline: Outline::Strip { .. }, .. } => {
+                &["hole", "left", "right", "top", "bottom"]
+            }
+            Self::PlateWithHole { outline: Outline::Ring { .. }, .. } => &["hole", "outer"],
+            Self::Disk { .. } => &["rim"],
+            Self::Rectangle { .. } => &["left", "right", "bottom", "top"],
+            Self::Block { .. } => &["contact", "bottom", "left", "right"],
+            Self::Cylinder { .. } => &["contact", "top"],
+        }
+    }
+
+    /// Its named points that are no edges.
+    pub const fn points(&self) -> &'static [&'static str] {
+        match self {
+            Self::Disk { .. } => &["centre"],
+            _ => &[],
+        }
+    }
+
+    /// Whether its mesh is divided by angles, not by lengths.
+    pub const fn is_round(&self) -> bool {
+        matches!(self, Self::PlateWithHole { .. } | Self::Disk { .. })
+    }
+
+    /// Radius [mm] of a circular edge around the origin.
+    pub fn circle(&self, edge: &str) -> Option<f64> {
+        match (self, edge) {
+            (Self::PlateWithHole { hole_radius, .. }, "hole") => Some(*hole_radius),
+            (Self::PlateWithHole { outline: Outline::Ring { radius }, .. }, "outer")
+            | (Self::Disk { radius }, "rim") => Some(*radius),
+            _ => None,
+        }
+    }
+}
+
+/// A set of a body, written `body.set`.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct SetRef {
+    /// The body.
+    pub body: String,
+    /// Its edge or point.
+    pub set: String,
+}
+
+impl fmt::Display for SetRef {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{}.{}", self.body, self.set)
+    }
+}
+
+/// How finely the bodies are divided.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeshSettings {
+    /// Element of every body.
+    pub element: ElementKind,
+    /// Division along the contact edges.
+    pub division: Division,
+    /// Radial layers, or layers in depth; chosen from the division where it is `None`.
+    pub layers: Option<usize>,
+}
+
+/// Where the corner nodes of a contact edge lie.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Division {
+    /// At these angles [rad], strictly increasing from 0 to at most 2π.
+    AngleList(Vec<f64>),
+    /// By angles [rad] from the bearing point θ = 0.
+    Angular(Grading),
+    /// By lengths [mm] from the point of first contact.
+    Linear(Grading),
+}
+
+/// Equal spacing, and optionally coarser beyond some distance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grading {
+    /// Spacing of corner nodes.
+    pub spacing: f64,
+    /// Up to where, measured from the bearing point; everywhere if `None`.
+    pub fine_to: Option<f64>,
+    /// Spacing that it grows to beyond; chosen by the generator if `None`.
+    pub coarse_spacing: Option<f64>,
+}
+
+/// Two edges that may touch.
+#[derive(Debug, Clone)]
+pub struct Contact {
+    /// Name in results.
+    pub name: String,
+    /// The edge that the normal points into: hole, or cylinder.
+    pub first: SetRef,
+    /// The other edge: rim of the pin, or block.
+    pub second: SetRef,
+    /// How the initial gap is computed.
+    pub gap: GapKind,
+    /// Whether an initial overlap is meant.
+    pub interference: bool,
+    /// Its friction.
+    pub law: Box<dyn FrictionLaw>,
+}
+
+/// How the initial gap between two circles is computed.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum GapKind {
+    /// From the circles.
+    #[default]
+    Exact,
+    /// c (1 − cos θ), clearance c: what closed forms assume.
+    Linearised,
+    /// From the nodes and straight facets of the mesh.
+    Faceted,
+}
+
+/// A coordinate axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Axis {
+    /// The load axis.
+    X,
+    /// The other.
+    Y,
+}
+
+/// Some of the axes.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Axes {
+    /// Whether x is among them.
+    pub x: bool,
+    /// Whether y is among them.
+    pub y: bool,
+}
+
+/// Nodes whose displacement is given.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Support {
+    /// Where.
+    pub on: SetRef,
+    /// In which directions.
+    pub hold: Hold,
+    /// Displacement in each of them [mm].
+    pub displacement: f64,
+}
+
+/// Directions in which a support holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Hold {
+    /// Along axes, at least one.
+    Axes(Axes),
+    /// Along the direction at this angle [rad] from +x.
+    Direction(f64),
+}
+
+/// A rigid plate that an edge is glued to. It does not rotate.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Platen {
+    /// The edge.
+    pub on: SetRef,
+    /// Axes along which it moves freely; along the others it is held.
+    pub free: Axes,
+}
+
+/// A load and its history.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Load {
+    /// Name in results.
+    pub name: String,
+    /// What loads what.
+    pub kind: LoadKind,
+}
+
+/// What loads what. Every `steps` has one entry per load step, and all loads act at once.
+#[derive(Debug, Clone, PartialEq)]
+pub enum LoadKind {
+    /// A total force on an edge of the whole body, spread evenly.
+    Force {
+        /// The edge.
+        on: SetRef,
+        /// Unit vector.
+        direction: [f64; 2],
+        /// Magnitudes [N].
+        steps: Vec<f64>,
+    },
+    /// A pressure on an edge; positive pushes on the body, negative pulls.
+    Pressure {
+        /// The edge.
+        on: SetRef,
+        /// [MPa]
+        steps: Vec<f64>,
+    },
+    /// Stresses on a circular edge, from a table.
+    PolarTraction {
+        /// The edge.
+        on: SetRef,
+        /// The table.
+        table: PolarTable,
+        /// Factors of the table's stresses.
+        steps: Vec<f64>,
+    },
+    /// A temperature change of a body.
+    Temperature {
+        /// The body.
+        body: String,
+        /// [K]
+        steps: Vec<f64>,
+    },
+}
+
+impl LoadKind {
+    /// The history, in whatever unit it has.
+    pub fn steps(&self) -> &[f64] {
+        match self {
+            Self::Force { steps, .. }
+            | Self::Pressure { steps, .. }
+            | Self::PolarTraction { steps, .. }
+            | Self::Temperature { steps, .. } => steps,
+        }
+    }
+}
+
+/// Stresses over the angle on a circle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PolarTable {
+    /// The file that it was read from.
+    pub file: PathBuf,
+    /// Angles [rad], strictly increasing.
+    pub theta: Vec<f64>,
+    /// σ_r [MPa].
+    pub radial: Vec<f64>,
+    /// τ_rθ [MPa].
+    pub shear: Vec<f64>,
+}
+
+/// What is written beside tables.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Output {
+    /// For which steps fields are written as VTU.
+    pub fields: FieldOutput,
+    /// Whether figures are drawn.
+    pub figures: bool,
+}
+
+/// For which load steps fields are computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum FieldOutput {
+    /// None.
+    None,
+    /// The last.
+    Last,
+    /// Each.
+    All,
+}
+
+/// Named things in the order of their names.
+pub type Named<T> = BTreeMap<String, T>;
