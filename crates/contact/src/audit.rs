@@ -8,11 +8,11 @@ use crate::state::ContactState;
 /// Resultants and balances at the end of a load step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Audit {
-    /// Resultant [force] of the contact forces on the first body of each pair, x and y.
+    /// Resultant `[force]` of the contact forces on the first body of each pair, x and y.
     pub resultants: Vec<[f64; 2]>,
-    /// Moment [force·length] of those forces about the origin.
+    /// Moment `[force·length]` of those forces about the origin.
     pub moments: Vec<f64>,
-    /// Sum of |λ_t| over each pair [force], and signed sum of λ_t.
+    /// Sum of |λ_t| over each pair `[force]`, and signed sum of λ_t.
     pub friction: Vec<FrictionSum>,
     /// Largest unbalanced resultant of a floating body, relative to the largest load resultant or contact resultant.
     pub balance: f64,
@@ -23,11 +23,11 @@ pub struct Audit {
 /// Sums of contact forces over one pair.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FrictionSum {
-    /// Σ λ_n [force].
+    /// Σ λ_n `[force]`.
     pub normal: f64,
-    /// Σ λ_t [force], along e_t.
+    /// Σ λ_t `[force]`, along e_t.
     pub tangential: f64,
-    /// Σ |λ_t| [force].
+    /// Σ |λ_t| `[force]`.
     pub magnitude: f64,
 }
 
@@ -70,7 +70,13 @@ fn unbalanced(problem: &InterfaceProblem, state: &ContactState, audit: &Audit) -
     if load.is_empty() {
         return 0.0;
     }
-    let largest = audit.resultants.iter().fold(load.amax(), |scale, force| scale.max(force[0].hypot(force[1])));
+    let largest = audit.resultants.iter().fold(load.amax(), |scale, force| {
+        scale.max(force[0].hypot(force[1]))
+    });
     let sum = &load + problem.modes().tr_mul(&state.forces);
-    if largest > 0.0 { sum.amax() / largest } else { 0.0 }
+    if largest > 0.0 {
+        sum.amax() / largest
+    } else {
+        0.0
+    }
 }

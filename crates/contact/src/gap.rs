@@ -2,12 +2,14 @@
 //!
 //! Conforming circles, hole radius R, pin radius R − c (c: radial clearance), pin's centre displaced by e from the hole's:
 //!
-//!     g₀(θ) = R − [e·e_r + √((R − c)² − |e|² + (e·e_r)²)]
+//! ```text
+//! g₀(θ) = R − [e·e_r + √((R − c)² − |e|² + (e·e_r)²)]
+//! ```
 //!
 //! First contact at θ = 0 is e = (c, 0); to first order in c/R that is c (1 − cos θ). Interference (c < 0) starts
 //! concentric, e = 0. A cylinder of radius R on a plane: g₀(x) = R − √(R² − x²) ≈ x²/2R.
 
-/// Gap [length] along the radius at angle `theta` [rad] between a hole of `radius` and a pin smaller by `clearance`, whose
+/// Gap `[length]` along the radius at angle `theta` `[rad]` between a hole of `radius` and a pin smaller by `clearance`, whose
 /// centre lies at `offset` from the hole's. NaN if the radius at `theta` misses the pin.
 pub fn circles(radius: f64, clearance: f64, offset: [f64; 2], theta: f64) -> f64 {
     let pin = radius - clearance;
@@ -22,7 +24,7 @@ pub fn circles_linearised(clearance: f64, offset: [f64; 2], theta: f64) -> f64 {
     clearance - offset[0] * theta.cos() - offset[1] * theta.sin()
 }
 
-/// Gap [length] at `x` between a plane and a cylinder of `radius` that touches it at x = 0. NaN beyond the radius.
+/// Gap `[length]` at `x` between a plane and a cylinder of `radius` that touches it at x = 0. NaN beyond the radius.
 pub fn cylinder(radius: f64, x: f64) -> f64 {
     x * x / (radius + (radius * radius - x * x).sqrt())
 }
@@ -42,8 +44,9 @@ mod tests {
         for k in 0..=36 {
             let theta = f64::from(k) * std::f64::consts::PI / 36.0;
             let pin = radius - clearance;
-            let direct =
-                radius - (clearance * theta.cos() + (pin * pin - (clearance * theta.sin()).powi(2)).sqrt());
+            let direct = radius
+                - (clearance * theta.cos()
+                    + (pin * pin - (clearance * theta.sin()).powi(2)).sqrt());
             assert!((circles(radius, clearance, [clearance, 0.0], theta) - direct).abs() < 1e-15);
         }
         assert_eq!(circles(radius, clearance, [clearance, 0.0], 0.0), 0.0);

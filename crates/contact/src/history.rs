@@ -36,19 +36,32 @@ impl LoadHistory {
     /// [`ContactError::InvalidLoad`] if steps differ in length, a multiplier is not finite, or `substeps` is zero.
     pub fn new(steps: Vec<Vec<f64>>, substeps: usize, ramp: Ramp) -> Result<Self, ContactError> {
         if substeps == 0 {
-            return Err(ContactError::InvalidLoad { step: 0, what: "0 sub-steps; at least 1 is needed".into() });
+            return Err(ContactError::InvalidLoad {
+                step: 0,
+                what: "0 sub-steps; at least 1 is needed".into(),
+            });
         }
         let cases = steps.first().map_or(0, Vec::len);
         for (step, multipliers) in steps.iter().enumerate() {
             if multipliers.len() != cases {
-                let what = format!("{} multipliers where the first step has {cases}", multipliers.len());
+                let what = format!(
+                    "{} multipliers where the first step has {cases}",
+                    multipliers.len()
+                );
                 return Err(ContactError::InvalidLoad { step, what });
             }
             if let Some(value) = multipliers.iter().find(|value| !value.is_finite()) {
-                return Err(ContactError::InvalidLoad { step, what: format!("the multiplier {value} is not finite") });
+                return Err(ContactError::InvalidLoad {
+                    step,
+                    what: format!("the multiplier {value} is not finite"),
+                });
             }
         }
-        Ok(Self { steps, substeps, ramp })
+        Ok(Self {
+            steps,
+            substeps,
+            ramp,
+        })
     }
 
     /// Multipliers at the end of each step.
@@ -71,7 +84,11 @@ impl LoadHistory {
         let mut records: Vec<StepRecord> = Vec::with_capacity(self.steps.len());
         for (index, target) in self.steps.iter().enumerate() {
             if target.len() != problem.load_cases() {
-                let what = format!("{} multipliers for {} load cases", target.len(), problem.load_cases());
+                let what = format!(
+                    "{} multipliers for {} load cases",
+                    target.len(),
+                    problem.load_cases()
+                );
                 return Err(ContactError::InvalidLoad { step: index, what });
             }
             let record = self.walk(problem, solver, &state, index, target)?;
@@ -84,7 +101,11 @@ impl LoadHistory {
 
     /// Fraction of a step's increment that is applied after the part `k` of it.
     fn fraction(&self, index: usize, part: f64) -> f64 {
-        if index == 0 && self.ramp == Ramp::Quadratic { part * part } else { part }
+        if index == 0 && self.ramp == Ramp::Quadratic {
+            part * part
+        } else {
+            part
+        }
     }
 
     fn walk(
@@ -101,10 +122,22 @@ impl LoadHistory {
             let (mut reached, end) = (substep as f64 * whole, (substep + 1) as f64 * whole);
             let mut part = end - reached;
             while reached < end {
-                let next = if end - reached <= part * (1.0 + 1e-9) { end } else { reached + part };
-                let fraction = if next >= 1.0 { 1.0 } else { self.fraction(index, next) };
-                let multipliers: Vec<f64> =
-                    start.multipliers.iter().zip(target).map(|(from, to)| from + fraction * (to - from)).collect();
+                let next = if end - reached <= part * (1.0 + 1e-9) {
+                    end
+                } else {
+                    reached + part
+                };
+                let fraction = if next >= 1.0 {
+                    1.0
+                } else {
+                    self.fraction(index, next)
+                };
+                let multipliers: Vec<f64> = start
+                    .multipliers
+                    .iter()
+                    .zip(target)
+                    .map(|(from, to)| from + fraction * (to - from))
+                    .collect();
                 match walk.advance(problem, solver, &multipliers) {
                     Ok(()) => reached = next,
                     Err(cause) if part > whole * SMALLEST_PART && !cause.is_proved_impossible() => {
@@ -112,7 +145,13 @@ impl LoadHistory {
                         walk.cutbacks += 1;
                         part *= 0.5;
                     }
-                    Err(cause) => return Err(ContactError::StepFailed { step: index, reached, cause }),
+                    Err(cause) => {
+                        return Err(ContactError::StepFailed {
+                            step: index,
+                            reached,
+                            cause,
+                        });
+                    }
                 }
             }
         }
@@ -157,7 +196,10 @@ impl Walk {
         let solution = solver.solve(&Step::new(problem, &self.state, multipliers))?;
         self.work += solution.work;
         self.residuals = Residuals {
-            complementarity: self.residuals.complementarity.max(solution.residuals.complementarity),
+            complementarity: self
+                .residuals
+                .complementarity
+                .max(solution.residuals.complementarity),
             cone: self.residuals.cone.max(solution.residuals.cone),
             balance: self.residuals.balance.max(solution.residuals.balance),
         };
@@ -169,8 +211,14 @@ impl Walk {
         for (k, status) in solution.trial.status.iter().enumerate() {
             if status.slip_sign() != 0.0 {
                 let slip = solution.trial.motion[2 * k + 1] - self.state.tangential_displacement(k);
-                let mean = f64::midpoint(solution.trial.forces[2 * k + 1], self.state.tangential_force(k));
-                self.dissipation -= mean * slip;
+                // A point that starts to slip within the increment does so at its bound, not at the force it had before.
+                let end = solution.trial.forces[2 * k + 1];
+                let start = if self.state.status[k] == *status {
+                    self.state.tangential_force(k)
+                } else {
+                    end
+                };
+                self.dissipation -= f64::midpoint(start, end) * slip;
                 self.slip[k] += slip;
             }
         }
@@ -211,9 +259,9 @@ pub struct StepRecord {
     pub increments: usize,
     /// Increments that failed and were halved.
     pub cutbacks: usize,
-    /// Work lost to friction in the step [force·length], by the mean force over each increment; ≥ 0 up to its error.
+    /// Work lost to friction in the step `[force·length]`: slip times the mean of the slip forces at both ends of each increment.
     pub dissipation: f64,
-    /// Slip of each point in the step [length], first body against the second along e_t; zero where it did not slip.
+    /// Slip of each point in the step `[length]`, first body against the second along e_t; zero where it did not slip.
     pub slip: DVector<f64>,
     /// Equilibrium at its end.
     pub audit: Audit,

@@ -4,7 +4,9 @@
 //! [`InterfaceOperator`](stickslip_fem_core::InterfaceOperator)s, are assembled into one dense [`InterfaceProblem`], and a
 //! [`LoadHistory`] walks that problem through its load steps with an [`InterfaceSolver`](solver::InterfaceSolver).
 //!
-//!     g_n ≥ 0,  λ_n ≥ 0,  g_n λ_n = 0;     |λ_t| ≤ F (stick),   λ_t = −F sign Δs (slip)
+//! ```text
+//! g_n ≥ 0,  λ_n ≥ 0,  g_n λ_n = 0;     |λ_t| ≤ F (stick),   λ_t = −F sign Δs (slip)
+//! ```
 //!
 //! | module | subject |
 //! | --- | --- |
@@ -31,5 +33,7 @@ pub mod zones;
 pub use error::ContactError;
 pub use history::{LoadHistory, Ramp, StepRecord};
 pub use problem::{ContactPair, ContactPoint, InterfaceProblem};
-pub use solver::{Chain, InterfaceSolver, Pivoting, SemismoothNewton, StatusIteration};
+pub use solver::{
+    Chain, Enumeration, InterfaceSolver, Pivoting, SemismoothNewton, StatusIteration,
+};
 pub use state::{ContactState, Status};

@@ -2,11 +2,13 @@
 //!
 //! With normal and tangential components interleaved, (n, t) per point,
 //!
-//!     (g − g₀, s) = A λ + Σ_k m_k d_k + G α,     Gᵀ λ + Σ_k m_k r_k = 0
-//!     A = Σ_b B_b C_b B_bᵀ,   d_k = Σ_b B_b u_k,b,   G = [B_b R_b],   r_k = [r_k,b]
+//! ```text
+//! (g − g₀, s) = A λ + Σ_k m_k d_k + G α,     Gᵀ λ + Σ_k m_k r_k = 0
+//! A = Σ_b B_b C_b B_bᵀ,   d_k = Σ_b B_b u_k,b,   G = [B_b R_b],   r_k = [r_k,b]
+//! ```
 //!
 //! where B_b takes displacements of body b into the frames of the points it touches, with + for the first body of a pair
-//! and − for the second. Forces λ [force] act on the first body.
+//! and − for the second. Forces λ `[force]` act on the first body.
 
 use std::sync::Arc;
 
@@ -25,11 +27,11 @@ pub struct ContactPoint {
     pub second: usize,
     /// Unit normal e_n from the second body into the first; e_t is e_n turned by +90°.
     pub normal: [f64; 2],
-    /// Initial gap g₀ [length]; negative for interference.
+    /// Initial gap g₀ `[length]`; negative for interference.
     pub gap: f64,
-    /// Contact area that the point stands for [length²]: traction = force / area.
+    /// Contact area that the point stands for `[length²]`: traction = force / area.
     pub area: f64,
-    /// Angle of the first body's 1-axis from x [rad].
+    /// Angle of the first body's 1-axis from x `[rad]`.
     pub material_angle: f64,
 }
 
@@ -53,9 +55,9 @@ pub struct ContactPair {
 pub struct ProblemPoint {
     /// Index of the pair it belongs to.
     pub pair: usize,
-    /// Initial gap [length].
+    /// Initial gap `[length]`.
     pub gap: f64,
-    /// Contact area [length²].
+    /// Contact area `[length²]`.
     pub area: f64,
     /// Place handed to the friction law.
     pub place: Place,
@@ -86,10 +88,16 @@ impl InterfaceProblem {
     /// # Errors
     /// [`ContactError::InvalidPair`] for an index out of range, a number that is not finite, a normal that is not a unit
     /// vector or an area that is not positive; [`ContactError::LoadCases`] if the bodies disagree in the number of cases.
-    pub fn new(bodies: &[&dyn InterfaceOperator], pairs: Vec<ContactPair>) -> Result<Self, ContactError> {
+    pub fn new(
+        bodies: &[&dyn InterfaceOperator],
+        pairs: Vec<ContactPair>,
+    ) -> Result<Self, ContactError> {
         let cases = bodies.first().map_or(0, |body| body.load_cases());
         if let Some(other) = bodies.iter().find(|body| body.load_cases() != cases) {
-            return Err(ContactError::LoadCases { first: cases, other: other.load_cases() });
+            return Err(ContactError::LoadCases {
+                first: cases,
+                other: other.load_cases(),
+            });
         }
         pairs.iter().try_for_each(|pair| check_pair(pair, bodies))?;
         let mut offsets = vec![0];
@@ -126,10 +134,14 @@ impl InterfaceProblem {
                 for row in &touches[j..] {
                     let block = compliance.fixed_view::<2, 2>(2 * row.local, 2 * column.local);
                     let turned = row.frame * block * column.frame.transpose();
-                    let mut target = self.compliance.fixed_view_mut::<2, 2>(2 * row.point, 2 * column.point);
+                    let mut target = self
+                        .compliance
+                        .fixed_view_mut::<2, 2>(2 * row.point, 2 * column.point);
                     target += turned;
                     if row.point != column.point {
-                        let mut mirror = self.compliance.fixed_view_mut::<2, 2>(2 * column.point, 2 * row.point);
+                        let mut mirror = self
+                            .compliance
+                            .fixed_view_mut::<2, 2>(2 * column.point, 2 * row.point);
                         mirror += turned.transpose();
                     }
                 }
@@ -139,10 +151,14 @@ impl InterfaceProblem {
         let count = body.modes().ncols();
         for touch in &touches {
             let motion = touch.frame * body.modes().rows(2 * touch.local, 2);
-            self.modes.view_mut((2 * touch.point, first_mode), (2, count)).copy_from(&motion);
+            self.modes
+                .view_mut((2 * touch.point, first_mode), (2, count))
+                .copy_from(&motion);
         }
         for case in 0..self.case_motion.len() {
-            self.case_mode_load[case].rows_mut(first_mode, count).copy_from(body.mode_load(case));
+            self.case_mode_load[case]
+                .rows_mut(first_mode, count)
+                .copy_from(body.mode_load(case));
             if let Some(response) = body.load_response(case) {
                 for touch in &touches {
                     let motion = touch.frame * response.fixed_rows::<2>(2 * touch.local);
@@ -160,10 +176,18 @@ impl InterfaceProblem {
             for (k, point) in pair.points.iter().enumerate() {
                 let frame = frame(point.normal);
                 if pair.first == index {
-                    touches.push(Touch { point: offset + k, local: point.first, frame });
+                    touches.push(Touch {
+                        point: offset + k,
+                        local: point.first,
+                        frame,
+                    });
                 }
                 if pair.second == index {
-                    touches.push(Touch { point: offset + k, local: point.second, frame: -frame });
+                    touches.push(Touch {
+                        point: offset + k,
+                        local: point.second,
+                        frame: -frame,
+                    });
                 }
             }
         }
@@ -176,7 +200,12 @@ impl InterfaceProblem {
         for (k, point) in self.points.iter_mut().enumerate() {
             let row = 2 * k + 1;
             let gives = self.compliance[(row, row)] > NEGLIGIBLE * stiffest;
-            point.slides = gives || self.modes.row(row).iter().any(|value| value.abs() > NEGLIGIBLE);
+            point.slides = gives
+                || self
+                    .modes
+                    .row(row)
+                    .iter()
+                    .any(|value| value.abs() > NEGLIGIBLE);
         }
     }
 
@@ -200,7 +229,7 @@ impl InterfaceProblem {
         self.pairs[self.points[point].pair].law.as_ref()
     }
 
-    /// Compliance A [length/force], 2n × 2n, symmetric positive semidefinite.
+    /// Compliance A `[length/force]`, 2n × 2n, symmetric positive semidefinite.
     pub fn compliance(&self) -> &DMatrix<f64> {
         &self.compliance
     }
@@ -220,17 +249,17 @@ impl InterfaceProblem {
         self.case_motion.len()
     }
 
-    /// Relative motion Σ m_k d_k [length] of the points by the loads alone, 2n.
+    /// Relative motion Σ m_k d_k `[length]` of the points by the loads alone, 2n.
     pub fn load_motion(&self, multipliers: &[f64]) -> DVector<f64> {
         combine(&self.case_motion, multipliers, 2 * self.points.len())
     }
 
-    /// Resultants Σ m_k r_k [force] of the loads in the rigid motions, m.
+    /// Resultants Σ m_k r_k `[force]` of the loads in the rigid motions, m.
     pub fn mode_load(&self, multipliers: &[f64]) -> DVector<f64> {
         combine(&self.case_mode_load, multipliers, self.modes.ncols())
     }
 
-    /// Forces [force] on the contact points of body `index` (2 × `count`, xy interleaved) by contact forces `forces`
+    /// Forces `[force]` on the contact points of body `index` (2 × `count`, xy interleaved) by contact forces `forces`
     /// (2n, normal and tangential interleaved).
     pub fn forces_on_body(&self, index: usize, count: usize, forces: &DVector<f64>) -> Vec<f64> {
         let mut on_body = vec![0.0; 2 * count];
@@ -286,17 +315,28 @@ fn problem_points(pairs: &[ContactPair], bodies: &[&dyn InterfaceOperator]) -> V
 
 fn check_pair(pair: &ContactPair, bodies: &[&dyn InterfaceOperator]) -> Result<(), ContactError> {
     let refuse = |point: usize, what: String| {
-        Err(ContactError::InvalidPair { pair: pair.name.clone(), point, what })
+        Err(ContactError::InvalidPair {
+            pair: pair.name.clone(),
+            point,
+            what,
+        })
     };
     for (index, body) in [pair.first, pair.second].into_iter().enumerate() {
         if body >= bodies.len() {
             return refuse(0, format!("body {body} of {} does not exist", bodies.len()));
         }
         for (k, point) in pair.points.iter().enumerate() {
-            let local = if index == 0 { point.first } else { point.second };
+            let local = if index == 0 {
+                point.first
+            } else {
+                point.second
+            };
             let count = bodies[body].points().len();
             if local >= count {
-                return refuse(k, format!("contact node {local} of body {body}, which has {count}"));
+                return refuse(
+                    k,
+                    format!("contact node {local} of body {body}, which has {count}"),
+                );
             }
         }
     }

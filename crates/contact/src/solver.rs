@@ -7,12 +7,14 @@
 //! | --- | --- | --- |
 //! | [`StatusIteration`] | guess open/stick/slip, solve, correct all at once (Post & Reddy 1988, II 2.1) | may cycle, and says so |
 //! | [`SemismoothNewton`] | the same solves, corrected by the projection's own sign rules (Alart & Curnier 1991) | may cycle, and says so |
-//! | [`Pivoting`] | Lemke's complementary pivoting (Cottle, Pang & Stone 1992) | after finitely many pivots |
+//! | [`Pivoting`] | Lemke's complementary pivoting (Cottle, Pang & Stone 1992) | after finitely many pivots; with a solution where all bodies are supported |
+//! | [`Enumeration`] | every combination of statuses | after 4ⁿ solves, with a proof if there is no solution |
 //! | [`Chain`] | a solver made of solvers: the next one takes over where one fails | with its last member |
 
 mod active_set;
 mod chain;
 mod complementarity;
+mod enumeration;
 mod frozen;
 mod lemke;
 mod pivoting;
@@ -23,6 +25,7 @@ use thiserror::Error;
 
 pub use active_set::{SemismoothNewton, StatusIteration};
 pub use chain::Chain;
+pub use enumeration::Enumeration;
 pub use pivoting::Pivoting;
 pub use residual::Residuals;
 pub use step::Step;
@@ -87,6 +90,22 @@ pub enum FailureCause {
         /// Largest relative violation.
         violation: f64,
     },
+    /// No combination of statuses meets the conditions.
+    #[error("none of {combinations} combinations of statuses meets the contact conditions{}", if *proved { " (proved)" } else { "" })]
+    NoSolution {
+        /// Number of combinations.
+        combinations: usize,
+        /// Whether that is a proof: the law is linear within the step, and no combination leaves its solution undetermined.
+        proved: bool,
+    },
+    /// The problem is too large for enumeration.
+    #[error("{points} points are more than {limit}")]
+    TooManyPoints {
+        /// Number of points.
+        points: usize,
+        /// Largest number that is tried.
+        limit: usize,
+    },
     /// A floating body's load cannot be balanced: a rigid motion along which the load works separates, or slides along,
     /// every contact.
     #[error("the load cannot be balanced: nothing stops a rigid motion on which it does work{}", if *proved { " (proved)" } else { "" })]
@@ -110,12 +129,17 @@ pub struct StepFailure {
 
 impl StepFailure {
     pub(crate) fn new(solver: &'static str, cause: FailureCause, work: Work) -> Self {
-        Self { attempts: vec![(solver, cause)], work }
+        Self {
+            attempts: vec![(solver, cause)],
+            work,
+        }
     }
 
-    /// Whether the load was proved to have no balance, so that smaller increments cannot help.
+    /// Whether the load was proved to have no balance in any history, so that smaller increments cannot help.
     pub fn is_proved_impossible(&self) -> bool {
-        self.attempts.iter().any(|(_, cause)| matches!(cause, FailureCause::Unbalanced { proved: true, .. }))
+        self.attempts
+            .iter()
+            .any(|(_, cause)| matches!(cause, FailureCause::Unbalanced { proved: true, .. }))
     }
 }
 

@@ -38,7 +38,11 @@ impl Status {
 
     /// Slip along the sign of `motion`.
     pub fn slip_along(motion: f64) -> Self {
-        if motion < 0.0 { Self::SlipNegative } else { Self::SlipPositive }
+        if motion < 0.0 {
+            Self::SlipNegative
+        } else {
+            Self::SlipPositive
+        }
     }
 
     /// The status without its direction, as friction laws know it.
@@ -65,9 +69,9 @@ impl fmt::Display for Status {
 /// Contact at the end of an accepted load step. Solvers read it and never change it; accepting a step makes a new one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactState {
-    /// Contact forces [force] on the first bodies, normal and tangential interleaved, 2n.
+    /// Contact forces `[force]` on the first bodies, normal and tangential interleaved, 2n.
     pub forces: DVector<f64>,
-    /// Gap and tangential displacement since the start [length], interleaved, 2n.
+    /// Gap and tangential displacement since the start `[length]`, interleaved, 2n.
     pub motion: DVector<f64>,
     /// Amounts of the rigid motions α, m.
     pub rigid: DVector<f64>,
@@ -97,22 +101,22 @@ impl ContactState {
         }
     }
 
-    /// Normal force [force] at a point, positive in compression.
+    /// Normal force `[force]` at a point, positive in compression.
     pub fn normal_force(&self, point: usize) -> f64 {
         self.forces[2 * point]
     }
 
-    /// Tangential force [force] on the first body at a point, along e_t.
+    /// Tangential force `[force]` on the first body at a point, along e_t.
     pub fn tangential_force(&self, point: usize) -> f64 {
         self.forces[2 * point + 1]
     }
 
-    /// Gap [length] at a point, positive when open.
+    /// Gap `[length]` at a point, positive when open.
     pub fn gap(&self, point: usize) -> f64 {
         self.motion[2 * point]
     }
 
-    /// Tangential displacement [length] of the first body against the second since the start, along e_t.
+    /// Tangential displacement `[length]` of the first body against the second since the start, along e_t.
     pub fn tangential_displacement(&self, point: usize) -> f64 {
         self.motion[2 * point + 1]
     }
@@ -140,13 +144,12 @@ impl ContactState {
 /// What a solver proposes for the end of a step; it becomes a [`ContactState`] only when the step is accepted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TrialState {
-    /// Contact forces [force], 2n.
+    /// Contact forces `[force]`, 2n.
     pub forces: DVector<f64>,
-    /// Gap and tangential displacement [length], 2n.
+    /// Gap and tangential displacement `[length]`, 2n.
     pub motion: DVector<f64>,
     /// Rigid motions, m.
     pub rigid: DVector<f64>,
     /// Status of each point.
     pub status: Vec<Status>,
 }
-

@@ -5,6 +5,8 @@
 //! vanishes, kept between the last touching and the first open point. Stick ends half-way between a sticking and a
 //! slipping point.
 
+use std::ops::Range;
+
 use crate::problem::InterfaceProblem;
 use crate::state::{ContactState, Status};
 
@@ -21,11 +23,17 @@ pub struct Zone {
 
 /// Zones of pair `pair` in walk order. `parameter` is the place of each of its points along the contact (angle or length),
 /// ascending.
-pub fn zones(problem: &InterfaceProblem, state: &ContactState, pair: usize, parameter: &[f64]) -> Vec<Zone> {
+pub fn zones(
+    problem: &InterfaceProblem,
+    state: &ContactState,
+    pair: usize,
+    parameter: &[f64],
+) -> Vec<Zone> {
     let range = problem.pair_points(pair);
-    let status = &state.status[range.clone()];
-    let squared: Vec<f64> =
-        range.map(|k| (state.normal_force(k) / problem.points()[k].area).powi(2)).collect();
+    let status = &seen_status(problem, state, range.clone());
+    let squared: Vec<f64> = range
+        .map(|k| (state.normal_force(k) / problem.points()[k].area).powi(2))
+        .collect();
     let mut zones: Vec<Zone> = Vec::new();
     for k in 0..status.len() {
         match zones.last_mut() {
@@ -33,12 +41,41 @@ pub fn zones(problem: &InterfaceProblem, state: &ContactState, pair: usize, para
             Some(last) => {
                 let border = border(status, &squared, parameter, k - 1);
                 last.end = border;
-                zones.push(Zone { status: status[k], start: border, end: parameter[k] });
+                zones.push(Zone {
+                    status: status[k],
+                    start: border,
+                    end: parameter[k],
+                });
             }
-            None => zones.push(Zone { status: status[k], start: parameter[k], end: parameter[k] }),
+            None => zones.push(Zone {
+                status: status[k],
+                start: parameter[k],
+                end: parameter[k],
+            }),
         }
     }
     zones
+}
+
+/// Statuses of the points `range`; one that touches but cannot slide (on a line of symmetry) takes its neighbour's.
+fn seen_status(
+    problem: &InterfaceProblem,
+    state: &ContactState,
+    range: Range<usize>,
+) -> Vec<Status> {
+    let mut status = state.status[range.clone()].to_vec();
+    let count = status.len();
+    for (k, point) in problem.points()[range].iter().enumerate() {
+        let neighbour = if k + 1 < count {
+            k + 1
+        } else {
+            k.saturating_sub(1)
+        };
+        if status[k].touches() && !point.slides && status[neighbour].touches() {
+            status[k] = status[neighbour];
+        }
+    }
+    status
 }
 
 /// Place of the change of status between points `left` and `left + 1`.
@@ -47,12 +84,19 @@ fn border(status: &[Status], squared: &[f64], parameter: &[f64], left: usize) ->
     let middle = f64::midpoint(here, there);
     match (status[left].touches(), status[left + 1].touches()) {
         (true, false) => {
-            let run = status[..=left].iter().rev().take_while(|status| status.touches()).count();
+            let run = status[..=left]
+                .iter()
+                .rev()
+                .take_while(|status| status.touches())
+                .count();
             let inner = (0..run).map(|k| (parameter[left - k], squared[left - k]));
             end_of_contact(inner).clamp(here, there)
         }
         (false, true) => {
-            let run = status[left + 1..].iter().take_while(|status| status.touches()).count();
+            let run = status[left + 1..]
+                .iter()
+                .take_while(|status| status.touches())
+                .count();
             let inner = (0..run).map(|k| (parameter[left + 1 + k], squared[left + 1 + k]));
             end_of_contact(inner).clamp(here, there)
         }
@@ -62,7 +106,15 @@ fn border(status: &[Status], squared: &[f64], parameter: &[f64], left: usize) ->
 
 /// Root of p², extrapolated linearly from the touching points next to the end, the nearest first.
 fn end_of_contact(mut inner: impl Iterator<Item = (f64, f64)>) -> f64 {
-    let Some((x1, p1)) = inner.next() else { return f64::NAN };
-    let Some((x2, p2)) = inner.next() else { return x1 };
-    if p2 > p1 { x1 + (x1 - x2) * p1 / (p2 - p1) } else { x1 }
+    let Some((x1, p1)) = inner.next() else {
+        return f64::NAN;
+    };
+    let Some((x2, p2)) = inner.next() else {
+        return x1;
+    };
+    if p2 > p1 {
+        x1 + (x1 - x2) * p1 / (p2 - p1)
+    } else {
+        x1
+    }
 }

@@ -3,6 +3,7 @@
 mod assembly;
 mod condensed;
 mod equations;
+mod parts;
 
 use std::sync::Arc;
 
@@ -44,11 +45,38 @@ pub enum BodyError {
         /// Index of the node.
         node: usize,
     },
-    /// Two supports ask different displacements of a node in one direction.
+    /// Two supports ask different displacements of a node in one direction, or a support holds or moves a node of a platen
+    /// in a way that the platen does not.
     #[error("the supports of node {node} contradict each other")]
     ContradictingSupports {
         /// Index of the node.
         node: usize,
+    },
+    /// A support has a direction or displacement that is not a finite number.
+    #[error("support {support}: its direction or displacement is not a finite number")]
+    SupportNotFinite {
+        /// Index of the support.
+        support: usize,
+    },
+    /// A platen is free along an axis in which supports elsewhere hold the body.
+    #[error(
+        "the platen is free in {free} translations, but supports leave the body only {left}: hold the platen there too"
+    )]
+    PlatenResisted {
+        /// Translations that the platen is free to make.
+        free: usize,
+        /// Translations that the supports leave.
+        left: usize,
+    },
+    /// A part of the mesh that shares no node with the rest, or is all of it, has a rigid motion that nothing prevents.
+    #[error(
+        "the part of the mesh joined to node {node} can move freely in {motions} of its 3 rigid motions: nothing holds it"
+    )]
+    LoosePart {
+        /// A node of the part.
+        node: usize,
+        /// Number of rigid motions that nothing prevents.
+        motions: usize,
     },
     /// A load case has a vector of the wrong length, or a number that is not finite.
     #[error("load case {case}: {what}")]
@@ -58,14 +86,19 @@ pub enum BodyError {
         /// What is wrong.
         what: &'static str,
     },
-    /// A new material was given to a structure made for another mesh or other supports.
-    #[error("the structure was made for {expected} nodes, this body has {found}")]
+    /// A body was given to a structure made for another mesh.
+    #[error(
+        "the structure was made for another mesh: it has {expected} nodes, this body's has {found}"
+    )]
     OtherStructure {
         /// Nodes of the structure's mesh.
         expected: usize,
         /// Nodes of the body's mesh.
         found: usize,
     },
+    /// A body was given to a structure made for other supports or another platen.
+    #[error("the structure was made for other supports")]
+    OtherSupports,
     /// The factorisation failed.
     #[error(transparent)]
     Factor(#[from] FactorError),
@@ -74,7 +107,7 @@ pub enum BodyError {
 /// One unit load on a body; a load history multiplies it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LoadCase {
-    /// Nodal forces [force], interleaved, 2 × nodes; empty for none.
+    /// Nodal forces `[force]`, interleaved, 2 × nodes; empty for none.
     pub forces: Vec<f64>,
     /// Initial (thermal) strain (ε_xx, ε_yy, γ_xy) per element block; empty for none. Its nodal forces are *not* in
     /// `forces`.
@@ -95,7 +128,7 @@ pub struct ElasticBody {
 }
 
 impl ElasticBody {
-    /// A body of `thickness` [length] with one material per element block, neither supported nor loaded yet.
+    /// A body of `thickness` `[length]` with one material per element block, neither supported nor loaded yet.
     ///
     /// # Errors
     /// [`BodyError::MaterialCount`], [`BodyError::Thickness`].
@@ -174,7 +207,7 @@ impl ElasticBody {
         &self.materials
     }
 
-    /// Thickness [length].
+    /// Thickness `[length]`.
     pub fn thickness(&self) -> f64 {
         self.thickness
     }
@@ -201,7 +234,8 @@ impl ElasticBody {
     /// Numbers the equations with the nodes of `interface` last and analyses the stiffness matrix's structure.
     ///
     /// # Errors
-    /// A node that does not exist or appears twice, contradicting supports, or a structure too large for memory.
+    /// A node that does not exist or appears twice, supports that are not finite or contradict each other or the platen, a
+    /// part of the mesh that is neither joined nor held, or a structure too large for memory.
     pub fn analyse(&self, interface: &[usize]) -> Result<Arc<BodyStructure>, BodyError> {
         BodyStructure::new(self, interface).map(Arc::new)
     }
@@ -209,7 +243,8 @@ impl ElasticBody {
     /// Condenses the body to the nodes of `interface`, in that order: one factorisation.
     ///
     /// # Errors
-    /// As [`analyse`](Self::analyse); [`BodyError::Factor`] if a part of the body is not connected to the rest.
+    /// As [`analyse`](Self::analyse); [`BodyError::Factor`] if the stiffness matrix is not positive definite, as where two
+    /// parts share a single node about which they can turn.
     pub fn condense(self: &Arc<Self>, interface: &[usize]) -> Result<CondensedBody, BodyError> {
         CondensedBody::new(Arc::clone(self), self.analyse(interface)?)
     }

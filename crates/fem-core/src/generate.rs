@@ -2,7 +2,9 @@
 //!
 //! Every generator maps lattices of cells to the plane,
 //!
-//!     x(i, j),   i = 0, ½, 1, … nᵢ,   j = 0, ½, 1, … nⱼ,
+//! ```text
+//! x(i, j),   i = 0, ½, 1, … nᵢ,   j = 0, ½, 1, … nⱼ,
+//! ```
 //!
 //! half steps giving the mid-side nodes of quadratic cells, so that they lie on the true circle. Lattices are joined where
 //! their nodes coincide ([`Blocks`]). Triangles come from cutting each quadrilateral along its shorter diagonal.
@@ -14,7 +16,7 @@
 //! | [`Rectangle`]      | rectangle                                  | left, right, bottom, top                           |
 //! | [`CylinderOnBlock`]| block and cylindrical cap, matching nodes  | contact, bottom or top, left, right, symmetry      |
 //!
-//! All lengths are in one unit [length], angles in rad, counter-clockwise from x.
+//! All lengths are in one unit `[length]`, angles in rad, counter-clockwise from x.
 
 mod blocks;
 mod count;
@@ -54,7 +56,7 @@ pub enum Growth {
     /// Geometric growth along each ray. The first layer is `aspect` times as thick as the neighbouring cells are wide on
     /// the circle, but never thicker than equal layers would be.
     Geometric {
-        /// Thickness of the first layer over the local arc spacing [1]; 1 makes square cells.
+        /// Thickness of the first layer over the local arc spacing `[1]`; 1 makes square cells.
         aspect: f64,
     },
     /// The far side of each layer as a fraction of the way from the circle: as many numbers as layers, increasing strictly

@@ -1,6 +1,8 @@
 //! What a contact solver sees of a body: a small dense operator on its contact points.
 //!
-//!     u = C λ + Σ_k m_k u_k + R α,      Rᵀ λ + Σ_k m_k r_k = 0
+//! ```text
+//! u = C λ + Σ_k m_k u_k + R α,      Rᵀ λ + Σ_k m_k r_k = 0
+//! ```
 //!
 //! | symbol | meaning | shape | unit |
 //! | --- | --- | --- | --- |
@@ -19,10 +21,10 @@ use crate::mesh::Point;
 
 /// A body reduced to its contact points; how it was made is its own affair.
 pub trait InterfaceOperator: Debug + Send + Sync {
-    /// Positions of the contact points [length], undeformed.
+    /// Positions of the contact points `[length]`, undeformed.
     fn points(&self) -> &[Point];
 
-    /// Compliance C [length/force], 2n × 2n; `None` for a rigid body.
+    /// Compliance C `[length/force]`, 2n × 2n; `None` for a rigid body.
     fn compliance(&self) -> Option<&DMatrix<f64>>;
 
     /// Rigid motions R of the contact points, 2n × f; f = 0 for a body that is held.
@@ -31,10 +33,10 @@ pub trait InterfaceOperator: Debug + Send + Sync {
     /// Number of load cases.
     fn load_cases(&self) -> usize;
 
-    /// Response u_k [length] of the contact points to load case `case`, 2n; `None` where the case does not load this body.
+    /// Response u_k `[length]` of the contact points to load case `case`, 2n; `None` where the case does not load this body.
     fn load_response(&self, case: usize) -> Option<&DVector<f64>>;
 
-    /// Resultants r_k [force] of load case `case` in the rigid motions, f.
+    /// Resultants r_k `[force]` of load case `case` in the rigid motions, f.
     fn mode_load(&self, case: usize) -> &DVector<f64>;
 }
 
@@ -70,7 +72,7 @@ impl RigidBody {
     }
 
     /// A rigid body free to move along x and y (where `free` says so) without turning; `forces[k]` is the resultant
-    /// [force] of load case `k`.
+    /// `[force]` of load case `k`.
     pub fn sliding(points: Vec<Point>, free: [bool; 2], forces: &[[f64; 2]]) -> Self {
         let directions: Vec<usize> = (0..2).filter(|&i| free[i]).collect();
         let modes = rigid_motions(&points, [0.0, 0.0], 1.0).select_columns(&directions);

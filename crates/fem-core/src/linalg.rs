@@ -4,7 +4,9 @@
 //! the factor `K = L Lᵀ` keeps that order. With the interface unknowns last, the trailing block of `L` is the Cholesky
 //! factor of the Schur complement,
 //!
-//!     K = [K_ii K_ic; K_ci K_cc],   S = K_cc − K_ci K_ii⁻¹ K_ic = L_cc L_ccᵀ.
+//! ```text
+//! K = [K_ii K_ic; K_ci K_cc],   S = K_cc − K_ci K_ii⁻¹ K_ic = L_cc L_ccᵀ.
+//! ```
 
 mod dense;
 mod ordering;

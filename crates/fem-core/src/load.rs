@@ -1,6 +1,8 @@
 //! Nodal forces of loads.
 //!
-//!     f_a = t ∫ N_a q ds   (tractions q on edges)      f = t ∫ Bᵀ D ε₀ dA   (initial strain ε₀)
+//! ```text
+//! f_a = t ∫ N_a q ds   (tractions q on edges)      f = t ∫ Bᵀ D ε₀ dA   (initial strain ε₀)
+//! ```
 
 use crate::element::{Element, KindVisitor, gather, thermal_load, with_element};
 use crate::material::PlaneStiffness;
@@ -9,7 +11,7 @@ use crate::mesh::{EdgeRef, Mesh, Point};
 /// Where a traction is evaluated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EdgePoint {
-    /// Position [length].
+    /// Position `[length]`.
     pub position: Point,
     /// Unit outward normal.
     pub normal: [f64; 2],
@@ -24,8 +26,8 @@ const GAUSS_5: [(f64, f64); 5] = [
     (0.906_179_845_938_664, 0.236_926_885_056_189_1),
 ];
 
-/// Forces [force] on all nodes, interleaved (2 × nodes), of a traction [stress] on `edges` of a body of `thickness`
-/// [length]. The traction is integrated by five Gauss points on each isoparametric edge.
+/// Forces `[force]` on all nodes, interleaved (2 × nodes), of a traction `[stress]` on `edges` of a body of `thickness`
+/// `[length]`. The traction is integrated by five Gauss points on each isoparametric edge.
 pub fn edge_load(
     mesh: &Mesh,
     edges: &[EdgeRef],
@@ -76,8 +78,8 @@ fn edge_shape(xi: f64, quadratic: bool) -> ([f64; 3], [f64; 3]) {
     }
 }
 
-/// Forces [force] on all nodes, interleaved, of one initial strain (ε_xx, ε_yy, γ_xy) per block, with the blocks'
-/// stiffnesses [stress].
+/// Forces `[force]` on all nodes, interleaved, of one initial strain (ε_xx, ε_yy, γ_xy) per block, with the blocks'
+/// stiffnesses `[stress]`.
 pub fn initial_strain_load(
     mesh: &Mesh,
     stiffness: &[PlaneStiffness],

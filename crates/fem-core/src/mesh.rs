@@ -2,7 +2,9 @@
 //!
 //! A cell maps its reference cell to the plane by its shape functions,
 //!
-//!     x(ξ) = Σₐ Nₐ(ξ) xₐ,   J(ξ) = ∂x/∂ξ,   det J > 0,
+//! ```text
+//! x(ξ) = Σₐ Nₐ(ξ) xₐ,   J(ξ) = ∂x/∂ξ,   det J > 0,
+//! ```
 //!
 //! and a [`Mesh`] exists only if det J is positive at every quadrature point and every corner of every cell, all indices
 //! are in range, and every node is used. Code that receives a `Mesh` checks none of this again.
@@ -64,7 +66,7 @@ impl Mesh {
         self.parts
     }
 
-    /// Node coordinates [length].
+    /// Node coordinates `[length]`.
     pub fn nodes(&self) -> &[Point] {
         &self.parts.nodes
     }
@@ -143,7 +145,7 @@ impl Mesh {
         self.parts.element_sets.keys().map(String::as_str)
     }
 
-    /// Smallest and largest corner of the box around all nodes [length].
+    /// Smallest and largest corner of the box around all nodes `[length]`.
     pub fn bounding_box(&self) -> [Point; 2] {
         let empty = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
         self.parts.nodes.iter().fold(empty, |[low, high], p| {

@@ -10,7 +10,7 @@ pub enum HeldDirection {
     X,
     /// Along y.
     Y,
-    /// Along the direction at this angle [rad], counter-clockwise from x.
+    /// Along the direction at this angle `[rad]`, counter-clockwise from x.
     Angle(f64),
 }
 
@@ -32,7 +32,7 @@ pub struct Support {
     pub nodes: Vec<usize>,
     /// The direction.
     pub direction: HeldDirection,
-    /// Displacement in that direction [length], scaled by the load case that drives the supports.
+    /// Displacement in that direction `[length]`, scaled by the load case that drives the supports.
     pub displacement: f64,
 }
 
@@ -65,6 +65,15 @@ impl NodeConstraint {
         [self.axis, [-self.axis[1], self.axis[0]]]
     }
 
+    /// Whether nothing but the platen's own hold acts on the node: no displacement, and no hold where the platen is free.
+    fn moves_with(&self, platen: &Platen) -> bool {
+        (0..2).filter(|&k| self.held[k]).all(|k| {
+            let axis = self.axes()[k];
+            self.displacement[k] == 0.0
+                && (0..2).all(|i| !platen.free[i] || axis[i].abs() < PARALLEL)
+        })
+    }
+
     pub(crate) fn is_turned(&self) -> bool {
         self.axis != [1.0, 0.0]
     }
@@ -84,14 +93,18 @@ impl NodeConstraint {
     }
 }
 
-/// One constraint per node from a body's supports and platen.
+/// One constraint per node from a body's supports and platen, both of which may hold a node where they agree.
 pub(crate) fn node_constraints(
     mesh: &Mesh,
     supports: &[Support],
     platen: Option<&Platen>,
 ) -> Result<Vec<NodeConstraint>, BodyError> {
     let mut constraints = vec![NodeConstraint::FREE; mesh.nodes().len()];
-    for support in supports {
+    for (index, support) in supports.iter().enumerate() {
+        let [x, y] = support.direction.unit();
+        if !(x.is_finite() && y.is_finite() && support.displacement.is_finite()) {
+            return Err(BodyError::SupportNotFinite { support: index });
+        }
         for &node in &support.nodes {
             let slot = constraints
                 .get_mut(node)
@@ -105,6 +118,9 @@ pub(crate) fn node_constraints(
             let slot = constraints
                 .get_mut(node)
                 .ok_or(BodyError::NoSuchNode { node })?;
+            if !slot.moves_with(platen) {
+                return Err(BodyError::ContradictingSupports { node });
+            }
             *slot = NodeConstraint {
                 held: [true; 2],
                 ..NodeConstraint::FREE
@@ -114,9 +130,11 @@ pub(crate) fn node_constraints(
     Ok(constraints)
 }
 
+/// Sine or cosine of an angle that counts as zero.
+const PARALLEL: f64 = 1e-9;
+
 /// Adds a held direction to what a node has already; `None` if that contradicts it.
 fn hold(now: NodeConstraint, direction: [f64; 2], displacement: f64) -> Option<NodeConstraint> {
-    const PARALLEL: f64 = 1e-9;
     let local = now.to_local(direction);
     match now.held {
         [false, false] => {

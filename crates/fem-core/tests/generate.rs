@@ -6,6 +6,10 @@ mod bodies;
 mod measure;
 #[path = "generate/refusals.rs"]
 mod refusals;
+#[path = "generate/shapes.rs"]
+mod shapes;
+#[path = "generate/sizes.rs"]
+mod sizes;
 #[path = "generate/validity.rs"]
 mod validity;
 

@@ -131,11 +131,15 @@ fn load_steps() -> LineChart {
         } else {
             (13 - step) as f64 / 7.0
         };
-        let turned = if up { 0.0 } else { 1.0 - load };
+        // Reversed slip grows while the load falls, and ends with the contact.
+        let share = if up {
+            load
+        } else {
+            load - 2.0 * (1.0 - load) * load.sqrt()
+        };
         let at = |degree: f64| {
             let reach = 20.0 + 60.0 * load;
-            let slipped = (load - 2.2 * turned) * shear(degree * 80.0 / reach);
-            [degree, slipped]
+            [degree, share * shear(degree * 80.0 / reach)]
         };
         let points = (0..=180).map(|half| at(f64::from(half) / 2.0)).collect();
         let label = format!(
@@ -375,6 +379,6 @@ fn page(pictures: Vec<(&'static str, Svg)>) -> Page {
         Section::new("Model").with(Block::Text("A pin of 9.525 mm in a plate.".to_owned())),
         figures,
     ];
-    page.footer = "stickslip gallery".to_owned();
+    page.footer = String::from("stickslip gallery");
     page
 }

@@ -1,7 +1,9 @@
 //! Axes: what a figure says about x or y, and where a value lies on it.
 //!
-//!     linear   s(v) = (v − low) / (high − low)
-//!     log      s(v) = (log₁₀ v − log₁₀ low) / (log₁₀ high − log₁₀ low)
+//! ```text
+//! linear   s(v) = (v − low) / (high − low)
+//! log      s(v) = (log₁₀ v − log₁₀ low) / (log₁₀ high − log₁₀ low)
+//! ```
 //!
 //! s is 0 at the low end and 1 at the high end. A value without a place (NaN,
 //! infinite, or not positive on a log axis) interrupts a line.

@@ -77,7 +77,7 @@ pub struct Series {
     pub color: Option<Color>,
     /// Dashes of the line.
     pub dash: Dash,
-    /// Width of the line [px].
+    /// Width of the line \[px\].
     pub width: f64,
 }
 
@@ -115,7 +115,7 @@ impl Series {
         self
     }
 
-    /// Sets the width of the line [px].
+    /// Sets the width of the line \[px\].
     #[must_use]
     pub fn width(mut self, width: f64) -> Self {
         self.width = width;
@@ -229,7 +229,7 @@ pub struct LineChart {
     pub references: Vec<ReferenceLine>,
     /// Place of the legend.
     pub legend: Legend,
-    /// Width of the whole figure [px].
+    /// Width of the whole figure \[px\].
     pub width: f64,
     /// Height over width of the area inside the frame.
     pub aspect: f64,
@@ -287,7 +287,7 @@ impl LineChart {
         self
     }
 
-    /// Sets the width of the figure [px] and the aspect of the frame.
+    /// Sets the width of the figure \[px\] and the aspect of the frame.
     #[must_use]
     pub fn size(mut self, width: f64, aspect: f64) -> Self {
         self.width = width;

@@ -62,7 +62,7 @@ impl From<colorous::Color> for Color {
     }
 }
 
-/// A continuous map from [0, 1] to colours.
+/// A continuous map from \[0, 1\] to colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Colormap {
     /// Dark blue over green to yellow, perceptually uniform: magnitudes.
@@ -72,7 +72,7 @@ pub enum Colormap {
 }
 
 impl Colormap {
-    /// The colour at `fraction`, which is clamped to [0, 1]; NaN gives the colour at 0.
+    /// The colour at `fraction`, which is clamped to \[0, 1\]; NaN gives the colour at 0.
     pub fn at(self, fraction: f64) -> Color {
         let fraction = if fraction.is_nan() {
             0.0

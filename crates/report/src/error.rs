@@ -46,7 +46,7 @@ pub enum FigureError {
     Size {
         /// Title of the figure.
         title: String,
-        /// Width of the figure [px].
+        /// Width of the figure \[px\].
         width: f64,
         /// Height over width of the plot area.
         aspect: f64,
@@ -98,9 +98,9 @@ pub enum FigureError {
     /// The picture would not fit in memory, or the drawing library refused it.
     #[error("no PNG of a {width} × {height} px figure at scale {scale}: {reason}")]
     Raster {
-        /// Width of the figure [px].
+        /// Width of the figure \[px\].
         width: f64,
-        /// Height of the figure [px].
+        /// Height of the figure \[px\].
         height: f64,
         /// Pixels per figure pixel.
         scale: f64,

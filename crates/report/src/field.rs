@@ -1,6 +1,8 @@
 //! Fields on meshes: colours between nodes, outline, optional mesh lines, colour bar.
 //!
-//!     x(ξ, η) = Σ Nᵢ(ξ, η) xᵢ        v(ξ, η) = Σ Nᵢ(ξ, η) vᵢ
+//! ```text
+//! x(ξ, η) = Σ Nᵢ(ξ, η) xᵢ        v(ξ, η) = Σ Nᵢ(ξ, η) vᵢ
+//! ```
 //!
 //! A cell is the loop of its border nodes, in order: 3 and 4 nodes are linear, 6 and 8
 //! are quadratic with mid-side nodes between the corners (c₀ m₀ c₁ m₁ …), so curved
@@ -42,7 +44,7 @@ pub struct FieldPlot<'a> {
     pub title: String,
     /// A second, smaller line: case, load, step.
     pub subtitle: Option<String>,
-    /// Coordinates of the nodes [length]; displace them for a deformed shape.
+    /// Coordinates of the nodes \[length\]; displace them for a deformed shape.
     pub nodes: &'a [[f64; 2]],
     /// Node indices around each cell, see the module's text.
     pub cells: &'a [Vec<usize>],
@@ -58,14 +60,14 @@ pub struct FieldPlot<'a> {
     /// the bar is pointed. If not given, the least and largest value in sight, and for
     /// a diverging map ± the largest magnitude.
     pub range: Option<[f64; 2]>,
-    /// The part to show, `[x_low, x_high, y_low, y_high]` [length].
+    /// The part to show, `[x_low, x_high, y_low, y_high]` \[length\].
     pub window: Option<[f64; 4]>,
     /// Whether mesh lines are drawn; they are left out where cells are so small
     /// (3 px) that lines would hide the field.
     pub draw_mesh: bool,
     /// Completes a half model.
     pub mirror: Mirror,
-    /// Largest width of the whole figure [px].
+    /// Largest width of the whole figure \[px\].
     pub width: f64,
 }
 

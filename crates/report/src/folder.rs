@@ -1,12 +1,15 @@
 //! Result folders and files that appear whole or not at all.
 //!
-//!     write     everything into a hidden folder beside the target, synced to disk
-//!     finish    move an old result aside, move the new one in, delete the old one
-//!     drop      without `finish`: delete the hidden folder; the target is as before
+//! ```text
+//! write     everything into a hidden folder beside the target, synced to disk
+//! finish    move an old result aside, move the new one in, delete the old one
+//! drop      without `finish`: delete the hidden folder; the target is as before
+//! ```
 //!
 //! A rename within one folder is atomic on POSIX systems, so a reader sees the old
 //! files or the new ones, never a part. A process that is killed leaves a hidden
-//! folder `.NAME.partial-…`, which may be deleted, and never a half result.
+//! folder `.NAME.partial-…`, which may be deleted; killed between the two renames of a
+//! replacement, it leaves the old results whole as `.NAME.old-…`.
 
 use std::fs::{self, File};
 use std::io::{self, Write as _};
@@ -78,6 +81,25 @@ pub enum FolderError {
         path: PathBuf,
         /// Where the new results are.
         kept: PathBuf,
+        /// The system's reason.
+        #[source]
+        cause: io::Error,
+    },
+    /// Neither the new results nor, after that, the old ones could be put in place.
+    #[error(
+        "neither the new results, kept in '{}', nor the old ones, kept in '{}', could be put in '{}'; \
+         move one of them there",
+        kept.display(),
+        old.display(),
+        path.display()
+    )]
+    NotRestored {
+        /// The target.
+        path: PathBuf,
+        /// Where the new results are.
+        kept: PathBuf,
+        /// Where the old results are.
+        old: PathBuf,
         /// The system's reason.
         #[source]
         cause: io::Error,
@@ -177,7 +199,7 @@ impl ResultFolder {
     ///
     /// # Errors
     /// [`FolderError::NotPlaced`] if the results had to stay beside the target, which is
-    /// then as before;
+    /// then as before ([`FolderError::NotRestored`]: moved aside);
     /// [`FolderError::OldKept`] if only the deletion of the old results failed.
     pub fn finish(mut self, summary: &str) -> Result<PathBuf, FolderError> {
         // From here on the results are complete and are not deleted any more.
@@ -191,8 +213,13 @@ impl ResultFolder {
         write_synced(&marker, summary.as_bytes()).map_err(not_placed)?;
         let old = self.move_old_aside().map_err(not_placed)?;
         if let Err(cause) = fs::rename(&self.staging, &self.target) {
-            if let Some(old) = &old {
-                fs::rename(old, &self.target).map_err(not_placed)?;
+            if let Some(old) = old {
+                fs::rename(&old, &self.target).map_err(|cause| FolderError::NotRestored {
+                    path: self.target.clone(),
+                    kept: self.staging.clone(),
+                    old,
+                    cause,
+                })?;
             }
             return Err(not_placed(cause));
         }

@@ -5,7 +5,7 @@ use crate::axis::ticks::Ticks;
 use crate::axis::{Axis, Span};
 use crate::color::Color;
 use crate::error::FigureError;
-use crate::svg::{Anchor, Area, Canvas, Px, Stroke, TextStyle};
+use crate::svg::{Anchor, Area, Canvas, Px, Stroke, TextStyle, push_point};
 use crate::text::{self, Weight};
 
 pub(crate) const INK: Color = Color::rgb(0x22, 0x22, 0x22);
@@ -14,7 +14,7 @@ const GRID: Color = Color::rgb(0xe3, 0xe3, 0xe3);
 const FAINT_GRID: Color = Color::rgb(0xf1, 0xf1, 0xf1);
 const FRAME: Color = Color::rgb(0x77, 0x77, 0x77);
 
-/// Free border around a figure [px].
+/// Free border around a figure \[px\].
 pub(crate) const OUTER: f64 = 12.0;
 pub(crate) const TITLE_SIZE: f64 = 15.0;
 const SUBTITLE_SIZE: f64 = 12.0;
@@ -58,17 +58,17 @@ impl Frame {
         })
     }
 
-    /// Room needed left of the area for the ticks and label of `axis` [px].
+    /// Room needed left of the area for the ticks and label of `axis` \[px\].
     pub(crate) fn left_margin(&self) -> f64 {
-        self.tick_label_width() + TICK_LENGTH + TICK_GAP + self.label_depth(&self.y_label)
+        self.tick_label_width() + TICK_LENGTH + TICK_GAP + label_depth(&self.y_label)
     }
 
-    /// Room needed below the area [px].
+    /// Room needed below the area \[px\].
     pub(crate) fn bottom_margin(&self) -> f64 {
-        TICK_LENGTH + TICK_SIZE * LINE_HEIGHT + self.label_depth(&self.x_label)
+        TICK_LENGTH + TICK_SIZE * LINE_HEIGHT + label_depth(&self.x_label)
     }
 
-    /// Room needed above the area for the factor of the y labels [px].
+    /// Room needed above the area for the factor of the y labels \[px\].
     pub(crate) fn top_margin(&self) -> f64 {
         if self.y_ticks.factor.is_some() {
             TICK_SIZE * LINE_HEIGHT
@@ -77,7 +77,7 @@ impl Frame {
         }
     }
 
-    /// Room needed right of the area for half of the last tick's label [px].
+    /// Room needed right of the area for half of the last tick's label \[px\].
     pub(crate) fn right_margin(&self) -> f64 {
         let last = self
             .x_ticks
@@ -154,6 +154,7 @@ impl Frame {
     fn draw_border(&self, canvas: &mut Canvas) {
         let area = self.area;
         let stroke = Stroke::solid(FRAME, 1.0);
+        let (down, left) = (format!("v{TICK_LENGTH}"), format!("h-{TICK_LENGTH}"));
         let mut data = format!(
             "M{} {}h{}v{}h{}z",
             Px(area.left),
@@ -168,7 +169,8 @@ impl Frame {
             .iter()
             .filter_map(|tick| self.pixel_x(tick.value))
         {
-            data += &format!("M{} {}v{TICK_LENGTH}", Px(x), Px(area.bottom()));
+            push_point(&mut data, 'M', [x, area.bottom()]);
+            data += &down;
         }
         for y in self
             .y_ticks
@@ -176,7 +178,8 @@ impl Frame {
             .iter()
             .filter_map(|tick| self.pixel_y(tick.value))
         {
-            data += &format!("M{} {}h-{TICK_LENGTH}", Px(area.left), Px(y));
+            push_point(&mut data, 'M', [area.left, y]);
+            data += &left;
         }
         canvas.stroked_path(&data, &stroke);
     }
@@ -239,11 +242,13 @@ impl Frame {
             TICK_SIZE,
         )
     }
+}
 
-    fn label_depth(&self, lines: &[String]) -> f64 {
-        if lines.is_empty() {
-            return 0.0;
-        }
+/// Room that an axis label needs across its lines \[px\].
+fn label_depth(lines: &[String]) -> f64 {
+    if lines.is_empty() {
+        0.0
+    } else {
         LABEL_GAP + LABEL_SIZE * LINE_HEIGHT * lines.len() as f64
     }
 }

@@ -2,7 +2,7 @@
 //! elsewhere, no scripts. It follows the reader's choice of light or dark; figures stay
 //! on white. Every text is escaped; only pictures of this crate enter as they are.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 use minijinja::{Environment, Value, context};
 use thiserror::Error;
@@ -145,12 +145,12 @@ impl Page {
     }
 
     fn check_anchors(&self) -> Result<(), PageError> {
-        let mut seen = BTreeMap::new();
+        let mut seen = BTreeSet::new();
         let blocks = self.sections.iter().flat_map(|section| &section.blocks);
         for block in blocks {
             if let Block::Figure(figure) = block {
                 let anchor = figure_anchor(figure);
-                if seen.insert(anchor.clone(), ()).is_some() {
+                if !seen.insert(anchor.clone()) {
                     return Err(PageError::DuplicateAnchor { anchor });
                 }
             }

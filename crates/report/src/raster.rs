@@ -11,7 +11,7 @@ use crate::svg::Svg;
 
 /// PNG pixels per figure pixel for screens and print.
 pub const DEFAULT_SCALE: f64 = 2.0;
-/// Longest side of a picture [PNG pixels].
+/// Longest side of a picture \[PNG pixels\].
 const LONGEST_SIDE: f64 = 20_000.0;
 
 static FONTS: LazyLock<Arc<fontdb::Database>> = LazyLock::new(|| {

@@ -24,12 +24,12 @@ impl Svg {
         &self.markup
     }
 
-    /// Width [px].
+    /// Width \[px\].
     pub fn width(&self) -> f64 {
         self.width
     }
 
-    /// Height [px].
+    /// Height \[px\].
     pub fn height(&self) -> f64 {
         self.height
     }
@@ -41,7 +41,7 @@ impl fmt::Display for Svg {
     }
 }
 
-/// An upright rectangle [px].
+/// An upright rectangle \[px\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Area {
     pub(crate) left: f64,
@@ -82,7 +82,7 @@ impl Area {
 pub(crate) struct Stroke {
     pub(crate) color: Color,
     pub(crate) width: f64,
-    /// Lengths of strokes and gaps [px], as SVG writes them; empty for solid.
+    /// Lengths of strokes and gaps \[px\], as SVG writes them; empty for solid.
     pub(crate) dashes: String,
 }
 
@@ -325,6 +325,12 @@ impl fmt::Display for Px {
         // Adding zero turns −0 into 0.
         write!(f, "{}", (self.0 * 100.0).round() / 100.0 + 0.0)
     }
+}
+
+/// Appends `command` and a point to path data.
+pub(crate) fn push_point(data: &mut String, command: char, [x, y]: [f64; 2]) {
+    // Writing to a String cannot fail.
+    let _ = write!(data, "{command}{} {}", Px(x), Px(y));
 }
 
 /// A text as XML wants it; characters that XML 1.0 forbids become U+FFFD.

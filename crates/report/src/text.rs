@@ -10,7 +10,7 @@ use skrifa::{FontRef, MetadataProvider};
 /// viewer without the first.
 pub(crate) const FONT_FAMILY: &str = "DejaVu Sans, Verdana, sans-serif";
 
-/// Width assumed for a character where a font cannot be read or lacks it [em].
+/// Width assumed for a character where a font cannot be read or lacks it \[em\].
 const FALLBACK_ADVANCE: f64 = 0.65;
 
 static REGULAR: LazyLock<Option<FontRef<'static>>> =
@@ -25,7 +25,7 @@ pub(crate) enum Weight {
     Bold,
 }
 
-/// Width of `text` on one line at `size` [px].
+/// Width of `text` on one line at `size` \[px\].
 pub(crate) fn width(text: &str, size: f64, weight: Weight) -> f64 {
     let font = match weight {
         Weight::Regular => &*REGULAR,
@@ -45,7 +45,7 @@ pub(crate) fn width(text: &str, size: f64, weight: Weight) -> f64 {
     size * text.chars().map(advance).sum::<f64>()
 }
 
-/// The widest of `texts` at `size` [px]; 0 for none.
+/// The widest of `texts` at `size` \[px\]; 0 for none.
 pub(crate) fn widest<'a>(texts: impl IntoIterator<Item = &'a str>, size: f64) -> f64 {
     texts
         .into_iter()

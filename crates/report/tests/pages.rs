@@ -40,7 +40,7 @@ fn page() -> Page {
                 "hole edge",
             ))),
     ];
-    page.footer = "stickslip".to_owned();
+    page.footer = String::from("stickslip");
     page
 }
 

@@ -24,6 +24,7 @@ mod console;
 mod failure;
 mod init;
 mod list;
+mod located;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -81,14 +82,18 @@ pub fn main() -> ExitCode {
         Err(refusal) => {
             // Help and version are such "refusals" too, with exit code 0. Nothing can be done if printing them fails.
             let _ = refusal.print();
-            return if refusal.use_stderr() { ExitCode::from(2) } else { ExitCode::SUCCESS };
+            return if refusal.use_stderr() {
+                ExitCode::from(2)
+            } else {
+                ExitCode::SUCCESS
+            };
         }
     };
     let console = Console::new(arguments.quiet, arguments.json);
     let outcome = match arguments.command {
-        Command::Check(scene) => check::check(&scene, &console),
-        Command::Init(template) => init::init(&template, &console),
-        Command::List(topic) => list::list(&topic, &console),
+        Command::Check(scene) => check::check(&scene, console),
+        Command::Init(template) => init::init(&template, console),
+        Command::List(topic) => list::list(&topic, console),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

@@ -109,7 +109,11 @@ impl Diagnostic for Finding {
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
         let span = self.span.clone()?;
-        let label = if self.key.is_empty() { "here" } else { &self.key };
+        let label = if self.key.is_empty() {
+            "here"
+        } else {
+            &self.key
+        };
         let label = LabeledSpan::new(Some(label.to_owned()), span.start, span.len());
         Some(Box::new(std::iter::once(label)))
     }
@@ -154,7 +158,10 @@ impl SceneError {
 
     /// The findings as text with the lines they stand in, `width` columns wide, with colours on request.
     pub fn render(&self, width: usize, colours: bool) -> String {
-        self.findings.iter().map(|finding| render(finding, width, colours)).collect()
+        self.findings
+            .iter()
+            .map(|finding| render(finding, width, colours))
+            .collect()
     }
 }
 
@@ -178,8 +185,14 @@ impl std::error::Error for SceneError {}
 
 /// One diagnostic as text.
 pub(crate) fn render(diagnostic: &dyn Diagnostic, width: usize, colours: bool) -> String {
-    let theme = if colours { GraphicalTheme::unicode() } else { GraphicalTheme::unicode_nocolor() };
-    let handler = GraphicalReportHandler::new_themed(theme).with_width(width).with_links(false);
+    let theme = if colours {
+        GraphicalTheme::unicode()
+    } else {
+        GraphicalTheme::unicode_nocolor()
+    };
+    let handler = GraphicalReportHandler::new_themed(theme)
+        .with_width(width)
+        .with_links(false);
     let mut text = String::new();
     match handler.render_report(&mut text, diagnostic) {
         Ok(()) => text,
@@ -190,5 +203,7 @@ pub(crate) fn render(diagnostic: &dyn Diagnostic, width: usize, colours: bool) -
 
 /// Byte offset of a line and column, both from 1 and the column in bytes, as `serde_json` gives them.
 pub(crate) fn offset_of(text: &str, line: usize, column: usize) -> usize {
-    SourceOffset::from_location(text, line, column).offset().min(text.len())
+    SourceOffset::from_location(text, line, column)
+        .offset()
+        .min(text.len())
 }

@@ -27,11 +27,13 @@ pub use meshes::NODE_LIMIT;
 #[non_exhaustive]
 pub enum ModelError {
     /// More nodes than a machine should be asked for.
-    #[error("the mesh would have about {nodes:.3e} nodes and need about {gigabytes:.1} GB; the limit is {limit:.0e} nodes")]
+    #[error(
+        "the mesh would have about {nodes:.3e} nodes and need about {gigabytes:.1} GB; the limit is {limit:.0e} nodes"
+    )]
     TooManyNodes {
         /// Nodes that the scene asks for.
         nodes: f64,
-        /// Memory of mesh, matrix and factor [GB].
+        /// Memory of mesh, matrix and factor `[GB]`.
         gigabytes: f64,
         /// Limit on the number of nodes.
         limit: f64,
@@ -122,6 +124,8 @@ pub struct ModelEdge {
     pub nodes: Vec<usize>,
     /// Position of each node among the body's contact points; empty for an edge without contact.
     pub local: Vec<usize>,
+    /// Contact area of each node `[mm²]`.
+    pub areas: Vec<f64>,
     /// Polynomial order of the edge.
     pub order: usize,
     /// Unit normal per node: e_r, or e_n of a line.
@@ -163,8 +167,19 @@ impl Model {
         let contacts = contacts::build(scene, &meshes, &names, half, &mut choices)?;
         let mut bodies = Vec::with_capacity(names.len());
         for (index, name) in names.iter().enumerate() {
-            let kind = loads::body(scene, name, &meshes, &materials, half, &contacts.rigid_points[index])?;
-            bodies.push(ModelBody { name: name.clone(), kind, interface: contacts.interfaces[index].clone() });
+            let kind = loads::body(
+                scene,
+                name,
+                &meshes,
+                &materials,
+                half,
+                &contacts.rigid_points[index],
+            )?;
+            bodies.push(ModelBody {
+                name: name.clone(),
+                kind,
+                interface: contacts.interfaces[index].clone(),
+            });
         }
         choices.push(Choice {
             what: "kinematics".into(),
@@ -193,9 +208,13 @@ fn materials(scene: &Scene) -> Result<BTreeMap<String, Arc<dyn Material>>, Model
         .materials
         .iter()
         .map(|(name, constants)| {
-            let material = constants
-                .in_plane(scene.analysis.plane)
-                .map_err(|cause| ModelError::Material { material: name.clone(), cause })?;
+            let material =
+                constants
+                    .in_plane(scene.analysis.plane)
+                    .map_err(|cause| ModelError::Material {
+                        material: name.clone(),
+                        cause,
+                    })?;
             Ok((name.clone(), Arc::from(material)))
         })
         .collect()

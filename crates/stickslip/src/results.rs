@@ -33,7 +33,7 @@ pub struct Results {
     pub edges: Vec<EdgeGeometry>,
     /// Load steps.
     pub steps: Vec<StepResults>,
-    /// Wall time of each phase [s].
+    /// Wall time of each phase `[s]`.
     pub phases: Vec<(&'static str, f64)>,
 }
 
@@ -66,14 +66,14 @@ pub struct BodySummary {
 /// How places along an edge are measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum EdgeKind {
-    /// A circle: `parameter` is the angle θ [rad], counter-clockwise from the bearing point.
+    /// A circle: `parameter` is the angle θ `[rad]`, counter-clockwise from the bearing point.
     Circle {
-        /// Centre [mm].
+        /// Centre `[mm]`.
         centre: [f64; 2],
-        /// Radius [mm].
+        /// Radius `[mm]`.
         radius: f64,
     },
-    /// A line or shallow arc along x: `parameter` is x [mm].
+    /// A line or shallow arc along x: `parameter` is x `[mm]`.
     Line,
 }
 
@@ -88,13 +88,13 @@ pub struct EdgeGeometry {
     pub body: String,
     /// Circle or line.
     pub kind: EdgeKind,
-    /// Place of each node along the edge: θ [rad] or x [mm], ascending.
+    /// Place of each node along the edge: θ `[rad]` or x `[mm]`, ascending.
     pub parameter: Vec<f64>,
     /// Corner node (true) or mid-side node (false).
     pub corner: Vec<bool>,
     /// Whether only half of a symmetric edge is modelled (the other half is its mirror image).
     pub half: bool,
-    /// D·t [mm²] of a hole, by which a force becomes a bearing stress; `None` for lines.
+    /// D·t `[mm²]` of a hole, by which a force becomes a bearing stress; `None` for lines.
     pub bearing_area: Option<f64>,
     /// Name of the friction law; empty without contact.
     pub law: String,
@@ -103,21 +103,21 @@ pub struct EdgeGeometry {
 /// One node of an edge at the end of a load step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EdgeRow {
-    /// Contact pressure, ≥ 0 [MPa].
+    /// Contact pressure, ≥ 0 `[MPa]`.
     pub pressure: f64,
-    /// Tangential traction λ_t on the first body along e_t [MPa].
+    /// Tangential traction λ_t on the first body along e_t `[MPa]`.
     pub shear: f64,
-    /// Gap, positive when open [mm].
+    /// Gap, positive when open `[mm]`.
     pub gap: f64,
-    /// Accumulated relative tangential displacement, first minus second body along e_t [mm].
+    /// Accumulated relative tangential displacement, first minus second body along e_t `[mm]`.
     pub slip: f64,
     /// Status.
     pub status: Status,
-    /// σ_r (circle) or σ_yy (line) [MPa].
+    /// σ_r (circle) or σ_yy (line) `[MPa]`.
     pub sigma_normal: f64,
-    /// σ_θ or σ_xx [MPa].
+    /// σ_θ or σ_xx `[MPa]`.
     pub sigma_tangential: f64,
-    /// τ_rθ or τ_xy [MPa].
+    /// τ_rθ or τ_xy `[MPa]`.
     pub tau: f64,
 }
 
@@ -132,25 +132,30 @@ pub struct EdgeResults {
     pub contact_half_extent: Option<f64>,
     /// Half of the extent of the stick zone around the bearing point [rad or mm].
     pub stick_half_extent: Option<f64>,
-    /// Largest pressure [MPa] and its place.
+    /// Largest pressure `[MPa]` and its place.
     pub peak_pressure: Option<(f64, f64)>,
-    /// Largest tangential stress σ_θ or σ_xx [MPa] and its place.
+    /// Largest tangential stress σ_θ or σ_xx `[MPa]` and its place.
     pub peak_hoop: Option<(f64, f64)>,
-    /// σ_θ at the bearing point, or σ_xx at x = 0 [MPa].
+    /// σ_θ at the bearing point, or σ_xx at x = 0 `[MPa]`.
     pub hoop_at_bearing_point: Option<f64>,
-    /// Resultant force on the first body, of the whole (both halves) [N].
+    /// Resultant force on the first body, of the whole (both halves) `[N]`.
     pub resultant: [f64; 2],
-    /// ∫|τ| dA over the whole contact [N].
+    /// ∫q dA over the whole contact `[N]`, q the shear that holds the first body back from sliding away from the bearing point:
+    /// positive while the load grows, and turning negative on unloading. On a line, the tangential force on the first body
+    /// along +x.
     pub friction_force: f64,
-    /// ∫p dA over the whole contact [N].
+    /// ∫p dA over the whole contact `[N]`.
     pub normal_force: f64,
 }
 
 impl EdgeResults {
-    /// Bearing stress |resultant| / (D t) [MPa]; `None` for lines or without force.
+    /// Bearing stress |resultant| / (D t) `[MPa]`; `None` for lines or without force.
     pub fn bearing_stress(&self, geometry: &EdgeGeometry) -> Option<f64> {
         let force = self.resultant[0].hypot(self.resultant[1]);
-        geometry.bearing_area.filter(|_| force > 0.0).map(|area| force / area)
+        geometry
+            .bearing_area
+            .filter(|_| force > 0.0)
+            .map(|area| force / area)
     }
 }
 
@@ -189,13 +194,13 @@ pub struct StepResults {
     /// Unbalanced force relative to the load: the worst of the floating bodies, the contacts against the applied load, and
     /// the recovered fields where they were computed.
     pub balance_residual: f64,
-    /// Frictional dissipation in the step, whole model [N·mm].
+    /// Frictional dissipation in the step, whole model `[N·mm]`.
     pub dissipation: f64,
     /// Equilibrium audit.
     pub audit: Audit,
     /// Fields of each elastic body, where asked for.
     pub fields: Vec<BodyFields>,
-    /// Wall time of the step's contact solution [s].
+    /// Wall time of the step's contact solution `[s]`.
     pub seconds: f64,
 }
 
@@ -204,8 +209,8 @@ pub struct StepResults {
 pub struct BodyFields {
     /// Index of the body in [`Results::bodies`].
     pub body: usize,
-    /// Displacements, interleaved [mm].
+    /// Displacements, interleaved `[mm]`.
     pub displacement: Vec<f64>,
-    /// Averaged nodal stresses (xx, yy, xy) by patch recovery [MPa].
+    /// Averaged nodal stresses (xx, yy, xy) by patch recovery `[MPa]`.
     pub stress: Vec<[f64; 3]>,
 }

@@ -6,7 +6,9 @@ mod fields;
 use std::time::Instant;
 
 use rayon::prelude::*;
-use stickslip_contact::{Chain, ContactError, InterfaceProblem, InterfaceSolver, Pivoting, StepRecord};
+use stickslip_contact::{
+    Chain, ContactError, InterfaceProblem, InterfaceSolver, Pivoting, StepRecord,
+};
 use stickslip_fem_core::body::BodyError;
 use stickslip_fem_core::stress::StressError;
 use stickslip_fem_core::{CondensedBody, InterfaceOperator};
@@ -91,9 +93,9 @@ pub struct Solved {
     pub problem: InterfaceProblem,
     /// One record per load step.
     pub records: Vec<StepRecord>,
-    /// Wall time of each load step [s].
+    /// Wall time of each load step `[s]`.
     pub step_seconds: Vec<f64>,
-    /// Wall time of the phases [s].
+    /// Wall time of the phases `[s]`.
     pub phases: Vec<(&'static str, f64)>,
 }
 
@@ -135,7 +137,10 @@ pub fn solve(
     let records = model.history.follow(&problem, solver, |_| {
         step_seconds.push(last.elapsed().as_secs_f64());
         last = Instant::now();
-        progress(Progress::Step { done: step_seconds.len(), total });
+        progress(Progress::Step {
+            done: step_seconds.len(),
+            total,
+        });
     })?;
     let finished = start.elapsed().as_secs_f64();
     let phases = vec![
@@ -143,7 +148,13 @@ pub fn solve(
         ("interface", assembled - condensed),
         ("contact", finished - assembled),
     ];
-    Ok(Solved { operators, problem, records, step_seconds, phases })
+    Ok(Solved {
+        operators,
+        problem,
+        records,
+        step_seconds,
+        phases,
+    })
 }
 
 /// The solver chain of a choice.
@@ -165,7 +176,10 @@ fn condense(model: &Model) -> Result<Vec<Operator>, RunError> {
             ModelBodyKind::Elastic(elastic) => elastic
                 .condense(&body.interface)
                 .map(|condensed| Operator::Elastic(Box::new(condensed)))
-                .map_err(|cause| RunError::Body { body: body.name.clone(), cause }),
+                .map_err(|cause| RunError::Body {
+                    body: body.name.clone(),
+                    cause,
+                }),
         })
         .collect()
 }
@@ -184,7 +198,9 @@ fn results(scene: &Scene, model: &Model, mut solved: Solved) -> Result<Results, 
         let recovered = fields::recover(model, &solved, record, wants_fields)?;
         let edges = edges::all(model, &solved, record, &recovered)?;
         let loads = loads(scene, index);
-        let value = loads.first().map_or(0.0, |load: &LoadValue| load.value.abs());
+        let value = loads
+            .first()
+            .map_or(0.0, |load: &LoadValue| load.value.abs());
         steps.push(StepResults {
             unloading: value < previous,
             loads,
@@ -198,12 +214,18 @@ fn results(scene: &Scene, model: &Model, mut solved: Solved) -> Result<Results, 
             balance_residual: record.audit.balance.max(recovered.imbalance),
             dissipation: record.dissipation * if model.half { 2.0 } else { 1.0 },
             audit: record.audit.clone(),
-            fields: if wants_fields { fields::with_stresses(model, &recovered)? } else { Vec::new() },
+            fields: if wants_fields {
+                fields::with_stresses(model, &recovered)?
+            } else {
+                Vec::new()
+            },
             seconds: solved.step_seconds[index],
         });
         previous = value;
     }
-    solved.phases.push(("stresses", start.elapsed().as_secs_f64()));
+    solved
+        .phases
+        .push(("stresses", start.elapsed().as_secs_f64()));
     let mut notes = model.notes.clone();
     notes.extend(remarks(&steps));
     let mut choices = model.choices.clone();
@@ -220,8 +242,16 @@ fn results(scene: &Scene, model: &Model, mut solved: Solved) -> Result<Results, 
         choices,
         notes,
         bodies: bodies(model, &solved),
-        factorisations: solved.operators.iter().filter(|operator| operator.elastic().is_some()).count(),
-        edges: model.edges.iter().map(|edge| edge.geometry.clone()).collect(),
+        factorisations: solved
+            .operators
+            .iter()
+            .filter(|operator| operator.elastic().is_some())
+            .count(),
+        edges: model
+            .edges
+            .iter()
+            .map(|edge| edge.geometry.clone())
+            .collect(),
         steps,
         phases: solved.phases,
     })
@@ -238,7 +268,8 @@ fn bodies(model: &Model, solved: &Solved) -> Vec<BodySummary> {
                 name: body.name.clone(),
                 mesh: elastic.map(|condensed| condensed.body().mesh().clone()),
                 dofs: elastic.map_or(0, |condensed| condensed.structure().unknowns()),
-                factor_entries: elastic.map_or(0, |condensed| condensed.structure().factor_entries()),
+                factor_entries: elastic
+                    .map_or(0, |condensed| condensed.structure().factor_entries()),
                 free_motions: operator.interface().modes().ncols(),
             }
         })
@@ -258,16 +289,28 @@ fn loads(scene: &Scene, step: usize) -> Vec<LoadValue> {
                 LoadKind::PolarTraction { .. } => (value, "1"),
                 LoadKind::Temperature { .. } => (value, "K"),
             };
-            LoadValue { name: load.name.clone(), value, unit: unit.to_owned() }
+            LoadValue {
+                name: load.name.clone(),
+                value,
+                unit: unit.to_owned(),
+            }
         })
         .collect()
 }
 
 /// What a reader must know of the steps: where an answer was not unique, and where the history was cut back.
 fn remarks(steps: &[StepResults]) -> Vec<String> {
-    let list = |chosen: Vec<usize>| chosen.iter().map(|k| (k + 1).to_string()).collect::<Vec<_>>().join(", ");
+    let list = |chosen: Vec<usize>| {
+        chosen
+            .iter()
+            .map(|k| (k + 1).to_string())
+            .collect::<Vec<_>>()
+            .join(", ")
+    };
     let mut notes = Vec::new();
-    let doubtful: Vec<usize> = (0..steps.len()).filter(|&k| steps[k].doubtful > 0).collect();
+    let doubtful: Vec<usize> = (0..steps.len())
+        .filter(|&k| steps[k].doubtful > 0)
+        .collect();
     if !doubtful.is_empty() {
         let most = steps.iter().map(|step| step.doubtful).max().unwrap_or(0);
         notes.push(format!(
@@ -277,9 +320,14 @@ fn remarks(steps: &[StepResults]) -> Vec<String> {
             list(doubtful)
         ));
     }
-    let cut: Vec<usize> = (0..steps.len()).filter(|&k| steps[k].cutbacks > 0).collect();
+    let cut: Vec<usize> = (0..steps.len())
+        .filter(|&k| steps[k].cutbacks > 0)
+        .collect();
     if !cut.is_empty() {
-        notes.push(format!("The increment was cut back in load step {}.", list(cut)));
+        notes.push(format!(
+            "The increment was cut back in load step {}.",
+            list(cut)
+        ));
     }
     notes
 }

@@ -59,7 +59,8 @@ use document::{Document, Part};
 use format::SceneFormat;
 use read::Reader;
 use schema::{
-    Analysis, Body, Contact, DisplayUnits, Load, LoadKind, Material, MeshSettings, Output, Platen, SetRef, Support,
+    Analysis, Body, Contact, DisplayUnits, Load, LoadKind, Material, MeshSettings, Output, Platen,
+    SetRef, Support,
 };
 
 /// Version of the scene format that this program reads.
@@ -116,10 +117,24 @@ impl Scene {
         let text = std::fs::read_to_string(path).map_err(|error| {
             let problem = match error.kind() {
                 std::io::ErrorKind::NotFound => SceneProblem::MissingFile { path: name.clone() },
-                _ => SceneProblem::Unreadable { path: name.clone(), cause: error.to_string() },
+                _ => SceneProblem::Unreadable {
+                    path: name.clone(),
+                    cause: error.to_string(),
+                },
             };
-            let source = Arc::new(SourceText { name: name.clone(), text: String::new() });
-            SceneError::new(Finding { problem, key: String::new(), source, span: None }, [])
+            let source = Arc::new(SourceText {
+                name: name.clone(),
+                text: String::new(),
+            });
+            SceneError::new(
+                Finding {
+                    problem,
+                    key: String::new(),
+                    source,
+                    span: None,
+                },
+                [],
+            )
         })?;
         let base = path.parent().unwrap_or(Path::new(""));
         Self::from_text(&text, Format::of_path(path), &name, base, overrides)
@@ -136,17 +151,27 @@ impl Scene {
         base_dir: &Path,
         overrides: &[impl AsRef<str>],
     ) -> Result<Self, SceneError> {
-        let source = SourceText { name: name.to_owned(), text: text.to_owned() };
+        let source = SourceText {
+            name: name.to_owned(),
+            text: text.to_owned(),
+        };
         let mut document = Document::parse(source, format)?;
         for argument in overrides {
             overrides::apply(&mut document, argument.as_ref())?;
         }
         check_version(&document)?;
-        let mut spelled = SceneFormat::deserialize(Reader::new(&document.root, "")).map_err(|error| {
-            document.error(error.key.as_deref().unwrap_or_default(), error.part, error.problem)
-        })?;
+        let mut spelled =
+            SceneFormat::deserialize(Reader::new(&document.root, "")).map_err(|error| {
+                document.error(
+                    error.key.as_deref().unwrap_or_default(),
+                    error.part,
+                    *error.problem,
+                )
+            })?;
         let parts = build::build(&document, &mut spelled, base_dir)?;
-        let stem = Path::new(name).file_stem().map(|stem| stem.to_string_lossy().into_owned());
+        let stem = Path::new(name)
+            .file_stem()
+            .map(|stem| stem.to_string_lossy().into_owned());
         Ok(Self {
             title: parts.title.or(stem).unwrap_or_default(),
             description: parts.description,
@@ -190,7 +215,10 @@ fn check_version(document: &Document) -> Result<(), SceneError> {
     let problem = match document.get("version") {
         None => SceneProblem::MissingVersion { supported },
         Some(version) if version.as_u64() == Some(supported) => return Ok(()),
-        Some(version) => SceneProblem::UnsupportedVersion { found: version.to_string(), supported },
+        Some(version) => SceneProblem::UnsupportedVersion {
+            found: version.to_string(),
+            supported,
+        },
     };
     Err(document.error("version", Part::Value, problem))
 }
@@ -214,24 +242,31 @@ fn hash(spelled: &SceneFormat, loads: &[Load]) -> String {
             }
         }
     }
-    digest.finalize().iter().fold(String::new(), |mut text, byte| {
-        // Writing into a string does not fail.
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
+    digest
+        .finalize()
+        .iter()
+        .fold(String::new(), |mut text, byte| {
+            // Writing into a string does not fail.
+            let _ = write!(text, "{byte:02x}");
+            text
+        })
 }
 
 /// The value with every quantity in base units.
 fn canonical(value: Value) -> Value {
     match value {
         Value::String(text) => match parse(&text, &Expected::any(&Dimension::ALL)) {
-            Ok((number, dimension)) => Value::String(format!("{number:e} {}", dimension.base_unit())),
+            Ok((number, dimension)) => {
+                Value::String(format!("{number:e} {}", dimension.base_unit()))
+            }
             Err(_) => Value::String(text),
         },
         Value::Array(list) => list.into_iter().map(canonical).collect(),
-        Value::Object(map) => {
-            Value::Object(map.into_iter().map(|(key, value)| (key, canonical(value))).collect())
-        }
+        Value::Object(map) => Value::Object(
+            map.into_iter()
+                .map(|(key, value)| (key, canonical(value)))
+                .collect(),
+        ),
         other => other,
     }
 }

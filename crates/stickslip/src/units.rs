@@ -97,7 +97,11 @@ impl Dimension {
     /// Names of the units of this dimension, the base unit first; other spellings of the same unit are left out.
     pub fn unit_names(self) -> impl Iterator<Item = &'static str> {
         let plain = |unit: &&Unit| unit.name.is_ascii() && !unit.name.starts_with('/');
-        UNITS.iter().filter(move |unit| unit.dimension == self).filter(plain).map(|unit| unit.name)
+        UNITS
+            .iter()
+            .filter(move |unit| unit.dimension == self)
+            .filter(plain)
+            .map(|unit| unit.name)
     }
 }
 
@@ -157,7 +161,11 @@ const POUND_FORCE: f64 = 4.448_221_615_260_5;
 const PSI: f64 = POUND_FORCE / (25.4 * 25.4);
 
 const fn unit(name: &'static str, dimension: Dimension, in_base: f64) -> Unit {
-    Unit { name, dimension, in_base }
+    Unit {
+        name,
+        dimension,
+        in_base,
+    }
 }
 
 /// Every unit that a scene may use. Within a dimension the first is the base unit.
@@ -222,18 +230,28 @@ impl Expected {
 
     /// The units that fit, with commas.
     pub fn unit_list(&self) -> String {
-        let names: Vec<_> = self.0.iter().flat_map(|dimension| dimension.unit_names()).collect();
+        let names: Vec<_> = self
+            .0
+            .iter()
+            .flat_map(|dimension| dimension.unit_names())
+            .collect();
         names.join(", ")
     }
 
     fn first_unit(&self) -> &'static str {
-        self.0.first().map_or("mm", |dimension| dimension.base_unit())
+        self.0
+            .first()
+            .map_or("mm", |dimension| dimension.base_unit())
     }
 }
 
 impl fmt::Display for Expected {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let names: Vec<_> = self.0.iter().map(|dimension| dimension.with_article()).collect();
+        let names: Vec<_> = self
+            .0
+            .iter()
+            .map(|dimension| dimension.with_article())
+            .collect();
         formatter.write_str(&names.join(" or "))
     }
 }
@@ -305,15 +323,23 @@ pub fn parse(text: &str, expected: &Expected) -> Result<(f64, Dimension), UnitEr
     let trimmed = text.trim();
     let unsigned = trimmed.trim_start_matches(['+', '-']).to_ascii_lowercase();
     if unsigned.starts_with("nan") || unsigned.starts_with("inf") {
-        return Err(UnitError::NotFinite { text: text.to_owned() });
+        return Err(UnitError::NotFinite {
+            text: text.to_owned(),
+        });
     }
     let (digits, name) = trimmed.split_at(number_length(trimmed));
     let Ok(number) = digits.parse::<f64>() else {
-        return Err(UnitError::NotANumber { text: text.to_owned(), expected: expected.clone() });
+        return Err(UnitError::NotANumber {
+            text: text.to_owned(),
+            expected: expected.clone(),
+        });
     };
     let name = name.trim();
     if name.is_empty() {
-        return Err(UnitError::MissingUnit { value: trimmed.to_owned(), expected: expected.clone() });
+        return Err(UnitError::MissingUnit {
+            value: trimmed.to_owned(),
+            expected: expected.clone(),
+        });
     }
     let Some(unit) = UNITS.iter().find(|unit| unit.name == name) else {
         return Err(UnitError::UnknownUnit {
@@ -333,7 +359,9 @@ pub fn parse(text: &str, expected: &Expected) -> Result<(f64, Dimension), UnitEr
     if value.is_finite() {
         Ok((value, unit.dimension))
     } else {
-        Err(UnitError::NotFinite { text: text.to_owned() })
+        Err(UnitError::NotFinite {
+            text: text.to_owned(),
+        })
     }
 }
 
@@ -348,7 +376,10 @@ pub fn unit_of(text: &str) -> Option<&'static Unit> {
 fn number_length(text: &str) -> usize {
     let bytes = text.as_bytes();
     let digits_from = |start: usize| {
-        bytes[start..].iter().take_while(|byte| byte.is_ascii_digit() || **byte == b'.').count()
+        bytes[start..]
+            .iter()
+            .take_while(|byte| byte.is_ascii_digit() || **byte == b'.')
+            .count()
     };
     let sign_at = |at: usize| usize::from(matches!(bytes.get(at), Some(b'+' | b'-')));
     let sign = sign_at(0);

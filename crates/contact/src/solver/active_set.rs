@@ -84,20 +84,41 @@ struct Iteration<'a> {
 
 impl<'a> Iteration<'a> {
     fn new(step: &'a Step<'a>, rules: Rules) -> Self {
-        let lines = (0..step.count()).map(|k| slip_line(step, k, step.committed.normal_force(k).max(0.0), 0.0)).collect();
+        let lines = (0..step.count())
+            .map(|k| slip_line(step, k, step.committed.normal_force(k).max(0.0), 0.0))
+            .collect();
         Self::starting_at(step, rules, step.starting_status(), lines)
     }
 
-    fn starting_at(step: &'a Step<'a>, rules: Rules, status: Vec<Status>, lines: Vec<SlipLine>) -> Self {
-        Self { step, rules, status, lines, seen: HashMap::new(), trail: Vec::new(), one_at_a_time: false }
+    fn starting_at(
+        step: &'a Step<'a>,
+        rules: Rules,
+        status: Vec<Status>,
+        lines: Vec<SlipLine>,
+    ) -> Self {
+        Self {
+            step,
+            rules,
+            status,
+            lines,
+            seen: HashMap::new(),
+            trail: Vec::new(),
+            one_at_a_time: false,
+        }
     }
 
     fn run(mut self, limit: usize, name: &'static str) -> Result<StepSolution, StepFailure> {
         let mut work = Work::default();
-        self.iterate(limit, name, &mut work).map_err(|cause| StepFailure::new(name, cause, work))
+        self.iterate(limit, name, &mut work)
+            .map_err(|cause| StepFailure::new(name, cause, work))
     }
 
-    fn iterate(&mut self, limit: usize, name: &'static str, work: &mut Work) -> Result<StepSolution, FailureCause> {
+    fn iterate(
+        &mut self,
+        limit: usize,
+        name: &'static str,
+        work: &mut Work,
+    ) -> Result<StepSolution, FailureCause> {
         let start = work.solves;
         while work.solves < start + limit {
             work.solves += 1;
@@ -127,7 +148,11 @@ impl<'a> Iteration<'a> {
                     Rules::Report => self.report_rule(point, frozen, scales),
                     Rules::Projection => self.projection_rule(point, frozen, scales),
                 };
-                (status != self.status[point]).then_some(Change { point, status, violation })
+                (status != self.status[point]).then_some(Change {
+                    point,
+                    status,
+                    violation,
+                })
             })
             .collect()
     }
@@ -153,7 +178,9 @@ impl<'a> Iteration<'a> {
             }
         }
         if self.one_at_a_time {
-            let worst = changes.iter().max_by(|a, b| a.violation.total_cmp(&b.violation));
+            let worst = changes
+                .iter()
+                .max_by(|a, b| a.violation.total_cmp(&b.violation));
             if let Some(change) = worst {
                 next[change.point] = change.status;
             }
@@ -170,7 +197,10 @@ impl<'a> Iteration<'a> {
         let points = (0..self.status.len())
             .filter(|&k| repeated.iter().any(|status| status[k] != repeated[0][k]))
             .collect();
-        FailureCause::Cycled { period: repeated.len(), points }
+        FailureCause::Cycled {
+            period: repeated.len(),
+            points,
+        }
     }
 
     /// Linearises the law about the new iterate; returns whether the slip tractions were already met.
@@ -181,7 +211,8 @@ impl<'a> Iteration<'a> {
             let sign = self.status[k].slip_sign();
             if sign != 0.0 && self.step.problem.points()[k].slides {
                 let bound = self.step.bound(k, force, slip).slip;
-                settled &= (frozen.forces[2 * k + 1] + sign * bound).abs() <= ROUNDING * scales.force;
+                settled &=
+                    (frozen.forces[2 * k + 1] + sign * bound).abs() <= ROUNDING * scales.force;
             }
             self.lines[k] = slip_line(self.step, k, force, slip);
         }
@@ -194,7 +225,11 @@ impl<'a> Iteration<'a> {
         let (gap, slip) = (frozen.motion[2 * point], frozen.motion[2 * point + 1]);
         if now == Status::Open {
             let depth = -gap / scales.length;
-            return if depth > ROUNDING { (Status::Stick, depth) } else { (now, 0.0) };
+            return if depth > ROUNDING {
+                (Status::Stick, depth)
+            } else {
+                (now, 0.0)
+            };
         }
         let pull = -normal / scales.force;
         if pull > ROUNDING {
@@ -204,18 +239,29 @@ impl<'a> Iteration<'a> {
             return (Status::Stick, 0.0);
         }
         if now == Status::Stick {
-            let excess = (tangential.abs() - self.step.bound(point, normal, 0.0).stick) / scales.force;
-            if excess > ROUNDING { (Status::slip_along(-tangential), excess) } else { (now, 0.0) }
+            let excess =
+                (tangential.abs() - self.step.bound(point, normal, 0.0).stick) / scales.force;
+            if excess > ROUNDING {
+                (Status::slip_along(-tangential), excess)
+            } else {
+                (now, 0.0)
+            }
         } else {
             let backward = -now.slip_sign() * slip / scales.length;
-            if backward > ROUNDING { (Status::Stick, backward) } else { (now, 0.0) }
+            if backward > ROUNDING {
+                (Status::Stick, backward)
+            } else {
+                (now, 0.0)
+            }
         }
     }
 
     fn projection_rule(&self, point: usize, frozen: &Frozen, scales: Scales) -> (Status, f64) {
         let (plain, violation) = self.report_rule(point, frozen, scales);
         let now = self.status[point];
-        let turns = plain == Status::Stick && now != Status::Stick && self.step.problem.points()[point].slides;
+        let turns = plain == Status::Stick
+            && now != Status::Stick
+            && self.step.problem.points()[point].slides;
         if !turns {
             return (plain, violation);
         }
@@ -224,8 +270,15 @@ impl<'a> Iteration<'a> {
         let stop = |row: usize| frozen.motion[row] / compliance[(row, row)].max(f64::MIN_POSITIVE);
         let trial = frozen.forces[2 * point + 1] - stop(2 * point + 1);
         let normal = (frozen.forces[2 * point] - stop(2 * point)).max(0.0);
-        let bound = self.step.bound(point, normal, frozen.motion[2 * point + 1]).stick;
-        if trial.abs() > bound { (Status::slip_along(-trial), violation) } else { (Status::Stick, violation) }
+        let bound = self
+            .step
+            .bound(point, normal, frozen.motion[2 * point + 1])
+            .stick;
+        if trial.abs() > bound {
+            (Status::slip_along(-trial), violation)
+        } else {
+            (Status::Stick, violation)
+        }
     }
 }
 
@@ -243,8 +296,38 @@ pub(super) fn confirm(
     work: &mut Work,
 ) -> Result<StepSolution, FailureCause> {
     const LIMIT: usize = 30;
-    let lines = (0..step.count()).map(|k| slip_line(step, k, candidate.normal[k], candidate.slip[k])).collect();
-    Iteration::starting_at(step, Rules::Projection, candidate.status.clone(), lines).iterate(LIMIT, name, work)
+    let lines = (0..step.count())
+        .map(|k| slip_line(step, k, candidate.normal[k], candidate.slip[k]))
+        .collect();
+    Iteration::starting_at(step, Rules::Projection, candidate.status.clone(), lines)
+        .iterate(LIMIT, name, work)
+}
+
+/// Solves with these statuses, changing only where the law is linearised.
+pub(super) fn settle(
+    step: &Step<'_>,
+    status: &[Status],
+    name: &'static str,
+    work: &mut Work,
+) -> Result<StepSolution, FailureCause> {
+    const LIMIT: usize = 20;
+    let mut iteration = Iteration::new(step, Rules::Projection);
+    iteration.status = status.to_vec();
+    for _ in 0..LIMIT {
+        work.solves += 1;
+        let frozen = solve(step, &iteration.status, &iteration.lines)?;
+        if let Some(direction) = &frozen.unbalanced {
+            return Err(FailureCause::Unbalanced {
+                motion: direction.as_slice().to_vec(),
+                proved: false,
+            });
+        }
+        let scales = Scales::of(step, &frozen.forces, &frozen.motion);
+        if iteration.relinearise(&frozen, scales) {
+            return accept(step, frozen, iteration.status, name, *work);
+        }
+    }
+    Err(FailureCause::Limit(LIMIT))
 }
 
 /// Linearises the slip traction of `point` about a normal force and a slip increment.
@@ -266,8 +349,17 @@ fn hold(
     direction: &[f64],
 ) -> Result<Vec<Change>, FailureCause> {
     let modes = step.problem.modes();
-    let rate = |row: usize| modes.row(row).iter().zip(direction).map(|(mode, amount)| mode * amount).sum::<f64>();
-    let speed = direction.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
+    let rate = |row: usize| {
+        modes
+            .row(row)
+            .iter()
+            .zip(direction)
+            .map(|(mode, amount)| mode * amount)
+            .sum::<f64>()
+    };
+    let speed = direction
+        .iter()
+        .fold(0.0, |largest: f64, value| largest.max(value.abs()));
     let mut first: Option<(f64, usize)> = None;
     let mut pressed = Vec::new();
     let mut proved = true;
@@ -289,9 +381,19 @@ fn hold(
     }
     let held = first.map_or(pressed, |(_, k)| vec![k]);
     if held.is_empty() {
-        return Err(FailureCause::Unbalanced { motion: direction.to_vec(), proved });
+        return Err(FailureCause::Unbalanced {
+            motion: direction.to_vec(),
+            proved,
+        });
     }
-    Ok(held.into_iter().map(|point| Change { point, status: Status::Stick, violation: f64::INFINITY }).collect())
+    Ok(held
+        .into_iter()
+        .map(|point| Change {
+            point,
+            status: Status::Stick,
+            violation: f64::INFINITY,
+        })
+        .collect())
 }
 
 /// Turns a solve with consistent statuses into a solution, if it meets the conditions.
@@ -317,9 +419,16 @@ pub(super) fn accept(
         .filter(|&k| {
             trial.status[k] == Status::Stick && step.problem.points()[k].slides && {
                 let bound = step.bound(k, trial.forces[2 * k], 0.0);
-                trial.forces[2 * k + 1].abs() > bound.slip * (1.0 + ROUNDING) && bound.stick > bound.slip
+                trial.forces[2 * k + 1].abs() > bound.slip * (1.0 + ROUNDING)
+                    && bound.stick > bound.slip
             }
         })
         .count();
-    Ok(StepSolution { trial, residuals, doubtful, work, solver })
+    Ok(StepSolution {
+        trial,
+        residuals,
+        doubtful,
+        work,
+        solver,
+    })
 }

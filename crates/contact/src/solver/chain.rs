@@ -1,6 +1,9 @@
 //! A solver made of solvers.
 
-use super::{InterfaceSolver, Pivoting, SemismoothNewton, StatusIteration, Step, StepFailure, StepSolution, Work};
+use super::{
+    Enumeration, InterfaceSolver, Pivoting, SemismoothNewton, StatusIteration, Step, StepFailure,
+    StepSolution, Work,
+};
 
 /// Tries its members in order until one solves the step. On ordinary steps it costs what its first member costs.
 #[derive(Debug)]
@@ -14,17 +17,22 @@ impl Chain {
         Self { members }
     }
 
-    /// Semismooth Newton, then pivoting: the default.
+    /// Semismooth Newton, then pivoting, then enumeration of small problems: the default.
     pub fn newton_first() -> Self {
-        Self::new(vec![Box::new(SemismoothNewton::default()), Box::new(Pivoting::default())])
+        Self::new(vec![
+            Box::new(SemismoothNewton::default()),
+            Box::new(Pivoting::default()),
+            Box::new(Enumeration::default()),
+        ])
     }
 
-    /// The report's status iteration, then semismooth Newton, then pivoting.
+    /// The report's status iteration, then as [`Chain::newton_first`].
     pub fn status_first() -> Self {
         Self::new(vec![
             Box::new(StatusIteration::default()),
             Box::new(SemismoothNewton::default()),
             Box::new(Pivoting::default()),
+            Box::new(Enumeration::default()),
         ])
     }
 }
@@ -41,7 +49,10 @@ impl InterfaceSolver for Chain {
     }
 
     fn solve(&self, step: &Step<'_>) -> Result<StepSolution, StepFailure> {
-        let mut failure = StepFailure { attempts: Vec::new(), work: Work::default() };
+        let mut failure = StepFailure {
+            attempts: Vec::new(),
+            work: Work::default(),
+        };
         for member in &self.members {
             match member.solve(step) {
                 Ok(mut solution) => {

@@ -55,7 +55,9 @@ impl Complementarity {
     pub(super) fn new(step: &Step<'_>, coefficients: Vec<f64>, softness: f64) -> Self {
         let points = step.problem.points();
         let count = points.len();
-        let frictional: Vec<usize> = (0..count).filter(|&k| points[k].slides && coefficients[k] > 0.0).collect();
+        let frictional: Vec<usize> = (0..count)
+            .filter(|&k| points[k].slides && coefficients[k] > 0.0)
+            .collect();
         let pairs: Vec<(Kind, usize)> = (0..count)
             .map(|k| (Kind::Normal, k))
             .chain(frictional.iter().map(|&k| (Kind::Tangent, k)))
@@ -63,7 +65,13 @@ impl Complementarity {
             .collect();
         let compliance_unit = positive(step.problem.compliance().diagonal().max());
         let (compliance, motion) = sprung(step, compliance_unit, softness);
-        let row_of = |kind, k| if kind == Kind::Normal { 2 * k } else { 2 * k + 1 };
+        let row_of = |kind, k| {
+            if kind == Kind::Normal {
+                2 * k
+            } else {
+                2 * k + 1
+            }
+        };
         let (size, shift) = (pairs.len(), frictional.len());
         let mut matrix = DMatrix::zeros(size, size);
         let mut constant = DVector::zeros(size);
@@ -89,13 +97,33 @@ impl Complementarity {
         constant /= force_unit;
         let slides = points.iter().map(|point| point.slides).collect();
         let sprung = (compliance, motion);
-        Self { matrix, constant, pairs, slides, coefficients, sprung, force_unit, compliance_unit }
+        Self {
+            matrix,
+            constant,
+            pairs,
+            slides,
+            coefficients,
+            sprung,
+            force_unit,
+            compliance_unit,
+        }
     }
 
     /// The solution found with covering vector number `cover`; `None` if pivoting did not end with one.
-    pub(super) fn solve(&self, cover: usize, pivots_per_unknown: usize, pivots: &mut usize) -> Option<Candidate> {
+    pub(super) fn solve(
+        &self,
+        cover: usize,
+        pivots_per_unknown: usize,
+        pivots: &mut usize,
+    ) -> Option<Candidate> {
         let limit = pivots_per_unknown * self.constant.len();
-        match lemke(&self.matrix, &self.constant, &self.cover(cover), limit, pivots) {
+        match lemke(
+            &self.matrix,
+            &self.constant,
+            &self.cover(cover),
+            limit,
+            pivots,
+        ) {
             Outcome::Solved(z) => Some(self.candidate(&z)),
             Outcome::Unsolved => None,
         }
@@ -137,7 +165,9 @@ impl Complementarity {
                         status[k] = Status::SlipPositive;
                     }
                 }
-                Kind::Reverse if status[k].touches() && z[pair] > w[pair] => status[k] = Status::SlipNegative,
+                Kind::Reverse if status[k].touches() && z[pair] > w[pair] => {
+                    status[k] = Status::SlipNegative
+                }
                 Kind::Reverse => {}
             }
         }

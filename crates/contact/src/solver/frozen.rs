@@ -6,7 +6,8 @@
 //!     g_n = 0 (touching),   Δs = 0 (sticking),   λ_t + σ f₁ λ_n + f₂ Δs = −σ f₀ (slipping),   Gᵀ λ + r = 0
 //!
 //! Where f₂ = 0 the third line is eliminated. Rigid motions that the touching points do not resist keep their committed
-//! amount; the load left unbalanced in them is reported, so that the caller can bring further points into contact.
+//! amount; the load and slip tractions left unbalanced in them are reported, so that the caller can bring further points
+//! into contact.
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use stickslip_fem_core::linalg::DenseLu;
@@ -14,6 +15,9 @@ use stickslip_fem_core::linalg::DenseLu;
 use super::FailureCause;
 use super::step::Step;
 use crate::state::Status;
+
+/// Relative size below which a resistance or a resultant is rounding.
+const NEGLIGIBLE: f64 = 1e-12;
 
 /// Linearised slip traction of one point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -30,7 +34,7 @@ pub(super) struct Frozen {
     pub(super) rigid: DVector<f64>,
     /// Gap and slip increment, 2n.
     pub(super) motion: DVector<f64>,
-    /// A rigid motion along which the load is not balanced, if there is one.
+    /// Resultants that nothing resists, of the load and the slip tractions, if there are any.
     pub(super) unbalanced: Option<DVector<f64>>,
 }
 
@@ -42,19 +46,26 @@ struct Layout {
     tangential: Vec<usize>,
 }
 
-pub(super) fn solve(step: &Step<'_>, status: &[Status], lines: &[SlipLine]) -> Result<Frozen, FailureCause> {
+pub(super) fn solve(
+    step: &Step<'_>,
+    status: &[Status],
+    lines: &[SlipLine],
+) -> Result<Frozen, FailureCause> {
     let points = step.problem.points();
     let layout = Layout {
         normal: (0..points.len()).filter(|&k| status[k].touches()).collect(),
         tangential: (0..points.len())
             .filter(|&k| {
-                points[k].slides && (status[k] == Status::Stick || (status[k].touches() && lines[k].slip != 0.0))
+                points[k].slides
+                    && (status[k] == Status::Stick || (status[k].touches() && lines[k].slip != 0.0))
             })
             .collect(),
     };
-    let (matrix, side, unbalanced) = reduced_system(step, status, lines, &layout);
+    let (matrix, side, free) = reduced_system(step, status, lines, &layout);
     let mut solution = side;
-    DenseLu::new(matrix).map_err(|_| FailureCause::Singular)?.solve(&mut solution);
+    DenseLu::new(matrix)
+        .map_err(|_| FailureCause::Singular)?
+        .solve(&mut solution);
     if !solution.iter().all(|value| value.is_finite()) {
         return Err(FailureCause::Singular);
     }
@@ -63,27 +74,49 @@ pub(super) fn solve(step: &Step<'_>, status: &[Status], lines: &[SlipLine]) -> R
     for (value, &k) in solution.iter().zip(&layout.normal) {
         forces[2 * k] = *value;
         if points[k].slides {
-            forces[2 * k + 1] = -status[k].slip_sign() * (lines[k].constant + lines[k].normal * value);
+            forces[2 * k + 1] =
+                -status[k].slip_sign() * (lines[k].constant + lines[k].normal * value);
         }
     }
     let touching = layout.normal.len();
     for (value, &k) in solution.iter().skip(touching).zip(&layout.tangential) {
         forces[2 * k + 1] = *value;
     }
-    let rigid = solution.rows(touching + layout.tangential.len(), step.mode_load.len()).into_owned();
+    let rigid = solution
+        .rows(touching + layout.tangential.len(), step.mode_load.len())
+        .into_owned();
     let motion = step.motion(&forces, &rigid);
-    Ok(Frozen { forces, rigid, motion, unbalanced })
+    let unbalanced = free.and_then(|free| unbalanced(step, &free, &forces));
+    Ok(Frozen {
+        forces,
+        rigid,
+        motion,
+        unbalanced,
+    })
 }
 
-/// Matrix and right-hand side of the reduced system, and the direction of unbalanced load if there is one.
+/// The part along the motions `free` of the load and of the slip tractions.
+fn unbalanced(step: &Step<'_>, free: &DMatrix<f64>, forces: &DVector<f64>) -> Option<DVector<f64>> {
+    let mut resultants = step.mode_load.clone();
+    resultants.gemv_tr(1.0, step.problem.modes(), forces, 1.0);
+    let along = free * resultants;
+    (along.amax() > NEGLIGIBLE * step.mode_load.amax().max(forces.amax())).then_some(along)
+}
+
+/// Matrix and right-hand side of the reduced system, and the projector on the rigid motions that no row resists.
 fn reduced_system(
     step: &Step<'_>,
     status: &[Status],
     lines: &[SlipLine],
     layout: &Layout,
-) -> (DMatrix<f64>, DVector<f64>, Option<DVector<f64>>) {
+) -> (DMatrix<f64>, DVector<f64>, Option<DMatrix<f64>>) {
     let (compliance, modes) = (step.problem.compliance(), step.problem.modes());
-    let rows: Vec<usize> = layout.normal.iter().map(|k| 2 * k).chain(layout.tangential.iter().map(|k| 2 * k + 1)).collect();
+    let rows: Vec<usize> = layout
+        .normal
+        .iter()
+        .map(|k| 2 * k)
+        .chain(layout.tangential.iter().map(|k| 2 * k + 1))
+        .collect();
     let (touching, contact, rigid) = (layout.normal.len(), rows.len(), modes.ncols());
     let size = contact + rigid;
     let mut matrix = DMatrix::zeros(size, size);
@@ -99,11 +132,18 @@ fn reduced_system(
     }
     let full_column = |column: usize| compliance.column(column);
     for (j, &k) in layout.normal.iter().enumerate() {
-        let sign = if step.problem.points()[k].slides { status[k].slip_sign() } else { 0.0 };
+        let sign = if step.problem.points()[k].slides {
+            status[k].slip_sign()
+        } else {
+            0.0
+        };
         let eliminated = sign != 0.0 && lines[k].slip == 0.0;
         let (normal, tangential) = (full_column(2 * k), full_column(2 * k + 1));
-        let (slope, constant) =
-            if eliminated { (-sign * lines[k].normal, -sign * lines[k].constant) } else { (0.0, 0.0) };
+        let (slope, constant) = if eliminated {
+            (-sign * lines[k].normal, -sign * lines[k].constant)
+        } else {
+            (0.0, 0.0)
+        };
         for (i, &row) in rows.iter().enumerate() {
             matrix[(i, j)] = normal[row] + slope * tangential[row];
             side[i] -= constant * tangential[row];
@@ -124,8 +164,8 @@ fn reduced_system(
         }
     }
     soften_slip_rows(&mut matrix, &mut side, status, lines, layout);
-    let unbalanced = hold_free_motions(step, &rows, contact, &mut matrix, &mut side);
-    (matrix, side, unbalanced)
+    let free = hold_free_motions(step, &rows, &mut matrix, &mut side);
+    (matrix, side, free)
 }
 
 /// Turns the row Δs = 0 of a slipping point with f₂ ≠ 0 into λ_t + σ f₁ λ_n + f₂ Δs = −σ f₀.
@@ -153,17 +193,15 @@ fn soften_slip_rows(
     }
 }
 
-/// Keeps rigid motions that no row resists at their committed amount and returns the unbalanced load in them.
+/// Keeps rigid motions that no row of `rows` resists at their committed amount, and returns the projector on them.
 fn hold_free_motions(
     step: &Step<'_>,
     rows: &[usize],
-    contact: usize,
     matrix: &mut DMatrix<f64>,
     side: &mut DVector<f64>,
-) -> Option<DVector<f64>> {
-    const NEGLIGIBLE: f64 = 1e-12;
+) -> Option<DMatrix<f64>> {
     let modes = step.problem.modes();
-    let rigid = modes.ncols();
+    let (contact, rigid) = (rows.len(), modes.ncols());
     if rigid == 0 {
         return None;
     }
@@ -174,18 +212,22 @@ fn hold_free_motions(
     }
     let scale = gram.trace().max(1.0);
     let eigen = SymmetricEigen::new(gram);
-    let free: Vec<usize> = (0..rigid).filter(|&k| eigen.eigenvalues[k] <= NEGLIGIBLE * scale).collect();
+    let free: Vec<usize> = (0..rigid)
+        .filter(|&k| eigen.eigenvalues[k] <= NEGLIGIBLE * scale)
+        .collect();
     if free.is_empty() {
         return None;
     }
     let basis = eigen.eigenvectors.select_columns(&free);
     let projector = &basis * basis.transpose();
+    let mut balance = matrix.rows_mut(contact, rigid);
+    let along = &projector * &balance;
+    balance -= along;
     let mut corner = matrix.view_mut((contact, contact), (rigid, rigid));
     corner += &projector;
-    let load = side.rows(contact, rigid).into_owned();
-    let along = &projector * &load;
-    let held = &projector * &step.committed.rigid;
-    side.rows_mut(contact, rigid).copy_from(&(load - &along + held));
-    // `side` holds minus the load, so the body is pushed along −along.
-    (along.amax() > NEGLIGIBLE * step.mode_load.amax()).then(|| -along)
+    let mut resultants = side.rows_mut(contact, rigid);
+    let along = &projector * &resultants;
+    resultants -= along;
+    resultants.gemv(1.0, &projector, &step.committed.rigid, 1.0);
+    Some(projector)
 }

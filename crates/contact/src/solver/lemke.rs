@@ -31,7 +31,12 @@ impl Dictionary {
     /// Exchanges the basic variable of `row` with the non-basic one of `column`.
     fn pivot(&mut self, row: usize, column: usize) {
         let pivot = self.table[(row, column)];
-        let pivot_row: Vec<f64> = self.table.row(row).iter().map(|value| -value / pivot).collect();
+        let pivot_row: Vec<f64> = self
+            .table
+            .row(row)
+            .iter()
+            .map(|value| -value / pivot)
+            .collect();
         let pivot_column = self.table.column(column).into_owned();
         for (j, &factor) in pivot_row.iter().enumerate() {
             if j == column {
@@ -66,7 +71,8 @@ impl Dictionary {
                     let tie = (ratio - least).abs() <= TIE * (1.0 + least.abs());
                     if tie {
                         self.basic[other] != 0
-                            && (self.basic[row] == 0 || slope.abs() > self.table[(other, column)].abs())
+                            && (self.basic[row] == 0
+                                || slope.abs() > self.table[(other, column)].abs())
                     } else {
                         ratio < least
                     }
@@ -97,10 +103,18 @@ pub(super) fn lemke(
     table.column_mut(0).copy_from(constant);
     table.column_mut(1).copy_from(cover);
     table.view_mut((0, 2), (n, n)).copy_from(matrix);
-    let mut dictionary =
-        Dictionary { table, basic: (1..=n).collect(), nonbasic: std::iter::once(0).chain(n + 1..=2 * n).collect() };
-    let start = (0..n).map(|k| constant[k] / cover[k]).enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
-    let Some((mut row, _)) = start else { return Outcome::Unsolved };
+    let mut dictionary = Dictionary {
+        table,
+        basic: (1..=n).collect(),
+        nonbasic: std::iter::once(0).chain(n + 1..=2 * n).collect(),
+    };
+    let start = (0..n)
+        .map(|k| constant[k] / cover[k])
+        .enumerate()
+        .min_by(|a, b| a.1.total_cmp(&b.1));
+    let Some((mut row, _)) = start else {
+        return Outcome::Unsolved;
+    };
     let mut column = 1;
     for _ in 0..limit {
         let leaving = dictionary.basic[row];
@@ -109,8 +123,16 @@ pub(super) fn lemke(
         if leaving == 0 {
             return Outcome::Solved(read_off(&dictionary, n));
         }
-        let entering = if leaving > n { leaving - n } else { leaving + n };
-        let Some(position) = dictionary.nonbasic.iter().position(|&variable| variable == entering) else {
+        let entering = if leaving > n {
+            leaving - n
+        } else {
+            leaving + n
+        };
+        let Some(position) = dictionary
+            .nonbasic
+            .iter()
+            .position(|&variable| variable == entering)
+        else {
             return Outcome::Unsolved;
         };
         column = position + 1;
@@ -139,11 +161,19 @@ mod tests {
     #[test]
     fn solves_positive_definite_problems() {
         for n in [1, 2, 5, 30] {
-            let a = DMatrix::from_fn(n, n, |i, j| ((i * 5 + j * 3 + i * j) % 7) as f64 / 7.0 - 0.4);
+            let a = DMatrix::from_fn(n, n, |i, j| {
+                ((i * 5 + j * 3 + i * j) % 7) as f64 / 7.0 - 0.4
+            });
             let matrix = &a * a.transpose() + DMatrix::identity(n, n) * 0.5;
             let constant = DVector::from_fn(n, |i, _| ((i * 11) % 5) as f64 - 2.0);
             let mut pivots = 0;
-            let Outcome::Solved(z) = lemke(&matrix, &constant, &DVector::repeat(n, 1.0), 1000, &mut pivots) else {
+            let Outcome::Solved(z) = lemke(
+                &matrix,
+                &constant,
+                &DVector::repeat(n, 1.0),
+                1000,
+                &mut pivots,
+            ) else {
                 panic!("a positive definite problem has a solution");
             };
             let w = &matrix * &z + &constant;
@@ -154,7 +184,13 @@ mod tests {
     #[test]
     fn a_ray_is_not_a_solution() {
         // w = −z − 1 has none.
-        let (matrix, constant) = (DMatrix::from_element(1, 1, -1.0), DVector::from_element(1, -1.0));
-        assert_eq!(lemke(&matrix, &constant, &DVector::repeat(1, 1.0), 10, &mut 0), Outcome::Unsolved);
+        let (matrix, constant) = (
+            DMatrix::from_element(1, 1, -1.0),
+            DVector::from_element(1, -1.0),
+        );
+        assert_eq!(
+            lemke(&matrix, &constant, &DVector::repeat(1, 1.0), 10, &mut 0),
+            Outcome::Unsolved
+        );
     }
 }

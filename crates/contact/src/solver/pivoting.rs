@@ -22,7 +22,11 @@ pub struct Pivoting {
 
 impl Default for Pivoting {
     fn default() -> Self {
-        Self { pivots_per_unknown: 50, covers: 4, repetitions: 20 }
+        Self {
+            pivots_per_unknown: 50,
+            covers: 4,
+            repetitions: 20,
+        }
     }
 }
 
@@ -36,13 +40,18 @@ impl InterfaceSolver for Pivoting {
 
     fn solve(&self, step: &Step<'_>) -> Result<StepSolution, StepFailure> {
         let mut work = Work::default();
-        self.run(step, &mut work).map_err(|cause| StepFailure::new(self.name(), cause, work))
+        self.run(step, &mut work)
+            .map_err(|cause| StepFailure::new(self.name(), cause, work))
     }
 }
 
 impl Pivoting {
     fn run(&self, step: &Step<'_>, work: &mut Work) -> Result<StepSolution, FailureCause> {
-        let springs = if step.mode_load.is_empty() { &SOFTNESS[..1] } else { &SOFTNESS };
+        let springs = if step.mode_load.is_empty() {
+            &SOFTNESS[..1]
+        } else {
+            &SOFTNESS
+        };
         let mut secants = Secants::new(step);
         let mut last = FailureCause::Ray;
         for _ in 0..self.repetitions {
@@ -51,17 +60,26 @@ impl Pivoting {
             for &softness in springs {
                 let problem = Complementarity::new(step, coefficients.clone(), softness);
                 for cover in 0..self.covers {
-                    let Some(candidate) = problem.solve(cover, self.pivots_per_unknown, &mut work.pivots) else {
+                    let Some(candidate) =
+                        problem.solve(cover, self.pivots_per_unknown, &mut work.pivots)
+                    else {
                         continue;
                     };
                     match confirm(step, &candidate, self.name(), work) {
-                        Ok(solution) => return Ok(StepSolution { work: *work, ..solution }),
+                        Ok(solution) => {
+                            return Ok(StepSolution {
+                                work: *work,
+                                ..solution
+                            });
+                        }
                         Err(cause) => last = cause,
                     }
                     next = Some(candidate);
                 }
             }
-            let Some(candidate) = next else { return Err(FailureCause::Ray) };
+            let Some(candidate) = next else {
+                return Err(FailureCause::Ray);
+            };
             secants.advance(&candidate);
             if secants.coefficients(step) == coefficients {
                 return Err(last);
@@ -85,22 +103,38 @@ impl Secants {
     fn new(step: &Step<'_>) -> Self {
         let count = step.count();
         let stiffest = step.problem.compliance().diagonal().max();
-        let loads = if stiffest > 0.0 { step.free_motion.amax() / stiffest } else { 0.0 };
+        let loads = if stiffest > 0.0 {
+            step.free_motion.amax() / stiffest
+        } else {
+            0.0
+        };
         let typical = loads.max(step.mode_load.amax()).max(f64::MIN_POSITIVE);
         let normal = (0..count).map(|k| step.committed.normal_force(k)).collect();
-        Self { normal, slip: vec![0.0; count], slipped: vec![false; count], typical }
+        Self {
+            normal,
+            slip: vec![0.0; count],
+            slipped: vec![false; count],
+            typical,
+        }
     }
 
     /// F/λ_n of all points; where there is no force yet, that of a small one.
     fn coefficients(&self, step: &Step<'_>) -> Vec<f64> {
         const SMALL: f64 = 1e-3;
-        let largest = self.normal.iter().fold(0.0, |largest: f64, &force| largest.max(force));
+        let largest = self
+            .normal
+            .iter()
+            .fold(0.0, |largest: f64, &force| largest.max(force));
         let small = SMALL * if largest > 0.0 { largest } else { self.typical };
         (0..step.count())
             .map(|k| {
                 let force = self.normal[k].max(small);
                 let bound = step.bound(k, force, self.slip[k]);
-                if self.slipped[k] { bound.slip / force } else { bound.stick / force }
+                if self.slipped[k] {
+                    bound.slip / force
+                } else {
+                    bound.stick / force
+                }
             })
             .collect()
     }

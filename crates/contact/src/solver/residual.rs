@@ -22,7 +22,11 @@ impl Residuals {
     pub fn largest(&self) -> f64 {
         // `max` would drop a NaN; a sum keeps it.
         let sum = self.complementarity + self.cone + self.balance;
-        if sum.is_nan() { f64::NAN } else { self.complementarity.max(self.cone).max(self.balance) }
+        if sum.is_nan() {
+            f64::NAN
+        } else {
+            self.complementarity.max(self.cone).max(self.balance)
+        }
     }
 
     /// Measures `trial` against the conditions of `step`.
@@ -33,8 +37,10 @@ impl Residuals {
             let (normal, tangential) = (trial.forces[2 * k], trial.forces[2 * k + 1]);
             let gap = trial.motion[2 * k] / scales.length;
             let force = normal / scales.force;
-            residuals.complementarity =
-                worst(residuals.complementarity, [-gap, -force, gap.abs().min(force.abs())]);
+            residuals.complementarity = worst(
+                residuals.complementarity,
+                [-gap, -force, gap.abs().min(force.abs())],
+            );
             if !point.slides {
                 continue;
             }
@@ -42,26 +48,35 @@ impl Residuals {
             let bound = step.bound(k, normal, slip);
             let violation = match trial.status[k] {
                 Status::Open => tangential.abs() / scales.force,
-                Status::Stick => {
-                    ((tangential.abs() - bound.stick) / scales.force).max(slip.abs() / scales.length)
-                }
+                Status::Stick => ((tangential.abs() - bound.stick) / scales.force)
+                    .max(slip.abs() / scales.length),
                 status => {
                     let sign = status.slip_sign();
-                    ((tangential + sign * bound.slip).abs() / scales.force).max(-sign * slip / scales.length)
+                    ((tangential + sign * bound.slip).abs() / scales.force)
+                        .max(-sign * slip / scales.length)
                 }
             };
             residuals.cone = worst(residuals.cone, [violation]);
         }
         let mut unbalanced = step.mode_load.clone();
         unbalanced.gemv_tr(1.0, step.problem.modes(), &trial.forces, 1.0);
-        residuals.balance = worst(0.0, unbalanced.iter().map(|force| force.abs() / scales.force));
+        residuals.balance = worst(
+            0.0,
+            unbalanced.iter().map(|force| force.abs() / scales.force),
+        );
         residuals
     }
 }
 
 /// `f64::max` over values that keeps a NaN.
 fn worst(start: f64, values: impl IntoIterator<Item = f64>) -> f64 {
-    values.into_iter().fold(start, |largest, value| if value > largest || value.is_nan() { value } else { largest })
+    values.into_iter().fold(start, |largest, value| {
+        if value > largest || value.is_nan() {
+            value
+        } else {
+            largest
+        }
+    })
 }
 
 /// Scales of force and length of a step.
@@ -74,10 +89,24 @@ pub(crate) struct Scales {
 impl Scales {
     pub(crate) fn of(step: &Step<'_>, forces: &DVector<f64>, motion: &DVector<f64>) -> Self {
         let committed = step.committed.forces.amax();
-        let force = forces.amax().max(step.mode_load.amax()).max(1e-3 * committed);
-        let gap = step.problem.points().iter().fold(0.0, |largest: f64, point| largest.max(point.gap.abs()));
-        let length = motion.amax().max(step.committed.motion.amax()).max(gap).max(step.free_motion.amax());
+        let force = forces
+            .amax()
+            .max(step.mode_load.amax())
+            .max(1e-3 * committed);
+        let gap = step
+            .problem
+            .points()
+            .iter()
+            .fold(0.0, |largest: f64, point| largest.max(point.gap.abs()));
+        let length = motion
+            .amax()
+            .max(step.committed.motion.amax())
+            .max(gap)
+            .max(step.free_motion.amax());
         let positive = |value: f64| if value > 0.0 { value } else { 1.0 };
-        Self { force: positive(force), length: positive(length) }
+        Self {
+            force: positive(force),
+            length: positive(length),
+        }
     }
 }

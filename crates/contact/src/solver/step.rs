@@ -21,13 +21,22 @@ pub struct Step<'a> {
 
 impl<'a> Step<'a> {
     /// The step from `committed` to the load multipliers `multipliers` (one per load case).
-    pub fn new(problem: &'a InterfaceProblem, committed: &'a ContactState, multipliers: &[f64]) -> Self {
+    pub fn new(
+        problem: &'a InterfaceProblem,
+        committed: &'a ContactState,
+        multipliers: &[f64],
+    ) -> Self {
         let mut free_motion = problem.load_motion(multipliers);
         for (k, point) in problem.points().iter().enumerate() {
             free_motion[2 * k] += point.gap;
             free_motion[2 * k + 1] -= committed.tangential_displacement(k);
         }
-        Self { problem, committed, free_motion, mode_load: problem.mode_load(multipliers) }
+        Self {
+            problem,
+            committed,
+            free_motion,
+            mode_load: problem.mode_load(multipliers),
+        }
     }
 
     /// Number of contact points.

@@ -28,7 +28,9 @@ impl GivenBody {
         responses: Vec<DVector<f64>>,
         mode_loads: Vec<DVector<f64>>,
     ) -> Self {
-        let points = (0..compliance.nrows() / 2).map(|k| [0.0, k as f64]).collect();
+        let points = (0..compliance.nrows() / 2)
+            .map(|k| [0.0, k as f64])
+            .collect();
         Self {
             points,
             compliance,

@@ -56,8 +56,12 @@ impl<'a> Conditions<'a> {
             + self.problem.modes() * &trial.rigid;
         let (force_scale, length_scale) = self.scales(&trial.forces, &motion);
         let balance = self.problem.modes().tr_mul(&trial.forces) + &self.mode_load;
-        let mut worst = ((&motion - &trial.motion).amax() / length_scale)
-            .max(if balance.is_empty() { 0.0 } else { balance.amax() / force_scale });
+        let mut worst =
+            ((&motion - &trial.motion).amax() / length_scale).max(if balance.is_empty() {
+                0.0
+            } else {
+                balance.amax() / force_scale
+            });
         for (k, &status) in trial.status.iter().enumerate() {
             let (normal, tangential) = (trial.forces[2 * k], trial.forces[2 * k + 1]);
             let gap = motion[2 * k];
@@ -71,22 +75,35 @@ impl<'a> Conditions<'a> {
             );
             let (stick, slipping) = (bound.stick * point.area, bound.slip * point.area);
             let parts = match status {
-                Status::Open => [-gap / length_scale, normal.abs().max(tangential.abs()) / force_scale, 0.0],
+                Status::Open => [
+                    -gap / length_scale,
+                    normal.abs().max(tangential.abs()) / force_scale,
+                    0.0,
+                ],
                 Status::Stick => [
                     gap.abs() / length_scale,
                     -normal / force_scale,
                     (slip.abs() / length_scale).max((tangential.abs() - stick) / force_scale),
                 ],
                 Status::SlipPositive | Status::SlipNegative => {
-                    let sign = if status == Status::SlipPositive { 1.0 } else { -1.0 };
+                    let sign = if status == Status::SlipPositive {
+                        1.0
+                    } else {
+                        -1.0
+                    };
                     [
                         gap.abs() / length_scale,
                         -normal / force_scale,
-                        (-sign * slip / length_scale).max((tangential + sign * slipping).abs() / force_scale),
+                        (-sign * slip / length_scale)
+                            .max((tangential + sign * slipping).abs() / force_scale),
                     ]
                 }
             };
-            let parts = if point.slides { parts } else { [parts[0], parts[1], 0.0] };
+            let parts = if point.slides {
+                parts
+            } else {
+                [parts[0], parts[1], 0.0]
+            };
             for part in parts {
                 assert!(!part.is_nan());
                 worst = worst.max(part);
@@ -97,8 +114,15 @@ impl<'a> Conditions<'a> {
 
     fn scales(&self, forces: &DVector<f64>, motion: &DVector<f64>) -> (f64, f64) {
         let force = forces.amax().max(self.committed.forces.amax());
-        let force = if self.mode_load.is_empty() { force } else { force.max(self.mode_load.amax()) };
-        let length = motion.amax().max(self.free.amax()).max(self.committed.motion.amax());
+        let force = if self.mode_load.is_empty() {
+            force
+        } else {
+            force.max(self.mode_load.amax())
+        };
+        let length = motion
+            .amax()
+            .max(self.free.amax())
+            .max(self.committed.motion.amax());
         (force.max(f64::MIN_POSITIVE), length.max(f64::MIN_POSITIVE))
     }
 
@@ -120,7 +144,8 @@ impl<'a> Conditions<'a> {
             all.borderline |= (1e-12..1e-6).contains(&violation);
             if violation < 1e-9 {
                 let scale = self.scales(&trial.forces, &trial.motion).0;
-                let known = |other: &TrialState| (&other.forces - &trial.forces).amax() < 1e-7 * scale;
+                let known =
+                    |other: &TrialState| (&other.forces - &trial.forces).amax() < 1e-7 * scale;
                 if all.solutions.iter().any(known) {
                     all.borderline = true;
                 } else {
@@ -146,15 +171,30 @@ impl<'a> Conditions<'a> {
             }
             self.motion_row(&mut matrix, &mut side, n, 0.0);
             if status == Status::Stick {
-                self.motion_row(&mut matrix, &mut side, t, self.committed.tangential_displacement(k));
+                self.motion_row(
+                    &mut matrix,
+                    &mut side,
+                    t,
+                    self.committed.tangential_displacement(k),
+                );
                 continue;
             }
             let place = &self.problem.points()[k].place;
-            let coefficient = self.problem.law(k).bound(1.0, 0.0, place, &self.committed.history[k]).slip;
+            let coefficient = self
+                .problem
+                .law(k)
+                .bound(1.0, 0.0, place, &self.committed.history[k])
+                .slip;
             matrix[(t, t)] = 1.0;
-            matrix[(t, n)] = if status == Status::SlipPositive { coefficient } else { -coefficient };
+            matrix[(t, n)] = if status == Status::SlipPositive {
+                coefficient
+            } else {
+                -coefficient
+            };
         }
-        matrix.view_mut((size, 0), (rigid, size)).copy_from(&modes.transpose());
+        matrix
+            .view_mut((size, 0), (rigid, size))
+            .copy_from(&modes.transpose());
         side.rows_mut(size, rigid).copy_from(&-&self.mode_load);
         // Rows scaled to one, so that a small pivot means dependence and not units.
         for row in 0..size + rigid {
@@ -183,11 +223,21 @@ impl<'a> Conditions<'a> {
     }
 
     /// Motion of row `row` equal to `target`.
-    fn motion_row(&self, matrix: &mut DMatrix<f64>, side: &mut DVector<f64>, row: usize, target: f64) {
+    fn motion_row(
+        &self,
+        matrix: &mut DMatrix<f64>,
+        side: &mut DVector<f64>,
+        row: usize,
+        target: f64,
+    ) {
         let size = self.free.len();
-        matrix.view_mut((row, 0), (1, size)).copy_from(&self.problem.compliance().row(row));
+        matrix
+            .view_mut((row, 0), (1, size))
+            .copy_from(&self.problem.compliance().row(row));
         let modes = self.problem.modes().row(row);
-        matrix.view_mut((row, size), (1, modes.ncols())).copy_from(&modes);
+        matrix
+            .view_mut((row, size), (1, modes.ncols()))
+            .copy_from(&modes);
         side[row] = target - self.free[row];
     }
 }

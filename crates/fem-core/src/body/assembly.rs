@@ -128,7 +128,7 @@ fn scatter(local: &[f64], cell: &[usize], structure: &BodyStructure, assembled: 
     }
 }
 
-/// Nodal forces K u [force], interleaved, that hold the body in the displacements `u` [length]; supports are ignored.
+/// Nodal forces K u `[force]`, interleaved, that hold the body in the displacements `u` `[length]`; supports are ignored.
 pub fn internal_forces(body: &ElasticBody, u: &[f64]) -> Vec<f64> {
     struct Visit<'a> {
         body: &'a ElasticBody,

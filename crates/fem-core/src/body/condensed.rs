@@ -33,12 +33,9 @@ impl CondensedBody {
     /// Condenses `body` with a structure made by [`ElasticBody::analyse`], perhaps of a body that differs in material.
     ///
     /// # Errors
-    /// [`BodyError::OtherStructure`]; [`BodyError::Factor`] if the stiffness matrix is not positive definite.
+    /// [`BodyError::OtherStructure`], [`BodyError::OtherSupports`]; [`BodyError::Factor`] if the stiffness matrix is not positive definite.
     pub fn new(body: Arc<ElasticBody>, structure: Arc<BodyStructure>) -> Result<Self, BodyError> {
-        let (expected, found) = (structure.equations.len(), body.mesh.nodes().len());
-        if expected != found {
-            return Err(BodyError::OtherStructure { expected, found });
-        }
+        structure.check_made_for(&body)?;
         let assembled = assemble(&body, &structure);
         let factor = SparseCholesky::factorise(&structure.symbolic, &assembled.matrix)?;
         drop(assembled.matrix);
@@ -130,7 +127,7 @@ impl CondensedBody {
         self.factor.bytes()
     }
 
-    /// Displacements of all nodes [length], interleaved, under interface forces `forces` (2n) [force], load cases times
+    /// Displacements of all nodes `[length]`, interleaved, under interface forces `forces` (2n) `[force]`, load cases times
     /// `multipliers`, and rigid motions `motions` (f): one pair of sparse triangular solves.
     pub fn displacements(&self, forces: &[f64], multipliers: &[f64], motions: &[f64]) -> Vec<f64> {
         let structure = &self.structure;
@@ -162,7 +159,7 @@ impl CondensedBody {
         u
     }
 
-    /// Unbalanced nodal forces [force] of the displacements `u`: K u − f − λ, interleaved; at supported nodes these are
+    /// Unbalanced nodal forces `[force]` of the displacements `u`: K u − f − λ, interleaved; at supported nodes these are
     /// the reactions, elsewhere they vanish within rounding.
     pub fn residual_forces(&self, u: &[f64], forces: &[f64], multipliers: &[f64]) -> Vec<f64> {
         let mut residual = super::internal_forces(&self.body, u);
@@ -192,16 +189,20 @@ impl CondensedBody {
         residual
     }
 
-    /// Largest of the `residual` forces on unknowns that nothing holds, relative to the largest force of `forces` and of the
-    /// load cases times `multipliers`; 0 where nothing is loaded.
+    /// Largest of the `residual` forces on unknowns that nothing holds, relative to the load: half the sum of all nodal
+    /// forces of `forces`, or of the load cases times `multipliers` if that is more. 0 where nothing is loaded.
     pub fn relative_imbalance(&self, residual: &[f64], forces: &[f64], multipliers: &[f64]) -> f64 {
-        let largest = |values: &[f64]| values.iter().fold(0.0, |worst: f64, value| worst.max(value.abs()));
-        let loads = self.case_forces.iter().zip(multipliers);
-        let load = loads.fold(0.0, |worst: f64, (case, factor)| {
-            worst.max(factor.abs() * case.as_deref().map_or(0.0, largest))
-        });
-        let scale = load.max(largest(forces));
-        if scale > 0.0 { largest(&self.structure.to_unknowns(residual)) / scale } else { 0.0 }
+        let sum = |values: &[f64]| values.iter().map(|value| value.abs()).sum::<f64>() / 2.0;
+        let cases = self.case_forces.iter().zip(multipliers);
+        let load: f64 = cases
+            .map(|(case, factor)| factor.abs() * case.as_deref().map_or(0.0, sum))
+            .sum();
+        let scale = load.max(sum(forces));
+        let free = self.structure.to_unknowns(residual);
+        let largest = free
+            .iter()
+            .fold(0.0, |worst: f64, force| worst.max(force.abs()));
+        if scale > 0.0 { largest / scale } else { 0.0 }
     }
 
     fn right_hand_side(&self, forces: &[f64], multipliers: &[f64]) -> Vec<f64> {
@@ -253,6 +254,11 @@ impl InterfaceOperator for CondensedBody {
 }
 
 impl BodyStructure {
+    /// The stiffness matrix of `body`, ordered as it is factorised; `body` must have the mesh and supports of this structure.
+    pub fn stiffness(&self, body: &ElasticBody) -> crate::linalg::LowerMatrix {
+        assemble(body, self).matrix
+    }
+
     /// For each interface unknown: contact point, and the xy direction of the unknown's axis.
     fn interface_axes(&self) -> Vec<(usize, [f64; 2])> {
         let mut axes = Vec::with_capacity(self.interface_unknowns);

@@ -1,11 +1,14 @@
 //! Numbering of a body's equations and the structure of its stiffness matrix.
 
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, SymmetricEigen};
 
+use super::parts::check_parts;
 use super::{BodyError, ElasticBody};
 use crate::linalg::{LowerMatrix, SparseStructure, minimum_degree};
 use crate::mesh::{Mesh, Point};
-use crate::support::{NodeConstraint, node_constraints};
+use crate::support::{NodeConstraint, Platen, Support, node_constraints};
 
 /// Number of an equation that does not exist because its unknown is held.
 pub(super) const HELD: u32 = u32::MAX;
@@ -15,6 +18,9 @@ pub(super) const HELD: u32 = u32::MAX;
 /// material or load share it.
 #[derive(Clone, Debug)]
 pub struct BodyStructure {
+    mesh: Arc<Mesh>,
+    supports: Vec<Support>,
+    platen: Option<Platen>,
     pub(super) constraints: Vec<NodeConstraint>,
     /// Equation of each node in each of its own axes.
     pub(super) equations: Vec<[u32; 2]>,
@@ -32,10 +38,13 @@ impl BodyStructure {
         let mesh = &body.mesh;
         let mut constraints = node_constraints(mesh, &body.supports, body.platen.as_ref())?;
         let on_interface = flag_interface(mesh, interface)?;
-        let motions = FreeMotions::of(body, &constraints);
-        motions.hold_isostatically(mesh, &mut constraints, &on_interface, body.platen.is_some());
-
+        let motions = FreeMotions::of(body, &constraints)?;
+        if body.platen.is_none() {
+            motions.hold_isostatically(mesh, &mut constraints, &on_interface);
+        }
         let adjacency = node_adjacency(mesh);
+        check_parts(mesh, &adjacency, &constraints)?;
+
         let order = minimum_degree(&adjacency, interface)?;
         let mut equations = vec![[HELD; 2]; mesh.nodes().len()];
         let mut unknowns = 0_u32;
@@ -55,6 +64,9 @@ impl BodyStructure {
         let pattern = lower_pattern(&order, &adjacency, &equations);
         let symbolic = SparseStructure::analyse(&pattern)?;
         Ok(Self {
+            mesh: Arc::clone(mesh),
+            supports: body.supports.clone(),
+            platen: body.platen.clone(),
             constraints,
             equations,
             unknowns: unknowns as usize,
@@ -64,6 +76,20 @@ impl BodyStructure {
             symbolic,
             motions,
         })
+    }
+
+    /// Refuses a body that differs in more than material and load.
+    pub(super) fn check_made_for(&self, body: &ElasticBody) -> Result<(), BodyError> {
+        if !Arc::ptr_eq(&self.mesh, &body.mesh) && self.mesh != body.mesh {
+            return Err(BodyError::OtherStructure {
+                expected: self.mesh.nodes().len(),
+                found: body.mesh.nodes().len(),
+            });
+        }
+        if self.supports != body.supports || self.platen != body.platen {
+            return Err(BodyError::OtherSupports);
+        }
+        Ok(())
     }
 
     /// Number of unknowns.
@@ -156,8 +182,9 @@ pub(super) struct FreeMotions {
 }
 
 impl FreeMotions {
-    /// Null space of the supports on the candidate motions: all three, or the translations that a platen is free to make.
-    fn of(body: &ElasticBody, constraints: &[NodeConstraint]) -> Self {
+    /// Null space of the supports on the candidate motions: all three, or the translations that a platen is free to make,
+    /// which supports elsewhere must not resist: the platen would then move by deforming the body.
+    fn of(body: &ElasticBody, constraints: &[NodeConstraint]) -> Result<Self, BodyError> {
         let [low, high] = body.mesh.bounding_box();
         let centre = [
             f64::midpoint(low[0], high[0]),
@@ -179,6 +206,7 @@ impl FreeMotions {
         }
         let candidates = motions.count();
         let mut gram = DMatrix::zeros(candidates, candidates);
+        let mut holds = 0;
         for (node, constraint) in constraints
             .iter()
             .enumerate()
@@ -187,17 +215,23 @@ impl FreeMotions {
             for axis in (0..2).filter(|&axis| constraint.held[axis]) {
                 let row = motions.row(&body.mesh, node, constraint.axes()[axis]);
                 gram += row.transpose() * row;
+                holds += 1;
             }
         }
-        let scale = gram.trace();
-        if scale > 0.0 {
+        if holds > 0 {
             let eigen = SymmetricEigen::new(gram);
             let free: Vec<usize> = (0..candidates)
-                .filter(|&k| eigen.eigenvalues[k] <= 1e-12 * scale)
+                .filter(|&k| eigen.eigenvalues[k] <= 1e-12 * f64::from(holds))
                 .collect();
+            if body.platen.is_some() && free.len() < candidates {
+                return Err(BodyError::PlatenResisted {
+                    free: candidates,
+                    left: free.len(),
+                });
+            }
             motions.combinations = &motions.combinations * eigen.eigenvectors.select_columns(&free);
         }
-        motions
+        Ok(motions)
     }
 
     /// Number of free motions.
@@ -229,40 +263,66 @@ impl FreeMotions {
     }
 
     /// Holds one unknown per free motion so that the stiffness matrix becomes regular. Which ones does not change any
-    /// answer, because the balance of the body makes their reactions vanish; a platen's nodes are held already.
+    /// answer, because the balance of the body makes their reactions vanish. Nodes of the interface are taken only where the
+    /// others have no leverage.
     fn hold_isostatically(
         &self,
         mesh: &Mesh,
         constraints: &mut [NodeConstraint],
         on_interface: &[bool],
-        platen: bool,
     ) {
-        if platen {
-            return;
-        }
+        const LEVERAGE: f64 = 0.05;
         let mut basis: Vec<DMatrix<f64>> = Vec::new();
         for _ in 0..self.count() {
-            let mut best: Option<(f64, usize, usize, DMatrix<f64>)> = None;
-            for node in (0..constraints.len()).filter(|&node| !on_interface[node]) {
-                for axis in (0..2).filter(|&axis| !constraints[node].held[axis]) {
-                    let mut row = self.row(mesh, node, constraints[node].axes()[axis]);
-                    for known in &basis {
-                        let along = row.dot(known);
-                        row -= known * along;
-                    }
-                    let size = row.norm();
-                    if best
-                        .as_ref()
-                        .is_none_or(|(largest, ..)| size > largest * (1.0 + 1e-9))
-                    {
-                        best = Some((size, node, axis, row));
-                    }
-                }
-            }
-            if let Some((size, node, axis, row)) = best {
-                constraints[node].held[axis] = true;
-                basis.push(row / size);
+            let inside = self.best_hold(mesh, constraints, &basis, |node| !on_interface[node]);
+            let best = inside
+                .filter(|hold| hold.size > LEVERAGE)
+                .or_else(|| self.best_hold(mesh, constraints, &basis, |_| true));
+            if let Some(hold) = best {
+                constraints[hold.node].held[hold.axis] = true;
+                basis.push(hold.row / hold.size);
             }
         }
     }
+
+    /// The unknown of the nodes `allowed` that the free motions, less those in `basis`, move most.
+    fn best_hold(
+        &self,
+        mesh: &Mesh,
+        constraints: &[NodeConstraint],
+        basis: &[DMatrix<f64>],
+        allowed: impl Fn(usize) -> bool,
+    ) -> Option<Hold> {
+        let mut best: Option<Hold> = None;
+        for node in (0..constraints.len()).filter(|&node| allowed(node)) {
+            for axis in (0..2).filter(|&axis| !constraints[node].held[axis]) {
+                let mut row = self.row(mesh, node, constraints[node].axes()[axis]);
+                for known in basis {
+                    let along = row.dot(known);
+                    row -= known * along;
+                }
+                let size = row.norm();
+                if best
+                    .as_ref()
+                    .is_none_or(|largest| size > largest.size * (1.0 + 1e-9))
+                {
+                    best = Some(Hold {
+                        size,
+                        node,
+                        axis,
+                        row,
+                    });
+                }
+            }
+        }
+        best
+    }
+}
+
+/// An unknown that could be held, and how the motions move it: 1 × f, and its norm.
+struct Hold {
+    size: f64,
+    node: usize,
+    axis: usize,
+    row: DMatrix<f64>,
 }

@@ -81,7 +81,7 @@ impl Blocks {
         }
     }
 
-    /// Adds a block of `cells[0]` × `cells[1]` cells. `map` gives the point [length] at lattice position (i, j); linear
+    /// Adds a block of `cells[0]` × `cells[1]` cells. `map` gives the point `[length]` at lattice position (i, j); linear
     /// kinds ask for whole steps, quadratic ones also for points where one of the two is half.
     pub fn add(&mut self, cells: [usize; 2], map: impl Fn(f64, f64) -> Point) -> BlockId {
         self.lattices

@@ -42,15 +42,15 @@ use crate::mesh::{Curve, ElementKind, Mesh};
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct CylinderOnBlock {
-    /// Radius R of the cylinder [length].
+    /// Radius R of the cylinder `[length]`.
     pub radius: f64,
-    /// Half width L of both bodies [length], less than the radius.
+    /// Half width L of both bodies `[length]`, less than the radius.
     pub half_width: f64,
-    /// Height H of both bodies [length], more than the cap's rise at |x| = L.
+    /// Height H of both bodies `[length]`, more than the cap's rise at |x| = L.
     pub height: f64,
-    /// Equal cells up to this |x| [length], less than the half width.
+    /// Equal cells up to this |x| `[length]`, less than the half width.
     pub inner: f64,
-    /// Largest width of those cells, and depth of the first row [length].
+    /// Largest width of those cells, and depth of the first row `[length]`.
     pub spacing: f64,
     /// Largest growth of cells from one to the next further out and further down, at least 1.
     pub growth: f64,
@@ -104,7 +104,7 @@ impl CylinderOnBlock {
         )
     }
 
-    /// Height of the cylinder's surface [length], in the form that keeps its digits near x = 0.
+    /// Height of the cylinder's surface `[length]`, in the form that keeps its digits near x = 0.
     fn arc(&self, x: f64) -> f64 {
         let r = self.radius;
         x * x / (r + ((r - x) * (r + x)).max(0.0).sqrt())
@@ -115,7 +115,7 @@ impl CylinderOnBlock {
         (self.inner / self.spacing - 1e-6).ceil().max(1.0) as usize
     }
 
-    /// Width of the equal cells [length].
+    /// Width of the equal cells `[length]`.
     fn inner_spacing(&self) -> f64 {
         self.inner / self.inner_cells() as f64
     }

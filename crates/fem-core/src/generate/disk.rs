@@ -4,7 +4,9 @@
 //! a quadrant has as many cells along each half-axis as along the side opposite to it, so with V₁ cells from the x axis to
 //! the first core corner and so on
 //!
-//!     V₁ = U₂,   V₂ = U₃,   V₃ = U₄,   V₄ = U₁,   N = Σ (V + U):
+//! ```text
+//! V₁ = U₂,   V₂ = U₃,   V₃ = U₄,   V₄ = U₁,   N = Σ (V + U):
+//! ```
 //!
 //! a whole disk needs an even number N of rim cells, a half disk any N ≥ 4, and the centre is always a node.
 
@@ -42,13 +44,13 @@ use crate::mesh::{Curve, ElementKind, Mesh, Point};
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Disk {
-    /// Radius [length].
+    /// Radius `[length]`.
     pub radius: f64,
-    /// Centre [length].
+    /// Centre `[length]`.
     pub centre: Point,
     /// The half above the centre, or all.
     pub extent: Extent,
-    /// Angles of the rim's corner nodes [rad], as for [`super::PlateWithHole`].
+    /// Angles of the rim's corner nodes `[rad]`, as for [`super::PlateWithHole`].
     pub angles: Vec<f64>,
     /// Radius of the core's corners over the radius of the disk, between 0 and 1.
     pub core: f64,

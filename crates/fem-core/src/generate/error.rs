@@ -29,11 +29,11 @@ pub enum GenerateError {
     TooBig {
         /// Name of the input.
         what: &'static str,
-        /// Its value [length].
+        /// Its value `[length]`.
         value: f64,
         /// Name of what it must not reach.
         bound_name: &'static str,
-        /// Value of that [length].
+        /// Value of that `[length]`.
         bound: f64,
     },
     /// Too few cells, layers, coordinates or angles.
@@ -82,9 +82,9 @@ pub enum GenerateError {
          add angles around {corner:.3} rad"
     )]
     CornerUnresolved {
-        /// Direction of the corner seen from the hole's centre [rad].
+        /// Direction of the corner seen from the hole's centre `[rad]`.
         corner: f64,
-        /// The nearest angle that is not taken by another corner [rad].
+        /// The nearest angle that is not taken by another corner `[rad]`.
         nearest: f64,
     },
     /// A ray from the hole to the plate's outline would cut through the hole.
@@ -93,9 +93,9 @@ pub enum GenerateError {
          add angles around the plate corners"
     )]
     RayThroughHole {
-        /// Angle on the hole [rad].
+        /// Angle on the hole `[rad]`.
         angle: f64,
-        /// Angle of the outline's node [rad].
+        /// Angle of the outline's node `[rad]`.
         outline: f64,
     },
     /// Quadrilaterals cannot fill a closed outline with an odd number of edges.
@@ -119,7 +119,7 @@ pub enum GenerateError {
     TooLarge {
         /// Number of nodes.
         nodes: usize,
-        /// Memory for the mesh alone [bytes].
+        /// Memory for the mesh alone `[bytes]`.
         bytes: usize,
         /// The limit in force.
         limit: usize,

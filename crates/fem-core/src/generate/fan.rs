@@ -1,6 +1,8 @@
 //! Layers of cells between a contact circle and something around or inside it.
 //!
-//!     x(i, j) = (1 − s) Cᵢ + s Fᵢ,   s = s(i, j) from 0 on the circle to 1 on the far side
+//! ```text
+//! x(i, j) = (1 − s) Cᵢ + s Fᵢ,   s = s(i, j) from 0 on the circle to 1 on the far side
+//! ```
 //!
 //! Cᵢ lies on the circle at the i-th angle, Fᵢ on the far side; half steps in i use the mean angle, so that mid-side nodes of
 //! the circle are on it. All cells between two rays that do not cross are convex, whatever the two lists of s.
@@ -11,14 +13,14 @@ use super::spacing::{at_least, at_step, increasing, layer_fractions, positive};
 use super::{Extent, GenerateError, Growth};
 use crate::mesh::Point;
 
-/// Angles this close to the ends 0, π or 2π are meant to be there [rad].
+/// Angles this close to the ends 0, π or 2π are meant to be there `[rad]`.
 const ANGLE_ROUNDING: f64 = 1e-9;
 
 /// Largest change of the first layer's thickness per length along the circle, so that a jump in the angles' spacing does not
 /// become a step in the layers.
 const THICKNESS_SLOPE: f64 = 0.2;
 
-/// Equally spaced angles [rad] for the contact circle: `intervals + 1` from 0 to π for half, `intervals` from 0 to below 2π
+/// Equally spaced angles `[rad]` for the contact circle: `intervals + 1` from 0 to π for half, `intervals` from 0 to below 2π
 /// for whole. Empty for zero intervals.
 pub fn uniform_angles(extent: Extent, intervals: usize) -> Vec<f64> {
     let (count, end) = match extent {
@@ -31,7 +33,7 @@ pub fn uniform_angles(extent: Extent, intervals: usize) -> Vec<f64> {
         .collect()
 }
 
-/// The angles [rad] with every interval halved; for whole also the one from the last angle to 2π.
+/// The angles `[rad]` with every interval halved; for whole also the one from the last angle to 2π.
 pub fn bisected_angles(extent: Extent, angles: &[f64]) -> Vec<f64> {
     let end = if extent == Extent::Whole {
         Some(TAU)
@@ -120,7 +122,7 @@ impl Rim {
             .collect()
     }
 
-    /// Width of the neighbouring intervals [rad] at every angle, smoothed to [`THICKNESS_SLOPE`].
+    /// Width of the neighbouring intervals `[rad]` at every angle, smoothed to [`THICKNESS_SLOPE`].
     fn local_spacing(&self) -> Vec<f64> {
         let n = self.intervals();
         let width: Vec<f64> = self
@@ -248,7 +250,7 @@ impl Fan {
         self.far[(2.0 * i) as usize]
     }
 
-    /// Thickness of the layer at the far side along ray `i` [length].
+    /// Thickness of the layer at the far side along ray `i` `[length]`.
     pub(super) fn last_thickness(&self, i: usize) -> f64 {
         let list = &self.fractions[i];
         let (c, f) = (self.near[2 * i], self.far[2 * i]);

@@ -27,7 +27,7 @@ use crate::mesh::{Curve, ElementKind, Mesh};
 /// What surrounds the hole. The hole's centre is the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Outline {
-    /// The strip −left ≤ x ≤ right, |y| ≤ half_width, all [length].
+    /// The strip −left ≤ x ≤ right, |y| ≤ half_width, all `[length]`.
     Strip {
         /// Half the width of the strip.
         half_width: f64,
@@ -38,7 +38,7 @@ pub enum Outline {
     },
     /// A concentric circle.
     Ring {
-        /// Its radius [length].
+        /// Its radius `[length]`.
         outer_radius: f64,
     },
 }
@@ -69,13 +69,13 @@ pub enum Outline {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlateWithHole {
-    /// Radius of the hole [length].
+    /// Radius of the hole `[length]`.
     pub hole_radius: f64,
     /// What surrounds it.
     pub outline: Outline,
     /// y ≥ 0 only, or all.
     pub extent: Extent,
-    /// Angles of the hole's corner nodes [rad], strictly increasing: from 0 to π for half, from 0 to below 2π for whole.
+    /// Angles of the hole's corner nodes `[rad]`, strictly increasing: from 0 to π for half, from 0 to below 2π for whole.
     pub angles: Vec<f64>,
     /// Layers of cells between the hole and the box or ring.
     pub layers: usize,

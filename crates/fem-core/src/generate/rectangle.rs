@@ -18,16 +18,16 @@ use crate::mesh::{Curve, ElementKind, Mesh};
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rectangle {
-    /// Strictly increasing x of the grid lines [length].
+    /// Strictly increasing x of the grid lines `[length]`.
     pub xs: Vec<f64>,
-    /// Strictly increasing y of the grid lines [length].
+    /// Strictly increasing y of the grid lines `[length]`.
     pub ys: Vec<f64>,
     /// Kind of the cells.
     pub kind: ElementKind,
 }
 
 impl Rectangle {
-    /// Equal cells, `cells` in each direction, between the ends `x` and `y` [length].
+    /// Equal cells, `cells` in each direction, between the ends `x` and `y` `[length]`.
     ///
     /// # Errors
     /// As [`graded`].

@@ -1,6 +1,8 @@
 //! Graded lists of coordinates.
 //!
-//!     Δₖ = Δ₀ qᵏ,   Σ Δₖ = Δ₀ (qⁿ − 1)/(q − 1) = length
+//! ```text
+//! Δₖ = Δ₀ qᵏ,   Σ Δₖ = Δ₀ (qⁿ − 1)/(q − 1) = length
+//! ```
 
 use super::GenerateError;
 
@@ -46,7 +48,7 @@ pub(super) fn increasing(what: &'static str, list: &[f64]) -> Result<(), Generat
     }
 }
 
-/// `cells + 1` coordinates from `from` to `to` [length] whose spacing grows geometrically; `ratio` is the last spacing over
+/// `cells + 1` coordinates from `from` to `to` `[length]` whose spacing grows geometrically; `ratio` is the last spacing over
 /// the first.
 ///
 /// # Errors
@@ -93,7 +95,7 @@ pub fn graded_both(
     Ok(list)
 }
 
-/// Coordinates from `from` to `to` [length] with a first spacing of about `first`, growing by at most `growth` ≥ 1 from cell
+/// Coordinates from `from` to `to` `[length]` with a first spacing of about `first`, growing by at most `growth` ≥ 1 from cell
 /// to cell. The number of cells follows.
 ///
 /// # Errors

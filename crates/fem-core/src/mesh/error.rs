@@ -40,7 +40,7 @@ pub enum MeshError {
     NonFiniteNode {
         /// The node.
         node: usize,
-        /// Its coordinates [length].
+        /// Its coordinates `[length]`.
         at: Point,
     },
     /// A node that no cell uses would make the stiffness matrix singular.
@@ -48,7 +48,7 @@ pub enum MeshError {
     UnusedNode {
         /// The node.
         node: usize,
-        /// Its coordinates [length].
+        /// Its coordinates `[length]`.
         at: Point,
     },
     /// A cell is folded or numbered clockwise.
@@ -61,7 +61,7 @@ pub enum MeshError {
         element: usize,
         /// Name of its block.
         block: String,
-        /// Determinant of the Jacobian [length²].
+        /// Determinant of the Jacobian `[length²]`.
         determinant: f64,
         /// Reference point where it was found.
         at: Point,
@@ -76,7 +76,7 @@ pub enum MeshError {
         element: usize,
         /// Name of its block.
         block: String,
-        /// Determinant of the Jacobian [length²].
+        /// Determinant of the Jacobian `[length²]`.
         determinant: f64,
         /// Reference point where it was found.
         at: Point,

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::ElementKind;
 
-/// A point of the plane or of the reference cell: (x, y) [length] or (ξ, η) [1].
+/// A point of the plane or of the reference cell: (x, y) `[length]` or (ξ, η) `[1]`.
 pub type Point = [f64; 2];
 
 /// Cells of one kind; a block has one material.
@@ -41,9 +41,9 @@ pub struct EdgeNodes {
 pub enum Curve {
     /// Part of a circle.
     Arc {
-        /// Centre of the circle [length].
+        /// Centre of the circle `[length]`.
         centre: Point,
-        /// Radius of the circle [length].
+        /// Radius of the circle `[length]`.
         radius: f64,
     },
     /// A straight line: the edges are exact.
@@ -62,7 +62,7 @@ pub struct EdgeSet {
 /// Everything a mesh is made of, open to change; [`super::Mesh::new`] checks it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MeshParts {
-    /// Node coordinates [length].
+    /// Node coordinates `[length]`.
     pub nodes: Vec<Point>,
     /// Blocks of cells.
     pub blocks: Vec<ElementBlock>,

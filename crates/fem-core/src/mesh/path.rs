@@ -1,6 +1,8 @@
 //! Chains of boundary edges and their consistent weights.
 //!
-//!     wᵢ = ∫ Nᵢ ds,   Σᵢ wᵢ = length of the chain.
+//! ```text
+//! wᵢ = ∫ Nᵢ ds,   Σᵢ wᵢ = length of the chain.
+//! ```
 //!
 //! On an exact arc of radius R an edge from θ₁ to θ₂ has length R |θ₂ − θ₁|, split (½, ½) or (⅙, ⁴⁄₆, ⅙) among its nodes;
 //! otherwise the integral runs over the isoparametric edge.
@@ -109,7 +111,7 @@ impl Mesh {
         Ok(path)
     }
 
-    /// The chain walked counter-clockwise about `centre` [length]. A closed chain starts at the corner node of smallest
+    /// The chain walked counter-clockwise about `centre` `[length]`. A closed chain starts at the corner node of smallest
     /// angle in [0, 2π); on the half hole or half disk the walk goes from θ = 0 to θ = π.
     pub fn counter_clockwise(&self, path: &EdgePath, centre: Point) -> EdgePath {
         let swept: f64 = (0..path.edges.len())
@@ -141,7 +143,7 @@ impl Mesh {
         walk
     }
 
-    /// Angle [rad] of each node of the chain about `centre` [length], continuous along the walk; the first is in [0, 2π).
+    /// Angle `[rad]` of each node of the chain about `centre` `[length]`, continuous along the walk; the first is in [0, 2π).
     pub fn angles(&self, path: &EdgePath, centre: Point) -> Vec<f64> {
         let points = || path.nodes.iter().map(|&node| self.nodes()[node]);
         let mut angles = Vec::with_capacity(path.nodes.len());
@@ -157,7 +159,7 @@ impl Mesh {
         angles
     }
 
-    /// Consistent weights ∫ Nᵢ ds [length] of the chain's nodes, in its order. On [`Curve::Arc`] with the true length of
+    /// Consistent weights ∫ Nᵢ ds `[length]` of the chain's nodes, in its order. On [`Curve::Arc`] with the true length of
     /// each edge's arc, otherwise on the isoparametric edges.
     pub fn edge_weights(&self, path: &EdgePath, curve: Option<Curve>) -> Vec<f64> {
         let mut weights = vec![0.0; path.nodes.len()];

@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 use stickslip_fem_core::mesh::ElementKind;
-use stickslip_fem_core::{CondensedBody, ElasticBody, HeldDirection, InterfaceOperator, LoadCase, Support};
+use stickslip_fem_core::{
+    CondensedBody, ElasticBody, HeldDirection, InterfaceOperator, LoadCase, Support,
+};
 
 use crate::fields::{THICKNESS, ply};
 use crate::meshes::{Distortion, Noise, nearest, scattered, side_nodes};
@@ -65,7 +67,11 @@ fn held(kind: ElementKind) -> Held {
         ])
         .with_load_cases(cases)
         .unwrap();
-    Held { body: Arc::new(body), supports, interface }
+    Held {
+        body: Arc::new(body),
+        supports,
+        interface,
+    }
 }
 
 impl Held {
@@ -100,7 +106,11 @@ fn compliance_inverts_the_schur_complement() {
         let held = held(kind);
         let condensed = held.condense();
         let compliance = condensed.compliance().unwrap();
-        assert_eq!(*compliance, compliance.transpose(), "symmetric to the last bit");
+        assert_eq!(
+            *compliance,
+            compliance.transpose(),
+            "symmetric to the last bit"
+        );
         assert_eq!(condensed.modes().shape(), (2 * held.interface.len(), 0));
 
         let fixed: Vec<usize> = held.supports.iter().map(|&(k, _)| k).collect();
@@ -137,7 +147,11 @@ fn responses_are_those_of_the_whole_body() {
             }
             assert_eq!(condensed.mode_load(case).len(), 0);
         }
-        assert_eq!(condensed.load_response(3), None, "the last case loads nothing");
+        assert_eq!(
+            condensed.load_response(3),
+            None,
+            "the last case loads nothing"
+        );
     }
 }
 
@@ -165,7 +179,10 @@ fn displacements_superpose() {
         let error = (DVector::from_column_slice(&u) - &reference).amax();
         assert!(error < ROUNDING * reference.amax(), "{kind:?}: {error:.1e}");
         for (row, k) in unknowns(&held.interface).into_iter().enumerate() {
-            assert!((at_interface[row] - u[k]).abs() < ROUNDING * reference.amax(), "{kind:?}");
+            assert!(
+                (at_interface[row] - u[k]).abs() < ROUNDING * reference.amax(),
+                "{kind:?}"
+            );
         }
     }
 }
@@ -175,7 +192,11 @@ fn displacements_superpose() {
 fn blocks_of_different_kinds_and_materials_join() {
     let mesh = crate::meshes::joined();
     let left = side_nodes(&mesh, &["left"]);
-    let hold = |direction| Support { nodes: left.clone(), direction, displacement: 0.0 };
+    let hold = |direction| Support {
+        nodes: left.clone(),
+        direction,
+        displacement: 0.0,
+    };
     let interface = side_nodes(&mesh, &["right"]);
     let body = ElasticBody::new(Arc::new(mesh), vec![ply(0.2), ply(-1.0)], THICKNESS).unwrap();
     let body = Arc::new(body.with_supports([hold(HeldDirection::X), hold(HeldDirection::Y)]));
@@ -184,5 +205,8 @@ fn blocks_of_different_kinds_and_materials_join() {
     let schur = schur_complement(&stiffness_matrix(&body), &kept, &fixed);
     let compliance = condensed.compliance().unwrap();
     let error = (compliance * &schur - DMatrix::identity(kept.len(), kept.len())).amax();
-    assert!(error < ROUNDING * compliance.amax() * schur.amax(), "{error:.1e}");
+    assert!(
+        error < ROUNDING * compliance.amax() * schur.amax(),
+        "{error:.1e}"
+    );
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use nalgebra::{Complex, ComplexField};
+use nalgebra::Complex;
 use stickslip_fem_core::load::edge_load;
 use stickslip_fem_core::material::{
     Isotropic, Material, Orthotropic, OrthotropicConstants, OutOfPlane, PlaneState, PlaneStiffness,
@@ -128,7 +128,11 @@ pub(crate) fn kolosov(young: f64, poisson: f64, state: PlaneState) -> Field {
             let sum = 4.0 * (k * phi).re;
             let rest = (z.conj() * k * k * phi - k * psi) * 2.0;
             let difference = rest.re;
-            [(sum - difference) / 2.0, (sum + difference) / 2.0, rest.im / 2.0]
+            [
+                (sum - difference) / 2.0,
+                (sum + difference) / 2.0,
+                rest.im / 2.0,
+            ]
         }),
     }
 }
@@ -216,11 +220,18 @@ pub(crate) fn driven(
         ..LoadCase::default()
     };
     let body = ElasticBody::new(Arc::new(mesh), vec![material], THICKNESS).unwrap();
-    Arc::new(body.with_supports(supports).with_load_cases(vec![load]).unwrap())
+    Arc::new(
+        body.with_supports(supports)
+            .with_load_cases(vec![load])
+            .unwrap(),
+    )
 }
 
 /// Both components of every node held.
 pub(crate) fn both(nodes: &[usize]) -> Vec<(usize, HeldDirection)> {
     let axes = [HeldDirection::X, HeldDirection::Y];
-    nodes.iter().flat_map(|&node| axes.map(|axis| (node, axis))).collect()
+    nodes
+        .iter()
+        .flat_map(|&node| axes.map(|axis| (node, axis)))
+        .collect()
 }

@@ -7,7 +7,9 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use stickslip_fem_core::body::internal_forces;
 use stickslip_fem_core::mesh::ElementKind;
-use stickslip_fem_core::{CondensedBody, ElasticBody, HeldDirection, InterfaceOperator, LoadCase, Support};
+use stickslip_fem_core::{
+    CondensedBody, ElasticBody, HeldDirection, InterfaceOperator, LoadCase, Support,
+};
 
 use crate::fields::{THICKNESS, ply};
 use crate::meshes::{Distortion, Noise, nearest, scattered, side_nodes};
@@ -65,12 +67,26 @@ fn free_motions_are_the_rigid_ones_and_cost_no_force() {
             for (row, k) in unknowns(&interface).into_iter().enumerate() {
                 assert!((here[row] - u[k]).abs() <= f64::EPSILON * scale);
             }
-            let work: f64 = u.iter().zip(&body.load_cases()[0].forces).map(|(a, b)| a * b).sum();
-            assert!((condensed.mode_load(0)[motion] - work).abs() < ROUNDING * scale * u.len() as f64);
+            let work: f64 = u
+                .iter()
+                .zip(&body.load_cases()[0].forces)
+                .map(|(a, b)| a * b)
+                .sum();
+            assert!(
+                (condensed.mode_load(0)[motion] - work).abs() < ROUNDING * scale * u.len() as f64
+            );
         }
         // Three independent motions, and a thermal strain has no resultant.
         assert!((rigid.transpose() * &rigid).determinant() > 0.0);
-        assert!(condensed.modes().clone().svd(false, false).singular_values.min() > 0.1);
+        assert!(
+            condensed
+                .modes()
+                .clone()
+                .svd(false, false)
+                .singular_values
+                .min()
+                > 0.1
+        );
         assert!(condensed.mode_load(1).amax() < ROUNDING);
     }
 }
@@ -82,7 +98,11 @@ fn balanced_loads_give_the_answer_of_the_pseudo_inverse() {
         let interface = interface(&body);
         let condensed = body.condense(&interface).unwrap();
         let lambda = balancing(&condensed);
-        let u = DVector::from_vec(condensed.displacements(lambda.as_slice(), &[1.0, 0.0], &[0.2, -0.1, 0.3]));
+        let u = DVector::from_vec(condensed.displacements(
+            lambda.as_slice(),
+            &[1.0, 0.0],
+            &[0.2, -0.1, 0.3],
+        ));
 
         let mut forces = DVector::from_column_slice(&body.load_cases()[0].forces);
         for (row, k) in unknowns(&interface).into_iter().enumerate() {
@@ -91,7 +111,10 @@ fn balanced_loads_give_the_answer_of_the_pseudo_inverse() {
         let reference = pseudo_solve(&stiffness_matrix(&body), &forces);
         let rigid = rigid_motions(body.mesh().nodes());
         let error = (without(&rigid, &u) - without(&rigid, &reference)).amax();
-        assert!(error < 10.0 * ROUNDING * reference.amax(), "{kind:?}: {error:.1e}");
+        assert!(
+            error < 10.0 * ROUNDING * reference.amax(),
+            "{kind:?}: {error:.1e}"
+        );
 
         let here = condensed.compliance().unwrap() * &lambda + condensed.load_response(0).unwrap();
         let there = DVector::from_iterator(
@@ -99,7 +122,10 @@ fn balanced_loads_give_the_answer_of_the_pseudo_inverse() {
             unknowns(&interface).into_iter().map(|k| reference[k]),
         );
         let error = without(condensed.modes(), &(here - there)).amax();
-        assert!(error < 10.0 * ROUNDING * reference.amax(), "{kind:?}: {error:.1e}");
+        assert!(
+            error < 10.0 * ROUNDING * reference.amax(),
+            "{kind:?}: {error:.1e}"
+        );
     }
 }
 
@@ -108,10 +134,12 @@ fn pseudo_solve(matrix: &DMatrix<f64>, forces: &DVector<f64>) -> DVector<f64> {
     let eigen = SymmetricEigen::new(matrix.clone());
     let mut order: Vec<usize> = (0..matrix.nrows()).collect();
     order.sort_by(|&a, &b| eigen.eigenvalues[a].total_cmp(&eigen.eigenvalues[b]));
-    order[3..].iter().fold(DVector::zeros(forces.len()), |sum, &k| {
-        let vector = eigen.eigenvectors.column(k);
-        sum + vector * (vector.dot(forces) / eigen.eigenvalues[k])
-    })
+    order[3..]
+        .iter()
+        .fold(DVector::zeros(forces.len()), |sum, &k| {
+            let vector = eigen.eigenvectors.column(k);
+            sum + vector * (vector.dot(forces) / eigen.eigenvalues[k])
+        })
 }
 
 /// The same body held at three unknowns of our choice: different C and u₀, the same answer to balanced loads.
@@ -122,8 +150,15 @@ fn the_choice_of_isostatic_supports_does_not_matter() {
         let interface = interface(&free);
         let condensed = free.condense(&interface).unwrap();
         let lambda = balancing(&condensed);
-        let (a, b) = (nearest(free.mesh(), [0.6, 0.4]), nearest(free.mesh(), [-0.2, 0.0]));
-        let support = |node, direction| Support { nodes: vec![node], direction, displacement: 0.0 };
+        let (a, b) = (
+            nearest(free.mesh(), [0.6, 0.4]),
+            nearest(free.mesh(), [-0.2, 0.0]),
+        );
+        let support = |node, direction| Support {
+            nodes: vec![node],
+            direction,
+            displacement: 0.0,
+        };
         let held = Arc::new(floating(kind).with_supports([
             support(a, HeldDirection::X),
             support(a, HeldDirection::Y),
@@ -132,12 +167,19 @@ fn the_choice_of_isostatic_supports_does_not_matter() {
         let other = held.condense(&interface).unwrap();
         assert_eq!(other.modes().ncols(), 0);
 
-        let answer = |c: &CondensedBody| c.compliance().unwrap() * &lambda + c.load_response(0).unwrap();
+        let answer =
+            |c: &CondensedBody| c.compliance().unwrap() * &lambda + c.load_response(0).unwrap();
         let (here, there) = (answer(&condensed), answer(&other));
         let scale = here.amax().max(there.amax());
         let error = without(condensed.modes(), &(&here - &there)).amax();
-        assert!(error < 10.0 * ROUNDING * scale, "{kind:?}: {error:.1e} of {scale:.1e}");
-        assert!((here - there).amax() > 1e-3 * scale, "the two condensations do differ");
+        assert!(
+            error < 10.0 * ROUNDING * scale,
+            "{kind:?}: {error:.1e} of {scale:.1e}"
+        );
+        assert!(
+            (here - there).amax() > 1e-3 * scale,
+            "the two condensations do differ"
+        );
     }
 }
 
@@ -148,9 +190,16 @@ fn partly_held_bodies_keep_what_is_left() {
     let (bottom, hinge) = (side_nodes(&mesh, &["bottom"]), nearest(&mesh, [-0.2, 0.0]));
     // The bottom side runs along (1.3, −0.2).
     let normal = HeldDirection::Angle(1.3_f64.atan2(0.2));
-    let support = |nodes: Vec<usize>, direction| Support { nodes, direction, displacement: 0.0 };
+    let support = |nodes: Vec<usize>, direction| Support {
+        nodes,
+        direction,
+        displacement: 0.0,
+    };
     let rollers = vec![support(bottom, normal)];
-    let turning = vec![support(vec![hinge], HeldDirection::X), support(vec![hinge], HeldDirection::Y)];
+    let turning = vec![
+        support(vec![hinge], HeldDirection::X),
+        support(vec![hinge], HeldDirection::Y),
+    ];
     let at = mesh.nodes()[hinge];
     let slide = |_: [f64; 2]| [1.3, -0.2];
     let turn = move |[x, y]: [f64; 2]| [at[1] - y, x - at[0]];
@@ -158,7 +207,9 @@ fn partly_held_bodies_keep_what_is_left() {
     for (supports, motion) in [rollers, turning].into_iter().zip(motions) {
         let body = ElasticBody::new(Arc::new(mesh.clone()), vec![ply(0.5)], THICKNESS).unwrap();
         let interface = side_nodes(&mesh, &["top"]);
-        let condensed = Arc::new(body.with_supports(supports)).condense(&interface).unwrap();
+        let condensed = Arc::new(body.with_supports(supports))
+            .condense(&interface)
+            .unwrap();
         let expected = condensed.points().iter().flat_map(|&p| motion(p));
         let expected = DVector::from_iterator(2 * interface.len(), expected);
         assert_eq!(condensed.modes().ncols(), 1);

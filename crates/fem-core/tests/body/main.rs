@@ -10,5 +10,7 @@ mod manufactured;
 mod meshes;
 mod norms;
 mod patch;
-mod probe;
+mod platen;
 mod reference;
+mod supports;
+mod thermal;

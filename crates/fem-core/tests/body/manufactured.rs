@@ -29,7 +29,10 @@ const TURN: f64 = 0.3;
 fn swayed(kind: ElementKind, cells: usize) -> Mesh {
     let map = |[x, y]: Point| {
         let sway = 0.04 * (PI * x).sin() * (2.0 * PI * y).sin();
-        let [x, y] = [1.2 * (x + sway), y - 0.5 * sway + 0.05 * (PI * x).sin() * (PI * y).sin()];
+        let [x, y] = [
+            1.2 * (x + sway),
+            y - 0.5 * sway + 0.05 * (PI * x).sin() * (PI * y).sin(),
+        ];
         let (s, c) = TURN.sin_cos();
         [c * x - s * y, s * x + c * y]
     };
@@ -40,7 +43,9 @@ fn swayed(kind: ElementKind, cells: usize) -> Mesh {
 fn solve(mesh: Mesh, material: &Arc<dyn Material>, field: &Field) -> [Errors; 2] {
     let along = |side: &str, direction| {
         let nodes = mesh.node_set(side).unwrap().iter();
-        nodes.map(move |&node| (node, direction)).collect::<Vec<_>>()
+        nodes
+            .map(move |&node| (node, direction))
+            .collect::<Vec<_>>()
     };
     let mut held = along("left", HeldDirection::Angle(TURN));
     held.extend(along("bottom", HeldDirection::Angle(TURN + FRAC_PI_2)));
@@ -57,11 +62,20 @@ fn study(kind: ElementKind, material: &Arc<dyn Material>, field: &Field) {
     let (l2, energy) = (rate(|e| e.l2), rate(|e| e.energy));
     println!("{kind:?} {l2:.3} {energy:.3} {runs:?}");
     assert!((l2 - order - 1.0).abs() < 0.1, "{kind:?}: L² order {l2:.3}");
-    assert!((energy - order).abs() < 0.1, "{kind:?}: energy order {energy:.3}");
+    assert!(
+        (energy - order).abs() < 0.1,
+        "{kind:?}: energy order {energy:.3}"
+    );
 
     let [found, interpolant] = runs[2];
-    assert!(found.energy < 1.01 * interpolant.energy, "{kind:?}: {found:?}, {interpolant:?}");
-    assert!(found.l2 < 3.0 * interpolant.l2, "{kind:?}: {found:?}, {interpolant:?}");
+    assert!(
+        found.energy < 1.01 * interpolant.energy,
+        "{kind:?}: {found:?}, {interpolant:?}"
+    );
+    assert!(
+        found.l2 < 3.0 * interpolant.l2,
+        "{kind:?}: {found:?}, {interpolant:?}"
+    );
 }
 
 #[test]
@@ -83,8 +97,14 @@ fn a_ply_at_an_angle_in_plane_stress_converges_at_the_full_order() {
 
 #[test]
 fn a_ply_in_plane_strain_converges_at_the_full_order() {
-    let across = OutOfPlane { e3: 10.3, nu13: 0.28, nu23: 0.5, alpha3: 0.0 };
-    let material: Arc<dyn Material> = Arc::new(Orthotropic::plane_strain(PLY, across, -1.1).unwrap());
+    let across = OutOfPlane {
+        e3: 10.3,
+        nu13: 0.28,
+        nu23: 0.5,
+        alpha3: 0.0,
+    };
+    let material: Arc<dyn Material> =
+        Arc::new(Orthotropic::plane_strain(PLY, across, -1.1).unwrap());
     for kind in [ElementKind::T6, ElementKind::Q8] {
         study(kind, &material, &lekhnitskii(material.as_ref()));
     }

@@ -78,11 +78,17 @@ pub(crate) fn scattered(kind: ElementKind, distortion: Distortion, seed: u64) ->
             if std::mem::replace(&mut moved[cell[k]], true) {
                 continue;
             }
-            let bulge = if distortion == Distortion::Curved { 0.05 } else { 0.0 };
+            let bulge = if distortion == Distortion::Curved {
+                0.05
+            } else {
+                0.0
+            };
             parts.nodes[cell[k]] = [0, 1].map(|i| mean[i] + bulge * step[i] * noise.next());
         }
     }
-    mapped(Mesh::new(parts).unwrap(), |[x, y]| [1.3 * x + 0.4 * y - 0.2, 0.9 * y - 0.2 * x])
+    mapped(Mesh::new(parts).unwrap(), |[x, y]| {
+        [1.3 * x + 0.4 * y - 0.2, 0.9 * y - 0.2 * x]
+    })
 }
 
 /// The edges of several sides.
@@ -107,7 +113,9 @@ pub(crate) fn nearest(mesh: &Mesh, place: Point) -> usize {
         (x - place[0]).hypot(y - place[1])
     };
     let nodes = 0..mesh.nodes().len();
-    nodes.min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap()
+    nodes
+        .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+        .unwrap()
 }
 
 /// Two squares side by side: Q8 on the left, T6 on the right, a block each.
@@ -131,10 +139,18 @@ pub(crate) fn joined() -> Mesh {
         })
         .collect();
     let mut block = right.blocks[0].clone();
-    block.connectivity.iter_mut().for_each(|node| *node = numbers[*node]);
+    block
+        .connectivity
+        .iter_mut()
+        .for_each(|node| *node = numbers[*node]);
     parts.blocks.push(block);
-    let end = right.node_sets["right"].iter().map(|&node| numbers[node]).collect();
-    parts.node_sets.insert("left".to_owned(), left.node_sets["left"].clone());
+    let end = right.node_sets["right"]
+        .iter()
+        .map(|&node| numbers[node])
+        .collect();
+    parts
+        .node_sets
+        .insert("left".to_owned(), left.node_sets["left"].clone());
     parts.node_sets.insert("right".to_owned(), end);
     Mesh::new(parts).unwrap()
 }

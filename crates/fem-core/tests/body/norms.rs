@@ -5,9 +5,7 @@
 //! by a 5 × 5 Gauss rule per cell, on triangles through the collapsed square: enough points to be blind to none of them,
 //! as a cell's own rule is, which sits where its stresses are superconvergent.
 
-use stickslip_fem_core::element::{
-    Element, KindVisitor, gather, physical_gradients, with_element,
-};
+use stickslip_fem_core::element::{Element, KindVisitor, gather, physical_gradients, with_element};
 use stickslip_fem_core::material::{Material, PlaneStiffness, apply};
 use stickslip_fem_core::mesh::{Mesh, Point};
 
@@ -33,7 +31,13 @@ pub(crate) struct Errors {
 pub(crate) fn errors(mesh: &Mesh, material: &dyn Material, u: &[f64], exact: &Field) -> Errors {
     let kind = mesh.blocks()[0].kind;
     let (stiffness, compliance) = (material.stiffness(), material.compliance());
-    let squares = Squares { mesh, stiffness, compliance, u, exact };
+    let squares = Squares {
+        mesh,
+        stiffness,
+        compliance,
+        u,
+        exact,
+    };
     let [l2, energy] = with_element(kind, squares).map(f64::sqrt);
     Errors { l2, energy }
 }
@@ -70,14 +74,18 @@ impl KindVisitor for Squares<'_> {
         let mut sums = [0.0; 2];
         for cell in self.mesh.blocks()[0].connectivity.chunks_exact(N) {
             let x = gather::<N>(self.mesh.nodes(), cell);
-            let moved: [[f64; 2]; N] = std::array::from_fn(|a| [0, 1].map(|i| self.u[2 * cell[a] + i]));
+            let moved: [[f64; 2]; N] =
+                std::array::from_fn(|a| [0, 1].map(|i| self.u[2 * cell[a] + i]));
             for &(xi, weight) in &rule {
                 let shape = E::shape(xi);
-                let sum = |v: &[[f64; 2]; N]| [0, 1].map(|i| (0..N).map(|a| shape[a] * v[a][i]).sum::<f64>());
+                let sum = |v: &[[f64; 2]; N]| {
+                    [0, 1].map(|i| (0..N).map(|a| shape[a] * v[a][i]).sum::<f64>())
+                };
                 let (place, u) = (sum(&x), sum(&moved));
                 let gradients = physical_gradients::<N, E>(&x, xi);
                 let stress = apply(&self.stiffness, gradients.strain(&moved));
-                let (exact_u, exact_stress) = ((self.exact.displacement)(place), (self.exact.stress)(place));
+                let (exact_u, exact_stress) =
+                    ((self.exact.displacement)(place), (self.exact.stress)(place));
                 let wrong_u = [0, 1].map(|i| exact_u[i] - u[i]);
                 let wrong = [0, 1, 2].map(|i| exact_stress[i] - stress[i]);
                 let strain = apply(&self.compliance, wrong);

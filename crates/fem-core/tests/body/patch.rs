@@ -34,7 +34,10 @@ fn boundary_conditions(mesh: &Mesh) -> [(Vec<(usize, HeldDirection)>, Vec<&'stat
     [
         (both(&side_nodes(mesh, &SIDES)), vec![]),
         (isostatic, SIDES.to_vec()),
-        (both(&side_nodes(mesh, &["left"])), vec!["bottom", "right", "top"]),
+        (
+            both(&side_nodes(mesh, &["left"])),
+            vec!["bottom", "right", "top"],
+        ),
     ]
 }
 
@@ -47,8 +50,15 @@ fn check(mesh: &Mesh, material: &Arc<dyn Material>, field: &Field, what: &str) {
         let condensed = body.condense(&interface).unwrap();
         let no_force = vec![0.0; 2 * interface.len()];
         let u = condensed.displacements(&no_force, &[1.0], &[]);
-        let error = u.iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        assert!(error < ROUNDING * scale, "{what}, {pulled:?}: {error:.1e} of {scale:.1e}");
+        let error = u
+            .iter()
+            .zip(&exact)
+            .map(|(a, b)| (a - b).abs())
+            .fold(0.0, f64::max);
+        assert!(
+            error < ROUNDING * scale,
+            "{what}, {pulled:?}: {error:.1e} of {scale:.1e}"
+        );
 
         let response = condensed.load_response(0).unwrap();
         for (point, &node) in interface.iter().enumerate() {
@@ -71,7 +81,10 @@ fn check_stress(mesh: &Mesh, material: &dyn Material, u: &[f64], field: &Field, 
     let scale = values().fold(0.0_f64, |m, v| m.max(v.abs()));
     for (a, b) in found.values().iter().flatten().zip(values()) {
         // A gradient loses the ratio of the body's to a cell's size, here up to ten.
-        assert!((a - b).abs() < 10.0 * ROUNDING * scale, "{what}: {a} for {b}");
+        assert!(
+            (a - b).abs() < 10.0 * ROUNDING * scale,
+            "{what}: {a} for {b}"
+        );
     }
 }
 
@@ -97,7 +110,12 @@ fn quadratic_fields_return_where_the_cells_contain_them() {
             rectangle(ElementKind::Q8, [0.0, 1.0], [0.0, 1.0], [4, 3]),
             |[x, y]| [1.3 * x + 0.4 * y - 0.2, 0.9 * y - 0.2 * x],
         );
-        check(&parallelograms, material, &field, &format!("Q8, material {k}"));
+        check(
+            &parallelograms,
+            material,
+            &field,
+            &format!("Q8, material {k}"),
+        );
         for kind in [ElementKind::T6, ElementKind::Q9] {
             let mesh = scattered(kind, Distortion::Straight, 3);
             check(&mesh, material, &field, &format!("{kind:?}, material {k}"));
@@ -111,9 +129,19 @@ fn quadratic_fields_do_not_return_on_trapezoidal_q8() {
     let material = &materials()[0];
     let field = quadratic(material.as_ref());
     let mesh = scattered(ElementKind::Q8, Distortion::Straight, 3);
-    let body = driven(mesh.clone(), Arc::clone(material), &field, &both(&side_nodes(&mesh, &SIDES)), &[]);
+    let body = driven(
+        mesh.clone(),
+        Arc::clone(material),
+        &field,
+        &both(&side_nodes(&mesh, &SIDES)),
+        &[],
+    );
     let u = body.condense(&[]).unwrap().displacements(&[], &[1.0], &[]);
     let exact = field.at_nodes(&mesh);
-    let error = u.iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    let error = u
+        .iter()
+        .zip(&exact)
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f64::max);
     assert!(error > 1e-5 * largest(&exact));
 }

@@ -12,7 +12,12 @@ pub(crate) fn stiffness_matrix(body: &ElasticBody) -> DMatrix<f64> {
     let mut matrix = DMatrix::zeros(size, size);
     for (block, material) in body.materials().iter().enumerate() {
         let stiffness = material.stiffness();
-        let add = Add { body, block, stiffness, matrix: &mut matrix };
+        let add = Add {
+            body,
+            block,
+            stiffness,
+            matrix: &mut matrix,
+        };
         with_element(body.mesh().blocks()[block].kind, add);
     }
     matrix
@@ -46,34 +51,53 @@ impl KindVisitor for Add<'_> {
 
 /// Both unknowns of each node.
 pub(crate) fn unknowns(nodes: &[usize]) -> Vec<usize> {
-    nodes.iter().flat_map(|&node| [2 * node, 2 * node + 1]).collect()
+    nodes
+        .iter()
+        .flat_map(|&node| [2 * node, 2 * node + 1])
+        .collect()
 }
 
 /// The matrix's rows `rows` and columns `columns`.
 pub(crate) fn part(matrix: &DMatrix<f64>, rows: &[usize], columns: &[usize]) -> DMatrix<f64> {
-    DMatrix::from_fn(rows.len(), columns.len(), |i, j| matrix[(rows[i], columns[j])])
+    DMatrix::from_fn(rows.len(), columns.len(), |i, j| {
+        matrix[(rows[i], columns[j])]
+    })
 }
 
 /// S = K_cc − K_ci K_ii⁻¹ K_ic for the unknowns `kept`, when `held` are held at zero.
-pub(crate) fn schur_complement(matrix: &DMatrix<f64>, kept: &[usize], held: &[usize]) -> DMatrix<f64> {
+pub(crate) fn schur_complement(
+    matrix: &DMatrix<f64>,
+    kept: &[usize],
+    held: &[usize],
+) -> DMatrix<f64> {
     let rest: Vec<usize> = (0..matrix.nrows())
         .filter(|unknown| !kept.contains(unknown) && !held.contains(unknown))
         .collect();
-    let inner = part(matrix, &rest, &rest).lu().solve(&part(matrix, &rest, kept)).unwrap();
+    let inner = part(matrix, &rest, &rest)
+        .lu()
+        .solve(&part(matrix, &rest, kept))
+        .unwrap();
     part(matrix, kept, kept) - part(matrix, kept, &rest) * inner
 }
 
 /// Displacements of all unknowns under `forces` with the unknowns in `held` at the given values.
-pub(crate) fn solve(matrix: &DMatrix<f64>, forces: &DVector<f64>, held: &[(usize, f64)]) -> DVector<f64> {
+pub(crate) fn solve(
+    matrix: &DMatrix<f64>,
+    forces: &DVector<f64>,
+    held: &[(usize, f64)],
+) -> DVector<f64> {
     let mut solution = DVector::zeros(matrix.nrows());
-    held.iter().for_each(|&(unknown, value)| solution[unknown] = value);
+    held.iter()
+        .for_each(|&(unknown, value)| solution[unknown] = value);
     let free: Vec<usize> = (0..matrix.nrows())
         .filter(|unknown| held.iter().all(|(other, _)| other != unknown))
         .collect();
     let side = forces - matrix * &solution;
     let side = DVector::from_iterator(free.len(), free.iter().map(|&k| side[k]));
     let inner = part(matrix, &free, &free).lu().solve(&side).unwrap();
-    free.iter().zip(inner.iter()).for_each(|(&k, &value)| solution[k] = value);
+    free.iter()
+        .zip(inner.iter())
+        .for_each(|(&k, &value)| solution[k] = value);
     solution
 }
 

@@ -16,7 +16,7 @@ const SIZE: f64 = 10.5;
 const STRIP: f64 = 17.0;
 const ROW: f64 = 15.0;
 const GAP: f64 = 8.0;
-/// Horizontal names are wrapped at this width [px].
+/// Horizontal names are wrapped at this width \[px\].
 const WIDEST_NAME: f64 = 120.0;
 const LEADER: f64 = 10.0;
 
@@ -59,7 +59,7 @@ impl Annotations {
         shades
     }
 
-    /// Room for the names above the frame [px].
+    /// Room for the names above the frame \[px\].
     pub(crate) fn height_above(&self) -> f64 {
         let rows = self
             .rows
@@ -71,7 +71,7 @@ impl Annotations {
         self.strip_height() + ROW * rows as f64
     }
 
-    /// Room for the names right of the frame [px]; does not depend on the frame.
+    /// Room for the names right of the frame \[px\]; does not depend on the frame.
     pub(crate) fn width_right(chart: &LineChart) -> f64 {
         let names = chart
             .references
@@ -132,7 +132,7 @@ impl Annotations {
                 continue;
             };
             let middle =
-                name_extent(line, x, frame).map_or(x, |[left, right]| (left + right) / 2.0);
+                name_extent(line, x, frame).map_or(x, |[left, right]| f64::midpoint(left, right));
             let bottom = frame.area.top - self.strip_height() - ROW * *row as f64;
             let style = TextStyle::new(SIZE, dark(line.color), Anchor::Middle);
             canvas.centred_text([middle, bottom - ROW / 2.0], &line.label, &style);

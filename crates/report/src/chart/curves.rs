@@ -3,11 +3,11 @@
 use super::{Series, SeriesStyle};
 use crate::color::Color;
 use crate::frame::Frame;
-use crate::svg::{Anchor, Area, Canvas, Px, Stroke, TextStyle};
+use crate::svg::{Anchor, Area, Canvas, Px, Stroke, TextStyle, push_point};
 
-/// Points nearer to the last one than this are not drawn [px].
+/// Points nearer to the last one than this are not drawn \[px\].
 const INVISIBLE: f64 = 0.15;
-/// Lines are cut this far outside the frame, so that far points stay finite [px].
+/// Lines are cut this far outside the frame, so that far points stay finite \[px\].
 const OVERSCAN: f64 = 50.0;
 const MARKER_RADIUS: f64 = 3.4;
 
@@ -70,9 +70,9 @@ fn trace(run: &[[f64; 2]], cut: &Area, data: &mut String) {
             continue;
         };
         if pen.is_none() || start != from {
-            data.push_str(&format!("M{} {}", Px(start[0]), Px(start[1])));
+            push_point(data, 'M', start);
         }
-        data.push_str(&format!("L{} {}", Px(end[0]), Px(end[1])));
+        push_point(data, 'L', end);
         pen = (end == pair[1]).then_some(end);
     }
 }
@@ -167,8 +167,11 @@ fn marker(at: [f64; 2], index: usize) -> String {
         let mut data = String::new();
         for (k, corner) in corners.iter().enumerate() {
             let command = if k == 0 { 'M' } else { 'L' };
-            let (x, y) = (Px(at[0] + r * corner[0]), Px(at[1] + r * corner[1]));
-            data.push_str(&format!("{command}{x} {y}"));
+            push_point(
+                &mut data,
+                command,
+                [at[0] + r * corner[0], at[1] + r * corner[1]],
+            );
         }
         data + "z"
     };

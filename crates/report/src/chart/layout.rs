@@ -1,10 +1,12 @@
 //! Where the parts of a chart go.
 //!
-//!     heading
-//!     names of vertical lines, strip of band names
-//!     y axis │ area inside the frame │ names of horizontal lines │ legend
-//!     x axis
-//!     legend
+//! ```text
+//! heading
+//! names of vertical lines, strip of band names
+//! y axis │ area inside the frame │ names of horizontal lines │ legend
+//! x axis
+//! legend
+//! ```
 
 use super::annotations::Annotations;
 use super::legend::{LegendBox, empty_place};
@@ -15,12 +17,12 @@ use crate::frame::{Frame, Heading, OUTER, TITLE_SIZE};
 use crate::svg::Area;
 
 const LEGEND_GAP: f64 = 14.0;
-/// Smallest side of the area inside the frame [px].
+/// Smallest side of the area inside the frame \[px\].
 const SMALLEST_SIDE: f64 = 40.0;
 /// Entries up to which a legend that finds no room inside goes below the chart.
 const MOST_BELOW: usize = 8;
 
-/// Least room around the area inside the frame, so that panels line up [px].
+/// Least room around the area inside the frame, so that panels line up \[px\].
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Margins {
     pub(crate) left: f64,

@@ -13,9 +13,9 @@ const SAMPLE_GAP: f64 = 7.0;
 const COLUMN_GAP: f64 = 18.0;
 const INSET: f64 = 8.0;
 const ROW_GAP: f64 = 4.0;
-/// Names are wrapped at this width [px].
+/// Names are wrapped at this width \[px\].
 const WIDEST_NAME: f64 = 240.0;
-/// Free room kept between the legend and a curve [px].
+/// Free room kept between the legend and a curve \[px\].
 const CLEARANCE: f64 = 7.0;
 /// A legend inside may cover this part of the frame.
 const LARGEST_PART: f64 = 0.30;
@@ -106,7 +106,7 @@ impl LegendBox {
         self.boxed = true;
     }
 
-    /// Width and height [px].
+    /// Width and height \[px\].
     pub(crate) fn size(&self) -> [f64; 2] {
         let inset = if self.boxed { 2.0 * INSET } else { 0.0 };
         let columns = self.columns as f64;

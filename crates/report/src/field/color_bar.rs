@@ -48,7 +48,7 @@ impl ColorBar {
         })
     }
 
-    /// Room for bar, ticks and name [px].
+    /// Room for bar, ticks and name \[px\].
     pub(crate) fn width(&self) -> f64 {
         let name = LABEL_GAP + LABEL_SIZE * LINE_HEIGHT * self.label.len() as f64;
         WIDTH + TICK + 3.0 + self.tick_width() + name

@@ -9,7 +9,7 @@ use crate::frame::{Frame, Heading, OUTER, TITLE_SIZE};
 use crate::svg::Area;
 
 const BAR_GAP: f64 = 18.0;
-/// Room for a point at either end of the colour bar [px].
+/// Room for a point at either end of the colour bar \[px\].
 const BAR_ENDS: f64 = 13.0;
 const SMALLEST_BAR: f64 = 150.0;
 const LARGEST_HEIGHT: f64 = 560.0;
@@ -26,7 +26,7 @@ pub(crate) struct Layout {
     pub(crate) height: f64,
 }
 
-/// Room left of, right of and above the frame [px].
+/// Room left of, right of and above the frame \[px\].
 #[derive(Debug, Clone, Copy)]
 struct Margins {
     left: f64,

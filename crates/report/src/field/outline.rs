@@ -1,16 +1,15 @@
 //! Outlines of bodies and mesh lines. An edge that only one cell has is on an outline.
 
 use std::collections::HashMap;
-use std::fmt::Write as _;
 
 use super::{FieldPlot, Mirror};
 use crate::color::Color;
 use crate::frame::Frame;
-use crate::svg::{Canvas, Px, Stroke};
+use crate::svg::{Canvas, Stroke, push_point};
 
 const OUTLINE: Color = Color::rgb(0x22, 0x22, 0x22);
 const MESH: Color = Color::rgb(0x44, 0x44, 0x44);
-/// Mesh lines are drawn for cells of at least this mean size [px].
+/// Mesh lines are drawn for cells of at least this mean size \[px\].
 const SMALLEST_CELL: f64 = 3.0;
 
 /// An edge from corner to corner, with its mid-side node if it is quadratic.
@@ -91,20 +90,16 @@ fn add_edge(data: &mut String, plot: &FieldPlot<'_>, frame: &Frame, edge: Edge, 
     if !reaches(0, shown.left, shown.right()) || !reaches(1, shown.top, shown.bottom()) {
         return;
     }
-    // Writing to a String cannot fail.
-    let _ = write!(data, "M{} {}", Px(a[0]), Px(a[1]));
-    let _ = match middle {
+    push_point(data, 'M', a);
+    match middle {
         Some(m) => {
-            let control: [f64; 2] = std::array::from_fn(|k| 2.0 * m[k] - 0.5 * (a[k] + b[k]));
-            write!(
+            push_point(
                 data,
-                "Q{} {} {} {}",
-                Px(control[0]),
-                Px(control[1]),
-                Px(b[0]),
-                Px(b[1])
-            )
+                'Q',
+                std::array::from_fn(|k| 2.0 * m[k] - 0.5 * (a[k] + b[k])),
+            );
+            push_point(data, ' ', b);
         }
-        None => write!(data, "L{} {}", Px(b[0]), Px(b[1])),
-    };
+        None => push_point(data, 'L', b),
+    }
 }

@@ -1,6 +1,6 @@
 //! A cell's geometry and values between its nodes.
 //!
-//! Quadrilaterals live on (ξ, η) ∈ [0, 1]², triangles on ξ, η ≥ 0, ξ + η ≤ 1.
+//! Quadrilaterals live on (ξ, η) ∈ \[0, 1\]², triangles on ξ, η ≥ 0, ξ + η ≤ 1.
 
 use super::{FieldPlot, Mirror};
 

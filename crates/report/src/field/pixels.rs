@@ -13,7 +13,7 @@ const MANY_PIECES: usize = 30_000;
 /// Palette: 0 is transparent, 1 is no value, the rest are colours.
 const FIRST_COLOR: usize = 2;
 const COLORS: usize = 254;
-/// Slits of up to twice this between cells are closed [image pixels].
+/// Slits of up to twice this between cells are closed \[image pixels\].
 const SLIT: f64 = 0.75;
 
 /// The field as a PNG over the frame's area, if the mesh is too large for paths.

@@ -12,13 +12,13 @@ use crate::svg::{Canvas, Stroke};
 pub(crate) const LEVELS: usize = 128;
 /// Colour of pieces without a value.
 pub(crate) const NO_VALUE: Color = Color::rgb(0xd8, 0xd8, 0xd8);
-/// Sides of pieces are not made shorter than this [px].
+/// Sides of pieces are not made shorter than this \[px\].
 const SMALLEST_PIECE: f64 = 3.0;
 /// Sides of a cell are cut at most so often.
 const MOST_CUTS: f64 = 100.0;
 /// Sides of a curved cell are cut at least so often.
 const CURVED_CUTS: f64 = 4.0;
-/// Pieces overlap their neighbours by half of this, so that no seam shows [px].
+/// Pieces overlap their neighbours by half of this, so that no seam shows \[px\].
 const OVERLAP: f64 = 0.6;
 
 /// How values and places become colours and pixels.

@@ -1,28 +1,40 @@
-//! `stickslip check`: the scene as it will be understood.
+//! `stickslip check`: the scene as it will be understood and modelled.
 
 use serde_json::{Value, json};
 
 use super::SceneArguments;
 use super::console::Console;
 use super::failure::Failure;
+use super::located::locate;
+use crate::model::{Model, ModelBodyKind};
 use crate::scene::Scene;
 use crate::scene::schema::{Body, Division, LoadKind, Outline, Shape, Substance};
-use crate::units::Dimension;
+use crate::units::{Dimension, Unit};
+
+const DEGREE: Unit = Unit {
+    name: "deg",
+    dimension: Dimension::Angle,
+    in_base: std::f64::consts::PI / 180.0,
+};
 
 /// Prints the resolved scene. The summary stands in comments, so that the output is a scene again.
-pub(super) fn check(arguments: &SceneArguments, console: &Console) -> Result<(), Failure> {
+pub(super) fn check(arguments: &SceneArguments, console: Console) -> Result<(), Failure> {
     let scene = arguments.read()?;
-    let outline = outline(&scene);
+    let model = Model::build(&scene).map_err(|error| locate(&scene, &error))?;
+    let outline = outline(&scene, &model);
     let text = || {
-        let comments: String =
-            outline.iter().map(|(name, text)| format!("# {name:12} {text}\n")).collect();
-        format!("{comments}\n{}", scene.resolved())
+        let comment = |(name, text): &(&str, String)| format!("# {name:8} {text}");
+        let comments: Vec<_> = outline.iter().map(comment).collect();
+        format!("{}\n\n{}", comments.join("\n"), scene.resolved())
     };
     console.result(text, &summary(&scene, &outline))
 }
 
 fn summary(scene: &Scene, outline: &[(&str, String)]) -> Value {
-    let model: Vec<_> = outline.iter().map(|(name, text)| json!({ "what": name, "text": text })).collect();
+    let model: Vec<_> = outline
+        .iter()
+        .map(|(name, text)| json!({ "what": name, "text": text }))
+        .collect();
     // The resolved text was written from a table a moment ago, so it is one.
     let resolved: Value = toml::from_str(scene.resolved()).unwrap_or_default();
     json!({
@@ -36,23 +48,56 @@ fn summary(scene: &Scene, outline: &[(&str, String)]) -> Value {
 }
 
 /// What would be modelled, line by line.
-fn outline(scene: &Scene) -> Vec<(&'static str, String)> {
+fn outline(scene: &Scene, model: &Model) -> Vec<(&'static str, String)> {
     let mut lines = vec![("scene", format!("{} – {}", scene.source_name, scene.title))];
     for (name, body) in &scene.bodies {
         lines.push(("body", format!("{name}: {}", body_line(scene, body))));
     }
     lines.push(("mesh", mesh_line(scene)));
+    for body in &model.bodies {
+        if let ModelBodyKind::Elastic(elastic) = &body.kind {
+            let (nodes, elements) = (elastic.mesh().nodes().len(), elastic.mesh().element_count());
+            lines.push((
+                "mesh",
+                format!("{}: {nodes} nodes, {elements} elements", body.name),
+            ));
+        }
+    }
+    for choice in &model.choices {
+        lines.push((
+            "choice",
+            format!("{}: {} – {}", choice.what, choice.value, choice.reason),
+        ));
+    }
+    lines.extend(model.notes.iter().map(|note| ("note", note.clone())));
     for contact in &scene.contacts {
         lines.push((
             "contact",
-            format!("{}: {} on {}, {}", contact.name, contact.first, contact.second, contact.law.name()),
+            format!(
+                "{}: {} on {}, {}",
+                contact.name,
+                contact.first,
+                contact.second,
+                contact.law.name()
+            ),
         ));
     }
     for load in &scene.loads {
-        lines.push(("load", format!("{}: {}", load.name, load_line(scene, &load.kind))));
+        lines.push((
+            "load",
+            format!("{}: {}", load.name, load_line(scene, &load.kind)),
+        ));
     }
     let (steps, substeps) = (scene.steps(), scene.analysis.substeps);
-    lines.push(("history", format!("{steps} load steps, each in {substeps} sub-steps")));
+    let plural = |count: usize| if count == 1 { "" } else { "s" };
+    lines.push((
+        "history",
+        format!(
+            "{steps} load step{}, each in {substeps} sub-step{}",
+            plural(steps),
+            plural(substeps)
+        ),
+    ));
     lines.push(("hash", scene.hash.clone()));
     lines
 }
@@ -60,22 +105,43 @@ fn outline(scene: &Scene) -> Vec<(&'static str, String)> {
 fn body_line(scene: &Scene, body: &Body) -> String {
     let show = |value: f64| scene.display.length.show(value);
     let shape = match body.shape {
-        Shape::PlateWithHole { hole_radius, outline: Outline::Strip { half_width, left, right } } => format!(
+        Shape::PlateWithHole {
+            hole_radius,
+            outline:
+                Outline::Strip {
+                    half_width,
+                    left,
+                    right,
+                },
+        } => format!(
             "strip {} wide, {} to the left and {} to the right of a hole of radius {}",
             show(2.0 * half_width),
             show(left),
             show(right),
             show(hole_radius)
         ),
-        Shape::PlateWithHole { hole_radius, outline: Outline::Ring { radius } } => {
+        Shape::PlateWithHole {
+            hole_radius,
+            outline: Outline::Ring { radius },
+        } => {
             format!("ring of radii {} and {}", show(hole_radius), show(radius))
         }
         Shape::Disk { radius } => format!("disk of radius {}", show(radius)),
-        Shape::Rectangle { width, height } => format!("rectangle {} by {}", show(width), show(height)),
-        Shape::Block { half_length, depth } => {
-            format!("block {} long and {} deep", show(2.0 * half_length), show(depth))
+        Shape::Rectangle { width, height } => {
+            format!("rectangle {} by {}", show(width), show(height))
         }
-        Shape::Cylinder { radius, half_length, depth } => format!(
+        Shape::Block { half_length, depth } => {
+            format!(
+                "block {} long and {} deep",
+                show(2.0 * half_length),
+                show(depth)
+            )
+        }
+        Shape::Cylinder {
+            radius,
+            half_length,
+            depth,
+        } => format!(
             "cylinder of radius {}, {} long and {} high",
             show(radius),
             show(2.0 * half_length),
@@ -83,7 +149,10 @@ fn body_line(scene: &Scene, body: &Body) -> String {
         ),
     };
     match &body.substance {
-        Substance::Elastic { material, thickness } => {
+        Substance::Elastic {
+            material,
+            thickness,
+        } => {
             format!("{shape}, {material}, {} thick", show(*thickness))
         }
         Substance::Rigid => format!("{shape}, rigid"),
@@ -95,7 +164,10 @@ fn mesh_line(scene: &Scene) -> String {
     match &scene.mesh.division {
         Division::AngleList(angles) => format!("{element:?}, {} given angles", angles.len()),
         Division::Angular(grading) => {
-            format!("{element:?}, corner nodes every {:.6} deg at the bearing point", grading.spacing.to_degrees())
+            format!(
+                "{element:?}, corner nodes every {} at the bearing point",
+                DEGREE.show(grading.spacing)
+            )
         }
         Division::Linear(grading) => {
             let spacing = scene.display.length.show(grading.spacing);
@@ -104,20 +176,40 @@ fn mesh_line(scene: &Scene) -> String {
     }
 }
 
+/// Four digits after the point, without minus zero.
+fn rounded(value: f64) -> f64 {
+    (value * 1e4).round() / 1e4 + 0.0
+}
+
 fn load_line(scene: &Scene, kind: &LoadKind) -> String {
     let range = |steps: &[f64], show: &dyn Fn(f64) -> String| {
         let least = steps.iter().copied().fold(f64::INFINITY, f64::min);
         let greatest = steps.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        if least == greatest { show(least) } else { format!("{} to {}", show(least), show(greatest)) }
+        if least == greatest {
+            show(least)
+        } else {
+            format!("{} to {}", show(least), show(greatest))
+        }
     };
     let kelvin = |value: f64| format!("{value} {}", Dimension::Temperature.base_unit());
     match kind {
-        LoadKind::Force { on, direction: [x, y], steps } => {
+        LoadKind::Force {
+            on,
+            direction: [x, y],
+            steps,
+        } => {
             let force = range(steps, &|value| scene.display.force.show(value));
-            format!("force on {on} along [{x:.4}, {y:.4}], {force}")
+            format!(
+                "force on {on} along [{}, {}], {force}",
+                rounded(*x),
+                rounded(*y)
+            )
         }
         LoadKind::Pressure { on, steps } => {
-            format!("pressure on {on}, {}", range(steps, &|value| scene.display.stress.show(value)))
+            format!(
+                "pressure on {on}, {}",
+                range(steps, &|value| scene.display.stress.show(value))
+            )
         }
         LoadKind::PolarTraction { on, table, steps } => format!(
             "tractions on {on} from {} ({} rows), factor {}",

@@ -32,7 +32,9 @@ impl Console {
         let output = match (self.json, self.quiet) {
             (true, _) => {
                 let rendered = serde_json::to_string_pretty(value);
-                rendered.map_err(|error| CommandError::Output { cause: error.to_string() })? + "\n"
+                rendered.map_err(|error| CommandError::Output {
+                    cause: error.to_string(),
+                })? + "\n"
             }
             (false, true) => return Ok(()),
             (false, false) => text(),
@@ -40,7 +42,10 @@ impl Console {
         match io::stdout().lock().write_all(output.as_bytes()) {
             // The reader has seen enough: `stickslip list | head`.
             Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-            Err(error) => Err(CommandError::Output { cause: error.to_string() }.into()),
+            Err(error) => Err(CommandError::Output {
+                cause: error.to_string(),
+            }
+            .into()),
             Ok(()) => Ok(()),
         }
     }

@@ -10,7 +10,10 @@ use crate::diagnostic::{FindingSummary, SceneError, render};
 pub(super) enum CommandError {
     /// `init` does not overwrite.
     #[error("the file '{path}' exists already")]
-    #[diagnostic(code(init::exists), help("name another file: stickslip init {template} my-scene.toml"))]
+    #[diagnostic(
+        code(init::exists),
+        help("name another file: stickslip init {template} my-scene.toml")
+    )]
     FileExists { path: String, template: String },
     /// There is no such template.
     #[error("there is no template '{name}'")]
@@ -18,7 +21,10 @@ pub(super) enum CommandError {
     UnknownTemplate { name: String, known: Vec<String> },
     /// A file cannot be written.
     #[error("the file '{path}' cannot be written: {cause}")]
-    #[diagnostic(code(init::write), help("check that its folder exists and can be written to"))]
+    #[diagnostic(
+        code(init::write),
+        help("check that its folder exists and can be written to")
+    )]
     Write { path: String, cause: String },
     /// Standard output cannot be written.
     #[error("the output cannot be written: {cause}")]
@@ -59,7 +65,11 @@ impl Failure {
     /// The failure for programs.
     pub(super) fn summaries(&self) -> Vec<FindingSummary> {
         match self {
-            Self::Scene(error) => error.findings().iter().map(crate::diagnostic::Finding::summary).collect(),
+            Self::Scene(error) => error
+                .findings()
+                .iter()
+                .map(crate::diagnostic::Finding::summary)
+                .collect(),
             Self::Other(error) => vec![FindingSummary {
                 code: error.code().map(|code| code.to_string()),
                 message: error.to_string(),

@@ -58,18 +58,27 @@ pub(super) struct InitArguments {
     file: Option<PathBuf>,
 }
 
-pub(super) fn init(arguments: &InitArguments, console: &Console) -> Result<(), Failure> {
-    let Some(template) = TEMPLATES.iter().find(|template| template.name == arguments.template) else {
+pub(super) fn init(arguments: &InitArguments, console: Console) -> Result<(), Failure> {
+    let Some(template) = TEMPLATES
+        .iter()
+        .find(|template| template.name == arguments.template)
+    else {
         return Err(CommandError::UnknownTemplate {
             name: arguments.template.clone(),
-            known: TEMPLATES.iter().map(|template| template.name.to_owned()).collect(),
+            known: TEMPLATES
+                .iter()
+                .map(|template| template.name.to_owned())
+                .collect(),
         }
         .into());
     };
     let default = || PathBuf::from(format!("{}.toml", template.name));
     let file = arguments.file.clone().unwrap_or_else(default);
     let folder = file.parent().unwrap_or(Path::new(""));
-    let data = template.data.iter().map(|(name, text)| (folder.join(name), *text));
+    let data = template
+        .data
+        .iter()
+        .map(|(name, text)| (folder.join(name), *text));
     let files: Vec<_> = data.chain([(file.clone(), template.scene)]).collect();
     if let Some((path, _)) = files.iter().find(|(path, _)| path.exists()) {
         return Err(exists(path, template).into());
@@ -78,15 +87,26 @@ pub(super) fn init(arguments: &InitArguments, console: &Console) -> Result<(), F
         write_new(path, text, template)?;
     }
     let shown = file.display().to_string();
-    let names: Vec<_> = files.iter().map(|(path, _)| path.display().to_string()).collect();
+    let names: Vec<_> = files
+        .iter()
+        .map(|(path, _)| path.display().to_string())
+        .collect();
     console.result(
-        || format!("wrote {}\nnext: stickslip check {shown}\n", names.join(" and ")),
+        || {
+            format!(
+                "wrote {}\nnext: stickslip check {shown}\n",
+                names.join(" and ")
+            )
+        },
         &json!({ "template": template.name, "scene": shown, "files": names }),
     )
 }
 
 fn exists(path: &Path, template: &Template) -> CommandError {
-    CommandError::FileExists { path: path.display().to_string(), template: template.name.to_owned() }
+    CommandError::FileExists {
+        path: path.display().to_string(),
+        template: template.name.to_owned(),
+    }
 }
 
 /// Writes a file that must not exist yet.
@@ -98,7 +118,10 @@ fn write_new(path: &Path, text: &str, template: &Template) -> Result<(), Command
         .and_then(|mut file| file.write_all(text.as_bytes()));
     written.map_err(|error| match error.kind() {
         ErrorKind::AlreadyExists => exists(path, template),
-        _ => CommandError::Write { path: path.display().to_string(), cause: error.to_string() },
+        _ => CommandError::Write {
+            path: path.display().to_string(),
+            cause: error.to_string(),
+        },
     })
 }
 
@@ -112,9 +135,18 @@ mod tests {
         let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/src/templates"));
         for template in &TEMPLATES {
             let name = format!("{}.toml", template.name);
-            let scene = Scene::from_text(template.scene, Format::Toml, &name, folder, &[] as &[&str]);
+            let scene =
+                Scene::from_text(template.scene, Format::Toml, &name, folder, &[] as &[&str]);
             let scene = scene.unwrap_or_else(|error| panic!("{}", error.render(100, false)));
-            assert!(template.scene.lines().filter(|line| line.contains('#')).count() >= 8, "{name}: comments");
+            assert!(
+                template
+                    .scene
+                    .lines()
+                    .filter(|line| line.contains('#'))
+                    .count()
+                    >= 8,
+                "{name}: comments"
+            );
             assert!(scene.description.is_some() && scene.title != template.name);
         }
     }

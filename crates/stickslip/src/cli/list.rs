@@ -28,19 +28,34 @@ enum Topic {
 }
 
 const SOLVERS: [(&str, &str); 4] = [
-    ("auto", "climbs from the fastest to the safest until one succeeds (default)"),
+    (
+        "auto",
+        "climbs from the fastest to the safest until one succeeds (default)",
+    ),
     ("status", "iteration of open, stick and slip per node"),
     ("newton", "semismooth Newton on the contact conditions"),
-    ("pivoting", "Lemke's pivoting on the linear complementarity problem"),
+    (
+        "pivoting",
+        "Lemke's pivoting on the linear complementarity problem",
+    ),
 ];
 
-pub(super) fn list(arguments: &ListArguments, console: &Console) -> Result<(), Failure> {
+pub(super) fn list(arguments: &ListArguments, console: Console) -> Result<(), Failure> {
     let topics: Vec<Topic> = match arguments.topic {
         Some(topic) => vec![topic],
         None => Topic::value_variants().to_vec(),
     };
-    let text = || topics.iter().map(|topic| text(*topic)).collect::<Vec<_>>().join("\n");
-    let value: Map<_, _> = topics.iter().map(|topic| (name(*topic).to_owned(), value(*topic))).collect();
+    let text = || {
+        topics
+            .iter()
+            .map(|topic| text(*topic))
+            .collect::<Vec<_>>()
+            .join("\n")
+    };
+    let value: Map<_, _> = topics
+        .iter()
+        .map(|topic| (name(*topic).to_owned(), value(*topic)))
+        .collect();
     console.result(text, &value)
 }
 
@@ -68,12 +83,17 @@ fn text(topic: Topic) -> String {
     match topic {
         Topic::Laws => laws_text(),
         Topic::Templates => {
-            let rows = TEMPLATES.iter().map(|template| (template.name.to_owned(), template.summary.to_owned()));
+            let rows = TEMPLATES
+                .iter()
+                .map(|template| (template.name.to_owned(), template.summary.to_owned()));
             table("Templates, for `stickslip init NAME`", rows)
         }
         Topic::Elements => {
             let row = |kind: ElementKind| (format!("{kind:?}"), element_summary(kind).to_owned());
-            table("Elements, for mesh.element", ElementKind::ALL.into_iter().map(row))
+            table(
+                "Elements, for mesh.element",
+                ElementKind::ALL.into_iter().map(row),
+            )
         }
         Topic::Solvers => {
             let row = |(name, summary): (&str, &str)| (name.to_owned(), summary.to_owned());
@@ -84,7 +104,10 @@ fn text(topic: Topic) -> String {
                 let names: Vec<_> = dimension.unit_names().collect();
                 (dimension.to_string(), names.join(", "))
             };
-            table("Units; every quantity is written with one, in quotes", Dimension::ALL.into_iter().map(row))
+            table(
+                "Units; every quantity is written with one, in quotes",
+                Dimension::ALL.into_iter().map(row),
+            )
         }
     }
 }
@@ -92,9 +115,14 @@ fn text(topic: Topic) -> String {
 /// A title and two aligned columns.
 fn table(title: &str, rows: impl Iterator<Item = (String, String)>) -> String {
     let rows: Vec<_> = rows.collect();
-    let width = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or_default();
-    let lines: String = rows.iter().map(|(name, text)| format!("  {name:width$}  {text}\n")).collect();
-    format!("{title}\n{lines}")
+    let width = rows
+        .iter()
+        .map(|(name, _)| name.chars().count())
+        .max()
+        .unwrap_or_default();
+    let line = |(name, text): &(String, String)| format!("  {name:width$}  {text}");
+    let lines: Vec<_> = rows.iter().map(line).collect();
+    format!("{title}\n{}\n", lines.join("\n"))
 }
 
 fn laws_text() -> String {
@@ -102,7 +130,12 @@ fn laws_text() -> String {
     for law in laws() {
         // Writing into a string does not fail.
         let _ = writeln!(text, "\n  {} – {}", law.name, law.summary);
-        let width = law.parameters.iter().map(|parameter| parameter.path.len()).max().unwrap_or_default();
+        let width = law
+            .parameters
+            .iter()
+            .map(|parameter| parameter.path.len())
+            .max()
+            .unwrap_or_default();
         for parameter in law.parameters {
             let _ = writeln!(
                 text,
@@ -118,7 +151,9 @@ fn laws_text() -> String {
 }
 
 fn default_of(parameter: &ParameterInfo) -> String {
-    parameter.default.map_or_else(|| "required".to_owned(), |value| format!("default {value}"))
+    parameter
+        .default
+        .map_or_else(|| "required".to_owned(), |value| format!("default {value}"))
 }
 
 fn value(topic: Topic) -> Value {

@@ -1,9 +1,9 @@
 //! The name that somebody probably meant.
 
-/// The entry of `known` that differs from `word` by the fewest single-letter edits, if those are at most a third of its letters
+/// The entry of `known` that differs from `word` by the fewest single-letter edits, if those are at most about a third of its letters
 /// (Levenshtein 1966). The first of several wins.
 pub(crate) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let limit = word.chars().count().max(3) / 3;
+    let limit = (word.chars().count() + 1).max(3) / 3;
     known
         .into_iter()
         .map(|candidate| (distance(word, candidate), candidate))

@@ -12,14 +12,22 @@ use crate::units::UnitError;
 pub enum SceneProblem {
     /// There is no such file.
     #[error("the scene file '{path}' does not exist")]
-    #[diagnostic(code(scene::missing_file), help("check the path, or write a first scene with `stickslip init pin-loaded-plate {path}`"))]
+    #[diagnostic(
+        code(scene::missing_file),
+        help(
+            "check the path, or write a first scene with `stickslip init pin-loaded-plate {path}`"
+        )
+    )]
     MissingFile {
         /// Path as given.
         path: String,
     },
     /// The file cannot be read.
     #[error("the file '{path}' cannot be read: {cause}")]
-    #[diagnostic(code(scene::unreadable), help("a scene is a text file (UTF-8) that ends in .toml or .json"))]
+    #[diagnostic(
+        code(scene::unreadable),
+        help("a scene is a text file (UTF-8) that ends in .toml or .json")
+    )]
     Unreadable {
         /// Path as given.
         path: String,
@@ -28,7 +36,10 @@ pub enum SceneProblem {
     },
     /// The text is not TOML or JSON.
     #[error("this is not valid {format}: {cause}")]
-    #[diagnostic(code(scene::syntax), help("texts and quantities stand in double quotes: thickness = \"0.06 in\""))]
+    #[diagnostic(
+        code(scene::syntax),
+        help("texts and quantities stand in double quotes: thickness = \"0.06 in\"")
+    )]
     Syntax {
         /// TOML or JSON.
         format: &'static str,
@@ -44,14 +55,22 @@ pub enum SceneProblem {
     },
     /// An override is not `key=value`.
     #[error("'{argument}' is not of the form key=value")]
-    #[diagnostic(code(scene::override_form), help("write for example --set mesh.spacing=\"2.25 deg\" or --set contacts.0.friction.coulomb.mu=0.15"))]
+    #[diagnostic(
+        code(scene::override_form),
+        help(
+            "write for example --set mesh.spacing=\"2.25 deg\" or --set contacts.0.friction.coulomb.mu=0.15"
+        )
+    )]
     OverrideForm {
         /// The argument as given.
         argument: String,
     },
     /// The key of an override leads through something that is not a table.
     #[error("'{key}' cannot be set: '{parent}' is {found}, which holds no keys")]
-    #[diagnostic(code(scene::override_path), help("`stickslip check` prints every key that a scene has"))]
+    #[diagnostic(
+        code(scene::override_path),
+        help("`stickslip check` prints every key that a scene has")
+    )]
     OverridePath {
         /// The whole key.
         key: String,
@@ -62,7 +81,10 @@ pub enum SceneProblem {
     },
     /// The index of an override is not in its list.
     #[error("'{key}' cannot be set: '{list}' has {length} {} and '{index}' is not one of them", counted(*length, "entry", "entries"))]
-    #[diagnostic(code(scene::override_index), help("entries are counted from 0; the number {length} adds one"))]
+    #[diagnostic(
+        code(scene::override_index),
+        help("entries are counted from 0; the number {length} adds one")
+    )]
     OverrideIndex {
         /// The whole key.
         key: String,
@@ -75,14 +97,20 @@ pub enum SceneProblem {
     },
     /// No version.
     #[error("the scene does not say which version of the format it is written in")]
-    #[diagnostic(code(scene::missing_version), help("add the line `version = {supported}` at the top"))]
+    #[diagnostic(
+        code(scene::missing_version),
+        help("add the line `version = {supported}` at the top")
+    )]
     MissingVersion {
         /// Version that this program reads.
         supported: u64,
     },
     /// A version that this program does not know.
     #[error("version {found} of the scene format is not supported")]
-    #[diagnostic(code(scene::unsupported_version), help("this program reads `version = {supported}`"))]
+    #[diagnostic(
+        code(scene::unsupported_version),
+        help("this program reads `version = {supported}`")
+    )]
     UnsupportedVersion {
         /// As written.
         found: String,
@@ -91,7 +119,7 @@ pub enum SceneProblem {
     },
     /// A key that means nothing here.
     #[error("unknown key '{key}'")]
-    #[diagnostic(code(scene::unknown_key), help("{}known keys here: {}", meant(nearest), known.join(", ")))]
+    #[diagnostic(code(scene::unknown_key), help("{}known keys here: {}", meant(nearest.as_deref()), known.join(", ")))]
     UnknownKey {
         /// The key.
         key: String,
@@ -102,7 +130,7 @@ pub enum SceneProblem {
     },
     /// A word that is none of the choices.
     #[error("'{found}' is not {what}")]
-    #[diagnostic(code(scene::unknown_name), help("{}choices: {}", meant(nearest), known.join(", ")))]
+    #[diagnostic(code(scene::unknown_name), help("{}choices: {}", meant(nearest.as_deref()), known.join(", ")))]
     UnknownName {
         /// What is wanted, with its article.
         what: String,
@@ -157,7 +185,10 @@ pub enum SceneProblem {
     },
     /// A value that its reader refuses for another reason.
     #[error("{message}")]
-    #[diagnostic(code(scene::refused), help("`stickslip list` shows what can be written"))]
+    #[diagnostic(
+        code(scene::refused),
+        help("`stickslip list` shows what can be written")
+    )]
     Refused {
         /// The reason.
         message: String,
@@ -173,7 +204,10 @@ pub enum SceneProblem {
     },
     /// Parameters that a friction law refuses.
     #[error("{message}")]
-    #[diagnostic(code(scene::friction), help("`stickslip list` shows the parameters of '{law}' and their ranges"))]
+    #[diagnostic(
+        code(scene::friction),
+        help("`stickslip list` shows the parameters of '{law}' and their ranges")
+    )]
     Friction {
         /// The law.
         law: String,
@@ -182,14 +216,22 @@ pub enum SceneProblem {
     },
     /// A contact without friction law.
     #[error("contact '{contact}' has no friction law")]
-    #[diagnostic(code(scene::missing_friction), help("add one, for example friction.coulomb = {{ mu = 0.3 }}; a frictionless contact says friction.coulomb = {{ mu = 0 }}"))]
+    #[diagnostic(
+        code(scene::missing_friction),
+        help(
+            "add one, for example friction.coulomb = {{ mu = 0.3 }}; a frictionless contact says friction.coulomb = {{ mu = 0 }}"
+        )
+    )]
     MissingFriction {
         /// Name of the contact.
         contact: String,
     },
     /// A name that is not defined in the scene.
     #[error("there is no {what} '{name}'")]
-    #[diagnostic(code(scene::undefined), help("{}{what} names in this scene: {}", meant(nearest), listed(known)))]
+    #[diagnostic(
+        code(scene::undefined),
+        help("{}{what} names in this scene: {}", meant(nearest.as_deref()), listed(known))
+    )]
     Undefined {
         /// Body or material.
         what: &'static str,
@@ -202,7 +244,7 @@ pub enum SceneProblem {
     },
     /// A set that a body's shape does not have.
     #[error("'{body}' ({shape}) has no {what} '{set}'")]
-    #[diagnostic(code(scene::missing_set), help("{}sets of '{body}' that fit here: {}", meant(nearest), known.join(", ")))]
+    #[diagnostic(code(scene::missing_set), help("{}sets of '{body}' that fit here: {}", meant(nearest.as_deref()), known.join(", ")))]
     MissingSet {
         /// The body.
         body: String,
@@ -229,8 +271,13 @@ pub enum SceneProblem {
         remedy: String,
     },
     /// The pin does not fit.
-    #[error("the pin (radius {pin}) is larger than the hole (radius {hole}): they overlap by {overlap}")]
-    #[diagnostic(code(scene::pin_too_large), help("make the pin smaller than {hole}, or say interference = true for a press fit"))]
+    #[error(
+        "the pin (radius {pin}) is larger than the hole (radius {hole}): they overlap by {overlap}"
+    )]
+    #[diagnostic(
+        code(scene::pin_too_large),
+        help("make the pin smaller than {hole}, or say interference = true for a press fit")
+    )]
     PinTooLarge {
         /// Pin radius as written.
         pin: String,
@@ -240,8 +287,13 @@ pub enum SceneProblem {
         overlap: String,
     },
     /// Bodies that nothing holds.
-    #[error("nothing holds {bodies}: no support, no platen, and no contact with a body that has one")]
-    #[diagnostic(code(scene::unsupported_body), help("add a support, for example [[supports]] on = \"{example}\", fix = [\"x\", \"y\"]"))]
+    #[error(
+        "nothing holds {bodies}: no support, no platen, and no contact with a body that has one"
+    )]
+    #[diagnostic(
+        code(scene::unsupported_body),
+        help("add a support, for example [[supports]] on = \"{example}\", fix = [\"x\", \"y\"]")
+    )]
     UnsupportedBody {
         /// The bodies, quoted.
         bodies: String,
@@ -250,7 +302,10 @@ pub enum SceneProblem {
     },
     /// Loads with different numbers of steps.
     #[error("load '{load}' has {steps} {}, but load '{other}' has {other_steps}", counted(*steps, "step", "steps"))]
-    #[diagnostic(code(scene::unequal_steps), help("give both the same number of steps; repeat a value to hold a load constant"))]
+    #[diagnostic(
+        code(scene::unequal_steps),
+        help("give both the same number of steps; repeat a value to hold a load constant")
+    )]
     UnequalSteps {
         /// The load.
         load: String,
@@ -292,23 +347,19 @@ pub enum SceneProblem {
         /// What would do.
         remedy: String,
     },
-    /// The mesh asked for does not fit into memory.
-    #[error("body '{body}' would have {nodes} nodes ({} needed, {} allowed)", bytes_in_words(*bytes), bytes_in_words(*allowed))]
-    #[diagnostic(code(scene::too_many_nodes), help("make mesh.spacing larger, or let it grow with mesh.fine_to and mesh.coarse_spacing"))]
-    TooManyNodes {
-        /// The body.
-        body: String,
-        /// Nodes asked for.
-        nodes: u64,
-        /// Memory that they need, in bytes.
-        bytes: u64,
-        /// Memory that the program allows itself, in bytes.
-        allowed: u64,
+    /// A scene that reads well but cannot be modelled.
+    #[error("{message}")]
+    #[diagnostic(code(scene::model), help("{remedy}"))]
+    Model {
+        /// The model builder's words, with their numbers.
+        message: String,
+        /// How to mend it.
+        remedy: String,
     },
 }
 
-fn meant(nearest: &Option<String>) -> String {
-    nearest.as_ref().map_or_else(String::new, |name| format!("did you mean '{name}'? "))
+fn meant(nearest: Option<&str>) -> String {
+    nearest.map_or_else(String::new, |name| format!("did you mean '{name}'? "))
 }
 
 fn counted(count: usize, one: &'static str, many: &'static str) -> &'static str {
@@ -316,16 +367,23 @@ fn counted(count: usize, one: &'static str, many: &'static str) -> &'static str 
 }
 
 fn listed(names: &[String]) -> String {
-    if names.is_empty() { "none".to_owned() } else { names.join(", ") }
+    if names.is_empty() {
+        "none".to_owned()
+    } else {
+        names.join(", ")
+    }
 }
 
 fn material_remedy(cause: &MaterialError) -> String {
     match cause {
         MaterialError::Poisson { .. } => {
-            "metals have 0.25 to 0.35; ν = 0.5 is incompressible and has no plane-strain stiffness".to_owned()
+            "metals have 0.25 to 0.35; ν = 0.5 is incompressible and has no plane-strain stiffness"
+                .to_owned()
         }
         MaterialError::OrthotropicPoisson { limit, .. } => {
-            format!("give a magnitude below {limit:.4} = sqrt(Ei/Ej), or check which of the two moduli is which")
+            format!(
+                "give a magnitude below {limit:.4} = sqrt(Ei/Ej), or check which of the two moduli is which"
+            )
         }
         MaterialError::OrthotropicIndefinite { .. } => {
             "make at least one of nu12, nu13 and nu23 smaller".to_owned()
@@ -334,36 +392,9 @@ fn material_remedy(cause: &MaterialError) -> String {
     }
 }
 
-fn bytes_in_words(bytes: u64) -> String {
-    const STEP: f64 = 1024.0;
-    let mut value = bytes as f64;
-    for name in ["B", "KiB", "MiB", "GiB"] {
-        if value < STEP {
-            return format!("{value:.1} {name}");
-        }
-        value /= STEP;
-    }
-    format!("{value:.1} TiB")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_billion_nodes_are_refused_with_their_memory() {
-        let problem = SceneProblem::TooManyNodes {
-            body: "plate".to_owned(),
-            nodes: 1_000_000_000,
-            bytes: 3 << 40,
-            allowed: 8 << 30,
-        };
-        assert_eq!(
-            problem.to_string(),
-            "body 'plate' would have 1000000000 nodes (3.0 TiB needed, 8.0 GiB allowed)"
-        );
-        assert!(problem.help().is_some_and(|help| help.to_string().contains("mesh.spacing")));
-    }
 
     #[test]
     fn names_that_were_meant_are_suggested() {
@@ -373,6 +404,9 @@ mod tests {
             known: vec!["young".to_owned(), "poisson".to_owned()],
         };
         let help = problem.help().map(|help| help.to_string());
-        assert_eq!(help.as_deref(), Some("did you mean 'young'? known keys here: young, poisson"));
+        assert_eq!(
+            help.as_deref(),
+            Some("did you mean 'young'? known keys here: young, poisson")
+        );
     }
 }

@@ -52,11 +52,21 @@ pub(super) fn build(
         contacts.add(scene, contact, meshes, [first, second], half)?;
     }
     for reported in &scene.edges {
-        if contacts.edges.iter().any(|edge| edge.geometry.name == reported.to_string()) {
+        if contacts
+            .edges
+            .iter()
+            .any(|edge| edge.geometry.name == reported.to_string())
+        {
             continue;
         }
         let edge = edge_nodes(scene, reported, meshes, half)?;
-        contacts.edges.push(edge.into_model_edge(scene, reported, index(&reported.body), half, None));
+        contacts.edges.push(edge.into_model_edge(
+            scene,
+            reported,
+            index(&reported.body),
+            half,
+            None,
+        ));
     }
     if !scene.contacts.is_empty() {
         choices.push(Choice {
@@ -77,10 +87,16 @@ impl Contacts {
         [first, second]: [usize; 2],
         half: bool,
     ) -> Result<(), ModelError> {
-        let refuse = |what: String| ModelError::Pairing { contact: contact.name.clone(), what };
+        let refuse = |what: String| ModelError::Pairing {
+            contact: contact.name.clone(),
+            what,
+        };
         let rigid = |body: &str| scene.bodies[body].substance == Substance::Rigid;
         if rigid(&contact.first.body) {
-            return Err(refuse(format!("the first body '{}' is rigid; make it the second", contact.first.body)));
+            return Err(refuse(format!(
+                "the first body '{}' is rigid; make it the second",
+                contact.first.body
+            )));
         }
         let upper = edge_nodes(scene, &contact.first, meshes, half)?;
         let geometry = Geometry::of(scene, contact).ok_or_else(|| {
@@ -92,7 +108,9 @@ impl Contacts {
         let count = upper.nodes.len();
         let first_start = self.interfaces[first].len();
         self.interfaces[first].extend(&upper.nodes);
-        let positions = |mesh: &Mesh, nodes: &[usize]| -> Vec<Point> { nodes.iter().map(|&node| mesh.nodes()[node]).collect() };
+        let positions = |mesh: &Mesh, nodes: &[usize]| -> Vec<Point> {
+            nodes.iter().map(|&node| mesh.nodes()[node]).collect()
+        };
         let upper_positions = positions(&meshes[&contact.first.body], &upper.nodes);
         let (second_start, lower_positions) = if rigid(&contact.second.body) {
             let start = self.rigid_points[second].len();
@@ -101,11 +119,17 @@ impl Contacts {
         } else {
             let lower = edge_nodes(scene, &contact.second, meshes, half)?;
             if lower.nodes.len() != count {
-                return Err(refuse(format!("{count} nodes face {}; the meshes must match", lower.nodes.len())));
+                return Err(refuse(format!(
+                    "{count} nodes face {}; the meshes must match",
+                    lower.nodes.len()
+                )));
             }
             let start = self.interfaces[second].len();
             self.interfaces[second].extend(&lower.nodes);
-            (start, positions(&meshes[&contact.second.body], &lower.nodes))
+            (
+                start,
+                positions(&meshes[&contact.second.body], &lower.nodes),
+            )
         };
         let (thickness, material_angle) = substance(scene, &contact.first.body);
         let points = (0..count)
@@ -117,7 +141,9 @@ impl Contacts {
                     first: first_start + k,
                     second: second_start + k,
                     normal,
-                    gap: geometry.gap(contact.gap, upper.parameter[k]).unwrap_or(faceted),
+                    gap: geometry
+                        .gap(contact.gap, upper.parameter[k])
+                        .unwrap_or(faceted),
                     area: upper.weights[k] * thickness,
                     material_angle,
                 }
@@ -142,8 +168,14 @@ impl Contacts {
 
 /// The two curves that face each other.
 enum Geometry {
-    Circles { radius: f64, clearance: f64, offset: Point },
-    Cylinder { radius: f64 },
+    Circles {
+        radius: f64,
+        clearance: f64,
+        offset: Point,
+    },
+    Cylinder {
+        radius: f64,
+    },
 }
 
 impl Geometry {
@@ -151,10 +183,16 @@ impl Geometry {
         let shape = |set: &SetRef| scene.bodies.get(&set.body).map(|body| body.shape);
         match (shape(&contact.first)?, shape(&contact.second)?) {
             (first @ Shape::PlateWithHole { .. }, second @ Shape::Disk { radius: pin }) => {
-                let radius = first.circle(&contact.first.set).filter(|_| contact.first.set == "hole")?;
+                let radius = first
+                    .circle(&contact.first.set)
+                    .filter(|_| contact.first.set == "hole")?;
                 second.circle(&contact.second.set)?;
                 let offset = meshes::disk_centre(scene, &contact.second.body, pin);
-                Some(Self::Circles { radius, clearance: radius - pin, offset })
+                Some(Self::Circles {
+                    radius,
+                    clearance: radius - pin,
+                    offset,
+                })
             }
             (Shape::Cylinder { radius, .. }, Shape::Block { .. })
                 if contact.first.set == "contact" && contact.second.set == "contact" =>
@@ -169,30 +207,55 @@ impl Geometry {
     fn gap(&self, kind: GapKind, at: f64) -> Option<f64> {
         match (self, kind) {
             (_, GapKind::Faceted) => None,
-            (Self::Circles { radius, clearance, offset }, GapKind::Exact) => {
-                Some(gap::circles(*radius, *clearance, *offset, at))
-            }
-            (Self::Circles { clearance, offset, .. }, GapKind::Linearised) => {
-                Some(gap::circles_linearised(*clearance, *offset, at))
-            }
+            (
+                Self::Circles {
+                    radius,
+                    clearance,
+                    offset,
+                },
+                GapKind::Exact,
+            ) => Some(gap::circles(*radius, *clearance, *offset, at)),
+            (
+                Self::Circles {
+                    clearance, offset, ..
+                },
+                GapKind::Linearised,
+            ) => Some(gap::circles_linearised(*clearance, *offset, at)),
             (Self::Cylinder { radius }, GapKind::Exact) => Some(gap::cylinder(*radius, at)),
-            (Self::Cylinder { radius }, GapKind::Linearised) => Some(gap::cylinder_linearised(*radius, at)),
+            (Self::Cylinder { radius }, GapKind::Linearised) => {
+                Some(gap::cylinder_linearised(*radius, at))
+            }
         }
     }
 }
 
-/// Thickness [mm] and material angle [rad] of an elastic body.
+/// Thickness `[mm]` and material angle `[rad]` of an elastic body.
 fn substance(scene: &Scene, body: &str) -> (f64, f64) {
     match &scene.bodies[body].substance {
-        Substance::Elastic { material, thickness } => {
-            (*thickness, scene.materials.get(material).map_or(0.0, schema::Material::angle))
-        }
+        Substance::Elastic {
+            material,
+            thickness,
+        } => (
+            *thickness,
+            scene
+                .materials
+                .get(material)
+                .map_or(0.0, schema::Material::angle),
+        ),
         Substance::Rigid => (1.0, 0.0),
     }
 }
 
-fn edge_nodes(scene: &Scene, edge: &SetRef, meshes: &Meshes, half: bool) -> Result<EdgeNodes, ModelError> {
-    let mesh_error = |cause| ModelError::Mesh { body: edge.body.clone(), cause };
+fn edge_nodes(
+    scene: &Scene,
+    edge: &SetRef,
+    meshes: &Meshes,
+    half: bool,
+) -> Result<EdgeNodes, ModelError> {
+    let mesh_error = |cause| ModelError::Mesh {
+        body: edge.body.clone(),
+        cause,
+    };
     let mesh = &meshes[&edge.body];
     let path = mesh.edge_path(&edge.set).map_err(mesh_error)?;
     let curve = mesh.edge_set(&edge.set).map_err(mesh_error)?.curve;
@@ -258,7 +321,14 @@ impl EdgeNodes {
         }
     }
 
-    fn into_model_edge(self, scene: &Scene, edge: &SetRef, body: usize, half: bool, pair: Option<usize>) -> ModelEdge {
+    fn into_model_edge(
+        self,
+        scene: &Scene,
+        edge: &SetRef,
+        body: usize,
+        half: bool,
+        pair: Option<usize>,
+    ) -> ModelEdge {
         let normals = (0..self.nodes.len()).map(|k| self.normal(k)).collect();
         let (thickness, _) = substance(scene, &edge.body);
         let bearing_area = match self.kind {
@@ -280,6 +350,11 @@ impl EdgeNodes {
             body,
             nodes: self.nodes,
             local: Vec::new(),
+            areas: self
+                .weights
+                .iter()
+                .map(|weight| weight * thickness)
+                .collect(),
             order: self.order,
             normals,
             pair,

@@ -12,11 +12,18 @@ pub(super) fn choose(scene: &Scene, choices: &mut Vec<Choice>) -> Result<bool, M
         (ModelChoice::Whole, _) => (false, "the scene says so".to_owned()),
         (ModelChoice::Half, None) => (true, "the scene says so".to_owned()),
         (ModelChoice::Half, Some(why)) => return Err(ModelError::NotSymmetric(why)),
-        (ModelChoice::Auto, None) => (true, "geometry, material, supports and loads are symmetric".to_owned()),
+        (ModelChoice::Auto, None) => (
+            true,
+            "geometry, material, supports and loads are symmetric".to_owned(),
+        ),
         (ModelChoice::Auto, Some(why)) => (false, why),
     };
     let value = if half { "half" } else { "whole" }.to_owned();
-    choices.push(Choice { what: "model".into(), value, reason });
+    choices.push(Choice {
+        what: "model".into(),
+        value,
+        reason,
+    });
     Ok(half)
 }
 
@@ -39,9 +46,14 @@ fn obstacle(scene: &Scene) -> Option<String> {
     };
     for (name, body) in &scene.bodies {
         if let Substance::Elastic { material, .. } = &body.substance
-            && scene.materials.get(material).is_some_and(|material| !mirrors(material))
+            && scene
+                .materials
+                .get(material)
+                .is_some_and(|material| !mirrors(material))
         {
-            return Some(format!("the material axes of body '{name}' are skew to the load axis"));
+            return Some(format!(
+                "the material axes of body '{name}' are skew to the load axis"
+            ));
         }
     }
     for support in &scene.supports {
@@ -60,12 +72,24 @@ fn obstacle(scene: &Scene) -> Option<String> {
     scene.loads.iter().find_map(|load| {
         let why = |what: &str| Some(format!("load '{}' {what}", load.name));
         match &load.kind {
-            LoadKind::Force { direction, .. } if direction[across].abs() > 1e-12 => why("acts across the line of symmetry"),
-            LoadKind::Force { on, .. } | LoadKind::Pressure { on, .. } => {
-                let lateral = if across == 1 { ["top", "bottom"] } else { ["left", "right"] };
-                if lateral.contains(&on.set.as_str()) { why("acts on one side only") } else { None }
+            LoadKind::Force { direction, .. } if direction[across].abs() > 1e-12 => {
+                why("acts across the line of symmetry")
             }
-            LoadKind::PolarTraction { table, .. } if !table_mirrors(table) => why("is not symmetric"),
+            LoadKind::Force { on, .. } | LoadKind::Pressure { on, .. } => {
+                let lateral = if across == 1 {
+                    ["top", "bottom"]
+                } else {
+                    ["left", "right"]
+                };
+                if lateral.contains(&on.set.as_str()) {
+                    why("acts on one side only")
+                } else {
+                    None
+                }
+            }
+            LoadKind::PolarTraction { table, .. } if !table_mirrors(table) => {
+                why("is not symmetric")
+            }
             LoadKind::PolarTraction { .. } | LoadKind::Temperature { .. } => None,
         }
     })
@@ -73,7 +97,8 @@ fn obstacle(scene: &Scene) -> Option<String> {
 
 fn mirrors(material: &Material) -> bool {
     let quarter_turns = material.angle() / std::f64::consts::FRAC_PI_2;
-    matches!(material, Material::Isotropic { .. }) || (quarter_turns - quarter_turns.round()).abs() < 1e-12
+    matches!(material, Material::Isotropic { .. })
+        || (quarter_turns - quarter_turns.round()).abs() < 1e-12
 }
 
 /// A table from 0 to π stands for a symmetric load.

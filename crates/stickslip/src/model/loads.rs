@@ -16,10 +16,18 @@ use crate::scene::schema::{self, Hold, LoadKind, Shape, Substance};
 
 /// Multipliers of all load cases per step: one case per load, and one that holds the displacements of supports.
 pub(super) fn history(scene: &Scene) -> Result<LoadHistory, ModelError> {
-    let count = scene.loads.iter().map(|load| load.kind.steps().len()).max().unwrap_or(1);
+    let count = scene
+        .loads
+        .iter()
+        .map(|load| load.kind.steps().len())
+        .max()
+        .unwrap_or(1);
     let steps = (0..count)
         .map(|step| {
-            let loads = scene.loads.iter().map(|load| load.kind.steps().get(step).copied().unwrap_or(0.0));
+            let loads = scene
+                .loads
+                .iter()
+                .map(|load| load.kind.steps().get(step).copied().unwrap_or(0.0));
             loads.chain(std::iter::once(1.0)).collect()
         })
         .collect();
@@ -41,16 +49,30 @@ pub(super) fn body(
 ) -> Result<ModelBodyKind, ModelError> {
     // The scene was checked: every name in it refers to something.
     let description = &scene.bodies[name];
-    let Substance::Elastic { material, thickness } = &description.substance else {
+    let Substance::Elastic {
+        material,
+        thickness,
+    } = &description.substance
+    else {
         return Ok(ModelBodyKind::Rigid(rigid(scene, name, half, rigid_points)));
     };
     let mesh = &meshes[name];
     let material = &materials[material];
-    let body_error = |cause| ModelError::Body { body: name.to_owned(), cause };
-    let mesh_error = |cause| ModelError::Mesh { body: name.to_owned(), cause };
+    let body_error = |cause| ModelError::Body {
+        body: name.to_owned(),
+        cause,
+    };
+    let mesh_error = |cause| ModelError::Mesh {
+        body: name.to_owned(),
+        cause,
+    };
 
     let mut supports = Vec::new();
-    for support in scene.supports.iter().filter(|support| support.on.body == name) {
+    for support in scene
+        .supports
+        .iter()
+        .filter(|support| support.on.body == name)
+    {
         let nodes = mesh.node_set(&support.on.set).map_err(mesh_error)?;
         let directions: Vec<HeldDirection> = match support.hold {
             Hold::Direction(angle) => vec![HeldDirection::Angle(angle)],
@@ -66,13 +88,22 @@ pub(super) fn body(
         }));
     }
     if half {
-        let direction = if description.shape.is_round() { HeldDirection::Y } else { HeldDirection::X };
+        let direction = if description.shape.is_round() {
+            HeldDirection::Y
+        } else {
+            HeldDirection::X
+        };
         let nodes = mesh.node_set("symmetry").map_err(mesh_error)?.to_vec();
-        supports.push(Support { nodes, direction, displacement: 0.0 });
+        supports.push(Support {
+            nodes,
+            direction,
+            displacement: 0.0,
+        });
     }
     let blocks = vec![Arc::clone(material); mesh.blocks().len()];
-    let mut body =
-        ElasticBody::new(Arc::clone(mesh), blocks, *thickness).map_err(body_error)?.with_supports(supports);
+    let mut body = ElasticBody::new(Arc::clone(mesh), blocks, *thickness)
+        .map_err(body_error)?
+        .with_supports(supports);
     if let Some(platen) = scene.platens.iter().find(|platen| platen.on.body == name) {
         let nodes = mesh.node_set(&platen.on.set).map_err(mesh_error)?.to_vec();
         let mut free = [platen.free.x, platen.free.y];
@@ -83,10 +114,26 @@ pub(super) fn body(
     }
     let mut cases = Vec::with_capacity(scene.loads.len() + 1);
     for load in &scene.loads {
-        cases.push(unit_load(&load.kind, name, mesh, material, *thickness, &description.shape, half).map_err(mesh_error)?);
+        cases.push(
+            unit_load(
+                &load.kind,
+                name,
+                mesh,
+                material,
+                *thickness,
+                &description.shape,
+                half,
+            )
+            .map_err(mesh_error)?,
+        );
     }
-    cases.push(LoadCase { moves_supports: true, ..LoadCase::default() });
-    Ok(ModelBodyKind::Elastic(Arc::new(body.with_load_cases(cases).map_err(body_error)?)))
+    cases.push(LoadCase {
+        moves_supports: true,
+        ..LoadCase::default()
+    });
+    Ok(ModelBodyKind::Elastic(Arc::new(
+        body.with_load_cases(cases).map_err(body_error)?,
+    )))
 }
 
 /// Load `kind` for a multiplier of one, as far as it acts on body `name`.
@@ -105,35 +152,56 @@ fn unit_load(
             let unit = edge_load(mesh, edges, thickness, |_| [1.0, 0.0]);
             // Force of a unit traction on the whole edge; a half model has half of an edge that crosses the symmetry line.
             let whole = unit.iter().sum::<f64>() * if half { 2.0 } else { 1.0 };
-            edge_load(mesh, edges, thickness, |_| direction.map(|component| component / whole))
+            edge_load(mesh, edges, thickness, |_| {
+                direction.map(|component| component / whole)
+            })
         }
         LoadKind::Pressure { on, .. } if on.body == name => {
-            edge_load(mesh, &mesh.edge_set(&on.set)?.edges, thickness, |at| at.normal.map(|component| -component))
+            edge_load(mesh, &mesh.edge_set(&on.set)?.edges, thickness, |at| {
+                at.normal.map(|component| -component)
+            })
         }
         LoadKind::PolarTraction { on, table, .. } if on.body == name => {
             let field = PolarField::new(table);
             // On the hole's side the outward normal is −e_r, and so are the tractions of the same stresses.
-            let sign = if shape.circle(&on.set).is_some() && on.set == "hole" { -1.0 } else { 1.0 };
+            let sign = if shape.circle(&on.set).is_some() && on.set == "hole" {
+                -1.0
+            } else {
+                1.0
+            };
             edge_load(mesh, &mesh.edge_set(&on.set)?.edges, thickness, |at| {
                 let theta = at.position[1].atan2(at.position[0]);
                 let [radial, shear] = field.at(theta);
                 let (s, c) = theta.sin_cos();
-                [sign * (radial * c - shear * s), sign * (radial * s + shear * c)]
+                [
+                    sign * (radial * c - shear * s),
+                    sign * (radial * s + shear * c),
+                ]
             })
         }
         LoadKind::Temperature { body, .. } if body == name => {
             let strain = material.thermal_strain(1.0);
-            return Ok(LoadCase { initial_strain: vec![strain; mesh.blocks().len()], ..LoadCase::default() });
+            return Ok(LoadCase {
+                initial_strain: vec![strain; mesh.blocks().len()],
+                ..LoadCase::default()
+            });
         }
         _ => Vec::new(),
     };
-    Ok(LoadCase { forces, ..LoadCase::default() })
+    Ok(LoadCase {
+        forces,
+        ..LoadCase::default()
+    })
 }
 
 /// A rigid body slides along the axes in which nothing holds it, and never turns.
 fn rigid(scene: &Scene, name: &str, half: bool, points: &[Point]) -> RigidBody {
     let mut free = [true; 2];
-    for support in scene.supports.iter().filter(|support| support.on.body == name) {
+    for support in scene
+        .supports
+        .iter()
+        .filter(|support| support.on.body == name)
+    {
         match support.hold {
             Hold::Axes(axes) => free = [free[0] && !axes.x, free[1] && !axes.y],
             Hold::Direction(_) => free = [false; 2],
@@ -147,7 +215,9 @@ fn rigid(scene: &Scene, name: &str, half: bool, points: &[Point]) -> RigidBody {
         .loads
         .iter()
         .map(|load| match &load.kind {
-            LoadKind::Force { on, direction, .. } if on.body == name => direction.map(|component| share * component),
+            LoadKind::Force { on, direction, .. } if on.body == name => {
+                direction.map(|component| share * component)
+            }
             _ => [0.0; 2],
         })
         .collect();

@@ -25,25 +25,50 @@ const LINE_GROWTH: f64 = 1.12;
 /// Growth of the angular spacing from one interval to the next.
 const ANGLE_GROWTH: f64 = 1.15;
 
-pub(super) fn build(scene: &Scene, half: bool, choices: &mut Vec<Choice>) -> Result<Meshes, ModelError> {
+pub(super) fn build(
+    scene: &Scene,
+    half: bool,
+    choices: &mut Vec<Choice>,
+) -> Result<Meshes, ModelError> {
     let mut meshes = Meshes::new();
-    let angles = if scene.bodies.values().any(|body| body.shape.is_round()) { hole_angles(scene, half)? } else { Vec::new() };
+    let angles = if scene.bodies.values().any(|body| body.shape.is_round()) {
+        hole_angles(scene, half)?
+    } else {
+        Vec::new()
+    };
     let mut line_contact = None;
-    for (name, body) in scene.bodies.iter().filter(|(_, body)| body.substance != Substance::Rigid) {
+    for (name, body) in scene
+        .bodies
+        .iter()
+        .filter(|(_, body)| body.substance != Substance::Rigid)
+    {
         let refuse = |cause| refuse(name, cause);
         let mesh = match body.shape {
-            Shape::PlateWithHole { hole_radius, outline } => {
-                Arc::new(plate(scene, hole_radius, outline, &angles, half).map_err(refuse)?)
+            Shape::PlateWithHole {
+                hole_radius,
+                outline,
+            } => Arc::new(plate(scene, hole_radius, outline, &angles, half).map_err(refuse)?),
+            Shape::Disk { radius } => {
+                Arc::new(disk(scene, name, radius, &angles, half).map_err(refuse)?)
             }
-            Shape::Disk { radius } => Arc::new(disk(scene, name, radius, &angles, half).map_err(refuse)?),
-            Shape::Rectangle { width, height } => Arc::new(rectangle(scene, width, height).map_err(refuse)?),
+            Shape::Rectangle { width, height } => {
+                Arc::new(rectangle(scene, width, height).map_err(refuse)?)
+            }
             Shape::Block { .. } | Shape::Cylinder { .. } => {
                 if line_contact.is_none() {
-                    let made = line_contact_meshes(scene, half)?.generate_within(NODE_LIMIT).map_err(refuse)?;
+                    let made = line_contact_meshes(scene, half)?
+                        .generate_within(NODE_LIMIT)
+                        .map_err(refuse)?;
                     line_contact = Some((Arc::new(made.lower), Arc::new(made.upper)));
                 }
-                let Some((lower, upper)) = &line_contact else { continue };
-                Arc::clone(if matches!(body.shape, Shape::Block { .. }) { lower } else { upper })
+                let Some((lower, upper)) = &line_contact else {
+                    continue;
+                };
+                Arc::clone(if matches!(body.shape, Shape::Block { .. }) {
+                    lower
+                } else {
+                    upper
+                })
             }
         };
         meshes.insert(name.clone(), mesh);
@@ -51,8 +76,15 @@ pub(super) fn build(scene: &Scene, half: bool, choices: &mut Vec<Choice>) -> Res
     if !angles.is_empty() && scene.mesh.layers.is_none() {
         choices.push(Choice {
             what: "radial layers".into(),
-            value: format!("{} around the hole, {} in the pin", plate_layers(angles.len(), half, false), disk_layers(angles.len(), half)),
-            reason: format!("cells about as deep as wide, with {} angles on the contact circle", angles.len()),
+            value: format!(
+                "{} around the hole, {} in the pin",
+                plate_layers(angles.len(), half, false),
+                disk_layers(angles.len(), half)
+            ),
+            reason: format!(
+                "cells about as deep as wide, with {} angles on the contact circle",
+                angles.len()
+            ),
         });
     }
     Ok(meshes)
@@ -61,12 +93,19 @@ pub(super) fn build(scene: &Scene, half: bool, choices: &mut Vec<Choice>) -> Res
 fn refuse(body: &str, cause: GenerateError) -> ModelError {
     match cause {
         GenerateError::TooLarge { nodes, .. } => too_many(nodes as f64),
-        cause => ModelError::Generate { body: body.to_owned(), cause },
+        cause => ModelError::Generate {
+            body: body.to_owned(),
+            cause,
+        },
     }
 }
 
 fn too_many(nodes: f64) -> ModelError {
-    ModelError::TooManyNodes { nodes, gigabytes: nodes * BYTES_PER_NODE / 1e9, limit: NODE_LIMIT as f64 }
+    ModelError::TooManyNodes {
+        nodes,
+        gigabytes: nodes * BYTES_PER_NODE / 1e9,
+        limit: NODE_LIMIT as f64,
+    }
 }
 
 fn extent(half: bool) -> Extent {
@@ -75,7 +114,11 @@ fn extent(half: bool) -> Extent {
 
 /// Divisions of half the circle.
 fn half_count(angles: usize, half: bool) -> f64 {
-    if half { angles as f64 - 1.0 } else { angles as f64 / 2.0 }
+    if half {
+        angles as f64 - 1.0
+    } else {
+        angles as f64 / 2.0
+    }
 }
 
 fn plate_layers(angles: usize, half: bool, ring: bool) -> usize {
@@ -87,18 +130,37 @@ fn disk_layers(angles: usize, half: bool) -> usize {
     ((0.22 * half_count(angles, half)).round() as usize).max(3)
 }
 
-fn plate(scene: &Scene, hole_radius: f64, outline: Outline, angles: &[f64], half: bool) -> Result<Mesh, GenerateError> {
+fn plate(
+    scene: &Scene,
+    hole_radius: f64,
+    outline: Outline,
+    angles: &[f64],
+    half: bool,
+) -> Result<Mesh, GenerateError> {
     let ring = matches!(outline, Outline::Ring { .. });
     let outline = match outline {
-        Outline::Strip { half_width, left, right } => generate::Outline::Strip { half_width, left, right },
-        Outline::Ring { radius } => generate::Outline::Ring { outer_radius: radius },
+        Outline::Strip {
+            half_width,
+            left,
+            right,
+        } => generate::Outline::Strip {
+            half_width,
+            left,
+            right,
+        },
+        Outline::Ring { radius } => generate::Outline::Ring {
+            outer_radius: radius,
+        },
     };
     PlateWithHole {
         hole_radius,
         outline,
         extent: extent(half),
         angles: angles.to_vec(),
-        layers: scene.mesh.layers.unwrap_or_else(|| plate_layers(angles.len(), half, ring)),
+        layers: scene
+            .mesh
+            .layers
+            .unwrap_or_else(|| plate_layers(angles.len(), half, ring)),
         growth: SQUARE,
         far_cells: ((half_count(angles.len(), half) / 4.0).round() as usize).max(3),
         kind: scene.mesh.element,
@@ -106,7 +168,13 @@ fn plate(scene: &Scene, hole_radius: f64, outline: Outline, angles: &[f64], half
     .generate_within(NODE_LIMIT)
 }
 
-fn disk(scene: &Scene, name: &str, radius: f64, angles: &[f64], half: bool) -> Result<Mesh, GenerateError> {
+fn disk(
+    scene: &Scene,
+    name: &str,
+    radius: f64,
+    angles: &[f64],
+    half: bool,
+) -> Result<Mesh, GenerateError> {
     Disk {
         radius,
         centre: disk_centre(scene, name, radius),
@@ -122,9 +190,16 @@ fn disk(scene: &Scene, name: &str, radius: f64, angles: &[f64], half: bool) -> R
 
 /// A pin with clearance starts where it touches at θ = 0, one with interference concentric.
 pub(super) fn disk_centre(scene: &Scene, name: &str, radius: f64) -> [f64; 2] {
-    let hole = scene.contacts.iter().find(|contact| contact.second.body == name).and_then(|contact| {
-        scene.bodies.get(&contact.first.body).and_then(|body| body.shape.circle(&contact.first.set))
-    });
+    let hole = scene
+        .contacts
+        .iter()
+        .find(|contact| contact.second.body == name)
+        .and_then(|contact| {
+            scene
+                .bodies
+                .get(&contact.first.body)
+                .and_then(|body| body.shape.circle(&contact.first.set))
+        });
     [hole.map_or(0.0, |hole| (hole - radius).max(0.0)), 0.0]
 }
 
@@ -134,19 +209,30 @@ fn rectangle(scene: &Scene, width: f64, height: f64) -> Result<Mesh, GenerateErr
         Division::AngleList(_) | Division::Angular(_) => width.min(height) / 20.0,
     };
     let cells = |length: f64| ((length / spacing).ceil().clamp(1.0, 1e7)) as usize;
-    Rectangle::uniform([-width / 2.0, width / 2.0], [-height, 0.0], [cells(width), cells(height)], scene.mesh.element)?
-        .generate_within(NODE_LIMIT)
+    Rectangle::uniform(
+        [-width / 2.0, width / 2.0],
+        [-height, 0.0],
+        [cells(width), cells(height)],
+        scene.mesh.element,
+    )?
+    .generate_within(NODE_LIMIT)
 }
 
 fn line_contact_meshes(scene: &Scene, half: bool) -> Result<CylinderOnBlock, ModelError> {
     let Division::Linear(grading) = &scene.mesh.division else {
-        return Err(ModelError::MeshSettings("a line contact is divided by a length, such as spacing = \"0.02 mm\"".into()));
+        return Err(ModelError::MeshSettings(
+            "a line contact is divided by a length, such as spacing = \"0.02 mm\"".into(),
+        ));
     };
     let mut radius = None;
     let (mut half_width, mut height): (f64, f64) = (f64::INFINITY, f64::INFINITY);
     for body in scene.bodies.values() {
         match body.shape {
-            Shape::Cylinder { radius: r, half_length, depth } => {
+            Shape::Cylinder {
+                radius: r,
+                half_length,
+                depth,
+            } => {
                 radius = Some(r);
                 (half_width, height) = (half_width.min(half_length), height.min(depth));
             }
@@ -156,7 +242,8 @@ fn line_contact_meshes(scene: &Scene, half: bool) -> Result<CylinderOnBlock, Mod
             _ => {}
         }
     }
-    let radius = radius.ok_or_else(|| ModelError::MeshSettings("a block needs a cylinder to touch it".into()))?;
+    let radius = radius
+        .ok_or_else(|| ModelError::MeshSettings("a block needs a cylinder to touch it".into()))?;
     let inner = grading.fine_to.unwrap_or(half_width / 8.0);
     let cells = inner / grading.spacing;
     if cells * cells > NODE_LIMIT as f64 {
@@ -180,11 +267,15 @@ fn hole_angles(scene: &Scene, half: bool) -> Result<Vec<f64>, ModelError> {
         Division::AngleList(angles) => angles.clone(),
         Division::Angular(grading) => graded_angles(*grading)?,
         Division::Linear(_) => {
-            return Err(ModelError::MeshSettings("a round contact is divided by an angle, such as spacing = \"1 deg\"".into()));
+            return Err(ModelError::MeshSettings(
+                "a round contact is divided by an angle, such as spacing = \"1 deg\"".into(),
+            ));
         }
     };
     let Some(&last) = upper.last() else {
-        return Err(ModelError::MeshSettings("the list of angles is empty".into()));
+        return Err(ModelError::MeshSettings(
+            "the list of angles is empty".into(),
+        ));
     };
     let spans_half = (last - PI).abs() < 1e-9;
     match (half, spans_half) {
@@ -194,8 +285,15 @@ fn hole_angles(scene: &Scene, half: bool) -> Result<Vec<f64>, ModelError> {
             last.to_degrees()
         ))),
         (false, true) => {
-            let lower = upper[1..upper.len() - 1].iter().rev().map(|angle| TAU - angle);
-            Ok(upper.iter().copied().chain(lower.collect::<Vec<_>>()).collect())
+            let lower = upper[1..upper.len() - 1]
+                .iter()
+                .rev()
+                .map(|angle| TAU - angle);
+            Ok(upper
+                .iter()
+                .copied()
+                .chain(lower.collect::<Vec<_>>())
+                .collect())
         }
         (false, false) => Ok(upper),
     }
@@ -250,14 +348,29 @@ mod tests {
         let angles = graded_angles(grading).unwrap();
         assert_eq!((angles[0], angles[angles.len() - 1]), (0.0, PI));
         let widths: Vec<f64> = angles.windows(2).map(|pair| pair[1] - pair[0]).collect();
-        assert!(widths.windows(2).all(|pair| pair[1] / pair[0] < 1.3 && pair[1] / pair[0] > 0.75));
-        let uniform = graded_angles(Grading { fine_to: None, coarse_spacing: None, ..grading }).unwrap();
+        assert!(
+            widths
+                .windows(2)
+                .all(|pair| pair[1] / pair[0] < 1.3 && pair[1] / pair[0] > 0.75)
+        );
+        let uniform = graded_angles(Grading {
+            fine_to: None,
+            coarse_spacing: None,
+            ..grading
+        })
+        .unwrap();
         assert_eq!(uniform.len(), 161);
     }
 
     #[test]
     fn a_billion_nodes_are_refused_before_anything_is_allocated() {
-        let refused = graded_angles(Grading { spacing: 1e-5, fine_to: None, coarse_spacing: None });
-        assert!(matches!(refused, Err(ModelError::TooManyNodes { gigabytes, .. }) if gigabytes > 100.0));
+        let refused = graded_angles(Grading {
+            spacing: 1e-5,
+            fine_to: None,
+            coarse_spacing: None,
+        });
+        assert!(
+            matches!(refused, Err(ModelError::TooManyNodes { gigabytes, .. }) if gigabytes > 100.0)
+        );
     }
 }

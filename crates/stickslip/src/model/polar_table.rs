@@ -3,7 +3,9 @@
 //! A table of equally spaced angles from 0 to π stands for a load symmetric about the x axis and is interpolated by its
 //! finite Fourier series,
 //!
-//!     σ_r = Σ_k a_k cos kθ,   τ_rθ = Σ_k b_k sin kθ,
+//! ```text
+//! σ_r = Σ_k a_k cos kθ,   τ_rθ = Σ_k b_k sin kθ,
+//! ```
 //!
 //! which is exact to rounding for a smooth field; any other table is interpolated linearly and periodically.
 
@@ -14,45 +16,89 @@ use crate::scene::schema::PolarTable;
 /// Interpolates a [`PolarTable`].
 #[derive(Debug)]
 pub(super) enum PolarField {
-    Fourier { cosine: Vec<f64>, sine: Vec<f64> },
-    Linear { theta: Vec<f64>, radial: Vec<f64>, shear: Vec<f64> },
+    Fourier {
+        cosine: Vec<f64>,
+        sine: Vec<f64>,
+    },
+    Linear {
+        theta: Vec<f64>,
+        radial: Vec<f64>,
+        shear: Vec<f64>,
+    },
 }
 
 impl PolarField {
     pub(super) fn new(table: &PolarTable) -> Self {
         let intervals = table.theta.len().saturating_sub(1);
         let regular = intervals > 1
-            && table.theta.iter().enumerate().all(|(k, theta)| (theta - PI * k as f64 / intervals as f64).abs() < 1e-9);
+            && table
+                .theta
+                .iter()
+                .enumerate()
+                .all(|(k, theta)| (theta - PI * k as f64 / intervals as f64).abs() < 1e-9);
         if !regular {
-            let PolarTable { theta, radial, shear, .. } = table;
-            return Self::Linear { theta: theta.clone(), radial: radial.clone(), shear: shear.clone() };
+            let PolarTable {
+                theta,
+                radial,
+                shear,
+                ..
+            } = table;
+            return Self::Linear {
+                theta: theta.clone(),
+                radial: radial.clone(),
+                shear: shear.clone(),
+            };
         }
         let end = |k: usize| if k == 0 || k == intervals { 0.5 } else { 1.0 };
         let sum = |values: &[f64], k: usize, wave: fn(f64) -> f64| -> f64 {
-            values.iter().enumerate().map(|(j, value)| end(j) * value * wave(PI * (j * k) as f64 / intervals as f64)).sum()
+            values
+                .iter()
+                .enumerate()
+                .map(|(j, value)| end(j) * value * wave(PI * (j * k) as f64 / intervals as f64))
+                .sum()
         };
         let scale = 2.0 / intervals as f64;
         Self::Fourier {
-            cosine: (0..=intervals).map(|k| end(k) * scale * sum(&table.radial, k, f64::cos)).collect(),
-            sine: (0..intervals).map(|k| scale * sum(&table.shear, k, f64::sin)).collect(),
+            cosine: (0..=intervals)
+                .map(|k| end(k) * scale * sum(&table.radial, k, f64::cos))
+                .collect(),
+            sine: (0..intervals)
+                .map(|k| scale * sum(&table.shear, k, f64::sin))
+                .collect(),
         }
     }
 
-    /// (σ_r, τ_rθ) at `theta` [rad].
+    /// (σ_r, τ_rθ) at `theta` `[rad]`.
     pub(super) fn at(&self, theta: f64) -> [f64; 2] {
         match self {
             Self::Fourier { cosine, sine } => {
-                let radial = cosine.iter().enumerate().map(|(k, a)| a * (k as f64 * theta).cos()).sum();
-                let shear = sine.iter().enumerate().map(|(k, b)| b * (k as f64 * theta).sin()).sum();
+                let radial = cosine
+                    .iter()
+                    .enumerate()
+                    .map(|(k, a)| a * (k as f64 * theta).cos())
+                    .sum();
+                let shear = sine
+                    .iter()
+                    .enumerate()
+                    .map(|(k, b)| b * (k as f64 * theta).sin())
+                    .sum();
                 [radial, shear]
             }
-            Self::Linear { theta: knots, radial, shear } => {
+            Self::Linear {
+                theta: knots,
+                radial,
+                shear,
+            } => {
                 let angle = theta.rem_euclid(TAU);
                 let next = knots.partition_point(|&knot| knot <= angle);
                 let count = knots.len();
                 let (left, right) = ((next + count - 1) % count, next % count);
                 let width = (knots[right] - knots[left]).rem_euclid(TAU);
-                let part = if width > 0.0 { (angle - knots[left]).rem_euclid(TAU) / width } else { 0.0 };
+                let part = if width > 0.0 {
+                    (angle - knots[left]).rem_euclid(TAU) / width
+                } else {
+                    0.0
+                };
                 [radial, shear].map(|values| values[left] + part * (values[right] - values[left]))
             }
         }
@@ -64,9 +110,20 @@ mod tests {
     use super::*;
 
     fn table(theta: Vec<f64>) -> PolarTable {
-        let radial = theta.iter().map(|t| 1.0 - 2.0 * t.cos() + 0.3 * (3.0 * t).cos()).collect();
-        let shear = theta.iter().map(|t| t.sin() - 0.7 * (4.0 * t).sin()).collect();
-        PolarTable { file: "test".into(), theta, radial, shear }
+        let radial = theta
+            .iter()
+            .map(|t| 1.0 - 2.0 * t.cos() + 0.3 * (3.0 * t).cos())
+            .collect();
+        let shear = theta
+            .iter()
+            .map(|t| t.sin() - 0.7 * (4.0 * t).sin())
+            .collect();
+        PolarTable {
+            file: "test".into(),
+            theta,
+            radial,
+            shear,
+        }
     }
 
     #[test]

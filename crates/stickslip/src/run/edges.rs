@@ -5,8 +5,8 @@ use stickslip_contact::zones::{Zone, zones};
 use stickslip_contact::{Status, StepRecord};
 use stickslip_fem_core::stress::{EdgeData, PathEnd, PathEnds, StressError, edge_stresses};
 
-use super::fields::Recovered;
 use super::Solved;
+use super::fields::Recovered;
 use crate::model::{Model, ModelBodyKind, ModelEdge};
 use crate::results::{EdgeKind, EdgeResults, EdgeRow};
 
@@ -16,7 +16,11 @@ pub(super) fn all(
     record: &StepRecord,
     recovered: &Recovered,
 ) -> Result<Vec<EdgeResults>, StressError> {
-    model.edges.iter().map(|edge| one(model, solved, record, recovered, edge)).collect()
+    model
+        .edges
+        .iter()
+        .map(|edge| one(model, solved, record, recovered, edge))
+        .collect()
 }
 
 fn one(
@@ -31,7 +35,12 @@ fn one(
         None => edge
             .nodes
             .iter()
-            .map(|&node| [recovered.displacement[edge.body][2 * node], recovered.displacement[edge.body][2 * node + 1]])
+            .map(|&node| {
+                [
+                    recovered.displacement[edge.body][2 * node],
+                    recovered.displacement[edge.body][2 * node + 1],
+                ]
+            })
             .collect(),
     };
     let mut rows = contact_rows(solved, record, edge);
@@ -39,10 +48,21 @@ fn one(
         ModelBodyKind::Elastic(body) => body.initial_strain(&record.state.multipliers),
         ModelBodyKind::Rigid(_) => Vec::new(),
     };
-    add_stresses(model, edge, &displacement, initial.first().copied().unwrap_or_default(), &mut rows)?;
-    let zones = edge
-        .pair
-        .map_or_else(Vec::new, |pair| zones(&solved.problem, &record.state, pair, &edge.geometry.parameter));
+    add_stresses(
+        model,
+        edge,
+        &displacement,
+        initial.first().copied().unwrap_or_default(),
+        &mut rows,
+    )?;
+    let zones = edge.pair.map_or_else(Vec::new, |pair| {
+        zones(
+            &solved.problem,
+            &record.state,
+            pair,
+            &edge.geometry.parameter,
+        )
+    });
     Ok(summarise(edge, rows, zones, record, model.half))
 }
 
@@ -50,16 +70,29 @@ fn one(
 fn interface_displacement(solved: &Solved, record: &StepRecord, edge: &ModelEdge) -> Vec<[f64; 2]> {
     let operator = solved.operators[edge.body].interface();
     let count = operator.points().len();
-    let forces = DVector::from_vec(solved.problem.forces_on_body(edge.body, count, &record.state.forces));
-    let mut u = operator.compliance().map_or_else(|| DVector::zeros(2 * count), |compliance| compliance * &forces);
+    let forces = DVector::from_vec(solved.problem.forces_on_body(
+        edge.body,
+        count,
+        &record.state.forces,
+    ));
+    let mut u = operator.compliance().map_or_else(
+        || DVector::zeros(2 * count),
+        |compliance| compliance * &forces,
+    );
     for (case, &factor) in record.state.multipliers.iter().enumerate() {
         if let Some(response) = operator.load_response(case) {
             u.axpy(factor, response, 1.0);
         }
     }
-    let motions = record.state.rigid.rows_range(solved.problem.body_modes(edge.body));
+    let motions = record
+        .state
+        .rigid
+        .rows_range(solved.problem.body_modes(edge.body));
     u += operator.modes() * motions;
-    edge.local.iter().map(|&k| [u[2 * k], u[2 * k + 1]]).collect()
+    edge.local
+        .iter()
+        .map(|&k| [u[2 * k], u[2 * k + 1]])
+        .collect()
 }
 
 fn contact_rows(solved: &Solved, record: &StepRecord, edge: &ModelEdge) -> Vec<EdgeRow> {
@@ -73,7 +106,9 @@ fn contact_rows(solved: &Solved, record: &StepRecord, edge: &ModelEdge) -> Vec<E
         sigma_tangential: 0.0,
         tau: 0.0,
     };
-    let Some(pair) = edge.pair else { return vec![free; edge.nodes.len()] };
+    let Some(pair) = edge.pair else {
+        return vec![free; edge.nodes.len()];
+    };
     solved
         .problem
         .pair_points(pair)
@@ -98,19 +133,38 @@ fn add_stresses(
     initial_strain: [f64; 3],
     rows: &mut [EdgeRow],
 ) -> Result<(), StressError> {
-    let ModelBodyKind::Elastic(body) = &model.bodies[edge.body].kind else { return Ok(()) };
+    let ModelBodyKind::Elastic(body) = &model.bodies[edge.body].kind else {
+        return Ok(());
+    };
     let geometry = &edge.geometry;
     let (parameter, ends): (Vec<f64>, PathEnds) = match geometry.kind {
         EdgeKind::Circle { radius, .. } => {
-            let along = geometry.parameter.iter().map(|theta| radius * theta).collect();
+            let along = geometry
+                .parameter
+                .iter()
+                .map(|theta| radius * theta)
+                .collect();
             let mirror = PathEnd::Mirror { axis: [1.0, 0.0] };
-            let closed = PathEnds::Closed { length: std::f64::consts::TAU * radius };
-            (along, if geometry.half { PathEnds::Open([mirror; 2]) } else { closed })
+            let closed = PathEnds::Closed {
+                length: std::f64::consts::TAU * radius,
+            };
+            (
+                along,
+                if geometry.half {
+                    PathEnds::Open([mirror; 2])
+                } else {
+                    closed
+                },
+            )
         }
         EdgeKind::Line => {
             // e_t = −e_x for a normal along +y.
             let along = geometry.parameter.iter().map(|x| -x).collect();
-            let start = if geometry.half { PathEnd::Mirror { axis: [0.0, 1.0] } } else { PathEnd::Free };
+            let start = if geometry.half {
+                PathEnd::Mirror { axis: [0.0, 1.0] }
+            } else {
+                PathEnd::Free
+            };
             (along, PathEnds::Open([start, PathEnd::Free]))
         }
     };
@@ -125,10 +179,16 @@ fn add_stresses(
         normal_stress: &normal_stress,
         shear_stress: &shear_stress,
     };
-    let Some(material) = body.materials().first() else { return Ok(()) };
+    let Some(material) = body.materials().first() else {
+        return Ok(());
+    };
     let stresses = edge_stresses(&data, material.as_ref(), initial_strain)?;
     // (n, t) = (e_r, e_θ) on a circle; on a line (e_y, −e_x), which turns the sign of the shear.
-    let sign = if matches!(geometry.kind, EdgeKind::Line) { -1.0 } else { 1.0 };
+    let sign = if matches!(geometry.kind, EdgeKind::Line) {
+        -1.0
+    } else {
+        1.0
+    };
     for (row, stress) in rows.iter_mut().zip(stresses) {
         row.sigma_normal = stress.normal;
         row.sigma_tangential = stress.tangential;
@@ -137,7 +197,27 @@ fn add_stresses(
     Ok(())
 }
 
-fn summarise(edge: &ModelEdge, rows: Vec<EdgeRow>, zones: Vec<Zone>, record: &StepRecord, half: bool) -> EdgeResults {
+/// Friction force of the modelled part. On a circle ∫ q dA with q = −λ_t sgn θ, positive where friction holds the first body
+/// back from sliding away from the bearing point; on a line the force on the first body along +x, which is against e_t.
+fn friction_force(edge: &ModelEdge, rows: &[EdgeRow]) -> f64 {
+    let friction = rows.iter().zip(&edge.areas).zip(&edge.geometry.parameter);
+    let side = |at: f64| match edge.geometry.kind {
+        EdgeKind::Line => 1.0,
+        EdgeKind::Circle { .. } if at == 0.0 => 0.0,
+        EdgeKind::Circle { .. } => at.signum(),
+    };
+    friction
+        .map(|((row, area), &at)| -side(at) * row.shear * area)
+        .sum()
+}
+
+fn summarise(
+    edge: &ModelEdge,
+    rows: Vec<EdgeRow>,
+    zones: Vec<Zone>,
+    record: &StepRecord,
+    half: bool,
+) -> EdgeResults {
     let parameter = &edge.geometry.parameter;
     let peak = |value: &dyn Fn(&EdgeRow) -> f64| {
         rows.iter()
@@ -147,9 +227,21 @@ fn summarise(edge: &ModelEdge, rows: Vec<EdgeRow>, zones: Vec<Zone>, record: &St
     };
     let touching = || zones.iter().filter(|zone| zone.status.touches());
     let share = if half { 1.0 } else { 0.5 };
-    let extent = touching().next().zip(touching().next_back()).map(|(first, last)| share * (last.end - first.start));
-    let sticking: Vec<&Zone> = zones.iter().filter(|zone| zone.status == Status::Stick).collect();
-    let stick = extent.map(|_| share * sticking.iter().map(|zone| zone.end - zone.start).sum::<f64>());
+    let extent = touching()
+        .next()
+        .zip(touching().next_back())
+        .map(|(first, last)| share * (last.end - first.start));
+    let sticking: Vec<&Zone> = zones
+        .iter()
+        .filter(|zone| zone.status == Status::Stick)
+        .collect();
+    let stick = extent.map(|_| {
+        share
+            * sticking
+                .iter()
+                .map(|zone| zone.end - zone.start)
+                .sum::<f64>()
+    });
     let double = if half { 2.0 } else { 1.0 };
     let (resultant, sums) = edge.pair.map_or_else(Default::default, |pair| {
         let [x, y] = record.audit.resultants[pair];
@@ -160,7 +252,8 @@ fn summarise(edge: &ModelEdge, rows: Vec<EdgeRow>, zones: Vec<Zone>, record: &St
         };
         (whole, record.audit.friction[pair])
     });
-    let bearing = (0..rows.len()).min_by(|&a, &b| parameter[a].abs().total_cmp(&parameter[b].abs()));
+    let bearing =
+        (0..rows.len()).min_by(|&a, &b| parameter[a].abs().total_cmp(&parameter[b].abs()));
     EdgeResults {
         contact_half_extent: extent,
         stick_half_extent: stick,
@@ -168,7 +261,7 @@ fn summarise(edge: &ModelEdge, rows: Vec<EdgeRow>, zones: Vec<Zone>, record: &St
         peak_hoop: peak(&|row| row.sigma_tangential),
         hoop_at_bearing_point: bearing.map(|k| rows[k].sigma_tangential),
         resultant,
-        friction_force: double * sums.magnitude,
+        friction_force: double * friction_force(edge, &rows),
         normal_force: double * sums.normal,
         rows,
         zones,

@@ -24,25 +24,46 @@ pub(super) fn recover(
     record: &StepRecord,
     everywhere: bool,
 ) -> Result<Recovered, StressError> {
-    let mut recovered = Recovered { multipliers: record.state.multipliers.clone(), ..Recovered::default() };
+    let mut recovered = Recovered {
+        multipliers: record.state.multipliers.clone(),
+        ..Recovered::default()
+    };
     for (index, operator) in solved.operators.iter().enumerate() {
-        let asked = everywhere || model.edges.iter().any(|edge| edge.body == index && edge.pair.is_none());
+        let asked = everywhere
+            || model
+                .edges
+                .iter()
+                .any(|edge| edge.body == index && edge.pair.is_none());
         let Some(body) = operator.elastic().filter(|_| asked) else {
             recovered.displacement.push(Vec::new());
             continue;
         };
-        let forces = solved.problem.forces_on_body(index, body.interface_nodes().len(), &record.state.forces);
-        let motions = record.state.rigid.rows_range(solved.problem.body_modes(index));
+        let forces = solved.problem.forces_on_body(
+            index,
+            body.interface_nodes().len(),
+            &record.state.forces,
+        );
+        let motions = record
+            .state
+            .rigid
+            .rows_range(solved.problem.body_modes(index));
         let u = body.displacements(&forces, &record.state.multipliers, motions.as_slice());
         let residual = body.residual_forces(&u, &forces, &record.state.multipliers);
-        recovered.imbalance = recovered.imbalance.max(body.relative_imbalance(&residual, &forces, &record.state.multipliers));
+        recovered.imbalance = recovered.imbalance.max(body.relative_imbalance(
+            &residual,
+            &forces,
+            &record.state.multipliers,
+        ));
         recovered.displacement.push(u);
     }
     Ok(recovered)
 }
 
 /// Fields of all bodies that were recovered, with stresses by patch recovery.
-pub(super) fn with_stresses(model: &Model, recovered: &Recovered) -> Result<Vec<BodyFields>, StressError> {
+pub(super) fn with_stresses(
+    model: &Model,
+    recovered: &Recovered,
+) -> Result<Vec<BodyFields>, StressError> {
     let mut fields = Vec::new();
     for (index, body) in model.bodies.iter().enumerate() {
         let (crate::model::ModelBodyKind::Elastic(elastic), false) =
@@ -54,9 +75,14 @@ pub(super) fn with_stresses(model: &Model, recovered: &Recovered) -> Result<Vec<
         let strain = elastic.initial_strain(&recovered.multipliers);
         let displacement = recovered.displacement[index].clone();
         let initial = (!strain.is_empty()).then_some(strain.as_slice());
-        let stress =
-            ElasticField::new(elastic.mesh(), &materials, &displacement, initial)?.patch_recovery().averaged();
-        fields.push(BodyFields { body: index, displacement, stress });
+        let stress = ElasticField::new(elastic.mesh(), &materials, &displacement, initial)?
+            .patch_recovery()
+            .averaged();
+        fields.push(BodyFields {
+            body: index,
+            displacement,
+            stress,
+        });
     }
     Ok(fields)
 }

@@ -17,7 +17,8 @@ use serde_json::Value;
 use super::document::{Document, Part, child};
 use super::format::SceneFormat;
 use super::schema::{
-    Analysis, Body, Contact, DisplayUnits, Load, Material, MeshSettings, Output, Platen, SetRef, Support,
+    Analysis, Body, Contact, DisplayUnits, Load, Material, MeshSettings, Output, Platen, SetRef,
+    Support,
 };
 use crate::diagnostic::{Finding, SceneError, SceneProblem, nearest};
 use crate::units::{Measure, Quantity};
@@ -52,7 +53,11 @@ pub(super) fn build(
     format: &mut SceneFormat,
     base: &Path,
 ) -> Result<Parts, SceneError> {
-    let mut builder = Builder { document, findings: Vec::new(), bodies: BTreeMap::new() };
+    let mut builder = Builder {
+        document,
+        findings: Vec::new(),
+        bodies: BTreeMap::new(),
+    };
     let analysis = builder.analysis(format);
     let materials = builder.materials(format, analysis.plane);
     builder.bodies(format, &materials);
@@ -64,7 +69,9 @@ pub(super) fn build(
     let edges = builder.edges(format);
     builder.everything_is_held(&contacts, &supports, &platens);
     builder.something_happens(&contacts, &supports, &loads);
-    let Builder { findings, bodies, .. } = builder;
+    let Builder {
+        findings, bodies, ..
+    } = builder;
     let mut findings = findings.into_iter();
     if let Some(first) = findings.next() {
         return Err(SceneError::new(first, findings));
@@ -87,7 +94,10 @@ pub(super) fn build(
         platens,
         loads,
         edges,
-        output: Output { fields: format.output.fields, figures: format.output.figures },
+        output: Output {
+            fields: format.output.fields,
+            figures: format.output.figures,
+        },
     })
 }
 
@@ -109,11 +119,19 @@ struct Builder<'a> {
 
 impl Builder<'_> {
     fn report(&mut self, key: &str, part: Part, problem: SceneProblem) {
-        self.findings.push(self.document.finding(key, part, problem));
+        self.findings
+            .push(self.document.finding(key, part, problem));
     }
 
     fn conflict(&mut self, key: &str, message: String, remedy: impl Into<String>) {
-        self.report(key, Part::Value, SceneProblem::Conflict { message, remedy: remedy.into() });
+        self.report(
+            key,
+            Part::Value,
+            SceneProblem::Conflict {
+                message,
+                remedy: remedy.into(),
+            },
+        );
     }
 
     fn missing(&mut self, table: &str, name: &str) {
@@ -174,15 +192,26 @@ impl Builder<'_> {
             self.undefined(key, "body", name, names);
             return None;
         };
-        let points = if fits == Fits::Edges { &[] } else { body.shape.points() };
+        let points = if fits == Fits::Edges {
+            &[]
+        } else {
+            body.shape.points()
+        };
         let sets: Vec<_> = body.shape.edges().iter().chain(points).copied().collect();
         if sets.contains(&set) {
-            return Some(SetRef { body: name.to_owned(), set: set.to_owned() });
+            return Some(SetRef {
+                body: name.to_owned(),
+                set: set.to_owned(),
+            });
         }
         let problem = SceneProblem::MissingSet {
             body: name.to_owned(),
             shape: body.shape.name(),
-            what: if fits == Fits::Edges { "edge" } else { "edge or point" },
+            what: if fits == Fits::Edges {
+                "edge"
+            } else {
+                "edge or point"
+            },
             set: set.to_owned(),
             nearest: nearest(set, sets.iter().copied()).map(|set| format!("{name}.{set}")),
             known: sets.iter().map(|set| format!("{name}.{set}")).collect(),
@@ -219,7 +248,8 @@ impl Builder<'_> {
             || contacts.iter().any(|contact| contact.interference)
             || supports.iter().any(|support| support.displacement != 0.0);
         // A load that could not be read has been reported already.
-        let was_meant = matches!(self.document.get("loads"), Some(Value::Array(list)) if !list.is_empty());
+        let was_meant =
+            matches!(self.document.get("loads"), Some(Value::Array(list)) if !list.is_empty());
         if !happens && !was_meant {
             self.conflict(
                 "",

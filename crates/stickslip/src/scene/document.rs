@@ -56,7 +56,11 @@ pub(crate) struct Document {
 
 /// `parent.name`, or `name` at the top.
 pub(crate) fn child(parent: &str, name: impl std::fmt::Display) -> String {
-    if parent.is_empty() { name.to_string() } else { format!("{parent}.{name}") }
+    if parent.is_empty() {
+        name.to_string()
+    } else {
+        format!("{parent}.{name}")
+    }
 }
 
 /// The part of a key before its last dot.
@@ -67,8 +71,11 @@ fn parent(key: &str) -> &str {
 impl Document {
     /// Reads a text; every number in it is finite.
     pub(crate) fn parse(source: SourceText, format: Format) -> Result<Self, SceneError> {
-        let mut document =
-            Self { source: Arc::new(source), root: Value::Null, places: BTreeMap::new() };
+        let mut document = Self {
+            source: Arc::new(source),
+            root: Value::Null,
+            places: BTreeMap::new(),
+        };
         match format {
             Format::Toml => document.read_toml()?,
             Format::Json => document.read_json()?,
@@ -91,14 +98,20 @@ impl Document {
         for (name, value) in table {
             let key = child(key, name.get_ref());
             self.note(&key, Some(name.span()), value.span());
-            map.insert(name.get_ref().to_string(), self.toml_value(value.get_ref(), &key)?);
+            map.insert(
+                name.get_ref().to_string(),
+                self.toml_value(value.get_ref(), &key)?,
+            );
         }
         Ok(Value::Object(map))
     }
 
     fn toml_value(&mut self, value: &DeValue<'_>, key: &str) -> Result<Value, SceneError> {
         let number = |text: &str| {
-            text.replace('_', "").parse::<f64>().ok().and_then(serde_json::Number::from_f64)
+            text.replace('_', "")
+                .parse::<f64>()
+                .ok()
+                .and_then(serde_json::Number::from_f64)
         };
         Ok(match value {
             DeValue::String(text) => Value::String(text.to_string()),
@@ -116,7 +129,11 @@ impl Document {
             DeValue::Datetime(date) => {
                 let found = format!("the date {date}");
                 let expected = "a text, a number, a list or a table".to_owned();
-                return Err(self.error(key, Part::Value, SceneProblem::WrongKind { expected, found }));
+                return Err(self.error(
+                    key,
+                    Part::Value,
+                    SceneProblem::WrongKind { expected, found },
+                ));
             }
             DeValue::Array(values) => {
                 let mut list = Vec::with_capacity(values.len());
@@ -137,7 +154,9 @@ impl Document {
             let at = offset_of(&source.text, error.line(), error.column());
             let cause = error.to_string();
             // serde_json ends its words with the position, which is shown anyway.
-            let words = cause.rsplit_once(" at line ").map_or(cause.as_str(), |(words, _)| words);
+            let words = cause
+                .rsplit_once(" at line ")
+                .map_or(cause.as_str(), |(words, _)| words);
             self.syntax("JSON", words.to_owned(), Some(at..at))
         })?;
         for entry in json::entries(&source.text) {
@@ -158,7 +177,11 @@ impl Document {
     }
 
     fn note(&mut self, key: &str, name: Option<Range<usize>>, value: Range<usize>) {
-        let place = Place { source: Arc::clone(&self.source), key: name, value };
+        let place = Place {
+            source: Arc::clone(&self.source),
+            key: name,
+            value,
+        };
         self.places.insert(key.to_owned(), place);
     }
 
@@ -178,7 +201,13 @@ impl Document {
     }
 
     fn not_finite(&self, key: &str, value: &str) -> SceneError {
-        self.error(key, Part::Value, SceneProblem::NotFinite { value: value.to_owned() })
+        self.error(
+            key,
+            Part::Value,
+            SceneProblem::NotFinite {
+                value: value.to_owned(),
+            },
+        )
     }
 
     /// The value at a key.
@@ -186,11 +215,12 @@ impl Document {
         if key.is_empty() {
             return Some(&self.root);
         }
-        key.split('.').try_fold(&self.root, |value, segment| match value {
-            Value::Object(map) => map.get(segment),
-            Value::Array(list) => list.get(segment.parse::<usize>().ok()?),
-            _ => None,
-        })
+        key.split('.')
+            .try_fold(&self.root, |value, segment| match value {
+                Value::Object(map) => map.get(segment),
+                Value::Array(list) => list.get(segment.parse::<usize>().ok()?),
+                _ => None,
+            })
     }
 
     /// A problem at a key, or at the nearest table around it that was written somewhere.
@@ -204,7 +234,11 @@ impl Document {
             }
         };
         let is_table = self.get(written).is_some_and(Value::is_object);
-        let part = if written != key || is_table { Part::Key } else { part };
+        let part = if written != key || is_table {
+            Part::Key
+        } else {
+            part
+        };
         let (source, span) = match place {
             Some(place) => {
                 let key = place.key.clone().filter(|_| part == Part::Key);
@@ -212,7 +246,12 @@ impl Document {
             }
             None => (&self.source, 0..0),
         };
-        Finding { problem, key: key.to_owned(), source: Arc::clone(source), span: Some(span) }
+        Finding {
+            problem,
+            key: key.to_owned(),
+            source: Arc::clone(source),
+            span: Some(span),
+        }
     }
 
     /// The same as an error of its own.
@@ -226,11 +265,23 @@ mod tests {
     use super::*;
 
     fn toml(text: &str) -> Result<Document, SceneError> {
-        Document::parse(SourceText { name: "a.toml".into(), text: text.into() }, Format::Toml)
+        Document::parse(
+            SourceText {
+                name: "a.toml".into(),
+                text: text.into(),
+            },
+            Format::Toml,
+        )
     }
 
     fn json(text: &str) -> Result<Document, SceneError> {
-        Document::parse(SourceText { name: "a.json".into(), text: text.into() }, Format::Json)
+        Document::parse(
+            SourceText {
+                name: "a.json".into(),
+                text: text.into(),
+            },
+            Format::Json,
+        )
     }
 
     fn shown(document: &Document, key: &str, part: Part) -> String {
@@ -253,7 +304,10 @@ mod tests {
             assert_eq!(shown(document, "e.1.f.g", Part::Value), "-3");
             assert_eq!(shown(document, "e.1.f.g", Part::Key).trim_matches('"'), "g");
             // A key that is not there is shown at the table that lacks it.
-            assert_eq!(shown(document, "b.c.missing", Part::Value).trim_matches('"'), "c");
+            assert_eq!(
+                shown(document, "b.c.missing", Part::Value).trim_matches('"'),
+                "c"
+            );
         }
     }
 
@@ -269,13 +323,21 @@ mod tests {
     #[test]
     fn broken_texts_are_shown_where_they_break() {
         let error = toml("a = 1\nb = = 2\n").unwrap_err().to_string();
-        assert!(error.starts_with("a.toml:2:5: this is not valid TOML"), "{error}");
+        assert!(
+            error.starts_with("a.toml:2:5: this is not valid TOML"),
+            "{error}"
+        );
         let error = json("{\n \"a\": 1,\n \"b\" 2}").unwrap_err().to_string();
         assert!(error.starts_with("a.json:3:"), "{error}");
         let error = toml("a = 1\na = 2\n").unwrap_err().to_string();
         assert!(error.starts_with("a.toml:2:1"), "{error}");
         let error = json("{\"a\": 1,\n \"a\": 2}").unwrap_err().to_string();
         assert_eq!(error, "a.json:2:2: the key 'a' is given twice");
-        assert!(toml("a = 2026-01-01").unwrap_err().to_string().contains("the date 2026-01-01"));
+        assert!(
+            toml("a = 2026-01-01")
+                .unwrap_err()
+                .to_string()
+                .contains("the date 2026-01-01")
+        );
     }
 }

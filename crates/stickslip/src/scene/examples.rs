@@ -5,11 +5,10 @@ pub(super) fn example(key: &str) -> String {
     let name = key.rsplit('.').next().unwrap_or(key);
     let value = match name {
         "young" => "\"70 GPa\"",
-        "poisson" => "0.3",
+        "poisson" | "nu12" | "nu13" => "0.3",
         "e1" => "\"140 GPa\"",
         "e2" | "e3" => "\"9 GPa\"",
         "g12" => "\"5 GPa\"",
-        "nu12" | "nu13" => "0.3",
         "nu23" => "0.4",
         "material" => "\"aluminium\"",
         "bodies" => return "[bodies.plate] with its shape, thickness and material".to_owned(),
@@ -20,7 +19,9 @@ pub(super) fn example(key: &str) -> String {
             return "outline.strip = { half_width = \"40 mm\", left = \"180 mm\", right = \"40 mm\" }".to_owned();
         }
         "hole_radius" | "radius" => "\"5 mm\"",
-        "half_width" | "left" | "right" | "width" | "height" | "half_length" | "depth" => "\"40 mm\"",
+        "half_width" | "left" | "right" | "width" | "height" | "half_length" | "depth" => {
+            "\"40 mm\""
+        }
         "element" => "\"Q8\"",
         "spacing" => "\"2 deg\"",
         "first" => "\"plate.hole\"",

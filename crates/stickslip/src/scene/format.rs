@@ -46,7 +46,11 @@ pub(super) struct SceneFormat {
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(default, deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(
+    default,
+    deny_unknown_fields,
+    expecting = "a table, such as { key = value }"
+)]
 pub(super) struct UnitsFormat {
     pub(super) length: UnitName<Length>,
     pub(super) force: UnitName<Force>,
@@ -55,12 +59,20 @@ pub(super) struct UnitsFormat {
 
 impl Default for UnitsFormat {
     fn default() -> Self {
-        Self { length: UnitName::base(), force: UnitName::base(), stress: UnitName::base() }
+        Self {
+            length: UnitName::base(),
+            force: UnitName::base(),
+            stress: UnitName::base(),
+        }
     }
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(default, deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(
+    default,
+    deny_unknown_fields,
+    expecting = "a table, such as { key = value }"
+)]
 pub(super) struct AnalysisFormat {
     pub(super) plane: PlaneState,
     pub(super) model: ModelChoice,
@@ -86,7 +98,7 @@ impl Default for AnalysisFormat {
 #[serde(rename_all = "snake_case")]
 pub(super) enum MaterialFormat {
     Isotropic(IsotropicFormat),
-    Orthotropic(OrthotropicFormat),
+    Orthotropic(Box<OrthotropicFormat>),
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
@@ -302,7 +314,11 @@ pub(super) struct EdgeFormat {
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(default, deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(
+    default,
+    deny_unknown_fields,
+    expecting = "a table, such as { key = value }"
+)]
 pub(super) struct OutputFormat {
     pub(super) fields: FieldOutput,
     pub(super) figures: bool,
@@ -310,7 +326,10 @@ pub(super) struct OutputFormat {
 
 impl Default for OutputFormat {
     fn default() -> Self {
-        Self { fields: FieldOutput::Last, figures: true }
+        Self {
+            fields: FieldOutput::Last,
+            figures: true,
+        }
     }
 }
 

@@ -32,10 +32,16 @@ fn find(name: &str) -> Option<&'static LawInfo> {
 pub(super) fn read(document: &Document, key: &str, table: &Value) -> Result<ReadLaw, Box<Finding>> {
     let reader = LawReader { document };
     let Converted { plain, shown } = reader.law(key, table)?;
-    serde_json::from_value(plain).map(|law| ReadLaw { law, shown }).map_err(|error| {
-        let law = table.as_object().and_then(|map| map.keys().next()).cloned().unwrap_or_default();
-        reader.refused(&child(key, &law), law, error.to_string())
-    })
+    serde_json::from_value(plain)
+        .map(|law| ReadLaw { law, shown })
+        .map_err(|error| {
+            let law = table
+                .as_object()
+                .and_then(|map| map.keys().next())
+                .cloned()
+                .unwrap_or_default();
+            reader.refused(&child(key, &law), law, error.to_string())
+        })
 }
 
 struct LawReader<'a> {
@@ -48,23 +54,34 @@ impl LawReader<'_> {
     }
 
     fn wrong_kind(&self, key: &str, expected: &str, found: &Value) -> Box<Finding> {
-        let problem =
-            SceneProblem::WrongKind { expected: expected.to_owned(), found: described(found) };
+        let problem = SceneProblem::WrongKind {
+            expected: expected.to_owned(),
+            found: described(found),
+        };
         self.finding(key, Part::Value, problem)
     }
 
     /// The words of the law itself, at the parameter that they name if there is one.
     fn refused(&self, key: &str, law: String, message: String) -> Box<Finding> {
-        let parameter = self.document.get(key).and_then(Value::as_object).and_then(|map| {
-            map.keys().find(|name| message.contains(&format!(" {name} = ")))
-        });
+        let parameter = self
+            .document
+            .get(key)
+            .and_then(Value::as_object)
+            .and_then(|map| {
+                map.keys()
+                    .find(|name| message.contains(&format!(" {name} = ")))
+            });
         let place = parameter.map_or_else(|| key.to_owned(), |name| child(key, name));
         self.finding(&place, Part::Value, SceneProblem::Friction { law, message })
     }
 
     fn law(&self, key: &str, value: &Value) -> Result<Converted, Box<Finding>> {
         let Value::Object(map) = value else {
-            return Err(self.wrong_kind(key, "a friction law, for example { coulomb = { mu = 0.3 } }", value));
+            return Err(self.wrong_kind(
+                key,
+                "a friction law, for example { coulomb = { mu = 0.3 } }",
+                value,
+            ));
         };
         let mut entries = map.iter();
         let (Some((name, parameters)), None) = (entries.next(), entries.next()) else {
@@ -87,13 +104,24 @@ impl LawReader<'_> {
         };
         let converted = self.group(info, "", &key, parameters)?;
         let tagged = |value| Value::Object(Map::from_iter([(name.clone(), value)]));
-        Ok(Converted { plain: tagged(converted.plain), shown: tagged(converted.shown) })
+        Ok(Converted {
+            plain: tagged(converted.plain),
+            shown: tagged(converted.shown),
+        })
     }
 
     fn one_of(&self, key: &str, choices: String, map: &Map<String, Value>) -> Box<Finding> {
         let found: Vec<_> = map.keys().cloned().collect();
-        let found = if found.is_empty() { "none".to_owned() } else { found.join(", ") };
-        let problem = SceneProblem::OneOf { table: key.to_owned(), choices, found };
+        let found = if found.is_empty() {
+            "none".to_owned()
+        } else {
+            found.join(", ")
+        };
+        let problem = SceneProblem::OneOf {
+            table: key.to_owned(),
+            choices,
+            found,
+        };
         self.finding(key, Part::Key, problem)
     }
 
@@ -131,7 +159,10 @@ impl LawReader<'_> {
                 shown.extend(default.map(|value| ((*name).to_owned(), value)));
             }
         }
-        Ok(Converted { plain: Value::Object(plain), shown: Value::Object(shown) })
+        Ok(Converted {
+            plain: Value::Object(plain),
+            shown: Value::Object(shown),
+        })
     }
 
     /// What stands for the parameter that `table` lacks; an error if nothing does.
@@ -143,8 +174,15 @@ impl LawReader<'_> {
         name: &str,
     ) -> Result<Option<Value>, Box<Finding>> {
         let below: Vec<_> = below(info, path).collect();
-        match info.parameters.iter().find(|parameter| parameter.path == path) {
-            Some(ParameterInfo { default: Some(default), .. }) => {
+        match info
+            .parameters
+            .iter()
+            .find(|parameter| parameter.path == path)
+        {
+            Some(ParameterInfo {
+                default: Some(default),
+                ..
+            }) => {
                 return Ok(Some(written(default)));
             }
             None if below.iter().any(|parameter| parameter.default.is_some()) => return Ok(None),
@@ -175,7 +213,11 @@ impl LawReader<'_> {
         key: &str,
         value: &Value,
     ) -> Result<Converted, Box<Finding>> {
-        if let Some(parameter) = info.parameters.iter().find(|parameter| parameter.path == path) {
+        if let Some(parameter) = info
+            .parameters
+            .iter()
+            .find(|parameter| parameter.path == path)
+        {
             return self.parameter(parameter.dimension, key, value);
         }
         match value {
@@ -188,7 +230,10 @@ impl LawReader<'_> {
                     plain.push(converted.plain);
                     shown.push(converted.shown);
                 }
-                Ok(Converted { plain: Value::Array(plain), shown: Value::Array(shown) })
+                Ok(Converted {
+                    plain: Value::Array(plain),
+                    shown: Value::Array(shown),
+                })
             }
             other => Err(self.wrong_kind(key, "a table or a list", other)),
         }
@@ -209,18 +254,31 @@ impl LawReader<'_> {
             (Kind::Text, other) => return Err(self.wrong_kind(key, "a word in quotes", other)),
             (Kind::Flag, other) => return Err(self.wrong_kind(key, "true or false", other)),
         };
-        Ok(Converted { plain, shown: value.clone() })
+        Ok(Converted {
+            plain,
+            shown: value.clone(),
+        })
     }
 
-    fn quantity(&self, dimension: Dimension, key: &str, value: &Value) -> Result<Value, Box<Finding>> {
+    fn quantity(
+        &self,
+        dimension: Dimension,
+        key: &str,
+        value: &Value,
+    ) -> Result<Value, Box<Finding>> {
         let expected = Expected::one(dimension);
         let read = match value {
             Value::String(text) => parse(text, &expected),
-            Value::Number(number) => {
-                Err(UnitError::MissingUnit { value: number.to_string(), expected })
-            }
+            Value::Number(number) => Err(UnitError::MissingUnit {
+                value: number.to_string(),
+                expected,
+            }),
             other => {
-                return Err(self.wrong_kind(key, &format!("{expected} with its unit in quotes"), other));
+                return Err(self.wrong_kind(
+                    key,
+                    &format!("{expected} with its unit in quotes"),
+                    other,
+                ));
             }
         };
         match read {
@@ -233,9 +291,10 @@ impl LawReader<'_> {
 /// The parameters at or below a registered path.
 fn below<'a>(info: &'a LawInfo, path: &'a str) -> impl Iterator<Item = &'a ParameterInfo> {
     info.parameters.iter().filter(move |parameter| {
-        parameter.path.strip_prefix(path).is_some_and(|rest| {
-            path.is_empty() || rest.is_empty() || rest.starts_with(['.', '['])
-        })
+        parameter
+            .path
+            .strip_prefix(path)
+            .is_some_and(|rest| path.is_empty() || rest.is_empty() || rest.starts_with(['.', '[']))
     })
 }
 
@@ -249,7 +308,10 @@ fn rest<'a>(parameter: &'a ParameterInfo, prefix: &str) -> &'a str {
 fn names_below<'a>(info: &'a LawInfo, prefix: &'a str) -> Vec<&'a str> {
     let mut names: Vec<&str> = Vec::new();
     for parameter in below(info, prefix) {
-        let name = rest(parameter, prefix).split(['.', '[']).next().unwrap_or_default();
+        let name = rest(parameter, prefix)
+            .split(['.', '['])
+            .next()
+            .unwrap_or_default();
         if !name.is_empty() && !names.contains(&name) {
             names.push(name);
         }
@@ -288,7 +350,8 @@ pub(super) fn is_choice(key: &str) -> bool {
         } else {
             path = child(&path, segment);
         }
-        let is_law = |parameter: &ParameterInfo| parameter.path == path && parameter.dimension == Kind::Law;
+        let is_law =
+            |parameter: &ParameterInfo| parameter.path == path && parameter.dimension == Kind::Law;
         if info.parameters.iter().any(is_law) {
             law = None;
             path.clear();

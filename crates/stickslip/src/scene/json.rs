@@ -17,7 +17,11 @@ pub(super) struct Entry {
 
 /// All entries of objects and lists in valid JSON, outer ones first.
 pub(super) fn entries(text: &str) -> Vec<Entry> {
-    let mut scan = Scan { text, at: 0, entries: Vec::new() };
+    let mut scan = Scan {
+        text,
+        at: 0,
+        entries: Vec::new(),
+    };
     scan.value("");
     scan.entries
 }
@@ -81,7 +85,11 @@ impl Scan<'_> {
             }
             let path = child(path, name);
             let place = self.entries.len();
-            self.entries.push(Entry { path: path.clone(), key, value: 0..0 });
+            self.entries.push(Entry {
+                path: path.clone(),
+                key,
+                value: 0..0,
+            });
             self.entries[place].value = self.value(&path);
         }
         self.at = (self.at + 1).min(self.text.len());
@@ -119,8 +127,9 @@ mod tests {
             ("c", "{}"),
             ("d", "[]"),
         ];
-        let expected: Vec<_> =
-            expected.map(|(path, value)| (path.to_owned(), value.to_owned())).to_vec();
+        let expected: Vec<_> = expected
+            .map(|(path, value)| (path.to_owned(), value.to_owned()))
+            .to_vec();
         assert_eq!(found, expected);
     }
 }

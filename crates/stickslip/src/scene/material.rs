@@ -37,19 +37,34 @@ impl Material {
     ///
     /// # Errors
     /// [`MaterialError`] for constants that no stable material has.
-    pub fn in_plane(&self, plane: PlaneState) -> Result<Box<dyn material::Material>, MaterialError> {
+    pub fn in_plane(
+        &self,
+        plane: PlaneState,
+    ) -> Result<Box<dyn material::Material>, MaterialError> {
         match *self {
-            Self::Isotropic { young, poisson, expansion } => {
-                Ok(Box::new(Isotropic::new(young, poisson, plane)?.with_expansion(expansion)?))
-            }
-            Self::Orthotropic { constants, angle, expansion: [first, second], out_of_plane } => {
+            Self::Isotropic {
+                young,
+                poisson,
+                expansion,
+            } => Ok(Box::new(
+                Isotropic::new(young, poisson, plane)?.with_expansion(expansion)?,
+            )),
+            Self::Orthotropic {
+                constants,
+                angle,
+                expansion: [first, second],
+                out_of_plane,
+            } => {
                 let made = match (plane, out_of_plane) {
                     (PlaneState::Stress, _) => Orthotropic::new(constants, angle)?,
                     (PlaneState::Strain, Some(other)) => {
                         Orthotropic::plane_strain(constants, other, angle)?
                     }
                     (PlaneState::Strain, None) => {
-                        return Err(MaterialError::Modulus { name: "e3", value: f64::NAN });
+                        return Err(MaterialError::Modulus {
+                            name: "e3",
+                            value: f64::NAN,
+                        });
                     }
                 };
                 Ok(Box::new(made.with_expansion(first, second)?))

@@ -26,23 +26,53 @@ const CHOICES: [&str; 4] = [
 
 /// Keys of which a table holds only one group.
 const RIVALS: [(&str, &[&[&str]]); 4] = [
-    ("loads.*", &[&["force"], &["pressure"], &["polar_traction"], &["temperature"]]),
+    (
+        "loads.*",
+        &[
+            &["force"],
+            &["pressure"],
+            &["polar_traction"],
+            &["temperature"],
+        ],
+    ),
     ("supports.*", &[&["fix"], &["normal"]]),
     ("bodies.*", &[&["rigid"], &["material"]]),
-    ("mesh", &[&["angles"], &["spacing", "fine_to", "coarse_spacing"]]),
+    (
+        "mesh",
+        &[&["angles"], &["spacing", "fine_to", "coarse_spacing"]],
+    ),
 ];
 
 /// Applies one argument `key=value`.
 pub(super) fn apply(document: &mut Document, argument: &str) -> Result<(), SceneError> {
-    let source = Arc::new(SourceText { name: SOURCE.to_owned(), text: argument.to_owned() });
+    let source = Arc::new(SourceText {
+        name: SOURCE.to_owned(),
+        text: argument.to_owned(),
+    });
     let refuse = |problem| {
         let span = Some(0..argument.len());
-        SceneError::new(Finding { problem, key: String::new(), source: Arc::clone(&source), span }, [])
+        SceneError::new(
+            Finding {
+                problem,
+                key: String::new(),
+                source: Arc::clone(&source),
+                span,
+            },
+            [],
+        )
     };
-    let form = || refuse(SceneProblem::OverrideForm { argument: argument.to_owned() });
+    let form = || {
+        refuse(SceneProblem::OverrideForm {
+            argument: argument.to_owned(),
+        })
+    };
     let (left, right) = argument.split_once('=').ok_or_else(form)?;
     let key = left.trim();
-    if key.is_empty() || key.split('.').any(|segment| segment.trim() != segment || segment.is_empty()) {
+    if key.is_empty()
+        || key
+            .split('.')
+            .any(|segment| segment.trim() != segment || segment.is_empty())
+    {
         return Err(form());
     }
     let value = read_value(right.trim(), &source, left.len() + 1)?;
@@ -51,10 +81,12 @@ pub(super) fn apply(document: &mut Document, argument: &str) -> Result<(), Scene
         key: Some(0..left.len()),
         value: left.len() + 1..argument.len(),
     };
-    let changed = set(&mut document.root, key, value).map_err(refuse)?;
+    let changed = set(&mut document.root, key, value).map_err(|problem| refuse(*problem))?;
     for gone in changed.replaced {
         let below = child(&gone, "");
-        document.places.retain(|key, _| *key != gone && !key.starts_with(&below));
+        document
+            .places
+            .retain(|key, _| *key != gone && !key.starts_with(&below));
     }
     for made in changed.made {
         document.places.insert(made, place.clone());
@@ -64,7 +96,10 @@ pub(super) fn apply(document: &mut Document, argument: &str) -> Result<(), Scene
 
 /// The right-hand side: TOML, or else a text.
 fn read_value(text: &str, source: &Arc<SourceText>, offset: usize) -> Result<Value, SceneError> {
-    let line = SourceText { name: SOURCE.to_owned(), text: format!("value = {text}") };
+    let line = SourceText {
+        name: SOURCE.to_owned(),
+        text: format!("value = {text}"),
+    };
     let failed = match Document::parse(line, Format::Toml) {
         Ok(mut document) => match document.root.get_mut("value") {
             Some(value) => return Ok(value.take()),
@@ -72,7 +107,10 @@ fn read_value(text: &str, source: &Arc<SourceText>, offset: usize) -> Result<Val
         },
         Err(error) => error,
     };
-    let problem = failed.findings().first().map(|finding| finding.problem.clone());
+    let problem = failed
+        .findings()
+        .first()
+        .map(|finding| finding.problem.clone());
     match problem {
         // A list, a table or a quoted text that is broken is no plain text.
         Some(problem @ SceneProblem::Syntax { .. }) if !text.starts_with(['[', '{', '"', '\'']) => {
@@ -85,7 +123,12 @@ fn read_value(text: &str, source: &Arc<SourceText>, offset: usize) -> Result<Val
         }
         Some(problem) => {
             let span = Some(offset..source.text.len());
-            let finding = Finding { problem, key: String::new(), source: Arc::clone(source), span };
+            let finding = Finding {
+                problem,
+                key: String::new(),
+                source: Arc::clone(source),
+                span,
+            };
             Err(SceneError::new(finding, []))
         }
         None => Err(failed),
@@ -99,7 +142,7 @@ struct Changed {
     made: Vec<String>,
 }
 
-fn set(root: &mut Value, key: &str, value: Value) -> Result<Changed, SceneProblem> {
+fn set(root: &mut Value, key: &str, value: Value) -> Result<Changed, Box<SceneProblem>> {
     let segments: Vec<&str> = key.split('.').collect();
     let mut changed = Changed::default();
     let mut at = root;
@@ -128,12 +171,17 @@ fn set(root: &mut Value, key: &str, value: Value) -> Result<Changed, SceneProble
             }
             Value::Array(list) => {
                 let length = list.len();
-                let index = segment.parse::<usize>().ok().filter(|index| *index <= length);
-                let index = index.ok_or_else(|| SceneProblem::OverrideIndex {
-                    key: key.to_owned(),
-                    list: path.clone(),
-                    length,
-                    index: (*segment).to_owned(),
+                let index = segment
+                    .parse::<usize>()
+                    .ok()
+                    .filter(|index| *index <= length);
+                let index = index.ok_or_else(|| {
+                    Box::new(SceneProblem::OverrideIndex {
+                        key: key.to_owned(),
+                        list: path.clone(),
+                        length,
+                        index: (*segment).to_owned(),
+                    })
                 })?;
                 if index == length {
                     changed.made.push(here.clone());
@@ -142,11 +190,11 @@ fn set(root: &mut Value, key: &str, value: Value) -> Result<Changed, SceneProble
                 &mut list[index]
             }
             other => {
-                return Err(SceneProblem::OverridePath {
+                return Err(Box::new(SceneProblem::OverridePath {
                     key: key.to_owned(),
                     parent: path,
                     found: described(other),
-                });
+                }));
             }
         };
         path = here;
@@ -170,7 +218,9 @@ fn rivals(path: &str, name: &str, map: &Map<String, Value>) -> Vec<String> {
         return Vec::new();
     };
     let excluded = |other: &&String| {
-        groups.iter().any(|group| group != own && group.contains(&other.as_str()))
+        groups
+            .iter()
+            .any(|group| group != own && group.contains(&other.as_str()))
     };
     others.filter(excluded).cloned().collect()
 }
@@ -178,7 +228,10 @@ fn rivals(path: &str, name: &str, map: &Map<String, Value>) -> Vec<String> {
 /// Whether `path` fits `pattern`, in which `*` stands for one segment.
 fn matches(path: &str, pattern: &str) -> bool {
     path.split('.').count() == pattern.split('.').count()
-        && path.split('.').zip(pattern.split('.')).all(|(own, wanted)| wanted == "*" || own == wanted)
+        && path
+            .split('.')
+            .zip(pattern.split('.'))
+            .all(|(own, wanted)| wanted == "*" || own == wanted)
 }
 
 #[cfg(test)]
@@ -191,7 +244,10 @@ mod tests {
         let text = "[mesh]\nspacing = \"1 deg\"\nfine_to = \"9 deg\"\n\
                     [[contacts]]\nfriction.static_dynamic = { static = 0.35, dynamic = 0.25 }\n\
                     [bodies.pin]\nmaterial = \"steel\"\n";
-        let source = SourceText { name: "a.toml".into(), text: text.into() };
+        let source = SourceText {
+            name: "a.toml".into(),
+            text: text.into(),
+        };
         Document::parse(source, Format::Toml).unwrap()
     }
 
@@ -207,8 +263,14 @@ mod tests {
 
     #[test]
     fn values_are_toml_or_text() {
-        assert_eq!(after("mesh.spacing=2.25 deg")["mesh"]["spacing"], "2.25 deg");
-        assert_eq!(after("mesh.spacing=\"2.25 deg\"")["mesh"]["spacing"], "2.25 deg");
+        assert_eq!(
+            after("mesh.spacing=2.25 deg")["mesh"]["spacing"],
+            "2.25 deg"
+        );
+        assert_eq!(
+            after("mesh.spacing=\"2.25 deg\"")["mesh"]["spacing"],
+            "2.25 deg"
+        );
         assert_eq!(after("mesh.layers = 12")["mesh"]["layers"], 12);
         assert_eq!(after("title=2026-01-01")["title"], "2026-01-01");
         assert_eq!(after("output.figures=false")["output"]["figures"], false);
@@ -219,10 +281,20 @@ mod tests {
     fn another_choice_replaces_the_first() {
         let friction = &after("contacts.0.friction.coulomb.mu=0.15")["contacts"][0]["friction"];
         assert_eq!(*friction, json!({"coulomb": {"mu": 0.15}}));
-        let friction = &after("contacts.0.friction.static_dynamic.static=0.3")["contacts"][0]["friction"];
-        assert_eq!(*friction, json!({"static_dynamic": {"static": 0.3, "dynamic": 0.25}}));
-        assert_eq!(after("mesh.angles=[\"0 deg\", \"180 deg\"]")["mesh"], json!({"angles": ["0 deg", "180 deg"]}));
-        assert_eq!(after("bodies.pin.rigid=true")["bodies"]["pin"], json!({"rigid": true}));
+        let friction =
+            &after("contacts.0.friction.static_dynamic.static=0.3")["contacts"][0]["friction"];
+        assert_eq!(
+            *friction,
+            json!({"static_dynamic": {"static": 0.3, "dynamic": 0.25}})
+        );
+        assert_eq!(
+            after("mesh.angles=[\"0 deg\", \"180 deg\"]")["mesh"],
+            json!({"angles": ["0 deg", "180 deg"]})
+        );
+        assert_eq!(
+            after("bodies.pin.rigid=true")["bodies"]["pin"],
+            json!({"rigid": true})
+        );
         assert_eq!(
             after("bodies.pin.rigid=false")["bodies"]["pin"],
             json!({"rigid": false, "material": "steel"})
@@ -231,8 +303,14 @@ mod tests {
 
     #[test]
     fn lists_grow_by_one_and_missing_tables_are_made() {
-        assert_eq!(after("edges.0.on=plate.hole")["edges"], json!([{"on": "plate.hole"}]));
-        assert_eq!(after("contacts.1.name=b")["contacts"][1], json!({"name": "b"}));
+        assert_eq!(
+            after("edges.0.on=plate.hole")["edges"],
+            json!([{"on": "plate.hole"}])
+        );
+        assert_eq!(
+            after("contacts.1.name=b")["contacts"][1],
+            json!({"name": "b"})
+        );
         assert_eq!(
             refused("contacts.2.name=b"),
             "--set:1:1: 'contacts.2.name' cannot be set: 'contacts' has 1 entry and '2' is not one of them"
@@ -241,7 +319,10 @@ mod tests {
 
     #[test]
     fn bad_arguments_are_shown_as_they_are() {
-        assert_eq!(refused("mesh.spacing"), "--set:1:1: 'mesh.spacing' is not of the form key=value");
+        assert_eq!(
+            refused("mesh.spacing"),
+            "--set:1:1: 'mesh.spacing' is not of the form key=value"
+        );
         assert!(refused("=3").contains("not of the form"));
         assert!(refused("mesh..spacing=3").contains("not of the form"));
         assert!(refused("mesh.angles=[1, 2").starts_with("--set:1:13: this is not valid TOML"));
@@ -255,10 +336,17 @@ mod tests {
         apply(&mut document, "contacts.0.friction.coulomb.mu=-1").unwrap();
         let problem = || SceneProblem::MissingVersion { supported: 1 };
         let finding = document.finding("contacts.0.friction.coulomb.mu", Part::Value, problem());
-        assert_eq!((finding.source.name.as_str(), finding.span), ("--set", Some(31..33)));
+        assert_eq!(
+            (finding.source.name.as_str(), finding.span),
+            ("--set", Some(31..33))
+        );
         let finding = document.finding("mesh.spacing", Part::Value, problem());
         assert_eq!(finding.source.name, "a.toml");
-        let finding = document.finding("contacts.0.friction.static_dynamic.static", Part::Value, problem());
+        let finding = document.finding(
+            "contacts.0.friction.static_dynamic.static",
+            Part::Value,
+            problem(),
+        );
         // What the override removed is shown at the table that it was in.
         assert_eq!(&finding.source.text[finding.span.unwrap()], "friction");
     }

@@ -20,20 +20,29 @@ use crate::units::{QUANTITY_TAG, UNIT_TAG, Unit, dimensions_of_tag, parse};
 /// A problem, and the key where it arose once a table around it has told.
 #[derive(Debug)]
 pub(super) struct ReadError {
-    pub(super) problem: SceneProblem,
+    pub(super) problem: Box<SceneProblem>,
     pub(super) key: Option<String>,
     pub(super) part: Part,
 }
 
 impl ReadError {
     fn new(problem: SceneProblem, part: Part) -> Self {
-        Self { problem, key: None, part }
+        Self {
+            problem: Box::new(problem),
+            key: None,
+            part,
+        }
     }
 
     fn at(mut self, key: &str) -> Self {
         if self.key.is_none() {
             // Serde knows the name of a missing key, but not that of the table.
-            if let SceneProblem::MissingKey { table, example: line, key: missing } = &mut self.problem {
+            if let SceneProblem::MissingKey {
+                table,
+                example: line,
+                key: missing,
+            } = self.problem.as_mut()
+            {
                 key.clone_into(table);
                 *line = example(&child(key, missing));
             }
@@ -57,7 +66,12 @@ fn owned(words: &[&str]) -> Vec<String> {
 
 impl de::Error for ReadError {
     fn custom<T: fmt::Display>(message: T) -> Self {
-        Self::new(SceneProblem::Refused { message: message.to_string() }, Part::Value)
+        Self::new(
+            SceneProblem::Refused {
+                message: message.to_string(),
+            },
+            Part::Value,
+        )
     }
 
     fn invalid_type(found: Unexpected<'_>, expected: &dyn de::Expected) -> Self {
@@ -173,7 +187,8 @@ impl<'a> Reader<'a> {
     fn unit(self, tags: &str) -> Result<(), ReadError> {
         let expected = dimensions_of_tag(tags);
         // Anything that is not a text is left to the visitor, which says what it wants.
-        let (Value::String(name), Some(dimension)) = (self.value, expected.dimensions().first()) else {
+        let (Value::String(name), Some(dimension)) = (self.value, expected.dimensions().first())
+        else {
             return Ok(());
         };
         Unit::named(name, *dimension)
@@ -196,10 +211,16 @@ impl<'de> Deserializer<'de> for Reader<'_> {
                 // Without arbitrary precision a number that is no integer is an f64.
                 (None, None) => visitor.visit_f64(number.as_f64().unwrap_or(f64::NAN)),
             },
-            Value::Array(list) => visitor.visit_seq(List { list, next: 0, key: self.key }),
-            Value::Object(map) => {
-                visitor.visit_map(Table { entries: map.iter(), value: None, key: self.key })
-            }
+            Value::Array(list) => visitor.visit_seq(List {
+                values: list,
+                next: 0,
+                key: self.key,
+            }),
+            Value::Object(map) => visitor.visit_map(Table {
+                entries: map.iter(),
+                value: None,
+                key: self.key,
+            }),
         };
         read.map_err(|error| error.at(self.key))
     }
@@ -232,17 +253,26 @@ impl<'de> Deserializer<'de> for Reader<'_> {
         visitor: V,
     ) -> Result<V::Value, ReadError> {
         let read = match self.value {
-            Value::String(name) => visitor.visit_enum(Variant { name, content: None, key: self.key }),
+            Value::String(name) => visitor.visit_enum(Variant {
+                name,
+                content: None,
+                key: self.key,
+            }),
             Value::Object(map) if map.len() == 1 => match map.iter().next() {
-                Some((name, content)) => {
-                    visitor.visit_enum(Variant { name, content: Some(content), key: self.key })
-                }
+                Some((name, content)) => visitor.visit_enum(Variant {
+                    name,
+                    content: Some(content),
+                    key: self.key,
+                }),
                 None => Err(not_one(self.key, map.keys(), variants)),
             },
             Value::Object(map) => Err(not_one(self.key, map.keys(), variants)),
             other => {
                 let expected = format!("one of {}", variants.join(", "));
-                let problem = SceneProblem::WrongKind { expected, found: described(other) };
+                let problem = SceneProblem::WrongKind {
+                    expected,
+                    found: described(other),
+                };
                 Err(ReadError::new(problem, Part::Value))
             }
         };
@@ -255,22 +285,22 @@ impl<'de> Deserializer<'de> for Reader<'_> {
     }
 }
 
-fn not_one<'a>(
-    key: &str,
-    found: impl Iterator<Item = &'a String>,
-    variants: &[&str],
-) -> ReadError {
+fn not_one<'a>(key: &str, found: impl Iterator<Item = &'a String>, variants: &[&str]) -> ReadError {
     let found: Vec<_> = found.cloned().collect();
     let problem = SceneProblem::OneOf {
         table: key.to_owned(),
         choices: variants.join(", "),
-        found: if found.is_empty() { "none".to_owned() } else { found.join(", ") },
+        found: if found.is_empty() {
+            "none".to_owned()
+        } else {
+            found.join(", ")
+        },
     };
     ReadError::new(problem, Part::Key)
 }
 
 struct List<'a> {
-    list: &'a [Value],
+    values: &'a [Value],
     next: usize,
     key: &'a str,
 }
@@ -282,12 +312,14 @@ impl<'de> SeqAccess<'de> for List<'_> {
         &mut self,
         seed: T,
     ) -> Result<Option<T::Value>, ReadError> {
-        let Some(value) = self.list.get(self.next) else {
+        let Some(value) = self.values.get(self.next) else {
             return Ok(None);
         };
         let key = child(self.key, self.next);
         self.next += 1;
-        seed.deserialize(Reader::new(value, &key)).map(Some).map_err(|error| error.at(&key))
+        seed.deserialize(Reader::new(value, &key))
+            .map(Some)
+            .map_err(|error| error.at(&key))
     }
 }
 
@@ -321,7 +353,8 @@ impl<'de> MapAccess<'de> for Table<'_> {
             return Err(de::Error::custom("a value was asked for before its key"));
         };
         let key = child(self.key, name);
-        seed.deserialize(Reader::new(value, &key)).map_err(|error| error.at(&key))
+        seed.deserialize(Reader::new(value, &key))
+            .map_err(|error| error.at(&key))
     }
 }
 
@@ -350,7 +383,13 @@ impl<'de, 'a> EnumAccess<'de> for Variant<'a> {
             error.part = if in_table { Part::Key } else { Part::Value };
             error.at(&key)
         })?;
-        Ok((chosen, Content { value: self.content, key }))
+        Ok((
+            chosen,
+            Content {
+                value: self.content,
+                key,
+            },
+        ))
     }
 }
 
@@ -377,10 +416,15 @@ impl<'de> VariantAccess<'de> for Content<'_> {
 
     fn newtype_variant_seed<T: DeserializeSeed<'de>>(self, seed: T) -> Result<T::Value, ReadError> {
         let value = self.value.unwrap_or(&Value::Null);
-        seed.deserialize(Reader::new(value, &self.key)).map_err(|error| error.at(&self.key))
+        seed.deserialize(Reader::new(value, &self.key))
+            .map_err(|error| error.at(&self.key))
     }
 
-    fn tuple_variant<V: Visitor<'de>>(self, _length: usize, visitor: V) -> Result<V::Value, ReadError> {
+    fn tuple_variant<V: Visitor<'de>>(
+        self,
+        _length: usize,
+        visitor: V,
+    ) -> Result<V::Value, ReadError> {
         let value = self.value.unwrap_or(&Value::Null);
         Reader::new(value, &self.key).deserialize_any(visitor)
     }

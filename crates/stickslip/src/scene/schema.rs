@@ -174,10 +174,14 @@ impl Shape {
     /// Its edges, by name.
     pub const fn edges(&self) -> &'static [&'static str] {
         match self {
-            Self::PlateWithHole { outline: Outline::Strip { .. }, .. } => {
-                &["hole", "left", "right", "top", "bottom"]
-            }
-            Self::PlateWithHole { outline: Outline::Ring { .. }, .. } => &["hole", "outer"],
+            Self::PlateWithHole {
+                outline: Outline::Strip { .. },
+                ..
+            } => &["hole", "left", "right", "top", "bottom"],
+            Self::PlateWithHole {
+                outline: Outline::Ring { .. },
+                ..
+            } => &["hole", "outer"],
             Self::Disk { .. } => &["rim"],
             Self::Rectangle { .. } => &["left", "right", "bottom", "top"],
             Self::Block { .. } => &["contact", "bottom", "left", "right"],
@@ -202,7 +206,13 @@ impl Shape {
     pub fn circle(&self, edge: &str) -> Option<f64> {
         match (self, edge) {
             (Self::PlateWithHole { hole_radius, .. }, "hole") => Some(*hole_radius),
-            (Self::PlateWithHole { outline: Outline::Ring { radius }, .. }, "outer")
+            (
+                Self::PlateWithHole {
+                    outline: Outline::Ring { radius },
+                    ..
+                },
+                "outer",
+            )
             | (Self::Disk { radius }, "rim") => Some(*radius),
             _ => None,
         }

@@ -16,7 +16,11 @@ pub(crate) const UNIT_TAG: &str = "$unit/";
 
 /// The dimensions that a tag lists after its prefix.
 pub(crate) fn dimensions_of_tag(list: &str) -> Expected {
-    let named = |name| Dimension::ALL.into_iter().find(|dimension| dimension.tag() == name);
+    let named = |name| {
+        Dimension::ALL
+            .into_iter()
+            .find(|dimension| dimension.tag() == name)
+    };
     Expected(list.split('|').filter_map(named).collect())
 }
 
@@ -105,7 +109,11 @@ impl<'de, M: Measure> Visitor<'de> for QuantityVisitor<M> {
     type Value = Quantity<M>;
 
     fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(formatter, "{} with its unit in quotes", Expected::any(M::DIMENSIONS))
+        write!(
+            formatter,
+            "{} with its unit in quotes",
+            Expected::any(M::DIMENSIONS)
+        )
     }
 
     fn visit_newtype_struct<D: Deserializer<'de>>(self, inner: D) -> Result<Self::Value, D::Error> {
@@ -114,7 +122,12 @@ impl<'de, M: Measure> Visitor<'de> for QuantityVisitor<M> {
 
     fn visit_str<E: de::Error>(self, text: &str) -> Result<Self::Value, E> {
         let (value, dimension) = parse(text, &Expected::any(M::DIMENSIONS)).map_err(E::custom)?;
-        Ok(Quantity { value, dimension, text: text.to_owned(), measure: PhantomData })
+        Ok(Quantity {
+            value,
+            dimension,
+            text: text.to_owned(),
+            measure: PhantomData,
+        })
     }
 
     fn visit_f64<E: de::Error>(self, value: f64) -> Result<Self::Value, E> {
@@ -147,8 +160,14 @@ impl<M: Measure> UnitName<M> {
     pub fn base() -> Self {
         let is_base = |unit: &&Unit| unit.dimension == M::DIMENSIONS[0];
         // Every dimension has units, and its first one is the base unit: a test of the table holds this.
-        let unit = super::UNITS.iter().find(is_base).unwrap_or(&super::UNITS[0]);
-        Self { unit, measure: PhantomData }
+        let unit = super::UNITS
+            .iter()
+            .find(is_base)
+            .unwrap_or(&super::UNITS[0]);
+        Self {
+            unit,
+            measure: PhantomData,
+        }
     }
 
     /// The unit `name`.
@@ -157,7 +176,10 @@ impl<M: Measure> UnitName<M> {
     /// As [`Unit::named`].
     pub fn new(name: &str) -> Result<Self, super::UnitError> {
         let unit = Unit::named(name, M::DIMENSIONS[0])?;
-        Ok(Self { unit, measure: PhantomData })
+        Ok(Self {
+            unit,
+            measure: PhantomData,
+        })
     }
 }
 
@@ -179,7 +201,11 @@ impl<'de, M: Measure> Visitor<'de> for UnitVisitor<M> {
     type Value = UnitName<M>;
 
     fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(formatter, "the name of a unit, one of {}", Expected::any(M::DIMENSIONS).unit_list())
+        write!(
+            formatter,
+            "the name of a unit, one of {}",
+            Expected::any(M::DIMENSIONS).unit_list()
+        )
     }
 
     fn visit_newtype_struct<D: Deserializer<'de>>(self, inner: D) -> Result<Self::Value, D::Error> {

@@ -13,7 +13,7 @@ use crate::mesh::Point;
 /// Distance of the axis vertices over that of the corners when both are 45° apart: between a square (0.71) and a circle (1).
 const BULGE: f64 = 0.85;
 
-/// Farthest that a vertex turns from its nominal direction [rad]: 15°, which keeps the quadrants convex.
+/// Farthest that a vertex turns from its nominal direction `[rad]`: 15°, which keeps the quadrants convex.
 const LARGEST_TURN: f64 = FRAC_PI_4 / 3.0;
 
 /// A quarter of the core.
@@ -24,7 +24,7 @@ pub(super) struct Quadrant {
     /// Cells from the first axis to the corner, and from there to the next axis.
     before: usize,
     after: usize,
-    /// First axis vertex, corner, next axis vertex [length].
+    /// First axis vertex, corner, next axis vertex `[length]`.
     vertices: [Point; 3],
     /// Node positions on the two outer sides, each from 0 to 1 in the sense of increasing angle.
     sides: [Vec<f64>; 2],
@@ -68,7 +68,7 @@ pub(super) struct Core {
 }
 
 impl Core {
-    /// `radius` is that of the corners [length]; the rim has been checked for count and parity.
+    /// `radius` is that of the corners `[length]`; the rim has been checked for count and parity.
     pub(super) fn new(rim: &Rim, radius: f64) -> Self {
         let counts = if rim.closed {
             whole_counts(rim)

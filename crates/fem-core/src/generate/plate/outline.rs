@@ -37,7 +37,7 @@ pub(super) struct Join {
     /// First ray of the end, and number of cells along it.
     pub(super) start: usize,
     pub(super) cells: usize,
-    /// x where the strip ends, if beyond the box [length].
+    /// x where the strip ends, if beyond the box `[length]`.
     pub(super) end: Option<f64>,
     /// Names of the long sides at the first and the last ray.
     pub(super) first_row: &'static str,
@@ -48,10 +48,10 @@ pub(super) struct Join {
 #[derive(Debug)]
 pub(super) struct Frame {
     half_width: f64,
-    /// x of the box [length].
+    /// x of the box `[length]`.
     left: f64,
     right: f64,
-    /// x of the strip's ends beyond the box [length].
+    /// x of the strip's ends beyond the box `[length]`.
     far_left: Option<f64>,
     far_right: Option<f64>,
     /// Ray to each corner: top right, top left and, if whole, bottom left, bottom right.
@@ -61,7 +61,7 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    /// `sizes` are the half width and the distances to the left and the right end [length].
+    /// `sizes` are the half width and the distances to the left and the right end `[length]`.
     pub(super) fn new(
         rim: &Rim,
         hole_radius: f64,
@@ -153,7 +153,7 @@ impl Frame {
         }
     }
 
-    /// Direction of the outline's node on `ray` [rad].
+    /// Direction of the outline's node on `ray` `[rad]`.
     fn outline_angle(&self, rim: &Rim, ray: usize) -> f64 {
         let ends = [
             (0, 0.0),
@@ -247,7 +247,7 @@ pub(super) fn check_rays(rim: &Rim, far: &[Point], hole_radius: f64) -> Result<(
     Ok(())
 }
 
-/// Direction of a point seen from the origin [rad], in [0, 2π).
+/// Direction of a point seen from the origin `[rad]`, in [0, 2π).
 fn direction(point: Point) -> f64 {
     let angle = point[1].atan2(point[0]);
     if angle < 0.0 { angle + TAU } else { angle }

@@ -8,8 +8,8 @@ use super::Builder;
 use crate::diagnostic::SceneProblem;
 use crate::scene::document::{Part, child};
 use crate::scene::format::{
-    BodyFormat, IsotropicFormat, MaterialFormat, OrthotropicFormat, OutlineFormat, PlateWithHoleFormat,
-    SceneFormat, ShapeFormat, StripFormat,
+    BodyFormat, IsotropicFormat, MaterialFormat, OrthotropicFormat, OutlineFormat,
+    PlateWithHoleFormat, SceneFormat, ShapeFormat, StripFormat,
 };
 use crate::scene::schema::{Body, Material, Outline, Shape, Substance};
 use crate::units::{PerTemperature, Quantity};
@@ -54,7 +54,12 @@ impl Builder<'_> {
         }
     }
 
-    fn orthotropic(&mut self, table: &str, given: &OrthotropicFormat, plane: PlaneState) -> Material {
+    fn orthotropic(
+        &mut self,
+        table: &str,
+        given: &OrthotropicFormat,
+        plane: PlaneState,
+    ) -> Material {
         let table = child(table, "orthotropic");
         let constants = OrthotropicConstants {
             e1: self.positive(&table, "e1", &given.e1),
@@ -64,21 +69,31 @@ impl Builder<'_> {
         };
         let e3 = given.e3.as_ref().map(|e3| self.positive(&table, "e3", e3));
         let out_of_plane = match (e3, given.nu13, given.nu23) {
-            (Some(e3), Some(nu13), Some(nu23)) => {
-                Some(OutOfPlane { e3, nu13, nu23, alpha3: expansion(given.expansion3.as_ref()) })
-            }
+            (Some(e3), Some(nu13), Some(nu23)) => Some(OutOfPlane {
+                e3,
+                nu13,
+                nu23,
+                alpha3: expansion(given.expansion3.as_ref()),
+            }),
             _ => None,
         };
         if plane == PlaneState::Strain {
             let present = [e3.is_some(), given.nu13.is_some(), given.nu23.is_some()];
-            for (name, _) in ["e3", "nu13", "nu23"].into_iter().zip(present).filter(|(_, given)| !given) {
+            for (name, _) in ["e3", "nu13", "nu23"]
+                .into_iter()
+                .zip(present)
+                .filter(|(_, given)| !given)
+            {
                 self.missing(&table, name);
             }
         }
         Material::Orthotropic {
             constants,
             angle: given.angle.as_ref().map_or(0.0, Quantity::value),
-            expansion: [expansion(given.expansion1.as_ref()), expansion(given.expansion2.as_ref())],
+            expansion: [
+                expansion(given.expansion1.as_ref()),
+                expansion(given.expansion2.as_ref()),
+            ],
             out_of_plane,
         }
     }
@@ -89,7 +104,14 @@ impl Builder<'_> {
             MaterialError::OrthotropicPoisson { name, .. } => child(table, name),
             _ => table.to_owned(),
         };
-        self.report(&key, Part::Value, SceneProblem::Material { material: name.to_owned(), cause });
+        self.report(
+            &key,
+            Part::Value,
+            SceneProblem::Material {
+                material: name.to_owned(),
+                cause,
+            },
+        );
     }
 
     pub(super) fn bodies(&mut self, format: &SceneFormat, materials: &BTreeMap<String, Material>) {
@@ -111,15 +133,21 @@ impl Builder<'_> {
         body: &BodyFormat,
         materials: &BTreeMap<String, Material>,
     ) -> Substance {
-        let thickness = body.thickness.as_ref().map(|given| self.positive(table, "thickness", given));
+        let thickness = body
+            .thickness
+            .as_ref()
+            .map(|given| self.positive(table, "thickness", given));
         let material = match (&body.material, body.rigid) {
             (Some(material), false) => material,
             (None, true) => return Substance::Rigid,
             (given, _) => {
                 let found = if given.is_some() { "both" } else { "none" };
                 let choices = "material = \"…\", rigid = true".to_owned();
-                let problem =
-                    SceneProblem::OneOf { table: table.to_owned(), choices, found: found.to_owned() };
+                let problem = SceneProblem::OneOf {
+                    table: table.to_owned(),
+                    choices,
+                    found: found.to_owned(),
+                };
                 self.report(table, Part::Key, problem);
                 return Substance::Rigid;
             }
@@ -131,15 +159,20 @@ impl Builder<'_> {
         if thickness.is_none() {
             self.missing(table, "thickness");
         }
-        Substance::Elastic { material: material.clone(), thickness: thickness.unwrap_or(1.0) }
+        Substance::Elastic {
+            material: material.clone(),
+            thickness: thickness.unwrap_or(1.0),
+        }
     }
 
     fn shape(&mut self, table: &str, shape: &ShapeFormat) -> Shape {
         match shape {
-            ShapeFormat::PlateWithHole(given) => self.plate(&child(table, "plate_with_hole"), given),
-            ShapeFormat::Disk(given) => {
-                Shape::Disk { radius: self.positive(&child(table, "disk"), "radius", &given.radius) }
+            ShapeFormat::PlateWithHole(given) => {
+                self.plate(&child(table, "plate_with_hole"), given)
             }
+            ShapeFormat::Disk(given) => Shape::Disk {
+                radius: self.positive(&child(table, "disk"), "radius", &given.radius),
+            },
             ShapeFormat::Rectangle(given) => {
                 let table = child(table, "rectangle");
                 Shape::Rectangle {
@@ -161,12 +194,21 @@ impl Builder<'_> {
                 let depth = self.positive(&table, "depth", &given.depth);
                 if half_length >= radius {
                     let allowed = format!("less than the radius, {}", given.radius.text());
-                    self.out_of_range(&child(&table, "half_length"), given.half_length.text(), allowed);
+                    self.out_of_range(
+                        &child(&table, "half_length"),
+                        given.half_length.text(),
+                        allowed,
+                    );
                 } else if depth <= radius - (radius * radius - half_length * half_length).sqrt() {
-                    let allowed = "greater than the arc's rise at its ends, R − sqrt(R² − half_length²)";
+                    let allowed =
+                        "greater than the arc's rise at its ends, R − sqrt(R² − half_length²)";
                     self.out_of_range(&child(&table, "depth"), given.depth.text(), allowed);
                 }
-                Shape::Cylinder { radius, half_length, depth }
+                Shape::Cylinder {
+                    radius,
+                    half_length,
+                    depth,
+                }
             }
         }
     }
@@ -178,7 +220,11 @@ impl Builder<'_> {
         let outline = match &given.outline {
             OutlineFormat::Strip(strip) => {
                 let table = child(&table, "strip");
-                let StripFormat { half_width, left, right } = strip;
+                let StripFormat {
+                    half_width,
+                    left,
+                    right,
+                } = strip;
                 for (name, size) in [("half_width", half_width), ("left", left), ("right", right)] {
                     if self.positive(&table, name, size) > 0.0 && size.value() <= hole_radius {
                         let allowed = format!("greater than the hole's radius, {hole}");
@@ -201,6 +247,9 @@ impl Builder<'_> {
                 Outline::Ring { radius }
             }
         };
-        Shape::PlateWithHole { hole_radius, outline }
+        Shape::PlateWithHole {
+            hole_radius,
+            outline,
+        }
     }
 }

@@ -12,12 +12,21 @@ impl Builder<'_> {
         let mut contacts: Vec<Contact> = Vec::new();
         for (index, given) in format.contacts.iter_mut().enumerate() {
             // The second edge is that of the pin or of the block.
-            let second = given.second.split('.').next().unwrap_or_default().to_owned();
+            let second = given
+                .second
+                .split('.')
+                .next()
+                .unwrap_or_default()
+                .to_owned();
             let name = given.name.get_or_insert(second).clone();
             let key = format!("contacts.{index}");
             if contacts.iter().any(|other| other.name == name) {
                 let message = format!("two contacts are called '{name}'");
-                self.conflict(&format!("{key}.name"), message, "give each contact a name of its own");
+                self.conflict(
+                    &format!("{key}.name"),
+                    message,
+                    "give each contact a name of its own",
+                );
             }
             contacts.extend(self.contact(&key, name, given));
         }
@@ -30,7 +39,13 @@ impl Builder<'_> {
         let law_key = format!("{key}.friction");
         let law = match &given.friction {
             None => {
-                self.report(key, Part::Key, SceneProblem::MissingFriction { contact: name.clone() });
+                self.report(
+                    key,
+                    Part::Key,
+                    SceneProblem::MissingFriction {
+                        contact: name.clone(),
+                    },
+                );
                 None
             }
             Some(table) => match friction::read(self.document, &law_key, table) {
@@ -47,7 +62,14 @@ impl Builder<'_> {
         let (first, second) = (first?, second?);
         self.pair(key, given, &first, &second);
         let (gap, interference) = (given.gap, given.interference);
-        Some(Contact { name, first, second, gap, interference, law: law? })
+        Some(Contact {
+            name,
+            first,
+            second,
+            gap,
+            interference,
+            law: law?,
+        })
     }
 
     fn pair(&mut self, key: &str, given: &ContactFormat, first: &SetRef, second: &SetRef) {
@@ -61,8 +83,13 @@ impl Builder<'_> {
                 }
             }
             (
-                Some(Shape::Cylinder { half_length, depth, .. }),
-                Some(Shape::Block { half_length: other_length, depth: other_depth }),
+                Some(Shape::Cylinder {
+                    half_length, depth, ..
+                }),
+                Some(Shape::Block {
+                    half_length: other_length,
+                    depth: other_depth,
+                }),
             ) if first.set == "contact" && second.set == "contact" => {
                 if (half_length, depth) != (other_length, other_depth) {
                     let message = format!(
@@ -70,7 +97,11 @@ impl Builder<'_> {
                          ({half_length} and {other_length} mm, {depth} and {other_depth} mm)",
                         first.body, second.body
                     );
-                    self.conflict(key, message, "give both bodies the same half_length and depth");
+                    self.conflict(
+                        key,
+                        message,
+                        "give both bodies the same half_length and depth",
+                    );
                 }
             }
             _ => self.no_pair(key, first, second),

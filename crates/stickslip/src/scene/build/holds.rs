@@ -10,7 +10,10 @@ use crate::scene::schema::{Axes, Axis, Contact, Hold, Platen, Support};
 use crate::units::Quantity;
 
 fn axes(list: &[Axis]) -> Axes {
-    Axes { x: list.contains(&Axis::X), y: list.contains(&Axis::Y) }
+    Axes {
+        x: list.contains(&Axis::X),
+        y: list.contains(&Axis::Y),
+    }
 }
 
 impl Builder<'_> {
@@ -29,7 +32,11 @@ impl Builder<'_> {
                 );
             }
             if let (Some(on), Some(hold)) = (on, hold) {
-                supports.push(Support { on, hold, displacement });
+                supports.push(Support {
+                    on,
+                    hold,
+                    displacement,
+                });
             }
         }
         supports
@@ -38,7 +45,11 @@ impl Builder<'_> {
     fn hold(&mut self, key: &str, given: &SupportFormat) -> Option<Hold> {
         match (&given.fix, &given.normal) {
             (Some(list), None) if list.is_empty() => {
-                self.out_of_range(&format!("{key}.fix"), "[]", "[\"x\"], [\"y\"] or [\"x\", \"y\"]");
+                self.out_of_range(
+                    &format!("{key}.fix"),
+                    "[]",
+                    "[\"x\"], [\"y\"] or [\"x\", \"y\"]",
+                );
                 None
             }
             (Some(list), None) => Some(Hold::Axes(axes(list))),
@@ -60,7 +71,10 @@ impl Builder<'_> {
         let mut platens = Vec::new();
         for (index, given) in format.platens.iter().enumerate() {
             let on = self.set(&format!("platens.{index}.on"), &given.on, Fits::Edges);
-            platens.extend(on.map(|on| Platen { on, free: axes(&given.free) }));
+            platens.extend(on.map(|on| Platen {
+                on,
+                free: axes(&given.free),
+            }));
         }
         platens
     }
@@ -77,7 +91,10 @@ impl Builder<'_> {
         };
         // A contact or support that could not be read has been reported; what it holds is not known.
         let written = |name: &str| {
-            self.document.get(name).and_then(|list| list.as_array()).map_or(0, Vec::len)
+            self.document
+                .get(name)
+                .and_then(|list| list.as_array())
+                .map_or(0, Vec::len)
         };
         let complete = pairs.len() == contacts.len()
             && written("supports") == supports.len()
@@ -88,13 +105,18 @@ impl Builder<'_> {
     }
 
     fn groups_are_held(&mut self, contacts: &[Contact], supports: &[Support], platens: &[Platen]) {
-        let mut group: BTreeMap<String, usize> =
-            self.bodies.keys().cloned().zip(0..).collect();
+        let mut group: BTreeMap<String, usize> = self.bodies.keys().cloned().zip(0..).collect();
         for contact in contacts {
             let (own, other) = (group[&contact.first.body], group[&contact.second.body]);
-            group.values_mut().filter(|id| **id == other).for_each(|id| *id = own);
+            group
+                .values_mut()
+                .filter(|id| **id == other)
+                .for_each(|id| *id = own);
         }
-        let held = supports.iter().map(|support| &support.on).chain(platens.iter().map(|platen| &platen.on));
+        let held = supports
+            .iter()
+            .map(|support| &support.on)
+            .chain(platens.iter().map(|platen| &platen.on));
         let held: Vec<usize> = held.map(|on| group[&on.body]).collect();
         let mut loose: BTreeMap<usize, Vec<String>> = BTreeMap::new();
         for (body, id) in group.into_iter().filter(|(_, id)| !held.contains(id)) {
@@ -102,7 +124,10 @@ impl Builder<'_> {
         }
         for bodies in loose.into_values() {
             let first = &bodies[0];
-            let sets = self.bodies.get(first).map(|body| (body.shape.points(), body.shape.edges()));
+            let sets = self
+                .bodies
+                .get(first)
+                .map(|body| (body.shape.points(), body.shape.edges()));
             let set = sets.and_then(|(points, edges)| points.iter().chain(edges).next_back());
             let quoted: Vec<_> = bodies.iter().map(|body| format!("'{body}'")).collect();
             let problem = SceneProblem::UnsupportedBody {

@@ -25,7 +25,10 @@ impl Builder<'_> {
         let mut loads: Vec<Load> = Vec::new();
         for (index, given) in format.loads.iter().enumerate() {
             let key = format!("loads.{index}");
-            let name = given.name.clone().unwrap_or_else(|| format!("load{}", index + 1));
+            let name = given
+                .name
+                .clone()
+                .unwrap_or_else(|| format!("load{}", index + 1));
             let Some(kind) = self.kind(&key, given, materials, base) else {
                 continue;
             };
@@ -67,26 +70,40 @@ impl Builder<'_> {
             ("polar_traction", given.polar_traction.is_some()),
             ("temperature", given.temperature.is_some()),
         ];
-        let found: Vec<_> = present.iter().filter(|(_, given)| *given).map(|(name, _)| *name).collect();
+        let found: Vec<_> = present
+            .iter()
+            .filter(|(_, given)| *given)
+            .map(|(name, _)| *name)
+            .collect();
         if found.len() != 1 {
             let problem = SceneProblem::OneOf {
                 table: key.to_owned(),
                 choices: present.map(|(name, _)| name).join(", "),
-                found: if found.is_empty() { "none".to_owned() } else { found.join(", ") },
+                found: if found.is_empty() {
+                    "none".to_owned()
+                } else {
+                    found.join(", ")
+                },
             };
             self.report(key, Part::Key, problem);
             return None;
         }
         if let Some(temperature) = &given.temperature {
             let body = self.heated(key, &given.on, materials)?;
-            return Some(LoadKind::Temperature { body, steps: values(&temperature.steps) });
+            return Some(LoadKind::Temperature {
+                body,
+                steps: values(&temperature.steps),
+            });
         }
         let on = self.set(&child(key, "on"), &given.on, Fits::Edges)?;
         if let Some(force) = &given.force {
             return self.force(key, on, force);
         }
         if let Some(pressure) = &given.pressure {
-            return Some(LoadKind::Pressure { on, steps: values(&pressure.steps) });
+            return Some(LoadKind::Pressure {
+                on,
+                steps: values(&pressure.steps),
+            });
         }
         let traction = given.polar_traction.as_ref()?;
         self.polar(key, on, traction, base)
@@ -97,11 +114,19 @@ impl Builder<'_> {
         let length = x.hypot(y);
         if !(length.is_finite() && length > 0.0) {
             let key = child(key, "force.direction");
-            self.out_of_range(&key, &format!("[{x}, {y}]"), "a vector other than zero, such as [-1, 0]");
+            self.out_of_range(
+                &key,
+                &format!("[{x}, {y}]"),
+                "a vector other than zero, such as [-1, 0]",
+            );
             return None;
         }
         let direction = [x / length, y / length];
-        Some(LoadKind::Force { on, direction, steps: values(&force.steps) })
+        Some(LoadKind::Force {
+            on,
+            direction,
+            steps: values(&force.steps),
+        })
     }
 
     fn heated(
@@ -117,19 +142,29 @@ impl Builder<'_> {
             return None;
         };
         let material = match &body.substance {
-            Substance::Elastic { material, .. } => materials.get(material).map(|found| (material.clone(), found)),
+            Substance::Elastic { material, .. } => materials
+                .get(material)
+                .map(|found| (material.clone(), found)),
             Substance::Rigid => None,
         };
         match material {
             Some((_, material)) if material.expands() => {}
             Some((material, _)) => {
-                let message = format!("a temperature does nothing to '{name}': material '{material}' has no expansion");
-                let remedy = format!("add materials.{material}: expansion = \"2.3e-5 1/K\", or remove the load");
+                let message = format!(
+                    "a temperature does nothing to '{name}': material '{material}' has no expansion"
+                );
+                let remedy = format!(
+                    "add materials.{material}: expansion = \"2.3e-5 1/K\", or remove the load"
+                );
                 self.conflict(&key, message, remedy);
             }
             None => {
                 let message = format!("a temperature does nothing to '{name}', which is rigid");
-                self.conflict(&key, message, "give the body a material, or remove the load");
+                self.conflict(
+                    &key,
+                    message,
+                    "give the body a material, or remove the load",
+                );
             }
         }
         Some(name.to_owned())
@@ -144,22 +179,41 @@ impl Builder<'_> {
     ) -> Option<LoadKind> {
         let shape = self.bodies.get(&on.body)?.shape;
         if shape.circle(&on.set).is_none() {
-            let circles: Vec<_> =
-                shape.edges().iter().filter(|edge| shape.circle(edge).is_some()).collect();
-            let remedy = circles.iter().map(|edge| format!("{}.{edge}", on.body)).collect::<Vec<_>>();
+            let circles: Vec<_> = shape
+                .edges()
+                .iter()
+                .filter(|edge| shape.circle(edge).is_some())
+                .collect();
+            let remedy = circles
+                .iter()
+                .map(|edge| format!("{}.{edge}", on.body))
+                .collect::<Vec<_>>();
             let message = format!("'{on}' is no circle, and polar_traction needs one");
-            self.conflict(&child(key, "on"), message, format!("circles of this body: {}", remedy.join(", ")));
+            self.conflict(
+                &child(key, "on"),
+                message,
+                format!("circles of this body: {}", remedy.join(", ")),
+            );
             return None;
         }
         let key = child(key, "polar_traction");
         let file = base.join(&given.file);
-        let columns = [given.theta.as_str(), given.radial.as_str(), given.shear.as_str()];
-        let read = table::read(&file, columns).and_then(|columns| table::check_angles(&columns[0]).map(|()| columns));
+        let columns = [
+            given.theta.as_str(),
+            given.radial.as_str(),
+            given.shear.as_str(),
+        ];
+        let read = table::read(&file, columns)
+            .and_then(|columns| table::check_angles(&columns[0]).map(|()| columns));
         let [theta, radial, shear] = match read {
             Ok(columns) => columns,
             Err(error) => {
                 let path = file.display().to_string();
-                let problem = SceneProblem::DataFile { path, cause: error.cause, remedy: error.remedy };
+                let problem = SceneProblem::DataFile {
+                    path,
+                    cause: error.cause,
+                    remedy: error.remedy,
+                };
                 self.report(&child(&key, "file"), Part::Value, problem);
                 return None;
             }
@@ -167,8 +221,17 @@ impl Builder<'_> {
         let in_base = given.stress.unit().in_base;
         let scaled = |column: Vec<f64>| column.into_iter().map(|value| value * in_base).collect();
         let theta = theta.into_iter().map(f64::to_radians).collect();
-        let table = PolarTable { file, theta, radial: scaled(radial), shear: scaled(shear) };
-        Some(LoadKind::PolarTraction { on, table, steps: given.steps.clone() })
+        let table = PolarTable {
+            file,
+            theta,
+            radial: scaled(radial),
+            shear: scaled(shear),
+        };
+        Some(LoadKind::PolarTraction {
+            on,
+            table,
+            steps: given.steps.clone(),
+        })
     }
 }
 

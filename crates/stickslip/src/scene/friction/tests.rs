@@ -4,7 +4,10 @@ use crate::scene::document::Format;
 
 fn read_law(friction: &str) -> Result<ReadLaw, Box<Finding>> {
     let text = format!("[[contacts]]\n{friction}\n");
-    let source = SourceText { name: "a.toml".into(), text };
+    let source = SourceText {
+        name: "a.toml".into(),
+        text,
+    };
     let document = Document::parse(source, Format::Toml).unwrap();
     let table = document.get("contacts.0.friction").unwrap().clone();
     read(&document, "contacts.0.friction", &table)
@@ -14,7 +17,11 @@ fn refused(friction: &str) -> (String, String, String) {
     let finding = read_law(friction).err().unwrap();
     let summary = finding.summary();
     let span = finding.span.unwrap();
-    (summary.message, summary.help.unwrap_or_default(), finding.source.text[span].to_owned())
+    (
+        summary.message,
+        summary.help.unwrap_or_default(),
+        finding.source.text[span].to_owned(),
+    )
 }
 
 #[test]
@@ -39,7 +46,9 @@ fn nested_laws_and_lists_are_converted() {
     let plain = serde_json::to_value(&read.law).unwrap();
     let coverage = &plain["fibre_coverage"];
     assert_eq!(coverage["plies"][0]["angle"], std::f64::consts::FRAC_PI_2);
-    let reference = coverage["matrix"]["pressure_power"]["reference_pressure"].as_f64().unwrap();
+    let reference = coverage["matrix"]["pressure_power"]["reference_pressure"]
+        .as_f64()
+        .unwrap();
     assert!((reference - 6.894757).abs() < 5e-7);
 }
 
@@ -57,22 +66,34 @@ fn a_bare_number_where_a_unit_belongs() {
 fn unknown_laws_and_parameters_are_named() {
     let (message, help, shown) = refused("friction.columb = { mu = 0.3 }");
     assert_eq!(message, "'columb' is not a friction law");
-    assert!(help.starts_with("did you mean 'coulomb'? choices: coulomb, "), "{help}");
+    assert!(
+        help.starts_with("did you mean 'coulomb'? choices: coulomb, "),
+        "{help}"
+    );
     assert_eq!(shown, "columb");
     let (message, help, _) = refused("friction.coulomb = { mu = 0.3, nu = 1 }");
     assert_eq!(message, "unknown key 'nu'");
     assert!(help.ends_with("known keys here: mu"), "{help}");
     let (message, help, shown) = refused("friction.coulomb = {}");
     assert_eq!(message, "'mu' is missing in 'contacts.0.friction.coulomb'");
-    assert_eq!((help.as_str(), shown.as_str()), ("add for example `mu = 0.3`", "coulomb"));
+    assert_eq!(
+        (help.as_str(), shown.as_str()),
+        ("add for example `mu = 0.3`", "coulomb")
+    );
     let (message, _, _) = refused("friction = { coulomb.mu = 0.1, static_dynamic = {} }");
-    assert!(message.contains("exactly one of") && message.ends_with("found coulomb, static_dynamic"), "{message}");
+    assert!(
+        message.contains("exactly one of") && message.ends_with("found coulomb, static_dynamic"),
+        "{message}"
+    );
 }
 
 #[test]
 fn the_law_speaks_for_itself() {
     let (message, help, shown) = refused("friction.coulomb = { mu = -0.1 }");
-    assert_eq!(message, "friction law 'coulomb': mu = -0.1 is outside [0, ∞)");
+    assert_eq!(
+        message,
+        "friction law 'coulomb': mu = -0.1 is outside [0, ∞)"
+    );
     assert_eq!(shown, "-0.1");
     assert!(help.contains("stickslip list"));
     let (message, _, shown) = refused("friction.static_dynamic = { static = 0.2, dynamic = 0.3 }");
@@ -83,10 +104,23 @@ fn the_law_speaks_for_itself() {
 #[test]
 fn tables_that_hold_one_entry_are_known() {
     let law = "contacts.0.friction.fibre_coverage";
-    for inner in ["kernel", "fibre", "matrix", "fibre.fibre_coverage.kernel", "matrix.fibre_coverage.fibre"] {
+    for inner in [
+        "kernel",
+        "fibre",
+        "matrix",
+        "fibre.fibre_coverage.kernel",
+        "matrix.fibre_coverage.fibre",
+    ] {
         assert!(is_choice(&format!("{law}.{inner}")), "{inner}");
     }
-    for other in ["", ".plies", ".plies.0", ".kernel.swept", ".fibre.coulomb", ".fibre.nothing"] {
+    for other in [
+        "",
+        ".plies",
+        ".plies.0",
+        ".kernel.swept",
+        ".fibre.coulomb",
+        ".fibre.nothing",
+    ] {
         assert!(!is_choice(&format!("{law}{other}")), "{other}");
     }
     assert!(!is_choice("loads.0.force") && !is_choice("contacts.0"));

@@ -1,0 +1,67 @@
+//! Parts of a mesh that share no node with each other.
+//!
+//! Rounding hides a part that floats: the pivot that should vanish comes out as ±10⁻¹¹ of the others, so the factorisation
+//! cannot be trusted to find it. Three rigid motions per part can.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::BodyError;
+use crate::mesh::Mesh;
+use crate::support::NodeConstraint;
+
+/// Refuses a part with a rigid motion that `constraints` do not prevent.
+pub(super) fn check_parts(
+    mesh: &Mesh,
+    adjacency: &[Vec<u32>],
+    constraints: &[NodeConstraint],
+) -> Result<(), BodyError> {
+    let mut seen = vec![false; adjacency.len()];
+    for first in 0..adjacency.len() {
+        if std::mem::replace(&mut seen[first], true) {
+            continue;
+        }
+        let mut part = vec![first];
+        let mut next = 0;
+        while next < part.len() {
+            for &neighbour in &adjacency[part[next]] {
+                if !std::mem::replace(&mut seen[neighbour as usize], true) {
+                    part.push(neighbour as usize);
+                }
+            }
+            next += 1;
+        }
+        let motions = free_motions(mesh, &part, constraints);
+        if motions > 0 {
+            return Err(BodyError::LoosePart {
+                node: first,
+                motions,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// Number of rigid motions of the nodes `part` that their constraints leave.
+fn free_motions(mesh: &Mesh, part: &[usize], constraints: &[NodeConstraint]) -> usize {
+    let centre = mesh.nodes()[part[0]];
+    let arm = |node: usize| [0, 1].map(|i| mesh.nodes()[node][i] - centre[i]);
+    let length = part.iter().fold(f64::MIN_POSITIVE, |length, &node| {
+        let [x, y] = arm(node);
+        length.max(x.hypot(y))
+    });
+    let mut gram = Matrix3::zeros();
+    for &node in part {
+        let ([x, y], constraint) = (arm(node), constraints[node]);
+        for axis in (0..2).filter(|&axis| constraint.held[axis]) {
+            let [dx, dy] = constraint.axes()[axis];
+            let row = Vector3::new(dx, dy, (x * dy - y * dx) / length);
+            gram += row * row.transpose();
+        }
+    }
+    let eigenvalues = gram.symmetric_eigenvalues();
+    let scale = gram.trace();
+    eigenvalues
+        .iter()
+        .filter(|&&value| value <= 1e-12 * scale)
+        .count()
+}

@@ -1,0 +1,58 @@
+//! Errors of the model builder, at the line of the scene that causes them.
+
+use crate::diagnostic::{SceneError, SceneProblem};
+use crate::model::ModelError;
+use crate::scene::Scene;
+use crate::scene::schema::Division;
+
+/// The error at the key that it is about, with a remedy.
+pub(super) fn locate(scene: &Scene, error: &ModelError) -> SceneError {
+    let (key, remedy) = match error {
+        ModelError::TooManyNodes { .. } => (
+            mesh_key(scene),
+            "make mesh.spacing larger, or let it grow with mesh.fine_to and mesh.coarse_spacing; mesh.layers counts too",
+        ),
+        ModelError::Generate { body, .. }
+        | ModelError::Mesh { body, .. }
+        | ModelError::Body { body, .. } => (
+            format!("bodies.{body}"),
+            "change the body's sizes, or the mesh settings that divide it",
+        ),
+        ModelError::Material { material, .. } => (
+            format!("materials.{material}"),
+            "check the material's constants",
+        ),
+        ModelError::Pairing { contact, .. } => {
+            let index = scene.contacts.iter().position(|own| own.name == *contact);
+            (
+                format!("contacts.{}", index.unwrap_or_default()),
+                "change the two bodies so that they can touch",
+            )
+        }
+        ModelError::NotSymmetric(_) => (
+            "analysis.model".to_owned(),
+            "say model = \"auto\" or leave it out",
+        ),
+        ModelError::MeshSettings(_) => (
+            mesh_key(scene),
+            "`stickslip init` writes scenes with mesh settings that fit",
+        ),
+        // The contact problem as a whole, and whatever else may come.
+        _ => (
+            String::new(),
+            "`stickslip check` shows the scene as it is understood",
+        ),
+    };
+    let problem = SceneProblem::Model {
+        message: error.to_string(),
+        remedy: remedy.to_owned(),
+    };
+    scene.error_at(&key, problem)
+}
+
+fn mesh_key(scene: &Scene) -> String {
+    match scene.mesh.division {
+        Division::AngleList(_) => "mesh.angles".to_owned(),
+        Division::Angular(_) | Division::Linear(_) => "mesh.spacing".to_owned(),
+    }
+}

@@ -1,0 +1,117 @@
+//! Figures of a run, each with a caption that says what one sees in numbers.
+
+mod edge;
+mod families;
+mod fields;
+mod history;
+mod map;
+
+use stickslip_contact::Status;
+use stickslip_report::FigureError;
+use stickslip_report::chart::Band;
+use stickslip_report::color::Color;
+use stickslip_report::svg::Svg;
+
+use super::display::EdgeView;
+use super::names::FileNames;
+use crate::results::Results;
+
+/// A finished figure.
+#[derive(Debug)]
+pub(super) struct Drawing {
+    /// File name without ending, and anchor on the page.
+    pub(super) name: String,
+    pub(super) picture: Svg,
+    pub(super) caption: String,
+    pub(super) group: Group,
+}
+
+/// Which part of the page a figure belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Group {
+    Edge,
+    History,
+    Field,
+}
+
+/// A figure before it has a file name; `None` where it does not apply.
+type Attempt = Result<Option<(Svg, String)>, FigureError>;
+
+/// All figures that apply, and a line for each that could not be drawn: a picture is not worth losing a result.
+pub(super) fn draw(results: &Results) -> (Vec<Drawing>, Vec<String>) {
+    let mut gallery = Gallery::default();
+    for view in EdgeView::all(results) {
+        let name = &view.geometry.name;
+        gallery.add(Group::Edge, &format!("stresses-{name}"), edge::chart(&view));
+        if view.geometry.contact {
+            gallery.add(Group::Edge, &format!("pressure-{name}"), families::pressure(&view));
+            gallery.add(Group::Edge, &format!("shear-{name}"), families::shear(&view));
+        }
+        gallery.add(Group::Edge, &format!("hoop-{name}"), families::hoop(&view));
+        if view.geometry.contact {
+            gallery.add(Group::History, &format!("map-{name}"), map::chart(&view));
+            gallery.add(Group::History, &format!("extent-{name}"), history::extent_and_peak(&view));
+            gallery.add(Group::History, &format!("friction-{name}"), history::friction(&view));
+        }
+    }
+    for (stem, attempt) in fields::all(results) {
+        gallery.add(Group::Field, &stem, attempt);
+    }
+    (gallery.drawings, gallery.failures)
+}
+
+#[derive(Debug, Default)]
+struct Gallery {
+    names: FileNames,
+    drawings: Vec<Drawing>,
+    failures: Vec<String>,
+}
+
+impl Gallery {
+    fn add(&mut self, group: Group, stem: &str, attempt: Attempt) {
+        match attempt {
+            Ok(Some((picture, caption))) => {
+                let name = self.names.unique(stem);
+                self.drawings.push(Drawing { name, picture, caption, group });
+            }
+            Ok(None) => {}
+            Err(cause) => self.failures.push(format!("The figure '{stem}' could not be drawn: {cause}.")),
+        }
+    }
+}
+
+/// Colour of a zone in every figure.
+fn zone_color(status: Status) -> Color {
+    match status {
+        Status::Open => Color::rgb(0x9a, 0x9a, 0x9a),
+        Status::Stick => Color::rgb(0x1f, 0x6f, 0xb4),
+        Status::SlipPositive => Color::rgb(0xe0, 0x7b, 0x1a),
+        Status::SlipNegative => Color::rgb(0x2a, 0x93, 0x5c),
+    }
+}
+
+/// Name of a zone for a reader.
+fn zone_name(status: Status) -> &'static str {
+    match status {
+        Status::Open => "open",
+        Status::Stick => "stick",
+        Status::SlipPositive => "slip +",
+        Status::SlipNegative => "slip −",
+    }
+}
+
+/// Zones of a step as bands over the place axis.
+fn zone_bands(view: &EdgeView<'_>, step: usize) -> Vec<Band> {
+    let zones = view.step(step).zones.iter();
+    zones
+        .map(|zone| {
+            let (start, end) = (view.place(zone.start), view.place(zone.end));
+            Band::new(zone_name(zone.status), start, end, zone_color(zone.status))
+        })
+        .collect()
+}
+
+/// What a half model shows, for captions.
+fn half_remark(view: &EdgeView<'_>) -> &'static str {
+    if view.geometry.half { " One half is modelled; the other is its mirror image." } else { "" }
+}

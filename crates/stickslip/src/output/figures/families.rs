@@ -1,0 +1,238 @@
+//! One quantity over the edge for all load steps: loading blue, from light to dark, unloading orange, from dark to light.
+
+use stickslip_report::FigureError;
+use stickslip_report::axis::Axis;
+use stickslip_report::chart::{Dash, Legend, LineChart, Panels, Series};
+use stickslip_report::color::{Color, loading_sequence, sequence, unloading_sequence};
+use stickslip_report::svg::Svg;
+
+use super::edge::{around_contact, curve, place_axis};
+use super::{Attempt, half_remark};
+use crate::output::display::{EdgeView, decimals, load_text, significant, unloading};
+use crate::results::{EdgeRow, Results};
+
+/// Steps up to which every curve has its own entry in the legend.
+const NAMED_STEPS: usize = 8;
+/// Part of the edge that is shown, in half-extents of the widest contact.
+const REACH: f64 = 1.12;
+
+/// A quantity of a row, with what the axis and the caption call it.
+struct Quantity {
+    title: &'static str,
+    symbol: String,
+    value: fn(&EdgeRow) -> f64,
+    /// Whether only the contact is of interest.
+    near_contact: bool,
+}
+
+/// CPRESS of all steps.
+pub(super) fn pressure(view: &EdgeView<'_>) -> Attempt {
+    let quantity = Quantity {
+        title: "Contact pressure",
+        symbol: "CPRESS".into(),
+        value: |row| row.pressure,
+        near_contact: true,
+    };
+    let peak = largest(view, |step| view.step(step).peak_pressure);
+    family(view, &quantity, &peak_sentence(view, "The largest pressure", peak))
+}
+
+/// CSHEAR1 of all steps.
+pub(super) fn shear(view: &EdgeView<'_>) -> Attempt {
+    let quantity = Quantity {
+        title: "Friction traction",
+        symbol: "CSHEAR1".into(),
+        value: |row| row.shear,
+        near_contact: true,
+    };
+    let peak = largest(view, |step| {
+        let rows = view.step(step).rows.iter().map(|row| row.shear);
+        let places = view.geometry.parameter.iter().copied();
+        rows.zip(places).max_by(|(a, _), (b, _)| a.abs().total_cmp(&b.abs()))
+    });
+    if peak.is_some_and(|(_, shear, _)| shear == 0.0) {
+        return Ok(None);
+    }
+    family(view, &quantity, &peak_sentence(view, "The largest friction traction", peak))
+}
+
+/// σ_θ or σ_xx of all steps.
+pub(super) fn hoop(view: &EdgeView<'_>) -> Attempt {
+    let symbol = view.stress_symbols()[1];
+    let quantity = Quantity {
+        title: if view.is_circle() { "Hoop stress" } else { "Stress along the edge" },
+        symbol: symbol.into(),
+        value: |row| row.sigma_tangential,
+        near_contact: !view.is_circle(),
+    };
+    let peak = largest(view, |step| view.step(step).peak_hoop);
+    family(view, &quantity, &peak_sentence(view, &format!("The largest {symbol}"), peak))
+}
+
+/// The step, value and place of the largest magnitude.
+fn largest(
+    view: &EdgeView<'_>,
+    of_step: impl Fn(usize) -> Option<(f64, f64)>,
+) -> Option<(usize, f64, f64)> {
+    (0..view.results().steps.len())
+        .filter_map(|step| of_step(step).map(|(value, place)| (step, value, place)))
+        .max_by(|(_, a, _), (_, b, _)| a.abs().total_cmp(&b.abs()))
+}
+
+fn peak_sentence(view: &EdgeView<'_>, name: &str, peak: Option<(usize, f64, f64)>) -> String {
+    peak.map_or(String::new(), |(step, value, place)| {
+        let unit = view.units().stress.name;
+        let stress = significant(view.stress(value), 4);
+        let over = view.bearing(step).map_or(String::new(), |bearing| {
+            format!(", {} times the bearing stress", decimals(Some(value / bearing), 2))
+        });
+        let load = load_text(view.results(), step);
+        format!("{name} of all steps is {stress} {unit}{over}, at {load} and {}.", view.at(place))
+    })
+}
+
+fn family(view: &EdgeView<'_>, quantity: &Quantity, peak: &str) -> Attempt {
+    let results = view.results();
+    if results.steps.len() < 2 {
+        return Ok(None);
+    }
+    let unit = view.units().stress.name;
+    let over_bearing = view.geometry.contact && view.geometry.bearing_area.is_some();
+    let title = format!("{} on '{}' in every load step", quantity.title, view.geometry.name);
+    let absolute = chart(view, quantity, format!("{} [{unit}]", quantity.symbol), |_, value| {
+        Some(view.stress(value))
+    });
+    let picture = if over_bearing {
+        let label = format!("{} / bearing stress σ_b of the step [–]", quantity.symbol);
+        let relative = chart(view, quantity, label, |step, value| {
+            view.bearing(step).map(|bearing| value / bearing)
+        });
+        side_by_side(&title, absolute, relative)?
+    } else {
+        LineChart { title, ..absolute.legend(Legend::Right).size(760.0, 0.6) }.render()?
+    };
+    let caption = format!("{} {peak}{}", what_is_seen(view, quantity, over_bearing), half_remark(view));
+    Ok(Some((picture, caption)))
+}
+
+fn side_by_side(title: &str, mut left: LineChart, mut right: LineChart) -> Result<Svg, FigureError> {
+    left.title = "(a) in stress".into();
+    left = left.legend(Legend::Hidden).size(470.0, 0.82);
+    right.title = "(b) relative to the bearing stress of each step".into();
+    right = right.legend(Legend::Right).size(640.0, 0.82);
+    Panels::new(title, 2, vec![left, right]).render()
+}
+
+fn what_is_seen(view: &EdgeView<'_>, quantity: &Quantity, over_bearing: bool) -> String {
+    let results = view.results();
+    let falls = unloading(results).iter().filter(|falls| **falls).count();
+    let count = results.steps.len();
+    let order = if falls > 0 {
+        format!("{} steps of rising load (blue, solid) and {falls} of falling load (orange, dashed)", count - falls)
+    } else {
+        format!("{count} load steps from dark to light")
+    };
+    let parts = if over_bearing { ": (a) in stress, (b) over the bearing stress of the same step" } else { "" };
+    let mut text = format!("{} {} in {order}{parts}.", quantity.title, quantity.symbol);
+    let halves: Vec<f64> = (0..count).filter_map(|k| view.step(k).contact_half_extent).collect();
+    if let (true, Some(low), Some(high)) = (
+        quantity.near_contact,
+        halves.iter().copied().reduce(f64::min),
+        halves.iter().copied().reduce(f64::max),
+    ) {
+        text += &format!(
+            " The half-extent of contact lies between {} and {}.",
+            view.extent(low),
+            view.extent(high)
+        );
+    }
+    text
+}
+
+fn chart(
+    view: &EdgeView<'_>,
+    quantity: &Quantity,
+    label: String,
+    scaled: impl Fn(usize, f64) -> Option<f64>,
+) -> LineChart {
+    let reach = view.widest_contact().filter(|_| quantity.near_contact);
+    let window = reach.and_then(|reach| around_contact(view, REACH * reach));
+    let mut chart = LineChart::new("", place_axis(view, window), Axis::linear(label));
+    for (step, look) in looks(view.results()).into_iter().enumerate() {
+        let points = curve(view, step, |row| scaled(step, (quantity.value)(row)).unwrap_or(f64::NAN));
+        let series = Series::new(look.label, points).color(look.color).dash(look.dash).width(1.6);
+        chart = chart.with(series);
+    }
+    chart
+}
+
+/// How the curve of a step looks.
+struct Look {
+    label: String,
+    color: Color,
+    dash: Dash,
+}
+
+/// Looks of all steps; the legend names each, or of many steps the first, the last and some between.
+fn looks(results: &Results) -> Vec<Look> {
+    let falls = unloading(results);
+    let count = falls.len();
+    let falling = falls.iter().filter(|falls| **falls).count();
+    let mut rising_colors = if falling > 0 { loading_sequence(count - falling) } else { sequence(count) }.into_iter();
+    let mut falling_colors = unloading_sequence(falling).into_iter();
+    let named = named_steps(&falls);
+    let black = Color::rgb(0, 0, 0);
+    (0..count)
+        .map(|step| {
+            let colors = if falls[step] { &mut falling_colors } else { &mut rising_colors };
+            let branch = match (falling > 0, falls[step]) {
+                (false, _) => "",
+                (true, false) => "↑ ",
+                (true, true) => "↓ ",
+            };
+            Look {
+                label: if named[step] { format!("{branch}{}", load_text(results, step)) } else { String::new() },
+                // Both sequences have as many colours as steps of their kind.
+                color: colors.next().unwrap_or(black),
+                dash: if falls[step] { Dash::Dashed } else { Dash::Solid },
+            }
+        })
+        .collect()
+}
+
+/// Which steps the legend names: all, or of many the first and last of each branch and as many between as there is room for.
+fn named_steps(falls: &[bool]) -> Vec<bool> {
+    let count = falls.len();
+    if count <= NAMED_STEPS {
+        return vec![true; count];
+    }
+    let mut named = vec![false; count];
+    let branches = if falls.contains(&true) { vec![false, true] } else { vec![false] };
+    let share = NAMED_STEPS / branches.len();
+    for branch in branches {
+        let steps: Vec<usize> = (0..count).filter(|&step| falls[step] == branch).collect();
+        let chosen = share.min(steps.len());
+        for k in 0..chosen {
+            // Evenly spread, both ends included.
+            named[steps[k * (steps.len() - 1) / (chosen - 1).max(1)]] = true;
+        }
+    }
+    named
+}
+
+#[cfg(test)]
+mod tests {
+    use super::named_steps;
+
+    #[test]
+    fn a_long_history_names_the_ends_of_both_branches() {
+        let falls: Vec<bool> = (0..14).map(|step| step >= 7).collect();
+        let named = named_steps(&falls);
+        assert_eq!(named.iter().filter(|named| **named).count(), 8);
+        assert!(named[0] && named[6] && named[7] && named[13]);
+        assert_eq!(named_steps(&[false, false, true]), [true; 3]);
+        let one_way = named_steps(&[false; 50]);
+        assert!(one_way[0] && one_way[49]);
+        assert_eq!(one_way.iter().filter(|named| **named).count(), 8);
+    }
+}

@@ -1,0 +1,158 @@
+//! Stress fields around the contact: both bodies, undeformed, half models completed by their mirror image.
+
+use stickslip_fem_core::mesh::{Mesh, Point};
+use stickslip_report::color::Colormap;
+use stickslip_report::field::{FieldPlot, Mirror};
+
+use super::Attempt;
+use crate::output::display::{EdgeView, peak_step, significant, step_text};
+use crate::output::vtk_files::{polar_stresses, von_mises};
+use crate::results::{EdgeKind, Results, StepResults};
+
+/// Half of the window around a hole, in radii.
+const HOLE_WINDOW: f64 = 3.0;
+/// Half of the window around a contact line, in half-widths of the contact.
+const LINE_WINDOW: f64 = 4.0;
+
+/// Pictures of the largest load and of the last step, where they have fields.
+pub(super) fn all(results: &Results) -> Vec<(String, Attempt)> {
+    let Some(edge) = EdgeView::main(results) else { return Vec::new() };
+    let with_fields = |step: &usize| !results.steps[*step].fields.is_empty();
+    let mut steps: Vec<usize> = peak_step(results).into_iter().chain(results.steps.len().checked_sub(1)).collect();
+    steps.retain(with_fields);
+    steps.dedup();
+    let scene = |step: usize| Scene::new(&edge, step);
+    steps
+        .into_iter()
+        .flat_map(|step| {
+            let name = |field: &str| format!("field-{field}-step-{:02}", step + 1);
+            [
+                (name("von-mises"), scene(step).von_mises()),
+                (name("normal-stress"), scene(step).normal_stress()),
+            ]
+        })
+        .collect()
+}
+
+/// Nodes [display unit], cells and nodal values of all bodies of one step.
+struct Scene<'a> {
+    edge: &'a EdgeView<'a>,
+    step: usize,
+    nodes: Vec<Point>,
+    cells: Vec<Vec<usize>>,
+}
+
+impl<'a> Scene<'a> {
+    fn new(edge: &'a EdgeView<'a>, step: usize) -> Self {
+        let mut scene = Self { edge, step, nodes: Vec::new(), cells: Vec::new() };
+        let unit = edge.units().length;
+        for fields in &scene.record().fields {
+            let Some(mesh) = &edge.results().bodies[fields.body].mesh else { continue };
+            let first = scene.nodes.len();
+            scene.cells.extend((0..mesh.element_count()).map(|cell| border(mesh, cell, first)));
+            scene.nodes.extend(mesh.nodes().iter().map(|node| node.map(|x| unit.from_base(x))));
+        }
+        scene
+    }
+
+    fn record(&self) -> &'a StepResults {
+        &self.edge.results().steps[self.step]
+    }
+
+    fn von_mises(&self) -> Attempt {
+        let values = self.values(|_, stress| von_mises(stress));
+        let label = format!("σ_vM [{}]", self.edge.units().stress.name);
+        let plot = self.plot("Von Mises stress in the plane", label, &values);
+        let text = format!(
+            "√(σ_xx² − σ_xx σ_yy + σ_yy² + 3 τ_xy²) at {}; its largest value in sight is {} {}.",
+            step_text(self.edge.results(), self.step),
+            significant(self.largest(&values), 4),
+            self.edge.units().stress.name,
+        );
+        Ok(Some((plot.render()?, text + self.remark())))
+    }
+
+    fn normal_stress(&self) -> Attempt {
+        let symbol = self.edge.stress_symbols()[0];
+        let values = self.values(|polar, stress| polar.map_or(stress[1], |polar| polar[0]));
+        let label = format!("{symbol} [{}]", self.edge.units().stress.name);
+        let title = if self.edge.is_circle() { "Radial stress about the hole's centre" } else { "Stress normal to the contact" };
+        let plot = self.plot(title, label, &values).colormap(Colormap::BlueWhiteRed);
+        let text = format!(
+            "{symbol} at {}: compression blue, tension red. It passes through the contact without a jump.",
+            step_text(self.edge.results(), self.step),
+        );
+        Ok(Some((plot.render()?, text + self.remark())))
+    }
+
+    /// A value per node in the display unit, from its polar (on circles) and its Cartesian stress [MPa].
+    fn values(&self, value: impl Fn(Option<[f64; 3]>, [f64; 3]) -> f64) -> Vec<f64> {
+        let centre = match self.edge.geometry.kind {
+            EdgeKind::Circle { centre, .. } => Some(centre),
+            EdgeKind::Line => None,
+        };
+        let mut values = Vec::with_capacity(self.nodes.len());
+        for fields in &self.record().fields {
+            let Some(mesh) = &self.edge.results().bodies[fields.body].mesh else { continue };
+            let polar = centre.map(|centre| polar_stresses(mesh, fields, centre));
+            values.extend(fields.stress.iter().enumerate().map(|(node, &stress)| {
+                self.edge.stress(value(polar.as_ref().map(|polar| polar[node]), stress))
+            }));
+        }
+        values
+    }
+
+    fn plot<'p>(&'p self, title: &str, label: String, values: &'p [f64]) -> FieldPlot<'p> {
+        let unit = self.edge.units().length.name;
+        let mut plot = FieldPlot::new(title, label, unit, &self.nodes, &self.cells, values)
+            .subtitle(format!("At {}", step_text(self.edge.results(), self.step)))
+            .window(self.window());
+        if self.edge.geometry.half {
+            plot = plot.mirror(Mirror::Symmetric);
+        }
+        plot
+    }
+
+    /// Around the hole or the contact, as far as there are bodies [display unit].
+    fn window(&self) -> [f64; 4] {
+        let unit = self.edge.units().length;
+        let (centre, reach) = match self.edge.geometry.kind {
+            EdgeKind::Circle { centre, radius } => (centre, HOLE_WINDOW * radius),
+            EdgeKind::Line => ([0.0, 0.0], LINE_WINDOW * self.edge.widest_contact().unwrap_or(f64::INFINITY)),
+        };
+        let along = |axis: usize| {
+            let low = self.nodes.iter().map(|node| node[axis]).fold(f64::INFINITY, f64::min);
+            let high = self.nodes.iter().map(|node| node[axis]).fold(f64::NEG_INFINITY, f64::max);
+            let low = if axis == 1 && self.edge.geometry.half { low.min(-high) } else { low };
+            let (middle, reach) = (unit.from_base(centre[axis]), unit.from_base(reach));
+            [low.max(middle - reach), high.min(middle + reach)]
+        };
+        let ([left, right], [bottom, top]) = (along(0), along(1));
+        [left, right, bottom, top]
+    }
+
+    fn largest(&self, values: &[f64]) -> f64 {
+        let [left, right, bottom, top] = self.window();
+        let seen = |node: &Point| (left..=right).contains(&node[0]) && (bottom..=top).contains(&node[1]);
+        let in_sight = self.nodes.iter().zip(values).filter(|(node, _)| seen(node));
+        in_sight.map(|(_, value)| *value).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    fn remark(&self) -> &'static str {
+        if self.edge.geometry.half {
+            " Shape before deformation; y < 0 is the mirror image of the model. Nodal values by patch recovery."
+        } else {
+            " Shape before deformation. Nodal values by patch recovery."
+        }
+    }
+}
+
+/// The loop of a cell's border nodes: corner, mid-side, corner, …; `first` is the number of the mesh's first node.
+fn border(mesh: &Mesh, cell: usize, first: usize) -> Vec<usize> {
+    let (kind, nodes, _) = mesh.element(cell);
+    let corners = kind.corners();
+    if kind.order() == 1 {
+        return nodes[..corners].iter().map(|node| first + node).collect();
+    }
+    (0..corners).flat_map(|k| [first + nodes[k], first + nodes[corners + k]]).collect()
+}
