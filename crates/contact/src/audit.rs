@@ -16,7 +16,8 @@ pub struct Audit {
     pub friction: Vec<FrictionSum>,
     /// Largest unbalanced resultant of a floating body, relative to the largest load resultant or contact resultant.
     pub balance: f64,
-    /// Virtual work of the contact forces on the gaps, Σ λ_n g_n relative to Σ |λ_n| · max |g|: zero by complementarity.
+    /// Virtual work of the contact forces on the gaps, Σ |λ_n g_n| relative to Σ |λ_n| times the largest motion or elastic
+    /// give of a point: zero by complementarity.
     pub gap_work: f64,
 }
 
@@ -43,7 +44,9 @@ impl Audit {
             gap_work: 0.0,
         };
         let (mut work, mut effort) = (0.0, 0.0);
-        let widest = (0..state.status.len()).fold(0.0, |gap: f64, k| gap.max(state.gap(k).abs()));
+        // Where all points touch, their gaps are rounding, and no scale.
+        let give = problem.compliance().diagonal().amax() * state.forces.amax();
+        let widest = state.motion.amax().max(give);
         for (k, point) in problem.points().iter().enumerate() {
             let (normal, tangential) = (state.normal_force(k), state.tangential_force(k));
             let [nx, ny] = point.normal;

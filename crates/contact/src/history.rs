@@ -132,11 +132,12 @@ impl LoadHistory {
                 } else {
                     self.fraction(index, next)
                 };
+                // Exact at both ends, unlike from + fraction (to − from).
                 let multipliers: Vec<f64> = start
                     .multipliers
                     .iter()
                     .zip(target)
-                    .map(|(from, to)| from + fraction * (to - from))
+                    .map(|(from, to)| (1.0 - fraction) * from + fraction * to)
                     .collect();
                 match walk.advance(problem, solver, &multipliers) {
                     Ok(()) => reached = next,

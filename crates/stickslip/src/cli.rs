@@ -25,6 +25,7 @@ mod failure;
 mod init;
 mod list;
 mod located;
+mod run;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -51,6 +52,8 @@ struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    /// Solve a scene and write tables, figures, fields and a page
+    Run(run::RunArguments),
     /// Check a scene, and print it with overrides applied and defaults filled in
     Check(SceneArguments),
     /// Write a commented scene to start from; never overwrites
@@ -91,6 +94,7 @@ pub fn main() -> ExitCode {
     };
     let console = Console::new(arguments.quiet, arguments.json);
     let outcome = match arguments.command {
+        Command::Run(scene) => run::run(&scene, console),
         Command::Check(scene) => check::check(&scene, console),
         Command::Init(template) => init::init(&template, console),
         Command::List(topic) => list::list(&topic, console),

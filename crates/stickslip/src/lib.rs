@@ -11,12 +11,14 @@
 //! | [`scene`], [`units`], [`diagnostic`] | scene files, quantities with units, errors that point at a line |
 //! | [`model`] | meshes, bodies, contact pairs, load history; the choices made |
 //! | [`run`](mod@run), [`results`] | the solution and what is reported of it |
+//! | [`output`] | results as files, figures, a page and a table |
 //!
 //! A program with friction laws of its own links them and calls [`cli::main`].
 
 pub mod cli;
 pub mod diagnostic;
 pub mod model;
+pub mod output;
 pub mod results;
 pub mod run;
 pub mod scene;

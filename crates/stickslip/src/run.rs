@@ -104,14 +104,26 @@ pub struct Solved {
 /// # Errors
 /// [`RunError`].
 pub fn run(scene: &Scene, progress: &mut dyn FnMut(Progress)) -> Result<Results, RunError> {
+    run_with(scene, solver(scene.analysis.solver).as_ref(), progress)
+}
+
+/// Runs `scene` with a contact solver of the caller's choice instead of the scene's, and reports to `progress`.
+///
+/// # Errors
+/// [`RunError`].
+pub fn run_with(
+    scene: &Scene,
+    solver: &dyn InterfaceSolver,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Results, RunError> {
     progress(Progress::Phase("mesh"));
     let start = Instant::now();
     let model = Model::build(scene)?;
     let mesh_seconds = start.elapsed().as_secs_f64();
-    let mut solved = solve(&model, solver(scene.analysis.solver).as_ref(), progress)?;
+    let mut solved = solve(&model, solver, progress)?;
     solved.phases.insert(0, ("mesh", mesh_seconds));
     progress(Progress::Phase("stresses"));
-    results(scene, &model, solved)
+    results(scene, &model, solver, solved)
 }
 
 /// Condenses the bodies of `model` and follows its history with `solver`.
@@ -184,7 +196,12 @@ fn condense(model: &Model) -> Result<Vec<Operator>, RunError> {
         .collect()
 }
 
-fn results(scene: &Scene, model: &Model, mut solved: Solved) -> Result<Results, RunError> {
+fn results(
+    scene: &Scene,
+    model: &Model,
+    solver: &dyn InterfaceSolver,
+    mut solved: Solved,
+) -> Result<Results, RunError> {
     let start = Instant::now();
     let mut steps = Vec::with_capacity(solved.records.len());
     let mut previous = 0.0;
@@ -231,7 +248,7 @@ fn results(scene: &Scene, model: &Model, mut solved: Solved) -> Result<Results, 
     let mut choices = model.choices.clone();
     choices.push(Choice {
         what: "solver".into(),
-        value: solver(scene.analysis.solver).name().into(),
+        value: solver.name().into(),
         reason: "the fastest method first, one that always ends last".into(),
     });
     Ok(Results {

@@ -1,1 +1,7 @@
-fn main() {}
+//! The whole `stickslip` command, with one more friction law.
+
+use custom_law as _;
+
+fn main() -> std::process::ExitCode {
+    stickslip::cli::main()
+}

@@ -75,6 +75,8 @@ struct Iteration<'a> {
     rules: Rules,
     status: Vec<Status>,
     lines: Vec<SlipLine>,
+    /// Normal forces at which `lines` touch the law.
+    linearised_at: Vec<f64>,
     /// Iteration in which each set of statuses was met.
     seen: HashMap<Vec<Status>, usize>,
     /// Statuses of each iteration, to name the points of a cycle.
@@ -84,23 +86,32 @@ struct Iteration<'a> {
 
 impl<'a> Iteration<'a> {
     fn new(step: &'a Step<'a>, rules: Rules) -> Self {
-        let lines = (0..step.count())
-            .map(|k| slip_line(step, k, step.committed.normal_force(k).max(0.0), 0.0))
-            .collect();
-        Self::starting_at(step, rules, step.starting_status(), lines)
+        let at_rest = vec![0.0; step.count()];
+        Self::starting_at(
+            step,
+            rules,
+            step.starting_status(),
+            step.starting_forces(),
+            &at_rest,
+        )
     }
 
     fn starting_at(
         step: &'a Step<'a>,
         rules: Rules,
         status: Vec<Status>,
-        lines: Vec<SlipLine>,
+        normal: Vec<f64>,
+        slip: &[f64],
     ) -> Self {
+        let lines = (0..step.count())
+            .map(|k| slip_line(step, k, normal[k], slip[k]))
+            .collect();
         Self {
             step,
             rules,
             status,
             lines,
+            linearised_at: normal,
             seen: HashMap::new(),
             trail: Vec::new(),
             one_at_a_time: false,
@@ -203,8 +214,10 @@ impl<'a> Iteration<'a> {
         }
     }
 
-    /// Linearises the law about the new iterate; returns whether the slip tractions were already met.
+    /// Linearises the law about the new iterate; returns whether the slip tractions were already met. The force at which it
+    /// is linearised falls by steps, because a law may be infinitely steep at zero, where an early iterate often is.
     fn relinearise(&mut self, frozen: &Frozen, scales: Scales) -> bool {
+        const FALL: f64 = 0.1;
         let mut settled = true;
         for k in 0..self.status.len() {
             let (force, slip) = (frozen.forces[2 * k].max(0.0), frozen.motion[2 * k + 1]);
@@ -214,7 +227,10 @@ impl<'a> Iteration<'a> {
                 settled &=
                     (frozen.forces[2 * k + 1] + sign * bound).abs() <= ROUNDING * scales.force;
             }
-            self.lines[k] = slip_line(self.step, k, force, slip);
+            if self.status[k].touches() {
+                self.linearised_at[k] = force.max(FALL * self.linearised_at[k]);
+                self.lines[k] = slip_line(self.step, k, self.linearised_at[k], slip);
+            }
         }
         settled
     }
@@ -296,10 +312,8 @@ pub(super) fn confirm(
     work: &mut Work,
 ) -> Result<StepSolution, FailureCause> {
     const LIMIT: usize = 30;
-    let lines = (0..step.count())
-        .map(|k| slip_line(step, k, candidate.normal[k], candidate.slip[k]))
-        .collect();
-    Iteration::starting_at(step, Rules::Projection, candidate.status.clone(), lines)
+    let (status, normal) = (candidate.status.clone(), candidate.normal.clone());
+    Iteration::starting_at(step, Rules::Projection, status, normal, &candidate.slip)
         .iterate(LIMIT, name, work)
 }
 

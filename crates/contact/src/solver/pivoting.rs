@@ -95,40 +95,28 @@ struct Secants {
     slip: Vec<f64>,
     /// Points that slipped once stay on their slip traction, so that a drop of the traction ends the repetition.
     slipped: Vec<bool>,
-    /// Force where nothing better is known.
-    typical: f64,
 }
 
 impl Secants {
     fn new(step: &Step<'_>) -> Self {
         let count = step.count();
-        let stiffest = step.problem.compliance().diagonal().max();
-        let loads = if stiffest > 0.0 {
-            step.free_motion.amax() / stiffest
-        } else {
-            0.0
-        };
-        let typical = loads.max(step.mode_load.amax()).max(f64::MIN_POSITIVE);
-        let normal = (0..count).map(|k| step.committed.normal_force(k)).collect();
         Self {
-            normal,
+            normal: step.starting_forces(),
             slip: vec![0.0; count],
             slipped: vec![false; count],
-            typical,
         }
     }
 
-    /// F/λ_n of all points; where there is no force yet, that of a small one.
+    /// F/λ_n of all points; at open ones that of a small force.
     fn coefficients(&self, step: &Step<'_>) -> Vec<f64> {
         const SMALL: f64 = 1e-3;
         let largest = self
             .normal
             .iter()
-            .fold(0.0, |largest: f64, &force| largest.max(force));
-        let small = SMALL * if largest > 0.0 { largest } else { self.typical };
+            .fold(f64::MIN_POSITIVE, |largest, &force| largest.max(force));
         (0..step.count())
             .map(|k| {
-                let force = self.normal[k].max(small);
+                let force = self.normal[k].max(SMALL * largest);
                 let bound = step.bound(k, force, self.slip[k]);
                 if self.slipped[k] {
                     bound.slip / force

@@ -39,6 +39,26 @@ impl<'a> Step<'a> {
         }
     }
 
+    /// The same loads applied from `committed`, another state of the same problem: slip counts from its displacements, and
+    /// its histories are what laws remember.
+    #[must_use]
+    pub fn from_state<'b>(&self, committed: &'b ContactState) -> Step<'b>
+    where
+        'a: 'b,
+    {
+        let mut free_motion = self.free_motion.clone();
+        for k in 0..self.count() {
+            free_motion[2 * k + 1] += self.committed.tangential_displacement(k)
+                - committed.tangential_displacement(k);
+        }
+        Step {
+            problem: self.problem,
+            committed,
+            free_motion,
+            mode_load: self.mode_load.clone(),
+        }
+    }
+
     /// Number of contact points.
     pub fn count(&self) -> usize {
         self.problem.points().len()
@@ -81,6 +101,22 @@ impl<'a> Step<'a> {
             motion[2 * k + 1] += self.committed.tangential_displacement(k);
         }
         motion
+    }
+
+    /// Normal force of each point to linearise the law at first: the committed one, or one of the size that the loads make.
+    pub(crate) fn starting_forces(&self) -> Vec<f64> {
+        let compliance = self.problem.compliance().diagonal().max();
+        let blocked = if compliance > 0.0 {
+            self.free_motion.amax() / compliance
+        } else {
+            0.0
+        };
+        let loads = blocked.max(self.mode_load.amax());
+        let typical = if loads > 0.0 { loads } else { 1.0 };
+        let start = |force: f64| if force > 0.0 { force } else { typical };
+        (0..self.count())
+            .map(|k| start(self.committed.normal_force(k)))
+            .collect()
     }
 
     /// Statuses to start from: the committed ones; a point that cannot slide sticks.

@@ -218,7 +218,7 @@ impl FreeMotions {
                 holds += 1;
             }
         }
-        if holds > 0 {
+        if holds > 0 && candidates > 0 {
             let eigen = SymmetricEigen::new(gram);
             let free: Vec<usize> = (0..candidates)
                 .filter(|&k| eigen.eigenvalues[k] <= 1e-12 * f64::from(holds))

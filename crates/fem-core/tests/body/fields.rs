@@ -127,10 +127,9 @@ pub(crate) fn kolosov(young: f64, poisson: f64, state: PlaneState) -> Field {
             let (z, phi, psi) = potentials(p);
             let sum = 4.0 * (k * phi).re;
             let rest = (z.conj() * k * k * phi - k * psi) * 2.0;
-            let difference = rest.re;
             [
-                (sum - difference) / 2.0,
-                (sum + difference) / 2.0,
+                f64::midpoint(sum, -rest.re),
+                f64::midpoint(sum, rest.re),
                 rest.im / 2.0,
             ]
         }),

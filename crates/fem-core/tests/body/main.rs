@@ -4,6 +4,8 @@
 //! stiffness matrices assembled entry by entry.
 
 mod condensation;
+mod equilibrium;
+mod errors;
 mod fields;
 mod floating;
 mod manufactured;
@@ -11,6 +13,7 @@ mod meshes;
 mod norms;
 mod patch;
 mod platen;
+mod recovery;
 mod reference;
 mod supports;
 mod thermal;

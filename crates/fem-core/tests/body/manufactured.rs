@@ -3,7 +3,9 @@
 //!     ‖u − u_h‖ = O(h^{p+1}),   ‖u − u_h‖_E = O(h^p),   ‖u − u_h‖_E ≤ ‖u − I u‖_E
 //!
 //! The last line is Galerkin's optimality: no displacement with the same nodal boundary values, hence not the
-//! interpolant I u, is closer in energy. It bounds the finest error without an observed number.
+//! interpolant I u, is closer in energy. It bounds the finest error without an observed number; 1 % is left for the
+//! quadrature on curved cells. In L² the solution is optimal up to a constant only, which smooth problems on regular cells
+//! keep below 3 interpolation errors.
 //!
 //! The cells are images of equal cells under one smooth map, so they are distorted and curved inside the body but tend to
 //! parallelograms under refinement. That is what Q8 needs for its full order: on cells whose shape does not improve it is
@@ -60,7 +62,6 @@ fn study(kind: ElementKind, material: &Arc<dyn Material>, field: &Field) {
     let runs = [16, 32, 64].map(|cells| solve(swayed(kind, cells), material, field));
     let rate = |norm: fn(&Errors) -> f64| (norm(&runs[1][0]) / norm(&runs[2][0])).log2();
     let (l2, energy) = (rate(|e| e.l2), rate(|e| e.energy));
-    println!("{kind:?} {l2:.3} {energy:.3} {runs:?}");
     assert!((l2 - order - 1.0).abs() < 0.1, "{kind:?}: L² order {l2:.3}");
     assert!(
         (energy - order).abs() < 0.1,

@@ -48,7 +48,7 @@ fn rule(triangle: bool) -> Vec<(Point, f64)> {
     for (xi, w_xi) in GAUSS {
         for (eta, w_eta) in GAUSS {
             points.push(if triangle {
-                let (a, b) = ((1.0 + xi) / 2.0, (1.0 + eta) / 2.0);
+                let (a, b) = (f64::midpoint(1.0, xi), f64::midpoint(1.0, eta));
                 ([a, b * (1.0 - a)], w_xi * w_eta * (1.0 - a) / 4.0)
             } else {
                 ([xi, eta], w_xi * w_eta)

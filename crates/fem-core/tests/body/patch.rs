@@ -21,9 +21,12 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |m, v| m.max(v.abs()))
 }
 
+/// Nodes held, each in a direction, and sides with tractions.
+type Boundary = (Vec<(usize, HeldDirection)>, Vec<&'static str>);
+
 /// The ways to impose a field on a mesh: displacements all around; tractions all around and an isostatic support;
 /// displacements on one side and tractions on the rest.
-fn boundary_conditions(mesh: &Mesh) -> [(Vec<(usize, HeldDirection)>, Vec<&'static str>); 3] {
+fn boundary_conditions(mesh: &Mesh) -> [Boundary; 3] {
     let first = nearest(mesh, [-0.2, 0.0]);
     let second = nearest(mesh, [1.1, -0.2]);
     let isostatic = vec![

@@ -87,17 +87,18 @@ pub(crate) fn solve(
     held: &[(usize, f64)],
 ) -> DVector<f64> {
     let mut solution = DVector::zeros(matrix.nrows());
-    held.iter()
-        .for_each(|&(unknown, value)| solution[unknown] = value);
+    for &(unknown, value) in held {
+        solution[unknown] = value;
+    }
     let free: Vec<usize> = (0..matrix.nrows())
         .filter(|unknown| held.iter().all(|(other, _)| other != unknown))
         .collect();
     let side = forces - matrix * &solution;
     let side = DVector::from_iterator(free.len(), free.iter().map(|&k| side[k]));
     let inner = part(matrix, &free, &free).lu().solve(&side).unwrap();
-    free.iter()
-        .zip(inner.iter())
-        .for_each(|(&k, &value)| solution[k] = value);
+    for (&k, &value) in free.iter().zip(inner.iter()) {
+        solution[k] = value;
+    }
     solution
 }
 

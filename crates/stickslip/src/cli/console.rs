@@ -14,8 +14,8 @@ const UNBROKEN: usize = 10_000;
 /// Where and how the command speaks.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Console {
-    quiet: bool,
-    json: bool,
+    pub(super) quiet: bool,
+    pub(super) json: bool,
 }
 
 impl Console {

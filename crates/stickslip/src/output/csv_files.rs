@@ -13,12 +13,18 @@ pub(super) type File = (String, Vec<u8>);
 /// All CSV files, and what they hold.
 pub(super) fn files(results: &Results) -> Result<(Vec<File>, Vec<FileNote>), OutputError> {
     let mut files = vec![("steps.csv".to_owned(), steps(results)?)];
-    let mut notes = vec![FileNote::new("steps.csv", "one row per load step: loads, extents, peaks, residuals")];
+    let mut notes = vec![FileNote::new(
+        "steps.csv",
+        "one row per load step: loads, extents, peaks, residuals",
+    )];
     let mut names = FileNames::default();
     for edge in EdgeView::all(results) {
         let name = names.unique(&format!("edge-{}", edge.geometry.name));
         for step in 0..results.steps.len() {
-            files.push((format!("{}.csv", step_name(&name, step, results)), edge_table(&edge, step)?));
+            files.push((
+                format!("{}.csv", step_name(&name, step, results)),
+                edge_table(&edge, step)?,
+            ));
         }
         let pattern = format!("{name}-step-*.csv");
         let what = if edge.geometry.contact {
@@ -32,19 +38,24 @@ pub(super) fn files(results: &Results) -> Result<(Vec<File>, Vec<FileNote>), Out
 }
 
 fn write(file: &str, rows: impl IntoIterator<Item = Vec<String>>) -> Result<Vec<u8>, OutputError> {
-    let fail = |cause: csv::Error| OutputError::Csv { file: file.to_owned(), cause };
+    let fail = |cause: csv::Error| OutputError::Csv {
+        file: file.to_owned(),
+        cause,
+    };
     let mut writer = csv::Writer::from_writer(Vec::new());
     for row in rows {
         writer.write_record(&row).map_err(fail)?;
     }
-    writer.into_inner().map_err(|cause| fail(cause.into_error().into()))
+    writer
+        .into_inner()
+        .map_err(|cause| fail(cause.into_error().into()))
 }
 
 /// A number for a program: up to twelve significant digits, empty where there is none.
 fn number(value: f64) -> String {
     match tidy(value) {
         None => String::new(),
-        Some(value) if value == 0.0 => "0".into(),
+        Some(0.0) => "0".into(),
         Some(value) if (1e-4..1e12).contains(&value.abs()) => value.to_string(),
         Some(value) => format!("{value:e}"),
     }
@@ -63,7 +74,12 @@ fn edge_table(edge: &EdgeView<'_>, step: usize) -> Result<Vec<u8>, OutputError> 
         cells.extend(columns.iter().map(|(_, cell)| cell(row)));
         cells
     };
-    let rows = edge.geometry.parameter.iter().zip(&edge.step(step).rows).map(row);
+    let rows = edge
+        .geometry
+        .parameter
+        .iter()
+        .zip(&edge.step(step).rows)
+        .map(row);
     write(&edge.geometry.name, std::iter::once(header).chain(rows))
 }
 
@@ -109,29 +125,44 @@ fn status(status: Status) -> &'static str {
 type StepColumn<'a> = (String, Box<dyn Fn(usize) -> String + 'a>);
 
 fn steps(results: &Results) -> Result<Vec<u8>, OutputError> {
-    let mut columns: Vec<StepColumn<'_>> = vec![("step".into(), Box::new(|step| (step + 1).to_string()))];
+    let mut columns: Vec<StepColumn<'_>> =
+        vec![("step".into(), Box::new(|step| (step + 1).to_string()))];
     let loads = results.steps.first().map_or(&[][..], |step| &step.loads);
     for (index, load) in loads.iter().enumerate() {
         let heading = format!("load {} [{}]", load.name, load.unit);
-        let value = move |step: usize| results.steps[step].loads.get(index).map_or(f64::NAN, |load| load.value);
+        let value = move |step: usize| {
+            results.steps[step]
+                .loads
+                .get(index)
+                .map_or(f64::NAN, |load| load.value)
+        };
         columns.push((heading, Box::new(move |step| number(value(step)))));
     }
     let main = EdgeView::main(results).map(|edge| &edge.geometry.name);
     for edge in EdgeView::all(results) {
         let is_main = main.is_some_and(|main| *main == edge.geometry.name);
-        let prefix = if is_main { String::new() } else { format!("{}: ", edge.geometry.name) };
+        let prefix = if is_main {
+            String::new()
+        } else {
+            format!("{}: ", edge.geometry.name)
+        };
         columns.extend(edge_quantities(edge, &prefix));
     }
     columns.extend(work_quantities(results));
     let header = columns.iter().map(|(name, _)| name.clone()).collect();
-    let rows = (0..results.steps.len()).map(|step| columns.iter().map(|(_, cell)| cell(step)).collect());
+    let rows =
+        (0..results.steps.len()).map(|step| columns.iter().map(|(_, cell)| cell(step)).collect());
     write("steps.csv", std::iter::once(header).chain(rows))
 }
 
 fn edge_quantities<'a>(edge: EdgeView<'a>, prefix: &str) -> Vec<StepColumn<'a>> {
     let units = edge.units();
     let place_unit = edge.place_unit();
-    let names = if edge.is_circle() { ["half_angle", "angle"] } else { ["half_width", "position"] };
+    let names = if edge.is_circle() {
+        ["half_angle", "angle"]
+    } else {
+        ["half_width", "position"]
+    };
     let mut columns: Vec<StepColumn<'a>> = Vec::new();
     let mut add = |name: String, unit: &str, value: Box<dyn Fn(usize) -> Option<f64> + 'a>| {
         let cell = move |step: usize| value(step).map_or(String::new(), number);
@@ -140,27 +171,71 @@ fn edge_quantities<'a>(edge: EdgeView<'a>, prefix: &str) -> Vec<StepColumn<'a>> 
     let stress = units.stress.name;
     if edge.geometry.contact {
         let place = move |value: Option<f64>| value.map(|value| edge.place(value));
-        add(format!("contact_{}", names[0]), place_unit, Box::new(move |k| place(edge.step(k).contact_half_extent)));
-        add(format!("stick_{}", names[0]), place_unit, Box::new(move |k| place(edge.step(k).stick_half_extent)));
-        add("peak_pressure".into(), stress, Box::new(move |k| edge.step(k).peak_pressure.map(|(p, _)| edge.stress(p))));
+        add(
+            format!("contact_{}", names[0]),
+            place_unit,
+            Box::new(move |k| place(edge.step(k).contact_half_extent)),
+        );
+        add(
+            format!("stick_{}", names[0]),
+            place_unit,
+            Box::new(move |k| place(edge.stick_half_extent(k))),
+        );
+        add(
+            "peak_pressure".into(),
+            stress,
+            Box::new(move |k| edge.step(k).peak_pressure.map(|(p, _)| edge.stress(p))),
+        );
         let at = move |k: usize| place(edge.step(k).peak_pressure.map(|(_, place)| place));
-        add(format!("peak_pressure_{}", names[1]), place_unit, Box::new(at));
+        add(
+            format!("peak_pressure_{}", names[1]),
+            place_unit,
+            Box::new(at),
+        );
     }
     if edge.geometry.contact && edge.geometry.bearing_area.is_some() {
-        add("bearing_stress".into(), stress, Box::new(move |k| edge.bearing(k).map(|value| edge.stress(value))));
+        add(
+            "bearing_stress".into(),
+            stress,
+            Box::new(move |k| edge.bearing(k).map(|value| edge.stress(value))),
+        );
     }
-    add("peak_hoop".into(), stress, Box::new(move |k| edge.step(k).peak_hoop.map(|(value, _)| edge.stress(value))));
+    add(
+        "peak_hoop".into(),
+        stress,
+        Box::new(move |k| edge.step(k).peak_hoop.map(|(value, _)| edge.stress(value))),
+    );
     let at = move |k: usize| edge.step(k).peak_hoop.map(|(_, place)| edge.place(place));
     add(format!("peak_hoop_{}", names[1]), place_unit, Box::new(at));
-    let hoop = move |k: usize| edge.step(k).hoop_at_bearing_point.map(|value| edge.stress(value));
+    let hoop = move |k: usize| {
+        edge.step(k)
+            .hoop_at_bearing_point
+            .map(|value| edge.stress(value))
+    };
     add("hoop_at_bearing_point".into(), stress, Box::new(hoop));
     if edge.geometry.contact {
         let force = units.force;
         let in_force = move |value: f64| Some(force.from_base(value));
-        add("friction_force".into(), force.name, Box::new(move |k| in_force(edge.step(k).friction_force)));
-        add("normal_force".into(), force.name, Box::new(move |k| in_force(edge.step(k).normal_force)));
-        add("resultant_x".into(), force.name, Box::new(move |k| in_force(edge.step(k).resultant[0])));
-        add("resultant_y".into(), force.name, Box::new(move |k| in_force(edge.step(k).resultant[1])));
+        add(
+            "friction_force".into(),
+            force.name,
+            Box::new(move |k| in_force(edge.step(k).friction_force)),
+        );
+        add(
+            "normal_force".into(),
+            force.name,
+            Box::new(move |k| in_force(edge.step(k).normal_force)),
+        );
+        add(
+            "resultant_x".into(),
+            force.name,
+            Box::new(move |k| in_force(edge.step(k).resultant[0])),
+        );
+        add(
+            "resultant_y".into(),
+            force.name,
+            Box::new(move |k| in_force(edge.step(k).resultant[1])),
+        );
     }
     columns
 }
@@ -168,13 +243,37 @@ fn edge_quantities<'a>(edge: EdgeView<'a>, prefix: &str) -> Vec<StepColumn<'a>> 
 fn work_quantities(results: &Results) -> Vec<StepColumn<'_>> {
     let step = |index: usize| &results.steps[index];
     vec![
-        ("iterations".into(), Box::new(move |k| step(k).work.solves.to_string())),
-        ("pivots".into(), Box::new(move |k| step(k).work.pivots.to_string())),
-        ("increments".into(), Box::new(move |k| step(k).increments.to_string())),
-        ("cutbacks".into(), Box::new(move |k| step(k).cutbacks.to_string())),
-        ("points_in_doubt".into(), Box::new(move |k| step(k).doubtful.to_string())),
-        ("balance_residual".into(), Box::new(move |k| number(step(k).balance_residual))),
-        ("complementarity_residual".into(), Box::new(move |k| number(step(k).residuals.complementarity))),
-        ("cone_violation".into(), Box::new(move |k| number(step(k).residuals.cone))),
+        (
+            "iterations".into(),
+            Box::new(move |k| step(k).work.solves.to_string()),
+        ),
+        (
+            "pivots".into(),
+            Box::new(move |k| step(k).work.pivots.to_string()),
+        ),
+        (
+            "increments".into(),
+            Box::new(move |k| step(k).increments.to_string()),
+        ),
+        (
+            "cutbacks".into(),
+            Box::new(move |k| step(k).cutbacks.to_string()),
+        ),
+        (
+            "points_in_doubt".into(),
+            Box::new(move |k| step(k).doubtful.to_string()),
+        ),
+        (
+            "balance_residual".into(),
+            Box::new(move |k| number(step(k).balance_residual)),
+        ),
+        (
+            "complementarity_residual".into(),
+            Box::new(move |k| number(step(k).residuals.complementarity)),
+        ),
+        (
+            "cone_violation".into(),
+            Box::new(move |k| number(step(k).residuals.cone)),
+        ),
     ]
 }

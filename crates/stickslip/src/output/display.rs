@@ -1,5 +1,8 @@
 //! Results as a reader wants them: places in degrees or lengths, stresses and loads in the scene's units, short numbers.
 
+use stickslip_contact::Status;
+use stickslip_contact::zones::Zone;
+
 use crate::results::{EdgeGeometry, EdgeKind, EdgeResults, Results};
 use crate::scene::schema::DisplayUnits;
 
@@ -14,14 +17,22 @@ pub(super) struct EdgeView<'a> {
 impl<'a> EdgeView<'a> {
     /// All edges in their order. The results are consistent: every step has every edge.
     pub(super) fn all(results: &'a Results) -> Vec<Self> {
-        let view = |(index, geometry)| Self { geometry, results, index };
+        let view = |(index, geometry)| Self {
+            geometry,
+            results,
+            index,
+        };
         results.edges.iter().enumerate().map(view).collect()
     }
 
     /// The edge that tables show: the first contact edge, or the first edge without contact.
     pub(super) fn main(results: &'a Results) -> Option<Self> {
         let edges = Self::all(results);
-        edges.iter().find(|edge| edge.geometry.contact).or(edges.first()).copied()
+        edges
+            .iter()
+            .find(|edge| edge.geometry.contact)
+            .or(edges.first())
+            .copied()
     }
 
     pub(super) fn step(&self, step: usize) -> &'a EdgeResults {
@@ -42,12 +53,20 @@ impl<'a> EdgeView<'a> {
 
     /// A place or an extent along the edge [rad or mm], in degrees or the display unit.
     pub(super) fn place(&self, parameter: f64) -> f64 {
-        if self.is_circle() { parameter.to_degrees() } else { self.units().length.from_base(parameter) }
+        if self.is_circle() {
+            parameter.to_degrees()
+        } else {
+            self.units().length.from_base(parameter)
+        }
     }
 
     /// "deg" or the unit of lengths.
     pub(super) fn place_unit(&self) -> &'static str {
-        if self.is_circle() { "deg" } else { self.units().length.name }
+        if self.is_circle() {
+            "deg"
+        } else {
+            self.units().length.name
+        }
     }
 
     /// "θ" or "x".
@@ -63,7 +82,11 @@ impl<'a> EdgeView<'a> {
     /// "12.3°" or "1.23 mm".
     pub(super) fn extent(&self, parameter: f64) -> String {
         let value = short(self.place(parameter));
-        if self.is_circle() { format!("{value}°") } else { format!("{value} {}", self.place_unit()) }
+        if self.is_circle() {
+            format!("{value}°")
+        } else {
+            format!("{value} {}", self.place_unit())
+        }
     }
 
     /// A stress [MPa] in the display unit.
@@ -78,7 +101,38 @@ impl<'a> EdgeView<'a> {
 
     /// Names of the normal, the tangential and the shear stress.
     pub(super) fn stress_symbols(&self) -> [&'static str; 3] {
-        if self.is_circle() { ["σ_r", "σ_θ", "τ_rθ"] } else { ["σ_yy", "σ_xx", "τ_xy"] }
+        if self.is_circle() {
+            ["σ_r", "σ_θ", "τ_rθ"]
+        } else {
+            ["σ_yy", "σ_xx", "τ_xy"]
+        }
+    }
+
+    /// Half of the extent of the stick zone around the bearing point or x = 0 [rad or mm]: 0 where there is none, `None`
+    /// without contact.
+    pub(super) fn stick_half_extent(&self, step: usize) -> Option<f64> {
+        let edge = self.step(step);
+        edge.contact_half_extent?;
+        let around_middle =
+            |zone: &&Zone| zone.status == Status::Stick && zone.start <= 0.0 && zone.end >= 0.0;
+        let share = if self.geometry.half { 1.0 } else { 0.5 };
+        let middle = edge.zones.iter().find(around_middle);
+        Some(middle.map_or(0.0, |zone| share * (zone.end - zone.start)))
+    }
+
+    /// Friction over pressure, ∫q dA / ∫p dA; `None` without pressure.
+    pub(super) fn friction_ratio(&self, step: usize) -> Option<f64> {
+        let edge = self.step(step);
+        (edge.normal_force > 0.0).then(|| edge.friction_force / edge.normal_force)
+    }
+
+    /// What [`Self::friction_ratio`] is called.
+    pub(super) fn friction_symbol(&self) -> &'static str {
+        if self.is_circle() {
+            "∫q dA / ∫p dA"
+        } else {
+            "Q/N"
+        }
     }
 
     /// Total length of the zones of a kind [rad or mm]; `None` without contact.
@@ -86,13 +140,20 @@ impl<'a> EdgeView<'a> {
         let edge = self.step(step);
         edge.contact_half_extent?;
         let touching = edge.zones.iter().filter(|zone| zone.status.touches());
-        Some(touching.filter(|zone| kind(zone.status.slip_sign())).map(|zone| zone.end - zone.start).sum())
+        Some(
+            touching
+                .filter(|zone| kind(zone.status.slip_sign()))
+                .map(|zone| zone.end - zone.start)
+                .sum(),
+        )
     }
 
     /// Largest half of the contact's extent over all steps [rad or mm].
     pub(super) fn widest_contact(&self) -> Option<f64> {
         let steps = 0..self.results.steps.len();
-        steps.filter_map(|step| self.step(step).contact_half_extent).reduce(f64::max)
+        steps
+            .filter_map(|step| self.step(step).contact_half_extent)
+            .reduce(f64::max)
     }
 }
 
@@ -103,7 +164,9 @@ pub(super) fn shown_load(results: &Results) -> Option<usize> {
         let value = |step: usize| results.steps[step].loads.get(*index).map(|load| load.value);
         (1..results.steps.len()).any(|step| value(step) != value(0))
     };
-    (0..first.loads.len()).find(changes).or((!first.loads.is_empty()).then_some(0))
+    (0..first.loads.len())
+        .find(changes)
+        .or((!first.loads.is_empty()).then_some(0))
 }
 
 /// Value of the shown load in each step; the step's number where there is no load.
@@ -128,28 +191,39 @@ pub(super) fn load_label(results: &Results) -> String {
 /// The load of a step with its unit: "1240 lbf".
 pub(super) fn load_text(results: &Results, step: usize) -> String {
     let load = shown_load(results).and_then(|index| results.steps.get(step)?.loads.get(index));
-    load.map_or(format!("step {}", step + 1), |load| match load.unit.as_str() {
-        "1" => format!("factor {}", short(load.value)),
-        unit => format!("{} {unit}", short(load.value)),
+    load.map_or(format!("step {}", step + 1), |load| {
+        match load.unit.as_str() {
+            "1" => format!("factor {}", short(load.value)),
+            unit => format!("{} {unit}", short(load.value)),
+        }
     })
 }
 
 /// Whether each step's shown load is smaller in magnitude than the one before.
 pub(super) fn unloading(results: &Results) -> Vec<bool> {
     let values = load_values(results);
-    (0..values.len()).map(|k| k > 0 && values[k].abs() < values[k - 1].abs()).collect()
+    (0..values.len())
+        .map(|k| k > 0 && values[k].abs() < values[k - 1].abs())
+        .collect()
 }
 
 /// The step with the largest shown load; `None` without steps.
 pub(super) fn peak_step(results: &Results) -> Option<usize> {
     let values = load_values(results);
     // Of equal loads the first.
-    (0..values.len()).rev().max_by(|&a, &b| values[a].abs().total_cmp(&values[b].abs()))
+    (0..values.len())
+        .rev()
+        .max_by(|&a, &b| values[a].abs().total_cmp(&values[b].abs()))
 }
 
 /// "1980 lbf, step 7 of 14".
 pub(super) fn step_text(results: &Results, step: usize) -> String {
-    format!("{}, step {} of {}", load_text(results, step), step + 1, results.steps.len())
+    format!(
+        "{}, step {} of {}",
+        load_text(results, step),
+        step + 1,
+        results.steps.len()
+    )
 }
 
 /// Four significant digits, without an exponent where the number is of ordinary size.
@@ -162,8 +236,13 @@ pub(super) fn significant(value: f64, digits: usize) -> String {
     if value == 0.0 {
         return "0".into();
     }
+    if value < 0.0 {
+        return format!("−{}", significant(-value, digits));
+    }
     let scientific = format!("{value:.*e}", digits.saturating_sub(1));
-    let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
+    let exponent = scientific
+        .split_once('e')
+        .and_then(|(_, exponent)| exponent.parse::<i32>().ok());
     match exponent {
         Some(exponent @ -4..=5) => {
             let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
@@ -182,10 +261,14 @@ pub(super) fn significant(value: f64, digits: usize) -> String {
 /// A fixed number of decimals, "–" where there is no value.
 pub(super) fn decimals(value: Option<f64>, count: usize) -> String {
     match value {
-        // Rounding must not leave "-0.0".
         Some(value) if value.is_finite() => {
             let scale = 10_f64.powi(count as i32);
-            format!("{:.count$}", (value * scale).round() / scale + 0.0)
+            let rounded = (value * scale).round() / scale;
+            format!(
+                "{}{:.count$}",
+                if rounded < 0.0 { "−" } else { "" },
+                rounded.abs()
+            )
         }
         _ => "–".into(),
     }
@@ -193,7 +276,9 @@ pub(super) fn decimals(value: Option<f64>, count: usize) -> String {
 
 /// A value with at most twelve significant digits, so that a change of units leaves no tail of nines; `None` if not finite.
 pub(super) fn tidy(value: f64) -> Option<f64> {
-    value.is_finite().then(|| format!("{value:.11e}").parse().unwrap_or(value))
+    value
+        .is_finite()
+        .then(|| format!("{value:.11e}").parse().unwrap_or(value))
 }
 
 #[cfg(test)]
@@ -208,7 +293,7 @@ mod tests {
             (1240.0, "1240"),
             (123_456.0, "123456"),
             (82.061_2, "82.06"),
-            (-0.012_345, "-0.01235"),
+            (-0.012_345, "−0.01235"),
             (2e-7, "2.000e-7"),
             (1.5e9, "1.500e9"),
             (f64::NAN, "–"),
@@ -223,6 +308,7 @@ mod tests {
     #[test]
     fn rounding_leaves_no_negative_zero_and_no_tail() {
         assert_eq!(decimals(Some(-0.04), 1), "0.0");
+        assert_eq!(decimals(Some(-0.06), 1), "−0.1");
         assert_eq!(decimals(None, 1), "–");
         assert_eq!(tidy(79.999_999_999_999_99), Some(80.0));
         assert_eq!(tidy(f64::NAN), None);

@@ -44,14 +44,30 @@ pub(super) fn draw(results: &Results) -> (Vec<Drawing>, Vec<String>) {
         let name = &view.geometry.name;
         gallery.add(Group::Edge, &format!("stresses-{name}"), edge::chart(&view));
         if view.geometry.contact {
-            gallery.add(Group::Edge, &format!("pressure-{name}"), families::pressure(&view));
-            gallery.add(Group::Edge, &format!("shear-{name}"), families::shear(&view));
+            gallery.add(
+                Group::Edge,
+                &format!("pressure-{name}"),
+                families::pressure(&view),
+            );
+            gallery.add(
+                Group::Edge,
+                &format!("shear-{name}"),
+                families::shear(&view),
+            );
         }
         gallery.add(Group::Edge, &format!("hoop-{name}"), families::hoop(&view));
         if view.geometry.contact {
             gallery.add(Group::History, &format!("map-{name}"), map::chart(&view));
-            gallery.add(Group::History, &format!("extent-{name}"), history::extent_and_peak(&view));
-            gallery.add(Group::History, &format!("friction-{name}"), history::friction(&view));
+            gallery.add(
+                Group::History,
+                &format!("extent-{name}"),
+                history::extent_and_peak(&view),
+            );
+            gallery.add(
+                Group::History,
+                &format!("friction-{name}"),
+                history::friction(&view),
+            );
         }
     }
     for (stem, attempt) in fields::all(results) {
@@ -72,10 +88,17 @@ impl Gallery {
         match attempt {
             Ok(Some((picture, caption))) => {
                 let name = self.names.unique(stem);
-                self.drawings.push(Drawing { name, picture, caption, group });
+                self.drawings.push(Drawing {
+                    name,
+                    picture,
+                    caption,
+                    group,
+                });
             }
             Ok(None) => {}
-            Err(cause) => self.failures.push(format!("The figure '{stem}' could not be drawn: {cause}.")),
+            Err(cause) => self
+                .failures
+                .push(format!("The figure '{stem}' could not be drawn: {cause}.")),
         }
     }
 }
@@ -112,6 +135,7 @@ fn zone_bands(view: &EdgeView<'_>, step: usize) -> Vec<Band> {
 }
 
 /// What a half model shows, for captions.
-fn half_remark(view: &EdgeView<'_>) -> &'static str {
-    if view.geometry.half { " One half is modelled; the other is its mirror image." } else { "" }
+fn half_remark(view: &EdgeView<'_>) -> Option<String> {
+    let remark = "One half is modelled; the other is its mirror image.";
+    view.geometry.half.then(|| remark.to_owned())
 }

@@ -13,7 +13,13 @@ pub(super) struct FileNames {
 impl FileNames {
     /// `name` with everything but letters, digits, `-`, `_` and `.` replaced, and a number where it was used before.
     pub(super) fn unique(&mut self, name: &str) -> String {
-        let safe = |c: char| if c.is_ascii_alphanumeric() || "-_.".contains(c) { c } else { '_' };
+        let safe = |c: char| {
+            if c.is_ascii_alphanumeric() || "-_.".contains(c) {
+                c
+            } else {
+                '_'
+            }
+        };
         let plain: String = name.chars().map(safe).collect();
         let mut candidate = plain.clone();
         let mut count = 1;

@@ -94,7 +94,8 @@ struct Load<'a> {
 
 #[derive(Debug, Serialize)]
 struct Step<'a> {
-    step: usize,
+    #[serde(rename = "step")]
+    number: usize,
     load: Option<Quantity>,
     loads: Vec<Load<'a>>,
     unloading: bool,
@@ -169,21 +170,25 @@ struct SlipZone {
 
 /// The summary of `results`, which are consistent.
 pub(super) fn summary(results: &Results) -> Summary<'_> {
-    let DisplayUnits { length, force, stress } = results.units;
+    let DisplayUnits {
+        length,
+        force,
+        stress,
+    } = results.units;
     let mut wall_time_s = BTreeMap::new();
     for (phase, seconds) in &results.phases {
         *wall_time_s.entry(*phase).or_insert(0.0) += seconds;
     }
-    let choice = |choice: &'_ crate::results::Choice| -> Choice<'_> {
-        Choice { what: &choice.what, value: &choice.value, reason: &choice.reason }
-    };
     Summary {
         format: "stickslip-summary",
         format_version: FORMAT_VERSION,
         title: &results.title,
         source: &results.source,
         scene_hash: &results.scene_hash,
-        program: Program { name: env!("CARGO_PKG_NAME"), version: env!("CARGO_PKG_VERSION") },
+        program: Program {
+            name: env!("CARGO_PKG_NAME"),
+            version: env!("CARGO_PKG_VERSION"),
+        },
         units: Units {
             length: length.name,
             force: force.name,
@@ -199,12 +204,30 @@ pub(super) fn summary(results: &Results) -> Summary<'_> {
         wall_time_s,
         edge: EdgeView::main(results).map(|edge| edge.geometry.name.as_str()),
         edges: EdgeView::all(results).iter().map(edge).collect(),
-        steps: (0..results.steps.len()).map(|step| step_entry(results, step)).collect(),
+        steps: (0..results.steps.len())
+            .map(|step| step_entry(results, step))
+            .collect(),
     }
 }
 
 fn energy_unit(units: DisplayUnits) -> String {
     format!("{} {}", units.force.name, units.length.name)
+}
+
+fn choice(choice: &crate::results::Choice) -> Choice<'_> {
+    Choice {
+        what: &choice.what,
+        value: &choice.value,
+        reason: &choice.reason,
+    }
+}
+
+fn named_load(load: &LoadValue) -> Load<'_> {
+    Load {
+        name: &load.name,
+        value: tidy(load.value),
+        unit: &load.unit,
+    }
 }
 
 fn body(body: &crate::results::BodySummary) -> Body<'_> {
@@ -241,17 +264,20 @@ fn step_entry(results: &Results, index: usize) -> Step<'_> {
     let step = &results.steps[index];
     let further = EdgeView::all(results);
     let units = results.units;
-    let load = |load: &LoadValue| Quantity { value: tidy(load.value), unit: load.unit.clone() };
-    let named = |load: &'_ LoadValue| -> Load<'_> {
-        Load { name: &load.name, value: tidy(load.value), unit: &load.unit }
+    let load = |load: &LoadValue| Quantity {
+        value: tidy(load.value),
+        unit: load.unit.clone(),
     };
     Step {
-        step: index + 1,
+        number: index + 1,
         load: step.loads.first().map(load),
-        loads: step.loads.iter().map(named).collect(),
+        loads: step.loads.iter().map(named_load).collect(),
         unloading: step.unloading,
         edge: EdgeView::main(results).map(|edge| edge_step(&edge, index)),
-        edges: further.iter().map(|edge| (edge.geometry.name.as_str(), edge_step(edge, index))).collect(),
+        edges: further
+            .iter()
+            .map(|edge| (edge.geometry.name.as_str(), edge_step(edge, index)))
+            .collect(),
         iterations: step.work.solves,
         pivots: step.work.pivots,
         solvers: &step.solvers,
@@ -262,7 +288,11 @@ fn step_entry(results: &Results, index: usize) -> Step<'_> {
         complementarity_residual: tidy(step.residuals.complementarity),
         cone_violation: tidy(step.residuals.cone),
         dissipation: Quantity {
-            value: tidy(units.length.from_base(units.force.from_base(step.dissipation))),
+            value: tidy(
+                units
+                    .length
+                    .from_base(units.force.from_base(step.dissipation)),
+            ),
             unit: energy_unit(units),
         },
         wall_time_s: step.seconds,
@@ -282,7 +312,11 @@ fn edge_step(view: &EdgeView<'_>, step: usize) -> EdgeStep {
     };
     let in_contact = |value: f64| view.geometry.contact.then_some(value);
     EdgeStep {
-        places: if view.is_circle() { on_circle(view, step) } else { on_line(view, step) },
+        places: if view.is_circle() {
+            on_circle(view, step)
+        } else {
+            on_line(view, step)
+        },
         peak_pressure: edge.peak_pressure.map(|(value, _)| stress(value)),
         peak_hoop: edge.peak_hoop.map(|(value, _)| stress(value)),
         hoop_at_bearing_point: edge.hoop_at_bearing_point.map(stress),
@@ -303,13 +337,15 @@ fn on_circle(view: &EdgeView<'_>, step: usize) -> Places {
     let over_bearing = |stress: f64| bearing.and_then(|bearing| tidy(stress / bearing));
     Places::Circle {
         contact_half_angle_deg: edge.contact_half_extent.and_then(degrees),
-        stick_half_angle_deg: edge.stick_half_extent.and_then(degrees),
+        stick_half_angle_deg: view.stick_half_extent(step).and_then(degrees),
         slip_zones_deg: slip_zones(view, step),
         bearing_stress: bearing.map(|bearing| Quantity {
             value: tidy(view.stress(bearing)),
             unit: view.units().stress.name.to_owned(),
         }),
-        peak_pressure_over_bearing: edge.peak_pressure.and_then(|(value, _)| over_bearing(value)),
+        peak_pressure_over_bearing: edge
+            .peak_pressure
+            .and_then(|(value, _)| over_bearing(value)),
         peak_pressure_angle_deg: edge.peak_pressure.and_then(|(_, place)| degrees(place)),
         peak_hoop_over_bearing: edge.peak_hoop.and_then(|(value, _)| over_bearing(value)),
         peak_hoop_angle_deg: edge.peak_hoop.and_then(|(_, place)| degrees(place)),
@@ -322,7 +358,7 @@ fn on_line(view: &EdgeView<'_>, step: usize) -> Places {
     let length = |value: f64| length(view, value);
     Places::Line {
         contact_half_width: edge.contact_half_extent.map(length),
-        stick_half_width: edge.stick_half_extent.map(length),
+        stick_half_width: view.stick_half_extent(step).map(length),
         slip_zones: slip_zones(view, step),
         peak_pressure_position: edge.peak_pressure.map(|(_, place)| length(place)),
         peak_hoop_position: edge.peak_hoop.map(|(_, place)| length(place)),
@@ -331,7 +367,10 @@ fn on_line(view: &EdgeView<'_>, step: usize) -> Places {
 
 fn length(view: &EdgeView<'_>, value: f64) -> Quantity {
     let unit = view.units().length;
-    Quantity { value: tidy(unit.from_base(value)), unit: unit.name.to_owned() }
+    Quantity {
+        value: tidy(unit.from_base(value)),
+        unit: unit.name.to_owned(),
+    }
 }
 
 fn slip_zones(view: &EdgeView<'_>, step: usize) -> Vec<SlipZone> {

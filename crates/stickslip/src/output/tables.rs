@@ -45,11 +45,11 @@ pub(super) fn contact_table(edge: &EdgeView<'_>, detail: Detail) -> Table {
     columns.extend(extent_columns(edge));
     columns.extend(peak_columns(edge, detail));
     columns.extend(work_columns(edge, detail));
-    let mut table = assembled(edge.results(), columns);
-    if edge.geometry.half && !edge.is_circle() {
-        table.notes.push("One half is modelled; extents of slip are those of the half.".into());
-    } else if edge.geometry.half {
-        table.notes.push("One half is modelled, θ ≥ 0; extents of slip are those of the half.".into());
+    let mut table = assembled(edge.results(), &columns);
+    if edge.geometry.half {
+        table.notes.push(
+            "One half is modelled: slip is the length of the slipping zones in that half.".into(),
+        );
     }
     table
 }
@@ -59,13 +59,16 @@ pub(super) fn stress_table(edge: &EdgeView<'_>) -> Table {
     let edge = *edge;
     let mut columns = load_columns(edge.results());
     columns.extend(hoop_columns(edge));
-    let mut table = assembled(edge.results(), columns);
+    let mut table = assembled(edge.results(), &columns);
     table.caption = format!("Edge '{}'", edge.geometry.name);
     table
 }
 
-fn assembled(results: &Results, columns: Vec<StepColumn<'_>>) -> Table {
-    let heading = columns.iter().map(|(name, unit, _)| Column::new(name, *unit)).collect();
+fn assembled(results: &Results, columns: &[StepColumn<'_>]) -> Table {
+    let heading = columns
+        .iter()
+        .map(|(name, unit, _)| Column::new(name, *unit))
+        .collect();
     let mut table = Table::new("", heading);
     for step in 0..results.steps.len() {
         table.push(columns.iter().map(|(_, _, cell)| cell(step)));
@@ -86,8 +89,14 @@ fn load_columns(results: &Results) -> Vec<StepColumn<'_>> {
     let values = load_values(results);
     let mut columns = vec![column("step", "", |step| (step + 1).to_string())];
     if let Some(load) = load {
-        let unit = if load.unit == "1" { "" } else { load.unit.as_str() };
-        columns.push(column("load", unit, move |step| significant(values[step], 5)));
+        let unit = if load.unit == "1" {
+            ""
+        } else {
+            load.unit.as_str()
+        };
+        columns.push(column("load", unit, move |step| {
+            significant(values[step], 5)
+        }));
     }
     columns
 }
@@ -95,13 +104,21 @@ fn load_columns(results: &Results) -> Vec<StepColumn<'_>> {
 fn extent_columns(edge: EdgeView<'_>) -> Vec<StepColumn<'_>> {
     let digits = move |value: Option<f64>| {
         let shown = value.map(|value| edge.place(value));
-        if edge.is_circle() { decimals(shown, 1) } else { shown.map_or("–".into(), short) }
+        if edge.is_circle() {
+            decimals(shown, 1)
+        } else {
+            shown.map_or("–".into(), short)
+        }
     };
     let zone = move |kind: fn(f64) -> bool| move |step| digits(edge.zone_extent(step, kind));
     let unit = edge.place_unit();
     vec![
-        column("contact ±", unit, move |step| digits(edge.step(step).contact_half_extent)),
-        column("stick ±", unit, move |step| digits(edge.step(step).stick_half_extent)),
+        column("contact ±", unit, move |step| {
+            digits(edge.step(step).contact_half_extent)
+        }),
+        column("stick ±", unit, move |step| {
+            digits(edge.stick_half_extent(step))
+        }),
         column("slip+", unit, zone(|sign| sign > 0.0)),
         column("slip−", unit, zone(|sign| sign < 0.0)),
     ]
@@ -111,21 +128,36 @@ fn peak_columns(edge: EdgeView<'_>, detail: Detail) -> Vec<StepColumn<'_>> {
     let stress = edge.units().stress.name;
     let pressure = move |step: usize| edge.step(step).peak_pressure;
     let mut columns = vec![column("max p", stress, move |step| {
-        pressure(step).map_or("–".into(), |(value, _)| significant(edge.stress(value), 5))
+        pressure(step).map_or("–".into(), |(value, _)| {
+            significant(edge.stress(value), 5)
+        })
     })];
     if detail == Detail::Full && edge.geometry.bearing_area.is_some() {
         columns.push(column("max p/σ_b", "–", move |step| {
             let bearing = edge.bearing(step);
-            decimals(pressure(step).zip(bearing).map(|((value, _), bearing)| value / bearing), 3)
+            decimals(
+                pressure(step)
+                    .zip(bearing)
+                    .map(|((value, _), bearing)| value / bearing),
+                3,
+            )
         }));
     }
     columns.push(place_column(edge, pressure));
     columns.extend(hoop_columns(edge));
     if detail == Detail::Full && edge.geometry.bearing_area.is_some() {
-        columns.push(column(format!("max {}/σ_b", edge.stress_symbols()[1]), "–", move |step| {
-            let hoop = edge.step(step).peak_hoop;
-            decimals(hoop.zip(edge.bearing(step)).map(|((value, _), bearing)| value / bearing), 3)
-        }));
+        columns.push(column(
+            format!("max {}/σ_b", edge.stress_symbols()[1]),
+            "–",
+            move |step| {
+                let hoop = edge.step(step).peak_hoop;
+                decimals(
+                    hoop.zip(edge.bearing(step))
+                        .map(|((value, _), bearing)| value / bearing),
+                    3,
+                )
+            },
+        ));
     }
     columns
 }
@@ -134,7 +166,9 @@ fn hoop_columns(edge: EdgeView<'_>) -> Vec<StepColumn<'_>> {
     let hoop = move |step: usize| edge.step(step).peak_hoop;
     let name = format!("max {}", edge.stress_symbols()[1]);
     let value = column(name, edge.units().stress.name, move |step| {
-        hoop(step).map_or("–".into(), |(value, _)| significant(edge.stress(value), 5))
+        hoop(step).map_or("–".into(), |(value, _)| {
+            significant(edge.stress(value), 5)
+        })
     });
     vec![value, place_column(edge, hoop)]
 }
@@ -143,33 +177,51 @@ fn place_column<'a>(
     edge: EdgeView<'a>,
     peak: impl Fn(usize) -> Option<(f64, f64)> + 'a,
 ) -> StepColumn<'a> {
-    column(format!("at {}", edge.place_symbol()), edge.place_unit(), move |step| {
-        let place = peak(step).map(|(_, place)| edge.place(place));
-        if edge.is_circle() { decimals(place, 1) } else { place.map_or("–".into(), short) }
-    })
+    column(
+        format!("at {}", edge.place_symbol()),
+        edge.place_unit(),
+        move |step| {
+            let place = peak(step).map(|(_, place)| edge.place(place));
+            if edge.is_circle() {
+                decimals(place, 1)
+            } else {
+                place.map_or("–".into(), short)
+            }
+        },
+    )
 }
 
 fn work_columns(edge: EdgeView<'_>, detail: Detail) -> Vec<StepColumn<'_>> {
     let record = move |step: usize| &edge.results().steps[step];
-    let mut columns = vec![column("solves", "", move |step| record(step).work.solves.to_string())];
+    let mut columns = vec![column("solves", "", move |step| {
+        record(step).work.solves.to_string()
+    })];
     if detail == Detail::Full {
-        columns.push(column("pivots", "", move |step| record(step).work.pivots.to_string()));
-        columns.push(column("increments", "", move |step| record(step).increments.to_string()));
-        columns.push(column("∫|τ|/∫p", "–", move |step| {
-            let step = edge.step(step);
-            decimals((step.normal_force > 0.0).then(|| step.friction_force / step.normal_force), 4)
+        columns.push(column("pivots", "", move |step| {
+            record(step).work.pivots.to_string()
         }));
+        columns.push(column("increments", "", move |step| {
+            record(step).increments.to_string()
+        }));
+        let ratio = move |step| decimals(edge.friction_ratio(step), 4);
+        columns.push(column(edge.friction_symbol(), "–", ratio));
     }
-    columns.push(column("balance", "–", move |step| format!("{:.1e}", record(step).balance_residual)));
-    columns.push(column("time", "ms", move |step| decimals(Some(1e3 * record(step).seconds), 1)));
+    columns.push(column("balance", "–", move |step| {
+        format!("{:.1e}", record(step).balance_residual)
+    }));
+    columns.push(column("time", "ms", move |step| {
+        decimals(Some(1e3 * record(step).seconds), 1)
+    }));
     columns
 }
 
 /// What each quantity's sign means, and what other programs do.
 pub(super) fn signs() -> Table {
     let columns = ["quantity", "meaning and sign", "elsewhere"];
-    let mut table =
-        Table::new("Signs", columns.iter().map(|name| Column::new(*name, "")).collect());
+    let mut table = Table::new(
+        "Signs",
+        columns.iter().map(|name| Column::new(*name, "")).collect(),
+    );
     for row in SIGNS {
         table.push(row);
     }
@@ -177,17 +229,60 @@ pub(super) fn signs() -> Table {
 }
 
 /// Quantity, its sign here, and where other programs or texts differ.
-const SIGNS: [[&str; 3]; 11] = [
-    ["x, θ", "x is the load axis; θ = 0 is the bearing point, counter-clockwise positive", "many reports count θ from the net section"],
+const SIGNS: [[&str; 3]; 12] = [
+    [
+        "x, θ",
+        "x is the load axis; θ = 0 is the bearing point, counter-clockwise positive",
+        "some reports count θ from the net section",
+    ],
     ["σ_r, σ_θ, σ_xx, …", "tension positive", "–"],
-    ["τ_rθ, τ_xy", "positive on a positive face in the positive direction", "–"],
-    ["e_n, e_t", "e_n points from the second body into the first (pin into plate: e_r), e_t is e_n turned by +90° (e_θ)", "Abaqus: directions of the contact surfaces"],
-    ["CPRESS", "contact pressure, compression positive, never negative; CPRESS = −σ_r (line: −σ_yy)", "Abaqus, Ansys (PRES): same"],
-    ["CSHEAR1", "friction traction on the first body along e_t; CSHEAR1 = −τ_rθ of the hole's edge (line: −τ_xy)", "Abaqus: along its local 1-direction; check which body"],
-    ["COPEN", "gap, open positive, 0 in contact", "Abaqus: same; Ansys (GAP): open is negative"],
-    ["CSLIP1", "accumulated motion of the first body against the second along e_t", "Abaqus: along its local 1-direction; check which body"],
-    ["CSTATUS", "open, stick, slip+ (first body slips along +e_t, CSHEAR1 < 0), slip− (along −e_t, CSHEAR1 > 0)", "Abaqus: open, sticking, slipping without direction"],
-    ["resultant", "force of the contact on the first body", "reactions of the second body have the opposite sign"],
+    [
+        "τ_rθ, τ_xy",
+        "positive on a positive face in the positive direction",
+        "–",
+    ],
+    [
+        "e_n, e_t",
+        "e_n points from the second body into the first, e_t is e_n turned by +90°; \
+         pin in a hole: e_r and e_θ; cylinder on a block: +y and −x",
+        "Abaqus: local directions of the contact surface",
+    ],
+    [
+        "CPRESS",
+        "contact pressure, compression positive, never negative; −σ_r of the hole's edge, −σ_yy of a line",
+        "Abaqus, Ansys (PRES): same",
+    ],
+    [
+        "CSHEAR1",
+        "friction traction on the first body along e_t; −τ_rθ of the hole's edge, +τ_xy of a line",
+        "Abaqus: along its local 1-direction; check which body",
+    ],
+    [
+        "COPEN",
+        "gap, open positive, 0 in contact",
+        "Abaqus: same; Ansys (GAP): open is negative",
+    ],
+    [
+        "CSLIP1",
+        "accumulated motion of the first body against the second along e_t",
+        "Abaqus: along its local 1-direction; check which body",
+    ],
+    [
+        "CSTATUS",
+        "open, stick, slip+ (first body slips along +e_t, CSHEAR1 < 0), slip- (along −e_t, CSHEAR1 > 0)",
+        "Abaqus: sticking or slipping, without direction",
+    ],
+    [
+        "resultant",
+        "force of the contact on the first body",
+        "reactions of the second body are opposite",
+    ],
+    [
+        "q, Q",
+        "hole: friction that holds the first body back from sliding away from the bearing point, negative \
+         where unloading has turned it round; line: Q is the tangential force on the first body along +x",
+        "–",
+    ],
     ["σ_b", "bearing stress |resultant| / (D t) of the step", "–"],
 ];
 
@@ -195,7 +290,10 @@ const SIGNS: [[&str; 3]; 11] = [
 pub(super) fn choices(results: &Results) -> Table {
     let mut table = Table::new(
         "Choices of the program; each can be set in the scene",
-        ["what", "choice", "reason"].iter().map(|name| Column::new(*name, "")).collect(),
+        ["what", "choice", "reason"]
+            .iter()
+            .map(|name| Column::new(*name, ""))
+            .collect(),
     );
     for choice in &results.choices {
         table.push([&choice.what, &choice.value, &choice.reason]);
@@ -205,11 +303,19 @@ pub(super) fn choices(results: &Results) -> Table {
 
 /// Size of each body's model.
 pub(super) fn bodies(results: &Results) -> Table {
-    let names = ["body", "nodes", "elements", "unknowns", "factor entries", "free motions"];
+    let names = [
+        "body",
+        "nodes",
+        "elements",
+        "unknowns",
+        "factor entries",
+        "free motions",
+    ];
     let columns = names.iter().map(|name| Column::new(*name, "")).collect();
     let mut table = Table::new("Models of the bodies", columns);
     for body in &results.bodies {
-        let size = |count: Option<usize>| count.map_or("rigid".to_owned(), |count| count.to_string());
+        let size =
+            |count: Option<usize>| count.map_or("rigid".to_owned(), |count| count.to_string());
         let mesh = body.mesh.as_ref();
         table.push([
             body.name.clone(),

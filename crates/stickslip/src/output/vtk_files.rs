@@ -16,7 +16,11 @@ use crate::results::{BodyFields, EdgeKind, Results};
 /// All VTU files and their collection; nothing if no step has fields.
 pub(super) fn files(results: &Results) -> Result<(Vec<File>, Vec<FileNote>), OutputError> {
     let mut names = FileNames::default();
-    let stems: Vec<String> = results.bodies.iter().map(|body| names.unique(&body.name)).collect();
+    let stems: Vec<String> = results
+        .bodies
+        .iter()
+        .map(|body| names.unique(&body.name))
+        .collect();
     let mut meshes: Vec<Option<Mesh>> = vec![None; results.bodies.len()];
     let mut files = Vec::new();
     let mut entries = Vec::new();
@@ -26,14 +30,26 @@ pub(super) fn files(results: &Results) -> Result<(Vec<File>, Vec<FileNote>), Out
             let Some(mesh) = &body.mesh else { continue };
             if meshes[fields.body].is_none() {
                 let scaled = in_display_units(mesh, results);
-                meshes[fields.body] =
-                    Some(scaled.map_err(|cause| OutputError::Mesh { body: body.name.clone(), cause })?);
+                meshes[fields.body] = Some(scaled.map_err(|cause| OutputError::Mesh {
+                    body: body.name.clone(),
+                    cause,
+                })?);
             }
-            let Some(shown) = &meshes[fields.body] else { continue };
-            let file = format!("fields/{}.vtu", step_name(&stems[fields.body], index, results));
-            let bytes = grid(results, mesh, shown, fields)
-                .map_err(|cause| OutputError::Vtk { file: file.clone(), cause })?;
-            entries.push(PvdEntry { time: (index + 1) as f64, file: file.clone() });
+            let Some(shown) = &meshes[fields.body] else {
+                continue;
+            };
+            let file = format!(
+                "fields/{}.vtu",
+                step_name(&stems[fields.body], index, results)
+            );
+            let bytes = grid(results, mesh, shown, fields).map_err(|cause| OutputError::Vtk {
+                file: file.clone(),
+                cause,
+            })?;
+            entries.push(PvdEntry {
+                time: (index + 1) as f64,
+                file: file.clone(),
+            });
             files.push((file, bytes));
         }
     }
@@ -41,11 +57,16 @@ pub(super) fn files(results: &Results) -> Result<(Vec<File>, Vec<FileNote>), Out
         return Ok((files, Vec::new()));
     }
     let mut collection = Vec::new();
-    write_pvd(&entries, &mut collection)
-        .map_err(|cause| OutputError::Vtk { file: "results.pvd".into(), cause })?;
+    write_pvd(&entries, &mut collection).map_err(|cause| OutputError::Vtk {
+        file: "results.pvd".into(),
+        cause,
+    })?;
     files.push(("results.pvd".into(), collection));
     let note = "displacements and stresses of every body for ParaView; time is the number of the load step";
-    Ok((files, vec![FileNote::new("results.pvd, fields/*.vtu", note)]))
+    Ok((
+        files,
+        vec![FileNote::new("results.pvd, fields/*.vtu", note)],
+    ))
 }
 
 /// The mesh with its coordinates in the display unit.
@@ -73,15 +94,25 @@ fn grid(
         .flat_map(|u| [u[0], u[1], 0.0].map(|u| units.length.from_base(u)))
         .collect();
     let stress = units.stress.name;
-    let mut data: Vec<(Cow<'_, str>, usize, Vec<f64>)> =
-        vec![(format!("displacement [{}]", units.length.name).into(), 3, displacement)];
+    let mut data: Vec<(Cow<'_, str>, usize, Vec<f64>)> = vec![(
+        format!("displacement [{}]", units.length.name).into(),
+        3,
+        displacement,
+    )];
     for (name, values) in stresses(results, mesh, fields) {
-        let values = values.into_iter().map(|value| units.stress.from_base(value)).collect();
+        let values = values
+            .into_iter()
+            .map(|value| units.stress.from_base(value))
+            .collect();
         data.push((format!("{name} [{stress}]").into(), 1, values));
     }
     let fields: Vec<Field<'_>> = data
         .iter()
-        .map(|(name, components, values)| Field { name, components: *components, values })
+        .map(|(name, components, values)| Field {
+            name,
+            components: *components,
+            values,
+        })
         .collect();
     let mut bytes = Vec::new();
     write_vtu(shown, &fields, &[], &mut bytes)?;
@@ -90,12 +121,25 @@ fn grid(
 
 /// Nodal stresses by name [MPa]: Cartesian, polar if an edge is a circle, and the plane von Mises stress.
 fn stresses(results: &Results, mesh: &Mesh, fields: &BodyFields) -> Vec<(&'static str, Vec<f64>)> {
-    let component = |k: usize| fields.stress.iter().map(|stress| stress[k]).collect::<Vec<f64>>();
+    let component = |k: usize| {
+        fields
+            .stress
+            .iter()
+            .map(|stress| stress[k])
+            .collect::<Vec<f64>>()
+    };
     let mut named = vec![
         ("stress_xx", component(0)),
         ("stress_yy", component(1)),
         ("stress_xy", component(2)),
-        ("von_mises_plane", fields.stress.iter().map(|&stress| von_mises(stress)).collect()),
+        (
+            "von_mises_plane",
+            fields
+                .stress
+                .iter()
+                .map(|&stress| von_mises(stress))
+                .collect(),
+        ),
     ];
     if let Some(centre) = polar_centre(results) {
         let turned = polar_stresses(mesh, fields, centre);
@@ -110,7 +154,11 @@ fn stresses(results: &Results, mesh: &Mesh, fields: &BodyFields) -> Vec<(&'stati
 /// (σ_r, σ_θ, τ_rθ) about `centre` at every node [MPa].
 pub(super) fn polar_stresses(mesh: &Mesh, fields: &BodyFields, centre: Point) -> Vec<[f64; 3]> {
     let angle = |node: &Point| (node[1] - centre[1]).atan2(node[0] - centre[0]);
-    mesh.nodes().iter().zip(&fields.stress).map(|(node, &stress)| polar(stress, angle(node))).collect()
+    mesh.nodes()
+        .iter()
+        .zip(&fields.stress)
+        .map(|(node, &stress)| polar(stress, angle(node)))
+        .collect()
 }
 
 /// Centre of the first circular edge [mm].

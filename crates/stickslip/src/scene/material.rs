@@ -9,20 +9,20 @@ use stickslip_fem_core::material::{
 pub enum Material {
     /// The same in all directions.
     Isotropic {
-        /// Young's modulus [MPa].
+        /// Young's modulus `[MPa]`.
         young: f64,
         /// Poisson's ratio.
         poisson: f64,
-        /// Coefficient of thermal expansion [1/K].
+        /// Coefficient of thermal expansion `[1/K]`.
         expansion: f64,
     },
     /// Three planes of symmetry.
     Orthotropic {
-        /// In-plane constants [MPa].
+        /// In-plane constants `[MPa]`.
         constants: OrthotropicConstants,
-        /// Direction of the 1-axis [rad].
+        /// Direction of the 1-axis `[rad]`.
         angle: f64,
-        /// Coefficients of thermal expansion along 1 and 2 [1/K].
+        /// Coefficients of thermal expansion along 1 and 2 `[1/K]`.
         expansion: [f64; 2],
         /// What plane strain needs beside.
         out_of_plane: Option<OutOfPlane>,
@@ -72,7 +72,7 @@ impl Material {
         }
     }
 
-    /// Direction of the 1-axis from +x [rad]; 0 for isotropic materials.
+    /// Direction of the 1-axis from +x `[rad]`; 0 for isotropic materials.
     pub fn angle(&self) -> f64 {
         match self {
             Self::Isotropic { .. } => 0.0,

@@ -3,7 +3,8 @@
 //! Base units throughout: mm, N, MPa, rad, K. Angles are counter-clockwise from +x, the load axis; names of bodies, materials and
 //! sets refer to things that exist.
 
-use std::collections::BTreeMap;
+mod shape;
+
 use std::fmt;
 use std::path::PathBuf;
 
@@ -14,6 +15,7 @@ use stickslip_friction::FrictionLaw;
 
 pub use super::material::{Material, OutOfPlane};
 use crate::units::Unit;
+pub use shape::{Outline, Shape};
 
 /// Units that results are shown in.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -93,130 +95,11 @@ pub enum Substance {
     Elastic {
         /// Name of the material, defined in [`Scene::materials`](super::Scene::materials).
         material: String,
-        /// Thickness [mm].
+        /// Thickness `[mm]`.
         thickness: f64,
     },
     /// Nothing in it deforms.
     Rigid,
-}
-
-/// A shape and its place. The centre of a hole or disk is the origin.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Shape {
-    /// A plate around a circular hole.
-    PlateWithHole {
-        /// Radius of the hole [mm].
-        hole_radius: f64,
-        /// Outer edge.
-        outline: Outline,
-    },
-    /// A disk.
-    Disk {
-        /// Radius [mm].
-        radius: f64,
-    },
-    /// x in [−width/2, width/2], y in [−height, 0].
-    Rectangle {
-        /// [mm]
-        width: f64,
-        /// [mm]
-        height: f64,
-    },
-    /// x in [−half_length, half_length], y in [−depth, 0]; stands for the half-plane y ≤ 0.
-    Block {
-        /// [mm]
-        half_length: f64,
-        /// [mm]
-        depth: f64,
-    },
-    /// Above an arc that touches the origin from above, y = R − √(R² − x²), up to y = depth, for |x| ≤ half_length.
-    Cylinder {
-        /// Radius R of the arc [mm].
-        radius: f64,
-        /// [mm], less than the radius.
-        half_length: f64,
-        /// [mm], above the ends of the arc.
-        depth: f64,
-    },
-}
-
-/// Outer edge of a plate with a hole.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Outline {
-    /// x in [−left, right], |y| ≤ half_width.
-    Strip {
-        /// [mm]
-        half_width: f64,
-        /// [mm]
-        left: f64,
-        /// [mm]
-        right: f64,
-    },
-    /// A circle around the hole.
-    Ring {
-        /// [mm]
-        radius: f64,
-    },
-}
-
-impl Shape {
-    /// Name in scenes.
-    pub const fn name(&self) -> &'static str {
-        match self {
-            Self::PlateWithHole { .. } => "plate_with_hole",
-            Self::Disk { .. } => "disk",
-            Self::Rectangle { .. } => "rectangle",
-            Self::Block { .. } => "block",
-            Self::Cylinder { .. } => "cylinder",
-        }
-    }
-
-    /// Its edges, by name.
-    pub const fn edges(&self) -> &'static [&'static str] {
-        match self {
-            Self::PlateWithHole {
-                outline: Outline::Strip { .. },
-                ..
-            } => &["hole", "left", "right", "top", "bottom"],
-            Self::PlateWithHole {
-                outline: Outline::Ring { .. },
-                ..
-            } => &["hole", "outer"],
-            Self::Disk { .. } => &["rim"],
-            Self::Rectangle { .. } => &["left", "right", "bottom", "top"],
-            Self::Block { .. } => &["contact", "bottom", "left", "right"],
-            Self::Cylinder { .. } => &["contact", "top"],
-        }
-    }
-
-    /// Its named points that are no edges.
-    pub const fn points(&self) -> &'static [&'static str] {
-        match self {
-            Self::Disk { .. } => &["centre"],
-            _ => &[],
-        }
-    }
-
-    /// Whether its mesh is divided by angles, not by lengths.
-    pub const fn is_round(&self) -> bool {
-        matches!(self, Self::PlateWithHole { .. } | Self::Disk { .. })
-    }
-
-    /// Radius [mm] of a circular edge around the origin.
-    pub fn circle(&self, edge: &str) -> Option<f64> {
-        match (self, edge) {
-            (Self::PlateWithHole { hole_radius, .. }, "hole") => Some(*hole_radius),
-            (
-                Self::PlateWithHole {
-                    outline: Outline::Ring { radius },
-                    ..
-                },
-                "outer",
-            )
-            | (Self::Disk { radius }, "rim") => Some(*radius),
-            _ => None,
-        }
-    }
 }
 
 /// A set of a body, written `body.set`.
@@ -248,11 +131,11 @@ pub struct MeshSettings {
 /// Where the corner nodes of a contact edge lie.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Division {
-    /// At these angles [rad], strictly increasing from 0 to at most 2π.
+    /// At these angles `[rad]`, strictly increasing from 0 to at most 2π.
     AngleList(Vec<f64>),
-    /// By angles [rad] from the bearing point θ = 0.
+    /// By angles `[rad]` from the bearing point θ = 0.
     Angular(Grading),
-    /// By lengths [mm] from the point of first contact.
+    /// By lengths `[mm]` from the point of first contact.
     Linear(Grading),
 }
 
@@ -323,7 +206,7 @@ pub struct Support {
     pub on: SetRef,
     /// In which directions.
     pub hold: Hold,
-    /// Displacement in each of them [mm].
+    /// Displacement in each of them `[mm]`.
     pub displacement: f64,
 }
 
@@ -332,7 +215,7 @@ pub struct Support {
 pub enum Hold {
     /// Along axes, at least one.
     Axes(Axes),
-    /// Along the direction at this angle [rad] from +x.
+    /// Along the direction at this angle `[rad]` from +x.
     Direction(f64),
 }
 
@@ -363,14 +246,14 @@ pub enum LoadKind {
         on: SetRef,
         /// Unit vector.
         direction: [f64; 2],
-        /// Magnitudes [N].
+        /// Magnitudes `[N]`.
         steps: Vec<f64>,
     },
     /// A pressure on an edge; positive pushes on the body, negative pulls.
     Pressure {
         /// The edge.
         on: SetRef,
-        /// [MPa]
+        /// `[MPa]`
         steps: Vec<f64>,
     },
     /// Stresses on a circular edge, from a table.
@@ -386,7 +269,7 @@ pub enum LoadKind {
     Temperature {
         /// The body.
         body: String,
-        /// [K]
+        /// `[K]`
         steps: Vec<f64>,
     },
 }
@@ -408,11 +291,11 @@ impl LoadKind {
 pub struct PolarTable {
     /// The file that it was read from.
     pub file: PathBuf,
-    /// Angles [rad], strictly increasing.
+    /// Angles `[rad]`, strictly increasing.
     pub theta: Vec<f64>,
-    /// σ_r [MPa].
+    /// σ_r `[MPa]`.
     pub radial: Vec<f64>,
-    /// τ_rθ [MPa].
+    /// τ_rθ `[MPa]`.
     pub shear: Vec<f64>,
 }
 
@@ -436,6 +319,3 @@ pub enum FieldOutput {
     /// Each.
     All,
 }
-
-/// Named things in the order of their names.
-pub type Named<T> = BTreeMap<String, T>;

@@ -9,52 +9,80 @@ use crate::results::EdgeRow;
 
 /// Part of a contact line that is shown, in half-widths of the widest contact.
 const CONTACT_WIDTHS: f64 = 2.5;
+/// Rounding of an angle, in tick spacings.
+const ROUNDING: f64 = 1e-6;
 
 /// σ_r, σ_θ and τ_rθ over θ (on a line: σ_yy, σ_xx and τ_xy over x) in the step of the largest load.
 pub(super) fn chart(view: &EdgeView<'_>) -> Attempt {
-    let Some(step) = peak_step(view.results()) else { return Ok(None) };
+    let Some(step) = peak_step(view.results()) else {
+        return Ok(None);
+    };
     let bearing = view.bearing(step).filter(|_| view.geometry.contact);
     let unit = view.units().stress.name;
     let label = match bearing {
         Some(_) => "Stress / bearing stress σ_b [–]".to_owned(),
         None => format!("Stress [{unit}]"),
     };
-    let scale = |stress: f64| bearing.map_or_else(|| view.stress(stress), |bearing| stress / bearing);
-    let title = match view.is_circle() {
-        true => format!("Stresses of '{}' on its edge '{}'", view.geometry.body, view.geometry.name),
-        false => format!("Stresses along '{}'", view.geometry.name),
-    };
-    let mut chart = LineChart::new(title, place_axis(view, contact_window(view)), Axis::linear(label))
-        .subtitle(subtitle(view, step))
-        .size(760.0, 0.55);
+    let scale =
+        |stress: f64| bearing.map_or_else(|| view.stress(stress), |bearing| stress / bearing);
+    let title = format!(
+        "Stresses of '{}' along '{}'",
+        view.geometry.body, view.geometry.name
+    );
+    let mut chart = LineChart::new(
+        title,
+        place_axis(view, contact_window(view)),
+        Axis::linear(label),
+    )
+    .subtitle(subtitle(view, step))
+    .size(760.0, 0.55);
     let [normal, tangential, shear] = view.stress_symbols();
     let curve = |value: fn(&EdgeRow) -> f64| curve(view, step, |row| scale(value(row)));
-    if view.geometry.contact || !view.is_circle() {
-        chart = chart
-            .with(Series::new(format!("{normal} = −CPRESS"), curve(|row| row.sigma_normal)))
-            .with(Series::new(tangential, curve(|row| row.sigma_tangential)).dash(Dash::DashDotted))
-            .with(Series::new(format!("{shear} = −CSHEAR1"), curve(|row| row.tau)).dash(Dash::Dashed));
-        if !view.geometry.contact {
-            chart.series[0].label = normal.into();
-            chart.series[2].label = shear.into();
-        }
+    let hoop = Series::new(tangential, curve(|row| row.sigma_tangential));
+    if view.is_circle() && !view.geometry.contact {
+        chart = chart.with(hoop);
     } else {
-        chart = chart.with(Series::new(tangential, curve(|row| row.sigma_tangential)));
+        let [pressure, friction] = contact_names(view);
+        chart = chart
+            .with(Series::new(
+                format!("{normal}{pressure}"),
+                curve(|row| row.sigma_normal),
+            ))
+            .with(hoop.dash(Dash::DashDotted))
+            .with(
+                Series::new(format!("{shear}{friction}"), curve(|row| row.tau)).dash(Dash::Dashed),
+            );
     }
     chart.bands = zone_bands(view, step);
     Ok(Some((chart.render()?, caption(view, step))))
 }
 
+/// The contact quantities that the normal and the shear stress are; nothing on an edge without contact.
+fn contact_names(view: &EdgeView<'_>) -> [&'static str; 2] {
+    match (view.geometry.contact, view.is_circle()) {
+        (false, _) => ["", ""],
+        (true, true) => [" = −CPRESS", " = −CSHEAR1"],
+        // e_t is −e_x there, which turns the sign of the shear.
+        (true, false) => [" = −CPRESS", " = CSHEAR1"],
+    }
+}
+
 fn subtitle(view: &EdgeView<'_>, step: usize) -> String {
-    let mut text = format!("At {}", step_text(view.results(), step));
+    let mut parts = vec![format!("At {}", step_text(view.results(), step))];
     if let Some(bearing) = view.bearing(step) {
         let value = significant(view.stress(bearing), 4);
-        text += &format!(" · bearing stress σ_b = {value} {}", view.units().stress.name);
+        parts.push(format!(
+            "bearing stress σ_b = {value} {}",
+            view.units().stress.name
+        ));
     }
     if view.geometry.contact {
-        text += &format!(" · friction law: {}", view.geometry.law.replace('_', " "));
+        parts.push(format!(
+            "friction law: {}",
+            view.geometry.law.replace('_', " ")
+        ));
     }
-    text
+    parts.join(" · ")
 }
 
 fn caption(view: &EdgeView<'_>, step: usize) -> String {
@@ -67,45 +95,76 @@ fn caption(view: &EdgeView<'_>, step: usize) -> String {
             None => absolute,
         }
     };
-    let mut text = format!("Stresses at {}.", step_text(view.results(), step));
+    let mut sentences = vec![format!("Stresses at {}.", step_text(view.results(), step))];
     if let Some(extent) = edge.contact_half_extent {
-        text += &format!(" Contact reaches to ±{};", view.extent(extent));
-        text += &match edge.stick_half_extent.filter(|stick| *stick > 0.0) {
-            Some(stick) => format!(" it sticks within ±{}.", view.extent(stick)),
-            None => " no zone around its middle sticks.".to_owned(),
-        };
+        let stick = view.stick_half_extent(step).filter(|stick| *stick > 0.0);
+        let stick = stick.map_or("no zone around its middle sticks".to_owned(), |stick| {
+            format!("it sticks within ±{}", view.extent(stick))
+        });
+        sentences.push(format!(
+            "Contact reaches to ±{}; {stick}.",
+            view.extent(extent)
+        ));
     }
     if let Some((pressure, place)) = edge.peak_pressure.filter(|_| view.geometry.contact) {
-        text += &format!(" The largest pressure is {} at {}.", value(pressure), view.at(place));
+        let place = view.at(place);
+        sentences.push(format!(
+            "The largest pressure is {} at {place}.",
+            value(pressure)
+        ));
     }
     if let Some((hoop, place)) = edge.peak_hoop {
-        text += &format!(" The largest {} is {} at {}.", view.stress_symbols()[1], value(hoop), view.at(place));
+        let symbol = view.stress_symbols()[1];
+        sentences.push(format!(
+            "The largest {symbol} is {} at {}.",
+            value(hoop),
+            view.at(place)
+        ));
     }
-    if edge.normal_force > 0.0 {
-        let ratio = short(edge.friction_force / edge.normal_force);
-        text += &format!(" Over the contact, ∫|τ| dA / ∫p dA = {ratio}.");
+    if let Some(ratio) = view.friction_ratio(step) {
+        let ratio = short(ratio);
+        sentences.push(format!(
+            "Friction over pressure, {}, is {ratio}.",
+            view.friction_symbol()
+        ));
     }
-    text + half_remark(view)
+    sentences.extend(half_remark(view));
+    sentences.join(" ")
 }
 
 /// The place axis with ticks where a reader of angles expects them; `window` is the part to show [rad or mm].
 pub(super) fn place_axis(view: &EdgeView<'_>, window: Option<[f64; 2]>) -> Axis {
     let unit = view.place_unit();
-    let name = if view.is_circle() { "Angle θ from the bearing point" } else { "Place x along the edge" };
+    let name = if view.is_circle() {
+        "Angle θ from the bearing point"
+    } else {
+        "Place x along the edge"
+    };
     let axis = Axis::linear(format!("{name} [{unit}]"));
     let parameter = &view.geometry.parameter;
-    let whole = parameter.first().zip(parameter.last()).map(|(first, last)| [*first, *last]);
-    let Some([low, high]) = window.or(whole).map(|ends| ends.map(|end| view.place(end))) else { return axis };
+    let whole = parameter
+        .first()
+        .zip(parameter.last())
+        .map(|(first, last)| [*first, *last]);
+    let Some([low, high]) = window.or(whole).map(|ends| ends.map(|end| view.place(end))) else {
+        return axis;
+    };
     if low >= high {
         return axis;
     }
     if !view.is_circle() {
         return axis.between(low, high);
     }
-    let spacing = [5.0, 10.0, 15.0, 30.0, 45.0].into_iter().find(|spacing| (high - low) / spacing <= 13.0);
+    let spacing = [5.0, 10.0, 15.0, 30.0, 45.0]
+        .into_iter()
+        .find(|spacing| (high - low) / spacing <= 13.0);
     let spacing = spacing.unwrap_or(60.0);
     // Ends that are no node, such as +180° of a closed edge, still close the axis.
-    axis.between((low / spacing).floor() * spacing, (high / spacing).ceil() * spacing).every(spacing)
+    let (first, last) = (
+        (low / spacing + ROUNDING).floor(),
+        (high / spacing - ROUNDING).ceil(),
+    );
+    axis.between(first * spacing, last * spacing).every(spacing)
 }
 
 /// The neighbourhood of the contact on a line, where the edge is much longer.
@@ -116,12 +175,20 @@ fn contact_window(view: &EdgeView<'_>) -> Option<[f64; 2]> {
 
 /// The part of the edge within `reach` of the bearing point [rad or mm].
 pub(super) fn around_contact(view: &EdgeView<'_>, reach: f64) -> Option<[f64; 2]> {
-    let (first, last) = view.geometry.parameter.first().zip(view.geometry.parameter.last())?;
+    let (first, last) = view
+        .geometry
+        .parameter
+        .first()
+        .zip(view.geometry.parameter.last())?;
     (reach > 0.0).then(|| [first.max(-reach), last.min(reach)])
 }
 
 /// A quantity along the edge, closed at +180° where the edge is a closed circle.
-pub(super) fn curve(view: &EdgeView<'_>, step: usize, value: impl Fn(&EdgeRow) -> f64) -> Vec<[f64; 2]> {
+pub(super) fn curve(
+    view: &EdgeView<'_>,
+    step: usize,
+    value: impl Fn(&EdgeRow) -> f64,
+) -> Vec<[f64; 2]> {
     let rows = &view.step(step).rows;
     let mut points: Vec<[f64; 2]> = (view.geometry.parameter.iter().zip(rows))
         .map(|(parameter, row)| [view.place(*parameter), value(row)])

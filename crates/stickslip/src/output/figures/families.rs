@@ -34,7 +34,11 @@ pub(super) fn pressure(view: &EdgeView<'_>) -> Attempt {
         near_contact: true,
     };
     let peak = largest(view, |step| view.step(step).peak_pressure);
-    family(view, &quantity, &peak_sentence(view, "The largest pressure", peak))
+    family(
+        view,
+        &quantity,
+        &peak_sentence(view, "The largest pressure", peak),
+    )
 }
 
 /// CSHEAR1 of all steps.
@@ -48,25 +52,38 @@ pub(super) fn shear(view: &EdgeView<'_>) -> Attempt {
     let peak = largest(view, |step| {
         let rows = view.step(step).rows.iter().map(|row| row.shear);
         let places = view.geometry.parameter.iter().copied();
-        rows.zip(places).max_by(|(a, _), (b, _)| a.abs().total_cmp(&b.abs()))
+        rows.zip(places)
+            .max_by(|(a, _), (b, _)| a.abs().total_cmp(&b.abs()))
     });
     if peak.is_some_and(|(_, shear, _)| shear == 0.0) {
         return Ok(None);
     }
-    family(view, &quantity, &peak_sentence(view, "The largest friction traction", peak))
+    family(
+        view,
+        &quantity,
+        &peak_sentence(view, "The largest friction traction", peak),
+    )
 }
 
 /// σ_θ or σ_xx of all steps.
 pub(super) fn hoop(view: &EdgeView<'_>) -> Attempt {
     let symbol = view.stress_symbols()[1];
     let quantity = Quantity {
-        title: if view.is_circle() { "Hoop stress" } else { "Stress along the edge" },
+        title: if view.is_circle() {
+            "Hoop stress"
+        } else {
+            "Stress along the edge"
+        },
         symbol: symbol.into(),
         value: |row| row.sigma_tangential,
         near_contact: !view.is_circle(),
     };
     let peak = largest(view, |step| view.step(step).peak_hoop);
-    family(view, &quantity, &peak_sentence(view, &format!("The largest {symbol}"), peak))
+    family(
+        view,
+        &quantity,
+        &peak_sentence(view, &format!("The largest {symbol}"), peak),
+    )
 }
 
 /// The step, value and place of the largest magnitude.
@@ -84,10 +101,16 @@ fn peak_sentence(view: &EdgeView<'_>, name: &str, peak: Option<(usize, f64, f64)
         let unit = view.units().stress.name;
         let stress = significant(view.stress(value), 4);
         let over = view.bearing(step).map_or(String::new(), |bearing| {
-            format!(", {} times the bearing stress", decimals(Some(value / bearing), 2))
+            format!(
+                ", {} times the bearing stress",
+                decimals(Some(value / bearing), 2)
+            )
         });
         let load = load_text(view.results(), step);
-        format!("{name} of all steps is {stress} {unit}{over}, at {load} and {}.", view.at(place))
+        format!(
+            "{name} of all steps is {stress} {unit}{over}, at {load} and {}.",
+            view.at(place)
+        )
     })
 }
 
@@ -98,10 +121,16 @@ fn family(view: &EdgeView<'_>, quantity: &Quantity, peak: &str) -> Attempt {
     }
     let unit = view.units().stress.name;
     let over_bearing = view.geometry.contact && view.geometry.bearing_area.is_some();
-    let title = format!("{} on '{}' in every load step", quantity.title, view.geometry.name);
-    let absolute = chart(view, quantity, format!("{} [{unit}]", quantity.symbol), |_, value| {
-        Some(view.stress(value))
-    });
+    let title = format!(
+        "{} on '{}' in every load step",
+        quantity.title, view.geometry.name
+    );
+    let absolute = chart(
+        view,
+        quantity,
+        format!("{} [{unit}]", quantity.symbol),
+        |_, value| Some(view.stress(value)),
+    );
     let picture = if over_bearing {
         let label = format!("{} / bearing stress σ_b of the step [–]", quantity.symbol);
         let relative = chart(view, quantity, label, |step, value| {
@@ -109,44 +138,63 @@ fn family(view: &EdgeView<'_>, quantity: &Quantity, peak: &str) -> Attempt {
         });
         side_by_side(&title, absolute, relative)?
     } else {
-        LineChart { title, ..absolute.legend(Legend::Right).size(760.0, 0.6) }.render()?
+        LineChart {
+            title,
+            ..absolute.legend(Legend::Right).size(760.0, 0.6)
+        }
+        .render()?
     };
-    let caption = format!("{} {peak}{}", what_is_seen(view, quantity, over_bearing), half_remark(view));
-    Ok(Some((picture, caption)))
+    let mut sentences = what_is_seen(view, quantity, over_bearing);
+    sentences.push(peak.to_owned());
+    sentences.extend(half_remark(view));
+    Ok(Some((picture, sentences.join(" "))))
 }
 
-fn side_by_side(title: &str, mut left: LineChart, mut right: LineChart) -> Result<Svg, FigureError> {
+fn side_by_side(
+    title: &str,
+    mut left: LineChart,
+    mut right: LineChart,
+) -> Result<Svg, FigureError> {
     left.title = "(a) in stress".into();
-    left = left.legend(Legend::Hidden).size(470.0, 0.82);
     right.title = "(b) relative to the bearing stress of each step".into();
-    right = right.legend(Legend::Right).size(640.0, 0.82);
-    Panels::new(title, 2, vec![left, right]).render()
+    // One legend for both; frames of equal size need it outside of both.
+    let charts = vec![left.legend(Legend::Below), right.legend(Legend::Hidden)];
+    let charts = charts
+        .into_iter()
+        .map(|chart| chart.size(520.0, 0.8))
+        .collect();
+    Panels::new(title, 2, charts).render()
 }
 
-fn what_is_seen(view: &EdgeView<'_>, quantity: &Quantity, over_bearing: bool) -> String {
-    let results = view.results();
-    let falls = unloading(results).iter().filter(|falls| **falls).count();
-    let count = results.steps.len();
-    let order = if falls > 0 {
-        format!("{} steps of rising load (blue, solid) and {falls} of falling load (orange, dashed)", count - falls)
+fn what_is_seen(view: &EdgeView<'_>, quantity: &Quantity, over_bearing: bool) -> Vec<String> {
+    let falls = unloading(view.results());
+    let (count, falling) = (falls.len(), falls.iter().filter(|falls| **falls).count());
+    let order = if falling > 0 {
+        let rising = count - falling;
+        format!(
+            "{rising} steps of rising load (blue, solid) and {falling} of falling load (orange, dashed)"
+        )
     } else {
-        format!("{count} load steps from dark to light")
+        format!("{count} load steps, from dark to light")
     };
-    let parts = if over_bearing { ": (a) in stress, (b) over the bearing stress of the same step" } else { "" };
-    let mut text = format!("{} {} in {order}{parts}.", quantity.title, quantity.symbol);
-    let halves: Vec<f64> = (0..count).filter_map(|k| view.step(k).contact_half_extent).collect();
-    if let (true, Some(low), Some(high)) = (
-        quantity.near_contact,
-        halves.iter().copied().reduce(f64::min),
-        halves.iter().copied().reduce(f64::max),
-    ) {
-        text += &format!(
-            " The half-extent of contact lies between {} and {}.",
-            view.extent(low),
-            view.extent(high)
-        );
+    let parts = if over_bearing {
+        ": (a) in stress, (b) over the bearing stress of the same step"
+    } else {
+        ""
+    };
+    let mut sentences = vec![format!(
+        "{} {} in {order}{parts}.",
+        quantity.title, quantity.symbol
+    )];
+    let halves = || (0..count).filter_map(|step| view.step(step).contact_half_extent);
+    let ends = halves().reduce(f64::min).zip(halves().reduce(f64::max));
+    if let Some((low, high)) = ends.filter(|_| quantity.near_contact) {
+        let (low, high) = (view.extent(low), view.extent(high));
+        sentences.push(format!(
+            "The half-extent of contact lies between {low} and {high}."
+        ));
     }
-    text
+    sentences
 }
 
 fn chart(
@@ -159,8 +207,13 @@ fn chart(
     let window = reach.and_then(|reach| around_contact(view, REACH * reach));
     let mut chart = LineChart::new("", place_axis(view, window), Axis::linear(label));
     for (step, look) in looks(view.results()).into_iter().enumerate() {
-        let points = curve(view, step, |row| scaled(step, (quantity.value)(row)).unwrap_or(f64::NAN));
-        let series = Series::new(look.label, points).color(look.color).dash(look.dash).width(1.6);
+        let points = curve(view, step, |row| {
+            scaled(step, (quantity.value)(row)).unwrap_or(f64::NAN)
+        });
+        let series = Series::new(look.label, points)
+            .color(look.color)
+            .dash(look.dash)
+            .width(1.6);
         chart = chart.with(series);
     }
     chart
@@ -178,23 +231,37 @@ fn looks(results: &Results) -> Vec<Look> {
     let falls = unloading(results);
     let count = falls.len();
     let falling = falls.iter().filter(|falls| **falls).count();
-    let mut rising_colors = if falling > 0 { loading_sequence(count - falling) } else { sequence(count) }.into_iter();
+    let mut rising_colors = if falling > 0 {
+        loading_sequence(count - falling)
+    } else {
+        sequence(count)
+    }
+    .into_iter();
     let mut falling_colors = unloading_sequence(falling).into_iter();
     let named = named_steps(&falls);
     let black = Color::rgb(0, 0, 0);
     (0..count)
         .map(|step| {
-            let colors = if falls[step] { &mut falling_colors } else { &mut rising_colors };
-            let branch = match (falling > 0, falls[step]) {
-                (false, _) => "",
-                (true, false) => "↑ ",
-                (true, true) => "↓ ",
+            let colors = if falls[step] {
+                &mut falling_colors
+            } else {
+                &mut rising_colors
             };
+            let branch = match (falling > 0, falls[step]) {
+                (false, _) => ",",
+                (true, false) => " ↑",
+                (true, true) => " ↓",
+            };
+            let label = || format!("step {}{branch} {}", step + 1, load_text(results, step));
             Look {
-                label: if named[step] { format!("{branch}{}", load_text(results, step)) } else { String::new() },
+                label: if named[step] { label() } else { String::new() },
                 // Both sequences have as many colours as steps of their kind.
                 color: colors.next().unwrap_or(black),
-                dash: if falls[step] { Dash::Dashed } else { Dash::Solid },
+                dash: if falls[step] {
+                    Dash::Dashed
+                } else {
+                    Dash::Solid
+                },
             }
         })
         .collect()
@@ -207,7 +274,11 @@ fn named_steps(falls: &[bool]) -> Vec<bool> {
         return vec![true; count];
     }
     let mut named = vec![false; count];
-    let branches = if falls.contains(&true) { vec![false, true] } else { vec![false] };
+    let branches = if falls.contains(&true) {
+        vec![false, true]
+    } else {
+        vec![false]
+    };
     let share = NAMED_STEPS / branches.len();
     for branch in branches {
         let steps: Vec<usize> = (0..count).filter(|&step| falls[step] == branch).collect();

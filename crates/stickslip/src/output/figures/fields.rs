@@ -16,9 +16,14 @@ const LINE_WINDOW: f64 = 4.0;
 
 /// Pictures of the largest load and of the last step, where they have fields.
 pub(super) fn all(results: &Results) -> Vec<(String, Attempt)> {
-    let Some(edge) = EdgeView::main(results) else { return Vec::new() };
+    let Some(edge) = EdgeView::main(results) else {
+        return Vec::new();
+    };
     let with_fields = |step: &usize| !results.steps[*step].fields.is_empty();
-    let mut steps: Vec<usize> = peak_step(results).into_iter().chain(results.steps.len().checked_sub(1)).collect();
+    let mut steps: Vec<usize> = peak_step(results)
+        .into_iter()
+        .chain(results.steps.len().checked_sub(1))
+        .collect();
     steps.retain(with_fields);
     steps.dedup();
     let scene = |step: usize| Scene::new(&edge, step);
@@ -40,17 +45,37 @@ struct Scene<'a> {
     step: usize,
     nodes: Vec<Point>,
     cells: Vec<Vec<usize>>,
+    /// Whether each node is of the edge's body. The colours follow that body alone, since a support in the middle of a pin
+    /// would outshine everything.
+    leads: Vec<bool>,
 }
 
 impl<'a> Scene<'a> {
     fn new(edge: &'a EdgeView<'a>, step: usize) -> Self {
-        let mut scene = Self { edge, step, nodes: Vec::new(), cells: Vec::new() };
+        let mut scene = Self {
+            edge,
+            step,
+            nodes: Vec::new(),
+            cells: Vec::new(),
+            leads: Vec::new(),
+        };
         let unit = edge.units().length;
         for fields in &scene.record().fields {
-            let Some(mesh) = &edge.results().bodies[fields.body].mesh else { continue };
+            let body = &edge.results().bodies[fields.body];
+            let Some(mesh) = &body.mesh else { continue };
             let first = scene.nodes.len();
-            scene.cells.extend((0..mesh.element_count()).map(|cell| border(mesh, cell, first)));
-            scene.nodes.extend(mesh.nodes().iter().map(|node| node.map(|x| unit.from_base(x))));
+            let leads = body.name == edge.geometry.body;
+            scene
+                .leads
+                .extend(std::iter::repeat_n(leads, mesh.nodes().len()));
+            scene
+                .cells
+                .extend((0..mesh.element_count()).map(|cell| border(mesh, cell, first)));
+            scene.nodes.extend(
+                mesh.nodes()
+                    .iter()
+                    .map(|node| node.map(|x| unit.from_base(x))),
+            );
         }
         scene
     }
@@ -61,13 +86,21 @@ impl<'a> Scene<'a> {
 
     fn von_mises(&self) -> Attempt {
         let values = self.values(|_, stress| von_mises(stress));
-        let label = format!("σ_vM [{}]", self.edge.units().stress.name);
-        let plot = self.plot("Von Mises stress in the plane", label, &values);
+        let unit = self.edge.units().stress.name;
+        let largest = self.largest(&values);
+        let mut plot = self.plot(
+            "Von Mises stress in the plane",
+            format!("σ_vM [{unit}]"),
+            &values,
+        );
+        if largest > 0.0 {
+            plot = plot.between(0.0, largest);
+        }
         let text = format!(
-            "√(σ_xx² − σ_xx σ_yy + σ_yy² + 3 τ_xy²) at {}; its largest value in sight is {} {}.",
+            "√(σ_xx² − σ_xx σ_yy + σ_yy² + 3 τ_xy²) at {}. Its largest value in sight in '{}' is {} {unit}.",
             step_text(self.edge.results(), self.step),
-            significant(self.largest(&values), 4),
-            self.edge.units().stress.name,
+            self.edge.geometry.body,
+            significant(largest, 4),
         );
         Ok(Some((plot.render()?, text + self.remark())))
     }
@@ -76,10 +109,25 @@ impl<'a> Scene<'a> {
         let symbol = self.edge.stress_symbols()[0];
         let values = self.values(|polar, stress| polar.map_or(stress[1], |polar| polar[0]));
         let label = format!("{symbol} [{}]", self.edge.units().stress.name);
-        let title = if self.edge.is_circle() { "Radial stress about the hole's centre" } else { "Stress normal to the contact" };
-        let plot = self.plot(title, label, &values).colormap(Colormap::BlueWhiteRed);
+        let title = if self.edge.is_circle() {
+            "Radial stress about the hole's centre"
+        } else {
+            "Stress normal to the contact"
+        };
+        let largest = self.largest(&values);
+        let mut plot = self
+            .plot(title, label, &values)
+            .colormap(Colormap::BlueWhiteRed);
+        if largest > 0.0 {
+            plot = plot.between(-largest, largest);
+        }
+        let contact = if self.edge.geometry.contact {
+            " Where the bodies touch it passes from one to the other without a jump."
+        } else {
+            ""
+        };
         let text = format!(
-            "{symbol} at {}: compression blue, tension red. It passes through the contact without a jump.",
+            "{symbol} at {}: compression blue, tension red.{contact}",
             step_text(self.edge.results(), self.step),
         );
         Ok(Some((plot.render()?, text + self.remark())))
@@ -93,10 +141,13 @@ impl<'a> Scene<'a> {
         };
         let mut values = Vec::with_capacity(self.nodes.len());
         for fields in &self.record().fields {
-            let Some(mesh) = &self.edge.results().bodies[fields.body].mesh else { continue };
+            let Some(mesh) = &self.edge.results().bodies[fields.body].mesh else {
+                continue;
+            };
             let polar = centre.map(|centre| polar_stresses(mesh, fields, centre));
             values.extend(fields.stress.iter().enumerate().map(|(node, &stress)| {
-                self.edge.stress(value(polar.as_ref().map(|polar| polar[node]), stress))
+                self.edge
+                    .stress(value(polar.as_ref().map(|polar| polar[node]), stress))
             }));
         }
         values
@@ -118,12 +169,27 @@ impl<'a> Scene<'a> {
         let unit = self.edge.units().length;
         let (centre, reach) = match self.edge.geometry.kind {
             EdgeKind::Circle { centre, radius } => (centre, HOLE_WINDOW * radius),
-            EdgeKind::Line => ([0.0, 0.0], LINE_WINDOW * self.edge.widest_contact().unwrap_or(f64::INFINITY)),
+            EdgeKind::Line => (
+                [0.0, 0.0],
+                LINE_WINDOW * self.edge.widest_contact().unwrap_or(f64::INFINITY),
+            ),
         };
         let along = |axis: usize| {
-            let low = self.nodes.iter().map(|node| node[axis]).fold(f64::INFINITY, f64::min);
-            let high = self.nodes.iter().map(|node| node[axis]).fold(f64::NEG_INFINITY, f64::max);
-            let low = if axis == 1 && self.edge.geometry.half { low.min(-high) } else { low };
+            let low = self
+                .nodes
+                .iter()
+                .map(|node| node[axis])
+                .fold(f64::INFINITY, f64::min);
+            let high = self
+                .nodes
+                .iter()
+                .map(|node| node[axis])
+                .fold(f64::NEG_INFINITY, f64::max);
+            let low = if axis == 1 && self.edge.geometry.half {
+                low.min(-high)
+            } else {
+                low
+            };
             let (middle, reach) = (unit.from_base(centre[axis]), unit.from_base(reach));
             [low.max(middle - reach), high.min(middle + reach)]
         };
@@ -131,18 +197,21 @@ impl<'a> Scene<'a> {
         [left, right, bottom, top]
     }
 
+    /// Largest magnitude in sight in the edge's body.
     fn largest(&self, values: &[f64]) -> f64 {
         let [left, right, bottom, top] = self.window();
-        let seen = |node: &Point| (left..=right).contains(&node[0]) && (bottom..=top).contains(&node[1]);
-        let in_sight = self.nodes.iter().zip(values).filter(|(node, _)| seen(node));
-        in_sight.map(|(_, value)| *value).fold(f64::NEG_INFINITY, f64::max)
+        let seen =
+            |node: &Point| (left..=right).contains(&node[0]) && (bottom..=top).contains(&node[1]);
+        let nodes = self.nodes.iter().zip(&self.leads).zip(values);
+        let shown = nodes.filter(|((node, leads), _)| **leads && seen(node));
+        shown.map(|(_, value)| value.abs()).fold(0.0, f64::max)
     }
 
     fn remark(&self) -> &'static str {
         if self.edge.geometry.half {
-            " Shape before deformation; y < 0 is the mirror image of the model. Nodal values by patch recovery."
+            " Shape before deformation; y < 0 is the mirror image of the model. Beyond the ends of the colour bar the colour stays."
         } else {
-            " Shape before deformation. Nodal values by patch recovery."
+            " Shape before deformation. Beyond the ends of the colour bar the colour stays."
         }
     }
 }
@@ -154,5 +223,7 @@ fn border(mesh: &Mesh, cell: usize, first: usize) -> Vec<usize> {
     if kind.order() == 1 {
         return nodes[..corners].iter().map(|node| first + node).collect();
     }
-    (0..corners).flat_map(|k| [first + nodes[k], first + nodes[corners + k]]).collect()
+    (0..corners)
+        .flat_map(|k| [first + nodes[k], first + nodes[corners + k]])
+        .collect()
 }

@@ -6,10 +6,13 @@ use stickslip_report::color::Color;
 
 use super::{Attempt, half_remark};
 use crate::output::display::{
-    EdgeView, decimals, load_label, load_text, load_values, peak_step, short, shown_load, unloading,
+    EdgeView, decimals, load_label, load_text, load_values, peak_step, short, shown_load,
+    step_text, unloading,
 };
 use crate::results::Results;
 
+/// Relative difference below which values count as equal.
+const EQUAL: f64 = 1e-3;
 const LOADING: Color = Color::rgb(0x08, 0x51, 0x9c);
 const UNLOADING: Color = Color::rgb(0xd9, 0x48, 0x01);
 
@@ -20,81 +23,125 @@ pub(super) fn extent_and_peak(view: &EdgeView<'_>) -> Attempt {
         return Ok(None);
     }
     let unit = view.place_unit();
-    let half = if view.is_circle() { "Half-angle" } else { "Half-width" };
+    let half = if view.is_circle() {
+        "Half-angle"
+    } else {
+        "Half-width"
+    };
     let mut extents = chart("(a) contact and stick", results, format!("{half} [{unit}]"));
     let extent = |value: Option<f64>| value.map(|value| view.place(value));
-    for series in branches(results, "contact", |step| extent(view.step(step).contact_half_extent)) {
+    for series in branches(results, "contact", |step| {
+        extent(view.step(step).contact_half_extent)
+    }) {
         extents = extents.with(series.style(SeriesStyle::Both));
     }
-    for mut series in branches(results, "stick", |step| extent(view.step(step).stick_half_extent)) {
+    for mut series in branches(results, "stick", |step| {
+        extent(view.stick_half_extent(step))
+    }) {
         series.color = series.color.map(|color| color.tint(0.6));
         extents = extents.with(series.dash(Dash::Dotted).style(SeriesStyle::Both));
     }
     let over_bearing = view.geometry.bearing_area.is_some();
-    let label = match over_bearing {
-        true => "Largest pressure / bearing stress σ_b [–]".to_owned(),
-        false => format!("Largest pressure [{}]", view.units().stress.name),
+    let label = if over_bearing {
+        "Largest pressure / bearing stress σ_b [–]".to_owned()
+    } else {
+        format!("Largest pressure [{}]", view.units().stress.name)
     };
-    let mut peaks = chart("(b) largest pressure", results, label);
     let peak = |step: usize| {
         let (pressure, _) = view.step(step).peak_pressure?;
-        if over_bearing { Some(pressure / view.bearing(step)?) } else { Some(view.stress(pressure)) }
+        if over_bearing {
+            Some(pressure / view.bearing(step)?)
+        } else {
+            Some(view.stress(pressure))
+        }
     };
+    let mut peaks = chart("(b) largest pressure", results, label);
+    peaks.y = steady((0..results.steps.len()).filter_map(peak), peaks.y);
     for series in branches(results, "", peak) {
         peaks = peaks.with(series.style(SeriesStyle::Both));
     }
-    let title = format!("Contact on '{}' through the load history", view.geometry.name);
-    let charts = vec![extents, peaks].into_iter().map(|chart| chart.legend(Legend::Below).size(490.0, 0.8));
+    let title = format!(
+        "Contact on '{}' through the load history",
+        view.geometry.name
+    );
+    let charts = vec![extents, peaks]
+        .into_iter()
+        .map(|chart| chart.legend(Legend::Below).size(490.0, 0.8));
     let picture = Panels::new(title, 2, charts.collect()).render()?;
     Ok(Some((picture, caption(view))))
 }
 
 fn caption(view: &EdgeView<'_>) -> String {
     let results = view.results();
-    let Some(step) = peak_step(results) else { return String::new() };
+    let Some(step) = peak_step(results) else {
+        return String::new();
+    };
     let edge = view.step(step);
-    let mut text = "Half-extent of contact and of the stick zone around its middle, and the largest pressure, over the load."
-        .to_owned();
+    let mut sentences = vec![
+        "Half-extents of contact and of the stick zone around its middle, and the largest pressure, over the load.".to_owned(),
+    ];
     if let Some(contact) = edge.contact_half_extent {
-        text += &format!(" At {}: contact ±{}", load_text(results, step), view.extent(contact));
-        if let Some(stick) = edge.stick_half_extent {
-            text += &format!(", stick ±{}", view.extent(stick));
-        }
+        let mut parts = vec![format!("contact ±{}", view.extent(contact))];
+        parts.extend(
+            view.stick_half_extent(step)
+                .map(|stick| format!("stick ±{}", view.extent(stick))),
+        );
         if let (Some((pressure, _)), Some(bearing)) = (edge.peak_pressure, view.bearing(step)) {
-            text += &format!(", largest pressure {} σ_b", decimals(Some(pressure / bearing), 2));
+            parts.push(format!(
+                "largest pressure {} σ_b",
+                decimals(Some(pressure / bearing), 2)
+            ));
         }
-        text += ".";
+        sentences.push(format!(
+            "At {}: {}.",
+            load_text(results, step),
+            parts.join(", ")
+        ));
     }
     if unloading(results).contains(&true) {
-        text += " Where the branches of rising and falling load differ, friction keeps a memory of the history.";
+        let memory =
+            "Where the branches of rising and falling load differ, friction remembers the history.";
+        sentences.push(memory.to_owned());
     }
-    text + half_remark(view)
+    sentences.extend(half_remark(view));
+    sentences.join(" ")
 }
 
-/// ∫|τ| dA / ∫p dA over the load.
+/// Friction over pressure, over the load.
 pub(super) fn friction(view: &EdgeView<'_>) -> Attempt {
     let results = view.results();
-    let ratio = |step: usize| {
-        let edge = view.step(step);
-        (edge.normal_force > 0.0).then(|| edge.friction_force / edge.normal_force)
-    };
-    let ratios: Vec<(usize, f64)> =
-        (0..results.steps.len()).filter_map(|step| ratio(step).map(|ratio| (step, ratio))).collect();
-    let largest = ratios.iter().copied().max_by(|(_, a), (_, b)| a.total_cmp(b));
-    let Some((step, largest)) = largest.filter(|(_, ratio)| *ratio > 0.0 && load_varies(results)) else {
+    let ratios =
+        (0..results.steps.len()).filter_map(|step| Some((step, view.friction_ratio(step)?)));
+    let largest = ratios.max_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
+    let Some((step, largest)) = largest.filter(|(_, ratio)| *ratio != 0.0 && load_varies(results))
+    else {
         return Ok(None);
     };
-    let mut chart = chart("", results, "∫|τ| dA / ∫p dA [–]".into()).size(620.0, 0.6);
+    let name = if view.is_circle() {
+        "Friction over pressure"
+    } else {
+        "Tangential over normal force"
+    };
+    let label = format!("{name} {} [–]", view.friction_symbol());
+    let mut chart = chart("", results, label).size(620.0, 0.6);
     chart.title = format!("Mobilised friction on '{}'", view.geometry.name);
-    chart.subtitle = Some(format!("Friction law: {}", view.geometry.law.replace('_', " ")));
-    for series in branches(results, "", ratio) {
+    chart.subtitle = Some(format!(
+        "Friction law: {}",
+        view.geometry.law.replace('_', " ")
+    ));
+    for series in branches(results, "", |step| view.friction_ratio(step)) {
         chart = chart.with(series.style(SeriesStyle::Both));
     }
+    let meaning = if view.is_circle() {
+        "q is the friction that holds the plate back from sliding away from the bearing point; where it is negative, unloading \
+         has turned it round. Where all slips under one coefficient μ the ratio is ±μ."
+    } else {
+        "Q is the tangential force on the first body along +x, N the normal force; |Q/N| = μ means that all slips."
+    };
     let caption = format!(
-        "Sum of the friction tractions' magnitudes over the sum of the pressures: where all slips under one coefficient μ it \
-         is μ. It is largest, {}, at {}.",
+        "{name} through the load history. {meaning} The largest magnitude, {}, is at {}.",
         short(largest),
-        load_text(results, step)
+        step_text(results, step)
     );
     Ok(Some((chart.render()?, caption)))
 }
@@ -105,7 +152,22 @@ fn load_varies(results: &Results) -> bool {
 }
 
 fn chart(title: &str, results: &Results, label: String) -> LineChart {
-    LineChart::new(title, Axis::linear(load_label(results)), Axis::linear(label))
+    LineChart::new(
+        title,
+        Axis::linear(load_label(results)),
+        Axis::linear(label),
+    )
+}
+
+/// The axis from zero for values that are all but equal, whose differences would only be rounding blown up.
+fn steady(values: impl Iterator<Item = f64> + Clone, axis: Axis) -> Axis {
+    let low = values.clone().fold(f64::INFINITY, f64::min);
+    let high = values.fold(f64::NEG_INFINITY, f64::max);
+    if high > 0.0 && high - low < EQUAL * high {
+        axis.between(0.0, 1.2 * high)
+    } else {
+        axis
+    }
 }
 
 /// A quantity over the load, one series for rising and one for falling load. A branch starts where the one before it ended.
@@ -131,7 +193,11 @@ fn branches(results: &Results, name: &str, value: impl Fn(usize) -> Option<f64>)
     };
     let mut series = vec![Series::new(label("rising load"), rising).color(LOADING)];
     if both {
-        series.push(Series::new(label("falling load"), falling).color(UNLOADING).dash(Dash::Dashed));
+        series.push(
+            Series::new(label("falling load"), falling)
+                .color(UNLOADING)
+                .dash(Dash::Dashed),
+        );
     }
     series
 }

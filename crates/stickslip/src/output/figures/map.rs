@@ -23,13 +23,21 @@ const NAMED_STEPS: usize = 16;
 /// Zones (vertical) over the load steps (horizontal).
 pub(super) fn chart(view: &EdgeView<'_>) -> Attempt {
     let count = view.results().steps.len();
-    let Some(widest) = view.widest_contact().filter(|_| count >= 2) else { return Ok(None) };
+    let Some(widest) = view.widest_contact().filter(|_| count >= 2) else {
+        return Ok(None);
+    };
     let x = Axis::linear("Load step [–]").between(0.5, count as f64 + 0.5);
-    let x = if count <= NAMED_STEPS { x.every(1.0) } else { x };
+    let x = if count <= NAMED_STEPS {
+        x.every(1.0)
+    } else {
+        x
+    };
     let y = place_axis(view, around_contact(view, REACH * widest));
     let title = format!("Open, stick and slip on '{}'", view.geometry.name);
     let subtitle = format!("{} above each bar", load_label(view.results()));
-    let mut chart = LineChart::new(title, x, y).legend(Legend::Below).size(WIDTH, 0.55);
+    let mut chart = LineChart::new(title, x, y)
+        .legend(Legend::Below)
+        .size(WIDTH, 0.55);
     if count <= NAMED_STEPS {
         chart = chart.subtitle(subtitle);
         let quiet = Color::rgb(0x88, 0x88, 0x88);
@@ -41,59 +49,87 @@ pub(super) fn chart(view: &EdgeView<'_>) -> Attempt {
     let bar = BAR * INSIDE / count as f64;
     for status in STATUSES {
         // A name without points, since a bar's own sample would fill the legend.
-        let name = Series::new(legend_name(status), Vec::new()).color(zone_color(status).tint(0.75)).width(9.0);
+        let name = Series::new(legend_name(status), Vec::new())
+            .color(fill(status))
+            .width(9.0);
         chart = chart.with(name).with(bars(view, status, bar));
     }
     Ok(Some((chart.render()?, caption(view))))
 }
 
-const STATUSES: [Status; 4] = [Status::Open, Status::Stick, Status::SlipPositive, Status::SlipNegative];
+const STATUSES: [Status; 4] = [
+    Status::Open,
+    Status::Stick,
+    Status::SlipPositive,
+    Status::SlipNegative,
+];
 
 fn legend_name(status: Status) -> String {
     let name = zone_name(status);
     match status {
         Status::Open | Status::Stick => name.into(),
-        Status::SlipPositive => format!("{name} (first body along +e_t, CSHEAR1 < 0)"),
-        Status::SlipNegative => format!("{name} (first body along −e_t, CSHEAR1 > 0)"),
+        Status::SlipPositive => format!("{name} (CSHEAR1 < 0)"),
+        Status::SlipNegative => format!("{name} (CSHEAR1 > 0)"),
     }
+}
+
+/// The fill of a zone: its colour, light where there is no contact.
+fn fill(status: Status) -> Color {
+    zone_color(status).tint(if status == Status::Open { 0.3 } else { 0.75 })
 }
 
 /// All zones of one status as thick vertical strokes.
 fn bars(view: &EdgeView<'_>, status: Status, width: f64) -> Series {
     let mut points = Vec::new();
     for step in 0..view.results().steps.len() {
-        for zone in view.step(step).zones.iter().filter(|zone| zone.status == status) {
+        for zone in view
+            .step(step)
+            .zones
+            .iter()
+            .filter(|zone| zone.status == status)
+        {
             let x = (step + 1) as f64;
-            points.extend([[x, view.place(zone.start)], [x, view.place(zone.end)], [x, f64::NAN]]);
+            points.extend([
+                [x, view.place(zone.start)],
+                [x, view.place(zone.end)],
+                [x, f64::NAN],
+            ]);
         }
     }
-    let strength = if status == Status::Open { 0.25 } else { 0.75 };
-    Series::new("", points).color(zone_color(status).tint(strength)).width(width)
+    Series::new("", points).color(fill(status)).width(width)
 }
 
 fn caption(view: &EdgeView<'_>) -> String {
     let count = view.results().steps.len();
-    let reversed = |step: usize| {
-        let has = |sign: f64| {
-            let zones = &view.step(step).zones;
-            zones.iter().any(|zone| zone.status.slip_sign() == sign && zone.start >= 0.0)
-        };
-        (has(1.0), has(-1.0))
-    };
-    let mut text = format!(
-        "Status of the contact points at the end of each load step ({} along the vertical axis).",
+    let mut sentences = vec![format!(
+        "Status of the contact points at the end of each load step, {} upwards. Slip + means that the first body slips along +e_t \
+         against the second, slip − along −e_t.",
         view.place_symbol()
-    );
-    let first_full_stick = (0..count).find(|&step| {
-        let touches = view.step(step).contact_half_extent.is_some();
-        touches && reversed(step) == (false, false)
-    });
-    if let Some(step) = first_full_stick {
-        text += &format!(" In step {} the whole contact sticks.", step + 1);
+    )];
+    let whole_sticks = |step: &usize| {
+        let zones = &view.step(*step).zones;
+        let slips = zones.iter().any(|zone| zone.status.slip_sign() != 0.0);
+        view.step(*step).contact_half_extent.is_some() && !slips
+    };
+    if let Some(step) = (0..count).find(whole_sticks) {
+        sentences.push(format!("In step {} the whole contact sticks.", step + 1));
     }
-    let both = (0..count).filter(|&step| reversed(step) == (true, true)).count();
-    if both > 0 {
-        text += &format!(" In {both} of {count} steps one side of the bearing point slips both ways.");
+    let both_ways = |step: &usize| {
+        let zones = &view.step(*step).zones;
+        // On a whole edge the two sides mirror each other, so one side tells.
+        let has = |sign: f64| {
+            zones
+                .iter()
+                .any(|zone| zone.status.slip_sign() == sign && zone.end > 0.0)
+        };
+        has(1.0) && has(-1.0)
+    };
+    let reversing = (0..count).filter(both_ways).count();
+    if reversing > 0 {
+        sentences.push(format!(
+            "In {reversing} of {count} steps the contact slips both ways on one side of its middle."
+        ));
     }
-    text + half_remark(view)
+    sentences.extend(half_remark(view));
+    sentences.join(" ")
 }

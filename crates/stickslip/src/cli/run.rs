@@ -1,0 +1,137 @@
+//! `stickslip run`: solve a scene and write a folder of results.
+
+use std::io::IsTerminal;
+use std::path::PathBuf;
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use miette::Diagnostic;
+use stickslip_report::folder::{FolderError, Overwrite, ResultFolder};
+use thiserror::Error;
+
+use super::SceneArguments;
+use super::console::Console;
+use super::failure::Failure;
+use super::located::locate;
+use crate::diagnostic::{SceneError, SceneProblem};
+use crate::output;
+use crate::run::{Progress, RunError, run as solve};
+use crate::scene::Scene;
+
+/// Histories with fewer steps are over before a bar helps.
+const LONG_HISTORY: usize = 5;
+
+#[derive(Debug, Args)]
+pub(super) struct RunArguments {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// Folder for the results; by default the scene's name with -results
+    #[arg(long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// Replace results that are in the folder already, once the new ones are complete
+    #[arg(long)]
+    force: bool,
+}
+
+/// The results cannot be kept.
+#[derive(Debug, Error, Diagnostic)]
+enum KeepError {
+    #[error(transparent)]
+    #[diagnostic(
+        code(run::folder),
+        help("name a folder with --output DIR; --force replaces results that are there already")
+    )]
+    Folder(#[from] FolderError),
+    #[error(transparent)]
+    #[diagnostic(
+        code(run::output),
+        help("`--set output.figures=false --set output.fields=none` writes tables only")
+    )]
+    Output(#[from] output::OutputError),
+}
+
+/// Solves the scene. The folder is made first, so that a long run does not end in front of a closed door.
+pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Failure> {
+    let scene = arguments.scene.read()?;
+    let overwrite = if arguments.force {
+        Overwrite::Force
+    } else {
+        Overwrite::Refuse
+    };
+    let folder = ResultFolder::create(&arguments.folder(), overwrite).map_err(KeepError::from)?;
+    let bar = bar(&scene, console);
+    let solved = solve(&scene, &mut |progress| show(&bar, progress));
+    bar.finish_and_clear();
+    let results = solved.map_err(|error| located(&scene, &error))?;
+    let path = output::write(&results, folder, scene.output.figures).map_err(KeepError::from)?;
+    console.result(
+        || {
+            format!(
+                "{}\nresults in {}\n",
+                output::summary_table(&results),
+                path.display()
+            )
+        },
+        &output::summary_json(&results),
+    )
+}
+
+impl RunArguments {
+    fn folder(&self) -> PathBuf {
+        let default = || {
+            let stem = self
+                .scene
+                .scene
+                .file_stem()
+                .unwrap_or_default()
+                .to_string_lossy();
+            PathBuf::from(format!("{stem}-results"))
+        };
+        self.output.clone().unwrap_or_else(default)
+    }
+}
+
+fn bar(scene: &Scene, console: Console) -> ProgressBar {
+    if console.quiet
+        || console.json
+        || scene.steps() < LONG_HISTORY
+        || !std::io::stderr().is_terminal()
+    {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{msg:14} {wide_bar} {pos}/{len} steps, {elapsed}");
+    let bar = ProgressBar::new(scene.steps() as u64);
+    // The template above is valid; a plain bar would do as well.
+    bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+fn show(bar: &ProgressBar, progress: Progress) {
+    match progress {
+        Progress::Phase(phase) => bar.set_message(phase),
+        Progress::Step { done, total } => {
+            bar.set_length(total as u64);
+            bar.set_position(done as u64);
+        }
+    }
+}
+
+/// The error at the key of the scene that it is about.
+fn located(scene: &Scene, error: &RunError) -> SceneError {
+    let (key, remedy) = match error {
+        RunError::Model(error) => return locate(scene, error),
+        RunError::Body { body, .. } => (
+            format!("bodies.{body}"),
+            "check the body's supports: it must not be able to move as a whole without contact",
+        ),
+        RunError::Contact(_) => (
+            "loads".to_owned(),
+            "take smaller steps (--set analysis.substeps=4) or another solver (--set analysis.solver=pivoting)",
+        ),
+        _ => ("mesh".to_owned(), "change the mesh settings"),
+    };
+    let problem = SceneProblem::Model {
+        message: error.to_string(),
+        remedy: remedy.to_owned(),
+    };
+    scene.error_at(&key, problem)
+}

@@ -1,0 +1,212 @@
+//! `report.html`: the answer first, then the load steps, the figures, and how it was done.
+
+use stickslip_report::page::{Block, Figure, Page, Section};
+use stickslip_report::table::{Column, Table};
+
+use super::FileNote;
+use super::display::{
+    EdgeView, decimals, load_label, load_text, peak_step, short, significant, step_text,
+};
+use super::figures::{Drawing, Group};
+use super::tables::{self, Detail};
+use crate::results::Results;
+
+/// The page of `results` with its figures; `failures` are figures that could not be drawn.
+pub(super) fn page(
+    results: &Results,
+    drawings: Vec<Drawing>,
+    failures: &[String],
+    files: &[FileNote],
+) -> Page {
+    let mut page = Page::new(&results.title, subtitle(results));
+    page.warnings = results.notes.iter().chain(failures).cloned().collect();
+    page.summary = summary(results);
+    page.notes = notes(results);
+    page.sections = vec![steps_section(results)];
+    let groups = [
+        (Group::Edge, "Along the contact"),
+        (Group::History, "Through the load history"),
+        (Group::Field, "Fields"),
+    ];
+    let mut drawings = drawings;
+    for (group, title) in groups {
+        let (here, rest): (Vec<_>, Vec<_>) = drawings
+            .into_iter()
+            .partition(|drawing| drawing.group == group);
+        drawings = rest;
+        if !here.is_empty() {
+            page.sections.push(figure_section(title, here));
+        }
+    }
+    page.sections.push(
+        Section::new("How it was modelled")
+            .with(Block::Table(tables::choices(results)))
+            .with(Block::Table(tables::bodies(results)))
+            .with(Block::Table(tables::phases(results))),
+    );
+    page.sections
+        .push(Section::new("Signs and names").with(Block::Table(tables::signs())));
+    page.sections
+        .push(Section::new("Files").with(Block::Table(file_table(files))));
+    page.footer = format!(
+        "stickslip {} · scene {}",
+        env!("CARGO_PKG_VERSION"),
+        results.scene_hash
+    );
+    page
+}
+
+fn subtitle(results: &Results) -> String {
+    let count = results.steps.len();
+    let steps = if count == 1 {
+        "1 load step".to_owned()
+    } else {
+        format!("{count} load steps")
+    };
+    format!("{} · {steps}", results.source)
+}
+
+fn figure_section(title: &str, drawings: Vec<Drawing>) -> Section {
+    let figures = drawings
+        .into_iter()
+        .map(|drawing| Block::Figure(Figure::new(drawing.picture, drawing.caption, drawing.name)));
+    figures.fold(Section::new(title), Section::with)
+}
+
+/// The most important numbers, at the largest load.
+fn summary(results: &Results) -> Vec<(String, String)> {
+    let mut rows = Vec::new();
+    let mut add = |name: &str, value: String| rows.push((name.to_owned(), value));
+    let Some(step) = peak_step(results) else {
+        return rows;
+    };
+    add(
+        "Largest load",
+        format!("{}, {}", load_label(results), step_text(results, step)),
+    );
+    if let Some(edge) = EdgeView::main(results) {
+        for (name, value) in edge_summary(&edge, step) {
+            add(&name, value);
+        }
+    }
+    let worst = |value: fn(&crate::results::StepResults) -> f64| {
+        let worst = results.steps.iter().map(value).fold(0.0, f64::max);
+        format!("{worst:.1e}")
+    };
+    add(
+        "Unbalanced force, worst step",
+        format!("{} of the load", worst(|step| step.balance_residual)),
+    );
+    if results.edges.iter().any(|edge| edge.contact) {
+        add(
+            "Contact conditions, worst step",
+            format!(
+                "complementarity {}, friction cone {}",
+                worst(|step| step.residuals.complementarity),
+                worst(|step| step.residuals.cone)
+            ),
+        );
+    }
+    let dofs: usize = results.bodies.iter().map(|body| body.dofs).sum();
+    let seconds: f64 = results.phases.iter().map(|(_, seconds)| seconds).sum();
+    add(
+        "Unknowns",
+        format!("{dofs}, {} factorisations", results.factorisations),
+    );
+    add("Wall time", format!("{} s", short(seconds)));
+    rows
+}
+
+fn edge_summary(edge: &EdgeView<'_>, step: usize) -> Vec<(String, String)> {
+    let mut rows = Vec::new();
+    let mut add = |name: String, value: String| rows.push((name, value));
+    let record = edge.step(step);
+    let unit = edge.units().stress.name;
+    let stress = |value: f64| {
+        let absolute = format!("{} {unit}", significant(edge.stress(value), 5));
+        match edge.bearing(step).filter(|_| edge.geometry.contact) {
+            Some(bearing) => format!("{absolute} = {} σ_b", decimals(Some(value / bearing), 3)),
+            None => absolute,
+        }
+    };
+    if let Some(bearing) = edge.bearing(step).filter(|_| edge.geometry.contact) {
+        add(
+            "Bearing stress σ_b".into(),
+            format!("{} {unit}", significant(edge.stress(bearing), 5)),
+        );
+    }
+    if let Some(extent) = record.contact_half_extent {
+        add("Contact".into(), format!("±{}", edge.extent(extent)));
+        let stick = edge.stick_half_extent(step).filter(|stick| *stick > 0.0);
+        add(
+            "Stick".into(),
+            stick.map_or("nowhere around the middle".into(), |stick| {
+                format!("±{}", edge.extent(stick))
+            }),
+        );
+    }
+    if let Some((pressure, place)) = record.peak_pressure {
+        add(
+            "Largest pressure".into(),
+            format!("{} at {}", stress(pressure), edge.at(place)),
+        );
+    }
+    if let Some((hoop, place)) = record.peak_hoop {
+        let name = format!("Largest {}", edge.stress_symbols()[1]);
+        add(name, format!("{} at {}", stress(hoop), edge.at(place)));
+    }
+    if let Some(ratio) = edge.friction_ratio(step) {
+        add(format!("Friction {}", edge.friction_symbol()), short(ratio));
+    }
+    rows
+}
+
+fn notes(results: &Results) -> Vec<String> {
+    let mut notes = Vec::new();
+    if results.edges.iter().any(|edge| edge.half) {
+        notes.push(
+            "One half of a symmetric model was solved: angles run from 0° to 180°, forces are those of the whole, field files \
+             hold the half."
+                .to_owned(),
+        );
+    }
+    notes.extend(tables::load_note(results));
+    notes
+}
+
+fn steps_section(results: &Results) -> Section {
+    let mut section = Section::new("Load steps");
+    for edge in EdgeView::all(results) {
+        let table = if edge.geometry.contact {
+            let mut table = tables::contact_table(&edge, Detail::Full);
+            table.caption = format!("Contact '{}'", edge.geometry.name);
+            table
+                .note("Contact ± and stick ± are half-extents; slip± are the lengths of the zones that slip along ±e_t.")
+                .note("Solves are interface solves of all increments; balance is the unbalanced force over the load.")
+        } else {
+            tables::stress_table(&edge)
+        };
+        section = section.with(Block::Table(table));
+    }
+    if let Some(step) = peak_step(results).filter(|_| results.steps.len() > 1) {
+        let text = format!(
+            "Figures of a single step show step {} ({}), the largest load.",
+            step + 1,
+            load_text(results, step)
+        );
+        section = section.with(Block::Text(text));
+    }
+    section
+}
+
+fn file_table(files: &[FileNote]) -> Table {
+    let mut table = Table::new("", vec![Column::new("file", ""), Column::new("holds", "")]);
+    table.push([
+        "summary.json",
+        "all quantities of the load steps for other programs",
+    ]);
+    for note in files {
+        table.push([&note.files, &note.what]);
+    }
+    table
+}

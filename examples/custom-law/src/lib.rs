@@ -1,0 +1,92 @@
+//! A friction law in a crate of its own.
+//!
+//! Running-in of a coated surface: the coefficient passes from that of the fresh coating to that of the worn surface along the
+//! slip path s,
+//!
+//! ```text
+//! F = μ(s) p,   μ(s) = μ_worn + (μ_fresh − μ_worn) exp(−s/s₀)
+//! ```
+//!
+//! with s the path before the step. Stick and slip share the bound, so a step has one answer however the coefficient moves.
+//! The three things below are all that a law needs: its parameters with their check, the trait, and an entry in the registry
+//! that tells the scene reader which parameters carry units.
+
+use serde::{Deserialize, Serialize};
+use stickslip_friction::{
+    Bound, Dimension, FrictionError, FrictionLaw, History, Interval, LawInfo, ParameterInfo, Place,
+};
+
+const NAME: &str = "running_in";
+
+/// In scenes `friction.running_in = { fresh = 0.1, worn = 0.25, slip_scale = "0.002 in" }`.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(try_from = "RawRunningIn")]
+pub struct RunningIn {
+    fresh: f64,
+    worn: f64,
+    slip_scale: f64,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RawRunningIn {
+    fresh: f64,
+    worn: f64,
+    slip_scale: f64,
+}
+
+impl TryFrom<RawRunningIn> for RunningIn {
+    type Error = FrictionError;
+
+    fn try_from(raw: RawRunningIn) -> Result<Self, FrictionError> {
+        Ok(Self {
+            fresh: Interval::NON_NEGATIVE.check(NAME, "fresh", raw.fresh)?,
+            worn: Interval::NON_NEGATIVE.check(NAME, "worn", raw.worn)?,
+            slip_scale: Interval::POSITIVE.check(NAME, "slip_scale", raw.slip_scale)?,
+        })
+    }
+}
+
+#[typetag::serde(name = "running_in")]
+impl FrictionLaw for RunningIn {
+    fn bound(&self, pressure: f64, _slip_increment: f64, _place: &Place, past: &History) -> Bound {
+        let fade = (-past.slip_path() / self.slip_scale).exp();
+        let coefficient = self.worn + (self.fresh - self.worn) * fade;
+        Bound::proportional(coefficient, coefficient, pressure)
+    }
+
+    fn is_linear(&self) -> bool {
+        true
+    }
+
+    fn box_clone(&self) -> Box<dyn FrictionLaw> {
+        Box::new(self.clone())
+    }
+}
+
+stickslip_friction::inventory::submit! {
+    LawInfo {
+        name: NAME,
+        summary: "coefficient that passes from a fresh coating's to a worn surface's along the slip path",
+        parameters: &[
+            ParameterInfo {
+                path: "fresh",
+                dimension: Dimension::Dimensionless,
+                default: None,
+                meaning: "coefficient of the fresh coating, ≥ 0",
+            },
+            ParameterInfo {
+                path: "worn",
+                dimension: Dimension::Dimensionless,
+                default: None,
+                meaning: "coefficient of the worn surface, ≥ 0",
+            },
+            ParameterInfo {
+                path: "slip_scale",
+                dimension: Dimension::Length,
+                default: None,
+                meaning: "slip path over which most of the passage happens, > 0",
+            },
+        ],
+    }
+}
