@@ -342,7 +342,7 @@ fn check_pair(pair: &ContactPair, bodies: &[&dyn InterfaceOperator]) -> Result<(
     }
     for (k, point) in pair.points.iter().enumerate() {
         let length = point.normal[0].hypot(point.normal[1]);
-        if !((length - 1.0).abs() < 1e-9) {
+        if length.is_nan() || (length - 1.0).abs() >= 1e-9 {
             return refuse(k, format!("the normal has length {length}, not 1"));
         }
         if !point.gap.is_finite() {

@@ -1,10 +1,13 @@
 //! The command line.
 //!
 //! ```text
-//! stickslip check SCENE [--set KEY=VALUE …]      check a scene and print it with all defaults
+//! stickslip run SCENE [--output DIR] [--force]   solve a scene and write a folder of results
+//! stickslip check SCENE                          check a scene and print it with all defaults
 //! stickslip init TEMPLATE [FILE]                 write a commented scene to start from
 //! stickslip list [TOPIC]                         laws and their parameters, templates, elements, solvers, units
 //! ```
+//!
+//! `run` and `check` take any number of `--set KEY=VALUE`.
 //!
 //! Results go to standard output, errors and progress to standard error. The exit code is 0 only if everything succeeded: 1 for a
 //! scene, run or file that failed, 2 for arguments that make no sense. With `--json` both streams are JSON, one document each.

@@ -161,7 +161,8 @@ impl SceneError {
         self.findings
             .iter()
             .map(|finding| render(finding, width, colours))
-            .collect()
+            .collect::<Vec<_>>()
+            .join("\n")
     }
 }
 

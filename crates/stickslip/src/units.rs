@@ -239,9 +239,12 @@ impl Expected {
     }
 
     fn first_unit(&self) -> &'static str {
-        self.0
-            .first()
-            .map_or("mm", |dimension| dimension.base_unit())
+        match self.0.first() {
+            // Nobody divides a circle in radians.
+            Some(Dimension::Angle) => "deg",
+            Some(dimension) => dimension.base_unit(),
+            None => Dimension::Length.base_unit(),
+        }
     }
 }
 

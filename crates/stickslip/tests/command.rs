@@ -477,6 +477,55 @@ fn errors_in_json_carry_the_same_parts() {
 }
 
 #[test]
+fn results_are_never_lost_by_accident() {
+    let folder = folder_with("pin.toml", SCENE);
+    let path = folder.path();
+    let run = [
+        "run",
+        "pin.toml",
+        "--set",
+        "output.figures=false",
+        "--output",
+    ];
+    let with = |more: &[&'static str]| [&run[..], more].concat();
+    let printed = succeeds(path, &with(&["results"]));
+    assert!(printed.contains("results"), "{printed}");
+    assert!(path.join("results/summary.json").exists());
+
+    let message = fails(path, &with(&["results"]));
+    assert!(
+        message.contains("results") && message.contains("exists"),
+        "{message}"
+    );
+    assert!(
+        message.contains("--force") && message.contains("--output"),
+        "{message}"
+    );
+    let summary = succeeds(path, &with(&["results", "--force", "--json"]));
+    assert!(serde_json::from_str::<Value>(&summary).is_ok(), "{summary}");
+
+    fs::create_dir(path.join("letters")).unwrap();
+    fs::write(path.join("letters/one.txt"), "dear").unwrap();
+    fails(path, &with(&["letters", "--force"]));
+    assert_eq!(
+        fs::read_to_string(path.join("letters/one.txt")).unwrap(),
+        "dear"
+    );
+
+    // A file where a folder should be cannot be written into, whoever asks.
+    let message = fails(path, &with(&["pin.toml/results"]));
+    assert!(
+        message.contains("pin.toml") && message.contains("help:"),
+        "{message}"
+    );
+    assert_eq!(fs::read_to_string(path.join("pin.toml")).unwrap(), SCENE);
+    let names = fs::read_dir(path)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name());
+    assert_eq!(names.count(), 3, "nothing else is left behind");
+}
+
+#[test]
 fn init_writes_scenes_that_check_and_never_overwrites() {
     let folder = TempDir::new().unwrap();
     for template in [

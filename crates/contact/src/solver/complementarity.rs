@@ -136,9 +136,8 @@ impl Complementarity {
             // Deterministic, between 1 and 2, and 1 throughout for the first.
             let variation = 1.0 + ((i * 37 * number) % 11) as f64 / 11.0;
             match kind {
-                Kind::Normal => variation,
+                Kind::Normal | Kind::Reverse => variation,
                 Kind::Tangent => 0.25 * variation / self.coefficients[k].max(1.0),
-                Kind::Reverse => variation,
             }
         })
     }
@@ -166,7 +165,7 @@ impl Complementarity {
                     }
                 }
                 Kind::Reverse if status[k].touches() && z[pair] > w[pair] => {
-                    status[k] = Status::SlipNegative
+                    status[k] = Status::SlipNegative;
                 }
                 Kind::Reverse => {}
             }
@@ -185,7 +184,7 @@ impl Complementarity {
     }
 }
 
-/// Compliance and free motion with springs on the rigid motions, in units of `unit` [length/force].
+/// Compliance and free motion with springs on the rigid motions, in units of `unit` `[length/force]`.
 fn sprung(step: &Step<'_>, unit: f64, softness: f64) -> (DMatrix<f64>, DVector<f64>) {
     let mut compliance = step.problem.compliance() / unit;
     let mut motion = &step.free_motion / unit;

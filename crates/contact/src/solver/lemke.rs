@@ -3,8 +3,8 @@
 //!     w = M z + q,   z ≥ 0, w ≥ 0, zᵀw = 0
 //!
 //! (Cottle, Pang & Stone 1992, §4.4) on a dense dictionary. The covering vector d makes z₀ large enough that every w
-//! starts non-negative; pivots follow the complementary rule until z₀ leaves. Ties in the ratio test go to z₀ first and
-//! then to the larger pivot.
+//! starts non-negative; pivots follow the complementary rule until z₀ leaves. Ties in the ratio test go to z₀; others are
+//! broken as if q were q + (ε, ε², …) with an infinitely small ε (the lexicographic rule, §4.9), so that no dictionary recurs.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -16,6 +16,11 @@ pub(super) enum Outcome {
     /// A secondary ray was met, or the pivot limit.
     Unsolved,
 }
+
+/// Size below which an entry of a column is rounding, relative to its largest one.
+const NEGLIGIBLE: f64 = 1e-10;
+/// The same for values of basic variables, whose ties decide.
+const ROUNDING: f64 = 1e-12;
 
 /// A variable of the dictionary: z₀ has index 0, wᵢ index 1 + i, zᵢ index 1 + n + i.
 type Variable = usize;
@@ -56,33 +61,62 @@ impl Dictionary {
 
     /// Row of the first basic variable to vanish as the non-basic one of `column` grows; `None` on a ray.
     fn leaving(&self, column: usize) -> Option<usize> {
-        const TIE: f64 = 1e-12;
         let largest = self.table.column(column).amax();
-        let mut best: Option<(f64, usize)> = None;
-        for row in 0..self.basic.len() {
-            let slope = self.table[(row, column)];
-            if slope >= -1e-11 * largest {
-                continue;
-            }
-            let ratio = self.table[(row, 0)].max(0.0) / -slope;
-            let better = match best {
-                None => true,
-                Some((least, other)) => {
-                    let tie = (ratio - least).abs() <= TIE * (1.0 + least.abs());
-                    if tie {
-                        self.basic[other] != 0
-                            && (self.basic[row] == 0
-                                || slope.abs() > self.table[(other, column)].abs())
-                    } else {
-                        ratio < least
-                    }
-                }
-            };
-            if better {
-                best = Some((ratio, row));
-            }
+        let falling = |row: &usize| self.table[(*row, column)] < -NEGLIGIBLE * largest;
+        let rows: Vec<usize> = (0..self.basic.len()).filter(falling).collect();
+        let mut first = self.first_to_vanish(rows, column, |row| self.table[(row, 0)].max(0.0));
+        if let Some(&row) = first.iter().find(|&&row| self.basic[row] == 0) {
+            return Some(row);
         }
-        best.map(|(_, row)| row)
+        for power in 0..self.basic.len() {
+            if first.len() <= 1 {
+                break;
+            }
+            first = self.first_to_vanish(first, column, |row| self.perturbation(row, power));
+        }
+        // What is left differs by rounding only.
+        let slope = |row: usize| self.table[(row, column)];
+        first
+            .into_iter()
+            .min_by(|&a, &b| slope(a).total_cmp(&slope(b)))
+    }
+
+    /// Those of `rows` for which value / −slope is least, up to rounding of the values (Harris 1973).
+    fn first_to_vanish(
+        &self,
+        rows: Vec<usize>,
+        column: usize,
+        value: impl Fn(usize) -> f64,
+    ) -> Vec<usize> {
+        let largest = rows
+            .iter()
+            .fold(0.0, |largest: f64, &row| largest.max(value(row).abs()));
+        let time = |row: usize, slack: f64| (value(row) + slack) / -self.table[(row, column)];
+        let limit = rows.iter().fold(f64::INFINITY, |least, &row| {
+            least.min(time(row, ROUNDING * largest))
+        });
+        rows.into_iter()
+            .filter(|&row| time(row, 0.0) <= limit)
+            .collect()
+    }
+
+    /// Whether z₀ is zero up to rounding, so that the dictionary holds a solution.
+    fn is_uncovered(&self) -> bool {
+        let rounding = ROUNDING * self.table.column(0).amax();
+        let row = self.basic.iter().position(|&variable| variable == 0);
+        row.is_none_or(|row| self.table[(row, 0)] <= rounding)
+    }
+
+    /// Coefficient of ε^(`power` + 1) in the basic variable of `row`: the perturbation goes with w of that index.
+    fn perturbation(&self, row: usize, power: usize) -> f64 {
+        let variable = 1 + power;
+        if self.basic[row] == variable {
+            return 1.0;
+        }
+        match self.nonbasic.iter().position(|&other| other == variable) {
+            Some(position) => -self.table[(row, position + 1)],
+            None => 0.0,
+        }
     }
 }
 
@@ -108,11 +142,12 @@ pub(super) fn lemke(
         basic: (1..=n).collect(),
         nonbasic: std::iter::once(0).chain(n + 1..=2 * n).collect(),
     };
-    let start = (0..n)
-        .map(|k| constant[k] / cover[k])
-        .enumerate()
-        .min_by(|a, b| a.1.total_cmp(&b.1));
-    let Some((mut row, _)) = start else {
+    // Of equal ratios the last one is lexicographically least.
+    let start = (0..n).rev().min_by(|&a, &b| {
+        let ratio = |k: usize| constant[k] / cover[k];
+        ratio(a).total_cmp(&ratio(b))
+    });
+    let Some(mut row) = start else {
         return Outcome::Unsolved;
     };
     let mut column = 1;
@@ -120,7 +155,7 @@ pub(super) fn lemke(
         let leaving = dictionary.basic[row];
         dictionary.pivot(row, column);
         *pivots += 1;
-        if leaving == 0 {
+        if dictionary.is_uncovered() {
             return Outcome::Solved(read_off(&dictionary, n));
         }
         let entering = if leaving > n {

@@ -48,8 +48,8 @@ impl<'a> Step<'a> {
     {
         let mut free_motion = self.free_motion.clone();
         for k in 0..self.count() {
-            free_motion[2 * k + 1] += self.committed.tangential_displacement(k)
-                - committed.tangential_displacement(k);
+            free_motion[2 * k + 1] +=
+                self.committed.tangential_displacement(k) - committed.tangential_displacement(k);
         }
         Step {
             problem: self.problem,

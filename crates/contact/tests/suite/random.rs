@@ -225,6 +225,20 @@ fn larger_supported_steps_are_solved_by_pivoting_alone() {
     }
 }
 
+/// Points that repeat one another leave ties in every ratio test of pivoting, and z₀ ends at zero by rounding.
+#[test]
+fn repeated_points_are_solved_by_pivoting() {
+    let tied: [&[f64]; 2] = [
+        &[1.0, 0.0, 1.0, -0.5, 0.5, -1.0, 0.0, 0.5],
+        &[0.678, -0.182, 0.258, -0.2, -0.2, 0.837, 0.988, -0.086],
+    ];
+    for numbers in tied {
+        let mut numbers = numbers.iter().copied().cycle();
+        let step = RandomStep::new(&mut || numbers.next().unwrap(), 0);
+        check(&step, &Pivoting::default(), &step.conditions().enumerate()).unwrap();
+    }
+}
+
 proptest! {
     /// Shrinking sets numbers to zero, so that these also meet coinciding gaps, no load, and ties everywhere.
     #[test]

@@ -12,7 +12,7 @@ use stickslip_fem_core::material::{
 use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_fem_core::{ElasticBody, HeldDirection, LoadCase, Support};
 
-use crate::meshes::edges;
+use super::meshes::edges;
 
 /// Thickness of the bodies here.
 pub(crate) const THICKNESS: f64 = 0.7;

@@ -9,7 +9,7 @@ use stickslip_fem_core::element::{Element, KindVisitor, gather, physical_gradien
 use stickslip_fem_core::material::{Material, PlaneStiffness, apply};
 use stickslip_fem_core::mesh::{Mesh, Point};
 
-use crate::fields::Field;
+use super::fields::Field;
 
 /// Abscissae and weights of the five-point Gauss rule on [−1, 1].
 const GAUSS: [(f64, f64); 5] = [

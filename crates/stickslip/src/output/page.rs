@@ -5,11 +5,11 @@ use stickslip_report::table::{Column, Table};
 
 use super::FileNote;
 use super::display::{
-    EdgeView, decimals, load_label, load_text, peak_step, short, significant, step_text,
+    EdgeView, decimals, load_text, peak_step, short, shown_load, significant, step_text,
 };
 use super::figures::{Drawing, Group};
 use super::tables::{self, Detail};
-use crate::results::Results;
+use crate::results::{Results, StepResults};
 
 /// The page of `results` with its figures; `failures` are figures that could not be drawn.
 pub(super) fn page(
@@ -24,7 +24,7 @@ pub(super) fn page(
     page.notes = notes(results);
     page.sections = vec![steps_section(results)];
     let groups = [
-        (Group::Edge, "Along the contact"),
+        (Group::Edge, "Along the edges"),
         (Group::History, "Through the load history"),
         (Group::Field, "Fields"),
     ];
@@ -80,17 +80,22 @@ fn summary(results: &Results) -> Vec<(String, String)> {
     let Some(step) = peak_step(results) else {
         return rows;
     };
-    add(
-        "Largest load",
-        format!("{}, {}", load_label(results), step_text(results, step)),
-    );
+    add("Largest load", load_name(results, step));
     if let Some(edge) = EdgeView::main(results) {
         for (name, value) in edge_summary(&edge, step) {
             add(&name, value);
         }
     }
-    let worst = |value: fn(&crate::results::StepResults) -> f64| {
-        let worst = results.steps.iter().map(value).fold(0.0, f64::max);
+    let worst = |value: fn(&StepResults) -> f64| {
+        let values = results.steps.iter().map(value);
+        // The largest, or NaN if there is one, which `max` would drop.
+        let worst = values.fold(0.0, |worst: f64, value| {
+            if worst.is_nan() || value <= worst {
+                worst
+            } else {
+                value
+            }
+        });
         format!("{worst:.1e}")
     };
     add(
@@ -115,6 +120,13 @@ fn summary(results: &Results) -> Vec<(String, String)> {
     );
     add("Wall time", format!("{} s", short(seconds)));
     rows
+}
+
+/// "pull, 1980 lbf, step 7 of 14".
+fn load_name(results: &Results, step: usize) -> String {
+    let load = shown_load(results).and_then(|index| results.steps[step].loads.get(index));
+    let name = load.map_or(String::new(), |load| format!("{}, ", load.name));
+    name + &step_text(results, step)
 }
 
 fn edge_summary(edge: &EdgeView<'_>, step: usize) -> Vec<(String, String)> {

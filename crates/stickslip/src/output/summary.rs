@@ -177,7 +177,8 @@ pub(super) fn summary(results: &Results) -> Summary<'_> {
     } = results.units;
     let mut wall_time_s = BTreeMap::new();
     for (phase, seconds) in &results.phases {
-        *wall_time_s.entry(*phase).or_insert(0.0) += seconds;
+        let sum = wall_time_s.entry(*phase).or_insert(0.0);
+        *sum = microseconds(*sum + seconds);
     }
     Summary {
         format: "stickslip-summary",
@@ -208,6 +209,11 @@ pub(super) fn summary(results: &Results) -> Summary<'_> {
             .map(|step| step_entry(results, step))
             .collect(),
     }
+}
+
+/// A time [s] to the microsecond.
+fn microseconds(seconds: f64) -> f64 {
+    (seconds * 1e6).round() / 1e6
 }
 
 fn energy_unit(units: DisplayUnits) -> String {
@@ -295,7 +301,7 @@ fn step_entry(results: &Results, index: usize) -> Step<'_> {
             ),
             unit: energy_unit(units),
         },
-        wall_time_s: step.seconds,
+        wall_time_s: microseconds(step.seconds),
     }
 }
 

@@ -197,12 +197,6 @@ fn work_columns(edge: EdgeView<'_>, detail: Detail) -> Vec<StepColumn<'_>> {
         record(step).work.solves.to_string()
     })];
     if detail == Detail::Full {
-        columns.push(column("pivots", "", move |step| {
-            record(step).work.pivots.to_string()
-        }));
-        columns.push(column("increments", "", move |step| {
-            record(step).increments.to_string()
-        }));
         let ratio = move |step| decimals(edge.friction_ratio(step), 4);
         columns.push(column(edge.friction_symbol(), "–", ratio));
     }

@@ -157,3 +157,30 @@ fn json_has_the_same_schema() {
         "{error}"
     );
 }
+
+#[test]
+fn no_typing_error_makes_it_panic() {
+    let table: Value = toml::from_str(SCENE).unwrap();
+    let json = serde_json::to_string_pretty(&table).unwrap();
+    for (text, format) in [(SCENE, Format::Toml), (json.as_str(), Format::Json)] {
+        for at in (0..text.len()).filter(|at| text.is_char_boundary(*at)) {
+            for insert in ["", "\"", "[", "{", "-", ".", "9e9", "\n", "ü", "null"] {
+                let next = text[at..].chars().next().map_or(0, char::len_utf8);
+                for rest in [&text[at..], &text[at + next..]] {
+                    let broken = format!("{}{insert}{rest}", &text[..at]);
+                    let read =
+                        Scene::from_text(&broken, format, "a", Path::new(""), &[] as &[&str]);
+                    if let Err(error) = read {
+                        assert!(
+                            error
+                                .findings()
+                                .iter()
+                                .all(|finding| finding.position().is_some()),
+                            "{error}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}

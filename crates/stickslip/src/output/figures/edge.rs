@@ -3,12 +3,14 @@
 use stickslip_report::axis::Axis;
 use stickslip_report::chart::{Dash, LineChart, Series};
 
-use super::{Attempt, half_remark, zone_bands};
+use super::{Attempt, closing_angle, half_remark, zone_bands};
 use crate::output::display::{EdgeView, decimals, peak_step, short, significant, step_text};
 use crate::results::EdgeRow;
 
 /// Part of a contact line that is shown, in half-widths of the widest contact.
 const CONTACT_WIDTHS: f64 = 2.5;
+/// Intervals between ticks over the width of a page.
+pub(super) const TICK_INTERVALS: f64 = 13.0;
 /// Rounding of an angle, in tick spacings.
 const ROUNDING: f64 = 1e-6;
 
@@ -31,7 +33,7 @@ pub(super) fn chart(view: &EdgeView<'_>) -> Attempt {
     );
     let mut chart = LineChart::new(
         title,
-        place_axis(view, contact_window(view)),
+        place_axis(view, contact_window(view), TICK_INTERVALS),
         Axis::linear(label),
     )
     .subtitle(subtitle(view, step))
@@ -132,8 +134,9 @@ fn caption(view: &EdgeView<'_>, step: usize) -> String {
     sentences.join(" ")
 }
 
-/// The place axis with ticks where a reader of angles expects them; `window` is the part to show [rad or mm].
-pub(super) fn place_axis(view: &EdgeView<'_>, window: Option<[f64; 2]>) -> Axis {
+/// The place axis with ticks where a reader of angles expects them, in at most `intervals`; `window` is the part to show
+/// [rad or mm].
+pub(super) fn place_axis(view: &EdgeView<'_>, window: Option<[f64; 2]>, intervals: f64) -> Axis {
     let unit = view.place_unit();
     let name = if view.is_circle() {
         "Angle θ from the bearing point"
@@ -157,7 +160,7 @@ pub(super) fn place_axis(view: &EdgeView<'_>, window: Option<[f64; 2]>) -> Axis 
     }
     let spacing = [5.0, 10.0, 15.0, 30.0, 45.0]
         .into_iter()
-        .find(|spacing| (high - low) / spacing <= 13.0);
+        .find(|spacing| (high - low) / spacing <= intervals);
     let spacing = spacing.unwrap_or(60.0);
     // Ends that are no node, such as +180° of a closed edge, still close the axis.
     let (first, last) = (
@@ -193,11 +196,8 @@ pub(super) fn curve(
     let mut points: Vec<[f64; 2]> = (view.geometry.parameter.iter().zip(rows))
         .map(|(parameter, row)| [view.place(*parameter), value(row)])
         .collect();
-    if let (Some(&[first, start]), Some(&[last, _])) = (points.first(), points.last()) {
-        let closed = view.is_circle() && !view.geometry.half && first <= -179.999 && last < 179.999;
-        if closed {
-            points.push([first + 360.0, start]);
-        }
+    if let (Some(end), Some(&[_, start])) = (closing_angle(view), points.first()) {
+        points.push([end, start]);
     }
     points
 }

@@ -6,13 +6,15 @@ use stickslip_report::chart::{Dash, Legend, LineChart, Panels, Series};
 use stickslip_report::color::{Color, loading_sequence, sequence, unloading_sequence};
 use stickslip_report::svg::Svg;
 
+use super::Attempt;
 use super::edge::{around_contact, curve, place_axis};
-use super::{Attempt, half_remark};
 use crate::output::display::{EdgeView, decimals, load_text, significant, unloading};
 use crate::results::{EdgeRow, Results};
 
 /// Steps up to which every curve has its own entry in the legend.
 const NAMED_STEPS: usize = 8;
+/// Intervals between ticks under a panel.
+const TICK_INTERVALS: f64 = 8.0;
 /// Part of the edge that is shown, in half-extents of the widest contact.
 const REACH: f64 = 1.12;
 
@@ -37,7 +39,7 @@ pub(super) fn pressure(view: &EdgeView<'_>) -> Attempt {
     family(
         view,
         &quantity,
-        &peak_sentence(view, "The largest pressure", peak),
+        peak_sentence(view, "The largest pressure", peak),
     )
 }
 
@@ -61,7 +63,7 @@ pub(super) fn shear(view: &EdgeView<'_>) -> Attempt {
     family(
         view,
         &quantity,
-        &peak_sentence(view, "The largest friction traction", peak),
+        peak_sentence(view, "The largest friction traction", peak),
     )
 }
 
@@ -82,7 +84,7 @@ pub(super) fn hoop(view: &EdgeView<'_>) -> Attempt {
     family(
         view,
         &quantity,
-        &peak_sentence(view, &format!("The largest {symbol}"), peak),
+        peak_sentence(view, &format!("The largest {symbol}"), peak),
     )
 }
 
@@ -96,8 +98,12 @@ fn largest(
         .max_by(|(_, a, _), (_, b, _)| a.abs().total_cmp(&b.abs()))
 }
 
-fn peak_sentence(view: &EdgeView<'_>, name: &str, peak: Option<(usize, f64, f64)>) -> String {
-    peak.map_or(String::new(), |(step, value, place)| {
+fn peak_sentence(
+    view: &EdgeView<'_>,
+    name: &str,
+    peak: Option<(usize, f64, f64)>,
+) -> Option<String> {
+    peak.map(|(step, value, place)| {
         let unit = view.units().stress.name;
         let stress = significant(view.stress(value), 4);
         let over = view.bearing(step).map_or(String::new(), |bearing| {
@@ -114,7 +120,7 @@ fn peak_sentence(view: &EdgeView<'_>, name: &str, peak: Option<(usize, f64, f64)
     })
 }
 
-fn family(view: &EdgeView<'_>, quantity: &Quantity, peak: &str) -> Attempt {
+fn family(view: &EdgeView<'_>, quantity: &Quantity, peak: Option<String>) -> Attempt {
     let results = view.results();
     if results.steps.len() < 2 {
         return Ok(None);
@@ -145,8 +151,7 @@ fn family(view: &EdgeView<'_>, quantity: &Quantity, peak: &str) -> Attempt {
         .render()?
     };
     let mut sentences = what_is_seen(view, quantity, over_bearing);
-    sentences.push(peak.to_owned());
-    sentences.extend(half_remark(view));
+    sentences.extend(peak);
     Ok(Some((picture, sentences.join(" "))))
 }
 
@@ -205,7 +210,11 @@ fn chart(
 ) -> LineChart {
     let reach = view.widest_contact().filter(|_| quantity.near_contact);
     let window = reach.and_then(|reach| around_contact(view, REACH * reach));
-    let mut chart = LineChart::new("", place_axis(view, window), Axis::linear(label));
+    let mut chart = LineChart::new(
+        "",
+        place_axis(view, window, TICK_INTERVALS),
+        Axis::linear(label),
+    );
     for (step, look) in looks(view.results()).into_iter().enumerate() {
         let points = curve(view, step, |row| {
             scaled(step, (quantity.value)(row)).unwrap_or(f64::NAN)

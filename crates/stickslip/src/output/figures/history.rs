@@ -4,7 +4,7 @@ use stickslip_report::axis::Axis;
 use stickslip_report::chart::{Dash, Legend, LineChart, Panels, Series, SeriesStyle};
 use stickslip_report::color::Color;
 
-use super::{Attempt, half_remark};
+use super::Attempt;
 use crate::output::display::{
     EdgeView, decimals, load_label, load_text, load_values, peak_step, short, shown_load,
     step_text, unloading,
@@ -103,7 +103,6 @@ fn caption(view: &EdgeView<'_>) -> String {
             "Where the branches of rising and falling load differ, friction remembers the history.";
         sentences.push(memory.to_owned());
     }
-    sentences.extend(half_remark(view));
     sentences.join(" ")
 }
 

@@ -5,8 +5,8 @@ use stickslip_report::axis::Axis;
 use stickslip_report::chart::{Legend, LineChart, ReferenceLine, Series};
 use stickslip_report::color::Color;
 
-use super::edge::{around_contact, place_axis};
-use super::{Attempt, half_remark, zone_color, zone_name};
+use super::edge::{TICK_INTERVALS, around_contact, place_axis};
+use super::{Attempt, zone_color, zone_name, zone_ranges};
 use crate::output::display::{EdgeView, load_label, load_values, significant};
 
 /// Width of the figure [px].
@@ -32,7 +32,7 @@ pub(super) fn chart(view: &EdgeView<'_>) -> Attempt {
     } else {
         x
     };
-    let y = place_axis(view, around_contact(view, REACH * widest));
+    let y = place_axis(view, around_contact(view, REACH * widest), TICK_INTERVALS);
     let title = format!("Open, stick and slip on '{}'", view.geometry.name);
     let subtitle = format!("{} above each bar", load_label(view.results()));
     let mut chart = LineChart::new(title, x, y)
@@ -82,18 +82,12 @@ fn fill(status: Status) -> Color {
 fn bars(view: &EdgeView<'_>, status: Status, width: f64) -> Series {
     let mut points = Vec::new();
     for step in 0..view.results().steps.len() {
-        for zone in view
-            .step(step)
-            .zones
-            .iter()
-            .filter(|zone| zone.status == status)
+        let x = (step + 1) as f64;
+        for (_, [start, end]) in zone_ranges(view, step)
+            .into_iter()
+            .filter(|zone| zone.0 == status)
         {
-            let x = (step + 1) as f64;
-            points.extend([
-                [x, view.place(zone.start)],
-                [x, view.place(zone.end)],
-                [x, f64::NAN],
-            ]);
+            points.extend([[x, start], [x, end], [x, f64::NAN]]);
         }
     }
     Series::new("", points).color(fill(status)).width(width)
@@ -130,6 +124,5 @@ fn caption(view: &EdgeView<'_>) -> String {
             "In {reversing} of {count} steps the contact slips both ways on one side of its middle."
         ));
     }
-    sentences.extend(half_remark(view));
     sentences.join(" ")
 }

@@ -106,6 +106,7 @@ impl Builder<'_> {
 
     fn groups_are_held(&mut self, contacts: &[Contact], supports: &[Support], platens: &[Platen]) {
         let mut group: BTreeMap<String, usize> = self.bodies.keys().cloned().zip(0..).collect();
+        // Every set has been looked up among the bodies, so its body has a group.
         for contact in contacts {
             let (own, other) = (group[&contact.first.body], group[&contact.second.body]);
             group

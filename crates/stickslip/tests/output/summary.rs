@@ -1,0 +1,142 @@
+//! `summary.json`: its keys, its numbers, and that each key is described.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+use serde_json::Value;
+use stickslip::output::summary_json;
+
+use super::files::written;
+use super::fixture::{LOADS, RADIUS, THICKNESS, results};
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or(f64::NAN)
+}
+
+/// Eleven digits: twelve are written.
+fn close(value: &Value, expected: f64) -> bool {
+    (number(value) - expected).abs() <= 1e-11 * expected.abs()
+}
+
+#[test]
+fn the_first_contact_edge_stands_in_each_step() {
+    let summary = summary_json(&results());
+    assert_eq!(summary["format"], "stickslip-summary");
+    assert_eq!(summary["format_version"], 1);
+    assert_eq!(summary["edge"], "pin");
+    assert_eq!(summary["program"]["version"], env!("CARGO_PKG_VERSION"));
+    assert_eq!(summary["steps"].as_array().unwrap().len(), LOADS.len());
+    let step = &summary["steps"][2];
+    // lbf to the twelfth digit.
+    assert!(close(&step["load"]["value"], 4000.0 / 4.448_221_615_260_5));
+    assert_eq!(step["load"]["unit"], "lbf");
+    assert_eq!(step["loads"][1]["name"], "cool, slowly");
+    assert!(close(&step["contact_half_angle_deg"], 80.0));
+    let bearing = LOADS[2] / (2.0 * RADIUS * THICKNESS);
+    assert!(close(&step["peak_pressure_over_bearing"], 100.0 / bearing));
+    assert_eq!(step["peak_pressure_angle_deg"], 0.0);
+    assert_eq!(step["peak_pressure"]["unit"], "psi");
+    // Sticking nodes reach to 40°; slip follows up to the last node inside 80°.
+    assert!(close(&step["stick_half_angle_deg"], 40.0));
+    let slip = &step["slip_zones_deg"][0];
+    assert!(
+        close(&slip["start"], 40.0) && close(&slip["end"], 75.0),
+        "{slip}"
+    );
+    assert_eq!(slip["direction"], "+");
+    assert_eq!(summary["steps"][3]["slip_zones_deg"][0]["direction"], "-");
+    assert_eq!(summary["steps"][3]["unloading"], true);
+    assert_eq!(step["iterations"], 5);
+    assert_eq!(step["points_in_doubt"], 1);
+    assert_eq!(
+        step["edges"]["pin"]["contact_half_angle_deg"],
+        step["contact_half_angle_deg"]
+    );
+}
+
+#[test]
+fn a_line_has_widths_and_an_edge_without_contact_has_nulls() {
+    let summary = summary_json(&results());
+    let line = &summary["steps"][2]["edges"]["roller"];
+    assert!(close(&line["contact_half_width"]["value"], 2.0 / 25.4));
+    assert_eq!(line["contact_half_width"]["unit"], "in");
+    assert_eq!(line["slip_zones"][0]["unit"], "in");
+    // The zone runs from the last slipping node at −1.25 mm to the last sticking node at 1 mm.
+    assert!(close(&line["stick_half_width"]["value"], 1.125 / 25.4));
+    assert!(line.get("contact_half_angle_deg").is_none());
+    let free = &summary["steps"][2]["edges"]["plate.left"];
+    for key in [
+        "contact_half_width",
+        "peak_pressure",
+        "friction_force",
+        "resultant",
+    ] {
+        assert_eq!(free[key], Value::Null, "{key}");
+    }
+    assert_eq!(free["slip_zones"], Value::Array(Vec::new()));
+    assert_eq!(free["peak_hoop"]["unit"], "psi");
+}
+
+#[test]
+fn numbers_that_do_not_exist_are_null() {
+    let mut results = results();
+    results.steps[0].balance_residual = f64::NAN;
+    results.steps[0].edges[0].resultant = [0.0; 2];
+    let summary = summary_json(&results);
+    assert_eq!(summary["steps"][0]["balance_residual"], Value::Null);
+    assert_eq!(
+        summary["steps"][0]["peak_pressure_over_bearing"],
+        Value::Null
+    );
+    results.steps.pop();
+    results.steps[0].edges.pop();
+    assert_eq!(summary_json(&results), Value::Null);
+}
+
+#[test]
+fn the_file_is_the_value() {
+    let results = results();
+    let (_place, folder) = written(&results, false);
+    let text = fs::read_to_string(folder.join("summary.json")).unwrap();
+    assert_eq!(
+        serde_json::from_str::<Value>(&text).unwrap(),
+        summary_json(&results)
+    );
+    assert!(text.starts_with("{\n  \"format\": \"stickslip-summary\""));
+}
+
+/// Every key below `value`; names of edges and phases are data, not keys.
+fn keys(value: &Value, found: &mut BTreeSet<String>) {
+    match value {
+        Value::Object(entries) => {
+            for (key, value) in entries {
+                found.insert(key.clone());
+                match (key.as_str(), value) {
+                    ("wall_time_s", Value::Object(_)) => {}
+                    ("edges", Value::Object(edges)) => {
+                        edges.values().for_each(|edge| keys(edge, found));
+                    }
+                    _ => keys(value, found),
+                }
+            }
+        }
+        Value::Array(values) => values.iter().for_each(|value| keys(value, found)),
+        _ => {}
+    }
+}
+
+#[test]
+fn every_key_is_described() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/summary-format.md");
+    let text = fs::read_to_string(path).unwrap();
+    let mut found = BTreeSet::new();
+    keys(&summary_json(&results()), &mut found);
+    assert!(found.len() > 50, "{found:?}");
+    for key in found {
+        assert!(
+            text.contains(&format!("`{key}`")),
+            "docs/summary-format.md does not describe `{key}`"
+        );
+    }
+}

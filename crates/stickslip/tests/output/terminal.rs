@@ -1,0 +1,68 @@
+//! Tables for the terminal.
+
+use stickslip::output::{signs_table, summary_table};
+
+use super::fixture::{open_hole, results};
+
+#[test]
+fn load_steps_fit_in_120_columns_below_a_row_of_units() {
+    let text = summary_table(&results());
+    assert!(
+        text.lines().all(|line| line.chars().count() <= 120),
+        "{text}"
+    );
+    let lines: Vec<Vec<&str>> = text
+        .lines()
+        .map(|line| line.split_whitespace().collect())
+        .collect();
+    assert_eq!(lines[0], ["Contact", "'pin'"]);
+    assert_eq!(
+        lines[1].join(" "),
+        "step load contact ± stick ± slip+ slip− max p at θ max σ_θ at θ solves balance time"
+    );
+    assert_eq!(
+        lines[2],
+        [
+            "lbf", "deg", "deg", "deg", "deg", "psi", "deg", "psi", "deg", "–", "ms"
+        ]
+    );
+    // 4000 N = 899.24 lbf; 100 MPa = 14504 psi; 130 MPa = 18855 psi.
+    let peak = "3 899.24 80.0 40.0 35.0 0.0 14504 0.0 18855 90.0 5 4.0e-13 1.0";
+    assert_eq!(lines[6].join(" "), peak);
+    assert!(text.contains("Contact 'roller'"));
+    assert!(
+        !text.contains("plate.left"),
+        "an edge without contact has no row beside contacts"
+    );
+}
+
+#[test]
+fn without_contact_the_hoop_stress_is_shown() {
+    let text = summary_table(&open_hole());
+    assert!(text.starts_with("Edge 'plate.hole'\n"), "{text}");
+    assert!(
+        text.contains("max σ_θ") && !text.contains("contact"),
+        "{text}"
+    );
+}
+
+#[test]
+fn inconsistent_results_have_no_table() {
+    let mut results = results();
+    results.steps[0].edges.clear();
+    assert_eq!(summary_table(&results), "");
+}
+
+#[test]
+fn every_sign_has_a_row() {
+    let text = signs_table();
+    assert!(
+        text.lines().all(|line| line.chars().count() <= 120),
+        "{text}"
+    );
+    for name in [
+        "CPRESS", "CSHEAR1", "COPEN", "CSLIP1", "CSTATUS", "σ_r", "τ_rθ", "e_t", "σ_b",
+    ] {
+        assert!(text.contains(name), "{name}\n{text}");
+    }
+}

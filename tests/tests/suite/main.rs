@@ -1,0 +1,3 @@
+//! Whole scenes: what must hold whatever the numbers in them, equilibrium above all.
+
+mod equilibrium;

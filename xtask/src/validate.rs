@@ -1,0 +1,255 @@
+//! `cargo xtask validate`: computed quantities beside known solutions, in one table.
+//!
+//! Every case runs scenes of this repository through the library, as a user would, and compares them with closed forms, with
+//! independently derived tables, or with measured runs of other programs. A bound that is missed fails the task. With
+//! `--mutate` the cases with friction run again with friction wrong in three ways, and each has to notice.
+
+mod aluminium;
+mod benchmark;
+mod check;
+mod elements;
+mod laboratory;
+mod line_contact;
+mod mutation;
+mod open_hole;
+mod persson;
+mod render;
+mod rigid_pin;
+
+use std::path::Path;
+use std::process::ExitCode;
+use std::time::Instant;
+
+use clap::Args;
+
+use check::{Check, Checks, Verdict};
+use laboratory::{Laboratory, Size, Trouble};
+use mutation::Mutation;
+
+/// Largest relative residual of any step.
+const RESIDUAL: f64 = 1e-10;
+
+/// What to validate.
+#[derive(Debug, Args)]
+pub(crate) struct Options {
+    /// Coarser meshes and fewer of them: at most a minute.
+    #[arg(long)]
+    quick: bool,
+    /// Runs the cases with friction again (on the quick meshes) with friction wrong, and fails if one does not notice.
+    #[arg(long)]
+    mutate: bool,
+    /// Only cases whose name contains this.
+    #[arg(long, value_name = "NAME")]
+    only: Option<String>,
+    /// Writes the table to docs/validation.md.
+    #[arg(long, conflicts_with_all = ["quick", "only"])]
+    write: bool,
+}
+
+/// Something known, and the scenes that should reproduce it.
+struct Case {
+    name: &'static str,
+    title: &'static str,
+    /// Whether friction decides its answers, so that a mistake in it must show.
+    friction: bool,
+    checks: fn(&Laboratory) -> Result<Vec<Check>, Trouble>,
+}
+
+const CASES: [Case; 11] = [
+    Case {
+        name: "elements",
+        title: "Elements",
+        friction: false,
+        checks: elements::checks,
+    },
+    Case {
+        name: "open-hole",
+        title: "Open holes",
+        friction: false,
+        checks: open_hole::checks,
+    },
+    Case {
+        name: "persson",
+        title: "Frictionless pin of the plate's material",
+        friction: false,
+        checks: persson::checks,
+    },
+    Case {
+        name: "hertz",
+        title: "Hertz",
+        friction: false,
+        checks: line_contact::hertz,
+    },
+    Case {
+        name: "cattaneo",
+        title: "Cattaneo–Mindlin",
+        friction: true,
+        checks: line_contact::cattaneo,
+    },
+    Case {
+        name: "rigid-pin-frictionless",
+        title: "Rigid pin, orthotropic plate, frictionless",
+        friction: false,
+        checks: rigid_pin::frictionless,
+    },
+    Case {
+        name: "rigid-pin-friction",
+        title: "Rigid pin, orthotropic plate, friction",
+        friction: true,
+        checks: rigid_pin::frictional,
+    },
+    Case {
+        name: "aluminium-frictionless",
+        title: "Aluminium plate, frictionless",
+        friction: false,
+        checks: aluminium::frictionless,
+    },
+    Case {
+        name: "aluminium-friction",
+        title: "Aluminium plate, friction",
+        friction: true,
+        checks: aluminium::frictional,
+    },
+    Case {
+        name: "benchmark-frictionless",
+        title: "Pin benchmark, frictionless",
+        friction: false,
+        checks: benchmark::frictionless,
+    },
+    Case {
+        name: "benchmark-friction",
+        title: "Pin benchmark, friction",
+        friction: true,
+        checks: benchmark::frictional,
+    },
+];
+
+/// A case and what came of it.
+pub(crate) struct Outcome {
+    pub(crate) title: &'static str,
+    pub(crate) checks: Vec<Check>,
+}
+
+/// Runs the task: table on stdout, progress on stderr.
+pub(crate) fn main(options: &Options) -> ExitCode {
+    let start = Instant::now();
+    let chosen: Vec<&Case> = CASES
+        .iter()
+        .filter(|case| {
+            options
+                .only
+                .as_ref()
+                .is_none_or(|name| case.name.contains(name.as_str()))
+        })
+        .collect();
+    if chosen.is_empty() {
+        let names: Vec<&str> = CASES.iter().map(|case| case.name).collect();
+        eprintln!("no case has that in its name; the cases are {}", names.join(", "));
+        return ExitCode::FAILURE;
+    }
+    let size = if options.quick { Size::Quick } else { Size::Full };
+    let laboratory = Laboratory::new(size, Mutation::None);
+    let mut outcomes: Vec<Outcome> = chosen.iter().map(|case| run(case, &laboratory)).collect();
+    outcomes.push(residuals(&laboratory));
+    if options.mutate {
+        outcomes.push(mutants(&chosen));
+    }
+    print!("{}", render::text(&outcomes));
+    eprintln!("{:.0} s", start.elapsed().as_secs_f64());
+    if options.write {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/validation.md");
+        if let Err(cause) = std::fs::write(&path, render::markdown(&outcomes)) {
+            eprintln!("{}: {cause}", path.display());
+            return ExitCode::FAILURE;
+        }
+    }
+    let failed = |outcome: &Outcome| outcome.checks.iter().any(|c| c.verdict == Verdict::Fail);
+    if outcomes.iter().any(failed) {
+        ExitCode::FAILURE
+    } else {
+        ExitCode::SUCCESS
+    }
+}
+
+/// The checks of a case; one that cannot be computed has failed.
+fn run(case: &Case, laboratory: &Laboratory) -> Outcome {
+    eprintln!("{}", case.title);
+    let checks = (case.checks)(laboratory).unwrap_or_else(|trouble| {
+        let mut checks = Checks::default();
+        checks.holds(case.name, "is computed", trouble.to_string(), false);
+        checks.into_list()
+    });
+    Outcome {
+        title: case.title,
+        checks,
+    }
+}
+
+/// Equilibrium and contact conditions over all runs.
+fn residuals(laboratory: &Laboratory) -> Outcome {
+    let worst = laboratory.residuals();
+    let mut checks = Checks::against("statics; Signorini and Coulomb");
+    if worst.runs > 0 {
+        let runs = format!("{} runs, {} load steps", worst.runs, worst.steps);
+        let kinds = [
+            ("unbalanced force over the load", worst.balance),
+            ("complementarity violation", worst.complementarity),
+            ("friction cone violation", worst.cone),
+        ];
+        for (name, worst) in kinds {
+            checks.rounding_below(
+                format!("{name}, worst of {runs}"),
+                worst.place,
+                worst.value,
+                RESIDUAL,
+            );
+        }
+    }
+    Outcome {
+        title: "Residuals",
+        checks: checks.into_list(),
+    }
+}
+
+/// Runs the cases with friction once as they are and once with each mistake.
+fn mutants(chosen: &[&Case]) -> Outcome {
+    let mut checks = Checks::against("");
+    for case in chosen.iter().filter(|case| case.friction) {
+        let control = run(case, &Laboratory::new(Size::Quick, Mutation::None));
+        let (missed, of, _) = count(&control.checks);
+        checks.holds(
+            format!("{}: {}", case.title, Mutation::None.name()),
+            "all checks pass",
+            format!("{missed} of {of} fail"),
+            missed == 0,
+        );
+        for mutation in Mutation::MISTAKES {
+            eprint!("[{}] ", mutation.name());
+            let mutant = run(case, &Laboratory::new(Size::Quick, mutation));
+            let (caught, of, first) = count(&mutant.checks);
+            checks.holds(
+                format!("{}: {}", case.title, mutation.name()),
+                "at least one check fails",
+                format!("{caught} of {of} fail{first}"),
+                caught > 0,
+            );
+        }
+    }
+    Outcome {
+        title: "Deliberate mistakes in friction",
+        checks: checks.into_list(),
+    }
+}
+
+/// Checks that fail, checks with a bound, and the first that fails.
+fn count(checks: &[Check]) -> (usize, usize, String) {
+    let bounded = checks.iter().filter(|c| c.verdict != Verdict::Shown).count();
+    let failed: Vec<&Check> = checks
+        .iter()
+        .filter(|c| c.verdict == Verdict::Fail)
+        .collect();
+    let first = failed.first().map_or_else(String::new, |check| {
+        format!("; first: {} ({})", check.quantity, check.computed)
+    });
+    (failed.len(), bounded, first)
+}

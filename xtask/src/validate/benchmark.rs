@@ -1,0 +1,155 @@
+//! Elastic pin in an elastic plate, the job on which other programs were measured: five spacings, Q4 and Q8.
+
+use stickslip::results::Results;
+use stickslip_fem_core::mesh::ElementKind;
+
+use super::check::{Check, Checks, Tolerance, number};
+use super::laboratory::{Laboratory, PSI, Trouble};
+use super::rigid_pin::stresses;
+
+const LOAD_STEPS: usize = 14;
+/// Load steps that are compared: 1240 lb while loading, 1210 lb while unloading.
+const LOADED: usize = 3;
+const UNLOADED: usize = 9;
+
+/// What is known of one coefficient of friction, at 1240 lb while loading.
+struct Case {
+    friction: f64,
+    /// `[psi]`
+    peak_pressure: f64,
+    /// σ_θ at 90° `[psi]`
+    hoop: f64,
+    /// Friction over μ times the normal force, at 1240 lb loading and 1210 lb unloading.
+    ratios: Option<[f64; 2]>,
+}
+
+const FRICTIONLESS: Case = Case {
+    friction: 0.0,
+    peak_pressure: 31501.0,
+    hoop: 39590.0,
+    ratios: None,
+};
+
+const FRICTIONAL: Case = Case {
+    friction: 0.25,
+    peak_pressure: 25229.0,
+    hoop: 42255.0,
+    ratios: Some([0.760, 0.479]),
+};
+
+pub(super) fn frictionless(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+    all(laboratory, &FRICTIONLESS)
+}
+
+pub(super) fn frictional(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+    all(laboratory, &FRICTIONAL)
+}
+
+fn all(laboratory: &Laboratory, case: &Case) -> Result<Vec<Check>, Trouble> {
+    let mut checks = Checks::against("condensed node-to-node code, Q4 and Q8, small sliding");
+    let spacings = laboratory.sized(&[9.0, 4.5, 2.25][..], &[9.0, 4.5, 2.25, 1.125, 0.5625][..]);
+    for kind in [ElementKind::Q4, ElementKind::Q8] {
+        let mut peaks = Vec::with_capacity(spacings.len());
+        for &spacing in spacings {
+            let overrides = [
+                format!("mesh.element={kind:?}"),
+                format!("mesh.spacing=\"{spacing} deg\""),
+                format!("contacts.0.friction.coulomb.mu={}", case.friction),
+            ];
+            let results = laboratory.run("pin-benchmark", &overrides)?;
+            let what = format!("{kind:?} {spacing}°");
+            checks.holds(
+                format!("{what}: load steps that converge"),
+                LOAD_STEPS.to_string(),
+                results.steps.len().to_string(),
+                results.steps.len() == LOAD_STEPS,
+            );
+            one(&mut checks, &what, case, spacing, &results)?;
+            peaks.push(peak_hoop(&results)?);
+        }
+        show_peaks(&mut checks, kind, &peaks, spacings);
+    }
+    Ok(checks.into_list())
+}
+
+fn one(
+    checks: &mut Checks,
+    what: &str,
+    case: &Case,
+    spacing: f64,
+    results: &Results,
+) -> Result<(), Trouble> {
+    let edge = &results.steps[LOADED].edges[0];
+    let (pressure, _) = edge
+        .peak_pressure
+        .ok_or_else(|| Trouble::Missing("the pin does not touch".into()))?;
+    let quantity = format!("{what}: peak pressure, 1240 lb");
+    let limit = match spacing {
+        s if s <= 1.125 => Some(2e-4),
+        s if s <= 2.25 => Some(1e-3),
+        _ => None,
+    };
+    bounded(checks, quantity, pressure / PSI, case.peak_pressure, " psi", limit.map(Tolerance::Relative));
+    let hoop = stresses(results, LOADED, 90.0)?[1] / PSI;
+    let limit = (spacing <= 1.125).then_some(Tolerance::Relative(3e-3));
+    bounded(checks, format!("{what}: σ_θ at 90°, 1240 lb"), hoop, case.hoop, " psi", limit);
+    if let Some(ratios) = case.ratios {
+        let steps = [(LOADED, "1240 lb loading"), (UNLOADED, "1210 lb unloading")];
+        for ((step, name), reference) in steps.into_iter().zip(ratios) {
+            let edge = &results.steps[step].edges[0];
+            let ratio = edge.friction_force / (case.friction * edge.normal_force);
+            let limit = (spacing <= 2.25).then_some(Tolerance::Absolute(2e-3));
+            bounded(checks, format!("{what}: T/(μN), {name}"), ratio, reference, "", limit);
+        }
+    }
+    Ok(())
+}
+
+/// A check where a bound is given, else a quantity to look at.
+fn bounded(
+    checks: &mut Checks,
+    quantity: String,
+    computed: f64,
+    reference: f64,
+    unit: &str,
+    limit: Option<Tolerance>,
+) {
+    match limit {
+        Some(tolerance) => checks.near(quantity, computed, reference, unit, tolerance),
+        None => checks.show(
+            quantity,
+            format!("{}{unit}", number(reference)),
+            format!("{}{unit}", number(computed)),
+        ),
+    }
+}
+
+/// Largest σ_θ `[psi]` at 1240 lb and its angle `[deg]`.
+fn peak_hoop(results: &Results) -> Result<[f64; 2], Trouble> {
+    let (value, at) = results.steps[LOADED].edges[0]
+        .peak_hoop
+        .ok_or_else(|| Trouble::Missing("no stress".into()))?;
+    Ok([value / PSI, at.to_degrees()])
+}
+
+/// The peak at the contact's end is a cusp of which no mesh has more than the error of order √h allows.
+fn show_peaks(checks: &mut Checks, kind: ElementKind, peaks: &[[f64; 2]], spacings: &[f64]) {
+    let [.., [before, _], [last, at]] = peaks else {
+        return;
+    };
+    let root = 2.0_f64.sqrt();
+    let limit = (root * last - before) / (root - 1.0);
+    checks.show(
+        format!(
+            "{kind:?} {}°: peak σ_θ, 1240 lb, a cusp with an error of order √h",
+            spacings[spacings.len() - 1]
+        ),
+        "",
+        format!(
+            "{} psi at {at:.1}°, √h-extrapolated {} psi: ± {} psi",
+            number(*last),
+            number(limit),
+            number((limit - last).abs())
+        ),
+    );
+}

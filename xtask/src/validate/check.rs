@@ -1,0 +1,256 @@
+//! One line of the validation table: a quantity, what it should be, what it is, and whether that will do.
+
+/// Whether a check was met.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Verdict {
+    /// Within the bound.
+    Pass,
+    /// Outside the bound.
+    Fail,
+    /// Without a bound; shown for information.
+    Shown,
+}
+
+impl Verdict {
+    fn of(met: bool) -> Self {
+        if met { Self::Pass } else { Self::Fail }
+    }
+
+    /// As the table shows it.
+    pub(crate) fn text(self) -> &'static str {
+        match self {
+            Self::Pass => "pass",
+            Self::Fail => "FAIL",
+            Self::Shown => "shown",
+        }
+    }
+}
+
+/// A compared quantity, formatted.
+#[derive(Clone, Debug)]
+pub(crate) struct Check {
+    pub(crate) quantity: String,
+    pub(crate) reference: String,
+    pub(crate) source: String,
+    pub(crate) computed: String,
+    pub(crate) error: String,
+    pub(crate) bound: String,
+    pub(crate) verdict: Verdict,
+}
+
+/// How far a number may be from its reference.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Tolerance {
+    /// Fraction of the reference.
+    Relative(f64),
+    /// In the number's own unit.
+    Absolute(f64),
+}
+
+/// The checks of a case, in the order of the table.
+#[derive(Debug, Default)]
+pub(crate) struct Checks {
+    list: Vec<Check>,
+    source: String,
+}
+
+impl Checks {
+    /// No checks yet; references come from `source`.
+    pub(crate) fn against(source: &str) -> Self {
+        Self {
+            list: Vec::new(),
+            source: source.to_owned(),
+        }
+    }
+
+    /// References of further checks come from `source`.
+    pub(crate) fn now_against(&mut self, source: &str) {
+        source.clone_into(&mut self.source);
+    }
+
+    /// The checks.
+    pub(crate) fn into_list(self) -> Vec<Check> {
+        self.list
+    }
+
+    /// `computed` is close enough to `reference`.
+    pub(crate) fn near(
+        &mut self,
+        quantity: impl Into<String>,
+        computed: f64,
+        reference: f64,
+        unit: &str,
+        tolerance: Tolerance,
+    ) {
+        let difference = computed - reference;
+        let (error, bound, met) = match tolerance {
+            Tolerance::Relative(limit) => {
+                let relative = difference / reference;
+                let met = relative.abs() <= limit;
+                (signed_percent(relative), percent(limit), met)
+            }
+            Tolerance::Absolute(limit) => (
+                format!("{}{unit}", signed(difference)),
+                format!("{}{unit}", number(limit)),
+                difference.abs() <= limit,
+            ),
+        };
+        self.push(
+            quantity.into(),
+            format!("{}{unit}", number(reference)),
+            format!("{}{unit}", number(computed)),
+            error,
+            bound,
+            Verdict::of(met),
+        );
+    }
+
+    /// `error`, a fraction of `scale` (in words) at its worst place, is below `limit`.
+    pub(crate) fn error_below(
+        &mut self,
+        quantity: impl Into<String>,
+        place: impl Into<String>,
+        error: f64,
+        limit: f64,
+    ) {
+        let met = error <= limit;
+        self.push(
+            quantity.into(),
+            "exact at each node".into(),
+            place.into(),
+            percent(error),
+            percent(limit),
+            Verdict::of(met),
+        );
+    }
+
+    /// `error`, a fraction, is within a `bound` of its own place.
+    pub(crate) fn station(
+        &mut self,
+        quantity: impl Into<String>,
+        place: impl Into<String>,
+        error: f64,
+        bound: f64,
+        met: bool,
+    ) {
+        self.push(
+            quantity.into(),
+            "table".into(),
+            place.into(),
+            percent(error),
+            percent(bound),
+            Verdict::of(met),
+        );
+    }
+
+    /// `value`, zero up to rounding, is below `limit`.
+    pub(crate) fn rounding_below(
+        &mut self,
+        quantity: impl Into<String>,
+        place: impl Into<String>,
+        value: f64,
+        limit: f64,
+    ) {
+        let met = value <= limit;
+        self.push(
+            quantity.into(),
+            "0".into(),
+            place.into(),
+            format!("{value:.1e}"),
+            format!("{limit:.0e}"),
+            Verdict::of(met),
+        );
+    }
+
+    /// `computed`, in words, is as `reference` demands.
+    pub(crate) fn holds(
+        &mut self,
+        quantity: impl Into<String>,
+        reference: impl Into<String>,
+        computed: impl Into<String>,
+        met: bool,
+    ) {
+        self.push(
+            quantity.into(),
+            reference.into(),
+            computed.into(),
+            String::new(),
+            "as stated".into(),
+            Verdict::of(met),
+        );
+    }
+
+    /// A quantity beside its reference, without a bound.
+    pub(crate) fn show(
+        &mut self,
+        quantity: impl Into<String>,
+        reference: impl Into<String>,
+        computed: impl Into<String>,
+    ) {
+        self.push(
+            quantity.into(),
+            reference.into(),
+            computed.into(),
+            String::new(),
+            String::new(),
+            Verdict::Shown,
+        );
+    }
+
+    fn push(
+        &mut self,
+        quantity: String,
+        reference: String,
+        computed: String,
+        error: String,
+        bound: String,
+        verdict: Verdict,
+    ) {
+        self.list.push(Check {
+            quantity,
+            reference,
+            source: self.source.clone(),
+            computed,
+            error,
+            bound,
+            verdict,
+        });
+    }
+}
+
+/// Six significant digits.
+pub(crate) fn number(value: f64) -> String {
+    let magnitude = value.abs();
+    if value == 0.0 {
+        return "0".into();
+    }
+    if !(1e-3..1e7).contains(&magnitude) {
+        return format!("{value:.5e}");
+    }
+    let decimals = (5 - magnitude.log10().floor() as i32).max(0) as usize;
+    let text = format!("{value:.decimals$}");
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
+}
+
+/// Three significant digits with a sign.
+fn signed(value: f64) -> String {
+    let decimals = if value == 0.0 {
+        0
+    } else {
+        (2 - value.abs().log10().floor() as i32).clamp(0, 8) as usize
+    };
+    format!("{value:+.decimals$}")
+}
+
+/// A fraction in percent.
+pub(crate) fn percent(fraction: f64) -> String {
+    format!("{} %", number((1e5 * fraction).round() / 1e3))
+}
+
+fn signed_percent(fraction: f64) -> String {
+    format!("{:+.4} %", 100.0 * fraction)
+}

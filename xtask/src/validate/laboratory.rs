@@ -1,0 +1,146 @@
+//! Runs scenes, with or without a deliberate mistake, and keeps the worst residuals.
+
+use std::cell::RefCell;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use stickslip::diagnostic::SceneError;
+use stickslip::results::Results;
+use stickslip::run::{RunError, run_with};
+use stickslip::scene::Scene;
+use thiserror::Error;
+
+use super::mutation::Mutation;
+
+/// 1 ksi in MPa.
+pub(crate) const KSI: f64 = 6.894757293168361;
+/// 1 psi in MPa.
+pub(crate) const PSI: f64 = 1e-3 * KSI;
+
+/// Why a case could not be computed.
+#[derive(Debug, Error)]
+pub(crate) enum Trouble {
+    /// A scene does not read.
+    #[error("{scene}: {}", cause.findings().iter().map(|finding| finding.problem.to_string()).collect::<Vec<_>>().join("; "))]
+    Scene { scene: String, cause: Box<SceneError> },
+    /// A run stopped.
+    #[error("{scene}: {cause}")]
+    Run { scene: String, cause: RunError },
+    /// Results or data lack something that a check needs.
+    #[error("{0}")]
+    Missing(String),
+}
+
+/// How much is computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Size {
+    /// Coarser meshes and fewer of them.
+    Quick,
+    /// Everything.
+    Full,
+}
+
+/// A largest value and where it occurred.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Worst {
+    pub(crate) value: f64,
+    pub(crate) place: String,
+}
+
+impl Worst {
+    /// Keeps the larger one. A NaN is larger than any number.
+    pub(crate) fn meet(&mut self, value: f64, place: impl FnOnce() -> String) {
+        if self.place.is_empty() || value > self.value || value.is_nan() {
+            *self = Self {
+                value,
+                place: place(),
+            };
+        }
+    }
+}
+
+/// The largest residuals of all runs, and how many there were.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Residuals {
+    pub(crate) runs: usize,
+    pub(crate) steps: usize,
+    pub(crate) balance: Worst,
+    pub(crate) complementarity: Worst,
+    pub(crate) cone: Worst,
+}
+
+/// Where cases compute.
+#[derive(Debug)]
+pub(crate) struct Laboratory {
+    pub(crate) size: Size,
+    mutation: Mutation,
+    residuals: RefCell<Residuals>,
+}
+
+impl Laboratory {
+    /// A laboratory in which friction has `mutation`.
+    pub(crate) fn new(size: Size, mutation: Mutation) -> Self {
+        Self {
+            size,
+            mutation,
+            residuals: RefCell::default(),
+        }
+    }
+
+    /// `quick` or `full`, whichever is asked for.
+    pub(crate) fn sized<T>(&self, quick: T, full: T) -> T {
+        match self.size {
+            Size::Quick => quick,
+            Size::Full => full,
+        }
+    }
+
+    /// The largest residuals so far.
+    pub(crate) fn residuals(&self) -> Residuals {
+        self.residuals.borrow().clone()
+    }
+
+    /// Runs `scenes/{name}.toml` with `overrides`.
+    pub(crate) fn run(&self, name: &str, overrides: &[String]) -> Result<Results, Trouble> {
+        let start = Instant::now();
+        let label = std::iter::once(name)
+            .chain(overrides.iter().map(String::as_str))
+            .collect::<Vec<_>>()
+            .join(" ");
+        let path = scenes().join(format!("{name}.toml"));
+        let mut scene =
+            Scene::from_file(&path, overrides).map_err(|cause| Trouble::Scene {
+                scene: label.clone(),
+                cause: Box::new(cause),
+            })?;
+        self.mutation.change_laws(&mut scene);
+        let solver = self.mutation.solver(&scene);
+        let outcome = run_with(&scene, solver.as_ref(), &mut |_| {});
+        eprintln!("  {label}  {:.2} s", start.elapsed().as_secs_f64());
+        let results = outcome.map_err(|cause| Trouble::Run {
+            scene: label.clone(),
+            cause,
+        })?;
+        self.keep_residuals(&results, &label);
+        Ok(results)
+    }
+
+    fn keep_residuals(&self, results: &Results, label: &str) {
+        let mut worst = self.residuals.borrow_mut();
+        worst.runs += 1;
+        worst.steps += results.steps.len();
+        for (index, step) in results.steps.iter().enumerate() {
+            let place = || format!("{label}, step {}", index + 1);
+            worst.balance.meet(step.balance_residual, place);
+            worst
+                .complementarity
+                .meet(step.residuals.complementarity, place);
+            worst.cone.meet(step.residuals.cone, place);
+        }
+    }
+}
+
+/// The folder of scenes.
+fn scenes() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes")
+}

@@ -1,0 +1,138 @@
+//! Cylinder on a block of the same material: Hertz, and Cattaneo–Mindlin partial slip over a cycle.
+//!
+//! ```text
+//! a² = 4PR/(πE*),   p₀ = 2P/(πa),   p = p₀ √(1 − x²/a²),   c = a √(1 − k),   k = Q/(μP)
+//! q = μp₀ [√(1 − x²/a²) − (c/a) √(1 − x²/c²)]                                    Q = kμP
+//! q = μp₀ [r(a) − r(c) − 2 (r(a) − r(c'))],   r(b) = (b/a) √(1 − x²/b²),  c' = a √(1 − k/2)     back at Q = 0
+//! ```
+//!
+//! for half-planes (Hertz 1882; Cattaneo 1938; Mindlin 1949; Mindlin & Deresiewicz 1953). 40 mm of block and cylinder stand
+//! for half-planes.
+
+use stickslip::results::{EdgeResults, Results};
+
+use super::check::{Check, Checks, Tolerance};
+use super::laboratory::{Laboratory, Trouble, Worst};
+
+/// Contact half-width `[mm]` and peak pressure `[MPa]`.
+const HALF_WIDTH: f64 = 0.88093648;
+const PEAK: f64 = 361.33126;
+const FRICTION: f64 = 0.4;
+/// Stick half-width `[mm]` at Q = 0.5 μP.
+const STICK: f64 = 0.62291616;
+/// Work lost in a full cycle between ±0.5 μP `[N·mm/mm]`.
+const CYCLE: f64 = 0.035296463;
+
+pub(super) fn hertz(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+    let spacing = laboratory.sized(0.04, 0.02);
+    let results = laboratory.run(
+        "hertz-cylinder",
+        &[format!("mesh.spacing=\"{spacing} mm\"")],
+    )?;
+    let edge = &results.steps[0].edges[0];
+    let mut checks = Checks::against("Hertz 1882");
+    let bound = Tolerance::Relative(2e-3);
+    checks.near("peak pressure", peak(edge)?, PEAK, " MPa", bound);
+    checks.near("half-width", extent(edge)?, HALF_WIDTH, " mm", bound);
+    Ok(checks.into_list())
+}
+
+pub(super) fn cattaneo(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+    // A node every a/80 or so, as the elements have nodes in their middle.
+    let spacing = laboratory.sized(0.022, 0.011);
+    let results = laboratory.run(
+        "cattaneo-mindlin",
+        &[
+            format!("mesh.spacing=\"{spacing} mm\""),
+            format!("loads.0.force.steps=[{}]", ["\"500 N\""; 6].join(", ")),
+            "loads.1.force.steps=[\"0 N\", \"100 N\", \"0 N\", \"-100 N\", \"0 N\", \"100 N\"]".into(),
+        ],
+    )?;
+    let mut checks = Checks::against("Cattaneo 1938, Mindlin 1949");
+    let stuck = results.steps[1].edges[0]
+        .stick_half_extent
+        .ok_or_else(|| Trouble::Missing("no stick zone".into()))?;
+    checks.near(
+        "stick half-width at Q = 0.5 μP, within 1 % of a",
+        stuck,
+        STICK,
+        " mm",
+        Tolerance::Absolute(0.01 * HALF_WIDTH),
+    );
+    checks.near(
+        "peak pressure",
+        peak(&results.steps[1].edges[0])?,
+        PEAK,
+        " MPa",
+        Tolerance::Relative(1e-2),
+    );
+    let back = HALF_WIDTH * 0.75_f64.sqrt();
+    let loaded = |x: f64| root(HALF_WIDTH, x) - root(STICK, x);
+    let returned = |x: f64| loaded(x) - 2.0 * (root(HALF_WIDTH, x) - root(back, x));
+    let states: [(&str, usize, &dyn Fn(f64) -> f64, f64); 3] = [
+        ("at +Q", 1, &loaded, 1.0),
+        ("back at 0", 2, &returned, 1.0),
+        ("at −Q", 3, &loaded, -1.0),
+    ];
+    for (name, step, exact, sign) in states {
+        let worst = shear_error(&results, step, spacing, &[STICK, back], |x| {
+            sign * exact(x)
+        });
+        checks.error_below(
+            format!("shear {name}, more than 2h from ends of contact and stick, of its peak"),
+            worst.place,
+            worst.value,
+            1e-2,
+        );
+    }
+    let lost: f64 = results.steps[2..].iter().map(|step| step.dissipation).sum();
+    checks.near(
+        "work lost in a cycle",
+        lost,
+        CYCLE,
+        " N",
+        Tolerance::Relative(1e-2),
+    );
+    Ok(checks.into_list())
+}
+
+/// (b/a) √(1 − x²/b²), zero beyond b.
+fn root(b: f64, x: f64) -> f64 {
+    (b * b - x * x).max(0.0).sqrt() / HALF_WIDTH
+}
+
+/// Largest error of λ_t/(μp₀) against `exact`, over the largest shear at Q = 0.5 μP, away from the ends.
+fn shear_error(
+    results: &Results,
+    step: usize,
+    spacing: f64,
+    stick: &[f64],
+    exact: impl Fn(f64) -> f64,
+) -> Worst {
+    let highest = root(HALF_WIDTH, STICK);
+    let (geometry, edge) = (&results.edges[0], &results.steps[step].edges[0]);
+    let mut worst = Worst::default();
+    for (row, &x) in edge.rows.iter().zip(&geometry.parameter) {
+        let near = |end: f64| (x.abs() - end).abs() <= 2.0 * spacing;
+        if near(HALF_WIDTH) || stick.iter().any(|&end| near(end)) {
+            continue;
+        }
+        // On the upper body friction acts along −x when it is pushed along +x, and e_t is −x.
+        let error = (row.shear / (FRICTION * PEAK) - exact(x)).abs() / highest;
+        worst.meet(error, || format!("worst at x = {x:.3} mm"));
+    }
+    worst
+}
+
+fn peak(edge: &EdgeResults) -> Result<f64, Trouble> {
+    let (value, _) = edge.peak_pressure.ok_or_else(open)?;
+    Ok(value)
+}
+
+fn extent(edge: &EdgeResults) -> Result<f64, Trouble> {
+    edge.contact_half_extent.ok_or_else(open)
+}
+
+fn open() -> Trouble {
+    Trouble::Missing("the cylinder does not touch".into())
+}

@@ -1,0 +1,150 @@
+//! Frictionless pin of the plate's own material in an infinite plate.
+//!
+//! ```text
+//! p R t/Q = 2√(b² − y²) / (π√(1 + b²)(1 + y²)) + L(y) / (2π b²(1 + b²)),   b = tan ε/2,  y = tan φ/2
+//! L(y) = ln[(√(1 + b²) + √(b² − y²)) / (√(1 + b²) − √(b² − y²))]
+//! ```
+//!
+//! for the contact half-angle ε (Persson 1964; Ciavarella & Decuzzi 2001).
+
+use std::f64::consts::PI;
+
+use stickslip::results::Results;
+
+use super::check::{Check, Checks, Tolerance, percent};
+use super::laboratory::{Laboratory, Trouble, Worst};
+
+/// Contact half-angles `[deg]` of the scene's steps, and the load factors Q/(Rt) `[MPa]` that belong to them.
+const STEPS: [(f64, f64); 3] = [
+    (25.0, 0.0582353975),
+    (45.0, 0.247952509),
+    (65.0, 0.94350039),
+];
+/// Allowed errors: of the half-angle `[deg]`, of the pressure.
+const ANGLE: f64 = 0.1;
+const PRESSURE: f64 = 1e-3;
+
+pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+    let spacings = laboratory.sized([2.5, 1.25, 0.625], [2.5, 1.25, 0.625]);
+    let mut runs = Vec::with_capacity(3);
+    for spacing in spacings {
+        let overrides = [format!("mesh.spacing=\"{spacing} deg\"")];
+        runs.push(laboratory.run("pin-infinite-plate", &overrides)?);
+    }
+    let mut checks = Checks::against("Persson 1964, closed form");
+    for (step, (half_angle, factor)) in STEPS.into_iter().enumerate() {
+        let found: Vec<Errors> = runs
+            .iter()
+            .zip(spacings)
+            .map(|(run, spacing)| errors(run, step, half_angle, factor, spacing))
+            .collect::<Result<_, _>>()?;
+        let finest = &found[2];
+        let what = format!("half-angle {half_angle}°, spacing {}°", spacings[2]);
+        checks.near(
+            format!("{what}: half-angle"),
+            finest.half_angle,
+            half_angle,
+            "°",
+            Tolerance::Absolute(ANGLE),
+        );
+        checks.near(
+            format!("{what}: peak pressure R t/Q"),
+            finest.peak,
+            pressure(half_angle.to_radians(), 0.0),
+            "",
+            Tolerance::Relative(PRESSURE),
+        );
+        checks.error_below(
+            format!("{what}: pressure more than 2h from the end, of its peak"),
+            &finest.inside.place,
+            finest.inside.value,
+            PRESSURE,
+        );
+        let end = found.iter().map(|e| percent(e.end.value));
+        let root = 2.0_f64.sqrt();
+        let limit = (root * found[2].end.value - found[1].end.value) / (root - 1.0);
+        checks.show(
+            format!("half-angle {half_angle}°: pressure within 2h of the end, of its peak"),
+            "falls like √h",
+            format!(
+                "{} at {}; √h-extrapolated {}",
+                end.collect::<Vec<_>>().join(", "),
+                spacings.map(|s| format!("{s}°")).join(", "),
+                percent(limit)
+            ),
+        );
+        let order = (found[0].core / found[2].core).ln() / (spacings[0] / spacings[2]).ln();
+        checks.show(
+            format!("half-angle {half_angle}°: observed order of the pressure, θ ≤ ε/2"),
+            "",
+            format!(
+                "{order:.2} from errors {}",
+                found
+                    .iter()
+                    .map(|e| format!("{:.1e}", e.core))
+                    .collect::<Vec<_>>()
+                    .join(", ")
+            ),
+        );
+    }
+    Ok(checks.into_list())
+}
+
+struct Errors {
+    /// `[deg]`
+    half_angle: f64,
+    /// p R t/Q
+    peak: f64,
+    /// More than 2h from the end, of the peak.
+    inside: Worst,
+    /// Within 2h of the end, of the peak.
+    end: Worst,
+    /// Over the inner half of the contact: root mean square, of the peak.
+    core: f64,
+}
+
+fn errors(
+    run: &Results,
+    step: usize,
+    half_angle: f64,
+    factor: f64,
+    spacing: f64,
+) -> Result<Errors, Trouble> {
+    let (geometry, edge) = (&run.edges[0], &run.steps[step].edges[0]);
+    let missing = || Trouble::Missing(format!("no contact in step {}", step + 1));
+    let epsilon = half_angle.to_radians();
+    let highest = pressure(epsilon, 0.0);
+    let (mut inside, mut end) = (Worst::default(), Worst::default());
+    let (mut square, mut count) = (0.0, 0.0);
+    for (row, theta) in edge.rows.iter().zip(&geometry.parameter) {
+        let error = (row.pressure / factor - pressure(epsilon, *theta)).abs() / highest;
+        let place = || format!("worst at {:.2}°", theta.to_degrees());
+        if (theta.to_degrees() - half_angle).abs() > 2.0 * spacing + 1e-9 {
+            inside.meet(error, place);
+        } else {
+            end.meet(error, place);
+        }
+        if *theta <= 0.5 * epsilon {
+            square += error * error;
+            count += 1.0;
+        }
+    }
+    Ok(Errors {
+        half_angle: edge.contact_half_extent.ok_or_else(missing)?.to_degrees(),
+        peak: edge.peak_pressure.ok_or_else(missing)?.0 / factor,
+        inside,
+        end,
+        core: (square / f64::max(count, 1.0)).sqrt(),
+    })
+}
+
+/// p R t/Q at the angle `phi` for the half-angle `epsilon` `[rad]`.
+fn pressure(epsilon: f64, phi: f64) -> f64 {
+    let (b, y) = ((epsilon / 2.0).tan(), (phi / 2.0).tan());
+    if y.abs() >= b {
+        return 0.0;
+    }
+    let (whole, rest) = ((1.0 + b * b).sqrt(), (b * b - y * y).sqrt());
+    let logarithm = ((whole + rest) / (whole - rest)).ln();
+    2.0 * rest / (PI * whole * (1.0 + y * y)) + logarithm / (2.0 * PI * b * b * (1.0 + b * b))
+}
