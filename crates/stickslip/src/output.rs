@@ -15,6 +15,7 @@
 mod csv_files;
 mod display;
 mod figures;
+mod loads;
 mod names;
 mod page;
 mod summary;

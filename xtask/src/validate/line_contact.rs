@@ -44,6 +44,7 @@ pub(super) fn cattaneo(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
         "cattaneo-mindlin",
         &[
             format!("mesh.spacing=\"{spacing} mm\""),
+            "analysis.substeps=1".into(),
             format!("loads.0.force.steps=[{}]", ["\"500 N\""; 6].join(", ")),
             "loads.1.force.steps=[\"0 N\", \"100 N\", \"0 N\", \"-100 N\", \"0 N\", \"100 N\"]".into(),
         ],

@@ -154,9 +154,7 @@ fn zone_ranges(view: &EdgeView<'_>, step: usize) -> Vec<(Status, [f64; 2])> {
 fn zone_bands(view: &EdgeView<'_>, step: usize) -> Vec<Band> {
     let ranges = zone_ranges(view, step).into_iter();
     ranges
-        .map(|(status, [start, end])| {
-            Band::new(zone_name(status), start, end, zone_color(status))
-        })
+        .map(|(status, [start, end])| Band::new(zone_name(status), start, end, zone_color(status)))
         .collect()
 }
 

@@ -4,10 +4,9 @@ use stickslip_report::page::{Block, Figure, Page, Section};
 use stickslip_report::table::{Column, Table};
 
 use super::FileNote;
-use super::display::{
-    EdgeView, decimals, load_text, peak_step, short, shown_load, significant, step_text,
-};
+use super::display::{EdgeView, decimals, short, significant};
 use super::figures::{Drawing, Group};
+use super::loads::LoadScale;
 use super::tables::{self, Detail};
 use crate::results::{Results, StepResults};
 
@@ -77,10 +76,14 @@ fn figure_section(title: &str, drawings: Vec<Drawing>) -> Section {
 fn summary(results: &Results) -> Vec<(String, String)> {
     let mut rows = Vec::new();
     let mut add = |name: &str, value: String| rows.push((name.to_owned(), value));
-    let Some(step) = peak_step(results) else {
+    let load = LoadScale::of(results);
+    let Some(step) = load.peak_step() else {
         return rows;
     };
-    add("Largest load", load_name(results, step));
+    add(
+        "Largest load",
+        format!("{}, {}", load.name, load.step_text(step)),
+    );
     if let Some(edge) = EdgeView::main(results) {
         for (name, value) in edge_summary(&edge, step) {
             add(&name, value);
@@ -120,13 +123,6 @@ fn summary(results: &Results) -> Vec<(String, String)> {
     );
     add("Wall time", format!("{} s", short(seconds)));
     rows
-}
-
-/// "pull, 1980 lbf, step 7 of 14".
-fn load_name(results: &Results, step: usize) -> String {
-    let load = shown_load(results).and_then(|index| results.steps[step].loads.get(index));
-    let name = load.map_or(String::new(), |load| format!("{}, ", load.name));
-    name + &step_text(results, step)
 }
 
 fn edge_summary(edge: &EdgeView<'_>, step: usize) -> Vec<(String, String)> {
@@ -200,11 +196,12 @@ fn steps_section(results: &Results) -> Section {
         };
         section = section.with(Block::Table(table));
     }
-    if let Some(step) = peak_step(results).filter(|_| results.steps.len() > 1) {
+    let load = LoadScale::of(results);
+    if let Some(step) = load.peak_step().filter(|_| results.steps.len() > 1) {
         let text = format!(
             "Figures of a single step show step {} ({}), the largest load.",
             step + 1,
-            load_text(results, step)
+            load.text(step)
         );
         section = section.with(Block::Text(text));
     }

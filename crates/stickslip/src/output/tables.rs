@@ -2,7 +2,8 @@
 
 use stickslip_report::table::{Column, Table};
 
-use super::display::{EdgeView, decimals, load_text, load_values, short, shown_load, significant};
+use super::display::{EdgeView, decimals, short, significant};
+use super::loads::LoadScale;
 use crate::results::Results;
 
 /// Widest line of the terminal's table.
@@ -36,7 +37,7 @@ pub(super) enum Detail {
 }
 
 /// A column of a load-step table: heading, unit, and the cell of a step.
-type StepColumn<'a> = (String, &'a str, Box<dyn Fn(usize) -> String + 'a>);
+type StepColumn<'a> = (String, String, Box<dyn Fn(usize) -> String + 'a>);
 
 /// One row per load step for a contact edge.
 pub(super) fn contact_table(edge: &EdgeView<'_>, detail: Detail) -> Table {
@@ -67,7 +68,7 @@ pub(super) fn stress_table(edge: &EdgeView<'_>) -> Table {
 fn assembled(results: &Results, columns: &[StepColumn<'_>]) -> Table {
     let heading = columns
         .iter()
-        .map(|(name, unit, _)| Column::new(name, *unit))
+        .map(|(name, unit, _)| Column::new(name, unit))
         .collect();
     let mut table = Table::new("", heading);
     for step in 0..results.steps.len() {
@@ -78,22 +79,18 @@ fn assembled(results: &Results, columns: &[StepColumn<'_>]) -> Table {
 
 fn column<'a>(
     name: impl Into<String>,
-    unit: &'a str,
+    unit: &str,
     cell: impl Fn(usize) -> String + 'a,
 ) -> StepColumn<'a> {
-    (name.into(), unit, Box::new(cell))
+    (name.into(), unit.to_owned(), Box::new(cell))
 }
 
 fn load_columns(results: &Results) -> Vec<StepColumn<'_>> {
-    let load = shown_load(results).and_then(|index| results.steps.first()?.loads.get(index));
-    let values = load_values(results);
+    let load = LoadScale::of(results);
     let mut columns = vec![column("step", "", |step| (step + 1).to_string())];
-    if let Some(load) = load {
-        let unit = if load.unit == "1" {
-            ""
-        } else {
-            load.unit.as_str()
-        };
+    if load.is_load() {
+        let unit = if load.unit == "1" { "" } else { &load.unit };
+        let values = load.values.clone();
         columns.push(column("load", unit, move |step| {
             significant(values[step], 5)
         }));
@@ -333,16 +330,22 @@ pub(super) fn phases(results: &Results) -> Table {
     table
 }
 
-/// Which of several loads the tables count by, where there are several.
+/// What the tables count the steps by, where there are several loads.
 pub(super) fn load_note(results: &Results) -> Option<String> {
     let loads = &results.steps.first()?.loads;
-    let shown = loads.get(shown_load(results)?)?;
-    let last = results.steps.len().checked_sub(1)?;
+    let shown = LoadScale::of(results);
     (loads.len() > 1).then(|| {
         format!(
-            "Steps are counted by the load '{}' ({} at the end); all loads of every step are in steps.csv.",
-            shown.name,
-            load_text(results, last)
+            "Steps are told apart by {}; all loads of every step are in steps.csv.",
+            in_sentence(&shown.label())
         )
+    })
+}
+
+/// A label within a sentence.
+fn in_sentence(label: &str) -> String {
+    let mut letters = label.chars();
+    letters.next().map_or(String::new(), |first| {
+        first.to_lowercase().chain(letters).collect()
     })
 }

@@ -4,7 +4,8 @@ use stickslip_report::axis::Axis;
 use stickslip_report::chart::{Dash, LineChart, Series};
 
 use super::{Attempt, closing_angle, half_remark, zone_bands};
-use crate::output::display::{EdgeView, decimals, peak_step, short, significant, step_text};
+use crate::output::display::{EdgeView, decimals, short, significant};
+use crate::output::loads::LoadScale;
 use crate::results::EdgeRow;
 
 /// Part of a contact line that is shown, in half-widths of the widest contact.
@@ -16,7 +17,7 @@ const ROUNDING: f64 = 1e-6;
 
 /// σ_r, σ_θ and τ_rθ over θ (on a line: σ_yy, σ_xx and τ_xy over x) in the step of the largest load.
 pub(super) fn chart(view: &EdgeView<'_>) -> Attempt {
-    let Some(step) = peak_step(view.results()) else {
+    let Some(step) = LoadScale::of(view.results()).peak_step() else {
         return Ok(None);
     };
     let bearing = view.bearing(step).filter(|_| view.geometry.contact);
@@ -70,7 +71,10 @@ fn contact_names(view: &EdgeView<'_>) -> [&'static str; 2] {
 }
 
 fn subtitle(view: &EdgeView<'_>, step: usize) -> String {
-    let mut parts = vec![format!("At {}", step_text(view.results(), step))];
+    let mut parts = vec![format!(
+        "At {}",
+        LoadScale::of(view.results()).step_text(step)
+    )];
     if let Some(bearing) = view.bearing(step) {
         let value = significant(view.stress(bearing), 4);
         parts.push(format!(
@@ -97,7 +101,10 @@ fn caption(view: &EdgeView<'_>, step: usize) -> String {
             None => absolute,
         }
     };
-    let mut sentences = vec![format!("Stresses at {}.", step_text(view.results(), step))];
+    let mut sentences = vec![format!(
+        "Stresses at {}.",
+        LoadScale::of(view.results()).step_text(step)
+    )];
     if let Some(extent) = edge.contact_half_extent {
         let stick = view.stick_half_extent(step).filter(|stick| *stick > 0.0);
         let stick = stick.map_or("no zone around its middle sticks".to_owned(), |stick| {

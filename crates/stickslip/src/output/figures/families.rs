@@ -8,7 +8,8 @@ use stickslip_report::svg::Svg;
 
 use super::Attempt;
 use super::edge::{around_contact, curve, place_axis};
-use crate::output::display::{EdgeView, decimals, load_text, significant, unloading};
+use crate::output::display::{EdgeView, decimals, significant};
+use crate::output::loads::LoadScale;
 use crate::results::{EdgeRow, Results};
 
 /// Steps up to which every curve has its own entry in the legend.
@@ -112,7 +113,7 @@ fn peak_sentence(
                 decimals(Some(value / bearing), 2)
             )
         });
-        let load = load_text(view.results(), step);
+        let load = LoadScale::of(view.results()).text(step);
         format!(
             "{name} of all steps is {stress} {unit}{over}, at {load} and {}.",
             view.at(place)
@@ -172,7 +173,7 @@ fn side_by_side(
 }
 
 fn what_is_seen(view: &EdgeView<'_>, quantity: &Quantity, over_bearing: bool) -> Vec<String> {
-    let falls = unloading(view.results());
+    let falls = LoadScale::of(view.results()).unloading();
     let (count, falling) = (falls.len(), falls.iter().filter(|falls| **falls).count());
     let order = if falling > 0 {
         let rising = count - falling;
@@ -237,7 +238,8 @@ struct Look {
 
 /// Looks of all steps; the legend names each, or of many steps the first, the last and some between.
 fn looks(results: &Results) -> Vec<Look> {
-    let falls = unloading(results);
+    let load = LoadScale::of(results);
+    let falls = load.unloading();
     let count = falls.len();
     let falling = falls.iter().filter(|falls| **falls).count();
     let mut rising_colors = if falling > 0 {
@@ -261,7 +263,13 @@ fn looks(results: &Results) -> Vec<Look> {
                 (true, false) => " ↑",
                 (true, true) => " ↓",
             };
-            let label = || format!("step {}{branch} {}", step + 1, load_text(results, step));
+            let label = || {
+                if load.is_load() {
+                    format!("step {}{branch} {}", step + 1, load.text(step))
+                } else {
+                    load.text(step)
+                }
+            };
             Look {
                 label: if named[step] { label() } else { String::new() },
                 // Both sequences have as many colours as steps of their kind.

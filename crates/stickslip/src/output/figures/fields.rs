@@ -5,7 +5,8 @@ use stickslip_report::color::Colormap;
 use stickslip_report::field::{FieldPlot, Mirror};
 
 use super::Attempt;
-use crate::output::display::{EdgeView, peak_step, significant, step_text};
+use crate::output::display::{EdgeView, significant};
+use crate::output::loads::LoadScale;
 use crate::output::vtk_files::{polar_stresses, von_mises};
 use crate::results::{EdgeKind, Results, StepResults};
 
@@ -20,7 +21,8 @@ pub(super) fn all(results: &Results) -> Vec<(String, Attempt)> {
         return Vec::new();
     };
     let with_fields = |step: &usize| !results.steps[*step].fields.is_empty();
-    let mut steps: Vec<usize> = peak_step(results)
+    let mut steps: Vec<usize> = LoadScale::of(results)
+        .peak_step()
         .into_iter()
         .chain(results.steps.len().checked_sub(1))
         .collect();
@@ -98,7 +100,7 @@ impl<'a> Scene<'a> {
         }
         let text = format!(
             "√(σ_xx² − σ_xx σ_yy + σ_yy² + 3 τ_xy²) at {}. Its largest value in sight in '{}' is {} {unit}.",
-            step_text(self.edge.results(), self.step),
+            LoadScale::of(self.edge.results()).step_text(self.step),
             self.edge.geometry.body,
             significant(largest, 4),
         );
@@ -128,7 +130,7 @@ impl<'a> Scene<'a> {
         };
         let text = format!(
             "{symbol} at {}: compression blue, tension red.{contact}",
-            step_text(self.edge.results(), self.step),
+            LoadScale::of(self.edge.results()).step_text(self.step),
         );
         Ok(Some((plot.render()?, text + self.remark())))
     }
@@ -156,7 +158,10 @@ impl<'a> Scene<'a> {
     fn plot<'p>(&'p self, title: &str, label: String, values: &'p [f64]) -> FieldPlot<'p> {
         let unit = self.edge.units().length.name;
         let mut plot = FieldPlot::new(title, label, unit, &self.nodes, &self.cells, values)
-            .subtitle(format!("At {}", step_text(self.edge.results(), self.step)))
+            .subtitle(format!(
+                "At {}",
+                LoadScale::of(self.edge.results()).step_text(self.step)
+            ))
             .window(self.window());
         if self.edge.geometry.half {
             plot = plot.mirror(Mirror::Symmetric);

@@ -5,10 +5,8 @@ use stickslip_report::chart::{Dash, Legend, LineChart, Panels, Series, SeriesSty
 use stickslip_report::color::Color;
 
 use super::Attempt;
-use crate::output::display::{
-    EdgeView, decimals, load_label, load_text, load_values, peak_step, short, shown_load,
-    step_text, unloading,
-};
+use crate::output::display::{EdgeView, decimals, short};
+use crate::output::loads::LoadScale;
 use crate::results::Results;
 
 /// Relative difference below which values count as equal.
@@ -73,7 +71,8 @@ pub(super) fn extent_and_peak(view: &EdgeView<'_>) -> Attempt {
 
 fn caption(view: &EdgeView<'_>) -> String {
     let results = view.results();
-    let Some(step) = peak_step(results) else {
+    let load = LoadScale::of(results);
+    let Some(step) = load.peak_step() else {
         return String::new();
     };
     let edge = view.step(step);
@@ -92,13 +91,9 @@ fn caption(view: &EdgeView<'_>) -> String {
                 decimals(Some(pressure / bearing), 2)
             ));
         }
-        sentences.push(format!(
-            "At {}: {}.",
-            load_text(results, step),
-            parts.join(", ")
-        ));
+        sentences.push(format!("At {}: {}.", load.text(step), parts.join(", ")));
     }
-    if unloading(results).contains(&true) {
+    if load.unloading().contains(&true) {
         let memory =
             "Where the branches of rising and falling load differ, friction remembers the history.";
         sentences.push(memory.to_owned());
@@ -140,20 +135,20 @@ pub(super) fn friction(view: &EdgeView<'_>) -> Attempt {
     let caption = format!(
         "{name} through the load history. {meaning} The largest magnitude, {}, is at {}.",
         short(largest),
-        step_text(results, step)
+        LoadScale::of(results).step_text(step)
     );
     Ok(Some((chart.render()?, caption)))
 }
 
 fn load_varies(results: &Results) -> bool {
-    let values = load_values(results);
-    shown_load(results).is_some() && values.iter().any(|value| *value != values[0])
+    let load = LoadScale::of(results);
+    load.is_load() && load.changes()
 }
 
 fn chart(title: &str, results: &Results, label: String) -> LineChart {
     LineChart::new(
         title,
-        Axis::linear(load_label(results)),
+        Axis::linear(LoadScale::of(results).label()),
         Axis::linear(label),
     )
 }
@@ -171,8 +166,8 @@ fn steady(values: impl Iterator<Item = f64> + Clone, axis: Axis) -> Axis {
 
 /// A quantity over the load, one series for rising and one for falling load. A branch starts where the one before it ended.
 fn branches(results: &Results, name: &str, value: impl Fn(usize) -> Option<f64>) -> Vec<Series> {
-    let loads = load_values(results);
-    let falls = unloading(results);
+    let load = LoadScale::of(results);
+    let (loads, falls) = (&load.values, load.unloading());
     let point = |step: usize| [loads[step], value(step).unwrap_or(f64::NAN)];
     let mut runs = [Vec::new(), Vec::new()];
     for step in 0..loads.len() {

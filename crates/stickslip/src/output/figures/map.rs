@@ -7,7 +7,8 @@ use stickslip_report::color::Color;
 
 use super::edge::{TICK_INTERVALS, around_contact, place_axis};
 use super::{Attempt, zone_color, zone_name, zone_ranges};
-use crate::output::display::{EdgeView, load_label, load_values, significant};
+use crate::output::display::{EdgeView, significant};
+use crate::output::loads::LoadScale;
 
 /// Width of the figure [px].
 const WIDTH: f64 = 760.0;
@@ -34,14 +35,15 @@ pub(super) fn chart(view: &EdgeView<'_>) -> Attempt {
     };
     let y = place_axis(view, around_contact(view, REACH * widest), TICK_INTERVALS);
     let title = format!("Open, stick and slip on '{}'", view.geometry.name);
-    let subtitle = format!("{} above each bar", load_label(view.results()));
+    let load = LoadScale::of(view.results());
+    let subtitle = format!("{} above each bar", load.label());
     let mut chart = LineChart::new(title, x, y)
         .legend(Legend::Below)
         .size(WIDTH, 0.55);
     if count <= NAMED_STEPS {
         chart = chart.subtitle(subtitle);
         let quiet = Color::rgb(0x88, 0x88, 0x88);
-        for (step, value) in load_values(view.results()).into_iter().enumerate() {
+        for (step, value) in load.values.into_iter().enumerate() {
             let load = significant(value, 4);
             chart = chart.reference(ReferenceLine::vertical(load, (step + 1) as f64).color(quiet));
         }

@@ -1,0 +1,130 @@
+//! What tables and figures count the load steps by.
+//!
+//! One load of the scene, where one tells the steps apart; the contact force, where several loads take turns; the step's number,
+//! where there is neither.
+
+use super::display::{EdgeView, short};
+use crate::results::Results;
+
+/// One number per load step that says how much load there is.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct LoadScale {
+    /// "pull", "contact force" or "step".
+    pub(super) name: String,
+    /// Unit of the values: of the load, "1" for a factor, empty for the step's number.
+    pub(super) unit: String,
+    /// One value per step.
+    pub(super) values: Vec<f64>,
+}
+
+impl LoadScale {
+    /// The measure for `results`, which are consistent.
+    pub(super) fn of(results: &Results) -> Self {
+        let histories = histories(results);
+        let changing: Vec<&Self> = histories.iter().filter(|load| load.changes()).collect();
+        let rests_alone = |load: &Self| {
+            let steps = 0..load.values.len();
+            steps
+                .filter(|&step| load.values[step] == 0.0)
+                .any(|step| changing.iter().any(|other| other.values[step] != 0.0))
+        };
+        let chosen = match changing.first() {
+            Some(first) if rests_alone(first) => contact_force(results),
+            Some(first) => Some((*first).clone()),
+            None => histories.first().cloned(),
+        };
+        chosen.unwrap_or_else(|| Self {
+            name: "step".into(),
+            unit: String::new(),
+            values: (1..=results.steps.len()).map(|step| step as f64).collect(),
+        })
+    }
+
+    /// Whether the steps differ in it.
+    pub(super) fn changes(&self) -> bool {
+        self.values.iter().any(|value| *value != self.values[0])
+    }
+
+    /// Whether it is a load or a force, not the step's number.
+    pub(super) fn is_load(&self) -> bool {
+        !self.unit.is_empty()
+    }
+
+    /// Name and unit for an axis.
+    pub(super) fn label(&self) -> String {
+        match self.unit.as_str() {
+            "" => "Load step [–]".into(),
+            "1" => format!("Load factor '{}' [–]", self.name),
+            unit if self.name == CONTACT_FORCE => format!("Contact force [{unit}]"),
+            unit => format!("Load '{}' [{unit}]", self.name),
+        }
+    }
+
+    /// The load of a step with its unit: "1240 lbf".
+    pub(super) fn text(&self, step: usize) -> String {
+        let value = short(self.values[step]);
+        match self.unit.as_str() {
+            "" => format!("step {value}"),
+            "1" => format!("factor {value}"),
+            unit => format!("{value} {unit}"),
+        }
+    }
+
+    /// "1980 lbf, step 7 of 14".
+    pub(super) fn step_text(&self, step: usize) -> String {
+        let place = format!("step {} of {}", step + 1, self.values.len());
+        if self.is_load() {
+            format!("{}, {place}", self.text(step))
+        } else {
+            place
+        }
+    }
+
+    /// Whether each step's value is smaller in magnitude than the one before.
+    pub(super) fn unloading(&self) -> Vec<bool> {
+        let values = &self.values;
+        (0..values.len())
+            .map(|k| k > 0 && values[k].abs() < values[k - 1].abs())
+            .collect()
+    }
+
+    /// The step with the largest magnitude, of equal ones the first; `None` without steps.
+    pub(super) fn peak_step(&self) -> Option<usize> {
+        let magnitude = |step: usize| self.values[step].abs();
+        (0..self.values.len())
+            .rev()
+            .max_by(|&a, &b| magnitude(a).total_cmp(&magnitude(b)))
+    }
+}
+
+const CONTACT_FORCE: &str = "contact force";
+
+/// The loads of the scene.
+fn histories(results: &Results) -> Vec<LoadScale> {
+    let loads = results.steps.first().map_or(&[][..], |step| &step.loads);
+    let history = |(index, load): (usize, &crate::results::LoadValue)| LoadScale {
+        name: load.name.clone(),
+        unit: load.unit.clone(),
+        values: results
+            .steps
+            .iter()
+            .map(|step| step.loads[index].value)
+            .collect(),
+    };
+    loads.iter().enumerate().map(history).collect()
+}
+
+/// Magnitude of the main contact's resultant.
+fn contact_force(results: &Results) -> Option<LoadScale> {
+    let edge = EdgeView::main(results).filter(|edge| edge.geometry.contact)?;
+    let force = edge.units().force;
+    let magnitude = |step: usize| {
+        let [x, y] = edge.step(step).resultant;
+        force.from_base(x.hypot(y))
+    };
+    Some(LoadScale {
+        name: CONTACT_FORCE.into(),
+        unit: force.name.into(),
+        values: (0..results.steps.len()).map(magnitude).collect(),
+    })
+}
