@@ -2,7 +2,7 @@
 //!
 //! Elasticity is linear and expensive, contact nonlinear and cheap; they meet on the contact points. Bodies arrive as
 //! [`InterfaceOperator`](stickslip_fem_core::InterfaceOperator)s, are assembled into one dense [`InterfaceProblem`], and a
-//! [`LoadHistory`] walks that problem through its load steps with an [`InterfaceSolver`](solver::InterfaceSolver).
+//! [`LoadHistory`] walks that problem through its load steps with an [`InterfaceSolver`].
 //!
 //! ```text
 //! g_n ≥ 0,  λ_n ≥ 0,  g_n λ_n = 0;     |λ_t| ≤ F (stick),   λ_t = −F sign Δs (slip)

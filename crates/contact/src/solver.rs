@@ -1,7 +1,9 @@
 //! One load step of frictional contact, and the family of solvers for it.
 //!
-//!     g_n ≥ 0,  λ_n ≥ 0,  g_n λ_n = 0
-//!     |λ_t| ≤ F_stick where Δs = 0 (stick),   λ_t = −F_slip sign(Δs) where Δs ≠ 0 (slip)
+//! ```text
+//! g_n ≥ 0,  λ_n ≥ 0,  g_n λ_n = 0
+//! |λ_t| ≤ F_stick where Δs = 0 (stick),   λ_t = −F_slip sign(Δs) where Δs ≠ 0 (slip)
+//! ```
 //!
 //! | solver | idea | ends |
 //! | --- | --- | --- |
@@ -11,11 +13,13 @@
 //! | [`Enumeration`] | every combination of statuses | after 4ⁿ solves, with a proof if there is no solution |
 //! | [`Chain`] | a solver made of solvers: the next one takes over where one fails | with its last member |
 
+mod accept;
 mod active_set;
 mod chain;
 mod complementarity;
 mod enumeration;
 mod frozen;
+mod hold;
 mod lemke;
 mod pivoting;
 mod residual;

@@ -136,6 +136,9 @@ pub struct EdgeResults {
     pub peak_pressure: Option<(f64, f64)>,
     /// Largest tangential stress σ_θ or σ_xx `[MPa]` and its place.
     pub peak_hoop: Option<(f64, f64)>,
+    /// Uncertainty of that stress where it sits in the cusp at the end of contact [MPa]: the larger change to a neighbouring
+    /// node. The peak there converges only like the root of the spacing; elsewhere `None`.
+    pub peak_hoop_uncertainty: Option<f64>,
     /// σ_θ at the bearing point, or σ_xx at x = 0 `[MPa]`.
     pub hoop_at_bearing_point: Option<f64>,
     /// Resultant force on the first body, of the whole (both halves) `[N]`.

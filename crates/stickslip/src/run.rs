@@ -206,9 +206,11 @@ fn results(
     let mut steps = Vec::with_capacity(solved.records.len());
     let mut previous = 0.0;
     let last = solved.records.len().saturating_sub(1);
+    let peak = largest_load(scene);
     for (index, record) in solved.records.iter().enumerate() {
         let wants_fields = match scene.output.fields {
             FieldOutput::None => false,
+            FieldOutput::Peak => index == peak,
             FieldOutput::Last => index == last,
             FieldOutput::All => true,
         };
@@ -272,6 +274,12 @@ fn results(
         steps,
         phases: solved.phases,
     })
+}
+
+/// The step at which the first load is largest in magnitude, the earliest of equals.
+fn largest_load(scene: &Scene) -> usize {
+    let steps = scene.loads.first().map_or(&[][..], |load| load.kind.steps());
+    (0..steps.len()).rev().max_by(|&a, &b| steps[a].abs().total_cmp(&steps[b].abs())).unwrap_or(0)
 }
 
 fn bodies(model: &Model, solved: &Solved) -> Vec<BodySummary> {

@@ -7,11 +7,13 @@
 //! ```
 //!
 //! for half-planes (Hertz 1882; Cattaneo 1938; Mindlin 1949; Mindlin & Deresiewicz 1953). 40 mm of block and cylinder stand
-//! for half-planes.
+//! for half-planes. A cylinder of the scene's radius is one only up to a/R = 0.018: pressing alone locks a shear of half a
+//! percent of its later peak, odd in x, which is not in the closed form and no mesh removes. So the shear is compared on a
+//! cylinder with ten times the radius and a tenth of the load, which has the same a, and a tenth of all stresses.
 
 use stickslip::results::{EdgeResults, Results};
 
-use super::check::{Check, Checks, Tolerance};
+use super::check::{Check, Checks, Tolerance, percent};
 use super::laboratory::{Laboratory, Trouble, Worst};
 
 /// Contact half-width `[mm]` and peak pressure `[MPa]`.
@@ -38,35 +40,52 @@ pub(super) fn hertz(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
 }
 
 pub(super) fn cattaneo(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
-    // A node every a/80 or so, as the elements have nodes in their middle.
     let spacing = laboratory.sized(0.022, 0.011);
-    let results = laboratory.run(
-        "cattaneo-mindlin",
-        &[
-            format!("mesh.spacing=\"{spacing} mm\""),
-            "analysis.substeps=1".into(),
-            format!("loads.0.force.steps=[{}]", ["\"500 N\""; 6].join(", ")),
-            "loads.1.force.steps=[\"0 N\", \"100 N\", \"0 N\", \"-100 N\", \"0 N\", \"100 N\"]".into(),
-        ],
-    )?;
     let mut checks = Checks::against("Cattaneo 1938, Mindlin 1949");
-    let stuck = results.steps[1].edges[0]
-        .stick_half_extent
-        .ok_or_else(|| Trouble::Missing("no stick zone".into()))?;
-    checks.near(
-        "stick half-width at Q = 0.5 μP, within 1 % of a",
-        stuck,
-        STICK,
-        " mm",
-        Tolerance::Absolute(0.01 * HALF_WIDTH),
-    );
-    checks.near(
-        "peak pressure",
-        peak(&results.steps[1].edges[0])?,
-        PEAK,
-        " MPa",
-        Tolerance::Relative(1e-2),
-    );
+    for (radius, scale) in [(50.0, 1.0), (500.0, 0.1)] {
+        let [press, push] = [500.0, 100.0].map(|force| force * scale);
+        let steps = |factors: [f64; 6], force: f64| {
+            let texts = factors.map(|factor| format!("\"{} N\"", factor * force));
+            texts.join(", ")
+        };
+        let results = laboratory.run(
+            "cattaneo-mindlin",
+            &[
+                format!("mesh.spacing=\"{spacing} mm\""),
+                format!("bodies.upper.shape.cylinder.radius=\"{radius} mm\""),
+                format!("loads.0.force.steps=[{}]", steps([1.0; 6], press)),
+                format!(
+                    "loads.1.force.steps=[{}]",
+                    steps([0.0, 1.0, 0.0, -1.0, 0.0, 1.0], push)
+                ),
+            ],
+        )?;
+        let stuck = results.steps[1].edges[0]
+            .stick_half_extent
+            .ok_or_else(|| Trouble::Missing("no stick zone".into()))?;
+        let what = format!("R = {radius} mm");
+        checks.near(
+            format!("{what}: stick half-width at Q = 0.5 μP, within 1 % of a"),
+            stuck,
+            STICK,
+            " mm",
+            Tolerance::Absolute(0.01 * HALF_WIDTH),
+        );
+        let lost: f64 = results.steps[2..].iter().map(|step| step.dissipation).sum();
+        checks.near(
+            format!("{what}: work lost in a cycle"),
+            lost,
+            CYCLE * scale * scale,
+            " N",
+            Tolerance::Relative(1e-2),
+        );
+        shear(&mut checks, &what, &results, spacing, scale);
+    }
+    Ok(checks.into_list())
+}
+
+/// Compares the shear of half a cycle with the closed form.
+fn shear(checks: &mut Checks, what: &str, results: &Results, spacing: f64, scale: f64) {
     let back = HALF_WIDTH * 0.75_f64.sqrt();
     let loaded = |x: f64| root(HALF_WIDTH, x) - root(STICK, x);
     let returned = |x: f64| loaded(x) - 2.0 * (root(HALF_WIDTH, x) - root(back, x));
@@ -76,25 +95,22 @@ pub(super) fn cattaneo(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
         ("at −Q", 3, &loaded, -1.0),
     ];
     for (name, step, exact, sign) in states {
-        let worst = shear_error(&results, step, spacing, &[STICK, back], |x| {
-            sign * exact(x)
+        let worst = shear_error(results, step, 2.0 * spacing, &[STICK, back], |x| {
+            scale * sign * exact(x)
         });
-        checks.error_below(
-            format!("shear {name}, more than 2h from ends of contact and stick, of its peak"),
-            worst.place,
-            worst.value,
-            1e-2,
-        );
+        let error = worst.value / scale;
+        let quantity =
+            format!("{what}: shear {name}, more than 2h from ends of contact and stick, of its peak");
+        if scale < 1.0 {
+            checks.error_below(quantity, worst.place, error, 1e-2);
+        } else {
+            checks.show(
+                quantity,
+                "half-planes; here a/R = 0.018",
+                format!("{}, {}", percent(error), worst.place),
+            );
+        }
     }
-    let lost: f64 = results.steps[2..].iter().map(|step| step.dissipation).sum();
-    checks.near(
-        "work lost in a cycle",
-        lost,
-        CYCLE,
-        " N",
-        Tolerance::Relative(1e-2),
-    );
-    Ok(checks.into_list())
 }
 
 /// (b/a) √(1 − x²/b²), zero beyond b.
@@ -106,7 +122,7 @@ fn root(b: f64, x: f64) -> f64 {
 fn shear_error(
     results: &Results,
     step: usize,
-    spacing: f64,
+    margin: f64,
     stick: &[f64],
     exact: impl Fn(f64) -> f64,
 ) -> Worst {
@@ -114,7 +130,7 @@ fn shear_error(
     let (geometry, edge) = (&results.edges[0], &results.steps[step].edges[0]);
     let mut worst = Worst::default();
     for (row, &x) in edge.rows.iter().zip(&geometry.parameter) {
-        let near = |end: f64| (x.abs() - end).abs() <= 2.0 * spacing;
+        let near = |end: f64| (x.abs() - end).abs() <= margin;
         if near(HALF_WIDTH) || stick.iter().any(|&end| near(end)) {
             continue;
         }

@@ -2,17 +2,14 @@
 
 use std::collections::HashMap;
 
+use super::accept::{ROUNDING, accept};
 use super::complementarity::Candidate;
 use super::frozen::{Frozen, SlipLine, solve};
+use super::hold::hold;
 use super::residual::Scales;
 use super::step::Step;
-use super::{FailureCause, InterfaceSolver, Residuals, StepFailure, StepSolution, Work};
-use crate::state::{Status, TrialState};
-
-/// Relative size below which a violation is rounding.
-const ROUNDING: f64 = 1e-12;
-/// Largest relative residual of an accepted solution.
-pub(super) const ACCEPTED: f64 = 1e-10;
+use super::{FailureCause, InterfaceSolver, StepFailure, StepSolution, Work};
+use crate::state::Status;
 
 /// The status iteration of Post & Reddy (1988, II 2.1): solve with frozen statuses, then correct all of them at once. A
 /// penetrating point closes and sticks, a pulled one opens, one loaded beyond its bound slips against the force, one that
@@ -135,8 +132,14 @@ impl<'a> Iteration<'a> {
             work.solves += 1;
             let frozen = solve(self.step, &self.status, &self.lines)?;
             if let Some(direction) = &frozen.unbalanced {
-                let changes = hold(self.step, &self.status, &frozen, direction.as_slice())?;
-                self.apply(&changes)?;
+                let held = hold(self.step, &self.status, &frozen, direction.as_slice())?;
+                let (status, violation) = (Status::Stick, f64::INFINITY);
+                let change = |point| Change {
+                    point,
+                    status,
+                    violation,
+                };
+                self.apply(&held.into_iter().map(change).collect::<Vec<_>>())?;
                 continue;
             }
             let scales = Scales::of(self.step, &frozen.forces, &frozen.motion);
@@ -352,97 +355,4 @@ pub(super) fn slip_line(step: &Step<'_>, point: usize, normal: f64, slip: f64) -
         normal: bound.slip_dp,
         slip: bound.slip_ds,
     }
-}
-
-/// What can stop the bodies from moving along `direction`, on which the load does work: the open point that first closes;
-/// if none does, sticking of all slipping points on the way, and of open points that are already pressed together.
-fn hold(
-    step: &Step<'_>,
-    status: &[Status],
-    frozen: &Frozen,
-    direction: &[f64],
-) -> Result<Vec<Change>, FailureCause> {
-    let modes = step.problem.modes();
-    let rate = |row: usize| {
-        modes
-            .row(row)
-            .iter()
-            .zip(direction)
-            .map(|(mode, amount)| mode * amount)
-            .sum::<f64>()
-    };
-    let speed = direction
-        .iter()
-        .fold(0.0, |largest: f64, value| largest.max(value.abs()));
-    let mut first: Option<(f64, usize)> = None;
-    let mut pressed = Vec::new();
-    let mut proved = true;
-    for k in 0..status.len() {
-        let (normal, tangential) = (rate(2 * k), rate(2 * k + 1));
-        let open = status[k] == Status::Open;
-        if open && normal < -ROUNDING * speed {
-            let time = frozen.motion[2 * k] / -normal;
-            if first.is_none_or(|(earliest, _)| time < earliest) {
-                first = Some((time, k));
-            }
-        }
-        let slides = tangential.abs() > ROUNDING * speed;
-        let friction = slides && step.bound(k, step.problem.points()[k].area, 0.0).stick > 0.0;
-        proved &= !friction;
-        if friction && (status[k].slip_sign() != 0.0 || (open && frozen.motion[2 * k] < 0.0)) {
-            pressed.push(k);
-        }
-    }
-    let held = first.map_or(pressed, |(_, k)| vec![k]);
-    if held.is_empty() {
-        return Err(FailureCause::Unbalanced {
-            motion: direction.to_vec(),
-            proved,
-        });
-    }
-    Ok(held
-        .into_iter()
-        .map(|point| Change {
-            point,
-            status: Status::Stick,
-            violation: f64::INFINITY,
-        })
-        .collect())
-}
-
-/// Turns a solve with consistent statuses into a solution, if it meets the conditions.
-pub(super) fn accept(
-    step: &Step<'_>,
-    frozen: Frozen,
-    status: Vec<Status>,
-    solver: &'static str,
-    work: Work,
-) -> Result<StepSolution, FailureCause> {
-    let trial = TrialState {
-        forces: frozen.forces,
-        motion: step.total_motion(frozen.motion),
-        rigid: frozen.rigid,
-        status,
-    };
-    let residuals = Residuals::of(step, &trial);
-    let violation = residuals.largest();
-    if violation > ACCEPTED || violation.is_nan() {
-        return Err(FailureCause::Inaccurate { violation });
-    }
-    let doubtful = (0..step.count())
-        .filter(|&k| {
-            trial.status[k] == Status::Stick && step.problem.points()[k].slides && {
-                let bound = step.bound(k, trial.forces[2 * k], 0.0);
-                trial.forces[2 * k + 1].abs() > bound.slip * (1.0 + ROUNDING)
-                    && bound.stick > bound.slip
-            }
-        })
-        .count();
-    Ok(StepSolution {
-        trial,
-        residuals,
-        doubtful,
-        work,
-        solver,
-    })
 }

@@ -1,11 +1,15 @@
 //! The linear complementarity problem of one step with bounds F = μ λ_n, and its statuses by Lemke's method.
 //!
-//!     w = (g_n, s⁺, 2μλ_n − v),   z = (λ_n, v, s⁻),   v = λ_t + μλ_n,   w = M z + q,  w ≥ 0, z ≥ 0, wᵀz = 0
+//! ```text
+//! w = (g_n, s⁺, 2μλ_n − v),   z = (λ_n, v, s⁻),   v = λ_t + μλ_n,   w = M z + q,  w ≥ 0, z ≥ 0, wᵀz = 0
+//! ```
 //!
 //! Lemke's method adds z₀ d to q. It ends with a solution, and on no ray, if z = 0 alone solves the problem with q = d.
 //! Here that holds for every μ if d > 0 and d_n > μ d_t: any solution has λ_t Δs ≤ 0 and λ_t ≥ −μ λ_n, so that
 //!
-//!     λᵀ A λ = −Σ λ_n d_n + Σ λ_t (Δs − d_t) ≤ −Σ λ_n (d_n − μ d_t)
+//! ```text
+//! λᵀ A λ = −Σ λ_n d_n + Σ λ_t (Δs − d_t) ≤ −Σ λ_n (d_n − μ d_t)
+//! ```
 //!
 //! and A, positive semidefinite, leaves λ_n = 0, then λ_t = v = 0, then s⁻ = 0. Homogeneous rays (z₀ = 0) are excluded in
 //! the same way where A is positive definite. So a supported body's step is always solved, up to rounding.

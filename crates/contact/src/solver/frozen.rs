@@ -3,7 +3,9 @@
 //! Unknown are λ_n of touching points, λ_t of sticking ones, and the rigid motions α. A slipping point carries
 //! λ_t = −σ F_slip(λ_n, |Δs|), linearised about the last iterate, F ≈ f₀ + f₁ λ_n + f₂ σ Δs:
 //!
-//!     g_n = 0 (touching),   Δs = 0 (sticking),   λ_t + σ f₁ λ_n + f₂ Δs = −σ f₀ (slipping),   Gᵀ λ + r = 0
+//! ```text
+//! g_n = 0 (touching),   Δs = 0 (sticking),   λ_t + σ f₁ λ_n + f₂ Δs = −σ f₀ (slipping),   Gᵀ λ + r = 0
+//! ```
 //!
 //! Where f₂ = 0 the third line is eliminated. Rigid motions that the touching points do not resist keep their committed
 //! amount; the load and slip tractions left unbalanced in them are reported, so that the caller can bring further points

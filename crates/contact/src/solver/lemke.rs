@@ -1,6 +1,8 @@
 //! Lemke's method for the linear complementarity problem
 //!
-//!     w = M z + q,   z ≥ 0, w ≥ 0, zᵀw = 0
+//! ```text
+//! w = M z + q,   z ≥ 0, w ≥ 0, zᵀw = 0
+//! ```
 //!
 //! (Cottle, Pang & Stone 1992, §4.4) on a dense dictionary. The covering vector d makes z₀ large enough that every w
 //! starts non-negative; pivots follow the complementary rule until z₀ leaves. Ties in the ratio test go to z₀; others are

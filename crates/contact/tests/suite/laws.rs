@@ -60,9 +60,9 @@ fn root(function: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     for _ in 0..200 {
         let middle = f64::midpoint(low, high);
         if function(middle) < 0.0 {
-            low = middle
+            low = middle;
         } else {
-            high = middle
+            high = middle;
         }
     }
     low
@@ -199,7 +199,7 @@ fn committed_slip_path_weakens_from_step_to_step() {
         );
         let first = (0.6 - 0.5) / 2.0;
         let second = (0.6 - law.coefficient(first).0) / 2.0;
-        let third = (-0.6 + law.coefficient(second).0) / 2.0;
+        let third = f64::midpoint(-0.6, law.coefficient(second).0);
         for (record, displacement) in records.iter().zip([first, second, third]) {
             assert_abs_diff_eq!(
                 record.state.tangential_displacement(0),

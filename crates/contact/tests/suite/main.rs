@@ -2,11 +2,13 @@
 
 mod discrete;
 mod given_body;
+mod histories;
 mod invariants;
 mod laws;
 mod oracle;
 mod random;
 mod rigid;
+mod scene;
 
 use std::sync::Arc;
 

@@ -182,8 +182,7 @@ impl PlateWithHole {
     fn far_rectangle(&self, blocks: &mut Blocks, frame: &Frame, fan: &Fan, join: &Join, end: f64) {
         let cells = [self.far_cells, join.cells];
         let start = fan.far_at(join.start as f64)[0];
-        let middle_ray = frame.wrapped(join.start + join.cells / 2);
-        let first = fan.last_thickness(middle_ray) / (end - start).abs();
+        let first = fan.last_thickness(join.axis) / (end - start).abs();
         let fractions = layer_fractions(self.far_cells, first);
         let block = blocks.add(cells, |i, j| {
             let s = at_step(&fractions, i);

@@ -22,14 +22,14 @@ impl LoadScale {
     pub(super) fn of(results: &Results) -> Self {
         let histories = histories(results);
         let changing: Vec<&Self> = histories.iter().filter(|load| load.changes()).collect();
-        let rests_alone = |load: &Self| {
+        let rests_while_another_acts = |load: &Self| {
             let steps = 0..load.values.len();
             steps
                 .filter(|&step| load.values[step] == 0.0)
                 .any(|step| changing.iter().any(|other| other.values[step] != 0.0))
         };
         let chosen = match changing.first() {
-            Some(first) if rests_alone(first) => contact_force(results),
+            Some(first) if rests_while_another_acts(first) => contact_force(results),
             Some(first) => Some((*first).clone()),
             None => histories.first().cloned(),
         };
@@ -127,4 +127,33 @@ fn contact_force(results: &Results) -> Option<LoadScale> {
         unit: force.name.into(),
         values: (0..results.steps.len()).map(magnitude).collect(),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::LoadScale;
+
+    fn scale(unit: &str, values: &[f64]) -> LoadScale {
+        LoadScale {
+            name: "pull".into(),
+            unit: unit.into(),
+            values: values.to_vec(),
+        }
+    }
+
+    #[test]
+    fn a_load_is_named_with_its_unit() {
+        let load = scale("lbf", &[20.0, 1980.0, -1980.0, 40.0]);
+        assert_eq!(load.label(), "Load 'pull' [lbf]");
+        assert_eq!(load.step_text(1), "1980 lbf, step 2 of 4");
+        assert_eq!(load.peak_step(), Some(1));
+        assert_eq!(load.unloading(), [false, false, false, true]);
+        assert_eq!(scale("1", &[0.5]).text(0), "factor 0.5");
+        let steps = LoadScale {
+            name: "step".into(),
+            ..scale("", &[1.0, 2.0])
+        };
+        assert_eq!(steps.step_text(1), "step 2 of 2");
+        assert_eq!(scale("N", &[]).peak_step(), None);
+    }
 }

@@ -161,7 +161,9 @@ fn edge_summary(edge: &EdgeView<'_>, step: usize) -> Vec<(String, String)> {
     }
     if let Some((hoop, place)) = record.peak_hoop {
         let name = format!("Largest {}", edge.stress_symbols()[1]);
-        add(name, format!("{} at {}", stress(hoop), edge.at(place)));
+        let cusp = record.peak_hoop_uncertainty;
+        let margin = cusp.map_or(String::new(), |value| format!(" (± {})", stress(value)));
+        add(name, format!("{}{margin} at {}", stress(hoop), edge.at(place)));
     }
     if let Some(ratio) = edge.friction_ratio(step) {
         add(format!("Friction {}", edge.friction_symbol()), short(ratio));

@@ -167,7 +167,11 @@ fn hoop_columns(edge: EdgeView<'_>) -> Vec<StepColumn<'_>> {
             significant(edge.stress(value), 5)
         })
     });
-    vec![value, place_column(edge, hoop)]
+    let uncertainty = column("±", edge.units().stress.name, move |step| {
+        let cusp = edge.step(step).peak_hoop_uncertainty;
+        cusp.map_or("–".into(), |value| significant(edge.stress(value), 2))
+    });
+    vec![value, uncertainty, place_column(edge, hoop)]
 }
 
 fn place_column<'a>(

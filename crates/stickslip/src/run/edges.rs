@@ -211,6 +211,21 @@ fn friction_force(edge: &ModelEdge, rows: &[EdgeRow]) -> f64 {
         .sum()
 }
 
+/// Uncertainty of the largest tangential stress if it lies within four nodes of an end of contact.
+fn cusp_uncertainty(rows: &[EdgeRow], zones: &[Zone], parameter: &[f64]) -> Option<f64> {
+    const REACH: usize = 4;
+    let stress = |k: usize| rows[k].sigma_tangential;
+    let peak = (0..rows.len()).max_by(|&a, &b| stress(a).total_cmp(&stress(b)))?;
+    let (low, high) = (peak.saturating_sub(REACH), (peak + REACH).min(rows.len() - 1));
+    let near = parameter[low]..=parameter[high];
+    let ends = zones.windows(2).filter(|pair| pair[0].status.touches() != pair[1].status.touches());
+    if !ends.map(|pair| pair[0].end).any(|end| near.contains(&end)) {
+        return None;
+    }
+    let neighbours = [peak.checked_sub(1), Some(peak + 1).filter(|&k| k < rows.len())];
+    neighbours.into_iter().flatten().map(|k| (stress(peak) - stress(k)).abs()).reduce(f64::max)
+}
+
 fn summarise(
     edge: &ModelEdge,
     rows: Vec<EdgeRow>,
@@ -259,6 +274,7 @@ fn summarise(
         stick_half_extent: stick,
         peak_pressure: peak(&|row| row.pressure).filter(|_| extent.is_some()),
         peak_hoop: peak(&|row| row.sigma_tangential),
+        peak_hoop_uncertainty: cusp_uncertainty(&rows, &zones, parameter),
         hoop_at_bearing_point: bearing.map(|k| rows[k].sigma_tangential),
         resultant,
         friction_force: double * friction_force(edge, &rows),

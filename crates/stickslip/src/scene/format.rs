@@ -327,7 +327,7 @@ pub(super) struct OutputFormat {
 impl Default for OutputFormat {
     fn default() -> Self {
         Self {
-            fields: FieldOutput::Last,
+            fields: FieldOutput::Peak,
             figures: true,
         }
     }

@@ -314,6 +314,8 @@ pub struct Output {
 pub enum FieldOutput {
     /// None.
     None,
+    /// Where the first load is largest.
+    Peak,
     /// The last.
     Last,
     /// Each.

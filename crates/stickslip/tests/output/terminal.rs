@@ -46,6 +46,48 @@ fn without_contact_the_hoop_stress_is_shown() {
     );
 }
 
+/// The header, the units and the first row of the first table.
+fn head(results: &stickslip::results::Results) -> Vec<Vec<String>> {
+    let words = |line: &str| line.split_whitespace().map(str::to_owned).collect();
+    summary_table(results).lines().map(words).collect()
+}
+
+#[test]
+fn loads_that_take_turns_are_counted_by_the_contact_force() {
+    let mut results = results();
+    for (index, step) in results.steps.iter_mut().enumerate() {
+        step.loads[0].value = if index == 0 { 10.0 } else { 0.0 };
+        step.loads[1].value = if index == 0 { 0.0 } else { 5.0 };
+    }
+    let lines = head(&results);
+    assert_eq!(lines[2][0], "lbf");
+    // 1000 N.
+    assert_eq!(lines[4][1], "224.81");
+}
+
+#[test]
+fn a_constant_first_load_gives_way_to_one_that_changes() {
+    let mut results = results();
+    for (index, step) in results.steps.iter_mut().enumerate() {
+        step.loads[0].value = 500.0;
+        step.loads[1].value = [0.0, 100.0, -100.0, 100.0][index];
+    }
+    let lines = head(&results);
+    assert_eq!(lines[2][0], "K");
+    assert_eq!(lines[6][1], "−100");
+}
+
+#[test]
+fn without_loads_the_steps_have_only_their_numbers() {
+    let mut results = results();
+    for step in &mut results.steps {
+        step.loads.clear();
+    }
+    let lines = head(&results);
+    assert_eq!(lines[1][..2], ["step", "contact"]);
+    assert_eq!(lines[2][0], "deg");
+}
+
 #[test]
 fn inconsistent_results_have_no_table() {
     let mut results = results();

@@ -37,6 +37,8 @@ pub(super) struct Join {
     /// First ray of the end, and number of cells along it.
     pub(super) start: usize,
     pub(super) cells: usize,
+    /// The ray along y = 0, the same line in a half and in the whole, so that a half is the whole cut in two.
+    pub(super) axis: usize,
     /// x where the strip ends, if beyond the box `[length]`.
     pub(super) end: Option<f64>,
     /// Names of the long sides at the first and the last ray.
@@ -177,10 +179,11 @@ impl Frame {
     /// The two ends of the box.
     pub(super) fn joins(&self) -> [Join; 2] {
         let corner = |k: usize| self.corners[k];
-        let (right_start, right_cells, left_end) = if self.closed {
-            (corner(3), self.intervals - corner(3) + corner(0), corner(2))
+        let (right_start, right_cells, left_end, left_axis) = if self.closed {
+            let middle = usize::midpoint(corner(1), corner(2));
+            (corner(3), self.intervals - corner(3) + corner(0), corner(2), middle)
         } else {
-            (0, corner(0), self.intervals)
+            (0, corner(0), self.intervals, self.intervals)
         };
         let below = if self.closed { "bottom" } else { "symmetry" };
         [
@@ -188,6 +191,7 @@ impl Frame {
                 set: "right",
                 start: right_start,
                 cells: right_cells,
+                axis: 0,
                 end: self.far_right,
                 first_row: below,
                 last_row: "top",
@@ -196,6 +200,7 @@ impl Frame {
                 set: "left",
                 start: corner(1),
                 cells: left_end - corner(1),
+                axis: left_axis,
                 end: self.far_left,
                 first_row: "top",
                 last_row: below,

@@ -129,6 +129,12 @@ fn caption(view: &EdgeView<'_>, step: usize) -> String {
             value(hoop),
             view.at(place)
         ));
+        if let Some(margin) = edge.peak_hoop_uncertainty {
+            sentences.push(format!(
+                "It sits in a cusp at the end of contact, where values converge like the root of the node spacing: uncertain by {}.",
+                value(margin)
+            ));
+        }
     }
     if let Some(ratio) = view.friction_ratio(step) {
         let ratio = short(ratio);
