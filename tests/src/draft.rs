@@ -1,6 +1,6 @@
 //! Small scenes, changed key by key as by `--set`.
 
-use std::fmt::{Display, Write as _};
+use std::fmt::{self, Debug, Display, Write as _};
 use std::path::Path;
 
 use stickslip::results::Results;
@@ -119,10 +119,20 @@ figures = false
 "#;
 
 /// A scene and the changes to it.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Draft {
     text: &'static str,
     overrides: Vec<String>,
+}
+
+/// Shows the changes alone, one a line, as arguments of the command.
+impl Debug for Draft {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let lines = self.overrides.iter();
+        lines
+            .map(|change| writeln!(formatter, "  --set '{change}'"))
+            .collect()
+    }
 }
 
 impl Draft {

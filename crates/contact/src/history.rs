@@ -6,7 +6,7 @@ use crate::audit::Audit;
 use crate::error::ContactError;
 use crate::problem::InterfaceProblem;
 use crate::solver::{InterfaceSolver, Residuals, Step, Work};
-use crate::state::ContactState;
+use crate::state::{ContactState, Status};
 
 /// How the load grows within the first load step, from nothing; later steps are always linear.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -212,9 +212,11 @@ impl Walk {
         for (k, status) in solution.trial.status.iter().enumerate() {
             if status.slip_sign() != 0.0 {
                 let slip = solution.trial.motion[2 * k + 1] - self.state.tangential_displacement(k);
-                // A point that starts to slip within the increment does so at its bound, not at the force it had before.
+                // A sticking point starts to slip at its bound, not at the force it had before; a point that closes or goes on
+                // slipping starts at the force it had.
                 let end = solution.trial.forces[2 * k + 1];
-                let start = if self.state.status[k] == *status {
+                let before = self.state.status[k];
+                let start = if before == *status || before == Status::Open {
                     self.state.tangential_force(k)
                 } else {
                     end

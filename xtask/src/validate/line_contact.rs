@@ -7,9 +7,11 @@
 //! ```
 //!
 //! for half-planes (Hertz 1882; Cattaneo 1938; Mindlin 1949; Mindlin & Deresiewicz 1953). 40 mm of block and cylinder stand
-//! for half-planes. A cylinder of the scene's radius is one only up to a/R = 0.018: pressing alone locks a shear of half a
-//! percent of its later peak, odd in x, which is not in the closed form and no mesh removes. So the shear is compared on a
-//! cylinder with ten times the radius and a tenth of the load, which has the same a, and a tenth of all stresses.
+//! for half-planes (Hertz 1882; Cattaneo 1938; Mindlin 1949; Mindlin & Deresiewicz 1953). 40 mm of block and cylinder stand
+//! for half-planes. The scene's cylinder is one only up to a/R = 0.018: pressing alone leaves a shear, odd in x, of half a
+//! percent of its later peak, and up to three percent where the edge of contact stood at the end of an increment. That is
+//! not in the closed form, and no mesh removes it. So the shear is compared on a cylinder with ten times the radius under a
+//! tenth of the load, which has the same a and a tenth of all stresses.
 
 use stickslip::results::{EdgeResults, Results};
 

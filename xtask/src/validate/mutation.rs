@@ -12,9 +12,8 @@
 use serde::{Deserialize, Serialize};
 use stickslip::run;
 use stickslip::scene::Scene;
-use stickslip_contact::solver::{StepFailure, StepSolution};
-use stickslip_contact::solver::Step;
-use stickslip_contact::InterfaceSolver;
+use stickslip_contact::solver::{Step, StepFailure, StepSolution};
+use stickslip_contact::{InterfaceSolver, SemismoothNewton};
 use stickslip_friction::{Bound, Coulomb, FrictionLaw, History, Place};
 
 /// What is wrong with friction.
@@ -64,12 +63,14 @@ impl Mutation {
         }
     }
 
-    /// The solver of `scene`, with the mistake.
+    /// The solver of `scene`, with the mistake. Where friction acts along the slip there may be no equilibrium, and safer
+    /// solvers would look for it long and in vain.
     pub(crate) fn solver(self, scene: &Scene) -> Box<dyn InterfaceSolver> {
         let solver = run::solver(scene.analysis.solver);
         match self {
+            Self::None | Self::Frictionless => solver,
+            Self::WrongDirection => Box::new(SemismoothNewton::default()),
             Self::ForgottenHistory => Box::new(Forgetful { solver }),
-            Self::None | Self::Frictionless | Self::WrongDirection => solver,
         }
     }
 }

@@ -3,37 +3,42 @@
 use stickslip_report::table::{Column, Table};
 
 use super::Outcome;
-use super::check::{Check, Verdict};
+use super::check::Verdict;
 
-const COLUMNS: [&str; 8] = [
-    "case", "quantity", "reference", "source", "computed", "error", "bound", "verdict",
-];
+/// Width of the terminal table `[characters]`.
+const WIDTH: u16 = 160;
 
-/// Aligned text.
+/// Aligned text: one table, in which a line names each case and its source.
 pub(crate) fn text(outcomes: &[Outcome]) -> String {
-    let columns = COLUMNS.map(|name| Column::new(name, "")).to_vec();
-    let mut table = Table::new("", columns);
+    let columns = ["quantity", "computed", "reference", "error", "bound", "verdict"];
+    let mut table = Table::new("", columns.map(|name| Column::new(name, "")).to_vec());
     for outcome in outcomes {
-        for (index, check) in outcome.checks.iter().enumerate() {
-            let title = if index == 0 { outcome.title } else { "" };
-            let mut row = vec![title.to_owned()];
-            row.extend(cells(check));
-            table.push(row);
+        let mut source = None;
+        for check in &outcome.checks {
+            if source != Some(&check.source) {
+                source = Some(&check.source);
+                table.push([heading(outcome, &check.source)]);
+            }
+            table.push([
+                format!("  {}", check.quantity),
+                check.computed.clone(),
+                check.reference.clone(),
+                check.error.clone(),
+                check.bound.clone(),
+                check.verdict.text().to_owned(),
+            ]);
         }
     }
-    table.note(summary(outcomes)).to_text(None)
+    table.note(summary(outcomes)).to_text(Some(WIDTH))
 }
 
-fn cells(check: &Check) -> [String; 7] {
-    [
-        check.quantity.clone(),
-        check.reference.clone(),
-        check.source.clone(),
-        check.computed.clone(),
-        check.error.clone(),
-        check.bound.clone(),
-        check.verdict.text().to_owned(),
-    ]
+fn heading(outcome: &Outcome, source: &str) -> String {
+    let title = outcome.title.to_uppercase();
+    if source.is_empty() {
+        title
+    } else {
+        format!("{title}: {source}")
+    }
 }
 
 fn summary(outcomes: &[Outcome]) -> String {
@@ -51,25 +56,39 @@ fn summary(outcomes: &[Outcome]) -> String {
 
 /// A page with one table per case.
 pub(crate) fn markdown(outcomes: &[Outcome]) -> String {
-    let mut page = String::from(
-        "# Validation\n\nWritten by `cargo xtask validate --write`; every number is measured. Signs, units and axes are those of the \
-         scenes. An error is computed minus reference. *Shown* quantities have no bound. Quantities \"more than 2h from\" a place are \
-         taken at all nodes farther from it than two node distances. References: the sources named, with the tables in \
-         `xtask/data` and `scenes/data`.\n",
-    );
-    for outcome in outcomes {
+    let mut page = String::from(INTRODUCTION);
+    let columns = [
+        "quantity", "reference", "source", "computed", "error", "bound", "verdict",
+    ];
+    for outcome in outcomes.iter().filter(|outcome| !outcome.checks.is_empty()) {
         page.push_str(&format!("\n## {}\n\n", outcome.title));
-        page.push_str(&row(&COLUMNS[1..].iter().map(ToString::to_string).collect::<Vec<_>>()));
-        page.push_str(&row(&["---"; 7].map(String::from)));
+        page.push_str(&row(columns));
+        page.push_str(&row(["---"; 7]));
         for check in &outcome.checks {
-            page.push_str(&row(&cells(check)));
+            page.push_str(&row([
+                &check.quantity,
+                &check.reference,
+                &check.source,
+                &check.computed,
+                &check.error,
+                &check.bound,
+                check.verdict.text(),
+            ]));
         }
     }
     page.push_str(&format!("\n{}.\n", summary(outcomes)));
     page
 }
 
-fn row(cells: &[String]) -> String {
-    let escaped: Vec<String> = cells.iter().map(|cell| cell.replace('|', "\\|")).collect();
-    format!("| {} |\n", escaped.join(" | "))
+const INTRODUCTION: &str = "\
+# Validation
+
+Written by `cargo xtask validate --mutate --write`; every number is measured. Axes and signs are those of the scenes. An error is \
+computed minus reference. *Shown* quantities have no bound. h is the distance of corner nodes, and \"more than 2h from\" a place \
+means all nodes farther from it than that. The references are the sources named; their tables are in `xtask/data`, with boundary \
+data in `scenes/data`.
+";
+
+fn row(cells: [&str; 7]) -> String {
+    format!("| {} |\n", cells.map(|cell| cell.replace('|', "\\|")).join(" | "))
 }

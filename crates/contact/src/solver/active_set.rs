@@ -78,7 +78,8 @@ struct Iteration<'a> {
     seen: HashMap<Vec<Status>, usize>,
     /// Statuses of each iteration, to name the points of a cycle.
     trail: Vec<Vec<Status>>,
-    one_at_a_time: bool,
+    /// Cycles that were broken so far.
+    breaks: usize,
 }
 
 impl<'a> Iteration<'a> {
@@ -111,7 +112,7 @@ impl<'a> Iteration<'a> {
             linearised_at: normal,
             seen: HashMap::new(),
             trail: Vec::new(),
-            one_at_a_time: false,
+            breaks: 0,
         }
     }
 
@@ -171,39 +172,43 @@ impl<'a> Iteration<'a> {
             .collect()
     }
 
+    /// Applies `changes`. Where that would repeat statuses, the report's rules give up; the projection's first apply the
+    /// worse half of the changes only and forget what they saw, and after a few such breaks change one point at a time.
     fn apply(&mut self, changes: &[Change]) -> Result<(), FailureCause> {
+        const BREAKS: usize = 12;
         self.seen.insert(self.status.clone(), self.trail.len());
         self.trail.push(self.status.clone());
-        let mut next = self.status.clone();
-        if !self.one_at_a_time {
-            for change in changes {
-                next[change.point] = change.status;
-            }
-            if let Some(&first) = self.seen.get(&next) {
-                if self.rules == Rules::Report {
-                    return Err(self.cycle(first));
-                }
-                self.one_at_a_time = true;
-                self.seen.clear();
-                self.trail.clear();
-                self.seen.insert(self.status.clone(), 0);
-                self.trail.push(self.status.clone());
-                next.clone_from(&self.status);
-            }
-        }
-        if self.one_at_a_time {
-            let worst = changes
-                .iter()
-                .max_by(|a, b| a.violation.total_cmp(&b.violation));
-            if let Some(change) = worst {
-                next[change.point] = change.status;
-            }
-            if let Some(&first) = self.seen.get(&next) {
+        if self.breaks < BREAKS {
+            let next = self.with(changes.iter());
+            let Some(&first) = self.seen.get(&next) else {
+                self.status = next;
+                return Ok(());
+            };
+            if self.rules == Rules::Report {
                 return Err(self.cycle(first));
             }
+            self.breaks += 1;
+            self.seen.clear();
+            self.trail.clear();
+            let worst = changes.iter().fold(0.0, |worst: f64, change| worst.max(change.violation));
+            self.status = self.with(changes.iter().filter(|change| change.violation >= 0.5 * worst));
+            return Ok(());
+        }
+        let worst = changes.iter().max_by(|a, b| a.violation.total_cmp(&b.violation));
+        let next = self.with(worst.into_iter());
+        if let Some(&first) = self.seen.get(&next) {
+            return Err(self.cycle(first));
         }
         self.status = next;
         Ok(())
+    }
+
+    fn with<'c>(&self, changes: impl Iterator<Item = &'c Change>) -> Vec<Status> {
+        let mut next = self.status.clone();
+        for change in changes {
+            next[change.point] = change.status;
+        }
+        next
     }
 
     fn cycle(&self, first: usize) -> FailureCause {
@@ -284,9 +289,15 @@ impl<'a> Iteration<'a> {
         if !turns {
             return (plain, violation);
         }
-        // A closing or turning point sticks only if the force that would stop its motion lies within the bound.
+        // A closing or turning point sticks only if the force that would stop its motion lies within the bound. Its
+        // neighbours move with it, so it takes the compliance of all touching points together to tell.
         let compliance = self.step.problem.compliance();
-        let stop = |row: usize| frozen.motion[row] / compliance[(row, row)].max(f64::MIN_POSITIVE);
+        let stop = |row: usize| {
+            let column = compliance.column(row);
+            let touching = (0..self.status.len()).filter(|&k| self.status[k].touches() || k == point);
+            let together: f64 = touching.map(|k| column[2 * k + row % 2].abs()).sum();
+            frozen.motion[row] / together.max(f64::MIN_POSITIVE)
+        };
         let trial = frozen.forces[2 * point + 1] - stop(2 * point + 1);
         let normal = (frozen.forces[2 * point] - stop(2 * point)).max(0.0);
         let bound = self

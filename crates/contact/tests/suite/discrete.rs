@@ -357,3 +357,23 @@ fn unsupported_increments_are_solved_or_proved_impossible() {
         }
     }
 }
+
+/// K(n, t) = [[3, −5], [−5, 9]], μ = 9/4, F = (−2, −2), g₀ = 3/10, last u_t = −1/2: pivoting with a covering vector of ones
+/// ends on a ray, though λ = (3.6, −1) sticks: K (−0.3, −0.5) − F = (1.6 + 2, −3 + 2), and 1 ≤ 9/4 · 3.6.
+#[test]
+fn pivoting_meets_no_ray_at_large_friction() {
+    let compliance = DMatrix::from_row_slice(2, 2, &[3.0, -5.0, -5.0, 9.0])
+        .try_inverse()
+        .unwrap();
+    let response = &compliance * DVector::from_vec(vec![-2.0, -2.0]);
+    let body = GivenBody::held(compliance, vec![response]);
+    let problem = Ground::along_x(vec![0.3], coulomb(2.25)).under(&body);
+    let mut committed = ContactState::unloaded(&problem);
+    committed.motion[1] = -0.5;
+    let conditions = Conditions::new(&problem, &committed, &[1.0]);
+    let sticking = DVector::from_vec(vec![3.6, -1.0]);
+    let known = |trial: &TrialState| (&trial.forces - &sticking).amax() < ROUNDING;
+    assert!(conditions.enumerate().solutions.iter().any(known));
+    let solution = solve(&Pivoting::default(), &problem, &committed, &[1.0]).unwrap();
+    assert!(conditions.violation(&solution.trial) < ROUNDING);
+}

@@ -208,7 +208,11 @@ fn edge_quantities<'a>(edge: EdgeView<'a>, prefix: &str) -> Vec<StepColumn<'a>> 
     add(
         "peak_hoop_uncertainty".into(),
         stress,
-        Box::new(move |k| edge.step(k).peak_hoop_uncertainty.map(|value| edge.stress(value))),
+        Box::new(move |k| {
+            edge.step(k)
+                .peak_hoop_uncertainty
+                .map(|value| edge.stress(value))
+        }),
     );
     let at = move |k: usize| edge.step(k).peak_hoop.map(|(_, place)| edge.place(place));
     add(format!("peak_hoop_{}", names[1]), place_unit, Box::new(at));

@@ -6,6 +6,9 @@ use stickslip_contact::zones::Zone;
 use crate::results::{EdgeGeometry, EdgeKind, EdgeResults, Results};
 use crate::scene::schema::DisplayUnits;
 
+/// Resultant of balanced pressures relative to their sum: rounding of a sum of some thousand terms, with a margin.
+const ROUNDING: f64 = 1e-9;
+
 /// An edge with its results of all steps, in display units.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct EdgeView<'a> {
@@ -51,7 +54,7 @@ impl<'a> EdgeView<'a> {
         matches!(self.geometry.kind, EdgeKind::Circle { .. })
     }
 
-    /// A place or an extent along the edge [rad or mm], in degrees or the display unit.
+    /// A place or an extent along the edge `[rad or mm]`, in degrees or the display unit.
     pub(super) fn place(&self, parameter: f64) -> f64 {
         if self.is_circle() {
             parameter.to_degrees()
@@ -89,14 +92,17 @@ impl<'a> EdgeView<'a> {
         }
     }
 
-    /// A stress [MPa] in the display unit.
+    /// A stress `[MPa]` in the display unit.
     pub(super) fn stress(&self, stress: f64) -> f64 {
         self.units().stress.from_base(stress)
     }
 
-    /// Bearing stress [MPa] in a step.
+    /// Bearing stress `[MPa]` in a step; `None` where the pressures balance each other, as around an unloaded pin with interference.
     pub(super) fn bearing(&self, step: usize) -> Option<f64> {
-        self.step(step).bearing_stress(self.geometry)
+        let edge = self.step(step);
+        let [x, y] = edge.resultant;
+        let balanced = x.hypot(y) <= ROUNDING * edge.normal_force;
+        edge.bearing_stress(self.geometry).filter(|_| !balanced)
     }
 
     /// Names of the normal, the tangential and the shear stress.
@@ -108,7 +114,7 @@ impl<'a> EdgeView<'a> {
         }
     }
 
-    /// Half of the extent of the stick zone around the bearing point or x = 0 [rad or mm]: 0 where there is none, `None`
+    /// Half of the extent of the stick zone around the bearing point or x = 0 `[rad or mm]`: 0 where there is none, `None`
     /// without contact.
     pub(super) fn stick_half_extent(&self, step: usize) -> Option<f64> {
         let edge = self.step(step);
@@ -135,7 +141,7 @@ impl<'a> EdgeView<'a> {
         }
     }
 
-    /// Total length of the zones of a kind [rad or mm]; `None` without contact.
+    /// Total length of the zones of a kind `[rad or mm]`; `None` without contact.
     pub(super) fn zone_extent(&self, step: usize, kind: impl Fn(f64) -> bool) -> Option<f64> {
         let edge = self.step(step);
         edge.contact_half_extent?;
@@ -148,7 +154,7 @@ impl<'a> EdgeView<'a> {
         )
     }
 
-    /// Largest half of the contact's extent over all steps [rad or mm].
+    /// Largest half of the contact's extent over all steps `[rad or mm]`.
     pub(super) fn widest_contact(&self) -> Option<f64> {
         let steps = 0..self.results.steps.len();
         steps

@@ -18,7 +18,7 @@ use super::display::EdgeView;
 use super::names::FileNames;
 use crate::results::Results;
 
-/// Largest angle between two nodes of a closed circle [rad].
+/// Largest angle between two nodes of a closed circle `[rad]`.
 const LARGEST_INTERVAL: f64 = 0.5;
 
 /// A finished figure.
@@ -128,7 +128,7 @@ fn zone_name(status: Status) -> &'static str {
     }
 }
 
-/// Where a closed circle that starts at its first node ends again [deg]; `None` for every other edge.
+/// Where a closed circle that starts at its first node ends again `[deg]`; `None` for every other edge.
 fn closing_angle(view: &EdgeView<'_>) -> Option<f64> {
     let parameter = &view.geometry.parameter;
     let (first, last) = parameter.first().zip(parameter.last())?;

@@ -163,7 +163,10 @@ fn edge_summary(edge: &EdgeView<'_>, step: usize) -> Vec<(String, String)> {
         let name = format!("Largest {}", edge.stress_symbols()[1]);
         let cusp = record.peak_hoop_uncertainty;
         let margin = cusp.map_or(String::new(), |value| format!(" (± {})", stress(value)));
-        add(name, format!("{}{margin} at {}", stress(hoop), edge.at(place)));
+        add(
+            name,
+            format!("{}{margin} at {}", stress(hoop), edge.at(place)),
+        );
     }
     if let Some(ratio) = edge.friction_ratio(step) {
         add(format!("Friction {}", edge.friction_symbol()), short(ratio));

@@ -212,7 +212,7 @@ pub(super) fn summary(results: &Results) -> Summary<'_> {
     }
 }
 
-/// A time [s] to the microsecond.
+/// A time `[s]` to the microsecond.
 fn microseconds(seconds: f64) -> f64 {
     (seconds * 1e6).round() / 1e6
 }

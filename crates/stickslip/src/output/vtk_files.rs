@@ -119,7 +119,7 @@ fn grid(
     Ok(bytes)
 }
 
-/// Nodal stresses by name [MPa]: Cartesian, polar if an edge is a circle, and the plane von Mises stress.
+/// Nodal stresses by name `[MPa]`: Cartesian, polar if an edge is a circle, and the plane von Mises stress.
 fn stresses(results: &Results, mesh: &Mesh, fields: &BodyFields) -> Vec<(&'static str, Vec<f64>)> {
     let component = |k: usize| {
         fields
@@ -151,7 +151,7 @@ fn stresses(results: &Results, mesh: &Mesh, fields: &BodyFields) -> Vec<(&'stati
     named
 }
 
-/// (σ_r, σ_θ, τ_rθ) about `centre` at every node [MPa].
+/// (σ_r, σ_θ, τ_rθ) about `centre` at every node `[MPa]`.
 pub(super) fn polar_stresses(mesh: &Mesh, fields: &BodyFields, centre: Point) -> Vec<[f64; 3]> {
     let angle = |node: &Point| (node[1] - centre[1]).atan2(node[0] - centre[0]);
     mesh.nodes()
@@ -161,7 +161,7 @@ pub(super) fn polar_stresses(mesh: &Mesh, fields: &BodyFields, centre: Point) ->
         .collect()
 }
 
-/// Centre of the first circular edge [mm].
+/// Centre of the first circular edge `[mm]`.
 pub(super) fn polar_centre(results: &Results) -> Option<Point> {
     results.edges.iter().find_map(|edge| match edge.kind {
         EdgeKind::Circle { centre, .. } => Some(centre),

@@ -251,7 +251,7 @@ fn edge_step(edge: &EdgeGeometry, step: usize) -> EdgeResults {
         contact_half_extent: touching,
         stick_half_extent: touching.map(|half| half / 2.0),
         peak_pressure: touching.map(|_| (100.0, 0.0)),
-        peak_hoop_uncertainty: None,
+        peak_hoop_uncertainty: Some(2.0),
         peak_hoop: Some((130.0, edge.parameter[edge.parameter.len() / 2])),
         hoop_at_bearing_point: Some(-20.0),
         resultant: if edge.contact {

@@ -95,6 +95,17 @@ fn numbers_that_do_not_exist_are_null() {
 }
 
 #[test]
+fn pressures_that_balance_each_other_give_no_bearing_stress() {
+    let mut results = results();
+    // What is left of 1000 N all around a pin with interference.
+    results.steps[0].edges[0].resultant = [1e-13, 0.0];
+    let summary = summary_json(&results);
+    assert_eq!(summary["steps"][0]["bearing_stress"], Value::Null);
+    assert_eq!(summary["steps"][0]["peak_hoop_over_bearing"], Value::Null);
+    assert!(summary["steps"][0]["peak_hoop"]["value"].is_f64());
+}
+
+#[test]
 fn the_file_is_the_value() {
     let results = results();
     let (_place, folder) = written(&results, false);

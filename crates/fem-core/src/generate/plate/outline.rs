@@ -181,7 +181,12 @@ impl Frame {
         let corner = |k: usize| self.corners[k];
         let (right_start, right_cells, left_end, left_axis) = if self.closed {
             let middle = usize::midpoint(corner(1), corner(2));
-            (corner(3), self.intervals - corner(3) + corner(0), corner(2), middle)
+            (
+                corner(3),
+                self.intervals - corner(3) + corner(0),
+                corner(2),
+                middle,
+            )
         } else {
             (0, corner(0), self.intervals, self.intervals)
         };
@@ -222,15 +227,6 @@ impl Frame {
         let end = join.start + join.cells;
         let split = end.min(self.intervals);
         [join.start..split, 0..end - split].into_iter()
-    }
-
-    /// A ray counted past the full turn.
-    pub(super) fn wrapped(&self, ray: usize) -> usize {
-        if ray > self.intervals {
-            ray - self.intervals
-        } else {
-            ray
-        }
     }
 
     /// A lattice position counted past the full turn.

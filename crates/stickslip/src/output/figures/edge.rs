@@ -148,7 +148,7 @@ fn caption(view: &EdgeView<'_>, step: usize) -> String {
 }
 
 /// The place axis with ticks where a reader of angles expects them, in at most `intervals`; `window` is the part to show
-/// [rad or mm].
+/// `[rad or mm]`.
 pub(super) fn place_axis(view: &EdgeView<'_>, window: Option<[f64; 2]>, intervals: f64) -> Axis {
     let unit = view.place_unit();
     let name = if view.is_circle() {
@@ -189,7 +189,7 @@ fn contact_window(view: &EdgeView<'_>) -> Option<[f64; 2]> {
     around_contact(view, reach)
 }
 
-/// The part of the edge within `reach` of the bearing point [rad or mm].
+/// The part of the edge within `reach` of the bearing point `[rad or mm]`.
 pub(super) fn around_contact(view: &EdgeView<'_>, reach: f64) -> Option<[f64; 2]> {
     let (first, last) = view
         .geometry

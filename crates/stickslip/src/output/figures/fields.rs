@@ -41,7 +41,7 @@ pub(super) fn all(results: &Results) -> Vec<(String, Attempt)> {
         .collect()
 }
 
-/// Nodes [display unit], cells and nodal values of all bodies of one step.
+/// Nodes `[display unit]`, cells and nodal values of all bodies of one step.
 struct Scene<'a> {
     edge: &'a EdgeView<'a>,
     step: usize,
@@ -135,7 +135,7 @@ impl<'a> Scene<'a> {
         Ok(Some((plot.render()?, text + self.remark())))
     }
 
-    /// A value per node in the display unit, from its polar (on circles) and its Cartesian stress [MPa].
+    /// A value per node in the display unit, from its polar (on circles) and its Cartesian stress `[MPa]`.
     fn values(&self, value: impl Fn(Option<[f64; 3]>, [f64; 3]) -> f64) -> Vec<f64> {
         let centre = match self.edge.geometry.kind {
             EdgeKind::Circle { centre, .. } => Some(centre),
@@ -169,7 +169,7 @@ impl<'a> Scene<'a> {
         plot
     }
 
-    /// Around the hole or the contact, as far as there are bodies [display unit].
+    /// Around the hole or the contact, as far as there are bodies `[display unit]`.
     fn window(&self) -> [f64; 4] {
         let unit = self.edge.units().length;
         let (centre, reach) = match self.edge.geometry.kind {

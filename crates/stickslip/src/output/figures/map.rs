@@ -10,9 +10,9 @@ use super::{Attempt, zone_color, zone_name, zone_ranges};
 use crate::output::display::{EdgeView, significant};
 use crate::output::loads::LoadScale;
 
-/// Width of the figure [px].
+/// Width of the figure `[px]`.
 const WIDTH: f64 = 760.0;
-/// About the width inside the frame [px].
+/// About the width inside the frame `[px]`.
 const INSIDE: f64 = 640.0;
 /// Part of a step's width that its bar takes.
 const BAR: f64 = 0.86;

@@ -1,0 +1,1 @@
+//! Stresses inside the plate carry the load through every circle around the hole.

@@ -1,0 +1,1 @@
+//! Cylinders on blocks.
