@@ -5,9 +5,7 @@
 //! ```
 
 use stickslip_fem_core::ElasticBody;
-use stickslip_fem_core::element::{
-    Element, KindVisitor, gather, physical_gradients, with_element,
-};
+use stickslip_fem_core::element::{Element, KindVisitor, gather, physical_gradients, with_element};
 use stickslip_fem_core::material::PlaneStiffness;
 
 /// Nodal forces `[force]` that hold the displacements `u` `[length]`, both interleaved.

@@ -183,13 +183,13 @@ impl Draft {
             Path::new(""),
             &self.overrides,
         )
-        .unwrap_or_else(|error| panic!("{error}: {:?}", self.overrides))
+        .unwrap_or_else(|error| panic!("{error}:\n{self:?}"))
     }
 
     /// What a run of it finds.
     pub fn run(&self) -> Results {
         run::run(&self.scene(), &mut |_| {})
-            .unwrap_or_else(|error| panic!("{error}: {:?}", self.overrides))
+            .unwrap_or_else(|error| panic!("{error}:\n{self:?}"))
     }
 
     /// Its model, solved.

@@ -19,8 +19,8 @@ pub struct Solution {
 impl Solution {
     /// Builds and solves the model of `scene` with the scene's own solver.
     pub fn of(scene: &Scene) -> Self {
-        let model = Model::build(scene)
-            .unwrap_or_else(|error| panic!("{error} in\n{}", scene.resolved()));
+        let model =
+            Model::build(scene).unwrap_or_else(|error| panic!("{error} in\n{}", scene.resolved()));
         let solver = run::solver(scene.analysis.solver);
         let solved = run::solve(&model, solver.as_ref(), &mut |_| {})
             .unwrap_or_else(|error| panic!("{error} in\n{}", scene.resolved()));

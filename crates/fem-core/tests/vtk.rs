@@ -205,23 +205,27 @@ fn a_full_disk_is_reported() -> Outcome {
 
 #[test]
 fn collections_list_files_with_times() -> Outcome {
-    let entry = |time, file: &str| PvdEntry {
+    let entry = |time, part, file: &str| PvdEntry {
         time,
+        part,
         file: file.to_owned(),
     };
     let mut file = Vec::new();
-    write_pvd(&[entry(0.0, "a.vtu"), entry(0.1, "b&c.vtu")], &mut file)?;
+    write_pvd(
+        &[entry(0.0, 0, "a.vtu"), entry(0.1, 1, "b&c.vtu")],
+        &mut file,
+    )?;
     let text = String::from_utf8(file)?;
     assert!(text.contains("<DataSet timestep=\"0\" group=\"\" part=\"0\" file=\"a.vtu\"/>"));
     assert!(
-        text.contains("<DataSet timestep=\"0.1\" group=\"\" part=\"0\" file=\"b&amp;c.vtu\"/>")
+        text.contains("<DataSet timestep=\"0.1\" group=\"\" part=\"1\" file=\"b&amp;c.vtu\"/>")
     );
     assert!(matches!(
-        write_pvd(&[entry(f64::NAN, "a")], io::sink()),
+        write_pvd(&[entry(f64::NAN, 0, "a")], io::sink()),
         Err(VtkError::Time { .. })
     ));
     assert!(matches!(
-        write_pvd(&[entry(0.0, "a\tb")], io::sink()),
+        write_pvd(&[entry(0.0, 0, "a\tb")], io::sink()),
         Err(VtkError::Name { .. })
     ));
     Ok(())

@@ -39,7 +39,9 @@ fn case(spacing: f64) -> Case {
     };
     for body in &model.bodies {
         if let ModelBodyKind::Elastic(elastic) = &body.kind {
-            let structure = elastic.analyse(&body.interface).expect("the body is supported");
+            let structure = elastic
+                .analyse(&body.interface)
+                .expect("the body is supported");
             append(&mut matrix, &structure.stiffness(elastic));
         }
     }
@@ -49,7 +51,9 @@ fn case(spacing: f64) -> Case {
 /// Adds `block` as a further diagonal block.
 fn append(matrix: &mut LowerMatrix, block: &LowerMatrix) {
     let (rows, entries) = (matrix.order(), matrix.rows.len());
-    matrix.column_start.extend(block.column_start[1..].iter().map(|start| start + entries));
+    matrix
+        .column_start
+        .extend(block.column_start[1..].iter().map(|start| start + entries));
     matrix.rows.extend(block.rows.iter().map(|row| row + rows));
     matrix.values.extend(&block.values);
 }
@@ -59,7 +63,9 @@ fn history(case: &Case) {
 }
 
 fn factorisation(case: &Case, threads: usize) {
-    black_box(reference_factorisation(&case.matrix, threads).expect("the matrix is positive definite"));
+    black_box(
+        reference_factorisation(&case.matrix, threads).expect("the matrix is positive definite"),
+    );
 }
 
 fn seconds(work: impl FnOnce()) -> f64 {
@@ -79,22 +85,37 @@ fn main() {
     let mut group = criterion.benchmark_group("pin-benchmark");
     for case in &cases {
         let unknowns = case.matrix.order();
-        group.bench_function(BenchmarkId::new("history of 14 steps", unknowns), |bencher| {
-            bencher.iter(|| history(case));
-        });
+        group.bench_function(
+            BenchmarkId::new("history of 14 steps", unknowns),
+            |bencher| {
+                bencher.iter(|| history(case));
+            },
+        );
         group.bench_function(BenchmarkId::new("one factorisation", unknowns), |bencher| {
             bencher.iter(|| factorisation(case, 1));
         });
     }
     group.finish();
-    println!("unknowns   history s   one factorisation s: 1 thread, 2 threads   ratio to the faster, median of {PAIRS} pairs (min … max)");
+    println!(
+        "unknowns   history s   one factorisation s: 1 thread, 2 threads   ratio to the faster, median of {PAIRS} pairs (min … max)"
+    );
     for case in &cases {
         let runs: Vec<[f64; 3]> = (0..PAIRS)
-            .map(|_| [seconds(|| history(case)), seconds(|| factorisation(case, 1)), seconds(|| factorisation(case, 2))])
+            .map(|_| {
+                [
+                    seconds(|| history(case)),
+                    seconds(|| factorisation(case, 1)),
+                    seconds(|| factorisation(case, 2)),
+                ]
+            })
             .collect();
         let column = |k: usize| median(runs.iter().map(|run| run[k]).collect());
         let ratios: Vec<f64> = runs.iter().map(|run| run[0] / run[1].min(run[2])).collect();
-        let (low, high) = ratios.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), &r| (low.min(r), high.max(r)));
+        let (low, high) = ratios
+            .iter()
+            .fold((f64::INFINITY, 0.0_f64), |(low, high), &r| {
+                (low.min(r), high.max(r))
+            });
         println!(
             "{:>8}   {:>9.4}   {:>8.4}, {:>8.4}   {:.2} ({low:.2} … {high:.2})",
             case.matrix.order(),

@@ -130,13 +130,14 @@ pub struct EdgeResults {
     pub zones: Vec<Zone>,
     /// Half of the contact's extent [rad or mm]; `None` if the pair is open or not a contact.
     pub contact_half_extent: Option<f64>,
-    /// Half of the extent of the stick zone around the bearing point [rad or mm].
+    /// Half of the extent of the stick zone around the bearing point or x = 0 `[rad or mm]`: 0 where there is none, `None`
+    /// without contact.
     pub stick_half_extent: Option<f64>,
     /// Largest pressure `[MPa]` and its place.
     pub peak_pressure: Option<(f64, f64)>,
     /// Largest tangential stress σ_θ or σ_xx `[MPa]` and its place.
     pub peak_hoop: Option<(f64, f64)>,
-    /// Uncertainty of that stress where it sits in the cusp at the end of contact [MPa]: the larger change to a neighbouring
+    /// Uncertainty of that stress where it sits in the cusp at the end of contact `[MPa]`: the larger change to a neighbouring
     /// node. The peak there converges only like the root of the spacing; elsewhere `None`.
     pub peak_hoop_uncertainty: Option<f64>,
     /// σ_θ at the bearing point, or σ_xx at x = 0 `[MPa]`.

@@ -214,7 +214,7 @@ fn results(
             FieldOutput::Last => index == last,
             FieldOutput::All => true,
         };
-        let recovered = fields::recover(model, &solved, record, wants_fields)?;
+        let recovered = fields::recover(model, &solved, record, wants_fields);
         let edges = edges::all(model, &solved, record, &recovered)?;
         let loads = loads(scene, index);
         let value = loads
@@ -278,8 +278,14 @@ fn results(
 
 /// The step at which the first load is largest in magnitude, the earliest of equals.
 fn largest_load(scene: &Scene) -> usize {
-    let steps = scene.loads.first().map_or(&[][..], |load| load.kind.steps());
-    (0..steps.len()).rev().max_by(|&a, &b| steps[a].abs().total_cmp(&steps[b].abs())).unwrap_or(0)
+    let steps = scene
+        .loads
+        .first()
+        .map_or(&[][..], |load| load.kind.steps());
+    (0..steps.len())
+        .rev()
+        .max_by(|&a, &b| steps[a].abs().total_cmp(&steps[b].abs()))
+        .unwrap_or(0)
 }
 
 fn bodies(model: &Model, solved: &Solved) -> Vec<BodySummary> {

@@ -56,11 +56,7 @@ fn residual_and_reaction(
 }
 
 /// A displacement that varies from node to node and vanishes where the sets `held` say so.
-fn virtual_displacement(
-    solution: &Solution,
-    body: usize,
-    held: &[(&str, [bool; 2])],
-) -> Vec<f64> {
+fn virtual_displacement(solution: &Solution, body: usize, held: &[(&str, [bool; 2])]) -> Vec<f64> {
     let mesh = solution.elastic(body).expect("an elastic body").mesh();
     let mut v: Vec<f64> = (0..2 * mesh.nodes().len())
         .map(|k| (1.0 + 12.9898 * k as f64 + 78.233 * body as f64).sin())

@@ -89,17 +89,38 @@ fn one(
         s if s <= 2.25 => Some(1e-3),
         _ => None,
     };
-    bounded(checks, quantity, pressure / PSI, case.peak_pressure, " psi", limit.map(Tolerance::Relative));
+    bounded(
+        checks,
+        quantity,
+        pressure / PSI,
+        case.peak_pressure,
+        " psi",
+        limit.map(Tolerance::Relative),
+    );
     let hoop = stresses(results, LOADED, 90.0)?[1] / PSI;
     let limit = (spacing <= 1.125).then_some(Tolerance::Relative(3e-3));
-    bounded(checks, format!("{what}: σ_θ at 90°, 1240 lb"), hoop, case.hoop, " psi", limit);
+    bounded(
+        checks,
+        format!("{what}: σ_θ at 90°, 1240 lb"),
+        hoop,
+        case.hoop,
+        " psi",
+        limit,
+    );
     if let Some(ratios) = case.ratios {
         let steps = [(LOADED, "1240 lb loading"), (UNLOADED, "1210 lb unloading")];
         for ((step, name), reference) in steps.into_iter().zip(ratios) {
             let edge = &results.steps[step].edges[0];
             let ratio = edge.friction_force / (case.friction * edge.normal_force);
             let limit = (spacing <= 2.25).then_some(Tolerance::Absolute(2e-3));
-            bounded(checks, format!("{what}: T/(μN), {name}"), ratio, reference, "", limit);
+            bounded(
+                checks,
+                format!("{what}: T/(μN), {name}"),
+                ratio,
+                reference,
+                "",
+                limit,
+            );
         }
     }
     Ok(())

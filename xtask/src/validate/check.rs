@@ -105,7 +105,7 @@ impl Checks {
         );
     }
 
-    /// `error`, a fraction of `scale` (in words) at its worst place, is below `limit`.
+    /// `error`, a fraction found at `place`, is below `limit`.
     pub(crate) fn error_below(
         &mut self,
         quantity: impl Into<String>,
@@ -116,29 +116,10 @@ impl Checks {
         let met = error <= limit;
         self.push(
             quantity.into(),
-            "exact at each node".into(),
+            String::new(),
             place.into(),
             percent(error),
             percent(limit),
-            Verdict::of(met),
-        );
-    }
-
-    /// `error`, a fraction, is within a `bound` of its own place.
-    pub(crate) fn station(
-        &mut self,
-        quantity: impl Into<String>,
-        place: impl Into<String>,
-        error: f64,
-        bound: f64,
-        met: bool,
-    ) {
-        self.push(
-            quantity.into(),
-            "table".into(),
-            place.into(),
-            percent(error),
-            percent(bound),
             Verdict::of(met),
         );
     }
@@ -218,7 +199,7 @@ impl Checks {
     }
 }
 
-/// Six significant digits.
+/// Six significant digits, without trailing zeros.
 pub(crate) fn number(value: f64) -> String {
     let magnitude = value.abs();
     if value == 0.0 {
@@ -227,8 +208,7 @@ pub(crate) fn number(value: f64) -> String {
     if !(1e-3..1e7).contains(&magnitude) {
         return format!("{value:.5e}");
     }
-    let decimals = (5 - magnitude.log10().floor() as i32).max(0) as usize;
-    let text = format!("{value:.decimals$}");
+    let text = format!("{value:.*}", decimals(value, 6));
     if text.contains('.') {
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
     } else {
@@ -236,21 +216,27 @@ pub(crate) fn number(value: f64) -> String {
     }
 }
 
-/// Three significant digits with a sign.
-fn signed(value: f64) -> String {
-    let decimals = if value == 0.0 {
-        0
-    } else {
-        (2 - value.abs().log10().floor() as i32).clamp(0, 8) as usize
-    };
-    format!("{value:+.decimals$}")
+/// A fraction in percent, two significant digits.
+pub(crate) fn percent(fraction: f64) -> String {
+    let value = 100.0 * fraction;
+    format!("{value:.*} %", decimals(value, 2))
 }
 
-/// A fraction in percent.
-pub(crate) fn percent(fraction: f64) -> String {
-    format!("{} %", number((1e5 * fraction).round() / 1e3))
+fn signed(value: f64) -> String {
+    format!("{value:+.*}", decimals(value, 2))
 }
 
 fn signed_percent(fraction: f64) -> String {
-    format!("{:+.4} %", 100.0 * fraction)
+    let value = 100.0 * fraction;
+    format!("{value:+.*} %", decimals(value, 2))
+}
+
+/// Decimals that show `digits` significant digits, at most 7.
+fn decimals(value: f64, digits: i32) -> usize {
+    if value == 0.0 || !value.is_finite() {
+        return 0;
+    }
+    // The exponent of a finite number is small.
+    let exponent = value.abs().log10().floor() as i32;
+    (digits - 1 - exponent).clamp(0, 7) as usize
 }

@@ -78,11 +78,7 @@ fn displacements(body: &Arc<stickslip_fem_core::ElasticBody>) -> Result<Vec<f64>
     Ok(condensed.displacements(&[], &[1.0], &[]))
 }
 
-fn convergence(
-    checks: &mut Checks,
-    kind: ElementKind,
-    cells: [usize; 3],
-) -> Result<(), Trouble> {
+fn convergence(checks: &mut Checks, kind: ElementKind, cells: [usize; 3]) -> Result<(), Trouble> {
     let (young, poisson, strain) = (70.0, 0.33, PlaneState::Strain);
     let isotropic: Arc<dyn Material> = Arc::new(
         Isotropic::new(young, poisson, strain)

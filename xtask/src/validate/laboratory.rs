@@ -22,7 +22,10 @@ pub(crate) const PSI: f64 = 1e-3 * KSI;
 pub(crate) enum Trouble {
     /// A scene does not read.
     #[error("{scene}: {}", cause.findings().iter().map(|finding| finding.problem.to_string()).collect::<Vec<_>>().join("; "))]
-    Scene { scene: String, cause: Box<SceneError> },
+    Scene {
+        scene: String,
+        cause: Box<SceneError>,
+    },
     /// A run stopped.
     #[error("{scene}: {cause}")]
     Run { scene: String, cause: RunError },
@@ -103,16 +106,19 @@ impl Laboratory {
     /// Runs `scenes/{name}.toml` with `overrides`.
     pub(crate) fn run(&self, name: &str, overrides: &[String]) -> Result<Results, Trouble> {
         let start = Instant::now();
+        let mesh = overrides
+            .iter()
+            .filter_map(|text| text.strip_prefix("mesh."));
         let label = std::iter::once(name)
-            .chain(overrides.iter().map(String::as_str))
+            .chain(mesh)
             .collect::<Vec<_>>()
-            .join(" ");
+            .join(" ")
+            .replace('"', "");
         let path = scenes().join(format!("{name}.toml"));
-        let mut scene =
-            Scene::from_file(&path, overrides).map_err(|cause| Trouble::Scene {
-                scene: label.clone(),
-                cause: Box::new(cause),
-            })?;
+        let mut scene = Scene::from_file(&path, overrides).map_err(|cause| Trouble::Scene {
+            scene: label.clone(),
+            cause: Box::new(cause),
+        })?;
         self.mutation.change_laws(&mut scene);
         let solver = self.mutation.solver(&scene);
         let outcome = run_with(&scene, solver.as_ref(), &mut |_| {});

@@ -67,7 +67,7 @@ pub(super) fn cattaneo(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
             .ok_or_else(|| Trouble::Missing("no stick zone".into()))?;
         let what = format!("R = {radius} mm");
         checks.near(
-            format!("{what}: stick half-width at Q = 0.5 μP, within 1 % of a"),
+            format!("{what}: stick half-width at Q = 0.5 μP, bound 1 % of a"),
             stuck,
             STICK,
             " mm",
@@ -78,7 +78,7 @@ pub(super) fn cattaneo(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
             format!("{what}: work lost in a cycle"),
             lost,
             CYCLE * scale * scale,
-            " N",
+            " N mm/mm",
             Tolerance::Relative(1e-2),
         );
         shear(&mut checks, &what, &results, spacing, scale);
@@ -101,8 +101,9 @@ fn shear(checks: &mut Checks, what: &str, results: &Results, spacing: f64, scale
             scale * sign * exact(x)
         });
         let error = worst.value / scale;
-        let quantity =
-            format!("{what}: shear {name}, more than 2h from ends of contact and stick, of its peak");
+        let quantity = format!(
+            "{what}: shear {name}, more than 2h from ends of contact and stick, of its peak"
+        );
         if scale < 1.0 {
             checks.error_below(quantity, worst.place, error, 1e-2);
         } else {

@@ -47,7 +47,11 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
     for (row, &theta) in edge.rows.iter().zip(&geometry.parameter) {
         let error = (row.sigma_tangential / tension - lekhnitskii(theta)).abs() / peak;
         worst.meet(error, || {
-            format!("worst of {} nodes at {:.2}°", edge.rows.len(), theta.to_degrees())
+            format!(
+                "worst of {} nodes at {:.2}°",
+                edge.rows.len(),
+                theta.to_degrees()
+            )
         });
     }
     checks.error_below(
@@ -69,6 +73,7 @@ fn lekhnitskii(theta: f64) -> f64 {
     let (s, c) = theta.sin_cos();
     let k = (e1 / e2).sqrt();
     let n = (2.0 * (k - nu12) + e1 / g12).sqrt();
-    let compliance = s.powi(4) / e1 + (1.0 / g12 - 2.0 * nu12 / e1) * s * s * c * c + c.powi(4) / e2;
+    let compliance =
+        s.powi(4) / e1 + (1.0 / g12 - 2.0 * nu12 / e1) * s * s * c * c + c.powi(4) / e2;
     (-k * c * c + (1.0 + n) * s * s) / (e1 * compliance)
 }

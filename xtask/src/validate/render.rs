@@ -5,39 +5,48 @@ use stickslip_report::table::{Column, Table};
 use super::Outcome;
 use super::check::Verdict;
 
-/// Width of the terminal table `[characters]`.
-const WIDTH: u16 = 160;
-
-/// Aligned text: one table, in which a line names each case and its source.
+/// One section per case, with its sources.
 pub(crate) fn text(outcomes: &[Outcome]) -> String {
-    let columns = ["quantity", "computed", "reference", "error", "bound", "verdict"];
-    let mut table = Table::new("", columns.map(|name| Column::new(name, "")).to_vec());
-    for outcome in outcomes {
-        let mut source = None;
+    let columns = [
+        "quantity",
+        "computed",
+        "reference",
+        "error",
+        "bound",
+        "verdict",
+    ];
+    let mut text = String::new();
+    for outcome in outcomes.iter().filter(|outcome| !outcome.checks.is_empty()) {
+        let columns = columns.map(|name| Column::new(name, "")).to_vec();
+        let mut table = Table::new(caption(outcome), columns);
         for check in &outcome.checks {
-            if source != Some(&check.source) {
-                source = Some(&check.source);
-                table.push([heading(outcome, &check.source)]);
-            }
             table.push([
-                format!("  {}", check.quantity),
-                check.computed.clone(),
-                check.reference.clone(),
-                check.error.clone(),
-                check.bound.clone(),
-                check.verdict.text().to_owned(),
+                &check.quantity,
+                &check.computed,
+                &check.reference,
+                &check.error,
+                &check.bound,
+                check.verdict.text(),
             ]);
         }
+        text.push_str(&table.to_text(None));
+        text.push('\n');
     }
-    table.note(summary(outcomes)).to_text(Some(WIDTH))
+    text + &summary(outcomes) + "\n"
 }
 
-fn heading(outcome: &Outcome, source: &str) -> String {
-    let title = outcome.title.to_uppercase();
-    if source.is_empty() {
-        title
+/// Title and sources, each once.
+fn caption(outcome: &Outcome) -> String {
+    let mut sources: Vec<&str> = Vec::new();
+    for check in &outcome.checks {
+        if !check.source.is_empty() && !sources.contains(&check.source.as_str()) {
+            sources.push(&check.source);
+        }
+    }
+    if sources.is_empty() {
+        outcome.title.to_owned()
     } else {
-        format!("{title}: {source}")
+        format!("{} ({})", outcome.title, sources.join("; "))
     }
 }
 
@@ -58,7 +67,13 @@ fn summary(outcomes: &[Outcome]) -> String {
 pub(crate) fn markdown(outcomes: &[Outcome]) -> String {
     let mut page = String::from(INTRODUCTION);
     let columns = [
-        "quantity", "reference", "source", "computed", "error", "bound", "verdict",
+        "quantity",
+        "reference",
+        "source",
+        "computed",
+        "error",
+        "bound",
+        "verdict",
     ];
     for outcome in outcomes.iter().filter(|outcome| !outcome.checks.is_empty()) {
         page.push_str(&format!("\n## {}\n\n", outcome.title));
@@ -90,5 +105,8 @@ data in `scenes/data`.
 ";
 
 fn row(cells: [&str; 7]) -> String {
-    format!("| {} |\n", cells.map(|cell| cell.replace('|', "\\|")).join(" | "))
+    format!(
+        "| {} |\n",
+        cells.map(|cell| cell.replace('|', "\\|")).join(" | ")
+    )
 }

@@ -3,7 +3,7 @@
 use stickslip::results::Results;
 
 use super::check::{Check, Checks};
-use super::laboratory::{KSI, Laboratory, Trouble, Worst};
+use super::laboratory::{KSI, Laboratory, Trouble};
 
 /// Average bearing stress P/(2Rt) at full load `[MPa]`: 81.9 ksi. All stresses are divided by it.
 const BEARING: f64 = 81.9 * KSI;
@@ -114,7 +114,9 @@ pub(super) fn frictional(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble>
 
 fn all(laboratory: &Laboratory, tables: &[Table]) -> Result<Vec<Check>, Trouble> {
     let spacing = laboratory.sized(1.0, 0.5);
-    let mut checks = Checks::against("Lekhnitskii potentials with nodal Signorini–Coulomb conditions");
+    let mut checks = Checks::against(
+        "tables every 5°: Lekhnitskii potentials, nodal Signorini–Coulomb conditions",
+    );
     for table in tables {
         let mut overrides = vec![format!("mesh.spacing=\"{spacing} deg\"")];
         overrides.extend(table.overrides.iter().map(ToString::to_string));
@@ -124,32 +126,49 @@ fn all(laboratory: &Laboratory, tables: &[Table]) -> Result<Vec<Check>, Trouble>
     Ok(checks.into_list())
 }
 
-/// The largest error of each stress, in multiples of what is allowed at its station.
+/// An error and what is allowed at its station.
+#[derive(Clone, Copy, Default)]
+struct Station {
+    angle: f64,
+    error: f64,
+    allowed: f64,
+}
+
+impl Station {
+    fn usage(&self) -> f64 {
+        self.error / self.allowed
+    }
+}
+
+/// The station that uses most of what is allowed, for each stress.
 fn compare(checks: &mut Checks, table: &Table, results: &Results) -> Result<(), Trouble> {
-    let mut worst = [(); 3].map(|()| Worst::default());
-    let mut errors = [0.0; 3];
+    let mut worst: [Option<Station>; 3] = [None; 3];
+    let mut count = 0;
     for line in stations(table.text)? {
         let [angle, reference @ .., error_r, error_theta, error_tau] = line;
         if (angle - table.end).abs() < END {
             continue;
         }
+        count += 1;
         let found = stresses(results, table.step, angle)?;
         for (k, own) in [error_r, error_theta, error_tau].into_iter().enumerate() {
-            let error = (found[k] / BEARING - reference[k]).abs();
-            let allowed = BOUND.max(MARGIN * own);
-            if error / allowed > worst[k].value || worst[k].place.is_empty() {
-                errors[k] = error;
+            let station = Station {
+                angle,
+                error: (found[k] / BEARING - reference[k]).abs(),
+                allowed: BOUND.max(MARGIN * own),
+            };
+            if worst[k].is_none_or(|last| !(station.usage() <= last.usage())) {
+                worst[k] = Some(station);
             }
-            worst[k].meet(error / allowed, || format!("worst of the 5° stations at {angle}°"));
         }
     }
-    for ((name, worst), error) in ["σ_r", "σ_θ", "τ_rθ"].into_iter().zip(worst).zip(errors) {
-        checks.station(
+    for (name, worst) in ["σ_r", "σ_θ", "τ_rθ"].into_iter().zip(worst) {
+        let worst = worst.ok_or_else(|| Trouble::Missing(format!("{} is empty", table.name)))?;
+        checks.error_below(
             format!("{}: {name}, of P/(2Rt)", table.name),
-            worst.place,
-            error,
-            error / worst.value.max(f64::MIN_POSITIVE),
-            worst.value <= 1.0,
+            format!("worst of {count} stations: {}°", worst.angle),
+            worst.error,
+            worst.allowed,
         );
     }
     Ok(())

@@ -190,11 +190,19 @@ impl<'a> Iteration<'a> {
             self.breaks += 1;
             self.seen.clear();
             self.trail.clear();
-            let worst = changes.iter().fold(0.0, |worst: f64, change| worst.max(change.violation));
-            self.status = self.with(changes.iter().filter(|change| change.violation >= 0.5 * worst));
+            let worst = changes
+                .iter()
+                .fold(0.0, |worst: f64, change| worst.max(change.violation));
+            self.status = self.with(
+                changes
+                    .iter()
+                    .filter(|change| change.violation >= 0.5 * worst),
+            );
             return Ok(());
         }
-        let worst = changes.iter().max_by(|a, b| a.violation.total_cmp(&b.violation));
+        let worst = changes
+            .iter()
+            .max_by(|a, b| a.violation.total_cmp(&b.violation));
         let next = self.with(worst.into_iter());
         if let Some(&first) = self.seen.get(&next) {
             return Err(self.cycle(first));
@@ -294,7 +302,8 @@ impl<'a> Iteration<'a> {
         let compliance = self.step.problem.compliance();
         let stop = |row: usize| {
             let column = compliance.column(row);
-            let touching = (0..self.status.len()).filter(|&k| self.status[k].touches() || k == point);
+            let touching =
+                (0..self.status.len()).filter(|&k| self.status[k].touches() || k == point);
             let together: f64 = touching.map(|k| column[2 * k + row % 2].abs()).sum();
             frozen.motion[row] / together.max(f64::MIN_POSITIVE)
         };

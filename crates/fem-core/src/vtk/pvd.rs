@@ -9,6 +9,8 @@ use super::{VtkError, escaped};
 pub struct PvdEntry {
     /// Time or load step.
     pub time: f64,
+    /// Number of the part among the files of the same time, such as the body.
+    pub part: usize,
     /// Path of the file relative to the collection.
     pub file: String,
 }
@@ -24,7 +26,7 @@ pub fn write_pvd<W: Write>(entries: &[PvdEntry], mut out: W) -> Result<(), VtkEr
         "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">"
     )?;
     writeln!(out, "<Collection>")?;
-    for PvdEntry { time, file } in entries {
+    for PvdEntry { time, part, file } in entries {
         if !time.is_finite() {
             return Err(VtkError::Time {
                 time: *time,
@@ -34,7 +36,7 @@ pub fn write_pvd<W: Write>(entries: &[PvdEntry], mut out: W) -> Result<(), VtkEr
         let file = escaped(file)?;
         writeln!(
             out,
-            "<DataSet timestep=\"{time}\" group=\"\" part=\"0\" file=\"{file}\"/>"
+            "<DataSet timestep=\"{time}\" group=\"\" part=\"{part}\" file=\"{file}\"/>"
         )?;
     }
     writeln!(out, "</Collection>")?;

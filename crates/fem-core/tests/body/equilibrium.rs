@@ -29,9 +29,9 @@ struct Sample {
 #[derive(Clone, Debug)]
 enum Holding {
     Floating,
-    /// Directions [rad] of the supports of three corners, not all through one point.
+    /// Directions `[rad]` of the supports of three corners, not all through one point.
     Isostatic,
-    /// The left side along one direction [rad], one more corner along another.
+    /// The left side along one direction `[rad]`, one more corner along another.
     Skew(f64, f64),
 }
 

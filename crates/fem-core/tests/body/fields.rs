@@ -46,7 +46,7 @@ pub(crate) fn ply(angle: f64) -> Arc<dyn Material> {
     Arc::new(Orthotropic::new(PLY, angle).unwrap())
 }
 
-/// A displacement [length] and its stress [stress], in equilibrium without body force.
+/// A displacement `[length]` and its stress `[stress]`, in equilibrium without body force.
 pub(crate) struct Field {
     pub(crate) displacement: Box<dyn Fn(Point) -> [f64; 2]>,
     pub(crate) stress: Box<dyn Fn(Point) -> [f64; 3]>,

@@ -1,6 +1,8 @@
 //! Convergence to smooth exact solutions: rates and sizes of the errors.
 //!
-//!     ‖u − u_h‖ = O(h^{p+1}),   ‖u − u_h‖_E = O(h^p),   ‖u − u_h‖_E ≤ ‖u − I u‖_E
+//! ```text
+//! ‖u − u_h‖ = O(h^{p+1}),   ‖u − u_h‖_E = O(h^p),   ‖u − u_h‖_E ≤ ‖u − I u‖_E
+//! ```
 //!
 //! The last line is Galerkin's optimality: no displacement with the same nodal boundary values, hence not the
 //! interpolant I u, is closer in energy. It bounds the finest error without an observed number; 1 % is left for the

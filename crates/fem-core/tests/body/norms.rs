@@ -1,6 +1,8 @@
 //! Errors of a nodal displacement against an exact field.
 //!
-//!     ‖e‖² = ∫ |u − u_h|² dA,      ‖e‖_E² = ∫ (σ − σ_h) · S (σ − σ_h) dA
+//! ```text
+//! ‖e‖² = ∫ |u − u_h|² dA,      ‖e‖_E² = ∫ (σ − σ_h) · S (σ − σ_h) dA
+//! ```
 //!
 //! by a 5 × 5 Gauss rule per cell, on triangles through the collapsed square: enough points to be blind to none of them,
 //! as a cell's own rule is, which sits where its stresses are superconvergent.

@@ -159,7 +159,7 @@ impl Contacts {
         });
         let mut edge = upper.into_model_edge(scene, &contact.first, first, half, Some(pair));
         edge.geometry.name.clone_from(&contact.name);
-        edge.geometry.law = contact.law.name().to_owned();
+        contact.law.name().clone_into(&mut edge.geometry.law);
         edge.local = (first_start..first_start + count).collect();
         self.edges.push(edge);
         Ok(())

@@ -278,25 +278,20 @@ fn hole_angles(scene: &Scene, half: bool) -> Result<Vec<f64>, ModelError> {
         ));
     };
     let spans_half = (last - PI).abs() < 1e-9;
-    match (half, spans_half) {
-        (true, true) => Ok(upper),
-        (true, false) => Err(ModelError::MeshSettings(format!(
+    if half && !spans_half {
+        return Err(ModelError::MeshSettings(format!(
             "a half model needs angles from 0 to 180 deg; the last one is {:.6} deg",
             last.to_degrees()
-        ))),
-        (false, true) => {
-            let lower = upper[1..upper.len() - 1]
-                .iter()
-                .rev()
-                .map(|angle| TAU - angle);
-            Ok(upper
-                .iter()
-                .copied()
-                .chain(lower.collect::<Vec<_>>())
-                .collect())
-        }
-        (false, false) => Ok(upper),
+        )));
     }
+    if half || !spans_half {
+        return Ok(upper);
+    }
+    let lower = upper[1..upper.len() - 1]
+        .iter()
+        .rev()
+        .map(|angle| TAU - angle);
+    Ok(upper.iter().copied().chain(lower).collect())
 }
 
 /// Angles from 0 to π: equal spacing up to `fine_to`, then growing to the coarse spacing.

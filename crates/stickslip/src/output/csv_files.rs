@@ -179,7 +179,7 @@ fn edge_quantities<'a>(edge: EdgeView<'a>, prefix: &str) -> Vec<StepColumn<'a>> 
         add(
             format!("stick_{}", names[0]),
             place_unit,
-            Box::new(move |k| place(edge.stick_half_extent(k))),
+            Box::new(move |k| place(edge.step(k).stick_half_extent)),
         );
         add(
             "peak_pressure".into(),

@@ -1,8 +1,5 @@
 //! Results as a reader wants them: places in degrees or lengths, stresses and loads in the scene's units, short numbers.
 
-use stickslip_contact::Status;
-use stickslip_contact::zones::Zone;
-
 use crate::results::{EdgeGeometry, EdgeKind, EdgeResults, Results};
 use crate::scene::schema::DisplayUnits;
 
@@ -112,18 +109,6 @@ impl<'a> EdgeView<'a> {
         } else {
             ["σ_yy", "σ_xx", "τ_xy"]
         }
-    }
-
-    /// Half of the extent of the stick zone around the bearing point or x = 0 `[rad or mm]`: 0 where there is none, `None`
-    /// without contact.
-    pub(super) fn stick_half_extent(&self, step: usize) -> Option<f64> {
-        let edge = self.step(step);
-        edge.contact_half_extent?;
-        let around_middle =
-            |zone: &&Zone| zone.status == Status::Stick && zone.start <= 0.0 && zone.end >= 0.0;
-        let share = if self.geometry.half { 1.0 } else { 0.5 };
-        let middle = edge.zones.iter().find(around_middle);
-        Some(middle.map_or(0.0, |zone| share * (zone.end - zone.start)))
     }
 
     /// Friction over pressure, ∫q dA / ∫p dA; `None` without pressure.

@@ -145,7 +145,10 @@ fn edge_summary(edge: &EdgeView<'_>, step: usize) -> Vec<(String, String)> {
     }
     if let Some(extent) = record.contact_half_extent {
         add("Contact".into(), format!("±{}", edge.extent(extent)));
-        let stick = edge.stick_half_extent(step).filter(|stick| *stick > 0.0);
+        let stick = edge
+            .step(step)
+            .stick_half_extent
+            .filter(|stick| *stick > 0.0);
         add(
             "Stick".into(),
             stick.map_or("nowhere around the middle".into(), |stick| {
@@ -162,7 +165,9 @@ fn edge_summary(edge: &EdgeView<'_>, step: usize) -> Vec<(String, String)> {
     if let Some((hoop, place)) = record.peak_hoop {
         let name = format!("Largest {}", edge.stress_symbols()[1]);
         let cusp = record.peak_hoop_uncertainty;
-        let margin = cusp.map_or(String::new(), |value| format!(" (± {})", stress(value)));
+        let margin = cusp.map_or(String::new(), |value| {
+            format!(" (± {} {unit})", significant(edge.stress(value), 2))
+        });
         add(
             name,
             format!("{}{margin} at {}", stress(hoop), edge.at(place)),

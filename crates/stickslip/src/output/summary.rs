@@ -345,7 +345,7 @@ fn on_circle(view: &EdgeView<'_>, step: usize) -> Places {
     let over_bearing = |stress: f64| bearing.and_then(|bearing| tidy(stress / bearing));
     Places::Circle {
         contact_half_angle_deg: edge.contact_half_extent.and_then(degrees),
-        stick_half_angle_deg: view.stick_half_extent(step).and_then(degrees),
+        stick_half_angle_deg: view.step(step).stick_half_extent.and_then(degrees),
         slip_zones_deg: slip_zones(view, step),
         bearing_stress: bearing.map(|bearing| Quantity {
             value: tidy(view.stress(bearing)),
@@ -366,7 +366,7 @@ fn on_line(view: &EdgeView<'_>, step: usize) -> Places {
     let length = |value: f64| length(view, value);
     Places::Line {
         contact_half_width: edge.contact_half_extent.map(length),
-        stick_half_width: view.stick_half_extent(step).map(length),
+        stick_half_width: view.step(step).stick_half_extent.map(length),
         slip_zones: slip_zones(view, step),
         peak_pressure_position: edge.peak_pressure.map(|(_, place)| length(place)),
         peak_hoop_position: edge.peak_hoop.map(|(_, place)| length(place)),

@@ -114,7 +114,7 @@ fn extent_columns(edge: EdgeView<'_>) -> Vec<StepColumn<'_>> {
             digits(edge.step(step).contact_half_extent)
         }),
         column("stick ±", unit, move |step| {
-            digits(edge.stick_half_extent(step))
+            digits(edge.step(step).stick_half_extent)
         }),
         column("slip+", unit, zone(|sign| sign > 0.0)),
         column("slip−", unit, zone(|sign| sign < 0.0)),

@@ -48,6 +48,7 @@ pub(super) fn files(results: &Results) -> Result<(Vec<File>, Vec<FileNote>), Out
             })?;
             entries.push(PvdEntry {
                 time: (index + 1) as f64,
+                part: fields.body,
                 file: file.clone(),
             });
             files.push((file, bytes));

@@ -216,14 +216,26 @@ fn cusp_uncertainty(rows: &[EdgeRow], zones: &[Zone], parameter: &[f64]) -> Opti
     const REACH: usize = 4;
     let stress = |k: usize| rows[k].sigma_tangential;
     let peak = (0..rows.len()).max_by(|&a, &b| stress(a).total_cmp(&stress(b)))?;
-    let (low, high) = (peak.saturating_sub(REACH), (peak + REACH).min(rows.len() - 1));
+    let (low, high) = (
+        peak.saturating_sub(REACH),
+        (peak + REACH).min(rows.len() - 1),
+    );
     let near = parameter[low]..=parameter[high];
-    let ends = zones.windows(2).filter(|pair| pair[0].status.touches() != pair[1].status.touches());
+    let ends = zones
+        .windows(2)
+        .filter(|pair| pair[0].status.touches() != pair[1].status.touches());
     if !ends.map(|pair| pair[0].end).any(|end| near.contains(&end)) {
         return None;
     }
-    let neighbours = [peak.checked_sub(1), Some(peak + 1).filter(|&k| k < rows.len())];
-    neighbours.into_iter().flatten().map(|k| (stress(peak) - stress(k)).abs()).reduce(f64::max)
+    let neighbours = [
+        peak.checked_sub(1),
+        Some(peak + 1).filter(|&k| k < rows.len()),
+    ];
+    neighbours
+        .into_iter()
+        .flatten()
+        .map(|k| (stress(peak) - stress(k)).abs())
+        .reduce(f64::max)
 }
 
 fn summarise(
@@ -246,17 +258,10 @@ fn summarise(
         .next()
         .zip(touching().next_back())
         .map(|(first, last)| share * (last.end - first.start));
-    let sticking: Vec<&Zone> = zones
-        .iter()
-        .filter(|zone| zone.status == Status::Stick)
-        .collect();
-    let stick = extent.map(|_| {
-        share
-            * sticking
-                .iter()
-                .map(|zone| zone.end - zone.start)
-                .sum::<f64>()
-    });
+    let around_middle =
+        |zone: &&Zone| zone.status == Status::Stick && zone.start <= 0.0 && zone.end >= 0.0;
+    let middle = zones.iter().find(around_middle);
+    let stick = extent.map(|_| middle.map_or(0.0, |zone| share * (zone.end - zone.start)));
     let double = if half { 2.0 } else { 1.0 };
     let (resultant, sums) = edge.pair.map_or_else(Default::default, |pair| {
         let [x, y] = record.audit.resultants[pair];

@@ -23,7 +23,7 @@ pub(super) fn recover(
     solved: &Solved,
     record: &StepRecord,
     everywhere: bool,
-) -> Result<Recovered, StressError> {
+) -> Recovered {
     let mut recovered = Recovered {
         multipliers: record.state.multipliers.clone(),
         ..Recovered::default()
@@ -56,7 +56,7 @@ pub(super) fn recover(
         ));
         recovered.displacement.push(u);
     }
-    Ok(recovered)
+    recovered
 }
 
 /// Fields of all bodies that were recovered, with stresses by patch recovery.

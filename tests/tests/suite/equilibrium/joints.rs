@@ -165,15 +165,19 @@ struct Checked<'a> {
     solution: Solution,
     /// Largest force of the history `[N]`: pulls, and pressures times areas where an interference fit makes its own.
     scale: f64,
+    /// Largest tangential displacement of the history `[mm]`.
+    slip: f64,
 }
 
 impl<'a> Checked<'a> {
     fn new(joint: &'a Joint) -> Self {
         let results = joint.draft.run();
         let pulls = joint.pulls.iter().map(|pull| pull.abs());
+        let rows = results.steps.iter().flat_map(|step| &step.edges[0].rows);
         let presses = results.steps.iter().map(|step| step.edges[0].normal_force);
         Self {
             scale: pulls.chain(presses).fold(0.0, f64::max),
+            slip: rows.map(|row| row.slip.abs()).fold(0.0, f64::max),
             solution: joint.draft.solve(),
             results,
             joint,
@@ -238,12 +242,22 @@ impl<'a> Checked<'a> {
             .zip(areas(geometry))
             .map(|(row, area)| row.pressure * area)
             .sum();
-        self.close("normal force", edge.normal_force, self.double() * pressed, SUMS);
+        self.close(
+            "normal force",
+            edge.normal_force,
+            self.double() * pressed,
+            SUMS,
+        );
         if let Some(bearing) = edge.bearing_stress(geometry) {
             let area = 2.0 * RADIUS * THICKNESS;
             self.close("bearing stress", bearing * area, pull.abs(), SUMS);
         }
-        assert!(step.residuals.largest() < 1e-9, "{:?} {:?}", step.residuals, self.joint);
+        assert!(
+            step.residuals.largest() < 1e-9,
+            "{:?} {:?}",
+            step.residuals,
+            self.joint
+        );
     }
 
     /// What the pin does to the plate, the plate does to the pin, and the pin's support carries it.
@@ -296,17 +310,23 @@ impl<'a> Checked<'a> {
         let stress = self.scale / (RADIUS * THICKNESS);
         for row in &step.edges[0].rows {
             let slack = 1e-8 * stress;
-            assert!(row.pressure > -slack, "{row:?} {:?}", self.joint);
-            assert!(row.gap > -1e-9 * RADIUS, "{row:?} {:?}", self.joint);
+            assert!(row.pressure >= -slack, "{row:?} {:?}", self.joint);
+            assert!(row.gap >= -1e-9 * RADIUS, "{row:?} {:?}", self.joint);
             let bound = self.joint.law.most_shear(row.pressure);
-            assert!(row.shear.abs() <= bound * (1.0 + 1e-8) + slack, "{row:?} {bound} {:?}", self.joint);
+            assert!(
+                row.shear.abs() <= bound * (1.0 + 1e-8) + slack,
+                "{row:?} {bound} {:?}",
+                self.joint
+            );
             if row.status == Status::Open {
-                assert!(row.pressure.abs() <= slack && row.shear.abs() <= slack, "{row:?}");
+                assert!(
+                    row.pressure.abs() <= slack && row.shear.abs() <= slack,
+                    "{row:?}"
+                );
             }
         }
-        let give = step.edges[0].rows.iter().map(|row| row.slip.abs()).fold(0.0, f64::max);
         assert!(
-            step.dissipation >= -1e-9 * self.scale * give,
+            step.dissipation >= -1e-9 * self.scale * self.slip,
             "dissipation {} {:?}",
             step.dissipation,
             self.joint
@@ -327,4 +347,35 @@ proptest! {
             checked.contact_conditions(step);
         }
     }
+}
+
+#[test]
+fn stress() {
+    use proptest::strategy::ValueTree;
+    let Ok(count) = std::env::var("STRESS") else { return };
+    let count: usize = count.parse().unwrap();
+    let mut runner = proptest::test_runner::TestRunner::default();
+    std::panic::set_hook(Box::new(|_| {}));
+    let mut failed = 0;
+    let start = std::time::Instant::now();
+    for _ in 0..count {
+        let joint = joints().new_tree(&mut runner).unwrap().current();
+        let t = std::time::Instant::now();
+        let result = std::panic::catch_unwind(|| {
+        let checked = Checked::new(&joint);
+        for (pull, step, record) in checked.pairs() {
+            checked.resultants(pull, step);
+            checked.action_and_reaction(pull, record);
+            checked.virtual_work(step, record);
+            checked.contact_conditions(step);
+        }
+        });
+        if t.elapsed().as_secs_f64() > 1.0 { println!("SLOW {:?} {joint:?}", t.elapsed()); }
+        if let Err(e) = result {
+            failed += 1;
+            let m = e.downcast_ref::<String>().cloned().unwrap_or_default();
+            println!("FAIL {m}");
+        }
+    }
+    println!("{failed} of {count} in {:?}", start.elapsed());
 }

@@ -106,7 +106,10 @@ fn caption(view: &EdgeView<'_>, step: usize) -> String {
         LoadScale::of(view.results()).step_text(step)
     )];
     if let Some(extent) = edge.contact_half_extent {
-        let stick = view.stick_half_extent(step).filter(|stick| *stick > 0.0);
+        let stick = view
+            .step(step)
+            .stick_half_extent
+            .filter(|stick| *stick > 0.0);
         let stick = stick.map_or("no zone around its middle sticks".to_owned(), |stick| {
             format!("it sticks within ±{}", view.extent(stick))
         });

@@ -34,7 +34,7 @@ pub(super) fn extent_and_peak(view: &EdgeView<'_>) -> Attempt {
         extents = extents.with(series.style(SeriesStyle::Both));
     }
     for mut series in branches(results, "stick", |step| {
-        extent(view.stick_half_extent(step))
+        extent(view.step(step).stick_half_extent)
     }) {
         series.color = series.color.map(|color| color.tint(0.6));
         extents = extents.with(series.dash(Dash::Dotted).style(SeriesStyle::Both));
@@ -82,7 +82,8 @@ fn caption(view: &EdgeView<'_>) -> String {
     if let Some(contact) = edge.contact_half_extent {
         let mut parts = vec![format!("contact ±{}", view.extent(contact))];
         parts.extend(
-            view.stick_half_extent(step)
+            view.step(step)
+                .stick_half_extent
                 .map(|stick| format!("stick ±{}", view.extent(stick))),
         );
         if let (Some((pressure, _)), Some(bearing)) = (edge.peak_pressure, view.bearing(step)) {
