@@ -2,7 +2,9 @@
 //!
 //! This crate is the place of lay-ups, classical lamination theory, failure criteria and progressive models:
 //!
-//!     (N, M) = [A B; B D] (ε⁰, κ),   Q̄_k the stiffness of ply k in laminate axes,   A = Σ_k Q̄_k h_k
+//! ```text
+//! (N, M) = [A B; B D] (ε⁰, κ),   Q̄_k the stiffness of ply k in laminate axes,   A = Σ_k Q̄_k h_k
+//! ```
 //!
 //! A balanced symmetric lay-up acts in its plane as the homogeneous plate with stiffness A/h, which is a
 //! [`Material`](stickslip_fem_core::material::Material) of `stickslip-fem-core`; its ply fractions are what the fibre-coverage

@@ -28,7 +28,7 @@ pub(crate) enum Trouble {
     },
     /// A run stopped.
     #[error("{scene}: {cause}")]
-    Run { scene: String, cause: RunError },
+    Run { scene: String, cause: Box<RunError> },
     /// Results or data lack something that a check needs.
     #[error("{0}")]
     Missing(String),
@@ -125,7 +125,7 @@ impl Laboratory {
         eprintln!("  {label}  {:.2} s", start.elapsed().as_secs_f64());
         let results = outcome.map_err(|cause| Trouble::Run {
             scene: label.clone(),
-            cause,
+            cause: Box::new(cause),
         })?;
         self.keep_residuals(&results, &label);
         Ok(results)

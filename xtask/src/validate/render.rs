@@ -76,11 +76,13 @@ pub(crate) fn markdown(outcomes: &[Outcome]) -> String {
         "verdict",
     ];
     for outcome in outcomes.iter().filter(|outcome| !outcome.checks.is_empty()) {
-        page.push_str(&format!("\n## {}\n\n", outcome.title));
-        page.push_str(&row(columns));
-        page.push_str(&row(["---"; 7]));
+        page += "\n## ";
+        page += outcome.title;
+        page += "\n\n";
+        page += &row(columns);
+        page += &row(["---"; 7]);
         for check in &outcome.checks {
-            page.push_str(&row([
+            page += &row([
                 &check.quantity,
                 &check.reference,
                 &check.source,
@@ -88,11 +90,10 @@ pub(crate) fn markdown(outcomes: &[Outcome]) -> String {
                 &check.error,
                 &check.bound,
                 check.verdict.text(),
-            ]));
+            ]);
         }
     }
-    page.push_str(&format!("\n{}.\n", summary(outcomes)));
-    page
+    page + "\n" + &summary(outcomes) + ".\n"
 }
 
 const INTRODUCTION: &str = "\

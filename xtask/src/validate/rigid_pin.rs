@@ -157,7 +157,8 @@ fn compare(checks: &mut Checks, table: &Table, results: &Results) -> Result<(), 
                 error: (found[k] / BEARING - reference[k]).abs(),
                 allowed: BOUND.max(MARGIN * own),
             };
-            if worst[k].is_none_or(|last| !(station.usage() <= last.usage())) {
+            // A NaN counts as the worst.
+            if worst[k].is_none_or(|last| last.usage().total_cmp(&station.usage()).is_lt()) {
                 worst[k] = Some(station);
             }
         }
