@@ -188,8 +188,7 @@ impl Draft {
 
     /// What a run of it finds.
     pub fn run(&self) -> Results {
-        run::run(&self.scene(), &mut |_| {})
-            .unwrap_or_else(|error| panic!("{error}:\n{self:?}"))
+        run::run(&self.scene(), &mut |_| {}).unwrap_or_else(|error| panic!("{error}:\n{self:?}"))
     }
 
     /// Its model, solved.

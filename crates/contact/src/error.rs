@@ -27,17 +27,17 @@ pub enum ContactError {
         other: usize,
     },
     /// A load step has the wrong number of multipliers, or one that is not finite.
-    #[error("load step {step}: {what}")]
+    #[error("load step {}: {what}", .step + 1)]
     InvalidLoad {
-        /// Index of the step.
+        /// Index of the step, from 0; messages count from 1.
         step: usize,
         /// What is wrong, with the numbers.
         what: String,
     },
     /// A load step was not solved, with every solver tried and the increment cut as far as allowed.
-    #[error("load step {step} was not solved beyond {reached:.4} of its increment: {cause}")]
+    #[error("load step {} was not solved beyond {reached:.4} of its increment: {cause}", .step + 1)]
     StepFailed {
-        /// Index of the step.
+        /// Index of the step, from 0; messages count from 1.
         step: usize,
         /// Fraction of the step's increment that was reached.
         reached: f64,

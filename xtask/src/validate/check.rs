@@ -240,3 +240,27 @@ fn decimals(value: f64, digits: i32) -> usize {
     let exponent = value.abs().log10().floor() as i32;
     (digits - 1 - exponent).clamp(0, 7) as usize
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_their_digits() {
+        let texts = [31501.0, 0.880936481, -1500.5, 3.52965e-4, 0.0].map(number);
+        assert_eq!(texts, ["31501", "0.880936", "-1500.5", "3.52965e-4", "0"]);
+        assert_eq!(percent(1e-3), "0.10 %");
+        assert_eq!(signed_percent(-0.000_064_2), "-0.0064 %");
+    }
+
+    #[test]
+    fn a_number_that_is_none_fails() {
+        let mut checks = Checks::default();
+        checks.near("", f64::NAN, 1.0, "", Tolerance::Relative(1.0));
+        checks.error_below("", "", f64::NAN, 1.0);
+        checks.rounding_below("", "", f64::NAN, 1.0);
+        checks.near("", 1.1, 1.0, "", Tolerance::Absolute(0.05));
+        let list = checks.into_list();
+        assert!(list.iter().all(|check| check.verdict == Verdict::Fail));
+    }
+}

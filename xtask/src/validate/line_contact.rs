@@ -86,12 +86,15 @@ pub(super) fn cattaneo(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
     Ok(checks.into_list())
 }
 
+/// A shear over μp₀ as a function of x.
+type Profile<'a> = &'a dyn Fn(f64) -> f64;
+
 /// Compares the shear of half a cycle with the closed form.
 fn shear(checks: &mut Checks, what: &str, results: &Results, spacing: f64, scale: f64) {
     let back = HALF_WIDTH * 0.75_f64.sqrt();
     let loaded = |x: f64| root(HALF_WIDTH, x) - root(STICK, x);
     let returned = |x: f64| loaded(x) - 2.0 * (root(HALF_WIDTH, x) - root(back, x));
-    let states: [(&str, usize, &dyn Fn(f64) -> f64); 3] = [
+    let states: [(&str, usize, Profile<'_>); 3] = [
         ("at +Q", 1, &loaded),
         ("back at 0", 2, &returned),
         ("at −Q", 3, &|x| -loaded(x)),

@@ -77,3 +77,21 @@ fn lekhnitskii(theta: f64) -> f64 {
         s.powi(4) / e1 + (1.0 / g12 - 2.0 * nu12 / e1) * s * s * c * c + c.powi(4) / e2;
     (-k * c * c + (1.0 + n) * s * s) / (e1 * compliance)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Values of the complex potentials, 7 decimals.
+    #[test]
+    fn the_closed_form_agrees_with_the_potentials() {
+        for (degrees, expected) in [
+            (0.0_f64, -0.5484582),
+            (45.0, 0.4847828),
+            (60.0, 1.7321202),
+            (90.0, 3.4878734),
+        ] {
+            assert!((lekhnitskii(degrees.to_radians()) - expected).abs() < 6e-8);
+        }
+    }
+}

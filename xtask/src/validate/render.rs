@@ -99,7 +99,7 @@ pub(crate) fn markdown(outcomes: &[Outcome]) -> String {
 const INTRODUCTION: &str = "\
 # Validation
 
-Written by `cargo xtask validate --mutate --write`; every number is measured. Axes and signs are those of the scenes. An error is \
+Written by `cargo xtask validate --write`, the last section with `--mutate`; every number is measured. Axes and signs are those of the scenes. An error is \
 computed minus reference. *Shown* quantities have no bound. h is the distance of corner nodes, and \"more than 2h from\" a place \
 means all nodes farther from it than that. The references are the sources named; their tables are in `xtask/data`, with boundary \
 data in `scenes/data`.

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use miette::Diagnostic;
+use stickslip_contact::ContactError;
 use stickslip_report::folder::{FolderError, Overwrite, ResultFolder};
 use thiserror::Error;
 
@@ -123,6 +124,14 @@ fn located(scene: &Scene, error: &RunError) -> SceneError {
             format!("bodies.{body}"),
             "check the body's supports: it must not be able to move as a whole without contact",
         ),
+        RunError::Contact(ContactError::StepFailed { cause, .. })
+            if cause.is_proved_impossible() =>
+        {
+            (
+                "loads".to_owned(),
+                "no contact force can balance this load: add friction or a support against the motion, or turn the load",
+            )
+        }
         RunError::Contact(_) => (
             "loads".to_owned(),
             "take smaller steps (--set analysis.substeps=4) or another solver (--set analysis.solver=pivoting)",

@@ -352,7 +352,9 @@ proptest! {
 #[test]
 fn stress() {
     use proptest::strategy::ValueTree;
-    let Ok(count) = std::env::var("STRESS") else { return };
+    let Ok(count) = std::env::var("STRESS") else {
+        return;
+    };
     let count: usize = count.parse().unwrap();
     let mut runner = proptest::test_runner::TestRunner::default();
     std::panic::set_hook(Box::new(|_| {}));
@@ -362,15 +364,17 @@ fn stress() {
         let joint = joints().new_tree(&mut runner).unwrap().current();
         let t = std::time::Instant::now();
         let result = std::panic::catch_unwind(|| {
-        let checked = Checked::new(&joint);
-        for (pull, step, record) in checked.pairs() {
-            checked.resultants(pull, step);
-            checked.action_and_reaction(pull, record);
-            checked.virtual_work(step, record);
-            checked.contact_conditions(step);
-        }
+            let checked = Checked::new(&joint);
+            for (pull, step, record) in checked.pairs() {
+                checked.resultants(pull, step);
+                checked.action_and_reaction(pull, record);
+                checked.virtual_work(step, record);
+                checked.contact_conditions(step);
+            }
         });
-        if t.elapsed().as_secs_f64() > 1.0 { println!("SLOW {:?} {joint:?}", t.elapsed()); }
+        if t.elapsed().as_secs_f64() > 1.0 {
+            println!("SLOW {:?} {joint:?}", t.elapsed());
+        }
         if let Err(e) = result {
             failed += 1;
             let m = e.downcast_ref::<String>().cloned().unwrap_or_default();
