@@ -4,8 +4,9 @@ use std::fmt::{self, Debug, Display, Write as _};
 use std::path::Path;
 
 use stickslip::results::Results;
-use stickslip::run;
+use stickslip::run::{self, RunError};
 use stickslip::scene::{Format, Scene};
+use stickslip_contact::ContactError;
 
 use crate::Solution;
 
@@ -189,6 +190,15 @@ impl Draft {
     /// What a run of it finds.
     pub fn run(&self) -> Results {
         run::run(&self.scene(), &mut |_| {}).unwrap_or_else(|error| panic!("{error}:\n{self:?}"))
+    }
+
+    /// The same, or `None` where the contact solvers say that they did not solve a step. Every other error panics.
+    pub fn run_if_solvable(&self) -> Option<Results> {
+        match run::run(&self.scene(), &mut |_| {}) {
+            Ok(results) => Some(results),
+            Err(RunError::Contact(ContactError::StepFailed { .. })) => None,
+            Err(error) => panic!("{error}:\n{self:?}"),
+        }
     }
 
     /// Its model, solved.

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use thiserror::Error;
 
 pub use assembly::internal_forces;
-pub use condensed::CondensedBody;
+pub use condensed::{BodyBalance, BodyLoad, CondensedBody};
 pub use equations::BodyStructure;
 
 use crate::linalg::FactorError;

@@ -2,6 +2,7 @@
 
 mod contacts;
 mod extent;
+mod limits;
 mod loads;
 mod meshes;
 mod polar_table;
@@ -88,6 +89,14 @@ pub enum ModelError {
     /// `model = "half"` where the scene has no such symmetry.
     #[error("model = \"half\" asks for symmetry, but {0}; say model = \"whole\" or \"auto\"")]
     NotSymmetric(String),
+    /// Something that scenes can say and this model cannot do.
+    #[error("{what}")]
+    Unsupported {
+        /// Key of the scene.
+        key: String,
+        /// What is refused, and what can be done instead.
+        what: String,
+    },
     /// Something that a shape needs in the mesh settings.
     #[error("mesh: {0}")]
     MeshSettings(String),
@@ -132,6 +141,8 @@ pub struct ModelEdge {
     pub normals: Vec<[f64; 2]>,
     /// Index of the contact pair.
     pub pair: Option<usize>,
+    /// Tractions of the loads on an edge without contact: load case, and (σ_nn, τ_nt) per node for a multiplier of one.
+    pub tractions: Vec<(usize, Vec<[f64; 2]>)>,
 }
 
 /// A scene turned into bodies, pairs and a load history.
@@ -159,6 +170,7 @@ impl Model {
     /// # Errors
     /// [`ModelError`]; nothing large is allocated before the size of the meshes is known.
     pub fn build(scene: &Scene) -> Result<Self, ModelError> {
+        limits::check(scene)?;
         let mut choices = Vec::new();
         let half = extent::choose(scene, &mut choices)?;
         let meshes = meshes::build(scene, half, &mut choices)?;

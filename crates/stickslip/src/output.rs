@@ -16,6 +16,7 @@ mod csv_files;
 mod display;
 mod figures;
 mod loads;
+pub(crate) use loads::LoadScale;
 mod names;
 mod page;
 mod summary;

@@ -6,6 +6,7 @@ use stickslip_contact::Status;
 use stickslip_contact::audit::Audit;
 use stickslip_contact::solver::{Residuals, Work};
 use stickslip_contact::zones::Zone;
+use stickslip_fem_core::body::BodyBalance;
 use stickslip_fem_core::mesh::Mesh;
 
 use crate::scene::schema::DisplayUnits;
@@ -109,7 +110,7 @@ pub struct EdgeRow {
     pub shear: f64,
     /// Gap, positive when open `[mm]`.
     pub gap: f64,
-    /// Accumulated relative tangential displacement, first minus second body along e_t `[mm]`.
+    /// Slip accumulated in the steps in which the point slipped, first minus second body along e_t `[mm]`.
     pub slip: f64,
     /// Status.
     pub status: Status,
@@ -195,9 +196,11 @@ pub struct StepResults {
     pub doubtful: usize,
     /// Residuals of the contact conditions.
     pub residuals: Residuals,
-    /// Unbalanced force relative to the load: the worst of the floating bodies, the contacts against the applied load, and
-    /// the recovered fields where they were computed.
+    /// Largest unbalanced force or moment relative to the load: of the floating bodies in the interface problem, and of each
+    /// elastic body's nodes, resultant and moment by its recovered displacements.
     pub balance_residual: f64,
+    /// Balance of each body with its reactions, by the recovered displacements; `None` for a rigid one.
+    pub balance: Vec<Option<BodyBalance>>,
     /// Frictional dissipation in the step, whole model `[N·mm]`.
     pub dissipation: f64,
     /// Equilibrium audit.

@@ -5,6 +5,7 @@ mod fields;
 
 use std::time::Instant;
 
+use nalgebra::DVector;
 use rayon::prelude::*;
 use stickslip_contact::{
     Chain, ContactError, InterfaceProblem, InterfaceSolver, Pivoting, StepRecord,
@@ -15,6 +16,7 @@ use stickslip_fem_core::{CondensedBody, InterfaceOperator};
 use thiserror::Error;
 
 use crate::model::{Model, ModelBodyKind, ModelError};
+use crate::output::LoadScale;
 use crate::results::{BodySummary, Choice, LoadValue, Results, StepResults};
 use crate::scene::Scene;
 use crate::scene::schema::{FieldOutput, LoadKind, SolverChoice};
@@ -203,57 +205,34 @@ fn results(
     mut solved: Solved,
 ) -> Result<Results, RunError> {
     let start = Instant::now();
+    let recovered = fields::recover(&solved);
+    let mut slip = DVector::zeros(solved.problem.points().len());
     let mut steps = Vec::with_capacity(solved.records.len());
-    let mut previous = 0.0;
-    let last = solved.records.len().saturating_sub(1);
-    let peak = largest_load(scene);
     for (index, record) in solved.records.iter().enumerate() {
-        let wants_fields = match scene.output.fields {
-            FieldOutput::None => false,
-            FieldOutput::Peak => index == peak,
-            FieldOutput::Last => index == last,
-            FieldOutput::All => true,
-        };
-        let recovered = fields::recover(model, &solved, record, wants_fields);
-        let edges = edges::all(model, &solved, record, &recovered)?;
-        let loads = loads(scene, index);
-        let value = loads
-            .first()
-            .map_or(0.0, |load: &LoadValue| load.value.abs());
+        slip += &record.slip;
         steps.push(StepResults {
-            unloading: value < previous,
-            loads,
-            edges,
+            unloading: false,
+            loads: loads(scene, index),
+            edges: edges::all(model, &solved, record, &recovered[index], &slip)?,
             work: record.work,
             solvers: record.solvers.clone(),
             increments: record.increments,
             cutbacks: record.cutbacks,
             doubtful: record.doubtful,
             residuals: record.residuals,
-            balance_residual: record.audit.balance.max(recovered.imbalance),
+            balance_residual: record.audit.balance.max(recovered[index].imbalance()),
+            balance: recovered[index].balance.clone(),
             dissipation: record.dissipation * if model.half { 2.0 } else { 1.0 },
             audit: record.audit.clone(),
-            fields: if wants_fields {
-                fields::with_stresses(model, &recovered)?
-            } else {
-                Vec::new()
-            },
+            fields: Vec::new(),
             seconds: solved.step_seconds[index],
         });
-        previous = value;
     }
-    solved
-        .phases
-        .push(("stresses", start.elapsed().as_secs_f64()));
     let mut notes = model.notes.clone();
     notes.extend(remarks(&steps));
     let mut choices = model.choices.clone();
-    choices.push(Choice {
-        what: "solver".into(),
-        value: solver.name().into(),
-        reason: "the fastest method first, one that always ends last".into(),
-    });
-    Ok(Results {
+    choices.push(solver_choice(scene.analysis.solver, solver));
+    let mut results = Results {
         title: scene.title.clone(),
         source: scene.source_name.clone(),
         scene_hash: scene.hash.clone(),
@@ -272,20 +251,48 @@ fn results(
             .map(|edge| edge.geometry.clone())
             .collect(),
         steps,
-        phases: solved.phases,
-    })
+        phases: Vec::new(),
+    };
+    let scale = LoadScale::of(&results);
+    for (step, unloading) in results.steps.iter_mut().zip(scale.unloading()) {
+        step.unloading = unloading;
+    }
+    for index in steps_with_fields(scene.output.fields, &scale, results.steps.len()) {
+        results.steps[index].fields = fields::with_stresses(model, &recovered[index])?;
+    }
+    solved
+        .phases
+        .push(("stresses", start.elapsed().as_secs_f64()));
+    results.phases = solved.phases;
+    Ok(results)
 }
 
-/// The step at which the first load is largest in magnitude, the earliest of equals.
-fn largest_load(scene: &Scene) -> usize {
-    let steps = scene
-        .loads
-        .first()
-        .map_or(&[][..], |load| load.kind.steps());
-    (0..steps.len())
-        .rev()
-        .max_by(|&a, &b| steps[a].abs().total_cmp(&steps[b].abs()))
-        .unwrap_or(0)
+fn steps_with_fields(output: FieldOutput, scale: &LoadScale, count: usize) -> Vec<usize> {
+    match output {
+        FieldOutput::None => Vec::new(),
+        FieldOutput::Peak => scale.peak_step().into_iter().collect(),
+        FieldOutput::Last => count.checked_sub(1).into_iter().collect(),
+        FieldOutput::All => (0..count).collect(),
+    }
+}
+
+fn solver_choice(choice: SolverChoice, solver: &dyn InterfaceSolver) -> Choice {
+    let reason = match choice {
+        SolverChoice::Auto => "the fastest method first, a safer one where it fails",
+        SolverChoice::Status | SolverChoice::Newton | SolverChoice::Pivoting => "the scene says so",
+    };
+    let value = match choice {
+        SolverChoice::Auto | SolverChoice::Newton => "semismooth Newton, then pivoting".to_owned(),
+        SolverChoice::Status => {
+            "status iteration, then semismooth Newton, then pivoting".to_owned()
+        }
+        SolverChoice::Pivoting => solver.name().to_owned(),
+    };
+    Choice {
+        what: "solver".into(),
+        value,
+        reason: reason.into(),
+    }
 }
 
 fn bodies(model: &Model, solved: &Solved) -> Vec<BodySummary> {
@@ -331,13 +338,6 @@ fn loads(scene: &Scene, step: usize) -> Vec<LoadValue> {
 
 /// What a reader must know of the steps: where an answer was not unique, and where the history was cut back.
 fn remarks(steps: &[StepResults]) -> Vec<String> {
-    let list = |chosen: Vec<usize>| {
-        chosen
-            .iter()
-            .map(|k| (k + 1).to_string())
-            .collect::<Vec<_>>()
-            .join(", ")
-    };
     let mut notes = Vec::new();
     let doubtful: Vec<usize> = (0..steps.len())
         .filter(|&k| steps[k].doubtful > 0)
@@ -348,7 +348,7 @@ fn remarks(steps: &[StepResults]) -> Vec<String> {
             "The answer is not unique in load step {}: up to {most} contact points stick with a traction between the dynamic and the \
              static bound, where slip at the dynamic traction would be admissible too. They were taken to stick because they had \
              not slipped before.",
-            list(doubtful)
+            ranges(&doubtful)
         ));
     }
     let cut: Vec<usize> = (0..steps.len())
@@ -357,8 +357,19 @@ fn remarks(steps: &[StepResults]) -> Vec<String> {
     if !cut.is_empty() {
         notes.push(format!(
             "The increment was cut back in load step {}.",
-            list(cut)
+            ranges(&cut)
         ));
     }
     notes
+}
+
+/// Step numbers from 1, runs shortened: "2–5, 9".
+fn ranges(steps: &[usize]) -> String {
+    let runs = steps.chunk_by(|a, b| a + 1 == *b);
+    let shown = runs.map(|run| match run {
+        [] => String::new(),
+        [only] => format!("{}", only + 1),
+        [first, .., last] => format!("{}–{}", first + 1, last + 1),
+    });
+    shown.collect::<Vec<_>>().join(", ")
 }

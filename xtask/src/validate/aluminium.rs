@@ -30,7 +30,7 @@ pub(super) fn frictional(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble>
     let mut fine = None;
     for name in SCENES {
         let results = laboratory.run(name, &[])?;
-        checks.holds(
+        checks.completes(
             format!("{name}: load steps that converge"),
             LOAD_STEPS.to_string(),
             results.steps.len().to_string(),
@@ -70,7 +70,7 @@ fn iterations(checks: &mut Checks, name: &str, results: &Results) {
     let reported = list(&REPORTED);
     if name.ends_with("mesh-a") || name.ends_with("mesh-b") {
         let total: usize = found.iter().sum();
-        checks.holds(
+        checks.completes(
             format!("{quantity}, at most {MOST_ITERATIONS} in all"),
             reported,
             list(&found),

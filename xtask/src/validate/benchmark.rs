@@ -62,7 +62,7 @@ fn all(laboratory: &Laboratory, case: &Case) -> Result<Vec<Check>, Trouble> {
             ];
             let results = laboratory.run("pin-benchmark", &overrides)?;
             let what = format!("{kind:?} {spacing}°");
-            checks.holds(
+            checks.completes(
                 format!("{what}: load steps that converge"),
                 LOAD_STEPS.to_string(),
                 results.steps.len().to_string(),

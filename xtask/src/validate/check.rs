@@ -36,6 +36,8 @@ pub(crate) struct Check {
     pub(crate) error: String,
     pub(crate) bound: String,
     pub(crate) verdict: Verdict,
+    /// Whether it is about a physical quantity, not about how a solver got there.
+    pub(crate) physical: bool,
 }
 
 /// How far a number may be from its reference.
@@ -161,6 +163,20 @@ impl Checks {
         );
     }
 
+    /// `computed`, something that a solver did, is as `reference` demands. Says nothing about a physical quantity.
+    pub(crate) fn completes(
+        &mut self,
+        quantity: impl Into<String>,
+        reference: impl Into<String>,
+        computed: impl Into<String>,
+        met: bool,
+    ) {
+        self.holds(quantity, reference, computed, met);
+        if let Some(check) = self.list.last_mut() {
+            check.physical = false;
+        }
+    }
+
     /// A quantity beside its reference, without a bound.
     pub(crate) fn show(
         &mut self,
@@ -195,6 +211,7 @@ impl Checks {
             error,
             bound,
             verdict,
+            physical: true,
         });
     }
 }

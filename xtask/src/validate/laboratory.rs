@@ -8,6 +8,7 @@ use stickslip::diagnostic::SceneError;
 use stickslip::results::Results;
 use stickslip::run::{RunError, run_with};
 use stickslip::scene::Scene;
+use stickslip_contact::ContactError;
 use thiserror::Error;
 
 use super::mutation::Mutation;
@@ -32,6 +33,19 @@ pub(crate) enum Trouble {
     /// Results or data lack something that a check needs.
     #[error("{0}")]
     Missing(String),
+}
+
+impl Trouble {
+    /// Whether a solver proved that nothing can balance the load.
+    pub(crate) fn is_proved_impossible(&self) -> bool {
+        let Self::Run { cause, .. } = self else {
+            return false;
+        };
+        matches!(
+            &**cause,
+            RunError::Contact(ContactError::StepFailed { cause, .. }) if cause.is_proved_impossible()
+        )
+    }
 }
 
 /// How much is computed.

@@ -6,7 +6,7 @@ use super::check::{Check, Checks};
 use super::laboratory::{KSI, Laboratory, Trouble};
 
 /// Average bearing stress P/(2Rt) at full load `[MPa]`: 81.9 ksi. All stresses are divided by it.
-const BEARING: f64 = 81.9 * KSI;
+pub(super) const BEARING: f64 = 81.9 * KSI;
 /// Allowed error of a stress over the bearing stress, where `MARGIN` times the table's own error is not larger.
 const BOUND: f64 = 1e-2;
 const MARGIN: f64 = 4.0;
@@ -124,6 +124,15 @@ fn all(laboratory: &Laboratory, tables: &[Table]) -> Result<Vec<Check>, Trouble>
         compare(&mut checks, table, &results)?;
     }
     Ok(checks.into_list())
+}
+
+/// Angle `[deg]` and value of the largest −σ_r over P/(2Rt) among the stations of the orthotropic table with friction.
+pub(super) fn table_peak() -> Result<(f64, f64), Trouble> {
+    let lines = stations(FRICTIONAL[0].text)?;
+    let highest = lines.iter().max_by(|a, b| b[1].total_cmp(&a[1]));
+    highest
+        .map(|line| (line[0], -line[1]))
+        .ok_or_else(|| Trouble::Missing(format!("{} is empty", FRICTIONAL[0].name)))
 }
 
 /// An error and what is allowed at its station.

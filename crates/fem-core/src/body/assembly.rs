@@ -130,32 +130,41 @@ fn scatter(local: &[f64], cell: &[usize], structure: &BodyStructure, assembled: 
 
 /// Nodal forces K u `[force]`, interleaved, that hold the body in the displacements `u` `[length]`; supports are ignored.
 pub fn internal_forces(body: &ElasticBody, u: &[f64]) -> Vec<f64> {
+    internal_forces_of(body, &[u.to_vec()]).swap_remove(0)
+}
+
+/// Nodal forces K u `[force]`, interleaved, that hold the body in each of the displacements `u` `[length]`; supports are
+/// ignored. Each cell's matrix is computed once.
+pub(super) fn internal_forces_of(body: &ElasticBody, u: &[Vec<f64>]) -> Vec<Vec<f64>> {
     struct Visit<'a> {
         body: &'a ElasticBody,
         connectivity: &'a [usize],
         stiffness: &'a PlaneStiffness,
-        u: &'a [f64],
-        forces: &'a mut [f64],
+        u: &'a [Vec<f64>],
+        forces: &'a mut [Vec<f64>],
     }
     impl KindVisitor for Visit<'_> {
         type Output = ();
         fn visit<const N: usize, E: Element<N>>(self) {
             let mut local = vec![0.0; 4 * N * N];
+            let mut held = [[0.0; 2]; N];
             for cell in self.connectivity.chunks_exact(N) {
                 let x = gather::<N>(self.body.mesh.nodes(), cell);
                 stiffness::<N, E>(&x, self.stiffness, self.body.thickness, &mut local);
-                for (row, line) in local.chunks_exact(2 * N).enumerate() {
-                    let sum: f64 = line
-                        .iter()
-                        .enumerate()
-                        .map(|(k, value)| value * self.u[2 * cell[k / 2] + k % 2])
-                        .sum();
-                    self.forces[2 * cell[row / 2] + row % 2] += sum;
+                for (u, forces) in self.u.iter().zip(self.forces.iter_mut()) {
+                    for (slot, &node) in held.iter_mut().zip(cell) {
+                        *slot = [u[2 * node], u[2 * node + 1]];
+                    }
+                    for (row, line) in local.chunks_exact(2 * N).enumerate() {
+                        let pairs = line.chunks_exact(2).zip(&held);
+                        let sum: f64 = pairs.map(|(k, u)| k[0] * u[0] + k[1] * u[1]).sum();
+                        forces[2 * cell[row / 2] + row % 2] += sum;
+                    }
                 }
             }
         }
     }
-    let mut forces = vec![0.0; u.len()];
+    let mut forces: Vec<Vec<f64>> = u.iter().map(|u| vec![0.0; u.len()]).collect();
     for (block, stiffness) in body.mesh.blocks().iter().zip(&body.stiffnesses()) {
         let visit = Visit {
             body,

@@ -130,18 +130,38 @@ impl CondensedBody {
     /// Displacements of all nodes `[length]`, interleaved, under interface forces `forces` (2n) `[force]`, load cases times
     /// `multipliers`, and rigid motions `motions` (f): one pair of sparse triangular solves.
     pub fn displacements(&self, forces: &[f64], multipliers: &[f64], motions: &[f64]) -> Vec<f64> {
+        let state = BodyLoad {
+            forces,
+            multipliers,
+            motions,
+        };
+        self.displacements_of(&[state]).swap_remove(0)
+    }
+
+    /// Displacements of all nodes `[length]`, interleaved, of each of `states`: one pair of sparse triangular solves that
+    /// passes over the factor once for all of them.
+    pub fn displacements_of(&self, states: &[BodyLoad<'_>]) -> Vec<Vec<f64>> {
+        let unknowns = self.structure.unknowns;
+        let mut sides = Vec::with_capacity(unknowns * states.len());
+        for state in states {
+            sides.extend(self.right_hand_side(state.forces, state.multipliers));
+        }
+        self.factor.solve(&mut sides);
+        let parts = sides.chunks_exact(unknowns.max(1)).take(states.len());
+        parts
+            .zip(states)
+            .map(|(part, state)| self.displacement(part, state))
+            .collect()
+    }
+
+    fn displacement(&self, unknowns: &[f64], state: &BodyLoad<'_>) -> Vec<f64> {
         let structure = &self.structure;
-        let mut unknowns = self.right_hand_side(forces, multipliers);
-        self.factor.solve(&mut unknowns);
-        let support_scale: f64 = self
-            .body
-            .cases
-            .iter()
-            .zip(multipliers)
+        let cases = self.body.cases.iter().zip(state.multipliers);
+        let support_scale: f64 = cases
             .filter(|(case, _)| case.moves_supports)
             .map(|(_, m)| m)
             .sum();
-        let motions = DVector::from_column_slice(motions);
+        let motions = DVector::from_column_slice(state.motions);
         let mut u = vec![0.0; 2 * structure.equations.len()];
         for (node, equations) in structure.equations.iter().enumerate() {
             let constraint = structure.constraints[node];
@@ -159,34 +179,93 @@ impl CondensedBody {
         u
     }
 
-    /// Unbalanced nodal forces `[force]` of the displacements `u`: K u − f − λ, interleaved; at supported nodes these are
-    /// the reactions, elsewhere they vanish within rounding.
+    /// Unbalanced nodal forces `[force]` of one state, as [`residual_forces_of`](Self::residual_forces_of).
     pub fn residual_forces(&self, u: &[f64], forces: &[f64], multipliers: &[f64]) -> Vec<f64> {
-        let mut residual = super::internal_forces(&self.body, u);
-        let strain = self.body.initial_strain(multipliers);
-        if !strain.is_empty() {
-            let thermal = initial_strain_load(
-                &self.body.mesh,
-                &self.body.stiffnesses(),
-                &strain,
-                self.body.thickness,
-            );
-            residual
-                .iter_mut()
-                .zip(thermal)
-                .for_each(|(sum, part)| *sum -= part);
+        let state = BodyLoad {
+            forces,
+            multipliers,
+            motions: &[],
+        };
+        self.residual_forces_of(&[u.to_vec()], &[state])
+            .swap_remove(0)
+    }
+
+    /// Unbalanced nodal forces `[force]` of the displacements `u` of each of `states`: K u − f − λ, interleaved; at supported
+    /// nodes these are the reactions, elsewhere they vanish within rounding. One pass over the cells for all states.
+    pub fn residual_forces_of(&self, u: &[Vec<f64>], states: &[BodyLoad<'_>]) -> Vec<Vec<f64>> {
+        let mut residuals = super::assembly::internal_forces_of(&self.body, u);
+        for (residual, state) in residuals.iter_mut().zip(states) {
+            let strain = self.body.initial_strain(state.multipliers);
+            if !strain.is_empty() {
+                let thermal = initial_strain_load(
+                    &self.body.mesh,
+                    &self.body.stiffnesses(),
+                    &strain,
+                    self.body.thickness,
+                );
+                residual
+                    .iter_mut()
+                    .zip(thermal)
+                    .for_each(|(sum, part)| *sum -= part);
+            }
+            for (force, sum) in self.applied_forces(state).iter().zip(residual.iter_mut()) {
+                *sum -= force;
+            }
         }
-        for (case, factor) in self.body.cases.iter().zip(multipliers) {
-            residual
+        residuals
+    }
+
+    /// Nodal forces `[force]`, interleaved, of load cases and interface; without those of initial strains, which balance
+    /// themselves.
+    fn applied_forces(&self, state: &BodyLoad<'_>) -> Vec<f64> {
+        let mut applied = vec![0.0; 2 * self.structure.equations.len()];
+        for (case, factor) in self.body.cases.iter().zip(state.multipliers) {
+            applied
                 .iter_mut()
                 .zip(&case.forces)
-                .for_each(|(sum, part)| *sum -= factor * part);
+                .for_each(|(sum, part)| *sum += factor * part);
         }
-        for (force, &node) in forces.chunks_exact(2).zip(&self.structure.interface) {
-            residual[2 * node] -= force[0];
-            residual[2 * node + 1] -= force[1];
+        for (force, &node) in state.forces.chunks_exact(2).zip(&self.structure.interface) {
+            applied[2 * node] += force[0];
+            applied[2 * node + 1] += force[1];
         }
-        residual
+        applied
+    }
+
+    /// Balance of the whole body: reactions (the part of `residual` at held nodes), loads and contact forces, as resultants.
+    pub fn balance(&self, residual: &[f64], state: &BodyLoad<'_>) -> BodyBalance {
+        let nodes = self.body.mesh.nodes();
+        let mut reactions = vec![0.0; residual.len()];
+        for (node, constraint) in self.structure.constraints.iter().enumerate() {
+            let local = constraint.to_local([residual[2 * node], residual[2 * node + 1]]);
+            let held = std::array::from_fn(|axis| {
+                if constraint.held[axis] {
+                    local[axis]
+                } else {
+                    0.0
+                }
+            });
+            reactions[2 * node..2 * node + 2].copy_from_slice(&constraint.to_global(held));
+        }
+        let applied = self.applied_forces(state);
+        let [reaction, load] = [&reactions, &applied].map(|forces| resultant(nodes, forces));
+        let [low, high] = self.body.mesh.bounding_box();
+        let size = (high[0] - low[0]).hypot(high[1] - low[1]);
+        let scale = applied.iter().map(|force| force.abs()).sum::<f64>() / 2.0;
+        let relative = |value: f64, scale: f64| {
+            if scale > 0.0 {
+                value.abs() / scale
+            } else {
+                0.0
+            }
+        };
+        BodyBalance {
+            reaction: [reaction[0], reaction[1]],
+            reaction_moment: reaction[2],
+            force: relative((reaction[0] + load[0]).hypot(reaction[1] + load[1]), scale),
+            moment: relative(reaction[2] + load[2], scale * size),
+            nodal: self.relative_imbalance(residual, state.forces, state.multipliers),
+        }
     }
 
     /// Largest of the `residual` forces on unknowns that nothing holds, relative to the load: half the sum of all nodal
@@ -225,6 +304,43 @@ impl CondensedBody {
         }
         side
     }
+}
+
+/// What acts on a condensed body besides its supports.
+#[derive(Clone, Copy, Debug)]
+pub struct BodyLoad<'a> {
+    /// Forces on the contact points `[force]`, xy interleaved, 2n.
+    pub forces: &'a [f64],
+    /// Multiplier of each load case.
+    pub multipliers: &'a [f64],
+    /// Amounts of the free rigid motions, f.
+    pub motions: &'a [f64],
+}
+
+/// Balance of a body by its recovered displacements.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BodyBalance {
+    /// Resultant of the support reactions `[force]`.
+    pub reaction: [f64; 2],
+    /// Their moment about the origin `[force·length]`.
+    pub reaction_moment: f64,
+    /// Unbalanced resultant of reactions, loads and contact, relative to half the sum of all applied nodal forces.
+    pub force: f64,
+    /// Unbalanced moment, relative to that sum times the body's size.
+    pub moment: f64,
+    /// Largest unbalanced force on a node that nothing holds, relative to that sum.
+    pub nodal: f64,
+}
+
+/// Resultant (F_x, F_y, M about the origin) of nodal forces.
+fn resultant(nodes: &[Point], forces: &[f64]) -> [f64; 3] {
+    let mut sum = [0.0; 3];
+    for ([x, y], force) in nodes.iter().zip(forces.chunks_exact(2)) {
+        sum[0] += force[0];
+        sum[1] += force[1];
+        sum[2] += x * force[1] - y * force[0];
+    }
+    sum
 }
 
 impl InterfaceOperator for CondensedBody {

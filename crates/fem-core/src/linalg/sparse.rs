@@ -192,7 +192,7 @@ impl SparseCholesky {
         block
     }
 
-    /// Overwrites `x` with `L⁻¹ x`.
+    /// Overwrites `x`, one or more columns one after the other, with `L⁻¹ x`.
     pub fn solve_lower(&self, x: &mut [f64]) {
         self.with_factor(x, |factor, x, stack| {
             factor.l_solve_with_conj(Conj::No, x, Par::Seq, stack);
@@ -206,7 +206,7 @@ impl SparseCholesky {
         });
     }
 
-    /// Overwrites `x` with `K⁻¹ x`.
+    /// Overwrites `x`, one or more columns one after the other, with `K⁻¹ x`.
     pub fn solve(&self, x: &mut [f64]) {
         self.solve_lower(x);
         self.solve_lower_transposed(x);
@@ -220,14 +220,17 @@ impl SparseCholesky {
         let Some(factor) = self.supernodal() else {
             return;
         };
-        let mut memory =
-            MemBuffer::new(factor.symbolic().solve_in_place_scratch::<f64>(1, Par::Seq));
-        let n = x.len();
-        work(
-            factor,
-            MatMut::from_column_major_slice_mut(x, n, 1),
-            MemStack::new(&mut memory),
-        );
+        let rows = self.structure.0.nrows();
+        if rows == 0 {
+            return;
+        }
+        let columns = x.len() / rows;
+        let scratch = factor
+            .symbolic()
+            .solve_in_place_scratch::<f64>(columns, Par::Seq);
+        let mut memory = MemBuffer::new(scratch);
+        let x = MatMut::from_column_major_slice_mut(x, rows, columns);
+        work(factor, x, MemStack::new(&mut memory));
     }
 
     /// Bytes that the factor's values take.

@@ -33,6 +33,10 @@ pub(super) fn locate(scene: &Scene, error: &ModelError) -> SceneError {
             "analysis.model".to_owned(),
             "say model = \"auto\" or leave it out",
         ),
+        ModelError::Unsupported { key, .. } => (
+            key.clone(),
+            "`stickslip check` shows the scene as it is understood; docs/scene-format.md lists what each key can do",
+        ),
         ModelError::MeshSettings(_) => (
             mesh_key(scene),
             "`stickslip init` writes scenes with mesh settings that fit",

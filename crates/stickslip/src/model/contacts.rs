@@ -6,7 +6,7 @@ use std::sync::Arc;
 use stickslip_contact::{ContactPair, ContactPoint, gap};
 use stickslip_fem_core::mesh::{Curve, Mesh, Point};
 
-use super::{Meshes, ModelEdge, ModelError, meshes};
+use super::{Meshes, ModelEdge, ModelError, loads, meshes};
 use crate::results::{Choice, EdgeGeometry, EdgeKind};
 use crate::scene::Scene;
 use crate::scene::schema::{self, Contact, GapKind, SetRef, Shape, Substance};
@@ -52,21 +52,22 @@ pub(super) fn build(
         contacts.add(scene, contact, meshes, [first, second], half)?;
     }
     for reported in &scene.edges {
-        if contacts
+        let known = contacts
             .edges
             .iter()
-            .any(|edge| edge.geometry.name == reported.to_string())
+            .any(|edge| edge.geometry.name == reported.to_string());
+        if known
+            || scene
+                .contacts
+                .iter()
+                .any(|contact| contact.first == *reported)
         {
             continue;
         }
         let edge = edge_nodes(scene, reported, meshes, half)?;
-        contacts.edges.push(edge.into_model_edge(
-            scene,
-            reported,
-            index(&reported.body),
-            half,
-            None,
-        ));
+        let mut edge = edge.into_model_edge(scene, reported, index(&reported.body), half, None);
+        edge.tractions = loads::edge_tractions(scene, reported, &edge);
+        contacts.edges.push(edge);
     }
     if !scene.contacts.is_empty() {
         choices.push(Choice {
@@ -358,6 +359,7 @@ impl EdgeNodes {
             order: self.order,
             normals,
             pair,
+            tractions: Vec::new(),
         }
     }
 }

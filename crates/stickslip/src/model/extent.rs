@@ -60,6 +60,16 @@ fn obstacle(scene: &Scene) -> Option<String> {
         if matches!(support.hold, Hold::Direction(_)) {
             return Some(format!("the support on {} is skew", support.on));
         }
+        let moves_across = match support.hold {
+            Hold::Axes(axes) => [axes.x, axes.y][across],
+            Hold::Direction(_) => false,
+        };
+        if support.displacement != 0.0 && moves_across {
+            return Some(format!(
+                "the support on {} moves across the line of symmetry",
+                support.on
+            ));
+        }
         let lateral = match support.on.set.as_str() {
             "left" | "right" => across == 0,
             "top" | "bottom" => across == 1,

@@ -10,9 +10,9 @@ use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_fem_core::{ElasticBody, HeldDirection, LoadCase, Platen, RigidBody, Support};
 
 use super::polar_table::PolarField;
-use super::{Meshes, ModelBodyKind, ModelError};
+use super::{Meshes, ModelBodyKind, ModelEdge, ModelError};
 use crate::scene::Scene;
-use crate::scene::schema::{self, Hold, LoadKind, Shape, Substance};
+use crate::scene::schema::{self, Hold, LoadKind, SetRef, Shape, Substance};
 
 /// Multipliers of all load cases per step: one case per load, and one that holds the displacements of supports.
 pub(super) fn history(scene: &Scene) -> Result<LoadHistory, ModelError> {
@@ -192,6 +192,45 @@ fn unit_load(
         forces,
         ..LoadCase::default()
     })
+}
+
+/// Tractions (σ_nn, τ_nt) of unit loads on a reported edge, in the edge's frame (n, t), t being n turned by +90°.
+pub(super) fn edge_tractions(
+    scene: &Scene,
+    on: &SetRef,
+    edge: &ModelEdge,
+) -> Vec<(usize, Vec<[f64; 2]>)> {
+    // n is e_r or +y, which points into a hole's body and out of the body above a lower side.
+    let outward = if on.set == "hole" || on.set == "bottom" {
+        -1.0
+    } else {
+        1.0
+    };
+    let area: f64 = edge.areas.iter().sum::<f64>() * if edge.geometry.half { 2.0 } else { 1.0 };
+    let mut all = Vec::new();
+    for (case, load) in scene.loads.iter().enumerate() {
+        let at_node: Box<dyn Fn(usize) -> [f64; 2]> = match &load.kind {
+            LoadKind::Pressure { on: loaded, .. } if loaded == on => Box::new(|_| [-1.0, 0.0]),
+            LoadKind::PolarTraction {
+                on: loaded, table, ..
+            } if loaded == on => {
+                let field = PolarField::new(table);
+                Box::new(move |k| field.at(edge.geometry.parameter[k]))
+            }
+            LoadKind::Force {
+                on: loaded,
+                direction,
+                ..
+            } if loaded == on => Box::new(move |k| {
+                let [nx, ny] = edge.normals[k];
+                let along = |x: f64, y: f64| outward * (direction[0] * x + direction[1] * y) / area;
+                [along(nx, ny), along(-ny, nx)]
+            }),
+            _ => continue,
+        };
+        all.push((case, (0..edge.nodes.len()).map(at_node).collect()));
+    }
+    all
 }
 
 /// A rigid body slides along the axes in which nothing holds it, and never turns.

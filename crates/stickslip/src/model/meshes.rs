@@ -294,13 +294,25 @@ fn hole_angles(scene: &Scene, half: bool) -> Result<Vec<f64>, ModelError> {
     Ok(upper.iter().copied().chain(lower).collect())
 }
 
+/// About how many intervals [`graded_angles`] makes: equal ones, growing ones, coarse ones.
+fn interval_estimate(grading: Grading, fine_to: f64) -> f64 {
+    let Grading {
+        spacing,
+        coarse_spacing,
+        ..
+    } = grading;
+    let ratio = coarse_spacing.map_or(4.0, |coarse| (coarse / spacing).max(1.0));
+    let growing = ratio.ln() / ANGLE_GROWTH.ln();
+    fine_to / spacing + growing + (PI - fine_to) / (ratio * spacing)
+}
+
 /// Angles from 0 to π: equal spacing up to `fine_to`, then growing to the coarse spacing.
 fn graded_angles(grading: Grading) -> Result<Vec<f64>, ModelError> {
-    let count = PI / grading.spacing;
+    let fine_to = grading.fine_to.map_or(PI, |angle| angle.min(PI));
+    let count = interval_estimate(grading, fine_to);
     if count * count * 0.7 > NODE_LIMIT as f64 {
         return Err(too_many(count * count * 3.0));
     }
-    let fine_to = grading.fine_to.map_or(PI, |angle| angle.min(PI));
     let fine = ((fine_to / grading.spacing) - 1e-9).ceil().max(1.0);
     let spacing = fine_to / fine;
     let mut angles: Vec<f64> = (0..=fine as usize).map(|k| spacing * k as f64).collect();

@@ -8,7 +8,7 @@ use crate::results::Results;
 
 /// One number per load step that says how much load there is.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct LoadScale {
+pub(crate) struct LoadScale {
     /// "pull", "contact force" or "step".
     pub(super) name: String,
     /// Unit of the values: of the load, "1" for a factor, empty for the step's number.
@@ -19,7 +19,7 @@ pub(super) struct LoadScale {
 
 impl LoadScale {
     /// The measure for `results`, which are consistent.
-    pub(super) fn of(results: &Results) -> Self {
+    pub(crate) fn of(results: &Results) -> Self {
         let histories = histories(results);
         let changing: Vec<&Self> = histories.iter().filter(|load| load.changes()).collect();
         let rests_while_another_acts = |load: &Self| {
@@ -81,7 +81,7 @@ impl LoadScale {
     }
 
     /// Whether each step's value is smaller in magnitude than the one before.
-    pub(super) fn unloading(&self) -> Vec<bool> {
+    pub(crate) fn unloading(&self) -> Vec<bool> {
         let values = &self.values;
         (0..values.len())
             .map(|k| k > 0 && values[k].abs() < values[k - 1].abs())
@@ -89,7 +89,7 @@ impl LoadScale {
     }
 
     /// The step with the largest magnitude, of equal ones the first; `None` without steps.
-    pub(super) fn peak_step(&self) -> Option<usize> {
+    pub(crate) fn peak_step(&self) -> Option<usize> {
         let magnitude = |step: usize| self.values[step].abs();
         (0..self.values.len())
             .rev()

@@ -6,6 +6,7 @@ use serde::Serialize;
 use stickslip_contact::Status;
 
 use super::display::{EdgeView, tidy};
+use super::loads::LoadScale;
 use crate::results::{EdgeKind, LoadValue, Results};
 use crate::scene::schema::DisplayUnits;
 
@@ -271,13 +272,14 @@ fn step_entry(results: &Results, index: usize) -> Step<'_> {
     let step = &results.steps[index];
     let further = EdgeView::all(results);
     let units = results.units;
-    let load = |load: &LoadValue| Quantity {
-        value: tidy(load.value),
-        unit: load.unit.clone(),
-    };
+    let scale = LoadScale::of(results);
+    let load = scale.is_load().then(|| Quantity {
+        value: tidy(scale.values[index]),
+        unit: scale.unit.clone(),
+    });
     Step {
         number: index + 1,
-        load: step.loads.first().map(load),
+        load,
         loads: step.loads.iter().map(named_load).collect(),
         unloading: step.unloading,
         edge: EdgeView::main(results).map(|edge| edge_step(&edge, index)),

@@ -15,11 +15,12 @@ pub(super) fn all(
     solved: &Solved,
     record: &StepRecord,
     recovered: &Recovered,
+    slip: &DVector<f64>,
 ) -> Result<Vec<EdgeResults>, StressError> {
     model
         .edges
         .iter()
-        .map(|edge| one(model, solved, record, recovered, edge))
+        .map(|edge| one(model, solved, record, recovered, slip, edge))
         .collect()
 }
 
@@ -28,6 +29,7 @@ fn one(
     solved: &Solved,
     record: &StepRecord,
     recovered: &Recovered,
+    slip: &DVector<f64>,
     edge: &ModelEdge,
 ) -> Result<EdgeResults, StressError> {
     let displacement = match edge.pair {
@@ -43,7 +45,7 @@ fn one(
             })
             .collect(),
     };
-    let mut rows = contact_rows(solved, record, edge);
+    let mut rows = contact_rows(solved, record, slip, edge);
     let initial = match &model.bodies[edge.body].kind {
         ModelBodyKind::Elastic(body) => body.initial_strain(&record.state.multipliers),
         ModelBodyKind::Rigid(_) => Vec::new(),
@@ -95,7 +97,12 @@ fn interface_displacement(solved: &Solved, record: &StepRecord, edge: &ModelEdge
         .collect()
 }
 
-fn contact_rows(solved: &Solved, record: &StepRecord, edge: &ModelEdge) -> Vec<EdgeRow> {
+fn contact_rows(
+    solved: &Solved,
+    record: &StepRecord,
+    slip: &DVector<f64>,
+    edge: &ModelEdge,
+) -> Vec<EdgeRow> {
     let free = EdgeRow {
         pressure: 0.0,
         shear: 0.0,
@@ -107,7 +114,19 @@ fn contact_rows(solved: &Solved, record: &StepRecord, edge: &ModelEdge) -> Vec<E
         tau: 0.0,
     };
     let Some(pair) = edge.pair else {
-        return vec![free; edge.nodes.len()];
+        let multiplier = |case: usize| record.state.multipliers.get(case).copied().unwrap_or(0.0);
+        let sum = |k: usize, part: usize| -> f64 {
+            edge.tractions
+                .iter()
+                .map(|(case, values)| multiplier(*case) * values[k][part])
+                .sum()
+        };
+        let row = |k| EdgeRow {
+            pressure: -sum(k, 0),
+            shear: -sum(k, 1),
+            ..free
+        };
+        return (0..edge.nodes.len()).map(row).collect();
     };
     solved
         .problem
@@ -117,8 +136,12 @@ fn contact_rows(solved: &Solved, record: &StepRecord, edge: &ModelEdge) -> Vec<E
             EdgeRow {
                 pressure: record.state.normal_force(k) / area,
                 shear: record.state.tangential_force(k) / area,
-                gap: record.state.gap(k),
-                slip: record.state.tangential_displacement(k),
+                gap: if record.state.status[k].touches() {
+                    0.0
+                } else {
+                    record.state.gap(k)
+                },
+                slip: slip[k],
                 status: record.state.status[k],
                 ..free
             }

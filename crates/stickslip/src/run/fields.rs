@@ -1,6 +1,6 @@
-//! Displacements and stresses inside the bodies, for the steps that ask for them.
+//! Displacements inside the bodies, by which every step's balance is audited, and stresses for the steps that ask for them.
 
-use stickslip_contact::StepRecord;
+use stickslip_fem_core::body::{BodyBalance, BodyLoad};
 use stickslip_fem_core::material::Material;
 use stickslip_fem_core::stress::{ElasticField, StressError};
 
@@ -8,55 +8,75 @@ use super::Solved;
 use crate::model::Model;
 use crate::results::BodyFields;
 
-/// Displacements of the bodies of one step; empty for a body that nothing asks for.
+/// Displacements and balance of all bodies at the end of one load step.
 #[derive(Debug, Default)]
 pub(super) struct Recovered {
+    /// Displacements per body, interleaved; empty for a rigid one.
     pub(super) displacement: Vec<Vec<f64>>,
+    /// Balance per body; `None` for a rigid one.
+    pub(super) balance: Vec<Option<BodyBalance>>,
     pub(super) multipliers: Vec<f64>,
-    /// Largest unbalanced force on a free node relative to the largest force on the body.
-    pub(super) imbalance: f64,
 }
 
-/// Recovers displacements where fields or an edge without contact want them: one pair of triangular solves per body.
-pub(super) fn recover(
-    model: &Model,
-    solved: &Solved,
-    record: &StepRecord,
-    everywhere: bool,
-) -> Recovered {
-    let mut recovered = Recovered {
-        multipliers: record.state.multipliers.clone(),
-        ..Recovered::default()
-    };
+impl Recovered {
+    /// The worst unbalanced force or moment of any body.
+    pub(super) fn imbalance(&self) -> f64 {
+        let bodies = self.balance.iter().flatten();
+        bodies.fold(0.0, |worst: f64, body| {
+            worst.max(body.force).max(body.moment).max(body.nodal)
+        })
+    }
+}
+
+/// Recovers the displacements of all bodies at the end of every load step, and audits their balance: one pass over each
+/// body's factor and one over its cells, for all steps together.
+pub(super) fn recover(solved: &Solved) -> Vec<Recovered> {
+    let records = &solved.records;
+    let mut all: Vec<Recovered> = records
+        .iter()
+        .map(|record| Recovered {
+            multipliers: record.state.multipliers.clone(),
+            ..Recovered::default()
+        })
+        .collect();
     for (index, operator) in solved.operators.iter().enumerate() {
-        let asked = everywhere
-            || model
-                .edges
-                .iter()
-                .any(|edge| edge.body == index && edge.pair.is_none());
-        let Some(body) = operator.elastic().filter(|_| asked) else {
-            recovered.displacement.push(Vec::new());
+        let Some(body) = operator.elastic() else {
+            for step in &mut all {
+                step.displacement.push(Vec::new());
+                step.balance.push(None);
+            }
             continue;
         };
-        let forces = solved.problem.forces_on_body(
-            index,
-            body.interface_nodes().len(),
-            &record.state.forces,
-        );
-        let motions = record
-            .state
-            .rigid
-            .rows_range(solved.problem.body_modes(index));
-        let u = body.displacements(&forces, &record.state.multipliers, motions.as_slice());
-        let residual = body.residual_forces(&u, &forces, &record.state.multipliers);
-        recovered.imbalance = recovered.imbalance.max(body.relative_imbalance(
-            &residual,
-            &forces,
-            &record.state.multipliers,
-        ));
-        recovered.displacement.push(u);
+        let count = body.interface_nodes().len();
+        let modes = solved.problem.body_modes(index);
+        let forces: Vec<Vec<f64>> = records
+            .iter()
+            .map(|record| {
+                solved
+                    .problem
+                    .forces_on_body(index, count, &record.state.forces)
+            })
+            .collect();
+        let states: Vec<BodyLoad<'_>> = records
+            .iter()
+            .zip(&forces)
+            .map(|(record, forces)| BodyLoad {
+                forces,
+                multipliers: &record.state.multipliers,
+                motions: &record.state.rigid.as_slice()[modes.clone()],
+            })
+            .collect();
+        let displacements = body.displacements_of(&states);
+        let residuals = body.residual_forces_of(&displacements, &states);
+        for (step, ((u, residual), state)) in all
+            .iter_mut()
+            .zip(displacements.into_iter().zip(&residuals).zip(&states))
+        {
+            step.displacement.push(u);
+            step.balance.push(Some(body.balance(residual, state)));
+        }
     }
-    recovered
+    all
 }
 
 /// Fields of all bodies that were recovered, with stresses by patch recovery.

@@ -170,8 +170,7 @@ struct Checked<'a> {
 }
 
 impl<'a> Checked<'a> {
-    fn new(joint: &'a Joint) -> Self {
-        let results = joint.draft.run();
+    fn new(joint: &'a Joint, results: Results) -> Self {
         let pulls = joint.pulls.iter().map(|pull| pull.abs());
         let rows = results.steps.iter().flat_map(|step| &step.edges[0].rows);
         let presses = results.steps.iter().map(|step| step.edges[0].normal_force);
@@ -335,51 +334,21 @@ impl<'a> Checked<'a> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 40, ..ProptestConfig::default() })]
+    // Of some ten thousand such joints, mostly neat fits at zero load, one in 400 ends in a typed refusal of the solvers.
+    #![proptest_config(ProptestConfig { cases: 80, max_global_rejects: 4, ..ProptestConfig::default() })]
 
     #[test]
     fn every_joint_is_in_equilibrium(joint in joints()) {
-        let checked = Checked::new(&joint);
-        for (pull, step, record) in checked.pairs() {
-            checked.resultants(pull, step);
-            checked.action_and_reaction(pull, record);
-            checked.virtual_work(step, record);
-            checked.contact_conditions(step);
-        }
-    }
-}
-
-#[test]
-fn stress() {
-    use proptest::strategy::ValueTree;
-    let Ok(count) = std::env::var("STRESS") else {
-        return;
-    };
-    let count: usize = count.parse().unwrap();
-    let mut runner = proptest::test_runner::TestRunner::default();
-    std::panic::set_hook(Box::new(|_| {}));
-    let mut failed = 0;
-    let start = std::time::Instant::now();
-    for _ in 0..count {
-        let joint = joints().new_tree(&mut runner).unwrap().current();
-        let t = std::time::Instant::now();
-        let result = std::panic::catch_unwind(|| {
-            let checked = Checked::new(&joint);
+        let results = joint.draft.run_if_solvable();
+        prop_assume!(results.is_some(), "the solvers say that they did not solve it");
+        for results in results {
+            let checked = Checked::new(&joint, results);
             for (pull, step, record) in checked.pairs() {
                 checked.resultants(pull, step);
                 checked.action_and_reaction(pull, record);
                 checked.virtual_work(step, record);
                 checked.contact_conditions(step);
             }
-        });
-        if t.elapsed().as_secs_f64() > 1.0 {
-            println!("SLOW {:?} {joint:?}", t.elapsed());
-        }
-        if let Err(e) = result {
-            failed += 1;
-            let m = e.downcast_ref::<String>().cloned().unwrap_or_default();
-            println!("FAIL {m}");
         }
     }
-    println!("{failed} of {count} in {:?}", start.elapsed());
 }
