@@ -26,7 +26,12 @@ fn bits(results: &Results) -> (Vec<u64>, Vec<String>) {
                 names.push(row.status.to_string());
             }
             let zones = edge.zones.iter().flat_map(|zone| [zone.start, zone.end]);
-            let sums = [edge.resultant[0], edge.resultant[1], edge.friction_force, edge.normal_force];
+            let sums = [
+                edge.resultant[0],
+                edge.resultant[1],
+                edge.friction_force,
+                edge.normal_force,
+            ];
             numbers.extend(zones.chain(sums).map(f64::to_bits));
         }
         for field in &step.fields {
@@ -35,7 +40,10 @@ fn bits(results: &Results) -> (Vec<u64>, Vec<String>) {
         }
         numbers.extend([step.dissipation, step.balance_residual].map(f64::to_bits));
         names.extend(step.solvers.iter().map(|&name| name.to_owned()));
-        names.push(format!("{:?} {} {}", step.work, step.increments, step.cutbacks));
+        names.push(format!(
+            "{:?} {} {}",
+            step.work, step.increments, step.cutbacks
+        ));
     }
     (numbers, names)
 }
@@ -59,8 +67,12 @@ fn threads_do_not_change_a_bit() {
     for draft in drafts {
         let scene = draft.scene();
         let run = |threads: usize| {
-            let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool of threads");
-            pool.install(|| stickslip::run::run(&scene, &mut |_| {})).expect("the draft is solvable")
+            let pool = ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build()
+                .expect("a pool of threads");
+            pool.install(|| stickslip::run::run(&scene, &mut |_| {}))
+                .expect("the draft is solvable")
         };
         let one = bits(&run(1));
         assert!(one.0.len() > 1000);

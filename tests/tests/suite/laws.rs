@@ -8,11 +8,17 @@ use stickslip_tests::compare::{all_stresses, last_tractions, relative_difference
 const ROUNDING: f64 = 1e-8;
 
 fn run(law: &str) -> Results {
-    Draft::pin().friction(law).forces(0, &[600.0, 1400.0, 2600.0, 1500.0, 300.0]).run()
+    Draft::pin()
+        .friction(law)
+        .forces(0, &[600.0, 1400.0, 2600.0, 1500.0, 300.0])
+        .run()
 }
 
 fn loading(law: &str) -> Results {
-    Draft::pin().friction(law).forces(0, &[600.0, 1400.0, 2600.0]).run()
+    Draft::pin()
+        .friction(law)
+        .forces(0, &[600.0, 1400.0, 2600.0])
+        .run()
 }
 
 fn difference(first: &Results, second: &Results) -> f64 {
@@ -42,17 +48,30 @@ fn fibre_coverage_of_equal_phases_is_the_law_of_both() {
              fibre_fraction = 0.6, kernel = {{ {kernel} }}, fibre.{phase}, matrix.{phase} }}"
         )
     };
-    for phase in ["coulomb = { mu = 0.3 }", "static_dynamic = { static = 0.3, dynamic = 0.2, transition = \"lagged\" }"] {
-        for kernel in ["swept = { kappa = 0.5 }", "tangent = { width = \"10 deg\" }"] {
+    for phase in [
+        "coulomb = { mu = 0.3 }",
+        "static_dynamic = { static = 0.3, dynamic = 0.2, transition = \"lagged\" }",
+    ] {
+        for kernel in [
+            "swept = { kappa = 0.5 }",
+            "tangent = { width = \"10 deg\" }",
+        ] {
             let found = difference(&run(phase), &run(&mixed(phase, kernel)));
             assert!(found < ROUNDING, "{phase} {kernel}: {found:e}");
         }
     }
     // Two different phases lie between both.
-    let bounds = ["coulomb = { mu = 0.1 }", "coulomb = { mu = 0.4 }"].map(|law| loading(law).steps[2].edges[0].friction_force);
-    let law = mixed("coulomb = { mu = 0.1 }", "swept = { kappa = 0.5 }").replace("matrix.coulomb = { mu = 0.1 }", "matrix.coulomb = { mu = 0.4 }");
+    let bounds = ["coulomb = { mu = 0.1 }", "coulomb = { mu = 0.4 }"]
+        .map(|law| loading(law).steps[2].edges[0].friction_force);
+    let law = mixed("coulomb = { mu = 0.1 }", "swept = { kappa = 0.5 }").replace(
+        "matrix.coulomb = { mu = 0.1 }",
+        "matrix.coulomb = { mu = 0.4 }",
+    );
     let between = loading(&law).steps[2].edges[0].friction_force;
-    assert!(bounds[0] < between && between < bounds[1], "{bounds:?} {between}");
+    assert!(
+        bounds[0] < between && between < bounds[1],
+        "{bounds:?} {between}"
+    );
 }
 
 /// The passage from μs to μd along the slip path, s₀ or m at their ends.
@@ -78,7 +97,8 @@ fn limits_of_the_power_law_in_slip() {
             "slip_power = {{ static = 0.35, dynamic = 0.2, slip_scale = \"{slip_scale}\", exponent = {exponent} }}"
         ))
     };
-    let lagged = loading("static_dynamic = { static = 0.35, dynamic = 0.2, transition = \"lagged\" }");
+    let lagged =
+        loading("static_dynamic = { static = 0.35, dynamic = 0.2, transition = \"lagged\" }");
     for limit in [at_once("1e-12 mm", 30.0), at_once("1e-6 mm", 1e4)] {
         let found = difference(&lagged, &limit);
         assert!(found < ROUNDING, "{found:e}");
@@ -87,7 +107,9 @@ fn limits_of_the_power_law_in_slip() {
 
 #[test]
 fn a_drop_is_not_unique_and_says_so() {
-    let law = |transition: &str| format!("static_dynamic = {{ static = 0.4, dynamic = 0.2, transition = \"{transition}\" }}");
+    let law = |transition: &str| {
+        format!("static_dynamic = {{ static = 0.4, dynamic = 0.2, transition = \"{transition}\" }}")
+    };
     let (drop, lagged) = (loading(&law("drop")), loading(&law("lagged")));
     let found = relative_difference(last_tractions(&drop), last_tractions(&lagged));
     assert!(found > 0.02, "{found:e}");
@@ -95,9 +117,20 @@ fn a_drop_is_not_unique_and_says_so() {
     assert!(doubtful.iter().any(|&count| count > 0), "{doubtful:?}");
     let said = |results: &Results| results.notes.iter().any(|note| note.contains("not unique"));
     assert!(said(&drop), "{:?}", drop.notes);
-    assert!(!said(&lagged) && lagged.steps.iter().all(|step| step.doubtful == 0), "{:?}", lagged.notes);
+    assert!(
+        !said(&lagged) && lagged.steps.iter().all(|step| step.doubtful == 0),
+        "{:?}",
+        lagged.notes
+    );
     // What slips under the drop carries μd p, within the step in which it begins to slip.
-    for row in drop.steps[0].edges[0].rows.iter().filter(|row| row.status.slip_sign() != 0.0) {
-        assert!((row.shear.abs() - 0.2 * row.pressure).abs() <= 1e-8 * row.pressure.max(1.0), "{row:?}");
+    for row in drop.steps[0].edges[0]
+        .rows
+        .iter()
+        .filter(|row| row.status.slip_sign() != 0.0)
+    {
+        assert!(
+            (row.shear.abs() - 0.2 * row.pressure).abs() <= 1e-8 * row.pressure.max(1.0),
+            "{row:?}"
+        );
     }
 }

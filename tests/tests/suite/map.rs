@@ -19,7 +19,11 @@ fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).expect("a readable folder") {
         let path = entry.expect("a readable entry").path();
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let name = path
+            .file_name()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
         if path.is_dir() {
             if name != "target" && !name.starts_with('.') {
                 found.extend(files(&path, extension));
@@ -41,7 +45,10 @@ struct Room {
 fn rooms() -> Vec<Room> {
     let text = read(&root().join("ARCHITECTURE.md"));
     let rooms = text.split("## Rooms").nth(1).expect("a section on rooms");
-    let rows = rooms.lines().skip_while(|line| !line.starts_with("| ---")).skip(1);
+    let rows = rooms
+        .lines()
+        .skip_while(|line| !line.starts_with("| ---"))
+        .skip(1);
     rows.take_while(|line| line.starts_with('|'))
         .map(|line| {
             let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
@@ -77,7 +84,10 @@ fn dependencies(folder: &str) -> BTreeSet<String> {
 fn the_map_shows_every_crate_and_no_other() {
     let mapped: BTreeSet<String> = rooms().into_iter().map(|room| room.folder).collect();
     for folder in &mapped {
-        assert!(root().join(folder).is_dir(), "ARCHITECTURE.md names {folder}, which is not there");
+        assert!(
+            root().join(folder).is_dir(),
+            "ARCHITECTURE.md names {folder}, which is not there"
+        );
     }
     let mut present: BTreeSet<String> = ["xtask", "tests", "scenes"].map(str::to_owned).into();
     for parent in ["crates", "examples"] {
@@ -95,18 +105,34 @@ fn the_map_shows_every_crate_and_no_other() {
 fn dependencies_are_those_on_the_map() {
     let mut above: BTreeSet<String> = BTreeSet::new();
     for room in rooms() {
-        let name = room.folder.rsplit('/').next().unwrap_or_default().to_owned();
+        let name = room
+            .folder
+            .rsplit('/')
+            .next()
+            .unwrap_or_default()
+            .to_owned();
         if room.folder == "scenes" {
             continue;
         }
         let known: BTreeSet<String> = match room.knows.as_str() {
             "all above" => above.clone(),
             "nothing of this workspace" => BTreeSet::new(),
-            list => list.split(", ").map(|name| name.split(' ').next().unwrap_or_default().to_owned()).collect(),
+            list => list
+                .split(", ")
+                .map(|name| name.split(' ').next().unwrap_or_default().to_owned())
+                .collect(),
         };
         let used = dependencies(&room.folder);
-        assert!(used.is_subset(&known), "{}: uses {used:?}, may know {known:?}", room.folder);
-        assert!(known.is_subset(&above), "{}: {known:?} are not all above it", room.folder);
+        assert!(
+            used.is_subset(&known),
+            "{}: uses {used:?}, may know {known:?}",
+            room.folder
+        );
+        assert!(
+            known.is_subset(&above),
+            "{}: {known:?} are not all above it",
+            room.folder
+        );
         above.insert(name);
     }
 }
@@ -125,7 +151,9 @@ fn links(text: &str) -> impl Iterator<Item = &str> {
     text.split("](")
         .skip(1)
         .filter_map(|rest| rest.split(')').next())
-        .filter(|target| !target.contains("://") && !target.starts_with('#') && !target.starts_with("mailto:"))
+        .filter(|target| {
+            !target.contains("://") && !target.starts_with('#') && !target.starts_with("mailto:")
+        })
         .map(|target| target.split(['#', ' ']).next().unwrap_or_default())
 }
 
@@ -164,7 +192,10 @@ fn documents_refer_to_files_that_exist() {
 fn the_readme_lists_every_scene() {
     let readme = read(&root().join("README.md"));
     let mut listed = BTreeSet::new();
-    for row in readme.lines().filter(|line| line.starts_with('|') && line.contains(".toml`")) {
+    for row in readme
+        .lines()
+        .filter(|line| line.starts_with('|') && line.contains(".toml`"))
+    {
         let cell = row.split('|').nth(1).unwrap_or_default();
         let mut before = String::new();
         for name in cell.split('`').skip(1).step_by(2) {
@@ -182,8 +213,18 @@ fn the_readme_lists_every_scene() {
     }
     let present: BTreeSet<String> = fs::read_dir(root().join("scenes"))
         .expect("a readable folder")
-        .map(|entry| entry.expect("a readable entry").file_name().to_string_lossy().into_owned())
-        .filter(|name| Path::new(name).extension().is_some_and(|extension| extension == "toml"))
+        .map(|entry| {
+            entry
+                .expect("a readable entry")
+                .file_name()
+                .to_string_lossy()
+                .into_owned()
+        })
+        .filter(|name| {
+            Path::new(name)
+                .extension()
+                .is_some_and(|extension| extension == "toml")
+        })
         .collect();
     assert_eq!(listed, present);
 }
@@ -222,7 +263,8 @@ fn every_scene_passes_its_check_in_toml_and_json_alike() {
     let scenes = files(&root().join("scenes"), "toml");
     assert!(scenes.len() > 10);
     for path in scenes {
-        let scene = Scene::from_file(&path, &[] as &[&str]).unwrap_or_else(|error| panic!("{error}"));
+        let scene =
+            Scene::from_file(&path, &[] as &[&str]).unwrap_or_else(|error| panic!("{error}"));
         let table: serde_json::Value = toml::from_str(&read(&path)).expect("what was read before");
         let json = serde_json::to_string_pretty(&table).expect("tables with text keys");
         let base = path.parent().expect("a file in a folder");
@@ -230,8 +272,9 @@ fn every_scene_passes_its_check_in_toml_and_json_alike() {
         let other = Scene::from_text(&json, Format::Json, &name, base, &[] as &[&str])
             .unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(scene.hash, other.hash, "{}", path.display());
-        let resolved = Scene::from_text(scene.resolved(), Format::Toml, &name, base, &[] as &[&str])
-            .unwrap_or_else(|error| panic!("{error}"));
+        let resolved =
+            Scene::from_text(scene.resolved(), Format::Toml, &name, base, &[] as &[&str])
+                .unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(scene.hash, resolved.hash, "{}", path.display());
     }
 }

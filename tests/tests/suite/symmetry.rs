@@ -9,7 +9,9 @@ const ROUNDING: f64 = 1e-8;
 
 /// A ply whose 1-axis stands at `angle` degrees.
 fn ply(angle: f64) -> String {
-    format!(r#"{{ e1 = "140 GPa", e2 = "10 GPa", g12 = "5 GPa", nu12 = 0.3, angle = "{angle} deg" }}"#)
+    format!(
+        r#"{{ e1 = "140 GPa", e2 = "10 GPa", g12 = "5 GPa", nu12 = 0.3, angle = "{angle} deg" }}"#
+    )
 }
 
 /// Rows of a whole edge by ascending −θ: what a mirror in the load axis shows. Node 0 of a whole edge is at −180°.
@@ -18,7 +20,12 @@ fn mirrored(edge: &EdgeResults) -> Vec<EdgeRow> {
     (0..rows.len())
         .map(|k| {
             let row = rows[(rows.len() - k) % rows.len()];
-            EdgeRow { shear: -row.shear, slip: -row.slip, tau: -row.tau, ..row }
+            EdgeRow {
+                shear: -row.shear,
+                slip: -row.slip,
+                tau: -row.tau,
+                ..row
+            }
         })
         .collect()
 }
@@ -26,7 +33,15 @@ fn mirrored(edge: &EdgeResults) -> Vec<EdgeRow> {
 /// Pressures, shears, gaps and slips, the lengths as stresses of the scene's size (`stiffness` in MPa/mm).
 fn numbers(rows: &[EdgeRow], stiffness: f64) -> Vec<f64> {
     rows.iter()
-        .flat_map(|row| [row.pressure, row.shear, stiffness * row.gap, stiffness * row.slip, row.sigma_tangential])
+        .flat_map(|row| {
+            [
+                row.pressure,
+                row.shear,
+                stiffness * row.gap,
+                stiffness * row.slip,
+                row.sigma_tangential,
+            ]
+        })
         .collect()
 }
 
@@ -40,10 +55,16 @@ fn half_and_whole_agree() {
     let drafts = [
         Draft::pin(),
         Draft::pin().set("mesh.element", "Q4").friction(law),
-        Draft::pin().set("mesh.element", "Q9").set("bodies.plate.shape.plate_with_hole.outline.strip", strip),
+        Draft::pin()
+            .set("mesh.element", "Q9")
+            .set("bodies.plate.shape.plate_with_hole.outline.strip", strip),
         Draft::pin().set("materials.plate.orthotropic", ply(90.0)),
-        Draft::pin().set("mesh.fine_to", "100 deg").set("mesh.coarse_spacing", "20 deg"),
-        Draft::pin().set("bodies.pin.shape.disk.radius", "5.002 mm").set("contacts.0.interference", true),
+        Draft::pin()
+            .set("mesh.fine_to", "100 deg")
+            .set("mesh.coarse_spacing", "20 deg"),
+        Draft::pin()
+            .set("bodies.pin.shape.disk.radius", "5.002 mm")
+            .set("contacts.0.interference", true),
     ];
     for draft in drafts {
         let draft = draft.forces(0, &[400.0, 1500.0, 3000.0, 900.0]);
@@ -57,7 +78,10 @@ fn half_and_whole_agree() {
                 .map(|k| whole_edge.rows[(count - 1 + k) % whole_edge.rows.len()])
                 .collect();
             // Where the half model's points cannot slide, shear and slip are zero and not rounding.
-            let difference = relative_difference(numbers(&half_edge.rows, STIFFNESS), numbers(&upper, STIFFNESS));
+            let difference = relative_difference(
+                numbers(&half_edge.rows, STIFFNESS),
+                numbers(&upper, STIFFNESS),
+            );
             assert!(difference < ROUNDING, "{difference:e}:\n{draft:?}");
             let lower = relative_difference(
                 numbers(&mirrored(whole_edge), STIFFNESS),
@@ -66,7 +90,12 @@ fn half_and_whole_agree() {
             assert!(lower < ROUNDING, "{lower:e}:\n{draft:?}");
             let sums = |step: &stickslip::results::StepResults| {
                 let edge = &step.edges[0];
-                [edge.resultant[0], edge.normal_force, edge.friction_force, STIFFNESS * step.dissipation / 3000.0]
+                [
+                    edge.resultant[0],
+                    edge.normal_force,
+                    edge.friction_force,
+                    STIFFNESS * step.dissipation / 3000.0,
+                ]
             };
             let difference = relative_difference(sums(half_step), sums(whole_step));
             assert!(difference < ROUNDING, "{difference:e}:\n{draft:?}");
@@ -79,13 +108,19 @@ fn half_and_whole_line_contacts_agree() {
     let press = quantities(&[200.0, 600.0, 300.0], "N");
     let draft = Draft::cylinder()
         .set("materials.upper.isotropic.young", "200 GPa")
-        .set("loads", format!("[{{ on = \"upper.top\", force = {{ direction = [0, -1], steps = {press} }} }}]"));
+        .set(
+            "loads",
+            format!(
+                "[{{ on = \"upper.top\", force = {{ direction = [0, -1], steps = {press} }} }}]"
+            ),
+        );
     let half = draft.clone().set("analysis.model", "half").run();
     let whole = draft.clone().set("analysis.model", "whole").run();
     for (half_step, whole_step) in half.steps.iter().zip(&whole.steps) {
         let (half_rows, whole_rows) = (&half_step.edges[0].rows, &whole_step.edges[0].rows);
         let right = &whole_rows[whole_rows.len() - half_rows.len()..];
-        let difference = relative_difference(numbers(half_rows, STIFFNESS), numbers(right, STIFFNESS));
+        let difference =
+            relative_difference(numbers(half_rows, STIFFNESS), numbers(right, STIFFNESS));
         assert!(difference < ROUNDING, "{difference:e}");
     }
 }
@@ -121,13 +156,18 @@ fn a_ply_turned_the_other_way_mirrors_everything() {
 #[test]
 fn a_turned_pull_turns_the_answer() {
     let ring = Draft::pin()
-        .set("bodies.plate.shape.plate_with_hole.outline", r#"{ ring = { radius = "25 mm" } }"#)
+        .set(
+            "bodies.plate.shape.plate_with_hole.outline",
+            r#"{ ring = { radius = "25 mm" } }"#,
+        )
         .set("loads.0.on", "plate.outer")
         .set("contacts.0.gap", "linearised")
         .set("analysis.model", "whole")
         .forces(0, &[1000.0, 2500.0, 600.0]);
     let drafts = [
-        ring.clone().set("bodies.pin.shape.disk.radius", "5 mm").friction("coulomb = { mu = 0.3 }"),
+        ring.clone()
+            .set("bodies.pin.shape.disk.radius", "5 mm")
+            .friction("coulomb = { mu = 0.3 }"),
         ring.friction("coulomb = { mu = 0 }"),
     ];
     for draft in drafts {
@@ -135,16 +175,25 @@ fn a_turned_pull_turns_the_answer() {
         for quarter_turns in 1..4_u8 {
             let (s, c) = (f64::from(quarter_turns) * std::f64::consts::FRAC_PI_2).sin_cos();
             let direction = format!("[{}, {}]", -c.round(), -s.round());
-            let turned = draft.clone().set("loads.0.force.direction", direction).run();
+            let turned = draft
+                .clone()
+                .set("loads.0.force.direction", direction)
+                .run();
             for (step, turned_step) in reference.steps.iter().zip(&turned.steps) {
                 let mut rows = turned_step.edges[0].rows.clone();
                 let quarter = rows.len() / 4;
                 rows.rotate_left(usize::from(quarter_turns) * quarter);
                 let traction = |rows: &[EdgeRow]| -> Vec<f64> {
-                    rows.iter().flat_map(|row| [row.pressure, row.shear, row.sigma_tangential]).collect()
+                    rows.iter()
+                        .flat_map(|row| [row.pressure, row.shear, row.sigma_tangential])
+                        .collect()
                 };
-                let difference = relative_difference(traction(&step.edges[0].rows), traction(&rows));
-                assert!(difference < ROUNDING, "{quarter_turns}: {difference:e}\n{draft:?}");
+                let difference =
+                    relative_difference(traction(&step.edges[0].rows), traction(&rows));
+                assert!(
+                    difference < ROUNDING,
+                    "{quarter_turns}: {difference:e}\n{draft:?}"
+                );
             }
         }
     }
@@ -154,17 +203,26 @@ fn a_turned_pull_turns_the_answer() {
 fn units_of_the_scene_do_not_change_the_answer() {
     // 1 in = 25.4 mm and 1 lbf = 4.4482216152605 N exactly (NIST SP 811, 2008).
     let inches = |mm: f64| format!("{} in", mm / 25.4);
-    let pounds: Vec<f64> = [500.0, 1500.0, 250.0].iter().map(|newtons| newtons / 4.448_221_615_260_5).collect();
+    let pounds: Vec<f64> = [500.0, 1500.0, 250.0]
+        .iter()
+        .map(|newtons| newtons / 4.448_221_615_260_5)
+        .collect();
     let psi = |mpa: f64| format!("{} psi", mpa * 25.4 * 25.4 / 4.448_221_615_260_5);
     let metric = Draft::pin().forces(0, &[500.0, 1500.0, 250.0]);
     let imperial = metric
         .clone()
-        .set("units", r#"{ length = "in", force = "lbf", stress = "psi" }"#)
+        .set(
+            "units",
+            r#"{ length = "in", force = "lbf", stress = "psi" }"#,
+        )
         .set("materials.plate.isotropic.young", psi(70e3))
         .set("materials.pin.isotropic.young", psi(70e3))
         .set("bodies.plate.thickness", inches(2.0))
         .set("bodies.pin.thickness", inches(2.0))
-        .set("bodies.plate.shape.plate_with_hole.hole_radius", inches(5.0))
+        .set(
+            "bodies.plate.shape.plate_with_hole.hole_radius",
+            inches(5.0),
+        )
         .set(
             "bodies.plate.shape.plate_with_hole.outline.strip",
             format!(
@@ -181,7 +239,10 @@ fn units_of_the_scene_do_not_change_the_answer() {
     let difference = relative_difference(all_stresses(&metric), all_stresses(&imperial));
     assert!(difference < ROUNDING, "{difference:e}");
     let shown = |results: &Results| results.steps[1].loads[0].clone();
-    assert_eq!((shown(&metric).unit.as_str(), shown(&imperial).unit.as_str()), ("N", "lbf"));
+    assert_eq!(
+        (shown(&metric).unit.as_str(), shown(&imperial).unit.as_str()),
+        ("N", "lbf")
+    );
     assert!((shown(&imperial).value / pounds[1] - 1.0).abs() < 1e-14);
 }
 
@@ -206,7 +267,9 @@ fn size_and_stiffness_scale() {
         .set("materials.plate.isotropic.young", "7 GPa")
         .set("materials.pin.isotropic.young", "7 GPa")
         .forces(0, &[100.0, 200.0]);
-    let softer = last_tractions(&stiff.run()).into_iter().map(|stress| 10.0 * stress);
+    let softer = last_tractions(&stiff.run())
+        .into_iter()
+        .map(|stress| 10.0 * stress);
     let difference = relative_difference(reference, softer);
     assert!(difference < ROUNDING, "{difference:e}");
 }

@@ -1,4 +1,5 @@
-//! Stress fields around the contact: both bodies, undeformed, half models completed by their mirror image.
+//! Stress fields around the contact, undeformed, half models completed by their mirror image: the plate around a hole, whose pin
+//! would show little but the support at its centre, and both bodies of a line contact.
 
 use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_report::color::Colormap;
@@ -8,7 +9,7 @@ use super::Attempt;
 use crate::output::display::{EdgeView, significant};
 use crate::output::loads::LoadScale;
 use crate::output::vtk_files::{polar_stresses, von_mises};
-use crate::results::{EdgeKind, Results, StepResults};
+use crate::results::{BodyFields, EdgeKind, Results, StepResults};
 
 /// Half of the window around a hole, in radii.
 const HOLE_WINDOW: f64 = 3.0;
@@ -41,14 +42,26 @@ pub(super) fn all(results: &Results) -> Vec<(String, Attempt)> {
         .collect()
 }
 
+/// Fields of the bodies that are drawn.
+fn shown<'a>(
+    edge: &'a EdgeView<'_>,
+    record: &'a StepResults,
+) -> impl Iterator<Item = &'a BodyFields> {
+    let bodies = &edge.results().bodies;
+    let own = move |fields: &&BodyFields| bodies[fields.body].name == edge.geometry.body;
+    record
+        .fields
+        .iter()
+        .filter(move |fields| !edge.is_circle() || own(fields))
+}
+
 /// Nodes `[display unit]`, cells and nodal values of all bodies of one step.
 struct Scene<'a> {
     edge: &'a EdgeView<'a>,
     step: usize,
     nodes: Vec<Point>,
     cells: Vec<Vec<usize>>,
-    /// Whether each node is of the edge's body. The colours follow that body alone, since a support in the middle of a pin
-    /// would outshine everything.
+    /// Whether each node is of the edge's body. The colours follow that body alone.
     leads: Vec<bool>,
 }
 
@@ -62,7 +75,7 @@ impl<'a> Scene<'a> {
             leads: Vec::new(),
         };
         let unit = edge.units().length;
-        for fields in &scene.record().fields {
+        for fields in shown(edge, scene.record()) {
             let body = &edge.results().bodies[fields.body];
             let Some(mesh) = &body.mesh else { continue };
             let first = scene.nodes.len();
@@ -123,7 +136,7 @@ impl<'a> Scene<'a> {
         if largest > 0.0 {
             plot = plot.between(-largest, largest);
         }
-        let contact = if self.edge.geometry.contact {
+        let contact = if self.edge.geometry.contact && !self.edge.is_circle() {
             " Where the bodies touch it passes from one to the other without a jump."
         } else {
             ""
@@ -142,7 +155,7 @@ impl<'a> Scene<'a> {
             EdgeKind::Line => None,
         };
         let mut values = Vec::with_capacity(self.nodes.len());
-        for fields in &self.record().fields {
+        for fields in shown(self.edge, self.record()) {
             let Some(mesh) = &self.edge.results().bodies[fields.body].mesh else {
                 continue;
             };
