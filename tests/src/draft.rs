@@ -129,10 +129,8 @@ pub struct Draft {
 /// Shows the changes alone, one a line, as arguments of the command.
 impl Debug for Draft {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let lines = self.overrides.iter();
-        lines
-            .map(|change| writeln!(formatter, "  --set '{change}'"))
-            .collect()
+        let mut lines = self.overrides.iter();
+        lines.try_for_each(|change| writeln!(formatter, "  --set '{change}'"))
     }
 }
 

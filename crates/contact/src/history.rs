@@ -141,7 +141,8 @@ impl LoadHistory {
                     .collect();
                 match walk.advance(problem, solver, &multipliers) {
                     Ok(()) => reached = next,
-                    Err(cause) if part > whole * SMALLEST_PART && !cause.is_proved_impossible() => {
+                    // Also where a balance is proved impossible: the history then ends at the largest load that has one.
+                    Err(cause) if part > whole * SMALLEST_PART => {
                         walk.work += cause.work;
                         walk.cutbacks += 1;
                         part *= 0.5;

@@ -15,6 +15,7 @@
 
 mod accept;
 mod active_set;
+mod balance;
 mod chain;
 mod complementarity;
 mod enumeration;

@@ -49,6 +49,7 @@ fn arc_error(draft: &Draft, degrees: f64) -> f64 {
 fn converges(draft: &Draft, bound: f64, rate: f64) {
     let errors = [15.0, 7.5, 3.75].map(|degrees| arc_error(draft, degrees));
     let observed = (errors[0] / errors[2]).log2() / 2.0;
+    println!("{errors:?} {observed:.2}");
     assert!(
         errors[2] < bound && observed > rate,
         "{errors:?}, rate {observed:.2}:\n{draft:?}"

@@ -46,34 +46,27 @@ fn nothing_is_left_of_contact_when_the_pull_is_gone() {
     }
 }
 
+/// Around a neat fit everything slips one way at the first pull, and all of it the other way once the pull is nearly gone.
 #[test]
 fn friction_turns_round_on_unloading() {
     let results = Draft::pin()
-        .forces(0, &[2000.0, 1900.0, 200.0, 2000.0])
+        .set("bodies.pin.shape.disk.radius", "5 mm")
+        .friction("coulomb = { mu = 0.1 }")
+        .forces(0, &[2000.0, 1500.0, 1000.0, 500.0, 50.0, 2000.0])
         .run();
-    for st in &results.steps {
-        let e = &st.edges[0];
-        println!(
-            "{} {} {:?}",
-            e.friction_force / e.normal_force,
-            e.normal_force,
-            e.zones
-        );
-    }
-    let friction: Vec<f64> = results
+    let shares: Vec<f64> = results
         .steps
         .iter()
-        .map(|step| step.edges[0].friction_force)
+        .map(|step| step.edges[0].friction_force / step.edges[0].normal_force)
         .collect();
     assert!(
-        friction[0] > 0.0 && friction[1] < friction[0] && friction[2] < 0.0 && friction[3] > 0.0,
-        "{friction:?}"
+        shares.windows(2).take(4).all(|pair| pair[1] < pair[0]),
+        "{shares:?}"
     );
-    // Where everything slips, q = ±μ p.
-    assert!(
-        (friction[2] / results.steps[2].edges[0].normal_force + 0.25).abs() < 0.1,
-        "{friction:?}"
-    );
+    // The node at the bearing point cannot slide and carries no shear, and its neighbour may stick: a few parts in a hundred.
+    for (share, full) in [(shares[0], 0.1), (shares[4], -0.1), (shares[5], 0.1)] {
+        assert!((share - full).abs() < 0.01, "{shares:?}");
+    }
 }
 
 #[test]

@@ -1,11 +1,12 @@
 //! A solver made of solvers.
 
+use super::balance::impossible;
 use super::{
-    Enumeration, InterfaceSolver, Pivoting, SemismoothNewton, StatusIteration, Step, StepFailure,
-    StepSolution, Work,
+    Enumeration, FailureCause, InterfaceSolver, Pivoting, SemismoothNewton, StatusIteration, Step,
+    StepFailure, StepSolution, Work,
 };
 
-/// Tries its members in order until one solves the step. On ordinary steps it costs what its first member costs.
+/// Tries its members in order until one solves the step, or until the load is proved to have no balance. On ordinary steps it costs what its first member costs.
 #[derive(Debug)]
 pub struct Chain {
     members: Vec<Box<dyn InterfaceSolver>>,
@@ -53,6 +54,15 @@ impl InterfaceSolver for Chain {
             attempts: Vec::new(),
             work: Work::default(),
         };
+        if let Some(motion) = impossible(step) {
+            let motion = motion.as_slice().to_vec();
+            let proof = FailureCause::Unbalanced {
+                motion,
+                proved: true,
+            };
+            failure.attempts.push(("force balance", proof));
+            return Err(failure);
+        }
         for member in &self.members {
             match member.solve(step) {
                 Ok(mut solution) => {

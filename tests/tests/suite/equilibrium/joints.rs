@@ -95,6 +95,7 @@ fn joints() -> impl Strategy<Value = Joint> {
                 .set("contacts.0.interference", clearance < 0.0)
                 .set("analysis.model", if whole { "whole" } else { "auto" })
                 .set("analysis.substeps", substeps)
+                .set("output.fields", "all")
                 .friction(&law.text)
                 .forces(0, &pulls);
             draft = if ring {
@@ -252,9 +253,10 @@ impl<'a> Checked<'a> {
             self.close("bearing stress", bearing * area, pull.abs(), SUMS);
         }
         assert!(
-            step.residuals.largest() < 1e-9,
-            "{:?} {:?}",
+            step.residuals.largest() < 1e-9 && step.balance_residual < 1e-9,
+            "{:?} {} {:?}",
             step.residuals,
+            step.balance_residual,
             self.joint
         );
     }

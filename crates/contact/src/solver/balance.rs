@@ -1,0 +1,137 @@
+//! Can the load be balanced at all? A proof that it cannot, by Farkas.
+//!
+//! Contact forces that obey the friction cones act on the rigid motions through Gᵀλ = A z, z ≥ 0, where the columns of A are
+//! the edges G_n ± μ G_t of the cones. The load r has no balance if and only if the nearest point of the cone {A z} to −r
+//! leaves a remainder ρ = r + A z ≠ 0: then ρ·a ≥ 0 for every column and ρ·r > 0, so along the rigid motion ρ the load does
+//! work and no admissible contact force works against it.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::step::Step;
+
+/// Relative size of a remainder that counts.
+const NEGLIGIBLE: f64 = 1e-9;
+
+/// The rigid motion that proves that the load of `step` cannot be balanced; `None` where there is no such proof, or where a
+/// law's bound is not proportional to pressure.
+pub(super) fn impossible(step: &Step<'_>) -> Option<DVector<f64>> {
+    if step.mode_load.amax() == 0.0 {
+        return None;
+    }
+    let edges = cone_edges(step)?;
+    let remainder = nearest(&edges, &step.mode_load);
+    (remainder.norm() > NEGLIGIBLE * step.mode_load.norm()).then_some(remainder)
+}
+
+/// Columns G_n ± μ G_t, m × 2n.
+fn cone_edges(step: &Step<'_>) -> Option<DMatrix<f64>> {
+    let modes = step.problem.modes();
+    let mut edges = DMatrix::zeros(modes.ncols(), 2 * step.count());
+    for (k, point) in step.problem.points().iter().enumerate() {
+        let bound = |pressure: f64| {
+            step.bound(k, pressure * point.area, 0.0).stick / (pressure * point.area)
+        };
+        let coefficient = if point.slides { bound(1.0) } else { 0.0 };
+        if point.slides && (bound(2.0) - coefficient).abs() > 1e-12 * coefficient {
+            return None;
+        }
+        let (normal, tangential) = (modes.row(2 * k), modes.row(2 * k + 1));
+        for (side, sign) in [1.0, -1.0].into_iter().enumerate() {
+            let edge = normal + tangential * (sign * coefficient);
+            edges.column_mut(2 * k + side).copy_from(&edge.transpose());
+        }
+    }
+    Some(edges)
+}
+
+/// Remainder r + A z of the z ≥ 0 that makes it smallest (Lawson & Hanson 1974, NNLS).
+fn nearest(edges: &DMatrix<f64>, load: &DVector<f64>) -> DVector<f64> {
+    let scale = load.norm();
+    let mut active: Vec<usize> = Vec::new();
+    let mut weights: Vec<f64> = Vec::new();
+    let mut remainder = load.clone();
+    for _ in 0..100 * (1 + edges.nrows()) {
+        let slopes = edges.tr_mul(&remainder);
+        let entering = (0..edges.ncols()).min_by(|&a, &b| slopes[a].total_cmp(&slopes[b]));
+        let Some(entering) =
+            entering.filter(|&k| slopes[k] < -1e-12 * scale * edges.column(k).norm())
+        else {
+            break;
+        };
+        if active.contains(&entering) {
+            break;
+        }
+        active.push(entering);
+        weights.push(0.0);
+        while let Some(target) = least_squares(edges, &active, load) {
+            // As far towards the unconstrained optimum as all weights allow; the first to vanish leaves.
+            let blocked = (0..active.len())
+                .filter(|&k| target[k] <= 0.0)
+                .map(|k| {
+                    (
+                        weights[k] / (weights[k] - target[k]).max(f64::MIN_POSITIVE),
+                        k,
+                    )
+                })
+                .min_by(|a, b| a.0.total_cmp(&b.0));
+            let Some((part, leaving)) = blocked else {
+                weights = target.as_slice().to_vec();
+                break;
+            };
+            for (weight, goal) in weights.iter_mut().zip(target.iter()) {
+                *weight += part * (goal - *weight);
+            }
+            active.remove(leaving);
+            weights.remove(leaving);
+        }
+        remainder.copy_from(load);
+        for (&k, &weight) in active.iter().zip(&weights) {
+            remainder.axpy(weight, &edges.column(k), 1.0);
+        }
+    }
+    remainder
+}
+
+/// Weights of the active columns that bring A z closest to −r.
+fn least_squares(
+    edges: &DMatrix<f64>,
+    active: &[usize],
+    load: &DVector<f64>,
+) -> Option<DVector<f64>> {
+    if active.is_empty() {
+        return None;
+    }
+    let columns = edges.select_columns(active);
+    columns.svd(true, true).solve(&-load, 1e-12).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn remainder(edges: &[[f64; 2]], load: [f64; 2]) -> DVector<f64> {
+        let columns: Vec<f64> = edges.iter().flatten().copied().collect();
+        nearest(
+            &DMatrix::from_column_slice(2, edges.len(), &columns),
+            &DVector::from_column_slice(&load),
+        )
+    }
+
+    #[test]
+    fn a_push_within_the_cone_is_balanced_and_one_beyond_is_not() {
+        // λ_n acts along +y, friction along x with μ = 0.4; the body is pressed down by 1.
+        let cone = [[0.4, 1.0], [-0.4, 1.0], [0.4, 1.0], [-0.4, 1.0]];
+        assert!(remainder(&cone, [0.39, -1.0]).norm() < 1e-12);
+        let proof = remainder(&cone, [0.41, -1.0]);
+        assert!(proof.dot(&DVector::from_column_slice(&[0.41, -1.0])) > 0.0);
+        assert!(
+            cone.iter()
+                .all(|edge| proof[0] * edge[0] + proof[1] * edge[1] > -1e-12)
+        );
+    }
+
+    #[test]
+    fn a_pull_is_not_balanced() {
+        assert!(remainder(&[[0.0, 1.0]], [0.0, 1.0]).norm() > 0.99);
+    }
+}
