@@ -49,7 +49,6 @@ fn arc_error(draft: &Draft, degrees: f64) -> f64 {
 fn converges(draft: &Draft, bound: f64, rate: f64) {
     let errors = [15.0, 7.5, 3.75].map(|degrees| arc_error(draft, degrees));
     let observed = (errors[0] / errors[2]).log2() / 2.0;
-    println!("{errors:?} {observed:.2}");
     assert!(
         errors[2] < bound && observed > rate,
         "{errors:?}, rate {observed:.2}:\n{draft:?}"
@@ -58,12 +57,13 @@ fn converges(draft: &Draft, bound: f64, rate: f64) {
 
 #[test]
 fn a_strip_carries_the_pull_through_every_circle() {
+    // Bounds are twice the errors found, rates those of the elements' recovered stresses, less what the end of contact costs.
     for (element, bound, rate) in [
-        ("T3", 2e-2, 0.9),
-        ("Q4", 1e-2, 1.2),
-        ("T6", 2e-3, 1.7),
-        ("Q8", 1e-3, 1.7),
-        ("Q9", 1e-3, 1.7),
+        ("T3", 4e-3, 1.5),
+        ("Q4", 2.5e-3, 1.5),
+        ("T6", 3e-4, 1.8),
+        ("Q8", 8e-5, 1.8),
+        ("Q9", 1.5e-4, 1.8),
     ] {
         converges(&Draft::pin().set("mesh.element", element), bound, rate);
     }
@@ -79,5 +79,5 @@ fn so_does_a_ring_of_a_skew_ply() {
         )
         .set("loads.0.on", "plate.outer")
         .set("materials.plate.orthotropic", ply);
-    converges(&draft, 2e-3, 1.7);
+    converges(&draft, 3e-5, 1.8);
 }
