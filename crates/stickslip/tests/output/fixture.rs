@@ -176,6 +176,7 @@ fn step(index: usize, edges: &[EdgeGeometry], mesh: &Mesh) -> StepResults {
             balance: 3e-16,
         },
         balance_residual: 4e-13,
+        balance: Vec::new(),
         dissipation: 0.5,
         audit: Audit {
             resultants: vec![[LOADS[index], 0.0]; 2],
