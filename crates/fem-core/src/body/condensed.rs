@@ -147,10 +147,9 @@ impl CondensedBody {
             sides.extend(self.right_hand_side(state.forces, state.multipliers));
         }
         self.factor.solve(&mut sides);
-        let parts = sides.chunks_exact(unknowns.max(1)).take(states.len());
-        parts
-            .zip(states)
-            .map(|(part, state)| self.displacement(part, state))
+        let part = |k: usize| &sides[k * unknowns..(k + 1) * unknowns];
+        (states.iter().enumerate())
+            .map(|(k, state)| self.displacement(part(k), state))
             .collect()
     }
 

@@ -355,22 +355,3 @@ proptest! {
         }
     }
 }
-
-#[test]
-fn stress_temporary() {
-    use proptest::strategy::ValueTree;
-    let count = 5000;
-    let mut runner = proptest::test_runner::TestRunner::default();
-    let (mut refused, mut slow) = (0, 0.0);
-    for _ in 0..count {
-        let joint = joints().new_tree(&mut runner).unwrap().current();
-        let t = std::time::Instant::now();
-        let scene = joint.draft.scene();
-        if let Err(e) = stickslip::run::run(&scene, &mut |_| {}) {
-            refused += 1;
-            slow += t.elapsed().as_secs_f64();
-            println!("REFUSED {:?} {e}\n{joint:?}", t.elapsed());
-        }
-    }
-    println!("{refused} of {count}, {slow} s on them");
-}
