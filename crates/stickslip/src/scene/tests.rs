@@ -108,7 +108,7 @@ fn the_resolved_scene_reads_back_to_itself() {
         "plane = \"stress\"",
         "solver = \"auto\"",
         "element = \"Q8\"",
-        "fields = \"last\"",
+        "fields = \"peak\"",
         "gap = \"exact\"",
     ] {
         assert!(
