@@ -1,0 +1,96 @@
+//! Why a failure question has no answer.
+
+use thiserror::Error;
+
+use crate::laminate::LaminateError;
+use crate::strengths::Strength;
+
+/// A failure question that cannot be answered.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum FailureError {
+    /// A strength that the criterion needs and the ply lacks.
+    #[error(
+        "criterion '{criterion}' needs {strength} ({}), which ply '{ply}' does not give",
+        .strength.meaning()
+    )]
+    MissingStrength {
+        /// Name of the criterion.
+        criterion: &'static str,
+        /// The strength.
+        strength: Strength,
+        /// Name of the ply.
+        ply: String,
+    },
+    /// A ply without any strength.
+    #[error("criterion '{criterion}' is asked of ply '{ply}', which gives no strengths at all")]
+    NoStrengths {
+        /// Name of the criterion.
+        criterion: &'static str,
+        /// Name of the ply.
+        ply: String,
+    },
+    /// A name that no criterion has.
+    #[error("there is no failure criterion '{name}'; there are: {}", .known.join(", "))]
+    UnknownCriterion {
+        /// The name given.
+        name: String,
+        /// Names of the criteria.
+        known: Vec<&'static str>,
+    },
+    /// A load or stress that is not finite.
+    #[error("{quantity} = {values:?} is not finite")]
+    NotFinite {
+        /// What it is.
+        quantity: &'static str,
+        /// Its components.
+        values: Vec<f64>,
+    },
+    /// Tsai–Wu with an interaction that leaves the surface open.
+    #[error(
+        "tsai_wu: F12 = {f12:e} must be less than sqrt(F11 F22) = {limit:e} in magnitude for ply '{ply}', \
+         or loads exist under which it never fails; -0.5 times that is usual"
+    )]
+    OpenSurface {
+        /// Name of the ply.
+        ply: String,
+        /// F₁₂ `[1/stress²]`.
+        f12: f64,
+        /// √(F₁₁ F₂₂) `[1/stress²]`.
+        limit: f64,
+    },
+    /// Hashin's weight of shear in fibre tension outside [0, 1].
+    #[error("hashin: the weight of shear in fibre tension = {weight} must be in [0, 1]")]
+    ShearWeight {
+        /// The value given.
+        weight: f64,
+    },
+    /// An envelope with too few or too many directions.
+    #[error("a failure envelope needs 3 to 1000000 directions, not {directions}")]
+    Directions {
+        /// The number given.
+        directions: usize,
+    },
+    /// A direction of load along which nothing fails.
+    #[error(
+        "no multiple of the load (Nx, Ny, Nxy) = {force:?} fails the laminate: the envelope is open"
+    )]
+    OpenEnvelope {
+        /// The load's direction.
+        force: [f64; 3],
+    },
+    /// The laminate with its damaged plies is no laminate.
+    #[error(transparent)]
+    Laminate(#[from] LaminateError),
+}
+
+pub(super) fn finite(quantity: &'static str, values: &[f64]) -> Result<(), FailureError> {
+    if values.iter().all(|value| value.is_finite()) {
+        Ok(())
+    } else {
+        Err(FailureError::NotFinite {
+            quantity,
+            values: values.to_vec(),
+        })
+    }
+}

@@ -1,0 +1,145 @@
+//! Criteria without interaction.
+//!
+//! ```text
+//! maximum stress   max( σ₁/X_t, −σ₁/X_c, σ₂/Y_t, −σ₂/Y_c, |τ₁₂|/S₁₂ )
+//! maximum strain   the same of the strains ε = S σ and their limits
+//! ```
+//!
+//! Strains are those that stress causes: free thermal expansion does not count. Source: Jones (1999), 2.9.1 and 2.9.2.
+
+use stickslip_fem_core::material::apply;
+
+use super::ray::{Branch, Branches, Surface};
+use super::{
+    Assessment, FailureCriterion, FailureError, FailureMode, IN_PLANE, PlyLoading, in_plane, needed,
+};
+use crate::ply::Ply;
+use crate::strengths::Strength;
+
+/// Maximum stress: each stress against its own strength.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MaximumStress;
+
+/// Maximum strain: each strain against its own limit.
+/// [`Strengths::with_linear_strain_limits`](crate::Strengths::with_linear_strain_limits) makes limits from strengths.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MaximumStrain;
+
+impl FailureCriterion for MaximumStress {
+    fn name(&self) -> &'static str {
+        "max_stress"
+    }
+
+    fn required(&self) -> &'static [Strength] {
+        &IN_PLANE
+    }
+
+    fn assess(&self, ply: &Ply, loading: &PlyLoading) -> Result<Assessment, FailureError> {
+        let strengths = in_plane(self.name(), ply)?;
+        let limits = Limits {
+            tension: [strengths.xt, strengths.yt],
+            compression: [strengths.xc, strengths.yc],
+            shear: strengths.s12,
+        };
+        limits.assess(self.name(), &loading.held, &loading.applied)
+    }
+}
+
+impl FailureCriterion for MaximumStrain {
+    fn name(&self) -> &'static str {
+        "max_strain"
+    }
+
+    fn required(&self) -> &'static [Strength] {
+        &[
+            Strength::Strain1t,
+            Strength::Strain1c,
+            Strength::Strain2t,
+            Strength::Strain2c,
+            Strength::Strain12,
+        ]
+    }
+
+    fn assess(&self, ply: &Ply, loading: &PlyLoading) -> Result<Assessment, FailureError> {
+        let limit = |strength| needed(self.name(), ply, strength);
+        let limits = Limits {
+            tension: [limit(Strength::Strain1t)?, limit(Strength::Strain2t)?],
+            compression: [limit(Strength::Strain1c)?, limit(Strength::Strain2c)?],
+            shear: limit(Strength::Strain12)?,
+        };
+        let strain = |stress| apply(ply.compliance(), stress);
+        limits.assess(self.name(), &strain(loading.held), &strain(loading.applied))
+    }
+}
+
+/// Fibre failure alone, for a ply whose matrix has failed already: σ₁/X_t or −σ₁/X_c.
+pub(crate) fn fibre_assessment(
+    ply: &Ply,
+    loading: &PlyLoading,
+) -> Result<Assessment, FailureError> {
+    let name = MaximumStress.name();
+    let [xt, xc] = [
+        needed(name, ply, Strength::Xt)?,
+        needed(name, ply, Strength::Xc)?,
+    ];
+    let surface = Surface {
+        criterion: name,
+        branches: |[tension]: [bool; 1]| {
+            let branch = if tension {
+                Branch::linear(FailureMode::FibreTension, [1.0 / xt])
+            } else {
+                Branch::linear(FailureMode::FibreCompression, [-1.0 / xc])
+            };
+            [Some(branch), None, None]
+        },
+        dominant: |_: &[f64; 1]| FailureMode::FibreTension,
+    };
+    surface.assess(&[loading.held[0]], &[loading.applied[0]])
+}
+
+struct Limits {
+    tension: [f64; 2],
+    compression: [f64; 2],
+    shear: f64,
+}
+
+impl Limits {
+    fn assess(
+        &self,
+        criterion: &'static str,
+        held: &[f64; 3],
+        applied: &[f64; 3],
+    ) -> Result<Assessment, FailureError> {
+        let surface = Surface {
+            criterion,
+            branches: |signs| self.branches(signs),
+            dominant: |_: &[f64; 3]| FailureMode::Shear,
+        };
+        surface.assess(held, applied)
+    }
+
+    fn branches(&self, [along, across, shear]: [bool; 3]) -> Branches<3> {
+        let fibre = if along {
+            Branch::linear(FailureMode::FibreTension, [1.0 / self.tension[0], 0.0, 0.0])
+        } else {
+            Branch::linear(
+                FailureMode::FibreCompression,
+                [-1.0 / self.compression[0], 0.0, 0.0],
+            )
+        };
+        let matrix = if across {
+            Branch::linear(
+                FailureMode::MatrixTension,
+                [0.0, 1.0 / self.tension[1], 0.0],
+            )
+        } else {
+            Branch::linear(
+                FailureMode::MatrixCompression,
+                [0.0, -1.0 / self.compression[1], 0.0],
+            )
+        };
+        let sign = if shear { 1.0 } else { -1.0 };
+        let shear = Branch::linear(FailureMode::Shear, [0.0, 0.0, sign / self.shear]);
+        [Some(fibre), Some(matrix), Some(shear)]
+    }
+}

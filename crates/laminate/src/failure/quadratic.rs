@@ -1,0 +1,164 @@
+//! Criteria with one quadratic polynomial for all modes, in plane stress.
+//!
+//! ```text
+//! Tsai–Hill   (σ₁/X)² − σ₁σ₂/X² + (σ₂/Y)² + (τ₁₂/S₁₂)²,   X, Y by the signs of σ₁, σ₂
+//! Hoffman     σ₁²/(X_t X_c) − σ₁σ₂/(X_t X_c) + σ₂²/(Y_t Y_c) + (1/X_t − 1/X_c) σ₁ + (1/Y_t − 1/Y_c) σ₂ + (τ₁₂/S₁₂)²
+//! Tsai–Wu     the same with 2 F₁₂ σ₁σ₂ for the second term
+//! ```
+//!
+//! Interactive criteria do not tell modes apart: the mode named is that of the stress nearest to its own strength.
+//!
+//! Sources: Azzi & Tsai, Exp. Mech. 5 (1965) 283; Hoffman, J. Compos. Mater. 1 (1967) 200; Tsai & Wu, J. Compos. Mater. 5 (1971) 58.
+
+use super::ray::{Branch, Surface};
+use super::{Assessment, FailureCriterion, FailureError, IN_PLANE, InPlane, PlyLoading, in_plane};
+use crate::ply::Ply;
+use crate::strengths::Strength;
+
+/// Tsai–Hill in plane stress, strengths by the signs of the stresses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TsaiHill;
+
+/// Hoffman in plane stress, for a ply that is alike in 2 and 3.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Hoffman;
+
+/// Tsai–Wu in plane stress.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TsaiWu {
+    /// The interaction of σ₁ and σ₂.
+    pub interaction: Interaction,
+}
+
+/// F₁₂ of Tsai–Wu, which only a biaxial test gives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Interaction {
+    /// F₁₂ as a multiple of √(F₁₁F₂₂) = 1/√(X_t X_c Y_t Y_c), in (−1, 1); usually −0.5.
+    Normalised(f64),
+    /// F₁₂ itself `[1/stress²]`.
+    Coefficient(f64),
+}
+
+impl Default for Interaction {
+    fn default() -> Self {
+        Self::Normalised(-0.5)
+    }
+}
+
+impl FailureCriterion for TsaiHill {
+    fn name(&self) -> &'static str {
+        "tsai_hill"
+    }
+
+    fn required(&self) -> &'static [Strength] {
+        &IN_PLANE
+    }
+
+    fn assess(&self, ply: &Ply, loading: &PlyLoading) -> Result<Assessment, FailureError> {
+        let strengths = in_plane(self.name(), ply)?;
+        let polynomial = |[along, across, _]: [bool; 3]| {
+            let x = if along { strengths.xt } else { strengths.xc };
+            let y = if across { strengths.yt } else { strengths.yc };
+            let direct = 1.0 / (x * x);
+            Polynomial {
+                linear: [0.0; 2],
+                direct: [direct, 1.0 / (y * y)],
+                interaction: -0.5 * direct,
+            }
+        };
+        assess(self.name(), strengths, loading, polynomial)
+    }
+}
+
+impl FailureCriterion for Hoffman {
+    fn name(&self) -> &'static str {
+        "hoffman"
+    }
+
+    fn required(&self) -> &'static [Strength] {
+        &IN_PLANE
+    }
+
+    fn assess(&self, ply: &Ply, loading: &PlyLoading) -> Result<Assessment, FailureError> {
+        let strengths = in_plane(self.name(), ply)?;
+        let polynomial = Polynomial::of_uniaxial(&strengths, -0.5 / (strengths.xt * strengths.xc));
+        assess(self.name(), strengths, loading, |_| polynomial)
+    }
+}
+
+impl FailureCriterion for TsaiWu {
+    fn name(&self) -> &'static str {
+        "tsai_wu"
+    }
+
+    fn required(&self) -> &'static [Strength] {
+        &IN_PLANE
+    }
+
+    /// As [`FailureCriterion::assess`], and [`FailureError::OpenSurface`] unless |F₁₂| < √(F₁₁F₂₂).
+    fn assess(&self, ply: &Ply, loading: &PlyLoading) -> Result<Assessment, FailureError> {
+        let strengths = in_plane(self.name(), ply)?;
+        let InPlane { xt, xc, yt, yc, .. } = strengths;
+        let limit = 1.0 / (xt * xc * yt * yc).sqrt();
+        let f12 = match self.interaction {
+            Interaction::Normalised(factor) => factor * limit,
+            Interaction::Coefficient(f12) => f12,
+        };
+        if f12.is_nan() || f12.abs() >= limit {
+            return Err(FailureError::OpenSurface {
+                ply: ply.name().to_owned(),
+                f12,
+                limit,
+            });
+        }
+        let polynomial = Polynomial::of_uniaxial(&strengths, f12);
+        assess(self.name(), strengths, loading, |_| polynomial)
+    }
+}
+
+/// Coefficients of σ₁ and σ₂; `interaction` is that of 2 σ₁σ₂.
+#[derive(Clone, Copy)]
+struct Polynomial {
+    linear: [f64; 2],
+    direct: [f64; 2],
+    interaction: f64,
+}
+
+impl Polynomial {
+    /// The one that is 1 at the four uniaxial strengths.
+    fn of_uniaxial(strengths: &InPlane, interaction: f64) -> Self {
+        let InPlane { xt, xc, yt, yc, .. } = *strengths;
+        Self {
+            linear: [1.0 / xt - 1.0 / xc, 1.0 / yt - 1.0 / yc],
+            direct: [1.0 / (xt * xc), 1.0 / (yt * yc)],
+            interaction,
+        }
+    }
+}
+
+fn assess(
+    criterion: &'static str,
+    strengths: InPlane,
+    loading: &PlyLoading,
+    polynomial: impl Fn([bool; 3]) -> Polynomial,
+) -> Result<Assessment, FailureError> {
+    let shear = 1.0 / (strengths.s12 * strengths.s12);
+    let surface = Surface {
+        criterion,
+        branches: |signs| {
+            let Polynomial {
+                linear: [l1, l2],
+                direct: [q11, q22],
+                interaction: q12,
+            } = polynomial(signs);
+            let branch = Branch {
+                mode: None,
+                linear: [l1, l2, 0.0],
+                quadratic: [[q11, q12, 0.0], [q12, q22, 0.0], [0.0, 0.0, shear]],
+            };
+            [Some(branch), None, None]
+        },
+        dominant: |stress: &[f64; 3]| strengths.dominant(stress),
+    };
+    surface.assess(&loading.held, &loading.applied)
+}

@@ -1,0 +1,122 @@
+//! Ply discount at a point: a ply loses stiffness at once when its criterion is met.
+//!
+//! ```text
+//! ε(s) = ε_n + s (ε − ε_n),   ΔT(s) likewise,   s ∈ [0, 1]
+//! at the smallest s with index(σ_k(s)) ≥ 1:  Q_k ← Q_k(damage),  dissipated += ½ e · (Q_before − Q_after) e,  go on from s
+//! ```
+//!
+//! e is the elastic strain of the ply. Every ply follows its own strain, so a step along a straight path finds the same events
+//! whatever its size, and passes several of them exactly. The tangent is the stiffness after the step, which is the derivative of
+//! the stress except at the events themselves, where the stress jumps. After matrix failure a ply is asked for fibre failure only.
+//!
+//! The energy dissipated is per volume: in a body it shrinks with the elements in which the damage gathers, so the load at which a
+//! structure fails depends on its mesh.
+
+use stickslip_fem_core::material::apply;
+
+use super::state::{Assembly, LayerResponse, elastic_strain, energy};
+use super::{PointModel, PointResponse, PointState, ProgressiveError, check_step};
+use crate::degradation::Degradation;
+use crate::failure::{FailureCriterion, FailureError, PlyLoading, fibre_assessment};
+use crate::laminate::{Laminate, Layer};
+
+/// Ply discount by a failure criterion and degradation factors.
+#[derive(Debug)]
+pub struct PlyDiscount {
+    laminate: Laminate,
+    criterion: Box<dyn FailureCriterion>,
+    degradation: Degradation,
+}
+
+impl PlyDiscount {
+    /// Model of `laminate` whose plies fail by `criterion` and then keep what `degradation` leaves them.
+    ///
+    /// # Errors
+    /// [`ProgressiveError::Failure`] if a ply lacks a strength that `criterion`, or the fibre check after matrix failure, needs.
+    pub fn new(
+        laminate: Laminate,
+        criterion: Box<dyn FailureCriterion>,
+        degradation: Degradation,
+    ) -> Result<Self, ProgressiveError> {
+        for layer in laminate.layers() {
+            criterion.check(layer.ply())?;
+            fibre_assessment(layer.ply(), &PlyLoading::default())?;
+        }
+        Ok(Self {
+            laminate,
+            criterion,
+            degradation,
+        })
+    }
+
+    /// Factors on the moduli of failed plies.
+    pub fn degradation(&self) -> &Degradation {
+        &self.degradation
+    }
+
+    /// The layer with index `index` on the way from `committed` to `strain`.
+    fn layer(
+        &self,
+        (index, layer): (usize, &Layer),
+        committed: &PointState,
+        strain: [f64; 3],
+        temperature: f64,
+    ) -> Result<LayerResponse, FailureError> {
+        let mut state = committed.layers[index];
+        let plastic = state.plastic_strain;
+        let mut from = elastic_strain(layer, committed.strain, committed.temperature, plastic);
+        let to = elastic_strain(layer, strain, temperature, plastic);
+        let mut stiffness = self.degradation.stiffness(layer.ply(), state.damage);
+        let mut dissipated = 0.0;
+        // At most two events: the matrix, then the fibres.
+        while !state.damage.fibre {
+            let loading = PlyLoading {
+                held: apply(&stiffness, from),
+                applied: apply(&stiffness, [0, 1, 2].map(|i| to[i] - from[i])),
+            };
+            let assessment = if state.damage.matrix {
+                fibre_assessment(layer.ply(), &loading)?
+            } else {
+                self.criterion.assess(layer.ply(), &loading)?
+            };
+            if !assessment.fails() {
+                break;
+            }
+            let share = assessment.reserve_factor;
+            from = [0, 1, 2].map(|i| from[i] + share * (to[i] - from[i]));
+            state.damage = state.damage.with(assessment.mode);
+            let softened = self.degradation.stiffness(layer.ply(), state.damage);
+            // Damage never stiffens; only rounding could make this negative.
+            dissipated += (energy(&stiffness, from) - energy(&softened, from)).max(0.0);
+            stiffness = softened;
+        }
+        state.stress = apply(&stiffness, to);
+        Ok(LayerResponse {
+            state,
+            elastic_strain: to,
+            tangent: stiffness,
+            dissipated,
+        })
+    }
+}
+
+impl PointModel for PlyDiscount {
+    fn laminate(&self) -> &Laminate {
+        &self.laminate
+    }
+
+    fn respond(
+        &self,
+        committed: &PointState,
+        strain: [f64; 3],
+        temperature: f64,
+    ) -> Result<PointResponse, ProgressiveError> {
+        check_step(&self.laminate, committed, strain, temperature)?;
+        let mut assembly = Assembly::new(&self.laminate, strain, temperature, committed.dissipated);
+        for layer in self.laminate.layers().iter().enumerate() {
+            let share = self.layer(layer, committed, strain, temperature)?;
+            assembly.add(layer.1, &share);
+        }
+        Ok(assembly.finish())
+    }
+}
