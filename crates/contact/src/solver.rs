@@ -37,23 +37,47 @@ pub use step::Step;
 
 use crate::state::TrialState;
 
-/// What a solver did, in its own units of work.
+/// What a solver did, each in its own units.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Work {
     /// Interface solves with frozen statuses, the confirming one included.
     pub solves: usize,
     /// Complementary pivots.
     pub pivots: usize,
+    /// Sweeps over all contact points.
+    pub sweeps: usize,
+    /// Updates of friction bounds or multipliers by an outer iteration.
+    pub updates: usize,
+    /// Factorisations: dense ones of the interface, or sparse ones of whole bodies where a solver works on these.
+    pub factorisations: usize,
+    /// Floating-point operations of the dominant kernels (factorisations, pivots, products with the compliance).
+    pub operations: u64,
 }
 
 impl std::ops::AddAssign for Work {
     fn add_assign(&mut self, other: Self) {
         self.solves += other.solves;
         self.pivots += other.pivots;
+        self.sweeps += other.sweeps;
+        self.updates += other.updates;
+        self.factorisations += other.factorisations;
+        self.operations += other.operations;
     }
 }
 
-/// A verified solution of one step.
+/// Why a solver stopped with the state it returns.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Stop {
+    /// All conditions are met to 1e-10 of their scales.
+    #[default]
+    Verified,
+    /// The solver's own, looser tolerance is met; the residuals say what is left.
+    Tolerance,
+    /// The regularised problem is solved; the residuals say how far that is from the contact problem.
+    Regularised,
+}
+
+/// A solution of one step.
 #[derive(Clone, Debug)]
 pub struct StepSolution {
     /// The proposed state.
@@ -66,6 +90,8 @@ pub struct StepSolution {
     pub work: Work,
     /// Name of the solver that found it.
     pub solver: &'static str,
+    /// Why it stopped. Solvers that are members of a [`Chain`] return verified solutions only.
+    pub stop: Stop,
 }
 
 /// Why a solver did not solve a step.
@@ -122,7 +148,7 @@ pub enum FailureCause {
     },
 }
 
-/// A step that was not solved: what each solver said, and the work spent.
+/// A step that was not solved: what each solver said, the work spent, and the state that came closest.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[error("{}", attempts.iter().map(|(solver, cause)| format!("{solver}: {cause}")).collect::<Vec<_>>().join("; "))]
 pub struct StepFailure {
@@ -130,6 +156,17 @@ pub struct StepFailure {
     pub attempts: Vec<(&'static str, FailureCause)>,
     /// Work of all of them.
     pub work: Work,
+    /// The state that met the conditions best, if a solver has one: no solution, and never committed.
+    pub best: Option<Box<Unresolved>>,
+}
+
+/// The best state of a step that no solver solved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unresolved {
+    /// The state.
+    pub trial: TrialState,
+    /// How far it is from meeting the conditions.
+    pub residuals: Residuals,
 }
 
 impl StepFailure {
@@ -137,7 +174,24 @@ impl StepFailure {
         Self {
             attempts: vec![(solver, cause)],
             work,
+            best: None,
         }
+    }
+
+    /// The same failure with a state that came close; the better one is kept.
+    #[must_use]
+    pub(crate) fn with_best(mut self, candidate: Option<Box<Unresolved>>) -> Self {
+        let size = |state: &Unresolved| state.residuals.largest();
+        if let Some(candidate) = candidate
+            && size(&candidate).is_finite()
+            && self
+                .best
+                .as_ref()
+                .is_none_or(|best| size(&candidate) < size(best))
+        {
+            self.best = Some(candidate);
+        }
+        self
     }
 
     /// Whether the load was proved to have no balance in any history, so that smaller increments cannot help.

@@ -2,7 +2,7 @@
 
 use super::frozen::Frozen;
 use super::step::Step;
-use super::{FailureCause, Residuals, StepSolution, Work};
+use super::{FailureCause, Residuals, StepSolution, Stop, Work};
 use crate::state::{Status, TrialState};
 
 /// Relative size below which a violation is rounding.
@@ -44,5 +44,6 @@ pub(super) fn accept(
         doubtful,
         work,
         solver,
+        stop: Stop::Verified,
     })
 }

@@ -53,6 +53,7 @@ impl InterfaceSolver for Chain {
         let mut failure = StepFailure {
             attempts: Vec::new(),
             work: Work::default(),
+            best: None,
         };
         if let Some(motion) = impossible(step) {
             let motion = motion.as_slice().to_vec();
@@ -72,6 +73,7 @@ impl InterfaceSolver for Chain {
                 Err(next) => {
                     failure.attempts.extend(next.attempts);
                     failure.work += next.work;
+                    failure = failure.with_best(next.best);
                     if failure.is_proved_impossible() {
                         break;
                     }

@@ -107,11 +107,12 @@ impl InterfaceSolver for Reluctant {
         if self.calls.fetch_add(1, Ordering::Relaxed) % 6 < 2 {
             let work = Work {
                 solves: 1,
-                pivots: 0,
+                ..Work::default()
             };
             return Err(StepFailure {
                 attempts: Vec::new(),
                 work,
+                best: None,
             });
         }
         Chain::default().solve(step)
@@ -134,6 +135,7 @@ impl InterfaceSolver for Tiring {
             return Err(StepFailure {
                 attempts: Vec::new(),
                 work: Work::default(),
+                best: None,
             });
         }
         self.left.fetch_sub(1, Ordering::Relaxed);

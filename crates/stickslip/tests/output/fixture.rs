@@ -164,7 +164,7 @@ fn step(index: usize, edges: &[EdgeGeometry], mesh: &Mesh) -> StepResults {
         edges: edges.iter().map(|edge| edge_step(edge, index)).collect(),
         work: Work {
             solves: 3 + index,
-            pivots: 0,
+            ..Work::default()
         },
         solvers: vec!["status iteration"],
         increments: 1,
