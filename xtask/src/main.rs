@@ -1,4 +1,5 @@
-//! Tasks on the whole workspace: `cargo xtask validate` compares the library with known solutions.
+//! Tasks on the whole workspace: `cargo xtask validate` compares the library with known solutions, `cargo xtask
+//! stability` shows where methods fail.
 
 mod validate;
 

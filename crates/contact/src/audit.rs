@@ -49,12 +49,11 @@ impl Audit {
         let widest = state.motion.amax().max(give);
         for (k, point) in problem.points().iter().enumerate() {
             let (normal, tangential) = (state.normal_force(k), state.tangential_force(k));
-            let [nx, ny] = point.normal;
-            let force = [normal * nx - tangential * ny, normal * ny + tangential * nx];
-            let [x, y] = point.place.position;
-            audit.resultants[point.pair][0] += force[0];
-            audit.resultants[point.pair][1] += force[1];
-            audit.moments[point.pair] += x * force[1] - y * force[0];
+            let [pressing, shearing] = point.actions;
+            let action = |i: usize| normal * pressing[i] + tangential * shearing[i];
+            audit.resultants[point.pair][0] += action(0);
+            audit.resultants[point.pair][1] += action(1);
+            audit.moments[point.pair] += action(2);
             let sum = &mut audit.friction[point.pair];
             sum.normal += normal;
             sum.tangential += tangential;

@@ -11,10 +11,12 @@
 //! | module | subject |
 //! | --- | --- |
 //! | [`gap`] | initial gaps from the true geometry |
+//! | [`mortar`] | contact points between edges whose nodes do not match |
 //! | [`problem`] | pairs, points, and the operators of all bodies in one problem |
 //! | [`state`] | what is known at the end of a step |
 //! | [`solver`] | the family of one-step solvers and their fallback chain |
 //! | [`history`] | load steps, sub-steps, cut-back, dissipation |
+//! | [`uniqueness`] | the friction coefficient up to which a step has one solution |
 //! | [`zones`] | where contact is open, sticks and slips, with interpolated ends |
 //! | [`audit`] | equilibrium of every step |
 //!
@@ -25,15 +27,20 @@ pub mod audit;
 mod error;
 pub mod gap;
 pub mod history;
+pub mod mortar;
 pub mod problem;
 pub mod solver;
 pub mod state;
+pub mod uniqueness;
 pub mod zones;
 
 pub use error::ContactError;
 pub use history::{LoadHistory, Ramp, StepRecord};
-pub use problem::{ContactPair, ContactPoint, InterfaceProblem};
+pub use mortar::{EdgeSide, InitialGap, MortarError, Multipliers, Projected, Projection};
+pub use problem::{ContactPair, ContactPoint, InterfaceProblem, Stencil, StencilTerm};
 pub use solver::{
-    Chain, Enumeration, InterfaceSolver, Pivoting, SemismoothNewton, StatusIteration,
+    AugmentedLagrangian, Chain, Continuation, Enumeration, GaussSeidel, InterfaceSolver, Penalty,
+    Pivoting, PrincipalPivoting, SemismoothNewton, StatusIteration, TrescaFixedPoint,
 };
 pub use state::{ContactState, Status};
+pub use uniqueness::uniqueness_bound;

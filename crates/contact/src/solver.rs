@@ -9,31 +9,55 @@
 //! | --- | --- | --- |
 //! | [`StatusIteration`] | guess open/stick/slip, solve, correct all at once (Post & Reddy 1988, II 2.1) | may cycle, and says so |
 //! | [`SemismoothNewton`] | the same solves, corrected by the projection's own sign rules (Alart & Curnier 1991) | may cycle, and says so |
+//! | [`TrescaFixedPoint`] | a convex problem with given bounds, then new bounds (Panagiotopoulos 1975) | at its tolerance for small μ; may stall for large |
 //! | [`Pivoting`] | Lemke's complementary pivoting (Cottle, Pang & Stone 1992) | after finitely many pivots; with a solution where all bodies are supported |
+//! | [`PrincipalPivoting`] | exchange of single complementary pairs, least index first (Murty 1974) | for small μ; detects repetition |
+//! | [`GaussSeidel`] | each point solved exactly, in turn (Jean 1999) | at its tolerance for small μ |
+//! | [`Penalty`] | contact springs | with an answer of the springs' accuracy |
+//! | [`AugmentedLagrangian`] | contact springs, and multipliers that take over from them (Hestenes 1969, Powell 1969) | at its tolerance, whatever the springs |
+//! | [`Continuation`] | the solution followed from a simpler problem | with a solution, if the path has no fold that it cannot jump |
 //! | [`Enumeration`] | every combination of statuses | after 4ⁿ solves, with a proof if there is no solution |
 //! | [`Chain`] | a solver made of solvers: the next one takes over where one fails | with its last member |
 
 mod accept;
 mod active_set;
+mod attempt;
+mod augmented;
 mod balance;
+mod boxed;
 mod chain;
 mod complementarity;
+mod continuation;
 mod enumeration;
 mod frozen;
+mod gauss_seidel;
 mod hold;
 mod lemke;
+mod mixing;
+mod penalty;
 mod pivoting;
+mod principal;
 mod residual;
+mod rules;
 mod step;
+mod tableau;
+mod tresca;
 
 use thiserror::Error;
 
 pub use active_set::{SemismoothNewton, StatusIteration};
+pub use augmented::AugmentedLagrangian;
 pub use chain::Chain;
+pub use continuation::Continuation;
 pub use enumeration::Enumeration;
+pub use frozen::{FreeMotions, Frozen, FrozenSystem, SlipLine};
+pub use gauss_seidel::{Acceleration, GaussSeidel};
+pub use penalty::Penalty;
 pub use pivoting::Pivoting;
+pub use principal::PrincipalPivoting;
 pub use residual::Residuals;
 pub use step::Step;
+pub use tresca::TrescaFixedPoint;
 
 use crate::state::TrialState;
 
@@ -92,6 +116,9 @@ pub struct StepSolution {
     pub solver: &'static str,
     /// Why it stopped. Solvers that are members of a [`Chain`] return verified solutions only.
     pub stop: Stop,
+    /// Number of distinct solutions of the step, where the solver knows all of them; this one is the nearest to the last
+    /// accepted state.
+    pub solutions: Option<usize>,
 }
 
 /// Why a solver did not solve a step.
@@ -150,7 +177,7 @@ pub enum FailureCause {
 
 /// A step that was not solved: what each solver said, the work spent, and the state that came closest.
 #[derive(Clone, Debug, Error, PartialEq)]
-#[error("{}", attempts.iter().map(|(solver, cause)| format!("{solver}: {cause}")).collect::<Vec<_>>().join("; "))]
+#[error("{}{}", reasons(attempts), best_residual(best.as_deref()))]
 pub struct StepFailure {
     /// Each solver that was tried, with its reason.
     pub attempts: Vec<(&'static str, FailureCause)>,
@@ -169,8 +196,21 @@ pub struct Unresolved {
     pub residuals: Residuals,
 }
 
+fn reasons(attempts: &[(&'static str, FailureCause)]) -> String {
+    let reason = |(solver, cause): &(&'static str, FailureCause)| format!("{solver}: {cause}");
+    attempts.iter().map(reason).collect::<Vec<_>>().join("; ")
+}
+
+fn best_residual(best: Option<&Unresolved>) -> String {
+    best.map_or_else(String::new, |state| {
+        let residual = state.residuals.largest();
+        format!("; the best state violates the contact conditions by {residual:.1e} of their scale")
+    })
+}
+
 impl StepFailure {
-    pub(crate) fn new(solver: &'static str, cause: FailureCause, work: Work) -> Self {
+    /// The failure of one solver after `work`, without a state.
+    pub fn new(solver: &'static str, cause: FailureCause, work: Work) -> Self {
         Self {
             attempts: vec![(solver, cause)],
             work,
@@ -180,18 +220,28 @@ impl StepFailure {
 
     /// The same failure with a state that came close; the better one is kept.
     #[must_use]
-    pub(crate) fn with_best(mut self, candidate: Option<Box<Unresolved>>) -> Self {
-        let size = |state: &Unresolved| state.residuals.largest();
+    pub fn with_best(mut self, candidate: Option<Box<Unresolved>>) -> Self {
         if let Some(candidate) = candidate
-            && size(&candidate).is_finite()
+            && candidate.residuals.largest().is_finite()
             && self
                 .best
                 .as_ref()
-                .is_none_or(|best| size(&candidate) < size(best))
+                .is_none_or(|best| candidate.residuals.largest() < best.residuals.largest())
         {
             self.best = Some(candidate);
         }
         self
+    }
+
+    /// Whether the step is left open: no solution was found, and none was proved not to exist.
+    pub fn is_unresolved(&self) -> bool {
+        !self.attempts.iter().any(|(_, cause)| {
+            matches!(
+                cause,
+                FailureCause::Unbalanced { proved: true, .. }
+                    | FailureCause::NoSolution { proved: true, .. }
+            )
+        })
     }
 
     /// Whether the load was proved to have no balance in any history, so that smaller increments cannot help.

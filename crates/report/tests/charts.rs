@@ -312,3 +312,31 @@ fn a_png_has_the_asked_size_and_shows_text() {
         ));
     }
 }
+
+#[test]
+fn a_spread_is_a_bar_with_two_ends_and_widens_the_axis() {
+    let series = Series::new("curve", vec![[1.0, 1.0], [2.0, 2.0]])
+        .style(SeriesStyle::Markers)
+        .spread(vec![[0.5, 4.0]])
+        .color(RED);
+    let picture = LineChart::new("", Axis::linear("x"), Axis::linear("y"))
+        .with(series)
+        .render()
+        .unwrap();
+    let document = parsed(&picture);
+    let bars = lines(&document, RED);
+    let data = bars[0].attribute("d").unwrap();
+    assert_eq!(data.matches('M').count(), 3, "{data}");
+    assert!(texts(&document).iter().any(|t| t.parse() == Ok(4.0)));
+}
+
+#[test]
+fn a_common_legend_stands_once_below_all_panels() {
+    let part = || chart(vec![[0.0, 0.0], [1.0, 1.0]]).legend(Legend::Right);
+    let panels = Panels::new("", 2, vec![part(), part()]).with_common_legend();
+    let picture = panels.render().unwrap();
+    let names = texts(&parsed(&picture));
+    assert_eq!(names.iter().filter(|name| *name == "curve").count(), 1);
+    let alone = Panels::new("", 2, vec![part().legend(Legend::Hidden); 2]);
+    assert!(picture.height() > alone.render().unwrap().height());
+}

@@ -144,10 +144,32 @@ pub fn solve(
     let faces: Vec<&dyn InterfaceOperator> = operators.iter().map(Operator::interface).collect();
     let problem = InterfaceProblem::new(&faces, model.pairs.clone())?;
     let assembled = start.elapsed().as_secs_f64();
+    let phases = vec![
+        ("factorisation", condensed),
+        ("interface", assembled - condensed),
+    ];
+    drop(faces);
+    let mut solved = follow(model, operators, problem, solver, progress)?;
+    solved.phases.splice(0..0, phases);
+    Ok(solved)
+}
+
+/// Follows the history of `model` with `solver`, on the `problem` of its condensed bodies `operators`.
+///
+/// # Errors
+/// [`RunError::Contact`].
+pub fn follow(
+    model: &Model,
+    operators: Vec<Operator>,
+    problem: InterfaceProblem,
+    solver: &dyn InterfaceSolver,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Solved, RunError> {
     progress(Progress::Phase("contact"));
+    let start = Instant::now();
     let total = model.history.steps().len();
     let mut step_seconds = Vec::with_capacity(total);
-    let mut last = Instant::now();
+    let mut last = start;
     let records = model.history.follow(&problem, solver, |_| {
         step_seconds.push(last.elapsed().as_secs_f64());
         last = Instant::now();
@@ -156,18 +178,12 @@ pub fn solve(
             total,
         });
     })?;
-    let finished = start.elapsed().as_secs_f64();
-    let phases = vec![
-        ("factorisation", condensed),
-        ("interface", assembled - condensed),
-        ("contact", finished - assembled),
-    ];
     Ok(Solved {
         operators,
         problem,
         records,
         step_seconds,
-        phases,
+        phases: vec![("contact", start.elapsed().as_secs_f64())],
     })
 }
 
@@ -181,7 +197,10 @@ pub fn solver(choice: SolverChoice) -> Box<dyn InterfaceSolver> {
 }
 
 /// Condenses all bodies, in parallel; the result does not depend on the number of threads.
-fn condense(model: &Model) -> Result<Vec<Operator>, RunError> {
+///
+/// # Errors
+/// [`RunError::Body`].
+pub fn condense(model: &Model) -> Result<Vec<Operator>, RunError> {
     model
         .bodies
         .par_iter()
@@ -198,7 +217,11 @@ fn condense(model: &Model) -> Result<Vec<Operator>, RunError> {
         .collect()
 }
 
-fn results(
+/// What is reported of the history `solved` of `scene`: edges, balances and, where asked for, fields.
+///
+/// # Errors
+/// [`RunError::Stress`].
+pub fn results(
     scene: &Scene,
     model: &Model,
     solver: &dyn InterfaceSolver,

@@ -35,8 +35,8 @@ fn block(free: [bool; 2], gaps: [f64; 2], mu: f64) -> InterfaceProblem {
 
 fn point(index: usize, normal: [f64; 2], gap: f64) -> ContactPoint {
     ContactPoint {
-        first: index,
-        second: index,
+        first: index.into(),
+        second: index.into(),
         normal,
         gap,
         area: 1.0,

@@ -283,7 +283,7 @@ impl CondensedBody {
         if scale > 0.0 { largest / scale } else { 0.0 }
     }
 
-    fn right_hand_side(&self, forces: &[f64], multipliers: &[f64]) -> Vec<f64> {
+    pub(super) fn right_hand_side(&self, forces: &[f64], multipliers: &[f64]) -> Vec<f64> {
         let structure = &self.structure;
         let mut side = vec![0.0; structure.unknowns];
         for (case, &factor) in self.case_forces.iter().zip(multipliers) {
@@ -375,7 +375,7 @@ impl BodyStructure {
     }
 
     /// For each interface unknown: contact point, and the xy direction of the unknown's axis.
-    fn interface_axes(&self) -> Vec<(usize, [f64; 2])> {
+    pub(super) fn interface_axes(&self) -> Vec<(usize, [f64; 2])> {
         let mut axes = Vec::with_capacity(self.interface_unknowns);
         for (point, &node) in self.interface.iter().enumerate() {
             for axis in 0..2 {

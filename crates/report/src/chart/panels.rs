@@ -1,12 +1,15 @@
 //! Several figures in one picture.
 
-use super::LineChart;
 use super::layout::{Layout, Margins};
+use super::legend::LegendBox;
+use super::{Legend, LineChart};
 use crate::error::FigureError;
 use crate::frame::{Heading, OUTER};
 use crate::svg::{Canvas, Svg};
 
 const GAP: f64 = 6.0;
+/// Room above a common legend \[px\].
+const LEGEND_GAP: f64 = 8.0;
 /// The common title is larger than those of the parts.
 const TITLE_SIZE: f64 = 18.0;
 
@@ -19,6 +22,8 @@ pub struct Panels {
     pub columns: usize,
     /// The charts, each with its own title and width.
     pub charts: Vec<LineChart>,
+    /// Whether one legend below all charts, that of the first, stands for the legends of all.
+    pub common_legend: bool,
 }
 
 impl Panels {
@@ -28,7 +33,18 @@ impl Panels {
             title: title.into(),
             columns,
             charts,
+            common_legend: false,
         }
+    }
+
+    /// One legend below all charts, that of the first: for charts with the same series in the same order.
+    #[must_use]
+    pub fn with_common_legend(mut self) -> Self {
+        for chart in &mut self.charts {
+            chart.legend = Legend::Hidden;
+        }
+        self.common_legend = true;
+        self
     }
 
     /// Draws all charts. Charts of one column share their left and right margins,
@@ -58,7 +74,12 @@ impl Panels {
             };
             pictures.push(chart.draw(&Layout::new(chart, least)?));
         }
-        tile(&self.title, self.columns, &pictures)
+        let legend = self
+            .charts
+            .first()
+            .filter(|_| self.common_legend)
+            .and_then(|chart| LegendBox::new(chart, &[]));
+        place(&self.title, self.columns, &pictures, legend)
     }
 }
 
@@ -67,6 +88,15 @@ impl Panels {
 /// # Errors
 /// [`FigureError::NoPanels`] without pictures or columns.
 pub fn tile(title: &str, columns: usize, pictures: &[Svg]) -> Result<Svg, FigureError> {
+    place(title, columns, pictures, None)
+}
+
+fn place(
+    title: &str,
+    columns: usize,
+    pictures: &[Svg],
+    legend: Option<LegendBox>,
+) -> Result<Svg, FigureError> {
     if columns == 0 || pictures.is_empty() {
         let panels = pictures.len();
         return Err(FigureError::NoPanels {
@@ -97,5 +127,11 @@ pub fn tile(title: &str, columns: usize, pictures: &[Svg]) -> Result<Svg, Figure
         }
         top += row.iter().map(Svg::height).fold(0.0, f64::max) + GAP;
     }
-    Ok(canvas.finish(width, top - GAP, title))
+    let mut height = top - GAP;
+    if let Some(mut legend) = legend {
+        legend.spread(width - 2.0 * OUTER);
+        legend.draw(&mut canvas, [OUTER, height + LEGEND_GAP]);
+        height += LEGEND_GAP + legend.size()[1] + OUTER;
+    }
+    Ok(canvas.finish(width, height, title))
 }

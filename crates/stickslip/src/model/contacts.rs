@@ -139,8 +139,8 @@ impl Contacts {
                 let faceted = normal[0] * (upper_positions[k][0] - lower_positions[k][0])
                     + normal[1] * (upper_positions[k][1] - lower_positions[k][1]);
                 ContactPoint {
-                    first: first_start + k,
-                    second: second_start + k,
+                    first: (first_start + k).into(),
+                    second: (second_start + k).into(),
                     normal,
                     gap: geometry
                         .gap(contact.gap, upper.parameter[k])

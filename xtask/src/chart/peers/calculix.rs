@@ -1,0 +1,217 @@
+//! CalculiX: writes an input deck, runs `ccx`, reads the displacements.
+
+use std::fmt::Write as _;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use stickslip_fem_core::mesh::ElementKind;
+
+use super::job::{COMPARED, Job, POISSON, PSI, Part, YOUNG, wait};
+use super::{LOAD_STEPS, PeerRun};
+use crate::chart::Trouble;
+
+/// Surface-to-surface: contact stiffness 1e9 psi/in, on which its results have converged without oscillating; `[MPa/mm]`.
+const STIFFNESS: f64 = 1e9 * PSI / 25.4;
+/// Element of CalculiX, the mesh's, its name in the table, and the spacings `[deg]`.
+const FAMILIES: [(&str, ElementKind, &str, &[f64]); 2] = [
+    ("CPS4", ElementKind::Q4, "Q4", &[9.0, 4.5, 2.25]),
+    ("CPS8R", ElementKind::Q8, "Q8R", &[9.0]),
+];
+
+/// What `ccx -v` says, if it is installed.
+pub(super) fn version() -> Option<String> {
+    let output = Command::new("ccx").arg("-v").output().ok()?;
+    let text = String::from_utf8_lossy(&output.stdout);
+    let number = text.split_whitespace().last()?;
+    Some(format!("CalculiX {number}"))
+}
+
+/// Runs both families without and with friction.
+pub(super) fn runs(version: &str) -> Result<Vec<PeerRun>, Trouble> {
+    let mut runs = Vec::new();
+    for mu in [0.0, 0.25] {
+        for (cell, kind, element, spacings) in FAMILIES {
+            for &spacing in spacings {
+                let job = Job::new(mu, kind, spacing)?;
+                runs.push(run(&job, version, cell, element)?);
+            }
+        }
+    }
+    Ok(runs)
+}
+
+fn run(job: &Job, version: &str, cell: &str, element: &str) -> Result<PeerRun, Trouble> {
+    let folder = tempfile::tempdir().map_err(|cause| Trouble::Peer(cause.to_string()))?;
+    let file = |path: &Path, cause| Trouble::File {
+        path: path.to_owned(),
+        cause,
+    };
+    let input = folder.path().join("pin.inp");
+    std::fs::write(&input, deck(job, cell)?).map_err(|cause| file(&input, cause))?;
+    let child = Command::new("ccx")
+        .arg("pin")
+        .current_dir(folder.path())
+        .env("OMP_NUM_THREADS", "1")
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .map_err(|cause| Trouble::Peer(cause.to_string()))?;
+    let (_, seconds) = wait(child)?;
+    let text = std::fs::read_to_string(folder.path().join("pin.frd")).unwrap_or_default();
+    let count = job.body(Part::Plate).mesh().nodes().len();
+    let steps = displacements(&text, count);
+    let peak = steps
+        .get(COMPARED)
+        .map(|u| job.peak_pressure(u))
+        .transpose()?;
+    eprintln!(
+        "  {version}, {element}, μ = {}, {}°: {seconds:.2} s, {} of {LOAD_STEPS} steps",
+        job.mu,
+        job.spacing,
+        steps.len()
+    );
+    Ok(PeerRun {
+        program: version.to_owned(),
+        contact: "surface-to-surface penalty".into(),
+        element: element.into(),
+        mu: job.mu,
+        spacing_deg: job.spacing,
+        unknowns: job.unknowns(),
+        steps_converged: steps.len(),
+        peak_pressure_psi: peak,
+        contact_half_angle_deg: None,
+        hoop_at_90_deg_psi: None,
+        shear_ratio: None,
+        wall_s: seconds,
+        cpu_s: None,
+        factorisation_s: None,
+        cpu_over_factorisation: None,
+        yardstick_s: 0.0,
+        iterations: None,
+        measured: String::new(),
+    })
+}
+
+/// The input deck: meshes, contact pair with the hole as slave, supports, and one step for each load.
+fn deck(job: &Job, cell: &str) -> Result<String, Trouble> {
+    let mut deck = String::from("*NODE, NSET=ALL\n");
+    let (points, cells) = job.mesh();
+    // Writing into a string does not fail.
+    for (k, [x, y]) in points.iter().enumerate() {
+        let _ = writeln!(deck, "{},{x:.12e},{y:.12e},0", k + 1);
+    }
+    let [_, first_pin] = job.offsets(Part::Pin);
+    for (name, range) in [("PLATE", 0..first_pin), ("PIN", first_pin..cells.len())] {
+        let _ = writeln!(deck, "*ELEMENT, TYPE={cell}, ELSET={name}");
+        for k in range {
+            let nodes: Vec<String> = cells[k].iter().map(|n| (n + 1).to_string()).collect();
+            let _ = writeln!(deck, "{},{}", k + 1, nodes.join(","));
+        }
+    }
+    let _ = writeln!(deck, "*MATERIAL, NAME=AL\n*ELASTIC\n{YOUNG:.12e},{POISSON}");
+    let thickness = job.body(Part::Plate).thickness();
+    for name in ["PLATE", "PIN"] {
+        let _ = writeln!(
+            deck,
+            "*SOLID SECTION, ELSET={name}, MATERIAL=AL\n{thickness:.12e}"
+        );
+    }
+    for (name, part, set) in [("SHOLE", Part::Plate, "hole"), ("SRIM", Part::Pin, "rim")] {
+        let _ = writeln!(deck, "*SURFACE, NAME={name}, TYPE=ELEMENT");
+        for edge in job.edges(part, set)? {
+            let _ = writeln!(deck, "{},S{}", edge.element + 1, edge.edge + 1);
+        }
+    }
+    let _ = writeln!(
+        deck,
+        "*SURFACE INTERACTION, NAME=SI\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{STIFFNESS:.6e}"
+    );
+    if job.mu > 0.0 {
+        let _ = writeln!(deck, "*FRICTION\n{},{:.6e}", job.mu, 0.1 * STIFFNESS);
+    }
+    deck += "*CONTACT PAIR, INTERACTION=SI, TYPE=SURFACE TO SURFACE\nSHOLE,SRIM\n*BOUNDARY\n";
+    for part in [Part::Plate, Part::Pin] {
+        for node in job.nodes(part, "symmetry")? {
+            let _ = writeln!(deck, "{},2,2", node + 1);
+        }
+    }
+    for node in job.nodes(Part::Pin, "centre")? {
+        let _ = writeln!(deck, "{},1,1", node + 1);
+    }
+    let left = job.edges(Part::Plate, "left")?;
+    for traction in job.tractions() {
+        deck += "*STEP, INC=2000\n*STATIC\n1.,1.\n*DLOAD\n";
+        for edge in &left {
+            let _ = writeln!(
+                deck,
+                "{},P{},{:.10e}",
+                edge.element + 1,
+                edge.edge + 1,
+                -traction
+            );
+        }
+        deck += "*NODE FILE, FREQUENCY=1000, OUTPUT=2D\nU\n*END STEP\n";
+    }
+    Ok(deck)
+}
+
+/// Displacements of the first `count` nodes at the end of each step that a result file has.
+fn displacements(text: &str, count: usize) -> Vec<Vec<[f64; 2]>> {
+    let mut steps: Vec<Vec<[f64; 2]>> = Vec::new();
+    let mut inside = false;
+    for line in text.lines() {
+        if line.starts_with(" -4") {
+            inside = line.split_whitespace().nth(1) == Some("DISP");
+            if inside {
+                steps.push(vec![[0.0; 2]; count]);
+            }
+        } else if line.starts_with(" -3") {
+            inside = false;
+        } else if inside && line.starts_with(" -1") {
+            // Columns of fixed width: node 10, values 12 each.
+            let number = |from: usize, to: usize| line.get(from..to).map(str::trim);
+            let node = number(3, 13).and_then(|text| text.parse::<usize>().ok());
+            let value = |from| number(from, from + 12).and_then(|text| text.parse::<f64>().ok());
+            if let (Some(node), Some(x), Some(y), Some(last)) =
+                (node, value(13), value(25), steps.last_mut())
+                && (1..=count).contains(&node)
+            {
+                last[node - 1] = [x, y];
+            }
+        }
+    }
+    steps
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_deck_names_every_node_cell_and_step() {
+        let job = Job::new(0.25, ElementKind::Q4, 9.0).unwrap();
+        let deck = deck(&job, "CPS4").unwrap();
+        let (points, cells) = job.mesh();
+        let lines: Vec<&str> = deck.lines().collect();
+        let first_cells = lines.iter().position(|l| l.starts_with("*ELEMENT")).unwrap();
+        assert_eq!(first_cells, points.len() + 1);
+        let material = lines.iter().position(|l| l.starts_with("*MATERIAL")).unwrap();
+        assert_eq!(material - first_cells, cells.len() + 2);
+        assert_eq!(deck.matches("*END STEP").count(), LOAD_STEPS);
+        // 20 edges of 9° on each half circle.
+        let of = |name: &str| {
+            let start = lines.iter().position(|l| l.contains(name)).unwrap() + 1;
+            lines[start..].iter().take_while(|l| !l.starts_with('*')).count()
+        };
+        assert_eq!([of("NAME=SHOLE"), of("NAME=SRIM")], [20, 20]);
+    }
+
+    #[test]
+    fn displacements_are_read_by_columns() {
+        let text = "  100CL  101 1.0\n -4  DISP        4    1\n -5  D1          1    2    1    0\n \
+                    -1         1 1.00000E-03-2.00000E-03 0.00000E+00\n \
+                    -1         3 4.00000E-03 5.00000E-03 0.00000E+00\n -3\n -4  STRESS      6    1\n \
+                    -1         1 9.00000E+00 9.00000E+00 9.00000E+00\n -3\n";
+        assert_eq!(displacements(text, 2), [[[1e-3, -2e-3], [0.0, 0.0]]]);
+    }
+}
