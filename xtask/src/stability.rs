@@ -13,7 +13,7 @@ mod joint;
 mod law;
 mod load_steps;
 mod mesh_quality;
-mod methods;
+pub(crate) mod methods;
 mod outcome;
 mod penalty;
 mod picture;

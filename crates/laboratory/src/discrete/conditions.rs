@@ -20,6 +20,8 @@ const BORDER: std::ops::Range<f64> = 1e-12..1e-6;
 const DISTINCT: f64 = 1e-7;
 /// Smallest over largest pivot from which statuses determine their solution.
 const REGULAR: f64 = 1e-10;
+/// Least residual of a singular system, relative to its right side and solution, from which it contradicts itself.
+const CONTRADICTION: f64 = 1e-7;
 
 /// The conditions of one step.
 pub(super) struct Conditions<'a> {
@@ -37,8 +39,26 @@ pub struct Enumeration {
     pub states: Vec<TrialState>,
     /// Whether some candidate lies within rounding of a border, so that the number of solutions means little.
     pub borderline: bool,
-    /// Whether some statuses leave the solution undetermined, so that a family of solutions may be missing.
+    /// Whether some statuses leave the solution undetermined, so that a family of solutions may be missing. Statuses whose
+    /// equations contradict each other, as those of a floating body that nothing touches under a load, do not count.
     pub singular: bool,
+}
+
+/// What the equations of given statuses have.
+enum Candidate {
+    /// One solution, admissible or not.
+    Only(TrialState),
+    /// Many.
+    Family,
+    /// None.
+    Contradiction,
+}
+
+/// Solutions of a linear system.
+enum Solutions {
+    One(DVector<f64>),
+    Many,
+    None,
 }
 
 impl<'a> Conditions<'a> {
@@ -153,9 +173,13 @@ impl<'a> Conditions<'a> {
         };
         for code in 0..4_usize.pow(count as u32) {
             let status: Vec<Status> = (0..count).map(|k| STATUSES[code >> (2 * k) & 3]).collect();
-            let Some(trial) = self.candidate(&status) else {
-                all.singular = true;
-                continue;
+            let trial = match self.candidate(&status) {
+                Candidate::Only(trial) => trial,
+                Candidate::Family => {
+                    all.singular = true;
+                    continue;
+                }
+                Candidate::Contradiction => continue,
             };
             let violation = self.violation(&trial);
             all.borderline |= BORDER.contains(&violation);
@@ -173,8 +197,8 @@ impl<'a> Conditions<'a> {
         all
     }
 
-    /// The only state with these statuses, whether or not it is admissible.
-    fn candidate(&self, status: &[Status]) -> Option<TrialState> {
+    /// The state with these statuses, whether or not it is admissible.
+    fn candidate(&self, status: &[Status]) -> Candidate {
         let (compliance, modes) = (self.problem.compliance(), self.problem.modes());
         let (size, rigid) = (compliance.nrows(), modes.ncols());
         let mut matrix = DMatrix::zeros(size + rigid, size + rigid);
@@ -202,11 +226,15 @@ impl<'a> Conditions<'a> {
             .view_mut((size, 0), (rigid, size))
             .copy_from(&modes.transpose());
         side.rows_mut(size, rigid).copy_from(&-&self.mode_load);
-        let solution = solve_regular(matrix, side)?;
+        let solution = match solve(matrix, side) {
+            Solutions::One(solution) => solution,
+            Solutions::Many => return Candidate::Family,
+            Solutions::None => return Candidate::Contradiction,
+        };
         let forces = solution.rows(0, size).into_owned();
         let rigid = solution.rows(size, rigid).into_owned();
         let motion = &self.free + compliance * &forces + modes * &rigid;
-        Some(TrialState {
+        Candidate::Only(TrialState {
             forces,
             motion,
             rigid,
@@ -234,20 +262,28 @@ impl<'a> Conditions<'a> {
     }
 }
 
-/// The solution, unless the matrix is singular. Rows are scaled to one, so that a small pivot means dependence and not units.
-fn solve_regular(mut matrix: DMatrix<f64>, mut side: DVector<f64>) -> Option<DVector<f64>> {
+/// Rows are scaled to one, so that a small pivot means dependence and not units.
+fn solve(mut matrix: DMatrix<f64>, mut side: DVector<f64>) -> Solutions {
     for row in 0..matrix.nrows() {
         let largest = matrix.row(row).amax();
-        if largest == 0.0 {
-            return None;
+        if largest > 0.0 {
+            matrix.row_mut(row).scale_mut(1.0 / largest);
+            side[row] /= largest;
         }
-        matrix.row_mut(row).scale_mut(1.0 / largest);
-        side[row] /= largest;
     }
-    let factors = matrix.full_piv_lu();
+    let factors = matrix.clone().full_piv_lu();
     let pivots = factors.u().diagonal().map(f64::abs);
-    if pivots.min() < REGULAR * pivots.max() {
-        return None;
+    if pivots.min() >= REGULAR * pivots.max() {
+        return factors.solve(&side).map_or(Solutions::Many, Solutions::One);
     }
-    factors.solve(&side)
+    // A decomposition that was computed with both of its sides solves.
+    let Ok(closest) = matrix.clone().svd(true, true).solve(&side, REGULAR) else {
+        return Solutions::Many;
+    };
+    let scale = side.amax().max(closest.amax());
+    if (&matrix * closest - side).amax() > CONTRADICTION * scale {
+        Solutions::None
+    } else {
+        Solutions::Many
+    }
 }
