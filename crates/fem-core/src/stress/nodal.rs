@@ -67,7 +67,10 @@ impl NodalStresses {
                 mean.add(node, [of(index, value), 0.0, 0.0]);
             }
         }
-        mean.into_values().into_iter().map(|[value, ..]| value).collect()
+        mean.into_values()
+            .into_iter()
+            .map(|[value, ..]| value)
+            .collect()
     }
 }
 

@@ -28,14 +28,9 @@ pub struct BodyBalance {
 impl CondensedBody {
     /// Balance of the whole body in each of `states`: reactions (the part of the residual at held nodes), loads and contact
     /// forces, as resultants, relative to the most loaded state. `residuals` are those of [`Self::residual_forces_of`].
-    pub fn balances_of(
-        &self,
-        residuals: &[Vec<f64>],
-        states: &[BodyLoad<'_>],
-    ) -> Vec<BodyBalance> {
-        let largest = |scale: &dyn Fn(&BodyLoad<'_>) -> f64| {
-            states.iter().map(scale).fold(0.0, f64::max)
-        };
+    pub fn balances_of(&self, residuals: &[Vec<f64>], states: &[BodyLoad<'_>]) -> Vec<BodyBalance> {
+        let largest =
+            |scale: &dyn Fn(&BodyLoad<'_>) -> f64| states.iter().map(scale).fold(0.0, f64::max);
         let applied = largest(&|state| half_sum(&self.applied_forces(state)));
         let load = largest(&|state| self.load_scale(state.forces, state.multipliers));
         let [low, high] = self.body.mesh.bounding_box();
