@@ -281,6 +281,26 @@ fn panels_line_up() {
 }
 
 #[test]
+fn a_common_legend_names_every_curve_once() {
+    let mut family = LineChart::new("", Axis::linear("x"), Axis::linear("y"));
+    for step in 1..=14 {
+        let points = vec![[0.0, 0.0], [1.0, f64::from(step)]];
+        family = family.with(Series::new(format!("step {step}"), points));
+    }
+    let charts = vec![family.clone(), family];
+    let picture = Panels::new("All", 2, charts)
+        .common_legend()
+        .render()
+        .unwrap();
+    let document = parsed(&picture);
+    let names = texts(&document);
+    for step in 1..=14 {
+        let name = format!("step {step}");
+        assert_eq!(names.iter().filter(|text| **text == name).count(), 1);
+    }
+}
+
+#[test]
 fn equal_charts_give_equal_bytes() {
     let draw = || chart(vec![[0.0, 0.0], [1.0, 1.0]]).render().unwrap();
     assert_eq!(draw(), draw());

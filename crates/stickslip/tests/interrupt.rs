@@ -74,6 +74,6 @@ fn an_interrupted_replacement_leaves_the_old_results() {
     assert_eq!(code, Some(130), "{message}");
     let value: serde_json::Value = serde_json::from_str(&message).unwrap();
     assert_eq!(value["errors"][0]["code"], "run::interrupted");
-    assert_eq!(entries(folder.path()), [old.clone()]);
+    assert_eq!(entries(folder.path()), std::slice::from_ref(&old));
     assert_eq!(fs::read_to_string(old.join("summary.json")).unwrap(), "old");
 }

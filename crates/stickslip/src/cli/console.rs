@@ -26,7 +26,7 @@ impl Console {
     }
 
     /// Columns of the terminal that standard output is, or those of a table elsewhere.
-    pub(super) fn width(self) -> usize {
+    pub(super) fn width() -> usize {
         let terminal = terminal_size::terminal_size_of(io::stdout());
         terminal.map_or(FILE_WIDTH, |(width, _)| usize::from(width.0))
     }

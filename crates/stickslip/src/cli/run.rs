@@ -79,7 +79,7 @@ pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Fail
         || {
             format!(
                 "{}\nresults in {}\n",
-                output::summary_table(&results, console.width()),
+                output::summary_table(&results, Console::width()),
                 path.display()
             )
         },

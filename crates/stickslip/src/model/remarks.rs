@@ -222,11 +222,10 @@ fn fine_to(scene: &Scene, edge: &EdgeGeometry, grading: Grading) -> Option<f64> 
     match edge.kind {
         EdgeKind::Circle { .. } => grading.fine_to,
         EdgeKind::Line => {
-            let half_length = match scene.bodies.get(&edge.body)?.shape {
-                Shape::Cylinder { half_length, .. } | Shape::Block { half_length, .. } => {
-                    half_length
-                }
-                _ => return None,
+            let (Shape::Cylinder { half_length, .. } | Shape::Block { half_length, .. }) =
+                scene.bodies.get(&edge.body)?.shape
+            else {
+                return None;
             };
             Some(lines::fine_to(grading.fine_to, half_length))
         }

@@ -167,7 +167,7 @@ impl Document {
         for entry in json::entries(&source.text) {
             if let Some(first) = self.places.get(&entry.path) {
                 let first = first.key.clone();
-                return Err(self.duplicate(entry.path, first, entry.key));
+                return Err(self.duplicate(entry.path, first.as_ref(), entry.key));
             }
             self.note(&entry.path, entry.key, entry.value);
         }

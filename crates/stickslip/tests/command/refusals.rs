@@ -302,11 +302,11 @@ fn keys_given_twice_name_both_lines() {
 fn radii_that_cannot_touch() {
     refused(
         "\"4.99 mm\"",
-        "\"2.5 mm\"",
+        "\"2.4 mm\"",
         &[
             "bad.toml:15:25",
-            "the pin (radius 2.5 mm) is too small for the hole (radius 5 mm)",
-            "above 2.5 mm",
+            "the pin (radius 2.4 mm) is too small for the hole (radius 5 mm)",
+            "at least 2.5 mm",
         ],
     );
     refused(

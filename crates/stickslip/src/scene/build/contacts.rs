@@ -218,16 +218,16 @@ impl Builder<'_> {
                 message,
                 format!("give a radius of at most {most}"),
             );
-        } else if inner <= SMALLEST_INNER * hole {
+        } else if inner < SMALLEST_INNER * hole {
             let message = format!(
                 "the {part} (radius {inner_text}) is too small for the hole (radius {hole_text}): gaps are found along the hole's \
-                 radii, and some of them miss a {part} of half its radius or less"
+                 radii, and some of them miss a {part} of less than half its radius"
             );
             let least = show(SMALLEST_INNER * hole);
             self.conflict(
                 &inner_key,
                 message,
-                format!("give a radius above {least}, close to the hole's"),
+                format!("give a radius of at least {least}, close to the hole's"),
             );
         }
     }

@@ -111,7 +111,8 @@ impl Builder<'_> {
 
     fn force(&mut self, key: &str, on: SetRef, force: &ForceFormat) -> Option<LoadKind> {
         let direction_key = child(key, "force.direction");
-        let shown = format!("{:?}", force.direction);
+        let numbers: Vec<_> = force.direction.iter().map(f64::to_string).collect();
+        let shown = format!("[{}]", numbers.join(", "));
         let &[x, y] = force.direction.as_slice() else {
             let allowed = "two numbers, x and y, such as [-1, 0]";
             self.out_of_range(&direction_key, &shown, allowed);

@@ -12,11 +12,8 @@ impl Document {
     /// The key at `second` stands in its table already: the text is read again with that key renamed, which shows its table.
     pub(super) fn duplicate_toml(&self, second: Range<usize>) -> SceneError {
         let text = &self.source.text;
-        let stand_in = (0_usize..)
-            .map(|number| format!("second-{number}"))
-            .find(|name| !text.contains(name));
-        // No text contains all of infinitely many names.
-        let stand_in = stand_in.unwrap_or_default();
+        // A run of one letter that is longer than the text is nowhere in it.
+        let stand_in = "x".repeat(text.len() + 1);
         let renamed = match (text.get(..second.start), text.get(second.end..)) {
             (Some(before), Some(after)) => format!("{before}{stand_in}{after}"),
             _ => String::new(),
@@ -25,7 +22,7 @@ impl Document {
         let name = text.get(second.clone()).unwrap_or_default();
         let name = name.trim_matches(['"', '\'']);
         match first_of(table.get_ref(), "", &stand_in, name) {
-            Some((path, first)) => self.duplicate(path, Some(first), Some(second)),
+            Some((path, first)) => self.duplicate(path, Some(&first), Some(second)),
             None => self.duplicate(name.to_owned(), None, Some(second)),
         }
     }
@@ -33,16 +30,16 @@ impl Document {
     pub(super) fn duplicate(
         &self,
         key: String,
-        first: Option<Range<usize>>,
+        first: Option<&Range<usize>>,
         second: Option<Range<usize>>,
     ) -> SceneError {
-        let line = |span: &Option<Range<usize>>| {
-            let before = self.source.text.get(..span.as_ref()?.start)?;
+        let line = |span: Option<&Range<usize>>| {
+            let before = self.source.text.get(..span?.start)?;
             Some(before.matches('\n').count() + 1)
         };
         let problem = SceneProblem::DuplicateKey {
             key: key.rsplit('.').next().unwrap_or_default().to_owned(),
-            lines: line(&first).zip(line(&second)),
+            lines: line(first).zip(line(second.as_ref())),
         };
         let finding = Finding {
             problem,
