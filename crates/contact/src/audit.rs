@@ -1,7 +1,5 @@
 //! Equilibrium of a step, reported and never assumed.
 
-use nalgebra::DVector;
-
 use crate::problem::InterfaceProblem;
 use crate::state::ContactState;
 
@@ -14,8 +12,13 @@ pub struct Audit {
     pub moments: Vec<f64>,
     /// Sum of |λ_t| over each pair `[force]`, and signed sum of λ_t.
     pub friction: Vec<FrictionSum>,
-    /// Largest unbalanced resultant of a floating body, relative to the largest load resultant or contact resultant.
+    /// Largest unbalanced resultant of a floating body, relative to the largest [`Self::scale`] of the whole history; while the
+    /// history is still being followed, of the steps so far. So a step without load shows rounding too, not rounding by rounding.
     pub balance: f64,
+    /// That unbalanced resultant itself `[force]`.
+    pub unbalanced: f64,
+    /// What forces are measured by `[force]`: the largest load resultant or sum of contact forces |λ| of a pair in this step.
+    pub scale: f64,
     /// Virtual work of the contact forces on the gaps, Σ |λ_n g_n| relative to Σ |λ_n| times the largest motion or elastic
     /// give of a point: zero by complementarity.
     pub gap_work: f64,
@@ -41,8 +44,11 @@ impl Audit {
             moments: vec![0.0; pairs],
             friction: vec![FrictionSum::default(); pairs],
             balance: 0.0,
+            unbalanced: 0.0,
+            scale: 0.0,
             gap_work: 0.0,
         };
+        let mut pressed = vec![0.0; pairs];
         let (mut work, mut effort) = (0.0, 0.0);
         // Where all points touch, their gaps are rounding, and no scale.
         let give = problem.compliance().diagonal().amax() * state.forces.amax();
@@ -58,27 +64,25 @@ impl Audit {
             sum.normal += normal;
             sum.tangential += tangential;
             sum.magnitude += tangential.abs();
+            pressed[point.pair] += normal.hypot(tangential);
             work += (normal * state.gap(k)).abs();
             effort += normal.abs() * widest;
         }
         audit.gap_work = if effort > 0.0 { work / effort } else { 0.0 };
-        audit.balance = unbalanced(problem, state, &audit);
+        let load = problem.mode_load(&state.multipliers);
+        let sum = &load + problem.modes().tr_mul(&state.forces);
+        audit.scale = pressed.into_iter().fold(load.amax(), f64::max);
+        audit.unbalanced = sum.amax();
+        audit.measured_by(audit.scale);
         audit
     }
-}
 
-fn unbalanced(problem: &InterfaceProblem, state: &ContactState, audit: &Audit) -> f64 {
-    let load: DVector<f64> = problem.mode_load(&state.multipliers);
-    if load.is_empty() {
-        return 0.0;
-    }
-    let largest = audit.resultants.iter().fold(load.amax(), |scale, force| {
-        scale.max(force[0].hypot(force[1]))
-    });
-    let sum = &load + problem.modes().tr_mul(&state.forces);
-    if largest > 0.0 {
-        sum.amax() / largest
-    } else {
-        0.0
+    /// Measures the balance by `scale` `[force]`.
+    pub(crate) fn measured_by(&mut self, scale: f64) {
+        self.balance = if scale > 0.0 {
+            self.unbalanced / scale
+        } else {
+            0.0
+        };
     }
 }

@@ -1,5 +1,7 @@
 //! Load histories: from one load step to the next by sub-steps, cut back where a solver fails.
 
+mod frictionless;
+
 use nalgebra::DVector;
 
 use crate::audit::Audit;
@@ -82,6 +84,7 @@ impl LoadHistory {
     ) -> Result<Vec<StepRecord>, ContactError> {
         let mut state = ContactState::unloaded(problem);
         let mut records: Vec<StepRecord> = Vec::with_capacity(self.steps.len());
+        let mut scale = 0.0_f64;
         for (index, target) in self.steps.iter().enumerate() {
             if target.len() != problem.load_cases() {
                 let what = format!(
@@ -91,10 +94,15 @@ impl LoadHistory {
                 );
                 return Err(ContactError::InvalidLoad { step: index, what });
             }
-            let record = self.walk(problem, solver, &state, index, target)?;
+            let mut record = self.walk(problem, solver, &state, index, target)?;
             state = record.state.clone();
+            scale = scale.max(record.audit.scale);
+            record.audit.measured_by(scale);
             observe(&record);
             records.push(record);
+        }
+        for record in &mut records {
+            record.audit.measured_by(scale);
         }
         Ok(records)
     }
@@ -195,7 +203,9 @@ impl Walk {
         solver: &dyn InterfaceSolver,
         multipliers: &[f64],
     ) -> Result<(), crate::solver::StepFailure> {
-        let solution = solver.solve(&Step::new(problem, &self.state, multipliers))?;
+        let step = Step::new(problem, &self.state, multipliers);
+        let mut solution = solver.solve(&step)?;
+        frictionless::slide(&step, &mut solution.trial);
         self.work += solution.work;
         self.residuals = Residuals {
             complementarity: self

@@ -57,6 +57,19 @@ pub fn zones(
     zones
 }
 
+/// Whether friction carries anything at the touching points of pair `pair`: under a law without friction it cannot, and then
+/// there is no stick to speak of.
+pub fn carries_friction(problem: &InterfaceProblem, state: &ContactState, pair: usize) -> bool {
+    problem.pair_points(pair).any(|k| {
+        let point = &problem.points()[k];
+        let pressure = state.normal_force(k) / point.area;
+        let bound = problem
+            .law(k)
+            .bound(pressure, 0.0, &point.place, &state.history[k]);
+        state.status[k].touches() && (bound.stick > 0.0 || bound.slip > 0.0)
+    })
+}
+
 /// Statuses of the points `range`; one that touches but cannot slide (on a line of symmetry) takes its neighbour's.
 fn seen_status(
     problem: &InterfaceProblem,

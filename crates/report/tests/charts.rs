@@ -281,6 +281,26 @@ fn panels_line_up() {
 }
 
 #[test]
+fn a_common_legend_names_every_curve_once() {
+    let mut family = LineChart::new("", Axis::linear("x"), Axis::linear("y"));
+    for step in 1..=14 {
+        let points = vec![[0.0, 0.0], [1.0, f64::from(step)]];
+        family = family.with(Series::new(format!("step {step}"), points));
+    }
+    let charts = vec![family.clone(), family];
+    let picture = Panels::new("All", 2, charts)
+        .common_legend()
+        .render()
+        .unwrap();
+    let document = parsed(&picture);
+    let names = texts(&document);
+    for step in 1..=14 {
+        let name = format!("step {step}");
+        assert_eq!(names.iter().filter(|text| **text == name).count(), 1);
+    }
+}
+
+#[test]
 fn equal_charts_give_equal_bytes() {
     let draw = || chart(vec![[0.0, 0.0], [1.0, 1.0]]).render().unwrap();
     assert_eq!(draw(), draw());
@@ -328,15 +348,4 @@ fn a_spread_is_a_bar_with_two_ends_and_widens_the_axis() {
     let data = bars[0].attribute("d").unwrap();
     assert_eq!(data.matches('M').count(), 3, "{data}");
     assert!(texts(&document).iter().any(|t| t.parse() == Ok(4.0)));
-}
-
-#[test]
-fn a_common_legend_stands_once_below_all_panels() {
-    let part = || chart(vec![[0.0, 0.0], [1.0, 1.0]]).legend(Legend::Right);
-    let panels = Panels::new("", 2, vec![part(), part()]).with_common_legend();
-    let picture = panels.render().unwrap();
-    let names = texts(&parsed(&picture));
-    assert_eq!(names.iter().filter(|name| *name == "curve").count(), 1);
-    let alone = Panels::new("", 2, vec![part().legend(Legend::Hidden); 2]);
-    assert!(picture.height() > alone.render().unwrap().height());
 }

@@ -168,3 +168,32 @@ fn single_files_are_replaced_whole() {
     ));
     assert_eq!(names(home.path()), ["chart.svg"]);
 }
+
+#[test]
+fn an_abandoned_folder_is_gone_and_takes_no_more_files() {
+    let home = tempfile::tempdir().unwrap();
+    let target = home.path().join("results");
+    let results = ResultFolder::create(&target, Overwrite::Refuse).unwrap();
+    results.write("table.csv", b"1").unwrap();
+    let handle = results.handle();
+    let waiting = handle.abandon();
+    assert!(waiting.is_some());
+    drop(waiting);
+    assert!(names(home.path()).is_empty());
+    let error = results.write("figures/a.svg", b"2").unwrap_err();
+    assert!(matches!(error, FolderError::Abandoned { .. }), "{error}");
+    assert!(handle.abandon().is_none());
+    assert!(results.finish("{}").is_err());
+    assert!(names(home.path()).is_empty());
+}
+
+#[test]
+fn complete_results_are_not_abandoned() {
+    let home = tempfile::tempdir().unwrap();
+    let target = home.path().join("results");
+    let results = ResultFolder::create(&target, Overwrite::Refuse).unwrap();
+    let handle = results.handle();
+    results.finish("{}").unwrap();
+    assert!(handle.abandon().is_none());
+    assert_eq!(names(&target), [MARKER]);
+}

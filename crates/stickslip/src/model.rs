@@ -5,7 +5,9 @@ mod extent;
 mod limits;
 mod loads;
 mod meshes;
+mod placement;
 mod polar_table;
+mod remarks;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -22,6 +24,7 @@ use crate::results::{Choice, EdgeGeometry};
 use crate::scene::Scene;
 
 pub use meshes::NODE_LIMIT;
+pub use remarks::beyond_fine_zone;
 
 /// Why a scene that reads well cannot be modelled.
 #[derive(Debug, Error)]
@@ -207,7 +210,7 @@ impl Model {
             history: loads::history(scene)?,
             half,
             choices,
-            notes: contacts.notes,
+            notes: remarks::of_scene(scene),
         })
     }
 }

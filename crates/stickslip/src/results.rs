@@ -101,7 +101,7 @@ pub struct EdgeGeometry {
     pub law: String,
 }
 
-/// One node of an edge at the end of a load step.
+/// One node of an edge at the end of a load step. What is rounding beside the largest of the history is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EdgeRow {
     /// Contact pressure, ≥ 0 `[MPa]`.
@@ -129,10 +129,11 @@ pub struct EdgeResults {
     pub rows: Vec<EdgeRow>,
     /// Zones of equal status; empty without contact.
     pub zones: Vec<Zone>,
-    /// Half of the contact's extent [rad or mm]; `None` if the pair is open or not a contact.
+    /// Half of the distance from the first to the last place in contact, in a half model all of it `[rad or mm]`; `None` if the
+    /// pair is open or not a contact.
     pub contact_half_extent: Option<f64>,
-    /// Half of the extent of the stick zone around the bearing point or x = 0 `[rad or mm]`: 0 where there is none, `None`
-    /// without contact.
+    /// Half of the extent of the stick zone around the bearing point or x = 0 `[rad or mm]`: 0 where that point slips or is
+    /// open, `None` without contact or without friction.
     pub stick_half_extent: Option<f64>,
     /// Largest pressure `[MPa]` and its place.
     pub peak_pressure: Option<(f64, f64)>,
@@ -145,9 +146,9 @@ pub struct EdgeResults {
     pub hoop_at_bearing_point: Option<f64>,
     /// Resultant force on the first body, of the whole (both halves) `[N]`.
     pub resultant: [f64; 2],
-    /// ∫q dA over the whole contact `[N]`, q the shear that holds the first body back from sliding away from the bearing point:
-    /// positive while the load grows, and turning negative on unloading. On a line, the tangential force on the first body
-    /// along +x.
+    /// Signed sum of the friction forces over the whole contact `[N]`. On a circle ∫q dA with q = −λ_t sgn θ: q is positive where
+    /// friction pulls the first body along the edge towards the bearing point θ = 0, negative where it pulls away from it; parts
+    /// of opposite signs cancel, so the sum says which prevails. On a line the tangential force on the first body along +x.
     pub friction_force: f64,
     /// ∫p dA over the whole contact `[N]`.
     pub normal_force: f64,
@@ -196,8 +197,8 @@ pub struct StepResults {
     pub doubtful: usize,
     /// Residuals of the contact conditions.
     pub residuals: Residuals,
-    /// Largest unbalanced force or moment relative to the load: of the floating bodies in the interface problem, and of each
-    /// elastic body's nodes, resultant and moment by its recovered displacements.
+    /// Largest unbalanced force or moment, of the floating bodies in the interface problem, and of each elastic body's nodes,
+    /// resultant and moment by its recovered displacements; relative to the largest load or contact force of the whole history.
     pub balance_residual: f64,
     /// Balance of each body with its reactions, by the recovered displacements; `None` for a rigid one.
     pub balance: Vec<Option<BodyBalance>>,
@@ -220,4 +221,6 @@ pub struct BodyFields {
     pub displacement: Vec<f64>,
     /// Averaged nodal stresses (xx, yy, xy) by patch recovery `[MPa]`.
     pub stress: Vec<[f64; 3]>,
+    /// Stress σ_zz across the thickness at each node `[MPa]`; zero in plane stress.
+    pub thickness_stress: Vec<f64>,
 }

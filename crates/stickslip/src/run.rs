@@ -2,10 +2,10 @@
 
 mod edges;
 mod fields;
+mod reported;
 
 use std::time::Instant;
 
-use nalgebra::DVector;
 use rayon::prelude::*;
 use stickslip_contact::{
     Chain, ContactError, InterfaceProblem, InterfaceSolver, Pivoting, StepRecord,
@@ -229,14 +229,13 @@ pub fn results(
 ) -> Result<Results, RunError> {
     let start = Instant::now();
     let recovered = fields::recover(&solved);
-    let mut slip = DVector::zeros(solved.problem.points().len());
+    let edges = edges::all(model, &solved, &recovered)?;
     let mut steps = Vec::with_capacity(solved.records.len());
-    for (index, record) in solved.records.iter().enumerate() {
-        slip += &record.slip;
+    for (index, (record, edges)) in solved.records.iter().zip(edges).enumerate() {
         steps.push(StepResults {
             unloading: false,
             loads: loads(scene, index),
-            edges: edges::all(model, &solved, record, &recovered[index], &slip)?,
+            edges,
             work: record.work,
             solvers: record.solvers.clone(),
             increments: record.increments,
@@ -281,7 +280,7 @@ pub fn results(
         step.unloading = unloading;
     }
     for index in steps_with_fields(scene.output.fields, &scale, results.steps.len()) {
-        results.steps[index].fields = fields::with_stresses(model, &recovered[index])?;
+        results.steps[index].fields = fields::with_stresses(scene, model, &recovered[index])?;
     }
     solved
         .phases

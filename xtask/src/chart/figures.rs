@@ -109,7 +109,7 @@ pub(super) fn problem_figure(
     }
     let title = format!("{}: {}", problem.title(), group.title.to_lowercase());
     Panels::new(title, quantities.len().max(1), charts)
-        .with_common_legend()
+        .common_legend()
         .render()
 }
 
@@ -137,7 +137,7 @@ pub(super) fn overview(
         })
         .collect();
     Panels::new(group.title, 3, charts)
-        .with_common_legend()
+        .common_legend()
         .render()
 }
 
@@ -168,7 +168,7 @@ pub(super) fn contact_cost(bench: &Bench, group: &Group) -> Result<Svg, FigureEr
         })
         .collect();
     Panels::new(format!("{}: cost of contact alone", group.title), 3, charts)
-        .with_common_legend()
+        .common_legend()
         .render()
 }
 

@@ -88,7 +88,7 @@ fn panels(
             chart
         })
         .collect();
-    Panels::new(title, 2, parts).with_common_legend().render()
+    Panels::new(title, 2, parts).common_legend().render()
 }
 
 const OWN: [(&str, Enforcement); 2] = [

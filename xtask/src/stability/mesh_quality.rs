@@ -194,7 +194,7 @@ fn curves(rows: &[Row]) -> Result<Svg, Trouble> {
             Axis::linear("jump at mid-side nodes over the peak [1]"),
         ),
     ];
-    Ok(Panels::new("What bad meshes cost", 2, charts).with_common_legend().render()?)
+    Ok(Panels::new("What bad meshes cost", 2, charts).common_legend().render()?)
 }
 
 fn chart(rows: &[Row], title: &str, case: &str, x: Axis, y: Axis) -> LineChart {

@@ -172,7 +172,7 @@ fn curves(rows: &[Row]) -> Result<stickslip_report::svg::Svg, Trouble> {
         chart("Towards incompressibility", LOCKING, remainder),
         chart("Stiffness ratio", HERTZ, ratio),
     ];
-    Ok(Panels::new("Stiffness ratio and incompressibility", 2, charts).with_common_legend().render()?)
+    Ok(Panels::new("Stiffness ratio and incompressibility", 2, charts).common_legend().render()?)
 }
 
 fn remarks(rows: &[Row]) -> Vec<String> {

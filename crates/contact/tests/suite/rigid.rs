@@ -304,3 +304,31 @@ fn contact_is_lost_altogether_and_made_again() {
         );
     }
 }
+
+/// Loaded, and all but unloaded: what is out of balance is measured by the largest load of the history, not by the step's own,
+/// of which rounding is a large part.
+#[test]
+fn the_balance_of_an_unloaded_step_is_measured_by_the_history() {
+    let problem = block([true, false], [0.1, 0.4], 0.3);
+    let steps = vec![vec![0.3, 0.0], vec![1e-14, 0.0]];
+    let history = LoadHistory::new(steps, 1, Ramp::Linear).unwrap();
+    let mut seen = Vec::new();
+    let records = history
+        .follow(&problem, &Chain::default(), |record| {
+            seen.push(record.audit.clone());
+        })
+        .unwrap();
+    let last = &records[1].audit;
+    assert_abs_diff_eq!(records[0].audit.scale, 0.3, epsilon = EXACT);
+    assert!(last.scale < 1e-13);
+    assert_eq!(last.balance, last.unbalanced / records[0].audit.scale);
+    assert!(last.balance < EXACT);
+    assert_eq!(&seen[1], last);
+
+    // As a step is accepted, the largest load so far is known; at the end, that of all steps.
+    let steps = vec![vec![0.15, 0.0], vec![0.3, 0.0]];
+    let history = LoadHistory::new(steps, 1, Ramp::Linear).unwrap();
+    let records = history.follow(&problem, &Chain::default(), |_| {}).unwrap();
+    let [first, second] = [&records[0].audit, &records[1].audit];
+    assert_eq!(first.balance, first.unbalanced / second.scale);
+}

@@ -1,7 +1,7 @@
 //! `stickslip run`: solve a scene and write a folder of results.
 
 use std::io::IsTerminal;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -13,6 +13,7 @@ use thiserror::Error;
 use super::SceneArguments;
 use super::console::Console;
 use super::failure::Failure;
+use super::interrupt::guarded;
 use super::located::locate;
 use crate::diagnostic::{SceneError, SceneProblem};
 use crate::output;
@@ -37,6 +38,12 @@ pub(super) struct RunArguments {
 /// The results cannot be kept.
 #[derive(Debug, Error, Diagnostic)]
 enum KeepError {
+    #[error("results cannot be written to '{path}': '{file}' is a file, not a folder")]
+    #[diagnostic(
+        code(run::folder),
+        help("name a folder with --output DIR; it is made if it does not exist")
+    )]
+    NotAFolder { path: String, file: String },
     #[error(transparent)]
     #[diagnostic(
         code(run::folder),
@@ -59,7 +66,10 @@ pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Fail
     } else {
         Overwrite::Refuse
     };
-    let folder = ResultFolder::create(&arguments.folder(), overwrite).map_err(KeepError::from)?;
+    let path = arguments.folder();
+    no_file_in_the_way(&path)?;
+    let folder =
+        guarded(console, || ResultFolder::create(&path, overwrite)).map_err(KeepError::from)?;
     let bar = bar(&scene, console);
     let solved = solve(&scene, &mut |progress| show(&bar, progress));
     bar.finish_and_clear();
@@ -69,12 +79,23 @@ pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Fail
         || {
             format!(
                 "{}\nresults in {}\n",
-                output::summary_table(&results),
+                output::summary_table(&results, Console::width()),
                 path.display()
             )
         },
         &output::summary_json(&results),
     )
+}
+
+/// Refuses a path of which a file is a part.
+fn no_file_in_the_way(path: &Path) -> Result<(), KeepError> {
+    match path.ancestors().find(|part| part.is_file()) {
+        Some(file) => Err(KeepError::NotAFolder {
+            path: path.display().to_string(),
+            file: file.display().to_string(),
+        }),
+        None => Ok(()),
+    }
 }
 
 impl RunArguments {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use stickslip_contact::{ContactPair, ContactPoint, gap};
 use stickslip_fem_core::mesh::{Curve, Mesh, Point};
 
-use super::{Meshes, ModelEdge, ModelError, loads, meshes};
+use super::{Meshes, ModelEdge, ModelError, loads, placement};
 use crate::results::{Choice, EdgeGeometry, EdgeKind};
 use crate::scene::Scene;
 use crate::scene::schema::{self, Contact, GapKind, SetRef, Shape, Substance};
@@ -20,7 +20,6 @@ pub(super) struct Contacts {
     pub(super) interfaces: Vec<Vec<usize>>,
     /// Contact points of each rigid body.
     pub(super) rigid_points: Vec<Vec<Point>>,
-    pub(super) notes: Vec<String>,
 }
 
 /// The nodes of an edge by ascending parameter.
@@ -102,7 +101,7 @@ impl Contacts {
         let upper = edge_nodes(scene, &contact.first, meshes, half)?;
         let geometry = Geometry::of(scene, contact).ok_or_else(|| {
             refuse(format!(
-                "{} and {} cannot touch; a hole takes a disk's rim, a cylinder a block",
+                "{} and {} cannot touch; a hole takes a disk's rim or a ring's outer edge, a cylinder a block",
                 contact.first, contact.second
             ))
         })?;
@@ -183,16 +182,14 @@ impl Geometry {
     fn of(scene: &Scene, contact: &Contact) -> Option<Self> {
         let shape = |set: &SetRef| scene.bodies.get(&set.body).map(|body| body.shape);
         match (shape(&contact.first)?, shape(&contact.second)?) {
-            (first @ Shape::PlateWithHole { .. }, second @ Shape::Disk { radius: pin }) => {
-                let radius = first
-                    .circle(&contact.first.set)
-                    .filter(|_| contact.first.set == "hole")?;
-                second.circle(&contact.second.set)?;
-                let offset = meshes::disk_centre(scene, &contact.second.body, pin);
+            (Shape::PlateWithHole { .. }, Shape::Disk { .. } | Shape::PlateWithHole { .. })
+                if contact.first.set == "hole" && contact.second.set != "hole" =>
+            {
+                let radii @ [radius, inner] = placement::radii(scene, contact)?;
                 Some(Self::Circles {
                     radius,
-                    clearance: radius - pin,
-                    offset,
+                    clearance: radius - inner,
+                    offset: placement::offset(radii),
                 })
             }
             (Shape::Cylinder { radius, .. }, Shape::Block { .. })

@@ -1,39 +1,47 @@
 //! Quantities along the reported edges: contact forces become tractions, edge strains become stresses.
 
 use nalgebra::DVector;
-use stickslip_contact::zones::{Zone, zones};
+use stickslip_contact::zones::{Zone, carries_friction, zones};
 use stickslip_contact::{Status, StepRecord};
 use stickslip_fem_core::stress::{EdgeData, PathEnd, PathEnds, StressError, edge_stresses};
 
 use super::Solved;
 use super::fields::Recovered;
+use super::reported::{Reported, clear_stresses, reported};
 use crate::model::{Model, ModelBodyKind, ModelEdge};
 use crate::results::{EdgeKind, EdgeResults, EdgeRow};
 
+/// All edges in every load step: one list of edges per step.
 pub(super) fn all(
     model: &Model,
     solved: &Solved,
-    record: &StepRecord,
-    recovered: &Recovered,
-    slip: &DVector<f64>,
-) -> Result<Vec<EdgeResults>, StressError> {
-    model
-        .edges
-        .iter()
-        .map(|edge| one(model, solved, record, recovered, slip, edge))
-        .collect()
+    recovered: &[Recovered],
+) -> Result<Vec<Vec<EdgeResults>>, StressError> {
+    let reported = reported(&solved.problem, &solved.records);
+    let mut steps: Vec<Vec<EdgeResults>> = vec![Vec::new(); reported.len()];
+    for edge in &model.edges {
+        let mut rows = (0..reported.len())
+            .map(|step| rows(model, solved, &reported[step], &recovered[step], step, edge))
+            .collect::<Result<Vec<_>, _>>()?;
+        clear_stresses(&mut rows);
+        for ((step, rows), reported) in steps.iter_mut().zip(rows).zip(&reported) {
+            step.push(summarise(model, solved, edge, rows, reported));
+        }
+    }
+    Ok(steps)
 }
 
-fn one(
+/// One row per node of `edge` in load step `step`.
+fn rows(
     model: &Model,
     solved: &Solved,
-    record: &StepRecord,
+    reported: &Reported,
     recovered: &Recovered,
-    slip: &DVector<f64>,
+    step: usize,
     edge: &ModelEdge,
-) -> Result<EdgeResults, StressError> {
+) -> Result<Vec<EdgeRow>, StressError> {
     let displacement = match edge.pair {
-        Some(_) => interface_displacement(solved, record, edge),
+        Some(_) => interface_displacement(solved, &solved.records[step], edge),
         None => edge
             .nodes
             .iter()
@@ -45,9 +53,9 @@ fn one(
             })
             .collect(),
     };
-    let mut rows = contact_rows(solved, record, slip, edge);
+    let mut rows = contact_rows(solved, reported, edge);
     let initial = match &model.bodies[edge.body].kind {
-        ModelBodyKind::Elastic(body) => body.initial_strain(&record.state.multipliers),
+        ModelBodyKind::Elastic(body) => body.initial_strain(&reported.state.multipliers),
         ModelBodyKind::Rigid(_) => Vec::new(),
     };
     add_stresses(
@@ -57,15 +65,7 @@ fn one(
         initial.first().copied().unwrap_or_default(),
         &mut rows,
     )?;
-    let zones = edge.pair.map_or_else(Vec::new, |pair| {
-        zones(
-            &solved.problem,
-            &record.state,
-            pair,
-            &edge.geometry.parameter,
-        )
-    });
-    Ok(summarise(edge, rows, zones, record, model.half))
+    Ok(rows)
 }
 
 /// Displacements of a contact edge's nodes on its first body: u = C λ + Σ m_k u_k + R α, no sparse solve.
@@ -97,12 +97,8 @@ fn interface_displacement(solved: &Solved, record: &StepRecord, edge: &ModelEdge
         .collect()
 }
 
-fn contact_rows(
-    solved: &Solved,
-    record: &StepRecord,
-    slip: &DVector<f64>,
-    edge: &ModelEdge,
-) -> Vec<EdgeRow> {
+fn contact_rows(solved: &Solved, reported: &Reported, edge: &ModelEdge) -> Vec<EdgeRow> {
+    let state = &reported.state;
     let free = EdgeRow {
         pressure: 0.0,
         shear: 0.0,
@@ -114,7 +110,7 @@ fn contact_rows(
         tau: 0.0,
     };
     let Some(pair) = edge.pair else {
-        let multiplier = |case: usize| record.state.multipliers.get(case).copied().unwrap_or(0.0);
+        let multiplier = |case: usize| state.multipliers.get(case).copied().unwrap_or(0.0);
         let sum = |k: usize, part: usize| -> f64 {
             edge.tractions
                 .iter()
@@ -134,15 +130,15 @@ fn contact_rows(
         .map(|k| {
             let area = solved.problem.points()[k].area;
             EdgeRow {
-                pressure: record.state.normal_force(k) / area,
-                shear: record.state.tangential_force(k) / area,
-                gap: if record.state.status[k].touches() {
+                pressure: state.normal_force(k) / area,
+                shear: state.tangential_force(k) / area,
+                gap: if state.status[k].touches() {
                     0.0
                 } else {
-                    record.state.gap(k)
+                    state.gap(k)
                 },
-                slip: slip[k],
-                status: record.state.status[k],
+                slip: reported.slip[k],
+                status: state.status[k],
                 ..free
             }
         })
@@ -220,8 +216,8 @@ fn add_stresses(
     Ok(())
 }
 
-/// Friction force of the modelled part. On a circle ∫ q dA with q = −λ_t sgn θ, positive where friction holds the first body
-/// back from sliding away from the bearing point; on a line the force on the first body along +x, which is against e_t.
+/// Friction force of the modelled part, with sign. On a circle ∫ q dA with q = −λ_t sgn θ, positive where friction pulls the first
+/// body towards the bearing point; on a line the force on the first body along +x, which is against e_t.
 fn friction_force(edge: &ModelEdge, rows: &[EdgeRow]) -> f64 {
     let friction = rows.iter().zip(&edge.areas).zip(&edge.geometry.parameter);
     let side = |at: f64| match edge.geometry.kind {
@@ -262,13 +258,20 @@ fn cusp_uncertainty(rows: &[EdgeRow], zones: &[Zone], parameter: &[f64]) -> Opti
 }
 
 fn summarise(
+    model: &Model,
+    solved: &Solved,
     edge: &ModelEdge,
     rows: Vec<EdgeRow>,
-    zones: Vec<Zone>,
-    record: &StepRecord,
-    half: bool,
+    reported: &Reported,
 ) -> EdgeResults {
     let parameter = &edge.geometry.parameter;
+    let (half, problem, state) = (model.half, &solved.problem, &reported.state);
+    let zones = edge
+        .pair
+        .map_or_else(Vec::new, |pair| zones(problem, state, pair, parameter));
+    let rubs = edge
+        .pair
+        .is_some_and(|pair| carries_friction(problem, state, pair));
     let peak = |value: &dyn Fn(&EdgeRow) -> f64| {
         rows.iter()
             .zip(parameter)
@@ -284,16 +287,18 @@ fn summarise(
     let around_middle =
         |zone: &&Zone| zone.status == Status::Stick && zone.start <= 0.0 && zone.end >= 0.0;
     let middle = zones.iter().find(around_middle);
-    let stick = extent.map(|_| middle.map_or(0.0, |zone| share * (zone.end - zone.start)));
+    let stick = extent
+        .filter(|_| rubs)
+        .map(|_| middle.map_or(0.0, |zone| share * (zone.end - zone.start)));
     let double = if half { 2.0 } else { 1.0 };
     let (resultant, sums) = edge.pair.map_or_else(Default::default, |pair| {
-        let [x, y] = record.audit.resultants[pair];
+        let [x, y] = reported.audit.resultants[pair];
         let whole = match (half, edge.geometry.kind) {
             (false, _) => [x, y],
             (true, EdgeKind::Circle { .. }) => [2.0 * x, 0.0],
             (true, EdgeKind::Line) => [0.0, 2.0 * y],
         };
-        (whole, record.audit.friction[pair])
+        (whole, reported.audit.friction[pair])
     });
     let bearing =
         (0..rows.len()).min_by(|&a, &b| parameter[a].abs().total_cmp(&parameter[b].abs()));
@@ -301,7 +306,8 @@ fn summarise(
         contact_half_extent: extent,
         stick_half_extent: stick,
         peak_pressure: peak(&|row| row.pressure).filter(|_| extent.is_some()),
-        peak_hoop: peak(&|row| row.sigma_tangential),
+        peak_hoop: peak(&|row| row.sigma_tangential)
+            .filter(|_| rows.iter().any(|row| row.sigma_tangential != 0.0)),
         peak_hoop_uncertainty: cusp_uncertainty(&rows, &zones, parameter),
         hoop_at_bearing_point: bearing.map(|k| rows[k].sigma_tangential),
         resultant,

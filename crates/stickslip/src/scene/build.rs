@@ -23,6 +23,9 @@ use super::schema::{
 use crate::diagnostic::{Finding, SceneError, SceneProblem, nearest};
 use crate::units::{Measure, Quantity};
 
+/// Most sub-steps of a load step.
+const SUBSTEP_LIMIT: usize = 100_000;
+
 /// Which of a body's sets fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Fits {
@@ -222,8 +225,10 @@ impl Builder<'_> {
 
     fn analysis(&mut self, format: &SceneFormat) -> Analysis {
         let analysis = &format.analysis;
-        if analysis.substeps == 0 {
-            self.out_of_range("analysis.substeps", "0", "at least 1");
+        if !(1..=SUBSTEP_LIMIT).contains(&analysis.substeps) {
+            let allowed = format!("from 1 to {SUBSTEP_LIMIT}");
+            let given = analysis.substeps.to_string();
+            self.out_of_range("analysis.substeps", &given, allowed);
         }
         Analysis {
             plane: analysis.plane,

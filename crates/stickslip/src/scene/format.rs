@@ -277,7 +277,7 @@ pub(super) struct LoadFormat {
 #[derive(Debug, Clone, Deserialize, Serialize)]
 #[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
 pub(super) struct ForceFormat {
-    pub(super) direction: [f64; 2],
+    pub(super) direction: Vec<f64>,
     pub(super) steps: Vec<Quantity<Force>>,
 }
 

@@ -157,7 +157,7 @@ pub struct Contact {
     pub name: String,
     /// The edge that the normal points into: hole, or cylinder.
     pub first: SetRef,
-    /// The other edge: rim of the pin, or block.
+    /// The other edge: rim of a pin, outer edge of a ring, or block.
     pub second: SetRef,
     /// How the initial gap is computed.
     pub gap: GapKind,
@@ -297,6 +297,15 @@ pub struct PolarTable {
     pub radial: Vec<f64>,
     /// τ_rθ `[MPa]`.
     pub shear: Vec<f64>,
+}
+
+impl PolarTable {
+    /// Whether the table ends at π and so stands for a load symmetric about the x axis.
+    pub fn is_half(&self) -> bool {
+        self.theta
+            .last()
+            .is_some_and(|last| (last - std::f64::consts::PI).abs() < 1e-9)
+    }
 }
 
 /// What is written beside tables.

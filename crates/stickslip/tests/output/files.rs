@@ -161,7 +161,7 @@ fn field_files_are_xml_in_display_units() {
     for name in [
         "displacement [in]",
         "stress_xx [psi]",
-        "von_mises_plane [psi]",
+        "von_mises [psi]",
         "sigma_theta [psi]",
     ] {
         assert!(arrays.contains(&name), "{arrays:?}");
@@ -181,7 +181,7 @@ fn field_files_are_xml_in_display_units() {
     // 100 MPa in psi; two roundings.
     let stress = 100.0 * 25.4 * 25.4 / 4.448_221_615_260_5;
     assert!((largest("stress_xx [psi]") / stress - 1.0).abs() < 1e-15);
-    assert!((largest("von_mises_plane [psi]") / stress - 1.0).abs() < 1e-15);
+    assert!((largest("von_mises [psi]") / stress - 1.0).abs() < 1e-15);
 }
 
 /// The numbers of array `name`: base64 of a byte count of 8 bytes and little-endian doubles.

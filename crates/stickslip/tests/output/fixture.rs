@@ -183,6 +183,8 @@ fn step(index: usize, edges: &[EdgeGeometry], mesh: &Mesh) -> StepResults {
             moments: vec![0.0; 2],
             friction: vec![FrictionSum::default(); 2],
             balance: 3e-16,
+            unbalanced: 3e-13,
+            scale: 1000.0,
             gap_work: 0.0,
         },
         fields: if unloading {
@@ -204,6 +206,7 @@ fn fields(mesh: &Mesh) -> BodyFields {
             .flat_map(|node| [1e-3 * node[0], 0.0])
             .collect(),
         stress: vec![[100.0, 0.0, 0.0]; mesh.nodes().len()],
+        thickness_stress: vec![0.0; mesh.nodes().len()],
     }
 }
 

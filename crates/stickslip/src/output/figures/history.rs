@@ -128,8 +128,8 @@ pub(super) fn friction(view: &EdgeView<'_>) -> Attempt {
         chart = chart.with(series.style(SeriesStyle::Both));
     }
     let meaning = if view.is_circle() {
-        "q is the friction that holds the plate back from sliding away from the bearing point; where it is negative, unloading \
-         has turned it round. Where all slips under one coefficient μ the ratio is ±μ."
+        "q is positive where friction pulls the plate along the edge towards the bearing point, negative where it pulls away from \
+         it. Where all slips one way under one coefficient μ the ratio is ±μ."
     } else {
         "Q is the tangential force on the first body along +x, N the normal force; |Q/N| = μ means that all slips."
     };

@@ -6,9 +6,10 @@ use stickslip_report::chart::{Legend, LineChart, ReferenceLine, Series};
 use stickslip_report::color::Color;
 
 use super::edge::{TICK_INTERVALS, around_contact, place_axis};
-use super::{Attempt, zone_color, zone_name, zone_ranges};
+use super::{Attempt, zone_color, zone_name};
 use crate::output::display::{EdgeView, significant};
 use crate::output::loads::LoadScale;
+use crate::output::zones::zone_ranges;
 
 /// Width of the figure `[px]`.
 const WIDTH: f64 = 760.0;
