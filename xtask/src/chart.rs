@@ -193,5 +193,9 @@ fn draw(folder: &Path, charts: &Charts) -> Result<(), Trouble> {
     }
     save(folder, "paths", &figures::path_factors(&charts.factors)?)?;
     save(folder, "summary", &summary::seconds(charts)?)?;
-    save(folder, "peers-factorisations", &summary::factorisations(charts)?)
+    save(
+        folder,
+        "peers-factorisations",
+        &summary::factorisations(charts)?,
+    )
 }

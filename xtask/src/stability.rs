@@ -121,11 +121,19 @@ struct Findings {
 /// Runs the task: progress on stderr, a table of outcomes on stdout.
 pub(crate) fn main(options: &Options) -> ExitCode {
     let start = Instant::now();
-    let wanted = |study: &&Study| options.only.as_ref().is_none_or(|name| study.name.contains(name.as_str()));
+    let wanted = |study: &&Study| {
+        options
+            .only
+            .as_ref()
+            .is_none_or(|name| study.name.contains(name.as_str()))
+    };
     let chosen: Vec<&Study> = STUDIES.iter().filter(wanted).collect();
     if chosen.is_empty() {
         let names: Vec<&str> = STUDIES.iter().map(|study| study.name).collect();
-        eprintln!("no study has that in its name; the studies are {}", names.join(", "));
+        eprintln!(
+            "no study has that in its name; the studies are {}",
+            names.join(", ")
+        );
         return ExitCode::FAILURE;
     }
     let mut failures = Vec::new();
@@ -133,7 +141,11 @@ pub(crate) fn main(options: &Options) -> ExitCode {
     for study in chosen {
         match observe(study, options.quick) {
             Ok(findings) => {
-                let own = findings.failures.iter().cloned().chain(unanswered(&findings.rows));
+                let own = findings
+                    .failures
+                    .iter()
+                    .cloned()
+                    .chain(unanswered(&findings.rows));
                 failures.extend(own.map(|failure| format!("{}: {failure}", study.name)));
                 print!("{}", atlas::text(study, &findings));
                 results.push((study, findings));

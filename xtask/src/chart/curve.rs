@@ -52,11 +52,7 @@ pub(super) fn cost_of(points: &[Point], target: f64) -> Option<f64> {
 /// The Pareto front: the points that no other point beats in both cost and error, by cost.
 pub(super) fn front(curves: &[Vec<Point>]) -> Vec<Point> {
     let mut points: Vec<Point> = curves.iter().flat_map(|curve| settled(curve)).collect();
-    points.sort_by(|a, b| {
-        a.cost
-            .total_cmp(&b.cost)
-            .then(a.error.total_cmp(&b.error))
-    });
+    points.sort_by(|a, b| a.cost.total_cmp(&b.cost).then(a.error.total_cmp(&b.error)));
     let mut best = f64::INFINITY;
     points.retain(|point| {
         let better = point.error < best;

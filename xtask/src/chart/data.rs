@@ -115,7 +115,9 @@ pub(super) fn today() -> String {
 
 /// Year, month and day of the day `days` after 1970-01-01, in the Gregorian calendar.
 fn date(mut days: u64) -> [u64; 3] {
-    let leap = |year: u64| (year.is_multiple_of(4) && !year.is_multiple_of(100)) || year.is_multiple_of(400);
+    let leap = |year: u64| {
+        (year.is_multiple_of(4) && !year.is_multiple_of(100)) || year.is_multiple_of(400)
+    };
     let mut year = 1970;
     while days >= 365 + u64::from(leap(year)) {
         days -= 365 + u64::from(leap(year));

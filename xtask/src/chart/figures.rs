@@ -136,9 +136,7 @@ pub(super) fn overview(
             )
         })
         .collect();
-    Panels::new(group.title, 3, charts)
-        .common_legend()
-        .render()
+    Panels::new(group.title, 3, charts).common_legend().render()
 }
 
 /// What contact alone costs over the size of the model, in a panel for each problem.

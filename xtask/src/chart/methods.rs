@@ -109,7 +109,10 @@ pub(super) fn elements() -> Group {
 pub(super) fn gaps() -> Group {
     let mut methods = Vec::new();
     for element in [ElementKind::Q8, ElementKind::Q4] {
-        for (name, gap) in [("true gap", Gap::Exact), ("gap between facets", Gap::Faceted)] {
+        for (name, gap) in [
+            ("true gap", Gap::Exact),
+            ("gap between facets", Gap::Faceted),
+        ] {
             let method = Method {
                 gap,
                 ..Method::element(element)
@@ -149,9 +152,8 @@ pub(super) fn direct_solvers() -> Group {
 /// All other solvers of the table: they approach the answer.
 pub(super) fn iterative_solvers() -> Group {
     let others = table::methods().into_iter().map(|method| method.name);
-    let iterative = others.filter(|name| {
-        *name != table::CHAIN && !DIRECT.contains(name) && !LEFT_OUT.contains(name)
-    });
+    let iterative = others
+        .filter(|name| *name != table::CHAIN && !DIRECT.contains(name) && !LEFT_OUT.contains(name));
     solvers(
         "solvers-iterative",
         "Solvers that approach the answer",

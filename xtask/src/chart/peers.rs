@@ -160,7 +160,10 @@ pub(super) fn read(path: &Path) -> Result<Vec<PeerRun>, Trouble> {
         .comment(Some(b'#'))
         .from_path(path)
         .map_err(trouble)?;
-    reader.deserialize().collect::<Result<_, _>>().map_err(trouble)
+    reader
+        .deserialize()
+        .collect::<Result<_, _>>()
+        .map_err(trouble)
 }
 
 /// Runs the programs that are installed and puts their rows in place of those they had.
@@ -218,7 +221,10 @@ mod tests {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/charts/peers.csv");
         let runs = read(&path).unwrap();
         assert!(runs.len() > 40);
-        assert!(runs.iter().all(|run| run.seconds() > 0.0 && run.yardstick_s > 0.0));
+        assert!(
+            runs.iter()
+                .all(|run| run.seconds() > 0.0 && run.yardstick_s > 0.0)
+        );
         assert!(runs.iter().filter_map(PeerRun::error).count() > 30);
     }
 

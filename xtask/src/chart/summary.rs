@@ -61,11 +61,22 @@ fn panels(
             } else {
                 format!("Friction, μ = {mu}")
             };
-            let axes = [Axis::log(cost), Axis::log("Relative error of the peak pressure")];
+            let axes = [
+                Axis::log(cost),
+                Axis::log("Relative error of the peak pressure"),
+            ];
             let [x, y] = axes;
             let mut chart = LineChart::new(name, x, y).size(WIDTH, ASPECT);
             for (index, (label, enforcement)) in OWN.into_iter().enumerate() {
-                chart = chart.with(own(charts, mu, problem, enforcement, own_unit, label, index));
+                chart = chart.with(own(
+                    charts,
+                    mu,
+                    problem,
+                    enforcement,
+                    own_unit,
+                    label,
+                    index,
+                ));
             }
             for family in &families {
                 let points = charts
@@ -93,7 +104,10 @@ fn panels(
 
 const OWN: [(&str, Enforcement); 2] = [
     ("stickslip, Q8 (condensed, default)", Enforcement::DEFAULT),
-    ("stickslip, Q8 (conventional Newton)", Enforcement::Conventional),
+    (
+        "stickslip, Q8 (conventional Newton)",
+        Enforcement::Conventional,
+    ),
 ];
 
 /// This program's curve, with errors no smaller than the reference is known.

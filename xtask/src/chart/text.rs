@@ -132,7 +132,11 @@ fn duel_row(duel: &Duel) -> String {
 }
 
 fn paths_sentence(charts: &Charts) -> String {
-    let factors: Vec<f64> = charts.factors.iter().map(super::PathFactor::factor).collect();
+    let factors: Vec<f64> = charts
+        .factors
+        .iter()
+        .map(super::PathFactor::factor)
+        .collect();
     let least = factors.iter().copied().fold(f64::INFINITY, f64::min);
     let most = factors.iter().copied().fold(0.0, f64::max);
     if factors.is_empty() {
@@ -210,9 +214,11 @@ fn elements(page: &mut String, bench: &Bench) {
             let mut cells = vec![problem.title().to_owned(), quantity.name().to_owned()];
             for target in TARGETS {
                 let order = ranking(bench, problem, &group, Cost::Whole, quantity, target);
-                cells.push(order.first().map_or_else(none, |(label, cost)| {
-                    format!("{label}, {}", seconds(*cost))
-                }));
+                cells.push(
+                    order
+                        .first()
+                        .map_or_else(none, |(label, cost)| format!("{label}, {}", seconds(*cost))),
+                );
                 cells.push(match order.as_slice() {
                     [first, second, ..] => {
                         format!("{} × {}", second.0, number(second.1 / first.1))
@@ -221,9 +227,11 @@ fn elements(page: &mut String, bench: &Bench) {
                 });
             }
             let sparse = ranking(bench, problem, &group, Cost::Unknowns, quantity, TARGETS[1]);
-            cells.push(sparse.first().map_or_else(none, |(label, cost)| {
-                format!("{label}, {}", cost.round())
-            }));
+            cells.push(
+                sparse
+                    .first()
+                    .map_or_else(none, |(label, cost)| format!("{label}, {}", cost.round())),
+            );
             let _ = writeln!(page, "| {} |", cells.join(" | "));
         }
     }

@@ -21,7 +21,10 @@ fn counts(rows: &[Row]) -> Vec<(&'static str, Vec<(Outcome, usize)>)> {
             .iter()
             .position(|(method, _)| *method == row.method)
             .unwrap_or_else(|| {
-                counts.push((row.method, Outcome::ALL.map(|outcome| (outcome, 0)).to_vec()));
+                counts.push((
+                    row.method,
+                    Outcome::ALL.map(|outcome| (outcome, 0)).to_vec(),
+                ));
                 counts.len() - 1
             });
         for (outcome, count) in &mut counts[index].1 {
@@ -64,12 +67,21 @@ pub(super) fn write(
     fs::create_dir_all(folder)?;
     for (study, findings) in results {
         for (suffix, table) in &findings.tables {
-            write_atomic(&folder.join(format!("{}{suffix}.csv", study.name)), table.as_bytes())?;
+            write_atomic(
+                &folder.join(format!("{}{suffix}.csv", study.name)),
+                table.as_bytes(),
+            )?;
         }
         for (suffix, picture, _) in &findings.pictures {
             let name = format!("{}{suffix}", study.name);
-            write_atomic(&folder.join(format!("{name}.svg")), picture.as_str().as_bytes())?;
-            write_atomic(&folder.join(format!("{name}.png")), &to_png(picture, DEFAULT_SCALE)?)?;
+            write_atomic(
+                &folder.join(format!("{name}.svg")),
+                picture.as_str().as_bytes(),
+            )?;
+            write_atomic(
+                &folder.join(format!("{name}.png")),
+                &to_png(picture, DEFAULT_SCALE)?,
+            )?;
         }
     }
     if complete {
@@ -116,10 +128,15 @@ fn page(results: &[(&Study, Findings)]) -> String {
 /// The counts of the default chain and the remarks of the study.
 fn happened(findings: &Findings) -> String {
     let mut sentences = Vec::new();
-    let own = counts(&findings.rows).into_iter().find(|(method, _)| *method == CHAIN);
+    let own = counts(&findings.rows)
+        .into_iter()
+        .find(|(method, _)| *method == CHAIN);
     if let Some((_, list)) = own {
         let total: usize = list.iter().map(|(_, count)| count).sum();
-        sentences.push(format!("Of {total} problems the default chain has {}.", listed(&list)));
+        sentences.push(format!(
+            "Of {total} problems the default chain has {}.",
+            listed(&list)
+        ));
     }
     sentences.extend(findings.remarks.iter().cloned());
     sentences.join(" ")

@@ -33,7 +33,9 @@ const KINDS: [(&str, &str); 3] = [
 fn run(context: &Context) -> Result<Findings, Trouble> {
     let values: &[f64] = context.sized(
         &[-1e-3, 0.0, 1e-8, 1e-4, 1e-2],
-        &[-1e-3, -1e-4, -1e-5, -1e-6, -1e-8, 0.0, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1],
+        &[
+            -1e-3, -1e-4, -1e-5, -1e-6, -1e-8, 0.0, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1,
+        ],
     );
     let [coarse, fine] = context.sized(["9 deg", "4.5 deg"], ["4.5 deg", "1.125 deg"]);
     let mut rows = context.rows_of(values, |&clearance| {
@@ -42,7 +44,9 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
         let mut rows = stages.rows(METHODS, clearance, &methods());
         let reference = peaks(clearance, fine, "exact")?;
         for (name, kind) in KINDS {
-            let error = peaks(clearance, coarse, kind)?.zip(reference).map(|(own, fine)| (own / fine - 1.0).abs());
+            let error = peaks(clearance, coarse, kind)?
+                .zip(reference)
+                .map(|(own, fine)| (own / fine - 1.0).abs());
             rows.push(Row {
                 case: GAPS.into(),
                 value: clearance,
@@ -67,26 +71,39 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
     )?;
     let chart = chart(&rows)?;
     let error = |kind: &str, at: f64| {
-        let own = rows.iter().find(|row| row.method == kind && row.value == at);
+        let own = rows
+            .iter()
+            .find(|row| row.method == kind && row.value == at);
         100.0 * own.and_then(|row| row.error).unwrap_or(f64::NAN)
     };
     let largest = values[values.len() - 1];
-    let remarks = vec![format!(
-        "At c/R = {} the peak pressure at 1240 lbf is off by {:.2} % with the gap of the circles, {:.2} % with the linearised one \
+    let remarks = vec![
+        format!(
+            "At c/R = {} the peak pressure at 1240 lbf is off by {:.2} % with the gap of the circles, {:.2} % with the linearised one \
          and {:.2} % with that between nodes; at 10⁻⁴ by {:.2} %, {:.2} % and {:.2} %.",
-        power(largest),
-        error(KINDS[0].0, largest),
-        error(KINDS[1].0, largest),
-        error(KINDS[2].0, largest),
-        error(KINDS[0].0, 1e-4),
-        error(KINDS[1].0, 1e-4),
-        error(KINDS[2].0, 1e-4),
-    ), neat_fit(&rows)];
+            power(largest),
+            error(KINDS[0].0, largest),
+            error(KINDS[1].0, largest),
+            error(KINDS[2].0, largest),
+            error(KINDS[0].0, 1e-4),
+            error(KINDS[1].0, 1e-4),
+            error(KINDS[2].0, 1e-4),
+        ),
+        neat_fit(&rows),
+    ];
     Ok(Findings {
         tables: vec![("", csv("clearance_over_radius", &rows))],
         pictures: vec![
-            ("", picture, "Outcome of each method over the clearance".into()),
-            ("-gap", chart, "Error of the peak pressure over the clearance for three gaps".into()),
+            (
+                "",
+                picture,
+                "Outcome of each method over the clearance".into(),
+            ),
+            (
+                "-gap",
+                chart,
+                "Error of the peak pressure over the clearance for three gaps".into(),
+            ),
         ],
         remarks,
         rows,
@@ -100,7 +117,10 @@ fn joint(clearance: f64, spacing: &str, gap: &str) -> Result<Joint, Trouble> {
         "pin-benchmark",
         &set(&[
             ("mesh.spacing", spacing.into()),
-            ("bodies.pin.shape.disk.radius", format!("\"{radius:.17} in\"")),
+            (
+                "bodies.pin.shape.disk.radius",
+                format!("\"{radius:.17} in\""),
+            ),
             ("contacts.0.interference", (clearance < 0.0).to_string()),
             ("contacts.0.gap", format!("\"{gap}\"")),
         ]),
@@ -115,7 +135,9 @@ fn peaks(clearance: f64, spacing: &str, gap: &str) -> Result<Option<f64>, Troubl
     let answer = stages.list.get(3).and_then(|stage| stage.answer.as_ref());
     Ok(answer.map(|trial| {
         let pressure = |k: usize| trial.forces[2 * k] / problem.points()[k].area;
-        (0..problem.points().len()).map(pressure).fold(0.0, f64::max)
+        (0..problem.points().len())
+            .map(pressure)
+            .fold(0.0, f64::max)
     }))
 }
 
@@ -124,7 +146,12 @@ fn neat_fit(rows: &[Row]) -> String {
     let failed: Vec<&str> = rows
         .iter()
         .filter(near)
-        .filter(|row| matches!(row.outcome, Outcome::Cycled | Outcome::Stopped | Outcome::Wrong))
+        .filter(|row| {
+            matches!(
+                row.outcome,
+                Outcome::Cycled | Outcome::Stopped | Outcome::Wrong
+            )
+        })
         .map(|row| row.method)
         .collect();
     let mut names = failed.clone();
@@ -134,7 +161,10 @@ fn neat_fit(rows: &[Row]) -> String {
     if names.is_empty() {
         "At and near the neat fit no method fails.".into()
     } else {
-        format!("At and near the neat fit (|c|/R ≤ 10⁻⁶) fail: {}.", names.join(", "))
+        format!(
+            "At and near the neat fit (|c|/R ≤ 10⁻⁶) fail: {}.",
+            names.join(", ")
+        )
     }
 }
 
@@ -146,8 +176,12 @@ fn chart(rows: &[Row]) -> Result<stickslip_report::svg::Svg, Trouble> {
     )
     .subtitle("Against the gap of the true circles on a four times finer mesh.");
     for (name, _) in KINDS {
-        let own = rows.iter().filter(|row| row.method == name && row.value > 0.0);
-        let points = own.filter_map(|row| Some([row.value, row.error?])).collect();
+        let own = rows
+            .iter()
+            .filter(|row| row.method == name && row.value > 0.0);
+        let points = own
+            .filter_map(|row| Some([row.value, row.error?]))
+            .collect();
         chart = chart.with(Series::new(name, points).style(SeriesStyle::Both));
     }
     Ok(chart.render()?)

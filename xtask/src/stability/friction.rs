@@ -34,7 +34,9 @@ const HELD: f64 = 1e-6;
 
 fn run(context: &Context) -> Result<Findings, Trouble> {
     let count = context.sized(6, 30);
-    let values: Vec<f64> = (0..=count).map(|k| 3.0 * f64::from(k) / f64::from(count)).collect();
+    let values: Vec<f64> = (0..=count)
+        .map(|k| 3.0 * f64::from(k) / f64::from(count))
+        .collect();
     let spacing = context.sized("18 deg", "9 deg");
     let pin = Joint::of_scene("pin-benchmark", &set(&[("mesh.spacing", spacing.into())]))?;
     let nodes = context.sized(5, 13);
@@ -46,16 +48,32 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
         rows.extend(alone(WEDGED, mu, &discrete::wedged(mu), &methods));
         let punch = discrete::flat_punch(nodes, mu)?;
         let push = punch.multipliers[1];
-        let loads: Vec<Vec<f64>> = [0.0, 1.0, -1.0].map(|share| vec![1.0, share * push]).to_vec();
+        let loads: Vec<Vec<f64>> = [0.0, 1.0, -1.0]
+            .map(|share| vec![1.0, share * push])
+            .to_vec();
         let loads = [loads, vec![vec![0.0, 0.0]]].concat();
-        rows.extend(followed(PUNCH, mu, &Stages::follow(&punch.problem, &loads), &methods));
+        rows.extend(followed(
+            PUNCH,
+            mu,
+            &Stages::follow(&punch.problem, &loads),
+            &methods,
+        ));
         let problem = pin.problem_with(coulomb(mu)?)?;
         let loads = [pin.loads.clone(), vec![vec![0.0; problem.load_cases()]]].concat();
-        rows.extend(followed(PIN, mu, &Stages::follow(&problem, &loads), &methods));
+        rows.extend(followed(
+            PIN,
+            mu,
+            &Stages::follow(&problem, &loads),
+            &methods,
+        ));
         Ok(rows)
     })?;
     // Case by case, for the table.
-    rows.sort_by_key(|row| [PUSHED, WEDGED, PUNCH, PIN].iter().position(|case| *case == row.case));
+    rows.sort_by_key(|row| {
+        [PUSHED, WEDGED, PUNCH, PIN]
+            .iter()
+            .position(|case| *case == row.case)
+    });
     let bounds = bounds(nodes, &pin)?;
     let name = |bound: f64, exact: bool| {
         let sign = if exact { "=" } else { "≈" };
@@ -78,7 +96,11 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
     Ok(Findings {
         remarks: remarks(&rows, &dividers),
         tables: vec![("", super::row::csv("mu", &rows))],
-        pictures: vec![("", picture, "Outcome of each method over the coefficient of friction".into())],
+        pictures: vec![(
+            "",
+            picture,
+            "Outcome of each method over the coefficient of friction".into(),
+        )],
         rows,
         ..Findings::default()
     })
@@ -95,8 +117,14 @@ fn bounds(nodes: usize, pin: &Joint) -> Result<Vec<(&'static str, f64, bool)>, T
     let problem = pin.problem_with(coulomb(0.3)?)?;
     let pulled = Stages::follow(&problem, &pin.loads[..4]);
     for (case, problem, stages) in [(PUNCH, &punch.problem, &pressed), (PIN, &problem, &pulled)] {
-        let bound = stages.last().and_then(|answer| uniqueness_bound(problem, &answer.status));
-        bounds.extend(bound.filter(|bound| bound.is_finite()).map(|bound| (case, bound, false)));
+        let bound = stages
+            .last()
+            .and_then(|answer| uniqueness_bound(problem, &answer.status));
+        bounds.extend(
+            bound
+                .filter(|bound| bound.is_finite())
+                .map(|bound| (case, bound, false)),
+        );
     }
     Ok(bounds)
 }
@@ -121,12 +149,25 @@ fn alone(case: &str, mu: f64, given: &Discrete, methods: &[Method]) -> Vec<Row> 
 fn followed(case: &str, mu: f64, stages: &Stages, methods: &[Method]) -> Vec<Row> {
     let mut rows = stages.rows(case, mu, methods);
     let forces = |trial: &stickslip_contact::state::TrialState| trial.forces.amax();
-    let largest = stages.list.iter().filter_map(|stage| stage.answer.as_ref()).map(forces).fold(0.0, f64::max);
-    let unloaded = stages.list.last().filter(|stage| stage.given.multipliers.iter().all(|&load| load == 0.0));
-    let left = unloaded.and_then(|stage| stage.answer.as_ref()).map_or(0.0, forces);
+    let largest = stages
+        .list
+        .iter()
+        .filter_map(|stage| stage.answer.as_ref())
+        .map(forces)
+        .fold(0.0, f64::max);
+    let unloaded = stages
+        .list
+        .last()
+        .filter(|stage| stage.given.multipliers.iter().all(|&load| load == 0.0));
+    let left = unloaded
+        .and_then(|stage| stage.answer.as_ref())
+        .map_or(0.0, forces);
     if left > HELD * largest {
         for row in rows.iter_mut().filter(|row| row.method == CHAIN) {
-            row.note = format!("wedged: {:.2} of the largest contact force is left without load", left / largest);
+            row.note = format!(
+                "wedged: {:.2} of the largest contact force is left without load",
+                left / largest
+            );
         }
     }
     rows
@@ -142,18 +183,32 @@ fn remarks(rows: &[Row], dividers: &[(String, f64, String)]) -> Vec<String> {
     };
     for case in [PUNCH, PIN] {
         remarks.push(match wedged(case) {
-            Some(mu) => format!("{}: stays wedged without load from μ = {mu:.1}.", capital(case)),
+            Some(mu) => format!(
+                "{}: stays wedged without load from μ = {mu:.1}.",
+                capital(case)
+            ),
             None => format!("{}: no state held without load was met.", capital(case)),
         });
     }
-    let bound = |case: &str| dividers.iter().find(|(of, _, _)| of == case).map_or(f64::INFINITY, |(_, bound, _)| *bound);
+    let bound = |case: &str| {
+        dividers
+            .iter()
+            .find(|(of, _, _)| of == case)
+            .map_or(f64::INFINITY, |(_, bound, _)| *bound)
+    };
     let first = |failing: &dyn Fn(&Row) -> bool| {
-        rows.iter().filter(|row| failing(row)).map(|row| row.value).reduce(f64::min)
+        rows.iter()
+            .filter(|row| failing(row))
+            .map(|row| row.value)
+            .reduce(f64::min)
     };
     for method in ["status iteration", "Tresca fixed point"] {
-        let failing = |row: &Row| row.method == method && row.case == PIN && !row.outcome.is_answer();
+        let failing =
+            |row: &Row| row.method == method && row.case == PIN && !row.outcome.is_answer();
         if let Some(mu) = first(&failing) {
-            remarks.push(format!("On the pin the {method} first fails at μ = {mu:.1}."));
+            remarks.push(format!(
+                "On the pin the {method} first fails at μ = {mu:.1}."
+            ));
         }
     }
     let several = |row: &Row| row.outcome == Outcome::Other && row.value < bound(&row.case);
@@ -164,7 +219,7 @@ fn remarks(rows: &[Row], dividers: &[(String, f64, String)]) -> Vec<String> {
 
 fn capital(text: &str) -> String {
     let mut characters = text.chars();
-    characters
-        .next()
-        .map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
+    characters.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(characters).collect()
+    })
 }

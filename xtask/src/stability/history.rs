@@ -42,7 +42,9 @@ impl Stages {
                 .solve(&given.step())
                 .ok()
                 .map(|solution| solution.trial);
-            let next = answer.as_ref().map(|trial| commit(&state, trial, multipliers));
+            let next = answer
+                .as_ref()
+                .map(|trial| commit(&state, trial, multipliers));
             list.push(Stage { given, answer });
             match next {
                 Some(next) => state = next,
@@ -69,6 +71,9 @@ impl Stages {
 
     /// The last answer.
     pub(crate) fn last(&self) -> Option<&TrialState> {
-        self.list.iter().rev().find_map(|stage| stage.answer.as_ref())
+        self.list
+            .iter()
+            .rev()
+            .find_map(|stage| stage.answer.as_ref())
     }
 }

@@ -52,7 +52,10 @@ impl Joint {
     }
 
     /// The interface problem with friction `law` in every contact.
-    pub(crate) fn problem_with(&self, law: Arc<dyn FrictionLaw>) -> Result<InterfaceProblem, Trouble> {
+    pub(crate) fn problem_with(
+        &self,
+        law: Arc<dyn FrictionLaw>,
+    ) -> Result<InterfaceProblem, Trouble> {
         let faces: Vec<&dyn InterfaceOperator> =
             self.operators.iter().map(Operator::interface).collect();
         let mut pairs = self.pairs.clone();

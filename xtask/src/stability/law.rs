@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use stickslip_contact::solver::InterfaceSolver;
 use stickslip_contact::Chain;
+use stickslip_contact::solver::InterfaceSolver;
 use stickslip_friction::{FrictionLaw, SlipPath, SlipPower, StaticDynamic, Transition};
 
 use super::history::Stages;
@@ -48,16 +48,26 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
                 if row.method == CHAIN && doubtful > 0 {
                     row.note = format!("at most {doubtful} points may as well slip; {}", row.note);
                 }
-                row.note = format!("{value}; {}", row.note).trim_end_matches([';', ' ']).to_owned();
+                row.note = format!("{value}; {}", row.note)
+                    .trim_end_matches([';', ' '])
+                    .to_owned();
                 rows.push(row);
             }
         }
         Ok(rows)
     })?;
     let mut rows = parts;
-    rows.sort_by_key(|row| [DROP, LAGGED, SOFTENING].iter().position(|case| *case == row.case));
+    rows.sort_by_key(|row| {
+        [DROP, LAGGED, SOFTENING]
+            .iter()
+            .position(|case| *case == row.case)
+    });
     let label = |column: f64| {
-        format!("{:.1} | {}", 1.0 - column / 10.0, super::picture::power(slip_scale(column as usize)))
+        format!(
+            "{:.1} | {}",
+            1.0 - column / 10.0,
+            super::picture::power(slip_scale(column as usize))
+        )
     };
     let picture = map(
         &rows,
@@ -69,24 +79,37 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
             dividers: &[],
         },
     )?;
-    let several = rows.iter().filter(|row| row.method == CHAIN && row.note.contains("may as well slip")).count();
+    let several = rows
+        .iter()
+        .filter(|row| row.method == CHAIN && row.note.contains("may as well slip"))
+        .count();
     let unanswered: Vec<String> = rows
         .iter()
         .filter(|row| row.method == CHAIN && !row.outcome.is_answer())
         .map(|row| format!("{}: {}", row.case, row.note))
         .collect();
-    let others = rows.iter().filter(|row| row.outcome == Outcome::Other).count();
+    let others = rows
+        .iter()
+        .filter(|row| row.outcome == Outcome::Other)
+        .count();
     let mut remarks = vec![format!(
         "In {several} of {} histories some points could as well slip; other methods then end in another valid answer {others} times.",
         rows.iter().filter(|row| row.method == CHAIN).count()
     )];
     if !unanswered.is_empty() {
-        remarks.push(format!("The default chain ends without an answer in {} histories.", unanswered.len()));
+        remarks.push(format!(
+            "The default chain ends without an answer in {} histories.",
+            unanswered.len()
+        ));
     }
     Ok(Findings {
         remarks,
         tables: vec![("", csv("column", &rows))],
-        pictures: vec![("", picture, "Outcome of each method over the drop and the slope of friction".into())],
+        pictures: vec![(
+            "",
+            picture,
+            "Outcome of each method over the drop and the slope of friction".into(),
+        )],
         rows,
         ..Findings::default()
     })
@@ -101,8 +124,14 @@ fn law(case: &str, column: usize) -> Result<(String, Arc<dyn FrictionLaw>), Trou
     let share = 1.0 - column as f64 / 10.0;
     let drop = |transition| StaticDynamic::new(STATIC, share * STATIC, transition);
     Ok(match case {
-        DROP => (format!("mu_d/mu_s = {share:.1}"), Arc::new(drop(Transition::Drop)?)),
-        LAGGED => (format!("mu_d/mu_s = {share:.1}"), Arc::new(drop(Transition::Lagged)?)),
+        DROP => (
+            format!("mu_d/mu_s = {share:.1}"),
+            Arc::new(drop(Transition::Drop)?),
+        ),
+        LAGGED => (
+            format!("mu_d/mu_s = {share:.1}"),
+            Arc::new(drop(Transition::Lagged)?),
+        ),
         _ => {
             let scale = slip_scale(column);
             let law = SlipPower::new(STATIC, DYNAMIC, scale, 1.0, SlipPath::Current)?;
@@ -114,6 +143,10 @@ fn law(case: &str, column: usize) -> Result<(String, Arc<dyn FrictionLaw>), Trou
 /// Largest number of points of a step that stick although slip would be admissible too.
 fn doubtful(stages: &Stages) -> usize {
     let chain = Chain::default();
-    let count = |stage: &super::history::Stage| chain.solve(&stage.given.step()).map_or(0, |solution| solution.doubtful);
+    let count = |stage: &super::history::Stage| {
+        chain
+            .solve(&stage.given.step())
+            .map_or(0, |solution| solution.doubtful)
+    };
     stages.list.iter().map(count).max().unwrap_or(0)
 }

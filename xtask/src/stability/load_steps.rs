@@ -51,12 +51,20 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
     for case in 0..cases.len() {
         for &number in numbers {
             let fast = |method: &Method| number <= MANY || FAST.contains(&method.name);
-            jobs.extend(methods().into_iter().filter(fast).map(|method| (case, number, method)));
+            jobs.extend(
+                methods()
+                    .into_iter()
+                    .filter(fast)
+                    .map(|method| (case, number, method)),
+            );
         }
     }
     // The longest first, so that both cores end together.
     jobs.sort_by_key(|(_, number, _)| usize::MAX - number);
-    let unit = pin.loads[3].iter().map(|load| load / LIMIT_LBF).collect::<Vec<_>>();
+    let unit = pin.loads[3]
+        .iter()
+        .map(|load| load / LIMIT_LBF)
+        .collect::<Vec<_>>();
     let ends = std::sync::Mutex::new(Vec::new());
     let mut rows = context.rows_of(&jobs, |(case, number, method)| {
         let (row, end) = follow(&cases[*case], *number, &unit, method);
@@ -68,16 +76,24 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
     let ends = ends.into_inner().map_err(|_| "a history panicked")?;
     let finest = numbers[numbers.len() - 1];
     for row in &mut rows {
-        let Some(case) = cases.iter().position(|case| case.name == row.case) else { continue };
+        let Some(case) = cases.iter().position(|case| case.name == row.case) else {
+            continue;
+        };
         let end = |number: usize, method: &str| {
-            let found = |(c, n, m, _): &&(usize, usize, &str, TrialState)| *c == case && *n == number && *m == method;
+            let found = |(c, n, m, _): &&(usize, usize, &str, TrialState)| {
+                *c == case && *n == number && *m == method
+            };
             ends.iter().find(found).map(|(_, _, _, trial)| trial)
         };
         row.error = end(row.value as usize, row.method)
             .zip(end(finest, CHAIN))
             .map(|(trial, limit)| distance(&trial.forces, &limit.forces, 0.0));
     }
-    let order = |row: &Row| methods().iter().position(|method| method.name == row.method);
+    let order = |row: &Row| {
+        methods()
+            .iter()
+            .position(|method| method.name == row.method)
+    };
     rows.sort_by(|a, b| {
         let place = |row: &Row| cases.iter().position(|case| case.name == row.case);
         (place(a), a.value as usize, order(a)).cmp(&(place(b), b.value as usize, order(b)))
@@ -159,7 +175,9 @@ fn findings(rows: Vec<Row>, cases: &[Case]) -> Result<Findings, Trouble> {
         },
     )?;
     let curve = |case: &str| {
-        let own = rows.iter().filter(|row| row.case == case && row.method == CHAIN);
+        let own = rows
+            .iter()
+            .filter(|row| row.case == case && row.method == CHAIN);
         let points: Vec<[f64; 2]> = own
             .filter_map(|row| Some([row.value, row.error?]))
             .filter(|point| point[1] > 0.0)
@@ -196,8 +214,16 @@ fn findings(rows: Vec<Row>, cases: &[Case]) -> Result<Findings, Trouble> {
     Ok(Findings {
         tables: vec![("", csv("steps_per_leg", &rows))],
         pictures: vec![
-            ("", picture, "Outcome of each method over the number of load steps".into()),
-            ("-limit", chart.render()?, "Error of a history over the number of its load steps".into()),
+            (
+                "",
+                picture,
+                "Outcome of each method over the number of load steps".into(),
+            ),
+            (
+                "-limit",
+                chart.render()?,
+                "Error of a history over the number of its load steps".into(),
+            ),
         ],
         remarks,
         rows,

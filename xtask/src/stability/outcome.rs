@@ -88,11 +88,7 @@ impl Outcome {
                 "2",
                 Color::rgb(0x2a, 0x7f, 0xb8),
             ),
-            Self::Certified => (
-                "proved: no solution",
-                "∅",
-                Color::rgb(0x4d, 0xa3, 0x72),
-            ),
+            Self::Certified => ("proved: no solution", "∅", Color::rgb(0x4d, 0xa3, 0x72)),
             Self::Approximate => ("within 1 %", "~", Color::rgb(0xc9, 0xe5, 0xc0)),
             Self::Inaccurate => ("off by more than 1 %", "≈", Color::rgb(0xf2, 0xd9, 0x6b)),
             Self::NotTried => ("too large for the method", "", Color::rgb(0xe4, 0xe4, 0xe4)),
@@ -152,7 +148,9 @@ fn judge_solution(
         outcome = regularised(error, violation);
     } else if outcome == Outcome::Solved && !listed && solution.stop == Stop::Verified {
         (outcome, note) = (Outcome::Wrong, "not among all solutions".into());
-    } else if outcome == Outcome::Solved && error.is_some_and(|error| error > SAME.max(10.0 * violation)) {
+    } else if outcome == Outcome::Solved
+        && error.is_some_and(|error| error > SAME.max(10.0 * violation))
+    {
         outcome = Outcome::Other;
     }
     Row {
@@ -194,7 +192,10 @@ fn judge_failure(method: &Method, answer: Option<&TrialState>, failure: &StepFai
     let last = failure.attempts.last().map(|(_, cause)| cause);
     let (outcome, note) = if proves_none(failure) {
         if answer.is_some() {
-            (Outcome::Wrong, "claims a proof, but there is a solution".into())
+            (
+                Outcome::Wrong,
+                "claims a proof, but there is a solution".into(),
+            )
         } else {
             (Outcome::Certified, failure.to_string())
         }
@@ -222,7 +223,8 @@ pub(crate) fn proves_none(failure: &StepFailure) -> bool {
     failure.attempts.iter().any(|(_, cause)| {
         matches!(
             cause,
-            FailureCause::Unbalanced { proved: true, .. } | FailureCause::NoSolution { proved: true, .. }
+            FailureCause::Unbalanced { proved: true, .. }
+                | FailureCause::NoSolution { proved: true, .. }
         )
     })
 }
@@ -232,7 +234,11 @@ pub(crate) fn proves_none(failure: &StepFailure) -> bool {
 pub(crate) fn distance(forces: &DVector<f64>, answer: &DVector<f64>, floor: f64) -> f64 {
     let scale = answer.amax().max(floor).max(1e-6 * forces.amax());
     let difference = (forces - answer).amax();
-    if scale > 0.0 { difference / scale } else { difference }
+    if scale > 0.0 {
+        difference / scale
+    } else {
+        difference
+    }
 }
 
 /// The row of an answer that is judged by its conditions alone.

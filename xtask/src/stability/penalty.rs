@@ -31,9 +31,15 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
     let rows = context.rows_of(&exponents, |&exponent| {
         let factor = 10.0_f64.powi(exponent);
         let springs = Penalty { factor };
-        let multipliers = AugmentedLagrangian { factor, ..AugmentedLagrangian::default() };
+        let multipliers = AugmentedLagrangian {
+            factor,
+            ..AugmentedLagrangian::default()
+        };
         let method = |name, solver: Box<dyn InterfaceSolver>| Method { name, solver };
-        let methods = [method(PENALTY, Box::new(springs)), method(AUGMENTED, Box::new(multipliers))];
+        let methods = [
+            method(PENALTY, Box::new(springs)),
+            method(AUGMENTED, Box::new(multipliers)),
+        ];
         Ok(stages.rows("pin in a plate, 14 steps", factor, &methods))
     })?;
     let picture = map(
@@ -59,22 +65,40 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
     let chart = |title: &str, label: &str, series: [Series; 2]| {
         let [penalty, augmented] = series;
         let x = Axis::log("stiffness of the springs over the body's own [1]");
-        LineChart::new(title, x, Axis::log(label)).with(penalty).with(augmented)
+        LineChart::new(title, x, Axis::log(label))
+            .with(penalty)
+            .with(augmented)
     };
     let panels = Panels::new(
         "Accuracy on one side, conditioning on the other",
         2,
         vec![
-            chart("Error", "error of the contact forces over the largest [1]", series(&|row| row.error)),
-            chart("Iterations", "solves and updates per load step [1]", series(&|row| Some(row.iterations() as f64 / steps))),
+            chart(
+                "Error",
+                "error of the contact forces over the largest [1]",
+                series(&|row| row.error),
+            ),
+            chart(
+                "Iterations",
+                "solves and updates per load step [1]",
+                series(&|row| Some(row.iterations() as f64 / steps)),
+            ),
         ],
     );
     Ok(Findings {
         remarks: remarks(&rows, steps),
         tables: vec![("", csv("stiffness", &rows))],
         pictures: vec![
-            ("", picture, "Outcome of penalty and augmented Lagrangian over the stiffness".into()),
-            ("-error", panels.render()?, "Error and iterations over the stiffness of the springs".into()),
+            (
+                "",
+                picture,
+                "Outcome of penalty and augmented Lagrangian over the stiffness".into(),
+            ),
+            (
+                "-error",
+                panels.render()?,
+                "Error and iterations over the stiffness of the springs".into(),
+            ),
         ],
         rows,
         ..Findings::default()
@@ -86,14 +110,19 @@ fn remarks(rows: &[Row], steps: f64) -> Vec<String> {
     let best = penalty
         .filter_map(|row| Some((row.value, row.error?)))
         .min_by(|a, b| a.1.total_cmp(&b.1));
-    let augmented = rows.iter().filter(|row| row.method == AUGMENTED && row.outcome.is_answer());
+    let augmented = rows
+        .iter()
+        .filter(|row| row.method == AUGMENTED && row.outcome.is_answer());
     let fewest = augmented
         .clone()
         .map(|row| (row.value, row.iterations() as f64 / steps))
         .min_by(|a, b| a.1.total_cmp(&b.1));
     let mut remarks = Vec::new();
     if let Some((factor, error)) = best {
-        remarks.push(format!("The penalty is best at {}, where the contact forces are off by {error:.0e}.", power(factor)));
+        remarks.push(format!(
+            "The penalty is best at {}, where the contact forces are off by {error:.0e}.",
+            power(factor)
+        ));
     }
     if let Some((factor, count)) = fewest {
         remarks.push(format!(

@@ -58,9 +58,13 @@ fn group(case: &str, rows: &[Row], columns: &[f64], legend: &Legend<'_>) -> Grou
     let cell = |name: &str, value: f64| {
         let mut own = rows.iter();
         let row = own.find(|row| row.case == case && row.method == name && row.value == value)?;
-        Outcome::ALL.iter().position(|&outcome| outcome == row.outcome)
+        Outcome::ALL
+            .iter()
+            .position(|&outcome| outcome == row.outcome)
     };
-    let untried = Outcome::ALL.iter().position(|&outcome| outcome == Outcome::NotTried);
+    let untried = Outcome::ALL
+        .iter()
+        .position(|&outcome| outcome == Outcome::NotTried);
     let rows = names
         .into_iter()
         .map(|name| {

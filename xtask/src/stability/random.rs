@@ -47,7 +47,12 @@ enum Class {
 }
 
 impl Class {
-    const ALL: [Self; 4] = [Self::Supported, Self::Solvable, Self::Unsolvable, Self::Undetermined];
+    const ALL: [Self; 4] = [
+        Self::Supported,
+        Self::Solvable,
+        Self::Unsolvable,
+        Self::Undetermined,
+    ];
 
     fn name(self) -> &'static str {
         match self {
@@ -72,7 +77,11 @@ struct Trial {
 }
 
 fn run(context: &Context) -> Result<Findings, Trouble> {
-    let problems = if context.quick { PROBLEMS[0] } else { PROBLEMS[1] };
+    let problems = if context.quick {
+        PROBLEMS[0]
+    } else {
+        PROBLEMS[1]
+    };
     let batches: Vec<u64> = (0..problems / BATCH).collect();
     context.progress.set_length(problems);
     let trials: Vec<Trial> = batches
@@ -114,13 +123,25 @@ fn tried(seed: u64, methods: &[Method]) -> Vec<Trial> {
         states: all.states,
     });
     let bin = ((friction(&given.problem, &given.committed) / BIN) as usize).min(BINS - 1);
-    let chosen = if (seed / MOTIONS).is_multiple_of(EVERY) { methods.len() } else { 1 };
+    let chosen = if (seed / MOTIONS).is_multiple_of(EVERY) {
+        methods.len()
+    } else {
+        1
+    };
     methods[..chosen]
         .iter()
         .enumerate()
         .map(|(method, solver)| {
             let row = judge(solver, &given, answer.as_ref());
-            Trial { class, bin, method, outcome: row.outcome, several, seed, note: row.note }
+            Trial {
+                class,
+                bin,
+                method,
+                outcome: row.outcome,
+                several,
+                seed,
+                note: row.note,
+            }
         })
         .collect()
 }
@@ -128,7 +149,10 @@ fn tried(seed: u64, methods: &[Method]) -> Vec<Trial> {
 /// μ of a problem with one Coulomb law.
 fn friction(problem: &InterfaceProblem, state: &ContactState) -> f64 {
     let bound = |point: &ProblemPoint| {
-        problem.law(0).bound(1.0, 0.0, &point.place, &state.history[0]).stick
+        problem
+            .law(0)
+            .bound(1.0, 0.0, &point.place, &state.history[0])
+            .stick
     };
     problem.points().first().map_or(0.0, bound)
 }
@@ -144,10 +168,17 @@ fn findings(trials: &[Trial], problems: u64) -> Result<Findings, Trouble> {
     for class in Class::ALL {
         for bin in 0..BINS {
             for (method, name) in names.iter().enumerate() {
-                let own = |trial: &&Trial| trial.class == class && trial.bin == bin && trial.method == method;
+                let own = |trial: &&Trial| {
+                    trial.class == class && trial.bin == bin && trial.method == method
+                };
                 let list: Vec<&Trial> = trials.iter().filter(own).collect();
                 let (from, to) = (BIN * bin as f64, BIN * (bin + 1) as f64);
-                let _ = write!(table, "\"{}\",{from:.1},{to:.1},\"{name}\",{}", class.name(), list.len());
+                let _ = write!(
+                    table,
+                    "\"{}\",{from:.1},{to:.1},\"{name}\",{}",
+                    class.name(),
+                    list.len()
+                );
                 for outcome in Outcome::ALL {
                     let count = list.iter().filter(|trial| trial.outcome == outcome).count();
                     let _ = write!(table, ",{count}");
@@ -158,17 +189,29 @@ fn findings(trials: &[Trial], problems: u64) -> Result<Findings, Trouble> {
     }
     let picture = OutcomeMap {
         title: "Random problems of 1 to 3 points: share that is solved or proved impossible".into(),
-        subtitle: "Against enumeration of all statuses. Regularised answers count if they are within 1 %.".into(),
+        subtitle:
+            "Against enumeration of all statuses. Regularised answers count if they are within 1 %."
+                .into(),
         x_label: "coefficient of friction μ, middle of the bin [1]".into(),
-        columns: (0..BINS).map(|bin| format!("{:.2}", BIN * (bin as f64 + 0.5))).collect(),
-        groups: Class::ALL.iter().map(|&class| shares(trials, &names, class)).filter(|group| !group.rows.is_empty()).collect(),
+        columns: (0..BINS)
+            .map(|bin| format!("{:.2}", BIN * (bin as f64 + 0.5)))
+            .collect(),
+        groups: Class::ALL
+            .iter()
+            .map(|&class| shares(trials, &names, class))
+            .filter(|group| !group.rows.is_empty())
+            .collect(),
         categories: levels(),
         width: 860.0,
     }
     .render()?;
     Ok(Findings {
         tables: vec![("", table)],
-        pictures: vec![("", picture, "Share of random problems that each method solves, over friction".into())],
+        pictures: vec![(
+            "",
+            picture,
+            "Share of random problems that each method solves, over friction".into(),
+        )],
         remarks: remarks(trials, &names, problems),
         failures: failures(trials),
         ..Findings::default()
@@ -177,7 +220,11 @@ fn findings(trials: &[Trial], problems: u64) -> Result<Findings, Trouble> {
 
 /// Grounds of the cells by the share that is answered; the first is for wrong answers.
 fn levels() -> Vec<Category> {
-    let level = |label: &str, mark: &str, color| Category { label: label.into(), mark: mark.into(), color };
+    let level = |label: &str, mark: &str, color| Category {
+        label: label.into(),
+        mark: mark.into(),
+        color,
+    };
     vec![
         level("wrong answers", "!", Color::rgb(0x11, 0x11, 0x11)),
         level("all", "", Color::rgb(0x8c, 0xc5, 0xe3)),
@@ -191,7 +238,9 @@ fn levels() -> Vec<Category> {
 /// The level of each method in each bin of μ.
 fn shares(trials: &[Trial], names: &[&str], class: Class) -> Group {
     let level = |method: usize, bin: usize| {
-        let own = trials.iter().filter(|trial| trial.class == class && trial.bin == bin && trial.method == method);
+        let own = trials
+            .iter()
+            .filter(|trial| trial.class == class && trial.bin == bin && trial.method == method);
         let (mut all, mut answered, mut wrong) = (0_usize, 0_usize, false);
         for trial in own {
             let useful = matches!(trial.outcome, Outcome::Approximate | Outcome::Certified);
@@ -201,7 +250,10 @@ fn shares(trials: &[Trial], names: &[&str], class: Class) -> Group {
         }
         let share = answered as f64 / all as f64;
         let steps = [1.0, 0.99, 0.9, 0.5];
-        let index = steps.iter().position(|&step| share >= step).unwrap_or(steps.len());
+        let index = steps
+            .iter()
+            .position(|&step| share >= step)
+            .unwrap_or(steps.len());
         (all > 0).then_some(if wrong { 0 } else { index + 1 })
     };
     let rows = names.iter().enumerate().map(|(method, name)| {
@@ -210,7 +262,9 @@ fn shares(trials: &[Trial], names: &[&str], class: Class) -> Group {
     });
     Group {
         label: class.name().into(),
-        rows: rows.filter(|(_, cells)| cells.iter().any(Option::is_some)).collect(),
+        rows: rows
+            .filter(|(_, cells)| cells.iter().any(Option::is_some))
+            .collect(),
         divider: None,
     }
 }
@@ -228,13 +282,21 @@ fn remarks(trials: &[Trial], names: &[&str], problems: u64) -> Vec<String> {
             })
             .collect();
         let several = own.iter().filter(|trial| trial.several).count();
-        remarks.push(format!("{} ({}, {several} with several solutions): {}.", class.name(), own.len(), counts.join(", ")));
+        remarks.push(format!(
+            "{} ({}, {several} with several solutions): {}.",
+            class.name(),
+            own.len(),
+            counts.join(", ")
+        ));
     }
     let wrong: Vec<String> = names
         .iter()
         .enumerate()
         .filter_map(|(method, name)| {
-            let count = trials.iter().filter(|trial| trial.method == method && trial.outcome == Outcome::Wrong).count();
+            let count = trials
+                .iter()
+                .filter(|trial| trial.method == method && trial.outcome == Outcome::Wrong)
+                .count();
             (count > 0).then(|| format!("{name} {count}"))
         })
         .collect();
@@ -250,12 +312,21 @@ fn remarks(trials: &[Trial], names: &[&str], problems: u64) -> Vec<String> {
 fn failures(trials: &[Trial]) -> Vec<String> {
     let chain: Vec<&Trial> = trials.iter().filter(|trial| trial.method == 0).collect();
     let bad = |trial: &&&Trial| {
-        trial.outcome == Outcome::Wrong || (trial.class == Class::Supported && !trial.outcome.is_answer())
+        trial.outcome == Outcome::Wrong
+            || (trial.class == Class::Supported && !trial.outcome.is_answer())
     };
     let mut failures: Vec<String> = chain
         .iter()
         .filter(bad)
-        .map(|trial| format!("seed {} ({}): {} {}", trial.seed, trial.class.name(), trial.outcome.name(), trial.note))
+        .map(|trial| {
+            format!(
+                "seed {} ({}): {} {}",
+                trial.seed,
+                trial.class.name(),
+                trial.outcome.name(),
+                trial.note
+            )
+        })
         .collect();
     let floating = chain.iter().filter(|trial| trial.class != Class::Supported);
     let unresolved: Vec<u64> = floating
@@ -264,7 +335,10 @@ fn failures(trials: &[Trial]) -> Vec<String> {
         .map(|trial| trial.seed)
         .collect();
     if unresolved.len() as f64 > UNRESOLVED * floating.count() as f64 {
-        failures.push(format!("{} floating problems unresolved, seeds {unresolved:?}", unresolved.len()));
+        failures.push(format!(
+            "{} floating problems unresolved, seeds {unresolved:?}",
+            unresolved.len()
+        ));
     }
     failures
 }

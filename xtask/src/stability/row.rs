@@ -64,7 +64,8 @@ impl Row {
             ..Self::default()
         };
         for (index, step) in steps.iter().enumerate() {
-            whole.solved += usize::from(step.outcome.is_answer() || step.outcome == Outcome::Certified);
+            whole.solved +=
+                usize::from(step.outcome.is_answer() || step.outcome == Outcome::Certified);
             whole.error = largest(whole.error, step.error);
             whole.violation = largest(whole.violation, step.violation);
             whole.work += step.work;
@@ -156,7 +157,10 @@ mod tests {
             step(Outcome::Certified, "no balance"),
         ];
         let whole = Row::of_steps("pin", 0.3, false, &steps);
-        assert_eq!((whole.outcome, whole.solved, whole.steps), (Outcome::Cycled, 2, 3));
+        assert_eq!(
+            (whole.outcome, whole.solved, whole.steps),
+            (Outcome::Cycled, 2, 3)
+        );
         assert_eq!(whole.note, "step 2: period 2");
     }
 
@@ -168,6 +172,9 @@ mod tests {
             ..Row::default()
         };
         let text = csv("mu", &[row]);
-        assert!(text.ends_with("\"a, b\",0,m,solved,0,1,,,0,0,0,\n"), "{text}");
+        assert!(
+            text.ends_with("\"a, b\",0,m,solved,0,1,,,0,0,0,\n"),
+            "{text}"
+        );
     }
 }

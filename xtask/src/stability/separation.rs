@@ -51,9 +51,18 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
         )
     };
     let cases: Vec<(String, Joint)> = vec![
-        ("floating plate, whole, frictionless".into(), pin("whole", 0.0)?),
-        ("floating plate, whole, friction 0.25".into(), pin("whole", 0.25)?),
-        ("floating plate, half, friction 0.25".into(), pin("half", 0.25)?),
+        (
+            "floating plate, whole, frictionless".into(),
+            pin("whole", 0.0)?,
+        ),
+        (
+            "floating plate, whole, friction 0.25".into(),
+            pin("whole", 0.25)?,
+        ),
+        (
+            "floating plate, half, friction 0.25".into(),
+            pin("half", 0.25)?,
+        ),
         ("floating cylinder, frictionless".into(), cylinder(0.0)?),
         ("floating cylinder, friction 0.4".into(), cylinder(0.4)?),
     ];
@@ -82,18 +91,32 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
             dividers: &[],
         },
     )?;
-    let pulled = rows.iter().filter(|row| row.method == CHAIN && row.case.contains("cylinder") && row.value as usize == PRESSES.len());
-    let proofs = pulled.filter(|row| row.outcome == Outcome::Certified).count();
+    let pulled = rows.iter().filter(|row| {
+        row.method == CHAIN && row.case.contains("cylinder") && row.value as usize == PRESSES.len()
+    });
+    let proofs = pulled
+        .filter(|row| row.outcome == Outcome::Certified)
+        .count();
     let mut failures = Vec::new();
     if proofs != 2 {
-        failures.push(format!("pulling the cylinder off was proved impossible in {proofs} of 2 cases"));
+        failures.push(format!(
+            "pulling the cylinder off was proved impossible in {proofs} of 2 cases"
+        ));
     }
-    let ended = rows.iter().filter(|row| row.method == CHAIN && row.outcome == Outcome::Unresolved);
+    let ended = rows
+        .iter()
+        .filter(|row| row.method == CHAIN && row.outcome == Outcome::Unresolved);
     failures.extend(ended.map(|row| format!("{}, step {}: unresolved", row.case, row.value)));
     Ok(Findings {
-        remarks: vec![format!("Pulling the cylinder off is proved impossible in {proofs} of 2 cases.")],
+        remarks: vec![format!(
+            "Pulling the cylinder off is proved impossible in {proofs} of 2 cases."
+        )],
         tables: vec![("", csv("step", &rows))],
-        pictures: vec![("", picture, "Outcome of each method at every step of histories with separation".into())],
+        pictures: vec![(
+            "",
+            picture,
+            "Outcome of each method at every step of histories with separation".into(),
+        )],
         rows,
         failures,
     })

@@ -66,8 +66,15 @@ impl Materials {
 
     fn joint(&self, element: ElementKind, spacing: &str, mu: f64) -> Result<Joint, Trouble> {
         let load = self.load();
-        let steps: Vec<String> = [0.1, 0.5, 1.0, 0.4].map(|share| format!("\"{:e} N\"", share * load)).to_vec();
-        let material = |young: f64| format!("{{ isotropic = {{ young = \"{young:e} MPa\", poisson = {} }} }}", self.poisson);
+        let steps: Vec<String> = [0.1, 0.5, 1.0, 0.4]
+            .map(|share| format!("\"{:e} N\"", share * load))
+            .to_vec();
+        let material = |young: f64| {
+            format!(
+                "{{ isotropic = {{ young = \"{young:e} MPa\", poisson = {} }} }}",
+                self.poisson
+            )
+        };
         Joint::of_scene(
             "hertz-cylinder",
             &set(&[
@@ -90,7 +97,9 @@ impl Materials {
         let answer = stages.list.get(2).and_then(|stage| stage.answer.as_ref());
         Ok(answer.map(|trial| {
             let pressure = |k: usize| trial.forces[2 * k] / problem.points()[k].area;
-            let peak = (0..problem.points().len()).map(pressure).fold(0.0, f64::max);
+            let peak = (0..problem.points().len())
+                .map(pressure)
+                .fold(0.0, f64::max);
             (peak / self.peak() - 1.0).abs()
         }))
     }
@@ -101,23 +110,46 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
     let exponents: Vec<i32> = (-8..=8).step_by(context.sized(4, 1)).collect();
     let mut rows = context.rows_of(&exponents, |&exponent| {
         let ratio = 10.0_f64.powi(exponent);
-        let materials = Materials { young: [ratio * YOUNG, YOUNG], poisson: POISSON };
+        let materials = Materials {
+            young: [ratio * YOUNG, YOUNG],
+            poisson: POISSON,
+        };
         let joint = materials.joint(ElementKind::Q8, context.sized("0.4 mm", "0.16 mm"), 0.3)?;
-        let mut rows = Stages::follow(&joint.problem()?, &joint.loads).rows(RATIO, ratio, &methods());
+        let mut rows =
+            Stages::follow(&joint.problem()?, &joint.loads).rows(RATIO, ratio, &methods());
         for element in [ElementKind::Q4, ElementKind::Q8] {
-            rows.push(row(HERTZ, ratio, element, materials.error(element, spacing)?));
+            rows.push(row(
+                HERTZ,
+                ratio,
+                element,
+                materials.error(element, spacing)?,
+            ));
         }
         Ok(rows)
     })?;
-    let all = [0.4, 0.2, 0.1, 0.03, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8];
+    let all = [
+        0.4, 0.2, 0.1, 0.03, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8,
+    ];
     let remainders: &[f64] = context.sized(&[0.4, 1e-2, 1e-6], &all);
     let jobs: Vec<(f64, ElementKind)> = ELEMENTS
         .iter()
-        .flat_map(|&element| remainders.iter().map(move |&remainder| (remainder, element)))
+        .flat_map(|&element| {
+            remainders
+                .iter()
+                .map(move |&remainder| (remainder, element))
+        })
         .collect();
     let locking = context.rows_of(&jobs, |&(remainder, element)| {
-        let materials = Materials { young: [YOUNG; 2], poisson: 0.5 * (1.0 - remainder) };
-        Ok(vec![row(LOCKING, remainder, element, materials.error(element, spacing)?)])
+        let materials = Materials {
+            young: [YOUNG; 2],
+            poisson: 0.5 * (1.0 - remainder),
+        };
+        Ok(vec![row(
+            LOCKING,
+            remainder,
+            element,
+            materials.error(element, spacing)?,
+        )])
     })?;
     rows.sort_by_key(|row| row.case == HERTZ);
     let picture = map(
@@ -136,8 +168,16 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
         remarks: remarks(&rows),
         tables: vec![("", csv("value", &rows))],
         pictures: vec![
-            ("", picture, "Outcome of each method over the stiffness ratio".into()),
-            ("-locking", chart, "Error of the peak pressure over stiffness ratio and compressibility".into()),
+            (
+                "",
+                picture,
+                "Outcome of each method over the stiffness ratio".into(),
+            ),
+            (
+                "-locking",
+                chart,
+                "Error of the peak pressure over stiffness ratio and compressibility".into(),
+            ),
         ],
         rows,
         ..Findings::default()
@@ -160,8 +200,12 @@ fn curves(rows: &[Row]) -> Result<stickslip_report::svg::Svg, Trouble> {
     let chart = |title: &str, case: &str, x: Axis| {
         let mut chart = LineChart::new(title, x, error());
         for element in ELEMENTS {
-            let own = rows.iter().filter(|row| row.case == case && row.method == element_name(element));
-            let points: Vec<[f64; 2]> = own.filter_map(|row| Some([row.value, row.error?])).collect();
+            let own = rows
+                .iter()
+                .filter(|row| row.case == case && row.method == element_name(element));
+            let points: Vec<[f64; 2]> = own
+                .filter_map(|row| Some([row.value, row.error?]))
+                .collect();
             chart = chart.with(Series::new(element_name(element), points).style(SeriesStyle::Both));
         }
         chart
@@ -172,23 +216,48 @@ fn curves(rows: &[Row]) -> Result<stickslip_report::svg::Svg, Trouble> {
         chart("Towards incompressibility", LOCKING, remainder),
         chart("Stiffness ratio", HERTZ, ratio),
     ];
-    Ok(Panels::new("Stiffness ratio and incompressibility", 2, charts).common_legend().render()?)
+    Ok(
+        Panels::new("Stiffness ratio and incompressibility", 2, charts)
+            .common_legend()
+            .render()?,
+    )
 }
 
 fn remarks(rows: &[Row]) -> Vec<String> {
-    let hertz = rows.iter().filter(|row| row.case == HERTZ && row.method == element_name(ElementKind::Q8));
+    let hertz = rows
+        .iter()
+        .filter(|row| row.case == HERTZ && row.method == element_name(ElementKind::Q8));
     let worst = hertz.filter_map(|row| row.error).fold(0.0, f64::max);
-    let mut remarks = vec![format!("With Q8 the peak pressure is within {:.2} % of Hertz's at every ratio.", 100.0 * worst)];
+    let mut remarks = vec![format!(
+        "With Q8 the peak pressure is within {:.2} % of Hertz's at every ratio.",
+        100.0 * worst
+    )];
     for element in ELEMENTS {
-        let mut own: Vec<&Row> = rows.iter().filter(|row| row.case == LOCKING && row.method == element_name(element)).collect();
+        let mut own: Vec<&Row> = rows
+            .iter()
+            .filter(|row| row.case == LOCKING && row.method == element_name(element))
+            .collect();
         own.sort_by(|a, b| b.value.total_cmp(&a.value));
-        if let (Some(first), Some(last)) = (own.first().and_then(|row| row.error), own.last().and_then(|row| row.error)) {
-            remarks.push(format!("{}: {:.1} % at ν = 0.3, {:.1} % at the end.", element_name(element), 100.0 * first, 100.0 * last));
+        if let (Some(first), Some(last)) = (
+            own.first().and_then(|row| row.error),
+            own.last().and_then(|row| row.error),
+        ) {
+            remarks.push(format!(
+                "{}: {:.1} % at ν = 0.3, {:.1} % at the end.",
+                element_name(element),
+                100.0 * first,
+                100.0 * last
+            ));
         }
     }
-    let chain = rows.iter().filter(|row| row.method == CHAIN && !row.outcome.is_answer()).count();
+    let chain = rows
+        .iter()
+        .filter(|row| row.method == CHAIN && !row.outcome.is_answer())
+        .count();
     if chain > 0 {
-        remarks.push(format!("The default chain leaves {chain} ratios without an answer."));
+        remarks.push(format!(
+            "The default chain leaves {chain} ratios without an answer."
+        ));
     }
     remarks
 }

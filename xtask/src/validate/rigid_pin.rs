@@ -131,7 +131,9 @@ fn all(laboratory: &Laboratory, tables: &[Table]) -> Result<Vec<Check>, Trouble>
 pub(super) fn table_peak() -> Result<(f64, f64), Trouble> {
     let stations = rigid_pin::stations(FRICTIONAL[0].text)?;
     let radial = |station: &rigid_pin::Station| station.stresses[0];
-    let highest = stations.iter().min_by(|a, b| radial(a).total_cmp(&radial(b)));
+    let highest = stations
+        .iter()
+        .min_by(|a, b| radial(a).total_cmp(&radial(b)));
     highest
         .map(|station| (station.angle, -radial(station)))
         .ok_or_else(|| Trouble::Missing(format!("{} is empty", FRICTIONAL[0].name)))

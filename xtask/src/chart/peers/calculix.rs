@@ -193,15 +193,24 @@ mod tests {
         let deck = deck(&job, "CPS4").unwrap();
         let (points, cells) = job.mesh();
         let lines: Vec<&str> = deck.lines().collect();
-        let first_cells = lines.iter().position(|l| l.starts_with("*ELEMENT")).unwrap();
+        let first_cells = lines
+            .iter()
+            .position(|l| l.starts_with("*ELEMENT"))
+            .unwrap();
         assert_eq!(first_cells, points.len() + 1);
-        let material = lines.iter().position(|l| l.starts_with("*MATERIAL")).unwrap();
+        let material = lines
+            .iter()
+            .position(|l| l.starts_with("*MATERIAL"))
+            .unwrap();
         assert_eq!(material - first_cells, cells.len() + 2);
         assert_eq!(deck.matches("*END STEP").count(), LOAD_STEPS);
         // 20 edges of 9° on each half circle.
         let of = |name: &str| {
             let start = lines.iter().position(|l| l.contains(name)).unwrap() + 1;
-            lines[start..].iter().take_while(|l| !l.starts_with('*')).count()
+            lines[start..]
+                .iter()
+                .take_while(|l| !l.starts_with('*'))
+                .count()
         };
         assert_eq!([of("NAME=SHOLE"), of("NAME=SRIM")], [20, 20]);
     }

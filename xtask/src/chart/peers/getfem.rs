@@ -20,7 +20,8 @@ const RELEASE: f64 = 0.5;
 
 /// What Python's `getfem` says, if it is installed.
 pub(super) fn version() -> Option<String> {
-    let program = "import getfem; print(getfem.__version__ if hasattr(getfem, '__version__') else '')";
+    let program =
+        "import getfem; print(getfem.__version__ if hasattr(getfem, '__version__') else '')";
     let output = python().args(["-c", program]).output().ok()?;
     let number = String::from_utf8_lossy(&output.stdout);
     output

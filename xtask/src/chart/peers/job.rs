@@ -54,11 +54,16 @@ impl Job {
             let found = model.bodies.iter().find(|body| body.name == name);
             match found.map(|body| &body.kind) {
                 Some(ModelBodyKind::Elastic(body)) => Ok(Arc::clone(body)),
-                _ => Err(Trouble::Peer(format!("the benchmark has no elastic {name}"))),
+                _ => Err(Trouble::Peer(format!(
+                    "the benchmark has no elastic {name}"
+                ))),
             }
         };
         // The scene gives the whole plate's pull; this is half of it.
-        let whole = scene.loads.first().map_or(&[][..], |load| load.kind.steps());
+        let whole = scene
+            .loads
+            .first()
+            .map_or(&[][..], |load| load.kind.steps());
         Ok(Self {
             mu,
             element,
@@ -200,7 +205,11 @@ mod tests {
         scene.output.fields = FieldOutput::All;
         let results = run(&scene, &mut |_| {}).unwrap();
         let step = &results.steps[COMPARED];
-        let plate = results.bodies.iter().position(|b| b.name == "plate").unwrap();
+        let plate = results
+            .bodies
+            .iter()
+            .position(|b| b.name == "plate")
+            .unwrap();
         let fields = step.fields.iter().find(|f| f.body == plate).unwrap();
         let u: Vec<[f64; 2]> = fields
             .displacement

@@ -43,18 +43,29 @@ pub(super) struct Indenter {
 impl Indenter {
     /// A plate over the whole block.
     pub(super) fn plate() -> Self {
-        Self { round: false, force: 2.0 * PRESSURE, pushed: false }
+        Self {
+            round: false,
+            force: 2.0 * PRESSURE,
+            pushed: false,
+        }
     }
 
     /// A cylinder that would touch a half-plane over `half_width` to either side: P = π E a²/(4 R) (Hertz 1882).
     pub(super) fn cylinder(half_width: f64) -> Self {
         let force = std::f64::consts::PI * half_width * half_width / (4.0 * RADIUS);
-        Self { round: true, force, pushed: false }
+        Self {
+            round: true,
+            force,
+            pushed: false,
+        }
     }
 
     /// The same, pushed to and fro after pressing.
     pub(super) fn pushed(self) -> Self {
-        Self { pushed: true, ..self }
+        Self {
+            pushed: true,
+            ..self
+        }
     }
 }
 
@@ -82,8 +93,15 @@ impl Block {
     pub(super) fn press(&self, indenters: &[Indenter], mu: f64) -> Result<Vec<Pressed>, Trouble> {
         let first = indenters.first().ok_or("nothing presses")?;
         let (problem, _) = self.problem(first, mu)?;
-        let steps = indenters.iter().map(|indenter| vec![indenter.force, 0.0]).collect();
-        let records = LoadHistory::new(steps, 1, Ramp::Linear)?.follow(&problem, &Chain::default(), |_| {})?;
+        let steps = indenters
+            .iter()
+            .map(|indenter| vec![indenter.force, 0.0])
+            .collect();
+        let records = LoadHistory::new(steps, 1, Ramp::Linear)?.follow(
+            &problem,
+            &Chain::default(),
+            |_| {},
+        )?;
         let quadratic = self.kind.order() == 2;
         Ok(records
             .iter()
@@ -94,41 +112,73 @@ impl Block {
                     .enumerate()
                     .map(|(k, point)| record.state.normal_force(k) / point.area)
                     .collect();
-                let place: Vec<f64> = problem.points().iter().map(|point| point.place.position[0]).collect();
+                let place: Vec<f64> = problem
+                    .points()
+                    .iter()
+                    .map(|point| point.place.position[0])
+                    .collect();
                 measured(&pressure, &place, quadratic)
             })
             .collect())
     }
 
     /// The contact problem and its loads: pressed, and pushed to and fro if so asked.
-    pub(super) fn problem(&self, indenter: &Indenter, mu: f64) -> Result<(InterfaceProblem, Vec<Vec<f64>>), Trouble> {
+    pub(super) fn problem(
+        &self,
+        indenter: &Indenter,
+        mu: f64,
+    ) -> Result<(InterfaceProblem, Vec<Vec<f64>>), Trouble> {
         let mesh = Arc::new(self.mesh()?);
         let path = mesh.edge_path("top")?;
         let weights = mesh.edge_weights(&path, Some(Curve::Line));
         let positions: Vec<[f64; 2]> = path.nodes.iter().map(|&node| mesh.nodes()[node]).collect();
         let material: Arc<dyn Material> = Arc::new(Isotropic::new(1.0, 0.3, PlaneState::Stress)?);
         let bottom = mesh.node_set("bottom")?.to_vec();
-        let lowest = bottom.iter().copied().min_by(|&a, &b| mesh.nodes()[a][0].total_cmp(&mesh.nodes()[b][0]));
+        let lowest = bottom
+            .iter()
+            .copied()
+            .min_by(|&a, &b| mesh.nodes()[a][0].total_cmp(&mesh.nodes()[b][0]));
         let corner = vec![lowest.ok_or("the block has no bottom")?];
-        let hold = |nodes: Vec<usize>, direction| Support { nodes, direction, displacement: 0.0 };
+        let hold = |nodes: Vec<usize>, direction| Support {
+            nodes,
+            direction,
+            displacement: 0.0,
+        };
         let body = Arc::new(
             ElasticBody::new(Arc::clone(&mesh), vec![material], 1.0)?
-                .with_supports([hold(bottom, HeldDirection::Y), hold(corner, HeldDirection::X)])
+                .with_supports([
+                    hold(bottom, HeldDirection::Y),
+                    hold(corner, HeldDirection::X),
+                ])
                 .with_load_cases(vec![LoadCase::default(), LoadCase::default()])?,
         );
         let condensed = body.condense(&path.nodes)?;
-        let rigid = RigidBody::sliding(positions.clone(), [indenter.pushed, true], &[[0.0, -1.0], [1.0, 0.0]]);
+        let rigid = RigidBody::sliding(
+            positions.clone(),
+            [indenter.pushed, true],
+            &[[0.0, -1.0], [1.0, 0.0]],
+        );
         let points = (0..positions.len())
             .map(|k| ContactPoint {
                 first: k.into(),
                 second: k.into(),
                 normal: [0.0, -1.0],
-                gap: if indenter.round { positions[k][0].powi(2) / (2.0 * RADIUS) } else { 0.0 },
+                gap: if indenter.round {
+                    positions[k][0].powi(2) / (2.0 * RADIUS)
+                } else {
+                    0.0
+                },
                 area: weights[k],
                 material_angle: 0.0,
             })
             .collect();
-        let pair = ContactPair { name: "indenter".into(), first: 0, second: 1, points, law: coulomb(mu)? };
+        let pair = ContactPair {
+            name: "indenter".into(),
+            first: 0,
+            second: 1,
+            points,
+            law: coulomb(mu)?,
+        };
         let problem = InterfaceProblem::new(&[&condensed, &rigid], vec![pair])?;
         let push = 0.6 * mu * indenter.force;
         let loads = if indenter.pushed {
@@ -142,7 +192,12 @@ impl Block {
     }
 
     fn mesh(&self) -> Result<Mesh, Trouble> {
-        let mut rectangle = Rectangle::uniform([-1.0, 1.0], [-1.0, 0.0], [self.cells, self.cells / 2], self.kind)?;
+        let mut rectangle = Rectangle::uniform(
+            [-1.0, 1.0],
+            [-1.0, 0.0],
+            [self.cells, self.cells / 2],
+            self.kind,
+        )?;
         let width = 2.0 / self.cells as f64;
         if let Defect::Aspect(aspect) = self.defect
             && aspect > 1.0
@@ -155,12 +210,18 @@ impl Block {
             Defect::None | Defect::Aspect(_) => Ok(mesh),
             Defect::Distorted(share) => Ok(Mesh::new(distorted(mesh.into_parts(), share * width))?),
             Defect::MidSide(place) => {
-                let edges: Vec<_> = mesh.edge_set("top")?.edges.iter().map(|&edge| mesh.edge_nodes(edge)).collect();
+                let edges: Vec<_> = mesh
+                    .edge_set("top")?
+                    .edges
+                    .iter()
+                    .map(|&edge| mesh.edge_nodes(edge))
+                    .collect();
                 let mut parts = mesh.into_parts();
                 for edge in edges {
                     let [start, end] = edge.ends.map(|node| parts.nodes[node]);
                     if let Some(mid) = edge.mid {
-                        parts.nodes[mid] = [0, 1].map(|i| (1.0 - place) * start[i] + place * end[i]);
+                        parts.nodes[mid] =
+                            [0, 1].map(|i| (1.0 - place) * start[i] + place * end[i]);
                     }
                 }
                 Ok(Mesh::new(parts)?)
@@ -192,11 +253,14 @@ fn distorted(mut parts: MeshParts, reach: f64) -> MeshParts {
         for cell in block.connectivity.chunks_exact(block.kind.nodes()) {
             let corners = block.kind.corners();
             let mean = |nodes: &[usize], all: &[[f64; 2]]| {
-                [0, 1].map(|i| nodes.iter().map(|&node| all[node][i]).sum::<f64>() / nodes.len() as f64)
+                [0, 1].map(|i| {
+                    nodes.iter().map(|&node| all[node][i]).sum::<f64>() / nodes.len() as f64
+                })
             };
             if block.kind.order() == 2 {
                 for k in 0..corners {
-                    parts.nodes[cell[corners + k]] = mean(&[cell[k], cell[(k + 1) % corners]], &parts.nodes);
+                    parts.nodes[cell[corners + k]] =
+                        mean(&[cell[k], cell[(k + 1) % corners]], &parts.nodes);
                 }
             }
             if let Some(&centre) = cell.get(2 * corners) {
@@ -209,7 +273,10 @@ fn distorted(mut parts: MeshParts, reach: f64) -> MeshParts {
 
 fn measured(pressure: &[f64], place: &[f64], quadratic: bool) -> Pressed {
     let peak = pressure.iter().copied().fold(0.0, f64::max);
-    let deviation = pressure.iter().map(|p| (p / PRESSURE - 1.0).abs()).fold(0.0, f64::max);
+    let deviation = pressure
+        .iter()
+        .map(|p| (p / PRESSURE - 1.0).abs())
+        .fold(0.0, f64::max);
     let touching = pressure.iter().zip(place).filter(|(p, _)| **p > 0.0);
     let half_width = touching.map(|(_, x)| x.abs()).fold(0.0, f64::max);
     let step = if quadratic { 2 } else { 1 };
@@ -218,5 +285,9 @@ fn measured(pressure: &[f64], place: &[f64], quadratic: bool) -> Pressed {
         .filter(|&k| place[k].abs() < INSIDE * half_width)
         .map(|k| (pressure[k] - f64::midpoint(pressure[k - 1], pressure[k + 1])).abs())
         .fold(0.0, f64::max);
-    Pressed { peak, deviation, oscillation: oscillation / peak }
+    Pressed {
+        peak,
+        deviation,
+        oscillation: oscillation / peak,
+    }
 }
