@@ -147,7 +147,9 @@ impl LoadHistory {
                     .zip(target)
                     .map(|(from, to)| (1.0 - fraction) * from + fraction * to)
                     .collect();
-                match walk.advance(problem, solver, &multipliers) {
+                // Whether a step has a solution is asked of the whole solver at both ends of cut-back, not on the way.
+                let quickly = part < 0.999 * whole && part > whole * SMALLEST_PART;
+                match walk.advance(problem, solver, quickly, &multipliers) {
                     Ok(()) => reached = next,
                     // Also where a balance is proved impossible: the history then ends at the largest load that has one.
                     Err(cause) if part > whole * SMALLEST_PART => {
@@ -201,10 +203,15 @@ impl Walk {
         &mut self,
         problem: &InterfaceProblem,
         solver: &dyn InterfaceSolver,
+        quickly: bool,
         multipliers: &[f64],
     ) -> Result<(), crate::solver::StepFailure> {
         let step = Step::new(problem, &self.state, multipliers);
-        let mut solution = solver.solve(&step)?;
+        let mut solution = if quickly {
+            solver.try_quickly(&step)?
+        } else {
+            solver.solve(&step)?
+        };
         frictionless::slide(&step, &mut solution.trial);
         self.work += solution.work;
         self.residuals = Residuals {
