@@ -281,16 +281,18 @@ pub(super) fn confirm(
         .iterate(LIMIT, attempt)
 }
 
-/// Shows `attempt` the state with the statuses of `candidate`, which is not expected to be a solution.
-pub(super) fn examine(candidate: &Candidate, attempt: &mut Attempt<'_>) {
+/// The state with the statuses of `candidate`, which is not expected to be a solution but may be.
+pub(super) fn examine(
+    candidate: &Candidate,
+    attempt: &mut Attempt<'_>,
+) -> Result<StepSolution, FailureCause> {
     let step = attempt.step;
     let lines: Vec<SlipLine> = (0..step.count())
         .map(|k| slip_line(step, k, candidate.normal[k], candidate.slip[k]))
         .collect();
-    if let Ok(frozen) = solve(step, &candidate.status, &lines, &mut attempt.work) {
-        let trial = attempt.trial(&frozen, &candidate.status);
-        attempt.offer(&trial);
-    }
+    let frozen = solve(step, &candidate.status, &lines, &mut attempt.work)?;
+    let trial = attempt.trial(&frozen, &candidate.status);
+    attempt.accept(trial)
 }
 
 /// Solves with these statuses, changing only where the law is linearised.

@@ -15,8 +15,8 @@ use super::{FailureCause, InterfaceSolver, StepFailure, StepSolution};
 pub struct Pivoting {
     /// Largest number of pivots per complementarity problem, in multiples of its order; rarely are more than two needed.
     pub pivots_per_unknown: usize,
-    /// Largest number of pivots in all, in the same multiples.
-    pub effort: usize,
+    /// Floating-point operations after which no further complementarity problem is begun.
+    pub effort: u64,
     /// Number of covering vectors that are tried.
     pub covers: usize,
     /// Largest number of repetitions with new secants of the law.
@@ -27,7 +27,7 @@ impl Default for Pivoting {
     fn default() -> Self {
         Self {
             pivots_per_unknown: 10,
-            effort: 10,
+            effort: 20_000_000_000,
             covers: 4,
             repetitions: 20,
         }
@@ -76,7 +76,7 @@ impl Pivoting {
                     // Which of several solutions is followed is settled by the first round.
                     let covers = if round == 0 { self.covers } else { 1 };
                     for cover in 0..covers {
-                        if attempt.work.pivots > self.effort * problem.order() {
+                        if attempt.work.operations > self.effort {
                             return Err(last);
                         }
                         let Some(candidate) =

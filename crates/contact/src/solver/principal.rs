@@ -83,8 +83,7 @@ impl PrincipalPivoting {
             let Some(candidate) = next else { break };
             secants.advance(&candidate);
             if secants.coefficients(step) == coefficients {
-                examine(&candidate, attempt);
-                break;
+                return examine(&candidate, attempt).map_err(|_| last);
             }
         }
         Err(last)
