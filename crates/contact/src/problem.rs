@@ -239,6 +239,11 @@ impl InterfaceProblem {
         &self.modes
     }
 
+    /// Number of bodies.
+    pub fn body_count(&self) -> usize {
+        self.mode_offsets.len() - 1
+    }
+
     /// Range of the rigid motions of body `body` among the columns of G.
     pub fn body_modes(&self, body: usize) -> std::ops::Range<usize> {
         self.mode_offsets[body]..self.mode_offsets[body + 1]

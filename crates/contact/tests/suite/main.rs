@@ -1,6 +1,8 @@
 //! Tests of the contact solvers, from outside the crate.
 
+mod audit;
 mod discrete;
+mod freedom;
 mod given_body;
 mod histories;
 mod invariants;
@@ -9,6 +11,7 @@ mod oracle;
 mod random;
 mod rigid;
 mod scene;
+mod zones;
 
 use std::sync::Arc;
 

@@ -360,6 +360,30 @@ fn chains_that_cannot_be() {
         &own,
         &["contact 'one' is one of a body with itself"],
     );
+    let hole = "second = \"plate.left\"\n";
+    refused(
+        "second = \"pin.rim\"\n",
+        hole,
+        &["is one of a body with itself"],
+    );
+}
+
+#[test]
+fn names_that_make_no_file_names() {
+    for name in [String::new(), "a/b".to_owned(), "x".repeat(65)] {
+        let named = format!("name = \"{name}\"");
+        refused("name = \"pin\"", &named, &["1 to 64 letters without '/'"]);
+    }
+}
+
+#[test]
+fn a_platen_on_a_contact_edge() {
+    let platen = "[[platens]]\non = \"plate.hole\"\nfree = [\"x\"]\n[[loads]]";
+    refused(
+        "[[loads]]",
+        platen,
+        &["plate.hole is an edge of a contact", "glue another edge"],
+    );
 }
 
 #[test]
