@@ -27,6 +27,9 @@ pub struct FreeBody {
 
 /// The bodies that take part in motions without resistance.
 pub fn free_bodies(problem: &InterfaceProblem) -> Vec<FreeBody> {
+    if problem.modes().ncols() == 0 {
+        return Vec::new();
+    }
     let motions = null_motions(problem);
     if motions.ncols() == 0 {
         return Vec::new();
@@ -57,7 +60,7 @@ pub fn free_bodies(problem: &InterfaceProblem) -> Vec<FreeBody> {
         .collect()
 }
 
-/// Columns α of length 1 that nothing resists.
+/// Columns α of length 1 that nothing resists, of a problem with rigid motions.
 fn null_motions(problem: &InterfaceProblem) -> DMatrix<f64> {
     let modes = problem.modes();
     let mut resisted = modes.clone();

@@ -52,7 +52,7 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
                     format!("{name}: {quantity}, {which} around"),
                     value,
                     reference,
-                    "MPa",
+                    " MPa",
                     Tolerance::Relative(BOUND),
                 );
             }

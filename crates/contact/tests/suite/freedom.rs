@@ -77,3 +77,14 @@ fn a_block_without_friction_slides_on_its_plane() {
     assert_eq!(free_bodies(&block(0.0)), [free]);
     assert!(free_bodies(&block(0.1)).is_empty());
 }
+
+#[test]
+fn without_rigid_motions_or_without_contact_there_is_nothing_to_resist() {
+    let places = vec![[0.0, 0.0], [1.0, 0.0]];
+    let [first, second] = [0, 1].map(|_| RigidBody::held(places.clone(), 1));
+    assert!(free_bodies(&pair([&first, &second], &[[0.0, 1.0]; 2], 0.0)).is_empty());
+    assert!(free_bodies(&InterfaceProblem::new(&[&first], Vec::new()).unwrap()).is_empty());
+    let loose = RigidBody::sliding(Vec::new(), [true, false], &[[0.0, 0.0]]);
+    let alone = free_bodies(&InterfaceProblem::new(&[&loose], Vec::new()).unwrap());
+    assert_eq!(alone.len(), 1);
+}
