@@ -4,7 +4,7 @@ mod frictionless;
 
 use nalgebra::DVector;
 
-use crate::audit::Audit;
+use crate::audit::{Audit, measure};
 use crate::error::ContactError;
 use crate::problem::InterfaceProblem;
 use crate::solver::{InterfaceSolver, Residuals, Step, Work};
@@ -84,7 +84,6 @@ impl LoadHistory {
     ) -> Result<Vec<StepRecord>, ContactError> {
         let mut state = ContactState::unloaded(problem);
         let mut records: Vec<StepRecord> = Vec::with_capacity(self.steps.len());
-        let mut scale = 0.0_f64;
         for (index, target) in self.steps.iter().enumerate() {
             if target.len() != problem.load_cases() {
                 let what = format!(
@@ -94,15 +93,11 @@ impl LoadHistory {
                 );
                 return Err(ContactError::InvalidLoad { step: index, what });
             }
-            let mut record = self.walk(problem, solver, &state, index, target)?;
+            let record = self.walk(problem, solver, &state, index, target)?;
             state = record.state.clone();
-            scale = scale.max(record.audit.scale);
-            record.audit.measured_by(scale);
-            observe(&record);
             records.push(record);
-        }
-        for record in &mut records {
-            record.audit.measured_by(scale);
+            measure(records.iter_mut().map(|record| &mut record.audit));
+            records.last().into_iter().for_each(&mut observe);
         }
         Ok(records)
     }
@@ -214,13 +209,15 @@ impl Walk {
         };
         frictionless::slide(&step, &mut solution.trial);
         self.work += solution.work;
+        // Those of the state that is kept, with the statuses that it has now.
+        let residuals = Residuals::of(&step, &solution.trial);
         self.residuals = Residuals {
             complementarity: self
                 .residuals
                 .complementarity
-                .max(solution.residuals.complementarity),
-            cone: self.residuals.cone.max(solution.residuals.cone),
-            balance: self.residuals.balance.max(solution.residuals.balance),
+                .max(residuals.complementarity),
+            cone: self.residuals.cone.max(residuals.cone),
+            balance: self.residuals.balance.max(residuals.balance),
         };
         self.doubtful = self.doubtful.max(solution.doubtful);
         if !self.solvers.contains(&solution.solver) {
