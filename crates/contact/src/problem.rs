@@ -288,9 +288,19 @@ impl InterfaceProblem {
         combine(&self.case_motion, multipliers, 2 * self.points.len())
     }
 
-    /// Resultants Σ m_k r_k `[force]` of the loads in the rigid motions, m.
+    /// Resultants Σ m_k r_k `[force]` of the loads in the rigid motions, m. What is left by rounding where load cases cancel
+    /// is zero.
     pub fn mode_load(&self, multipliers: &[f64]) -> DVector<f64> {
-        combine(&self.case_mode_load, multipliers, self.modes.ncols())
+        const ROUNDING: f64 = 1e-13;
+        let mut load = combine(&self.case_mode_load, multipliers, self.modes.ncols());
+        for (mode, sum) in load.iter_mut().enumerate() {
+            let parts = self.case_mode_load.iter().zip(multipliers);
+            let size: f64 = parts.map(|(case, factor)| (factor * case[mode]).abs()).sum();
+            if sum.abs() <= ROUNDING * size {
+                *sum = 0.0;
+            }
+        }
+        load
     }
 
     /// Forces `[force]` on the contact points of body `index` (2 × `count`, xy interleaved) by contact forces `forces`

@@ -365,15 +365,25 @@ impl BodyStructure {
         modes
     }
 
-    /// Resultants of nodal forces in the free motions.
+    /// Resultants of nodal forces in the free motions. What is rounding beside the forces' own sizes is zero: a load that
+    /// balances itself leaves nothing for contact to balance.
     fn mode_load(&self, body: &ElasticBody, nodal: &[f64]) -> DVector<f64> {
+        const ROUNDING: f64 = 1e-12;
         let mut load = DVector::zeros(self.motions.count());
+        let mut size = load.clone();
         for (node, force) in nodal.chunks_exact(2).enumerate() {
             if !load.is_empty() && force != [0.0, 0.0] {
-                load += self.motions.at(&body.mesh, node).transpose()
-                    * DVector::from_column_slice(force);
+                let motions = self.motions.at(&body.mesh, node).transpose();
+                let force = DVector::from_column_slice(force);
+                size += motions.abs() * force.abs();
+                load += motions * force;
             }
         }
+        load.zip_apply(&size, |sum, size| {
+            if sum.abs() <= ROUNDING * size {
+                *sum = 0.0;
+            }
+        });
         load
     }
 
