@@ -118,7 +118,8 @@ fn charts(options: &Options) -> Result<String, Trouble> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
     let (bench, yardstick) = pool.install(|| measure(options.quick))?;
     if options.peers {
-        peers::renew(&mut peers, &data::today(), yardstick.seconds)?;
+        let machine = data::machine();
+        peers::renew(&mut peers, &data::today(), &machine, yardstick.seconds)?;
     }
     let charts = Charts {
         factors: path_factors(&bench),
@@ -151,8 +152,7 @@ fn measure(quick: bool) -> Result<(Bench, Yardstick), Trouble> {
             bench.measure(problem, group);
         }
     }
-    let spacing = if quick { 4.5 } else { yardstick::SPACING };
-    Ok((bench, Yardstick::measure(spacing)?))
+    Ok((bench, Yardstick::measure()?))
 }
 
 /// The default has to solve everything.

@@ -10,7 +10,7 @@ use super::Trouble;
 
 /// Spacing `[deg]` at which linear elements on the benchmark have about 41 000 unknowns, the size of the other programs'
 /// yardstick.
-pub(super) const SPACING: f64 = 1.125;
+const SPACING: f64 = 1.125;
 
 /// One factorisation of the benchmark's stiffness matrix on linear elements, one thread.
 #[derive(Clone, Copy, Debug)]
@@ -21,8 +21,8 @@ pub(super) struct Yardstick {
 }
 
 impl Yardstick {
-    pub(super) fn measure(spacing: f64) -> Result<Self, Trouble> {
-        let scene = Problem::AluminiumFrictional.build(spacing, ElementKind::Q4, Gap::Exact)?;
+    pub(super) fn measure() -> Result<Self, Trouble> {
+        let scene = Problem::AluminiumFrictional.build(SPACING, ElementKind::Q4, Gap::Exact)?;
         let fail = |cause: &dyn std::fmt::Display| Trouble::Peer(cause.to_string());
         let model = Model::build(&scene).map_err(|cause| fail(&cause))?;
         let mut matrix = LowerMatrix {
