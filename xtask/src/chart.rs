@@ -113,10 +113,10 @@ fn charts(options: &Options) -> Result<String, Trouble> {
         path: folder.clone(),
         cause,
     })?;
-    let mut peers = peers::read(&committed.join("peers.csv"))?;
     // One thread, as the other programs were measured.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
     let (bench, yardstick) = pool.install(|| measure(options.quick))?;
+    let mut peers = peers::read(&committed.join("peers.csv"))?;
     if options.peers {
         let machine = data::machine();
         peers::renew(&mut peers, &data::today(), &machine, yardstick.seconds)?;
@@ -175,8 +175,14 @@ fn unsolved(bench: &Bench) -> Result<(), Trouble> {
 fn draw(folder: &Path, charts: &Charts) -> Result<(), Trouble> {
     let bench = &charts.bench;
     for problem in Problem::ALL {
-        let picture = figures::problem_figure(bench, problem, &methods::elements())?;
-        save(folder, &format!("elements-{}", problem.name()), &picture)?;
+        for (cost, ending) in [(Cost::Whole, ""), (Cost::Unknowns, "-unknowns")] {
+            let picture = figures::problem_figure(bench, problem, &methods::elements(), cost)?;
+            save(
+                folder,
+                &format!("elements-{}{ending}", problem.name()),
+                &picture,
+            )?;
+        }
     }
     for (quantity, name) in [
         (Quantity::PeakPressure, "gaps-peak-pressure"),

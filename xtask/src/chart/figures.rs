@@ -120,11 +120,12 @@ fn pairs(points: &[Point]) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// One problem: every error over time, and below over unknowns.
+/// One problem: every error over one cost.
 pub(super) fn problem_figure(
     bench: &Bench,
     problem: Problem,
     group: &Group,
+    cost: Cost,
 ) -> Result<Svg, FigureError> {
     let quantities: Vec<Quantity> = Quantity::ALL
         .into_iter()
@@ -136,28 +137,24 @@ pub(super) fn problem_figure(
         })
         .collect();
     let mut charts = Vec::new();
-    for cost in [Cost::Whole, Cost::Unknowns] {
-        for &quantity in &quantities {
-            let curves: Vec<Curve> = group
-                .methods
-                .iter()
-                .enumerate()
-                .map(|method| Curve::of(bench, problem, method, cost, quantity))
-                .collect();
-            let known = quantity.of(&problem.known()).unwrap_or(0.0);
-            charts.push(chart(
-                "",
-                cost.label(),
-                &error_label(quantity),
-                &curves,
-                known,
-            ));
-        }
+    for quantity in quantities {
+        let curves: Vec<Curve> = group
+            .methods
+            .iter()
+            .enumerate()
+            .map(|method| Curve::of(bench, problem, method, cost, quantity))
+            .collect();
+        let known = quantity.of(&problem.known()).unwrap_or(0.0);
+        charts.push(chart(
+            "",
+            cost.label(),
+            &error_label(quantity),
+            &curves,
+            known,
+        ));
     }
     let title = format!("{}: {}", problem.title(), group.title.to_lowercase());
-    Panels::new(title, quantities.len().max(1), charts)
-        .common_legend()
-        .render()
+    Panels::new(title, 3, charts).common_legend().render()
 }
 
 /// One error over one cost, in a panel for each problem.

@@ -157,9 +157,9 @@ fn elements(page: &mut String, bench: &Bench) {
     for problem in Problem::ALL {
         let _ = write!(
             page,
-            "![{}: elements](elements-{}.png)\n\n",
-            problem.title(),
-            problem.name()
+            "![{title}: elements, over time](elements-{name}.png)\n\n![The same over unknowns](elements-{name}-unknowns.png)\n\n",
+            title = problem.title(),
+            name = problem.name()
         );
     }
 }
