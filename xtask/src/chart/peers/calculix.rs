@@ -6,7 +6,7 @@ use std::process::Command;
 use stickslip_fem_core::mesh::ElementKind;
 
 use super::PeerRun;
-use super::job::{Cost, Job, POISSON, PSI, Part, YOUNG, wait};
+use super::job::{Cost, Job, POISSON, PSI, Part, Steps, YOUNG, wait};
 use crate::chart::Trouble;
 
 /// How contact is enforced.
@@ -85,7 +85,7 @@ pub(super) fn runs(version: &str) -> Result<Vec<PeerRun>, Trouble> {
 }
 
 /// Runs `deck`: what it took, and the plate's displacements at the end of each step.
-fn follow(deck: &str, job: &Job) -> Result<(Cost, Vec<Vec<[f64; 2]>>), Trouble> {
+fn follow(deck: &str, job: &Job) -> Result<(Cost, Steps), Trouble> {
     let folder = tempfile::tempdir().map_err(|cause| Trouble::Peer(cause.to_string()))?;
     let input = folder.path().join("pin.inp");
     std::fs::write(&input, deck).map_err(|cause| Trouble::File {
@@ -189,8 +189,8 @@ fn contact_pair(job: &Job, contact: Contact) -> Result<String, Trouble> {
 }
 
 /// Displacements of the first `count` nodes at the end of each step that a result file has.
-fn displacements(text: &str, count: usize) -> Vec<Vec<[f64; 2]>> {
-    let mut steps: Vec<Vec<[f64; 2]>> = Vec::new();
+fn displacements(text: &str, count: usize) -> Steps {
+    let mut steps = Steps::new();
     let mut inside = false;
     for line in text.lines() {
         if line.starts_with(" -4") {

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use stickslip_fem_core::mesh::{ElementKind, Point};
 
 use super::PeerRun;
-use super::job::{Cost, Job, POISSON, Part, YOUNG, wait};
+use super::job::{Cost, Job, POISSON, Part, Steps, YOUNG, wait};
 use crate::chart::Trouble;
 
 const SCRIPT: &str = include_str!("getfem.py");
@@ -64,7 +64,7 @@ struct Input {
 
 #[derive(Deserialize)]
 struct Output {
-    steps: Vec<Vec<[f64; 2]>>,
+    steps: Steps,
     iterations: usize,
     wall: f64,
     cpu: f64,

@@ -211,6 +211,9 @@ impl Job {
     }
 }
 
+/// Displacements `[mm]` of the plate's nodes at the end of each step.
+pub(super) type Steps = Vec<Vec<[f64; 2]>>;
+
 /// What a run took `[s]`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cost {
