@@ -113,12 +113,13 @@ fn charts(options: &Options) -> Result<String, Trouble> {
         path: folder.clone(),
         cause,
     })?;
-    let mut peers = peers::read(&committed.join("peers.csv"))?;
     // One thread, as the other programs were measured.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
     let (bench, yardstick) = pool.install(|| measure(options.quick))?;
+    let mut peers = peers::read(&committed.join("peers.csv"))?;
     if options.peers {
-        peers::renew(&mut peers, &data::today(), yardstick.seconds)?;
+        let machine = data::machine();
+        peers::renew(&mut peers, &data::today(), &machine, yardstick.seconds)?;
     }
     let charts = Charts {
         factors: path_factors(&bench),
@@ -151,8 +152,7 @@ fn measure(quick: bool) -> Result<(Bench, Yardstick), Trouble> {
             bench.measure(problem, group);
         }
     }
-    let spacing = if quick { 4.5 } else { yardstick::SPACING };
-    Ok((bench, Yardstick::measure(spacing)?))
+    Ok((bench, Yardstick::measure()?))
 }
 
 /// The default has to solve everything.
@@ -175,8 +175,14 @@ fn unsolved(bench: &Bench) -> Result<(), Trouble> {
 fn draw(folder: &Path, charts: &Charts) -> Result<(), Trouble> {
     let bench = &charts.bench;
     for problem in Problem::ALL {
-        let picture = figures::problem_figure(bench, problem, &methods::elements())?;
-        save(folder, &format!("elements-{}", problem.name()), &picture)?;
+        for (cost, ending) in [(Cost::Whole, ""), (Cost::Unknowns, "-unknowns")] {
+            let picture = figures::problem_figure(bench, problem, &methods::elements(), cost)?;
+            save(
+                folder,
+                &format!("elements-{}{ending}", problem.name()),
+                &picture,
+            )?;
+        }
     }
     for (quantity, name) in [
         (Quantity::PeakPressure, "gaps-peak-pressure"),

@@ -5,6 +5,19 @@
 
 use std::time::{Duration, Instant};
 
+/// Processor time `[s]` that the calling thread has used, which other programs on the machine do not move; `None` where the
+/// system does not tell.
+pub fn thread_seconds() -> Option<f64> {
+    #[cfg(unix)]
+    {
+        use rustix::time::{ClockId, clock_gettime};
+        let time = clock_gettime(ClockId::ThreadCPUTime);
+        Some(time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64)
+    }
+    #[cfg(not(unix))]
+    None
+}
+
 /// How often a piece of work is repeated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Repeat {
@@ -146,6 +159,16 @@ mod tests {
         assert_eq!((value, timing.runs), (5, 3));
         assert!(timing.lower <= timing.median && timing.median <= timing.upper);
         assert_eq!(time(Repeat::ONCE, || Err::<(), _>("no")), Err("no"));
+    }
+
+    #[test]
+    fn sleep_takes_no_processor_time() {
+        let (start, Some(before)) = (Instant::now(), thread_seconds()) else {
+            return;
+        };
+        std::thread::sleep(Duration::from_millis(30));
+        let used = thread_seconds().unwrap() - before;
+        assert!(used >= 0.0 && used < 0.5 * start.elapsed().as_secs_f64());
     }
 
     #[test]

@@ -11,6 +11,7 @@ use stickslip_fem_core::InterfaceOperator;
 
 use crate::conventional::{ConventionalNewton, Settings};
 use crate::error::LaboratoryError;
+use crate::measure::thread_seconds;
 
 /// How a scene is solved.
 #[derive(Clone, Copy, Debug)]
@@ -21,7 +22,7 @@ pub enum Path<'a> {
     Conventional(&'a Settings),
 }
 
-/// Wall times `[s]`.
+/// Times of the phases `[s]`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Seconds {
     /// Meshing and model.
@@ -53,6 +54,9 @@ pub struct Run {
     pub results: Results,
     /// Wall times.
     pub seconds: Seconds,
+    /// Processor times of the calling thread: of the whole work if it uses no other thread. Wall times where the system does
+    /// not tell.
+    pub processor: Seconds,
     /// Unknowns of all elastic bodies.
     pub unknowns: usize,
 }
@@ -65,34 +69,35 @@ pub struct Run {
 /// # Errors
 /// [`LaboratoryError::Run`], [`LaboratoryError::Conventional`].
 pub fn run(scene: &Scene, path: Path<'_>) -> Result<Run, LaboratoryError> {
-    let mut clock = Clock(Instant::now());
-    let mut seconds = Seconds::default();
+    let mut clock = Clock::start();
+    let (mut seconds, mut processor) = (Seconds::default(), Seconds::default());
     let model = Model::build(scene).map_err(RunError::from)?;
-    seconds.mesh = clock.lap();
+    [seconds.mesh, processor.mesh] = clock.lap();
     let operators = condense(&model)?;
     let problem = {
         let faces: Vec<&dyn InterfaceOperator> =
             operators.iter().map(Operator::interface).collect();
         InterfaceProblem::new(&faces, model.pairs.clone()).map_err(RunError::from)?
     };
-    seconds.setup = clock.lap();
+    [seconds.setup, processor.setup] = clock.lap();
     let whole;
     let solver: &dyn InterfaceSolver = match path {
         Path::Condensed(solver) => solver,
         Path::Conventional(settings) => {
             whole = ConventionalNewton::new(&operators, &problem, *settings)?;
-            seconds.setup = clock.lap();
+            [seconds.setup, processor.setup] = clock.lap();
             &whole
         }
     };
     let solved = follow(&model, operators, problem, solver, &mut |_| {})?;
-    seconds.contact = clock.lap();
+    [seconds.contact, processor.contact] = clock.lap();
     let unknowns = unknowns(&solved.operators);
     let results = results(scene, &model, solver, solved)?;
-    seconds.stresses = clock.lap();
+    [seconds.stresses, processor.stresses] = clock.lap();
     Ok(Run {
         results,
         seconds,
+        processor,
         unknowns,
     })
 }
@@ -102,14 +107,25 @@ fn unknowns(operators: &[Operator]) -> usize {
     elastic.map(|body| body.structure().unknowns()).sum()
 }
 
-struct Clock(Instant);
+struct Clock {
+    wall: Instant,
+    processor: Option<f64>,
+}
 
 impl Clock {
-    /// Seconds since the last lap.
-    fn lap(&mut self) -> f64 {
-        let now = Instant::now();
-        let seconds = now.duration_since(self.0).as_secs_f64();
-        self.0 = now;
-        seconds
+    fn start() -> Self {
+        Self {
+            wall: Instant::now(),
+            processor: thread_seconds(),
+        }
+    }
+
+    /// Seconds since the last lap, by the wall clock and of the processor.
+    fn lap(&mut self) -> [f64; 2] {
+        let now = Self::start();
+        let wall = now.wall.duration_since(self.wall).as_secs_f64();
+        let used = now.processor.zip(self.processor);
+        *self = now;
+        [wall, used.map_or(wall, |(now, before)| now - before)]
     }
 }

@@ -113,6 +113,18 @@ pub(super) fn today() -> String {
     format!("{year}-{month:02}-{day:02}")
 }
 
+/// Processor and system, as far as they are known.
+pub(super) fn machine() -> String {
+    let system = format!("{} {}", std::env::consts::OS, std::env::consts::ARCH);
+    let processor = std::fs::read_to_string("/proc/cpuinfo")
+        .ok()
+        .and_then(|text| {
+            let line = text.lines().find(|line| line.starts_with("model name"))?;
+            Some(line.split(':').nth(1)?.trim().to_owned())
+        });
+    processor.map_or(system.clone(), |name| format!("{name}, {system}"))
+}
+
 /// Year, month and day of the day `days` after 1970-01-01, in the Gregorian calendar.
 fn date(mut days: u64) -> [u64; 3] {
     let leap = |year: u64| {

@@ -5,7 +5,7 @@ use std::path::Path;
 use stickslip_laboratory::problems::Problem;
 use stickslip_report::FigureError;
 use stickslip_report::axis::Axis;
-use stickslip_report::chart::{LineChart, Panels, Series, SeriesStyle};
+use stickslip_report::chart::{Dash, LineChart, Panels, Series, SeriesStyle};
 use stickslip_report::color::Color;
 use stickslip_report::raster::to_png;
 use stickslip_report::svg::Svg;
@@ -20,7 +20,11 @@ const WIDTH: f64 = 400.0;
 const ASPECT: f64 = 0.85;
 const FRONT_COLOR: Color = Color::rgb(0xd5, 0xd5, 0xd5);
 const FRONT_WIDTH: f64 = 7.0;
-pub(super) const FRONT_LABEL: &str = "Pareto front of the settled errors";
+const FRONT_LABEL: &str = "Pareto front of the settled errors";
+const KNOWN_COLOR: Color = Color::rgb(0x77, 0x77, 0x77);
+/// That line is drawn from this part of the smallest error on.
+const NEAR: f64 = 0.2;
+const KNOWN_LABEL: &str = "What the reference is known to";
 
 /// A curve of a chart: points, with the spread of their costs.
 #[derive(Clone, Debug)]
@@ -28,13 +32,17 @@ pub(super) struct Curve {
     pub(super) label: String,
     pub(super) points: Vec<Point>,
     pub(super) spread: Vec<[f64; 2]>,
+    /// Category of its colour.
+    pub(super) color: usize,
+    pub(super) dash: Dash,
+    pub(super) width: f64,
 }
 
 impl Curve {
     fn of(
         bench: &Bench,
         problem: Problem,
-        (label, method): &(String, Method),
+        (index, (label, method)): (usize, &(String, Method)),
         cost: Cost,
         quantity: Quantity,
     ) -> Self {
@@ -48,12 +56,21 @@ impl Curve {
             label: label.clone(),
             points: bench.points(problem, *method, cost, quantity),
             spread,
+            color: index,
+            dash: Dash::Solid,
+            width: 1.8,
         }
     }
 }
 
-/// A log–log chart of `curves`, with their front behind them.
-pub(super) fn chart(title: &str, cost: &str, error: &str, curves: &[Curve]) -> LineChart {
+/// A log–log chart of `curves`, with their front behind them and a line at the error that the reference has itself.
+pub(super) fn chart(
+    title: &str,
+    cost: &str,
+    error: &str,
+    curves: &[Curve],
+    known: f64,
+) -> LineChart {
     let pareto: Vec<Vec<Point>> = curves.iter().map(|curve| curve.points.clone()).collect();
     let mut chart = LineChart::new(title, Axis::log(cost), Axis::log(error))
         .size(WIDTH, ASPECT)
@@ -62,16 +79,38 @@ pub(super) fn chart(title: &str, cost: &str, error: &str, curves: &[Curve]) -> L
                 .style(SeriesStyle::Step)
                 .color(FRONT_COLOR)
                 .width(FRONT_WIDTH),
+        )
+        .with(
+            Series::new(KNOWN_LABEL, known_line(curves, known))
+                .color(KNOWN_COLOR)
+                .dash(Dash::Dotted),
         );
-    for (index, curve) in curves.iter().enumerate() {
+    for curve in curves {
         chart = chart.with(
             Series::new(curve.label.clone(), pairs(&curve.points))
                 .style(SeriesStyle::Both)
                 .spread(curve.spread.clone())
-                .color(Color::category(index)),
+                .color(Color::category(curve.color))
+                .dash(curve.dash)
+                .width(curve.width),
         );
     }
     chart
+}
+
+/// A level line over all curves, where they come near it.
+fn known_line(curves: &[Curve], known: f64) -> Vec<[f64; 2]> {
+    let points = || curves.iter().flat_map(|curve| &curve.points);
+    let least = points()
+        .map(|point| point.error)
+        .fold(f64::INFINITY, f64::min);
+    if known < NEAR * least {
+        return Vec::new();
+    }
+    let costs = points().map(|point| point.cost);
+    let low = costs.clone().fold(f64::INFINITY, f64::min);
+    let high = costs.fold(0.0, f64::max);
+    vec![[low, known], [high, known]]
 }
 
 fn pairs(points: &[Point]) -> Vec<[f64; 2]> {
@@ -81,11 +120,12 @@ fn pairs(points: &[Point]) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// One problem: every error over time, and below over unknowns.
+/// One problem: every error over one cost.
 pub(super) fn problem_figure(
     bench: &Bench,
     problem: Problem,
     group: &Group,
+    cost: Cost,
 ) -> Result<Svg, FigureError> {
     let quantities: Vec<Quantity> = Quantity::ALL
         .into_iter()
@@ -97,20 +137,24 @@ pub(super) fn problem_figure(
         })
         .collect();
     let mut charts = Vec::new();
-    for cost in [Cost::Whole, Cost::Unknowns] {
-        for &quantity in &quantities {
-            let curves: Vec<Curve> = group
-                .methods
-                .iter()
-                .map(|method| Curve::of(bench, problem, method, cost, quantity))
-                .collect();
-            charts.push(chart("", cost.label(), &error_label(quantity), &curves));
-        }
+    for quantity in quantities {
+        let curves: Vec<Curve> = group
+            .methods
+            .iter()
+            .enumerate()
+            .map(|method| Curve::of(bench, problem, method, cost, quantity))
+            .collect();
+        let known = quantity.of(&problem.known()).unwrap_or(0.0);
+        charts.push(chart(
+            "",
+            cost.label(),
+            &error_label(quantity),
+            &curves,
+            known,
+        ));
     }
     let title = format!("{}: {}", problem.title(), group.title.to_lowercase());
-    Panels::new(title, quantities.len().max(1), charts)
-        .common_legend()
-        .render()
+    Panels::new(title, 3, charts).common_legend().render()
 }
 
 /// One error over one cost, in a panel for each problem.
@@ -126,6 +170,7 @@ pub(super) fn overview(
             let curves: Vec<Curve> = group
                 .methods
                 .iter()
+                .enumerate()
                 .map(|method| Curve::of(bench, problem, method, cost, quantity))
                 .collect();
             chart(
@@ -133,6 +178,7 @@ pub(super) fn overview(
                 cost.label(),
                 &error_label(quantity),
                 &curves,
+                quantity.of(&problem.known()).unwrap_or(0.0),
             )
         })
         .collect();

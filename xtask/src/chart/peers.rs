@@ -62,7 +62,7 @@ const REFERENCES: [(f64, [Known; 2]); 2] = [
 pub(super) const LOAD_STEPS: usize = 14;
 
 /// A program's run of the whole history: a row of the file.
-#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub(super) struct PeerRun {
     /// Program and version.
     pub(super) program: String,
@@ -100,14 +100,20 @@ pub(super) struct PeerRun {
     pub(super) iterations: Option<usize>,
     /// When it was measured.
     pub(super) measured: String,
+    /// Where.
+    pub(super) machine: String,
 }
 
 impl PeerRun {
     /// Curve that it belongs to.
     pub(super) fn label(&self) -> String {
-        let program = self.program.split(' ').next().unwrap_or(&self.program);
         let contact = self.contact.split(',').next().unwrap_or(&self.contact);
-        format!("{program}, {contact}, {}", self.element)
+        format!("{}, {contact}, {}", self.name(), self.element)
+    }
+
+    /// The program without its version.
+    fn name(&self) -> &str {
+        self.program.split(' ').next().unwrap_or(&self.program)
     }
 
     /// The smaller one of wall and processor time `[s]`: runs shared the machine, so the kinder number.
@@ -166,8 +172,13 @@ pub(super) fn read(path: &Path) -> Result<Vec<PeerRun>, Trouble> {
         .map_err(trouble)
 }
 
-/// Runs the programs that are installed and puts their rows in place of those they had.
-pub(super) fn renew(runs: &mut Vec<PeerRun>, today: &str, yardstick: f64) -> Result<(), Trouble> {
+/// Runs the programs that are installed and puts their rows in place of those that they had with the same contact method.
+pub(super) fn renew(
+    runs: &mut Vec<PeerRun>,
+    today: &str,
+    machine: &str,
+    yardstick: f64,
+) -> Result<(), Trouble> {
     let found: [(&str, Option<String>); 2] = [
         ("CalculiX", calculix::version()),
         ("GetFEM", getfem::version()),
@@ -188,10 +199,11 @@ pub(super) fn renew(runs: &mut Vec<PeerRun>, today: &str, yardstick: f64) -> Res
     }
     for run in &mut fresh {
         today.clone_into(&mut run.measured);
+        machine.clone_into(&mut run.machine);
         run.yardstick_s = yardstick;
     }
-    let program = |run: &PeerRun| run.program.split(' ').next().map(str::to_owned);
-    runs.retain(|old| !fresh.iter().any(|new| program(new) == program(old)));
+    let same = |a: &PeerRun, b: &PeerRun| a.name() == b.name() && a.contact == b.contact;
+    runs.retain(|old| !fresh.iter().any(|new| same(new, old)));
     runs.extend(fresh);
     Ok(())
 }

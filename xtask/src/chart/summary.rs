@@ -2,19 +2,18 @@
 
 use stickslip_laboratory::problems::Problem;
 use stickslip_report::FigureError;
-use stickslip_report::axis::Axis;
-use stickslip_report::chart::{Dash, LineChart, Panels, Series, SeriesStyle};
-use stickslip_report::color::Color;
+use stickslip_report::chart::{Dash, Panels};
 use stickslip_report::svg::Svg;
 
 use super::Charts;
 use super::bench::{Cost, Quantity};
 use super::curve::{Point, cost_of};
+use super::figures::{Curve, chart};
 use super::methods::{Enforcement, Method};
 use super::peers::{PeerRun, finest_error};
 
 /// A run that claims convergence with an error beyond this is a wrong answer, and off the chart.
-pub(super) const WRONG: f64 = 0.5;
+pub(super) const WRONG: f64 = 0.2;
 /// The two jobs.
 pub(super) const JOBS: [(f64, Problem); 2] = [
     (0.0, Problem::AluminiumFrictionless),
@@ -28,7 +27,7 @@ pub(super) fn seconds(charts: &Charts) -> Result<Svg, FigureError> {
     panels(
         charts,
         "Peak pressure of a pin joint, 14 load steps: error over time",
-        "Wall time of the whole history, one thread [s]",
+        "Processor time of the whole history, one thread [s]",
         1.0,
         |_| 1.0,
     )
@@ -38,8 +37,8 @@ pub(super) fn seconds(charts: &Charts) -> Result<Svg, FigureError> {
 pub(super) fn factorisations(charts: &Charts) -> Result<Svg, FigureError> {
     panels(
         charts,
-        "The same in units of one sparse Cholesky factorisation of 41 000 unknowns on the same machine",
-        "Time of the whole history over that of the factorisation",
+        "The same in factorisations of a sparse matrix of 41 000 unknowns on the same machine",
+        "Processor time over that of one factorisation",
         charts.yardstick.seconds,
         |run| run.yardstick_s,
     )
@@ -53,53 +52,41 @@ fn panels(
     unit: impl Fn(&PeerRun) -> f64,
 ) -> Result<Svg, FigureError> {
     let families = families(&charts.peers);
-    let parts = JOBS
-        .iter()
-        .map(|&(mu, problem)| {
-            let name = if mu == 0.0 {
-                "Frictionless".to_owned()
-            } else {
-                format!("Friction, μ = {mu}")
-            };
-            let axes = [
-                Axis::log(cost),
-                Axis::log("Relative error of the peak pressure"),
-            ];
-            let [x, y] = axes;
-            let mut chart = LineChart::new(name, x, y).size(WIDTH, ASPECT);
-            for (index, (label, enforcement)) in OWN.into_iter().enumerate() {
-                chart = chart.with(own(
-                    charts,
-                    mu,
-                    problem,
-                    enforcement,
-                    own_unit,
-                    label,
-                    index,
-                ));
-            }
-            for family in &families {
-                let points = charts
-                    .peers
-                    .iter()
-                    .filter(|run| run.mu == mu && run.label() == family.label)
+    let parts = JOBS.map(|(mu, problem)| {
+        let name = if mu == 0.0 {
+            "Frictionless".to_owned()
+        } else {
+            format!("Friction, μ = {mu}")
+        };
+        let mut curves: Vec<Curve> = OWN
+            .into_iter()
+            .enumerate()
+            .map(|(index, own)| own_curve(charts, (mu, problem), own, own_unit, index))
+            .collect();
+        curves.extend(families.iter().map(|family| {
+            let runs = charts.peers.iter();
+            Curve {
+                label: family.label.clone(),
+                points: runs
+                    .filter(|run| run.mu == mu && legend(run) == family.label)
                     .filter_map(|run| {
                         let point = run.point().filter(|point| point.error < WRONG)?;
-                        Some([point.cost / unit(run), point.error])
+                        Some(Point {
+                            cost: point.cost / unit(run),
+                            ..point
+                        })
                     })
-                    .collect();
-                chart = chart.with(
-                    Series::new(family.label.clone(), points)
-                        .style(SeriesStyle::Both)
-                        .width(1.2)
-                        .color(Color::category(family.color))
-                        .dash(family.dash),
-                );
+                    .collect(),
+                spread: Vec::new(),
+                color: family.color,
+                dash: family.dash,
+                width: 1.2,
             }
-            chart
-        })
-        .collect();
-    Panels::new(title, 2, parts).common_legend().render()
+        }));
+        let error = "Relative error of the peak pressure";
+        chart(&name, cost, error, &curves, finest_error(mu)).size(WIDTH, ASPECT)
+    });
+    Panels::new(title, 2, parts.into()).common_legend().render()
 }
 
 const OWN: [(&str, Enforcement); 2] = [
@@ -111,36 +98,36 @@ const OWN: [(&str, Enforcement); 2] = [
 ];
 
 /// This program's curve, with errors no smaller than the reference is known.
-fn own(
+fn own_curve(
     charts: &Charts,
-    mu: f64,
-    problem: Problem,
-    enforcement: Enforcement,
+    (mu, problem): (f64, Problem),
+    (label, enforcement): (&str, Enforcement),
     unit: f64,
-    label: &str,
     index: usize,
-) -> Series {
+) -> Curve {
     let method = Method {
         enforcement,
         ..Method::DEFAULT
     };
+    let scaled = |point: Point| Point {
+        cost: point.cost / unit,
+        ..point
+    };
     let points = own_points(charts, mu, problem, method);
-    let spread = charts
-        .bench
-        .curve(problem, method)
-        .iter()
-        .filter_map(|(_, measured)| Cost::Whole.spread(measured))
-        .map(|ends| ends.map(|end| end / unit))
-        .collect();
-    let pairs = points
-        .iter()
-        .map(|point| [point.cost / unit, point.error])
-        .collect();
-    Series::new(label, pairs)
-        .style(SeriesStyle::Both)
-        .width(if index == 0 { 3.0 } else { 2.0 })
-        .spread(spread)
-        .color(Color::category(index))
+    Curve {
+        label: label.to_owned(),
+        points: points.into_iter().map(scaled).collect(),
+        spread: charts
+            .bench
+            .curve(problem, method)
+            .iter()
+            .filter_map(|(_, measured)| Cost::Whole.spread(measured))
+            .map(|ends| ends.map(|end| end / unit))
+            .collect(),
+        color: index,
+        dash: Dash::Solid,
+        width: if index == 0 { 3.0 } else { 2.0 },
+    }
 }
 
 fn own_points(charts: &Charts, mu: f64, problem: Problem, method: Method) -> Vec<Point> {
@@ -161,16 +148,21 @@ struct Family {
     dash: Dash,
 }
 
+/// Label of a run's curve, with the day on which it was measured.
+fn legend(run: &PeerRun) -> String {
+    format!("{} ({})", run.label(), run.measured)
+}
+
 fn families(runs: &[PeerRun]) -> Vec<Family> {
-    let mut methods: Vec<(String, String)> = Vec::new();
+    let mut methods: Vec<(&str, &str)> = Vec::new();
     let mut families: Vec<Family> = Vec::new();
     for run in runs {
-        let label = run.label();
+        let label = legend(run);
         let shown = run.error().is_some_and(|error| error < WRONG);
         if !shown || families.iter().any(|family| family.label == label) {
             continue;
         }
-        let method = (run.program.clone(), run.contact.clone());
+        let method = (run.program.as_str(), run.contact.as_str());
         let known = methods.iter().position(|other| *other == method);
         let color = OWN.len()
             + known.unwrap_or_else(|| {
@@ -190,12 +182,15 @@ fn families(runs: &[PeerRun]) -> Vec<Family> {
     families
 }
 
-/// The fastest run of another program at one error, beside the default here.
+/// The fastest other program at one error, beside the default here.
 #[derive(Clone, Debug)]
 pub(super) struct Duel {
     pub(super) mu: f64,
     pub(super) error: f64,
-    pub(super) run: PeerRun,
+    /// Curve of the other program.
+    pub(super) label: String,
+    /// Its seconds, on its machine.
+    pub(super) other: f64,
     /// Seconds of the default, here.
     pub(super) own: f64,
     /// Time of the other over that of the default.
@@ -204,43 +199,63 @@ pub(super) struct Duel {
     pub(super) scaled: f64,
 }
 
-/// One duel for each of `errors` that both sides reach.
+/// One duel for each of `errors` that both sides reach, by the same rule for both: settled errors, costs interpolated between
+/// meshes.
 pub(super) fn duels(charts: &Charts, errors: &[f64]) -> Vec<Duel> {
     let mut duels = Vec::new();
     for (mu, problem) in JOBS {
         let own = own_points(charts, mu, problem, Method::DEFAULT);
+        let curves = peer_curves(&charts.peers, mu);
         for &error in errors {
-            let fastest = charts
-                .peers
+            let fastest = curves
                 .iter()
-                .filter(|run| run.mu == mu && run.error().is_some_and(|found| found <= error))
-                .min_by(|a, b| a.seconds().total_cmp(&b.seconds()));
-            duels.extend(fastest.and_then(|run| duel(charts, run, error, &own)));
+                .filter_map(|(run, points)| Some((*run, cost_of(points, error)?)))
+                .min_by(|a, b| a.1.total_cmp(&b.1));
+            duels.extend(fastest.and_then(|(run, cost)| duel(charts, run, cost, error, &own)));
         }
     }
     duels
 }
 
-/// Every run of another program against the default at that run's own error.
-pub(super) fn all_duels(charts: &Charts) -> Vec<Duel> {
+/// Every single run of another program against the default at that run's own error, lucky or not.
+pub(super) fn single_duels(charts: &Charts) -> Vec<Duel> {
     let mut duels = Vec::new();
     for (mu, problem) in JOBS {
         let own = own_points(charts, mu, problem, Method::DEFAULT);
         for run in charts.peers.iter().filter(|run| run.mu == mu) {
             let error = run.error().filter(|&error| error < WRONG);
-            duels.extend(error.and_then(|error| duel(charts, run, error, &own)));
+            duels.extend(error.and_then(|error| duel(charts, run, run.seconds(), error, &own)));
         }
     }
     duels
 }
 
-fn duel(charts: &Charts, run: &PeerRun, error: f64, own: &[Point]) -> Option<Duel> {
+/// The curves of other programs, the coarsest mesh first, each with one of its runs.
+fn peer_curves(runs: &[PeerRun], mu: f64) -> Vec<(&PeerRun, Vec<Point>)> {
+    let mut curves: Vec<(&PeerRun, Vec<Point>)> = Vec::new();
+    for run in runs.iter().filter(|run| run.mu == mu) {
+        let Some(point) = run.point() else {
+            continue;
+        };
+        match curves
+            .iter_mut()
+            .find(|(other, _)| other.label() == run.label())
+        {
+            Some((_, points)) => points.push(point),
+            None => curves.push((run, vec![point])),
+        }
+    }
+    curves
+}
+
+fn duel(charts: &Charts, run: &PeerRun, other: f64, error: f64, own: &[Point]) -> Option<Duel> {
     let own = cost_of(own, error)?;
-    let factor = run.seconds() / own;
+    let factor = other / own;
     Some(Duel {
         mu: run.mu,
         error,
-        run: run.clone(),
+        label: run.label(),
+        other,
         own,
         factor,
         scaled: factor * charts.yardstick.seconds / run.yardstick_s,

@@ -1,5 +1,7 @@
 //! The page beside the charts: who wins where, in numbers.
 
+mod programs;
+
 use std::fmt::Write as _;
 
 use stickslip_laboratory::problems::Problem;
@@ -7,19 +9,23 @@ use stickslip_laboratory::problems::Problem;
 use super::Charts;
 use super::bench::{Bench, Cost, Quantity};
 use super::curve::cost_of;
-use super::data::today;
+use super::data::{machine, today};
 use super::methods::{self, Group, Method};
-use super::summary::{Duel, WRONG, all_duels, duels};
 
 /// Errors at which methods are compared.
 const TARGETS: [f64; 2] = [1e-2, 1e-3];
-/// Errors at which other programs are met.
-const DUELS: [f64; 5] = [1e-2, 5e-3, 2e-3, 1e-3, 5e-4];
 
 /// A few lines for the terminal.
 pub(super) fn short(charts: &Charts) -> String {
-    format!("{}\n{}\n", peers_sentence(charts), paths_sentence(charts))
+    format!(
+        "{}\n{}\n",
+        programs::sentence(charts),
+        paths_sentence(charts)
+    )
 }
+
+/// What stands in place of a method where the reference is not known so well.
+const BEYOND: &str = "reference less exact";
 
 /// The whole page.
 pub(super) fn page(charts: &Charts) -> String {
@@ -30,105 +36,13 @@ pub(super) fn page(charts: &Charts) -> String {
         today(),
         machine()
     );
-    peers(&mut page, charts);
+    programs::section(&mut page, charts);
     paths(&mut page, charts);
     elements(&mut page, &charts.bench);
     gaps(&mut page, &charts.bench);
     solvers(&mut page, &charts.bench);
     failures(&mut page, &charts.bench);
     page
-}
-
-/// Processor and system, as far as they are known.
-fn machine() -> String {
-    let system = format!("{} {}", std::env::consts::OS, std::env::consts::ARCH);
-    let processor = std::fs::read_to_string("/proc/cpuinfo")
-        .ok()
-        .and_then(|text| {
-            let line = text.lines().find(|line| line.starts_with("model name"))?;
-            Some(line.split(':').nth(1)?.trim().to_owned())
-        });
-    processor.map_or(system.clone(), |name| format!("{name}, {system}"))
-}
-
-fn peers_sentence(charts: &Charts) -> String {
-    let all = all_duels(charts);
-    let mut factors: Vec<f64> = all.iter().map(|duel| duel.factor).collect();
-    factors.sort_by(f64::total_cmp);
-    let (Some(least), Some(median)) = (factors.first(), factors.get(factors.len() / 2)) else {
-        return "No run of another program can be compared on these meshes.".to_owned();
-    };
-    let above = factors.iter().filter(|&&factor| factor >= 50.0).count();
-    format!(
-        "At the error of each of {} runs of other programs the default is {} to {} times faster, {} in the median; at least \
-         50 times in {above} of them.",
-        factors.len(),
-        number(*least),
-        number(factors[factors.len() - 1]),
-        number(*median),
-    )
-}
-
-fn peers(page: &mut String, charts: &Charts) {
-    let _ = write!(
-        page,
-        "## Beside other programs\n\n![Error of the peak pressure over wall time](summary.png)\n\n{}\n\n\
-         The fastest run of any other program with at most the error in the first columns, and the default (Q8, spacing \
-         interpolated between the meshes run) with at most the same error:\n\n\
-         | μ | error | fastest other program | its time | stickslip | factor | factor in factorisations |\n\
-         | ---: | ---: | --- | ---: | ---: | ---: | ---: |\n",
-        peers_sentence(charts)
-    );
-    for duel in duels(charts, &DUELS) {
-        let _ = writeln!(page, "{}", duel_row(&duel));
-    }
-    let _ = write!(
-        page,
-        "\nTimes of other programs are the smaller one of wall and processor time of the whole history, on the machine and at the \
-         date in [peers.csv](peers.csv) (November 2026: another two-core Linux machine, one thread, versions in the table); those of \
-         stickslip are medians here. The last column takes the machines out: either time is divided by that of one sparse \
-         Cholesky factorisation of about 41 000 unknowns on its own machine, by CHOLMOD there (0.129 s), by faer here \
-         ({} unknowns, {}). Each program is held against the peak pressure of the kinematics that is nearer to it \
-         (undeformed or deformed contact geometry), and no error counts as smaller than that reference is known.\n\n\
-         ![The same in factorisations](peers-factorisations.png)\n\n",
-        charts.yardstick.unknowns,
-        seconds(charts.yardstick.seconds),
-    );
-    let wrong: Vec<String> = charts
-        .peers
-        .iter()
-        .filter_map(|run| {
-            let error = run.error().filter(|&error| error >= WRONG)?;
-            Some(format!(
-                "{} (μ = {}, {}°, {:.0} %)",
-                run.label(),
-                run.mu,
-                run.spacing_deg,
-                100.0 * error
-            ))
-        })
-        .collect();
-    if !wrong.is_empty() {
-        let _ = write!(
-            page,
-            "Runs that report convergence with an error of more than 50 % are off the chart: {}.\n\n",
-            wrong.join("; ")
-        );
-    }
-}
-
-fn duel_row(duel: &Duel) -> String {
-    format!(
-        "| {} | {} | {}, {}° | {} | {} | {} | {} |",
-        duel.mu,
-        percent(duel.error),
-        duel.run.label(),
-        duel.run.spacing_deg,
-        seconds(duel.run.seconds()),
-        seconds(duel.own),
-        number(duel.factor),
-        number(duel.scaled),
-    )
 }
 
 fn paths_sentence(charts: &Charts) -> String {
@@ -212,7 +126,12 @@ fn elements(page: &mut String, bench: &Bench) {
                 continue;
             }
             let mut cells = vec![problem.title().to_owned(), quantity.name().to_owned()];
+            let known = quantity.of(&problem.known()).unwrap_or(0.0);
             for target in TARGETS {
+                if target < known {
+                    cells.extend([BEYOND.to_owned(), none()]);
+                    continue;
+                }
                 let order = ranking(bench, problem, &group, Cost::Whole, quantity, target);
                 cells.push(
                     order
@@ -227,23 +146,45 @@ fn elements(page: &mut String, bench: &Bench) {
                 });
             }
             let sparse = ranking(bench, problem, &group, Cost::Unknowns, quantity, TARGETS[1]);
+            let sparsest = sparse.first().filter(|_| TARGETS[1] >= known);
             cells.push(
-                sparse
-                    .first()
-                    .map_or_else(none, |(label, cost)| format!("{label}, {}", cost.round())),
+                sparsest.map_or_else(none, |(label, cost)| format!("{label}, {}", cost.round())),
             );
             let _ = writeln!(page, "| {} |", cells.join(" | "));
         }
     }
-    page.push('\n');
+    known(page);
     for problem in Problem::ALL {
         let _ = write!(
             page,
-            "![{}: elements](elements-{}.png)\n\n",
-            problem.title(),
-            problem.name()
+            "![{title}: elements, over time](elements-{name}.png)\n\n![The same over unknowns](elements-{name}-unknowns.png)\n\n",
+            title = problem.title(),
+            name = problem.name()
         );
     }
+}
+
+/// How well the references are known.
+fn known(page: &mut String) {
+    page.push_str(
+        "\nWhat the references themselves are known to; a curve that flattens there (the dotted line) has met the end of the \
+         reference, not of its mesh. Closed forms have no error, but the block of 40 mm is not quite a half-plane.\n\n| problem |",
+    );
+    for quantity in Quantity::ALL {
+        let _ = write!(page, " {} |", quantity.name());
+    }
+    page.push_str("\n| --- | ---: | ---: | ---: | ---: | ---: |\n");
+    for problem in Problem::ALL {
+        let limits = problem.known();
+        let cell = |quantity: Quantity| match quantity.of(&limits) {
+            None => none(),
+            Some(0.0) => "exact".to_owned(),
+            Some(limit) => format!("{limit:.0e}"),
+        };
+        let cells = Quantity::ALL.map(cell).join(" | ");
+        let _ = writeln!(page, "| {} | {cells} |", problem.title());
+    }
+    page.push('\n');
 }
 
 fn none() -> String {

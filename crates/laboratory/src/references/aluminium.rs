@@ -50,13 +50,13 @@ pub fn profile(text: &str, step: usize) -> Result<Profile, LaboratoryError> {
         let numbers: Vec<f64> = fields
             .map(|field| field.parse().map_err(|_| broken(line)))
             .collect::<Result<_, _>>()?;
-        match (kind, numbers[..].as_array::<3>()) {
-            ("step", Some(&[peak, extent, hoop])) => {
+        match (kind, &numbers[..]) {
+            ("step", &[peak, extent, hoop]) => {
                 profile.peak_pressure = peak;
                 profile.extent = extent.to_radians();
                 profile.hoop = hoop;
             }
-            ("node", Some(&[angle, pressure, shear])) => {
+            ("node", &[angle, pressure, shear]) => {
                 profile.angle.push(angle.to_radians());
                 profile.pressure.push(pressure);
                 profile.shear.push(shear);

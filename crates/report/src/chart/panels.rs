@@ -8,7 +8,6 @@ use crate::frame::{Heading, OUTER};
 use crate::svg::{Canvas, Svg};
 
 const GAP: f64 = 6.0;
-/// Room above a common legend \[px\].
 /// The common title is larger than those of the parts.
 const TITLE_SIZE: f64 = 18.0;
 

@@ -1,21 +1,63 @@
 //! CalculiX: writes an input deck, runs `ccx`, reads the displacements.
 
 use std::fmt::Write as _;
-use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::Command;
 
 use stickslip_fem_core::mesh::ElementKind;
 
-use super::job::{COMPARED, Job, POISSON, PSI, Part, YOUNG, wait};
-use super::{LOAD_STEPS, PeerRun};
+use super::PeerRun;
+use super::job::{Cost, Job, POISSON, PSI, Part, Steps, YOUNG, wait};
 use crate::chart::Trouble;
 
-/// Surface-to-surface: contact stiffness 1e9 psi/in, on which its results have converged without oscillating; `[MPa/mm]`.
-const STIFFNESS: f64 = 1e9 * PSI / 25.4;
-/// Element of CalculiX, the mesh's, its name in the table, and the spacings `[deg]`.
-const FAMILIES: [(&str, ElementKind, &str, &[f64]); 2] = [
-    ("CPS4", ElementKind::Q4, "Q4", &[9.0, 4.5, 2.25]),
-    ("CPS8R", ElementKind::Q8, "Q8R", &[9.0]),
+/// How contact is enforced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Contact {
+    SurfaceToSurface,
+    NodeToSurface,
+}
+
+impl Contact {
+    fn name(self) -> &'static str {
+        match self {
+            Self::SurfaceToSurface => "surface-to-surface penalty",
+            Self::NodeToSurface => "node-to-surface penalty",
+        }
+    }
+
+    /// Contact stiffness on which its results have converged without oscillating `[MPa/mm]`: 1e9 and 1e10 psi/in.
+    fn stiffness(self) -> f64 {
+        match self {
+            Self::SurfaceToSurface => 1e9 * PSI / 25.4,
+            Self::NodeToSurface => 1e10 * PSI / 25.4,
+        }
+    }
+}
+
+/// Nodes that are apart by less than this `[mm]` feel each other in node-to-surface contact.
+const REACH: f64 = 2.54e-6;
+/// Contact, element of CalculiX, the mesh's, its name in the table, and the spacings `[deg]`.
+const FAMILIES: [(Contact, &str, ElementKind, &str, &[f64]); 3] = [
+    (
+        Contact::SurfaceToSurface,
+        "CPS4",
+        ElementKind::Q4,
+        "Q4",
+        &[9.0, 4.5, 2.25, 1.125],
+    ),
+    (
+        Contact::SurfaceToSurface,
+        "CPS8R",
+        ElementKind::Q8,
+        "Q8R",
+        &[9.0, 4.5],
+    ),
+    (
+        Contact::NodeToSurface,
+        "CPS4",
+        ElementKind::Q4,
+        "Q4",
+        &[9.0, 4.5, 2.25],
+    ),
 ];
 
 /// What `ccx -v` says, if it is installed.
@@ -26,74 +68,44 @@ pub(super) fn version() -> Option<String> {
     Some(format!("CalculiX {number}"))
 }
 
-/// Runs both families without and with friction.
+/// Runs all families without and with friction.
 pub(super) fn runs(version: &str) -> Result<Vec<PeerRun>, Trouble> {
     let mut runs = Vec::new();
     for mu in [0.0, 0.25] {
-        for (cell, kind, element, spacings) in FAMILIES {
+        for (contact, cell, kind, element, spacings) in FAMILIES {
             for &spacing in spacings {
                 let job = Job::new(mu, kind, spacing)?;
-                runs.push(run(&job, version, cell, element)?);
+                let (cost, steps) = follow(&deck(&job, contact, cell)?, &job)?;
+                let [contact, element] = [contact.name(), element].map(str::to_owned);
+                runs.push(job.peer_run(version, contact, element, cost, &steps)?);
             }
         }
     }
     Ok(runs)
 }
 
-fn run(job: &Job, version: &str, cell: &str, element: &str) -> Result<PeerRun, Trouble> {
+/// Runs `deck`: what it took, and the plate's displacements at the end of each step.
+fn follow(deck: &str, job: &Job) -> Result<(Cost, Steps), Trouble> {
     let folder = tempfile::tempdir().map_err(|cause| Trouble::Peer(cause.to_string()))?;
-    let file = |path: &Path, cause| Trouble::File {
-        path: path.to_owned(),
-        cause,
-    };
     let input = folder.path().join("pin.inp");
-    std::fs::write(&input, deck(job, cell)?).map_err(|cause| file(&input, cause))?;
-    let child = Command::new("ccx")
-        .arg("pin")
-        .current_dir(folder.path())
-        .env("OMP_NUM_THREADS", "1")
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .spawn()
-        .map_err(|cause| Trouble::Peer(cause.to_string()))?;
-    let (_, seconds) = wait(child)?;
+    std::fs::write(&input, deck).map_err(|cause| Trouble::File {
+        path: input.clone(),
+        cause,
+    })?;
+    let cost = wait(
+        Command::new("ccx")
+            .arg("pin")
+            .current_dir(folder.path())
+            .env("OMP_NUM_THREADS", "1"),
+    )?;
+    // A run that stopped early has the steps up to there.
     let text = std::fs::read_to_string(folder.path().join("pin.frd")).unwrap_or_default();
     let count = job.body(Part::Plate).mesh().nodes().len();
-    let steps = displacements(&text, count);
-    let peak = steps
-        .get(COMPARED)
-        .map(|u| job.peak_pressure(u))
-        .transpose()?;
-    eprintln!(
-        "  {version}, {element}, μ = {}, {}°: {seconds:.2} s, {} of {LOAD_STEPS} steps",
-        job.mu,
-        job.spacing,
-        steps.len()
-    );
-    Ok(PeerRun {
-        program: version.to_owned(),
-        contact: "surface-to-surface penalty".into(),
-        element: element.into(),
-        mu: job.mu,
-        spacing_deg: job.spacing,
-        unknowns: job.unknowns(),
-        steps_converged: steps.len(),
-        peak_pressure_psi: peak,
-        contact_half_angle_deg: None,
-        hoop_at_90_deg_psi: None,
-        shear_ratio: None,
-        wall_s: seconds,
-        cpu_s: None,
-        factorisation_s: None,
-        cpu_over_factorisation: None,
-        yardstick_s: 0.0,
-        iterations: None,
-        measured: String::new(),
-    })
+    Ok((cost, displacements(&text, count)))
 }
 
 /// The input deck: meshes, contact pair with the hole as slave, supports, and one step for each load.
-fn deck(job: &Job, cell: &str) -> Result<String, Trouble> {
+fn deck(job: &Job, contact: Contact, cell: &str) -> Result<String, Trouble> {
     let mut deck = String::from("*NODE, NSET=ALL\n");
     let (points, cells) = job.mesh();
     // Writing into a string does not fail.
@@ -116,20 +128,8 @@ fn deck(job: &Job, cell: &str) -> Result<String, Trouble> {
             "*SOLID SECTION, ELSET={name}, MATERIAL=AL\n{thickness:.12e}"
         );
     }
-    for (name, part, set) in [("SHOLE", Part::Plate, "hole"), ("SRIM", Part::Pin, "rim")] {
-        let _ = writeln!(deck, "*SURFACE, NAME={name}, TYPE=ELEMENT");
-        for edge in job.edges(part, set)? {
-            let _ = writeln!(deck, "{},S{}", edge.element + 1, edge.edge + 1);
-        }
-    }
-    let _ = writeln!(
-        deck,
-        "*SURFACE INTERACTION, NAME=SI\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{STIFFNESS:.6e}"
-    );
-    if job.mu > 0.0 {
-        let _ = writeln!(deck, "*FRICTION\n{},{:.6e}", job.mu, 0.1 * STIFFNESS);
-    }
-    deck += "*CONTACT PAIR, INTERACTION=SI, TYPE=SURFACE TO SURFACE\nSHOLE,SRIM\n*BOUNDARY\n";
+    deck += &contact_pair(job, contact)?;
+    deck += "*BOUNDARY\n";
     for part in [Part::Plate, Part::Pin] {
         for node in job.nodes(part, "symmetry")? {
             let _ = writeln!(deck, "{},2,2", node + 1);
@@ -155,9 +155,42 @@ fn deck(job: &Job, cell: &str) -> Result<String, Trouble> {
     Ok(deck)
 }
 
+/// The contact pair with the hole as slave, and its surfaces.
+fn contact_pair(job: &Job, contact: Contact) -> Result<String, Trouble> {
+    let mut deck = String::new();
+    for (name, part, set) in [("SHOLE", Part::Plate, "hole"), ("SRIM", Part::Pin, "rim")] {
+        if contact == Contact::NodeToSurface && part == Part::Plate {
+            let _ = writeln!(deck, "*SURFACE, NAME={name}, TYPE=NODE");
+            for node in job.nodes(part, set)? {
+                let _ = writeln!(deck, "{},", node + 1);
+            }
+            continue;
+        }
+        let _ = writeln!(deck, "*SURFACE, NAME={name}, TYPE=ELEMENT");
+        for edge in job.edges(part, set)? {
+            let _ = writeln!(deck, "{},S{}", edge.element + 1, edge.edge + 1);
+        }
+    }
+    let stiffness = contact.stiffness();
+    deck += "*SURFACE INTERACTION, NAME=SI\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n";
+    let _ = match contact {
+        Contact::SurfaceToSurface => writeln!(deck, "{stiffness:.6e}"),
+        Contact::NodeToSurface => writeln!(deck, "{stiffness:.6e},0.,{REACH:.6e}"),
+    };
+    if job.mu > 0.0 {
+        let _ = writeln!(deck, "*FRICTION\n{},{:.6e}", job.mu, 0.1 * stiffness);
+    }
+    deck += match contact {
+        Contact::SurfaceToSurface => "*CONTACT PAIR, INTERACTION=SI, TYPE=SURFACE TO SURFACE\n",
+        Contact::NodeToSurface => "*CONTACT PAIR, INTERACTION=SI, TYPE=NODE TO SURFACE\n",
+    };
+    deck += "SHOLE,SRIM\n";
+    Ok(deck)
+}
+
 /// Displacements of the first `count` nodes at the end of each step that a result file has.
-fn displacements(text: &str, count: usize) -> Vec<Vec<[f64; 2]>> {
-    let mut steps: Vec<Vec<[f64; 2]>> = Vec::new();
+fn displacements(text: &str, count: usize) -> Steps {
+    let mut steps = Steps::new();
     let mut inside = false;
     for line in text.lines() {
         if line.starts_with(" -4") {
@@ -185,12 +218,13 @@ fn displacements(text: &str, count: usize) -> Vec<Vec<[f64; 2]>> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::LOAD_STEPS;
     use super::*;
 
     #[test]
     fn the_deck_names_every_node_cell_and_step() {
         let job = Job::new(0.25, ElementKind::Q4, 9.0).unwrap();
-        let deck = deck(&job, "CPS4").unwrap();
+        let deck = deck(&job, Contact::SurfaceToSurface, "CPS4").unwrap();
         let (points, cells) = job.mesh();
         let lines: Vec<&str> = deck.lines().collect();
         let first_cells = lines

@@ -1,27 +1,28 @@
 //! GetFEM through the system's Python: writes the job, runs a script on it, reads the displacements.
 
-use std::process::{Command, Stdio};
+use std::process::Command;
 
 use serde::{Deserialize, Serialize};
 use stickslip_fem_core::mesh::{ElementKind, Point};
 
-use super::job::{COMPARED, Job, POISSON, Part, YOUNG, wait};
-use super::{LOAD_STEPS, PeerRun};
+use super::PeerRun;
+use super::job::{Cost, Job, POISSON, Part, Steps, YOUNG, wait};
 use crate::chart::Trouble;
 
 const SCRIPT: &str = include_str!("getfem.py");
-/// Elements and spacings `[deg]` that it is run on.
-const FAMILIES: [(ElementKind, &[f64]); 2] = [
-    (ElementKind::Q4, &[9.0, 4.5, 2.25]),
-    (ElementKind::Q8, &[9.0]),
+/// Contact, elements and spacings `[deg]` that it is run on.
+const FAMILIES: [(&str, ElementKind, &[f64]); 4] = [
+    ("ray tracing", ElementKind::Q4, &[9.0, 4.5, 2.25, 1.125]),
+    ("ray tracing", ElementKind::Q8, &[9.0, 4.5]),
+    ("projection", ElementKind::Q4, &[9.0, 4.5, 2.25, 1.125]),
+    ("projection", ElementKind::Q8, &[9.0, 4.5, 2.25]),
 ];
 /// Release distance of the ray tracing `[mm]`: larger than any gap of the job.
 const RELEASE: f64 = 0.5;
 
 /// What Python's `getfem` says, if it is installed.
 pub(super) fn version() -> Option<String> {
-    let program =
-        "import getfem; print(getfem.__version__ if hasattr(getfem, '__version__') else '')";
+    let program = "import getfem; print(getfem.getfem_env('version'))";
     let output = python().args(["-c", program]).output().ok()?;
     let number = String::from_utf8_lossy(&output.stdout);
     output
@@ -49,6 +50,7 @@ struct Body {
 
 #[derive(Serialize)]
 struct Input {
+    contact: &'static str,
     order: usize,
     mu: f64,
     young: f64,
@@ -62,87 +64,62 @@ struct Input {
 
 #[derive(Deserialize)]
 struct Output {
-    steps: Vec<Vec<[f64; 2]>>,
+    steps: Steps,
     iterations: usize,
-    seconds: f64,
+    wall: f64,
+    cpu: f64,
 }
 
-/// Runs both elements without and with friction.
+/// Runs all families without and with friction.
 pub(super) fn runs(version: &str) -> Result<Vec<PeerRun>, Trouble> {
     let mut runs = Vec::new();
     for mu in [0.0, 0.25] {
-        for (element, spacings) in FAMILIES {
+        for (contact, element, spacings) in FAMILIES {
             for &spacing in spacings {
-                runs.push(run(&Job::new(mu, element, spacing)?, version)?);
+                let job = Job::new(mu, element, spacing)?;
+                let (output, waited) = follow(&job_of(&job, contact)?)?;
+                let (cost, steps, iterations) = match output {
+                    Some(output) => {
+                        let (wall, cpu) = (output.wall, Some(output.cpu));
+                        (Cost { wall, cpu }, output.steps, Some(output.iterations))
+                    }
+                    None => (waited, Vec::new(), None),
+                };
+                let contact = format!("{contact}, augmented Lagrangian");
+                let element = format!("{element:?}");
+                let run = job.peer_run(version, contact, element, cost, &steps)?;
+                runs.push(PeerRun { iterations, ..run });
             }
         }
     }
     Ok(runs)
 }
 
-fn run(job: &Job, version: &str) -> Result<PeerRun, Trouble> {
+/// Runs the script: what it found, unless it ended early, and what it took with all imports.
+fn follow(input: &Input) -> Result<(Option<Output>, Cost), Trouble> {
     let fail = |cause: &dyn std::fmt::Display| Trouble::Peer(cause.to_string());
     let folder = tempfile::tempdir().map_err(|cause| fail(&cause))?;
-    let [script, input, result] =
+    let [script, job, result] =
         ["run.py", "job.json", "result.json"].map(|name| folder.path().join(name));
-    let text = serde_json::to_string(&job_of(job)?).map_err(|cause| fail(&cause))?;
+    let text = serde_json::to_string(input).map_err(|cause| fail(&cause))?;
     std::fs::write(&script, SCRIPT).map_err(|cause| fail(&cause))?;
-    std::fs::write(&input, text).map_err(|cause| fail(&cause))?;
-    let child = python()
-        .args([&script, &input, &result])
-        .current_dir(folder.path())
-        .env("OMP_NUM_THREADS", "1")
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .spawn()
-        .map_err(|cause| fail(&cause))?;
-    let (_, waited) = wait(child)?;
+    std::fs::write(&job, text).map_err(|cause| fail(&cause))?;
+    let cost = wait(
+        python()
+            .args([&script, &job, &result])
+            .current_dir(folder.path())
+            .env("OMP_NUM_THREADS", "1"),
+    )?;
     let output = std::fs::read_to_string(&result)
         .ok()
-        .and_then(|text| serde_json::from_str::<Output>(&text).ok())
-        .unwrap_or(Output {
-            steps: Vec::new(),
-            iterations: 0,
-            seconds: waited,
-        });
-    let peak = output
-        .steps
-        .get(COMPARED)
-        .map(|u| job.peak_pressure(u))
-        .transpose()?;
-    eprintln!(
-        "  {version}, {:?}, μ = {}, {}°: {:.2} s, {} of {LOAD_STEPS} steps",
-        job.element,
-        job.mu,
-        job.spacing,
-        output.seconds,
-        output.steps.len()
-    );
-    Ok(PeerRun {
-        program: version.to_owned(),
-        contact: "ray tracing, augmented Lagrangian".into(),
-        element: format!("{:?}", job.element),
-        mu: job.mu,
-        spacing_deg: job.spacing,
-        unknowns: job.unknowns(),
-        steps_converged: output.steps.len(),
-        peak_pressure_psi: peak,
-        contact_half_angle_deg: None,
-        hoop_at_90_deg_psi: None,
-        shear_ratio: None,
-        wall_s: output.seconds,
-        cpu_s: None,
-        factorisation_s: None,
-        cpu_over_factorisation: None,
-        yardstick_s: 0.0,
-        iterations: Some(output.iterations),
-        measured: String::new(),
-    })
+        .and_then(|text| serde_json::from_str(&text).ok());
+    Ok((output, cost))
 }
 
-fn job_of(job: &Job) -> Result<Input, Trouble> {
+fn job_of(job: &Job, contact: &'static str) -> Result<Input, Trouble> {
     let [low, high] = job.body(Part::Plate).mesh().bounding_box();
     Ok(Input {
+        contact,
         order: job.element.order(),
         mu: job.mu,
         young: YOUNG,

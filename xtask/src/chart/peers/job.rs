@@ -1,5 +1,6 @@
 //! The benchmark's meshes, numbered as one, and the peak pressure of somebody else's displacements on them.
 
+use std::process::{Command, Stdio};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -9,6 +10,7 @@ use stickslip_fem_core::body::internal_forces;
 use stickslip_fem_core::mesh::{EdgeRef, ElementKind, Point};
 use stickslip_laboratory::problems::{Gap, Problem};
 
+use super::{LOAD_STEPS, PeerRun};
 use crate::chart::Trouble;
 
 /// 1 psi in MPa.
@@ -16,7 +18,7 @@ pub(super) const PSI: f64 = 6.894757293168361e-3;
 /// The load step that is compared: 1240 lb while loading.
 pub(super) const COMPARED: usize = 3;
 /// Runs of other programs are stopped after this time.
-const LIMIT: Duration = Duration::from_secs(120);
+const LIMIT: Duration = Duration::from_secs(175);
 
 /// Plate and pin, upper half; mm, N, MPa.
 #[derive(Debug)]
@@ -146,6 +148,43 @@ impl Job {
         (points, cells)
     }
 
+    /// The row of a run that yielded the displacements `steps` of the plate's nodes at the end of each step.
+    pub(super) fn peer_run(
+        &self,
+        program: &str,
+        contact: String,
+        element: String,
+        cost: Cost,
+        steps: &[Vec<[f64; 2]>],
+    ) -> Result<PeerRun, Trouble> {
+        let compared = steps.get(COMPARED);
+        let peak = compared.map(|u| self.peak_pressure(u)).transpose()?;
+        let run = PeerRun {
+            program: program.to_owned(),
+            contact,
+            element,
+            mu: self.mu,
+            spacing_deg: self.spacing,
+            unknowns: self.unknowns(),
+            steps_converged: steps.len(),
+            peak_pressure_psi: peak,
+            wall_s: cost.wall,
+            cpu_s: cost.cpu,
+            ..PeerRun::default()
+        };
+        eprintln!(
+            "  {program}, {}, {}, μ = {}, {}°: {:.2} s, {} of {LOAD_STEPS} steps, peak pressure {:.0} psi",
+            run.contact,
+            run.element,
+            run.mu,
+            run.spacing_deg,
+            run.seconds(),
+            run.steps_converged,
+            peak.unwrap_or(f64::NAN)
+        );
+        Ok(run)
+    }
+
     /// Largest contact pressure `[psi]` of the displacements `u` `[mm]` of the plate's nodes: nodal forces K u on the hole over
     /// the nodes' lengths of arc.
     pub(super) fn peak_pressure(&self, u: &[[f64; 2]]) -> Result<f64, Trouble> {
@@ -172,21 +211,51 @@ impl Job {
     }
 }
 
-/// Waits for `child`, at most as long as a run may take; whether it ended well, and after how many seconds.
-pub(super) fn wait(mut child: std::process::Child) -> Result<(bool, f64), Trouble> {
-    let start = Instant::now();
+/// Displacements `[mm]` of the plate's nodes at the end of each step.
+pub(super) type Steps = Vec<Vec<[f64; 2]>>;
+
+/// What a run took `[s]`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cost {
+    pub(super) wall: f64,
+    /// User and system, where the system tells.
+    pub(super) cpu: Option<f64>,
+}
+
+/// Runs `command` without output, at most as long as a run may take.
+pub(super) fn wait(command: &mut Command) -> Result<Cost, Trouble> {
     let fail = |cause: std::io::Error| Trouble::Peer(cause.to_string());
-    loop {
-        if let Some(status) = child.try_wait().map_err(fail)? {
-            return Ok((status.success(), start.elapsed().as_secs_f64()));
-        }
+    let before = children_seconds();
+    let start = Instant::now();
+    let mut child = command
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .map_err(fail)?;
+    while child.try_wait().map_err(fail)?.is_none() {
         if start.elapsed() > LIMIT {
             child.kill().map_err(fail)?;
             child.wait().map_err(fail)?;
-            return Ok((false, start.elapsed().as_secs_f64()));
+            break;
         }
         std::thread::sleep(Duration::from_millis(5));
     }
+    Ok(Cost {
+        wall: start.elapsed().as_secs_f64(),
+        cpu: before
+            .zip(children_seconds())
+            .map(|(before, after)| after - before),
+    })
+}
+
+/// Processor time of all children that ended `[s]`: fields 16 and 17 of Linux's `/proc/self/stat`, in hundredths.
+fn children_seconds() -> Option<f64> {
+    let text = std::fs::read_to_string("/proc/self/stat").ok()?;
+    // The second field, in brackets, may contain spaces.
+    let (_, rest) = text.rsplit_once(')')?;
+    let fields: Vec<&str> = rest.split_whitespace().collect();
+    let ticks = |k: usize| fields.get(k)?.parse::<f64>().ok();
+    Some(0.01 * (ticks(13)? + ticks(14)?))
 }
 
 #[cfg(test)]
