@@ -9,6 +9,9 @@ use super::step::Step;
 use super::{FailureCause, Residuals, StepFailure, StepSolution, Stop, Unresolved, Work};
 use crate::state::{Status, TrialState};
 
+/// Forces that have fallen to this part of the last accepted ones are rounding.
+const FADED: f64 = 1e-13;
+
 /// The solver, its step, its work so far, and the state that met the conditions best.
 #[derive(Debug)]
 pub(super) struct Attempt<'a> {
@@ -69,7 +72,7 @@ impl<'a> Attempt<'a> {
     /// Turns `trial` into a solution if it meets the conditions to 1e-10 of their scales. Where all that is left of the last
     /// forces is rounding, and none is needed, there are none.
     pub(super) fn accept(&mut self, trial: TrialState) -> Result<StepSolution, FailureCause> {
-        let rounding = ACCEPTED * self.step.committed.forces.amax();
+        let rounding = FADED * self.step.committed.forces.amax();
         let negligible = trial.forces.amax() <= rounding && self.step.mode_load.amax() <= rounding;
         if negligible && trial.forces.amax() > 0.0 {
             let released = self.released(&trial.rigid);
