@@ -19,12 +19,14 @@
 //! | [`uniqueness`] | the friction coefficient up to which a step has one solution |
 //! | [`zones`] | where contact is open, sticks and slips, with interpolated ends |
 //! | [`audit`] | equilibrium of every step |
+//! | [`freedom`] | rigid motions that no contact resists |
 //!
 //! Signs: normals e_n point from the second body into the first, e_t is e_n turned by +90°. Forces λ act on the first
 //! body; λ_n ≥ 0 presses; Δs is the motion of the first body against the second along e_t.
 
 pub mod audit;
 mod error;
+pub mod freedom;
 pub mod gap;
 pub mod history;
 pub mod mortar;

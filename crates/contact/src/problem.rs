@@ -273,6 +273,11 @@ impl InterfaceProblem {
         &self.modes
     }
 
+    /// Number of bodies.
+    pub fn body_count(&self) -> usize {
+        self.mode_offsets.len() - 1
+    }
+
     /// Range of the rigid motions of body `body` among the columns of G.
     pub fn body_modes(&self, body: usize) -> std::ops::Range<usize> {
         self.mode_offsets[body]..self.mode_offsets[body + 1]
@@ -295,7 +300,9 @@ impl InterfaceProblem {
         let mut load = combine(&self.case_mode_load, multipliers, self.modes.ncols());
         for (mode, sum) in load.iter_mut().enumerate() {
             let parts = self.case_mode_load.iter().zip(multipliers);
-            let size: f64 = parts.map(|(case, factor)| (factor * case[mode]).abs()).sum();
+            let size: f64 = parts
+                .map(|(case, factor)| (factor * case[mode]).abs())
+                .sum();
             if sum.abs() <= ROUNDING * size {
                 *sum = 0.0;
             }

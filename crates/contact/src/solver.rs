@@ -262,4 +262,12 @@ pub trait InterfaceSolver: std::fmt::Debug + Send + Sync {
     /// # Errors
     /// [`StepFailure`] with the reason of every solver that was tried.
     fn solve(&self, step: &Step<'_>) -> Result<StepSolution, StepFailure>;
+
+    /// Solves `step` by its cheapest means only: what cut-back calls between the whole increment and the smallest part.
+    ///
+    /// # Errors
+    /// [`StepFailure`], also where [`InterfaceSolver::solve`] would find a solution.
+    fn try_quickly(&self, step: &Step<'_>) -> Result<StepSolution, StepFailure> {
+        self.solve(step)
+    }
 }

@@ -66,19 +66,32 @@ pub struct FolderHandle {
     stage: Arc<Mutex<Stage>>,
 }
 
+/// What became of a result folder that was given up.
+#[derive(Debug)]
+pub enum Abandoned<'a> {
+    /// It is deleted. As long as this value lives, the thread that fills the folder waits; after that its writes fail.
+    Deleted(Filling<'a>),
+    /// The results were complete, abandoned or dropped before.
+    TooLate,
+}
+
+/// Keeps the thread that fills a folder waiting.
+#[derive(Debug)]
+pub struct Filling<'a> {
+    _stage: MutexGuard<'a, Stage>,
+}
+
 impl FolderHandle {
-    /// Deletes the hidden folder, and what was written of it. `None` if the results were complete, abandoned or dropped before;
-    /// while they are being put in place this waits. As long as the value returned lives, the thread that fills the folder waits;
-    /// after that its writes fail.
-    pub fn abandon(&self) -> Option<impl Sized> {
+    /// Deletes the hidden folder, and what was written of it; while results are being put in place this waits.
+    pub fn abandon(&self) -> Abandoned<'_> {
         let mut stage = lock(&self.stage);
         if *stage != Stage::Filling {
-            return None;
+            return Abandoned::TooLate;
         }
         *stage = Stage::Abandoned;
         // A handler of signals cannot report; the folder is hidden and named as partial.
         let _ = fs::remove_dir_all(&self.staging);
-        Some(stage)
+        Abandoned::Deleted(Filling { _stage: stage })
     }
 }
 
@@ -90,6 +103,8 @@ impl ResultFolder {
     /// [`FolderError::Exists`], [`FolderError::NotResults`], [`FolderError::NotAFolder`] and
     /// [`FolderError::NoName`] for what is at `path`; [`FolderError::Unwritable`] where nothing can be written.
     pub fn create(path: &Path, overwrite: Overwrite) -> Result<Self, FolderError> {
+        // As the path was given, so that the message has its words.
+        no_file_in_the_way(path)?;
         let target = resolved(path)?;
         check_target(&target, overwrite)?;
         let staging = sibling(&target, "partial")?;
@@ -254,13 +269,21 @@ fn exists(path: &Path) -> bool {
     path.symlink_metadata().is_ok()
 }
 
+fn no_file_in_the_way(path: &Path) -> Result<(), FolderError> {
+    match path.ancestors().find(|part| part.is_file()) {
+        Some(file) => Err(FolderError::NotAFolder {
+            path: path.to_owned(),
+            file: file.to_owned(),
+        }),
+        None => Ok(()),
+    }
+}
+
 fn check_target(target: &Path, overwrite: Overwrite) -> Result<(), FolderError> {
     let path = || target.to_owned();
+    no_file_in_the_way(target)?;
     if !exists(target) {
         return Ok(());
-    }
-    if !target.is_dir() {
-        return Err(FolderError::NotAFolder { path: path() });
     }
     if overwrite == Overwrite::Refuse {
         return Err(FolderError::Exists { path: path() });

@@ -24,7 +24,7 @@ use crate::results::{Choice, EdgeGeometry};
 use crate::scene::Scene;
 
 pub use meshes::NODE_LIMIT;
-pub use remarks::beyond_fine_zone;
+pub(crate) use remarks::beyond_fine_zone;
 
 /// Why a scene that reads well cannot be modelled.
 #[derive(Debug, Error)]

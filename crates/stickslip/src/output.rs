@@ -21,6 +21,7 @@ mod names;
 mod page;
 mod summary;
 mod tables;
+pub(crate) use tables::SIGNS;
 mod vtk_files;
 mod zones;
 

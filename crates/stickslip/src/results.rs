@@ -1,9 +1,9 @@
 //! What a run yields, in base units (mm, N, MPa, rad): the source of every table, file and figure.
 
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use stickslip_contact::Status;
-use stickslip_contact::audit::Audit;
 use stickslip_contact::solver::{Residuals, Work};
 use stickslip_contact::zones::Zone;
 use stickslip_fem_core::body::BodyBalance;
@@ -127,10 +127,11 @@ pub struct EdgeRow {
 pub struct EdgeResults {
     /// One row per node.
     pub rows: Vec<EdgeRow>,
-    /// Zones of equal status; empty without contact.
+    /// Zones of equal status of the whole edge, also where half of it is modelled; empty without contact. On a circle a zone
+    /// across θ = ±π starts before π and ends beyond it.
     pub zones: Vec<Zone>,
-    /// Half of the distance from the first to the last place in contact, in a half model all of it `[rad or mm]`; `None` if the
-    /// pair is open or not a contact.
+    /// Half of what contact reaches over, gaps between its parts included `[rad or mm]`: half of the distance from its first to its
+    /// last place, on a circle half of all but the longest opening; `None` if the pair is open or not a contact.
     pub contact_half_extent: Option<f64>,
     /// Half of the extent of the stick zone around the bearing point or x = 0 `[rad or mm]`: 0 where that point slips or is
     /// open, `None` without contact or without friction.
@@ -152,6 +153,13 @@ pub struct EdgeResults {
     pub friction_force: f64,
     /// ∫p dA over the whole contact `[N]`.
     pub normal_force: f64,
+}
+
+impl EdgeGeometry {
+    /// The length of `parameter` after which the edge closes on itself, if it does.
+    pub fn closed(&self) -> Option<f64> {
+        matches!(self.kind, EdgeKind::Circle { .. }).then_some(TAU)
+    }
 }
 
 impl EdgeResults {
@@ -198,14 +206,13 @@ pub struct StepResults {
     /// Residuals of the contact conditions.
     pub residuals: Residuals,
     /// Largest unbalanced force or moment, of the floating bodies in the interface problem, and of each elastic body's nodes,
-    /// resultant and moment by its recovered displacements; relative to the largest load or contact force of the whole history.
+    /// resultant and moment by its recovered displacements; relative to the body's own loads and contact forces in the step, or to a
+    /// thousandth of its largest in the history where that is more.
     pub balance_residual: f64,
     /// Balance of each body with its reactions, by the recovered displacements; `None` for a rigid one.
     pub balance: Vec<Option<BodyBalance>>,
     /// Frictional dissipation in the step, whole model `[N·mm]`.
     pub dissipation: f64,
-    /// Equilibrium audit.
-    pub audit: Audit,
     /// Fields of each elastic body, where asked for.
     pub fields: Vec<BodyFields>,
     /// Wall time of the step's contact solution `[s]`.

@@ -2,6 +2,7 @@
 
 mod edges;
 mod fields;
+mod remarks;
 mod reported;
 
 use std::time::Instant;
@@ -242,16 +243,16 @@ pub fn results(
             cutbacks: record.cutbacks,
             doubtful: record.doubtful,
             residuals: record.residuals,
-            balance_residual: record.audit.balance.max(recovered[index].imbalance()),
+            balance_residual: record.audit.balance().max(recovered[index].imbalance()),
             balance: recovered[index].balance.clone(),
             dissipation: record.dissipation * if model.half { 2.0 } else { 1.0 },
-            audit: record.audit.clone(),
             fields: Vec::new(),
             seconds: solved.step_seconds[index],
         });
     }
     let mut notes = model.notes.clone();
-    notes.extend(remarks(&steps));
+    notes.extend(remarks::of_steps(scene, model, &steps));
+    notes.extend(remarks::of_freedom(model, &solved.problem));
     let mut choices = model.choices.clone();
     choices.push(solver_choice(scene.analysis.solver, solver));
     let mut results = Results {
@@ -356,42 +357,4 @@ fn loads(scene: &Scene, step: usize) -> Vec<LoadValue> {
             }
         })
         .collect()
-}
-
-/// What a reader must know of the steps: where an answer was not unique, and where the history was cut back.
-fn remarks(steps: &[StepResults]) -> Vec<String> {
-    let mut notes = Vec::new();
-    let doubtful: Vec<usize> = (0..steps.len())
-        .filter(|&k| steps[k].doubtful > 0)
-        .collect();
-    if !doubtful.is_empty() {
-        let most = steps.iter().map(|step| step.doubtful).max().unwrap_or(0);
-        notes.push(format!(
-            "The answer is not unique in load step {}: up to {most} contact points stick with a traction between the dynamic and the \
-             static bound, where slip at the dynamic traction would be admissible too. They were taken to stick because they had \
-             not slipped before.",
-            ranges(&doubtful)
-        ));
-    }
-    let cut: Vec<usize> = (0..steps.len())
-        .filter(|&k| steps[k].cutbacks > 0)
-        .collect();
-    if !cut.is_empty() {
-        notes.push(format!(
-            "The increment was cut back in load step {}.",
-            ranges(&cut)
-        ));
-    }
-    notes
-}
-
-/// Step numbers from 1, runs shortened: "2–5, 9".
-fn ranges(steps: &[usize]) -> String {
-    let runs = steps.chunk_by(|a, b| a + 1 == *b);
-    let shown = runs.map(|run| match run {
-        [] => String::new(),
-        [only] => format!("{}", only + 1),
-        [first, .., last] => format!("{}–{}", first + 1, last + 1),
-    });
-    shown.collect::<Vec<_>>().join(", ")
 }

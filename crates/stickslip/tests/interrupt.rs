@@ -1,4 +1,4 @@
-//! Ctrl-C during a run.
+//! Ctrl-C, SIGTERM and SIGHUP during a run.
 #![cfg(unix)]
 
 use std::fs;
@@ -29,8 +29,8 @@ fn entries(folder: &Path) -> Vec<PathBuf> {
     entries.map(|entry| entry.unwrap().path()).collect()
 }
 
-/// Interrupts `run` as soon as there are more than `before` entries in `folder`.
-fn interrupt(mut run: Child, folder: &Path, before: usize) -> (Option<i32>, String) {
+/// Sends `signal` to `run` as soon as there are more than `before` entries in `folder`.
+fn interrupt(mut run: Child, signal: &str, folder: &Path, before: usize) -> (Option<i32>, String) {
     let start = Instant::now();
     while entries(folder).len() <= before {
         assert!(start.elapsed() < Duration::from_secs(60));
@@ -38,7 +38,7 @@ fn interrupt(mut run: Child, folder: &Path, before: usize) -> (Option<i32>, Stri
         std::thread::sleep(Duration::from_millis(1));
     }
     let sent = Command::new("kill")
-        .args(["-INT", &run.id().to_string()])
+        .args(["-s", signal, &run.id().to_string()])
         .status()
         .unwrap();
     assert!(sent.success());
@@ -50,11 +50,10 @@ fn interrupt(mut run: Child, folder: &Path, before: usize) -> (Option<i32>, Stri
     )
 }
 
-#[test]
-fn an_interrupted_run_leaves_nothing() {
+fn leaves_nothing(signal: &str) {
     let folder = TempDir::new().unwrap();
     let run = long_run(&folder.path().join("results"), &[]);
-    let (code, message) = interrupt(run, folder.path(), 0);
+    let (code, message) = interrupt(run, signal, folder.path(), 0);
     assert_eq!(code, Some(130), "{message}");
     assert!(
         message.contains("interrupted; nothing was written"),
@@ -64,13 +63,28 @@ fn an_interrupted_run_leaves_nothing() {
 }
 
 #[test]
+fn an_interrupted_run_leaves_nothing() {
+    leaves_nothing("INT");
+}
+
+#[test]
+fn a_terminated_run_leaves_nothing() {
+    leaves_nothing("TERM");
+}
+
+#[test]
+fn a_run_whose_terminal_closes_leaves_nothing() {
+    leaves_nothing("HUP");
+}
+
+#[test]
 fn an_interrupted_replacement_leaves_the_old_results() {
     let folder = TempDir::new().unwrap();
     let old = folder.path().join("results");
     fs::create_dir(&old).unwrap();
     fs::write(old.join("summary.json"), "old").unwrap();
     let run = long_run(&old, &["--force", "--json"]);
-    let (code, message) = interrupt(run, folder.path(), 1);
+    let (code, message) = interrupt(run, "INT", folder.path(), 1);
     assert_eq!(code, Some(130), "{message}");
     let value: serde_json::Value = serde_json::from_str(&message).unwrap();
     assert_eq!(value["errors"][0]["code"], "run::interrupted");

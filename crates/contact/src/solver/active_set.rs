@@ -30,7 +30,8 @@ impl Default for StatusIteration {
 
 /// Semismooth Newton method on the projection form of the conditions (Alart & Curnier 1991), as an active-set iteration:
 /// the next status of a point follows from the sign of λ_n − c g_n and the size of λ_t − c Δs against the bound, c being the
-/// inverse of the point's own compliance. When statuses repeat, only the most violated point changes from then on.
+/// inverse of the point's own compliance. Where statuses repeat, the worse half of the changes is made, later the worst only,
+/// and points that slip once are held by their slip traction: of a law that drops, which leaves several answers, it takes one.
 #[derive(Clone, Copy, Debug)]
 pub struct SemismoothNewton {
     /// Largest number of solves.
@@ -100,6 +101,8 @@ struct Iteration<'a> {
     trail: Vec<Vec<Status>>,
     /// Cycles that were broken so far.
     breaks: usize,
+    /// Points that lost their bound of sticking: those that slipped since the first break.
+    slipped: Vec<bool>,
 }
 
 impl<'a> Iteration<'a> {
@@ -134,6 +137,7 @@ impl<'a> Iteration<'a> {
             seen: HashMap::new(),
             trail: Vec::new(),
             breaks: 0,
+            slipped: vec![false; step.count()],
         }
     }
 
@@ -142,7 +146,8 @@ impl<'a> Iteration<'a> {
         limit: usize,
         attempt: &mut Attempt<'_>,
     ) -> Result<StepSolution, FailureCause> {
-        for _ in 0..limit {
+        for count in 0..limit {
+            self.remember_slips(count);
             let work = &mut attempt.work;
             let frozen = self
                 .system
@@ -159,7 +164,8 @@ impl<'a> Iteration<'a> {
                 continue;
             }
             let scales = Scales::of(self.step, &frozen.forces, &frozen.motion);
-            let changes = self.rules.changes(self.step, &self.status, &frozen, scales);
+            let (rules, status) = (self.rules, &self.status);
+            let changes = rules.changes(self.step, status, &self.slipped, &frozen, scales);
             let settled = self.relinearise(&frozen, scales);
             let trial = attempt.trial(&frozen, &self.status);
             if changes.is_empty() && settled {
@@ -210,6 +216,16 @@ impl<'a> Iteration<'a> {
         }
         self.status = next;
         Ok(())
+    }
+
+    /// Once the iteration has run in a circle, or long, slipping points lose their bound of sticking for the rest of it.
+    fn remember_slips(&mut self, count: usize) {
+        const LONG: usize = 30;
+        if self.rules == Rules::Projection && (self.breaks > 0 || count > LONG) {
+            for (slipped, status) in self.slipped.iter_mut().zip(&self.status) {
+                *slipped |= status.slip_sign() != 0.0;
+            }
+        }
     }
 
     fn with<'c>(&self, changes: impl Iterator<Item = &'c Change>) -> Vec<Status> {
@@ -265,16 +281,18 @@ pub(super) fn confirm(
         .iterate(LIMIT, attempt)
 }
 
-/// Shows `attempt` the state with the statuses of `candidate`, which is not expected to be a solution.
-pub(super) fn examine(candidate: &Candidate, attempt: &mut Attempt<'_>) {
+/// The state with the statuses of `candidate`, which is not expected to be a solution but may be.
+pub(super) fn examine(
+    candidate: &Candidate,
+    attempt: &mut Attempt<'_>,
+) -> Result<StepSolution, FailureCause> {
     let step = attempt.step;
     let lines: Vec<SlipLine> = (0..step.count())
         .map(|k| slip_line(step, k, candidate.normal[k], candidate.slip[k]))
         .collect();
-    if let Ok(frozen) = solve(step, &candidate.status, &lines, &mut attempt.work) {
-        let trial = attempt.trial(&frozen, &candidate.status);
-        attempt.offer(&trial);
-    }
+    let frozen = solve(step, &candidate.status, &lines, &mut attempt.work)?;
+    let trial = attempt.trial(&frozen, &candidate.status);
+    attempt.accept(trial)
 }
 
 /// Solves with these statuses, changing only where the law is linearised.

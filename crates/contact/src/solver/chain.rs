@@ -54,6 +54,20 @@ impl InterfaceSolver for Chain {
     }
 
     fn solve(&self, step: &Step<'_>) -> Result<StepSolution, StepFailure> {
+        Self::solve_by(&self.members, step)
+    }
+
+    /// With its first member only.
+    fn try_quickly(&self, step: &Step<'_>) -> Result<StepSolution, StepFailure> {
+        Self::solve_by(&self.members[..self.members.len().min(1)], step)
+    }
+}
+
+impl Chain {
+    fn solve_by(
+        members: &[Box<dyn InterfaceSolver>],
+        step: &Step<'_>,
+    ) -> Result<StepSolution, StepFailure> {
         if let Some(solution) = unchanged(step) {
             return Ok(solution);
         }
@@ -71,7 +85,7 @@ impl InterfaceSolver for Chain {
             failure.attempts.push(("force balance", proof));
             return Err(failure);
         }
-        for member in &self.members {
+        for member in members {
             match member.solve(step) {
                 Ok(mut solution) => {
                     solution.work += failure.work;

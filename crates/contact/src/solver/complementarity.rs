@@ -130,6 +130,11 @@ impl Complementarity {
         }
     }
 
+    /// Number of complementary pairs.
+    pub(super) fn order(&self) -> usize {
+        self.constant.len()
+    }
+
     /// The solution found with covering vector number `cover`; `None` if pivoting did not end with one.
     pub(super) fn solve(
         &self,

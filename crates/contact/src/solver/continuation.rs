@@ -9,9 +9,7 @@
 //! path that turns back at a fold (Klarbring 1990) is left by a jump to whatever the solver finds beyond it.
 
 use super::attempt::Attempt;
-use super::{
-    FailureCause, InterfaceSolver, Pivoting, SemismoothNewton, Step, StepFailure, StepSolution,
-};
+use super::{FailureCause, InterfaceSolver, SemismoothNewton, Step, StepFailure, StepSolution};
 use crate::state::TrialState;
 
 /// Continuation in the friction coefficient, then in the load.
@@ -85,21 +83,15 @@ impl Continuation {
 }
 
 fn solve_at(step: &Step<'_>, attempt: &mut Attempt<'_>) -> Result<TrialState, FailureCause> {
-    let members: [&dyn InterfaceSolver; 2] = [&SemismoothNewton::default(), &Pivoting::default()];
-    let mut last = FailureCause::Limit(0);
-    for member in members {
-        match member.solve(step) {
-            Ok(solution) => {
-                attempt.spend(solution.work);
-                return Ok(solution.trial);
-            }
-            Err(mut failure) => {
-                attempt.spend(failure.work);
-                if let Some((_, cause)) = failure.attempts.pop() {
-                    last = cause;
-                }
-            }
+    match SemismoothNewton::default().solve(step) {
+        Ok(solution) => {
+            attempt.spend(solution.work);
+            Ok(solution.trial)
+        }
+        Err(mut failure) => {
+            attempt.spend(failure.work);
+            let last = failure.attempts.pop();
+            Err(last.map_or(FailureCause::Limit(0), |(_, cause)| cause))
         }
     }
-    Err(last)
 }

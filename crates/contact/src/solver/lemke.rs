@@ -41,7 +41,14 @@ impl Dictionary {
             if first.len() <= 1 {
                 break;
             }
-            first = self.first_to_vanish(first, column, |row| self.perturbation(row, power));
+            // Coefficient of ε^(power + 1) in the basic variables: the perturbation goes with the w of that index.
+            let variable = 1 + power;
+            let place = self.nonbasic.iter().position(|&other| other == variable);
+            first = self.first_to_vanish(first, column, |row| match place {
+                Some(position) => -self.table[(row, position + 1)],
+                None if self.basic[row] == variable => 1.0,
+                None => 0.0,
+            });
         }
         // What is left differs by rounding only.
         let slope = |row: usize| self.table[(row, column)];
@@ -74,18 +81,6 @@ impl Dictionary {
         let rounding = ROUNDING * self.table.column(0).amax();
         let row = self.basic.iter().position(|&variable| variable == 0);
         row.is_none_or(|row| self.table[(row, 0)] <= rounding)
-    }
-
-    /// Coefficient of ε^(`power` + 1) in the basic variable of `row`: the perturbation goes with w of that index.
-    fn perturbation(&self, row: usize, power: usize) -> f64 {
-        let variable = 1 + power;
-        if self.basic[row] == variable {
-            return 1.0;
-        }
-        match self.nonbasic.iter().position(|&other| other == variable) {
-            Some(position) => -self.table[(row, position + 1)],
-            None => 0.0,
-        }
     }
 }
 

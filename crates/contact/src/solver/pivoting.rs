@@ -13,8 +13,10 @@ use super::{FailureCause, InterfaceSolver, StepFailure, StepSolution};
 /// Complementary pivoting with covering vectors that exclude rays for supported bodies; it needs no start.
 #[derive(Clone, Copy, Debug)]
 pub struct Pivoting {
-    /// Largest number of pivots per complementarity problem, in multiples of its order.
+    /// Largest number of pivots per complementarity problem, in multiples of its order; rarely are more than two needed.
     pub pivots_per_unknown: usize,
+    /// Floating-point operations after which no further complementarity problem is begun.
+    pub effort: u64,
     /// Number of covering vectors that are tried.
     pub covers: usize,
     /// Largest number of repetitions with new secants of the law.
@@ -24,7 +26,8 @@ pub struct Pivoting {
 impl Default for Pivoting {
     fn default() -> Self {
         Self {
-            pivots_per_unknown: 50,
+            pivots_per_unknown: 10,
+            effort: 20_000_000_000,
             covers: 4,
             repetitions: 20,
         }
@@ -73,6 +76,9 @@ impl Pivoting {
                     // Which of several solutions is followed is settled by the first round.
                     let covers = if round == 0 { self.covers } else { 1 };
                     for cover in 0..covers {
+                        if attempt.work.operations > self.effort {
+                            return Err(last);
+                        }
                         let Some(candidate) =
                             problem.solve(cover, self.pivots_per_unknown, &mut attempt.work)
                         else {

@@ -32,7 +32,8 @@ const ROUNDING: f64 = 1e-12;
 /// Least-index principal pivoting; it needs no start. Statuses are confirmed and forces solved as in [`super::Pivoting`].
 #[derive(Clone, Copy, Debug)]
 pub struct PrincipalPivoting {
-    /// Largest number of pivots per complementarity problem, in multiples of its order.
+    /// Largest number of pivots per complementarity problem, in multiples of its order; no other problem is begun once as many
+    /// were made in all.
     pub pivots_per_unknown: usize,
     /// Largest number of repetitions with new secants of the law.
     pub repetitions: usize,
@@ -68,6 +69,9 @@ impl PrincipalPivoting {
             for &softness in softnesses(step) {
                 let rest = step.committed.rigid.map(|_| 0.0);
                 let problem = Complementarity::new(step, coefficients.clone(), softness, &rest);
+                if attempt.work.pivots > self.pivots_per_unknown * problem.order() {
+                    return Err(last);
+                }
                 let (candidate, outcome) =
                     problem.solve_by_least_index(self.pivots_per_unknown, &mut attempt.work);
                 match outcome.and_then(|()| confirm(&candidate, attempt)) {
@@ -79,8 +83,7 @@ impl PrincipalPivoting {
             let Some(candidate) = next else { break };
             secants.advance(&candidate);
             if secants.coefficients(step) == coefficients {
-                examine(&candidate, attempt);
-                break;
+                return examine(&candidate, attempt).map_err(|_| last);
             }
         }
         Err(last)

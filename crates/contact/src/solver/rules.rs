@@ -24,17 +24,20 @@ pub(super) struct Change {
 }
 
 impl Rules {
-    /// The points whose status is to change after the solve `frozen` with statuses `status`.
+    /// The points whose status is to change after the solve `frozen` with statuses `status`. Points that are `slipped` are
+    /// held by their slip traction only, not by a larger bound of sticking.
     pub(super) fn changes(
         self,
         step: &Step<'_>,
         status: &[Status],
+        slipped: &[bool],
         frozen: &Frozen,
         scales: Scales,
     ) -> Vec<Change> {
         let at = At {
             step,
             status,
+            slipped,
             frozen,
             scales,
         };
@@ -57,11 +60,22 @@ impl Rules {
 struct At<'a> {
     step: &'a Step<'a>,
     status: &'a [Status],
+    slipped: &'a [bool],
     frozen: &'a Frozen,
     scales: Scales,
 }
 
 impl At<'_> {
+    /// Tangential force that `point` can carry without slip.
+    fn holding(&self, point: usize, normal: f64, slip: f64) -> f64 {
+        let bound = self.step.bound(point, normal, slip);
+        if self.slipped[point] {
+            bound.stick.min(bound.slip)
+        } else {
+            bound.stick
+        }
+    }
+
     fn report_rule(&self, point: usize) -> (Status, f64) {
         let now = self.status[point];
         let (normal, tangential) = (
@@ -88,8 +102,7 @@ impl At<'_> {
             return (Status::Stick, 0.0);
         }
         if now == Status::Stick {
-            let excess =
-                (tangential.abs() - self.step.bound(point, normal, 0.0).stick) / self.scales.force;
+            let excess = (tangential.abs() - self.holding(point, normal, 0.0)) / self.scales.force;
             if excess > ROUNDING {
                 (Status::slip_along(-tangential), excess)
             } else {
@@ -126,10 +139,7 @@ impl At<'_> {
         };
         let trial = self.frozen.forces[2 * point + 1] - stop(2 * point + 1);
         let normal = (self.frozen.forces[2 * point] - stop(2 * point)).max(0.0);
-        let bound = self
-            .step
-            .bound(point, normal, self.frozen.motion[2 * point + 1])
-            .stick;
+        let bound = self.holding(point, normal, self.frozen.motion[2 * point + 1]);
         if trial.abs() > bound {
             (Status::slip_along(-trial), violation)
         } else {

@@ -131,11 +131,11 @@ fn the_audit_sees_the_forces_that_act_on_the_body() {
     let forces = problem.forces_on_body(0, 4, &record.state.forces);
     let [x, y, moment] = resultant(first.points(), &forces);
     assert!(y > 0.0);
-    let [audited_x, audited_y] = record.audit.resultants[0];
+    let [audited_x, audited_y] = record.audit.pairs[0].resultant;
     for (audited, acting) in [
         (audited_x, x),
         (audited_y, y),
-        (record.audit.moments[0], moment),
+        (record.audit.pairs[0].moment, moment),
     ] {
         assert!(
             (audited - acting).abs() < ROUNDING * 10.0 * y,

@@ -103,11 +103,11 @@ fn pressed(cells: [usize; 2], kind: ElementKind, how: How) -> [f64; 3] {
     let first = body(upper, &upper_nodes, 100.0, "top", -0.03);
     let second = body(lower, &lower_nodes, 300.0, "bottom", 0.0);
     let (problem, record) = solve([&first, &second], points, 0.1, &[1.0]);
-    let friction = record.audit.friction[0];
+    let friction = record.audit.pairs[0];
     [
         friction.normal,
         tractions(&problem, &record)[0][0],
-        friction.magnitude,
+        friction.friction,
     ]
 }
 

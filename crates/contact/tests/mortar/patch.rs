@@ -96,9 +96,9 @@ fn constant_stress_passes_edges_that_do_not_match() {
                     assert!(error < 2.0 * ROUNDING, "{what}, body {index}: {error:.1e}");
                 }
                 assert!(
-                    solved.1.audit.balance < EXACT,
+                    solved.1.audit.balance() < EXACT,
                     "{what}: {}",
-                    solved.1.audit.balance
+                    solved.1.audit.balance()
                 );
             }
         }

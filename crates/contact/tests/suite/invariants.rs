@@ -96,10 +96,10 @@ proptest! {
         }
         for i in 0..2 {
             prop_assert!((resultant[i] - multipliers[i]).abs() < ROUNDING);
-            prop_assert!((audit.resultants[0][i] - resultant[i]).abs() < ROUNDING);
+            prop_assert!((audit.pairs[0].resultant[i] - resultant[i]).abs() < ROUNDING);
         }
-        prop_assert!((audit.moments[0] - moment).abs() < ROUNDING);
-        prop_assert!(audit.balance < ROUNDING);
+        prop_assert!((audit.pairs[0].moment - moment).abs() < ROUNDING);
+        prop_assert!(audit.balance() < ROUNDING);
     }
 
     #[test]

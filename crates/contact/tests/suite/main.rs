@@ -1,7 +1,9 @@
 //! Tests of the contact solvers, from outside the crate.
 
+mod audit;
 mod discrete;
 mod family;
+mod freedom;
 mod given_body;
 mod histories;
 mod invariants;
@@ -11,6 +13,7 @@ mod random;
 mod rigid;
 mod scene;
 mod unique;
+mod zones;
 
 use std::sync::Arc;
 

@@ -88,9 +88,9 @@ fn recovered_fields_are_in_equilibrium() {
     }
 }
 
-/// A state loaded a billion times less is balanced by the same measure: its rounding does not grow into a defect.
+/// A state loaded a billion times less is balanced by a thousandth of the history's load: its rounding does not grow into a defect.
 #[test]
-fn balance_is_measured_by_the_most_loaded_state() {
+fn balance_has_a_floor_in_the_most_loaded_state() {
     let body = Arc::new(supported(ElementKind::Q8, ply(0.5)));
     let interface = side_nodes(body.mesh(), &["top", "right"]);
     let condensed = body.condense(&interface).unwrap();
@@ -113,8 +113,8 @@ fn balance_is_measured_by_the_most_loaded_state() {
         (both[1].nodal, alone.nodal),
     ] {
         // Two roundings of the scale.
-        assert!((of_both - 1e-9 * of_one).abs() <= 1e-14 * 1e-9 * of_one);
-        assert!(of_both < 1e-18);
+        assert!((of_both - 1e-6 * of_one).abs() <= 1e-14 * 1e-6 * of_one);
+        assert!(of_both < 1e-15);
     }
     assert!(both[0].force.max(both[0].moment).max(both[0].nodal) < 1e-10);
 }

@@ -33,11 +33,13 @@ pub enum FolderError {
         /// The path as given.
         path: PathBuf,
     },
-    /// The target is a file.
-    #[error("'{}' is not a folder; choose another path", path.display())]
+    /// The target, or a part of its path, is a file.
+    #[error("results cannot be written to '{}': '{}' is a file, not a folder", path.display(), file.display())]
     NotAFolder {
         /// The target.
         path: PathBuf,
+        /// The file.
+        file: PathBuf,
     },
     /// A name inside the folder that leads out of it, or is [`MARKER`].
     #[error(

@@ -30,11 +30,11 @@ pub(super) enum CommandError {
     #[error("{message}")]
     #[diagnostic(code(command::usage), help("{usage}"))]
     Usage { message: String, usage: String },
-    /// Ctrl-C before the results were complete.
+    /// A signal before the results were complete.
     #[error("interrupted; nothing was written")]
     #[diagnostic(code(run::interrupted))]
     Interrupted,
-    /// Ctrl-C when the results were complete.
+    /// A signal when the results were complete.
     #[error("interrupted; the results were complete")]
     #[diagnostic(code(run::interrupted))]
     InterruptedLate,

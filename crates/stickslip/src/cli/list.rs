@@ -10,7 +10,7 @@ use stickslip_friction::{ParameterInfo, laws};
 use super::console::Console;
 use super::failure::Failure;
 use super::init::TEMPLATES;
-use crate::output::signs_table;
+use crate::output::{SIGNS, signs_table};
 use crate::units::Dimension;
 
 #[derive(Debug, Args)]
@@ -226,7 +226,11 @@ fn value(topic: Topic) -> Value {
                 json!({ "name": name, "unit": unit, "meaning": meaning })
             };
             let columns: Vec<_> = COLUMNS.iter().map(column).collect();
-            json!({ "columns": columns, "table": signs_table() })
+            let sign = |[quantity, meaning, elsewhere]: &[&str; 3]| {
+                json!({ "quantity": quantity, "meaning": meaning, "elsewhere": elsewhere })
+            };
+            let signs: Vec<_> = SIGNS.iter().map(sign).collect();
+            json!({ "columns": columns, "signs": signs })
         }
     }
 }

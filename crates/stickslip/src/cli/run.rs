@@ -1,7 +1,7 @@
 //! `stickslip run`: solve a scene and write a folder of results.
 
 use std::io::IsTerminal;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -38,16 +38,12 @@ pub(super) struct RunArguments {
 /// The results cannot be kept.
 #[derive(Debug, Error, Diagnostic)]
 enum KeepError {
-    #[error("results cannot be written to '{path}': '{file}' is a file, not a folder")]
-    #[diagnostic(
-        code(run::folder),
-        help("name a folder with --output DIR; it is made if it does not exist")
-    )]
-    NotAFolder { path: String, file: String },
     #[error(transparent)]
     #[diagnostic(
         code(run::folder),
-        help("name a folder with --output DIR; --force replaces results that are there already")
+        help(
+            "name a folder with --output DIR; it is made if it does not exist, and --force replaces results that are there already"
+        )
     )]
     Folder(#[from] FolderError),
     #[error(transparent)]
@@ -67,7 +63,6 @@ pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Fail
         Overwrite::Refuse
     };
     let path = arguments.folder();
-    no_file_in_the_way(&path)?;
     let folder =
         guarded(console, || ResultFolder::create(&path, overwrite)).map_err(KeepError::from)?;
     let bar = bar(&scene, console);
@@ -85,17 +80,6 @@ pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Fail
         },
         &output::summary_json(&results),
     )
-}
-
-/// Refuses a path of which a file is a part.
-fn no_file_in_the_way(path: &Path) -> Result<(), KeepError> {
-    match path.ancestors().find(|part| part.is_file()) {
-        Some(file) => Err(KeepError::NotAFolder {
-            path: path.display().to_string(),
-            file: file.display().to_string(),
-        }),
-        None => Ok(()),
-    }
 }
 
 impl RunArguments {

@@ -94,7 +94,7 @@ impl Contacts {
         let rigid = |body: &str| scene.bodies[body].substance == Substance::Rigid;
         if rigid(&contact.first.body) {
             return Err(refuse(format!(
-                "the first body '{}' is rigid; make it the second",
+                "the first body '{}' is rigid, which only the second may be: give it a material",
                 contact.first.body
             )));
         }

@@ -14,7 +14,7 @@ use stickslip_report::svg::Svg;
 
 use super::display::EdgeView;
 use super::names::FileNames;
-use super::zones::zone_ranges;
+use super::zones::shown_ranges;
 use crate::results::Results;
 
 /// A finished figure.
@@ -126,7 +126,7 @@ fn zone_name(status: Status) -> &'static str {
 
 /// Zones of a step as bands over the place axis.
 fn zone_bands(view: &EdgeView<'_>, step: usize) -> Vec<Band> {
-    let ranges = zone_ranges(view, step).into_iter();
+    let ranges = shown_ranges(view, step).into_iter();
     ranges
         .map(|(status, [start, end])| Band::new(zone_name(status), start, end, zone_color(status)))
         .collect()

@@ -46,13 +46,7 @@ pub(super) fn contact_table(edge: &EdgeView<'_>, detail: Detail) -> Table {
     columns.extend(extent_columns(edge));
     columns.extend(peak_columns(edge, detail));
     columns.extend(work_columns(edge, detail));
-    let mut table = assembled(edge.results(), &columns);
-    if edge.geometry.half {
-        table.notes.push(
-            "One half is modelled: slip is the length of the slipping zones in that half.".into(),
-        );
-    }
-    table
+    assembled(edge.results(), &columns)
 }
 
 /// One row per load step for an edge without contact.
@@ -224,7 +218,7 @@ pub(super) fn signs() -> Table {
 }
 
 /// Quantity, its sign here, and where other programs or texts differ.
-const SIGNS: [[&str; 3]; 12] = [
+pub(crate) const SIGNS: [[&str; 3]; 12] = [
     [
         "x, θ",
         "x is the load axis; θ = 0 is the bearing point, counter-clockwise positive",

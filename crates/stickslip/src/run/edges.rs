@@ -1,15 +1,17 @@
 //! Quantities along the reported edges: contact forces become tractions, edge strains become stresses.
 
 use nalgebra::DVector;
-use stickslip_contact::zones::{Zone, carries_friction, zones};
-use stickslip_contact::{Status, StepRecord};
+use stickslip_contact::zones::{
+    Zone, carries_friction, ends_of_contact, half_extent, mirrored, zones,
+};
+use stickslip_contact::{ContactState, InterfaceProblem, Status, StepRecord};
 use stickslip_fem_core::stress::{EdgeData, PathEnd, PathEnds, StressError, edge_stresses};
 
 use super::Solved;
 use super::fields::Recovered;
-use super::reported::{Reported, clear_stresses, reported};
+use super::reported::{Reported, clear_stresses, clear_sums, reported};
 use crate::model::{Model, ModelBodyKind, ModelEdge};
-use crate::results::{EdgeKind, EdgeResults, EdgeRow};
+use crate::results::{EdgeGeometry, EdgeKind, EdgeResults, EdgeRow};
 
 /// All edges in every load step: one list of edges per step.
 pub(super) fn all(
@@ -24,8 +26,14 @@ pub(super) fn all(
             .map(|step| rows(model, solved, &reported[step], &recovered[step], step, edge))
             .collect::<Result<Vec<_>, _>>()?;
         clear_stresses(&mut rows);
-        for ((step, rows), reported) in steps.iter_mut().zip(rows).zip(&reported) {
-            step.push(summarise(model, solved, edge, rows, reported));
+        let mut results: Vec<EdgeResults> = rows
+            .into_iter()
+            .zip(&reported)
+            .map(|(rows, reported)| summarise(model, solved, edge, rows, reported))
+            .collect();
+        clear_sums(&mut results);
+        for (step, result) in steps.iter_mut().zip(results) {
+            step.push(result);
         }
     }
     Ok(steps)
@@ -231,7 +239,7 @@ fn friction_force(edge: &ModelEdge, rows: &[EdgeRow]) -> f64 {
 }
 
 /// Uncertainty of the largest tangential stress if it lies within four nodes of an end of contact.
-fn cusp_uncertainty(rows: &[EdgeRow], zones: &[Zone], parameter: &[f64]) -> Option<f64> {
+fn cusp_uncertainty(rows: &[EdgeRow], ends: &[f64], parameter: &[f64]) -> Option<f64> {
     const REACH: usize = 4;
     let stress = |k: usize| rows[k].sigma_tangential;
     let peak = (0..rows.len()).max_by(|&a, &b| stress(a).total_cmp(&stress(b)))?;
@@ -240,10 +248,7 @@ fn cusp_uncertainty(rows: &[EdgeRow], zones: &[Zone], parameter: &[f64]) -> Opti
         (peak + REACH).min(rows.len() - 1),
     );
     let near = parameter[low]..=parameter[high];
-    let ends = zones
-        .windows(2)
-        .filter(|pair| pair[0].status.touches() != pair[1].status.touches());
-    if !ends.map(|pair| pair[0].end).any(|end| near.contains(&end)) {
+    if !ends.iter().any(|end| near.contains(end)) {
         return None;
     }
     let neighbours = [
@@ -257,6 +262,41 @@ fn cusp_uncertainty(rows: &[EdgeRow], zones: &[Zone], parameter: &[f64]) -> Opti
         .reduce(f64::max)
 }
 
+/// The largest of `values` and its place. Of values that are equal but for rounding, as on both sides of a symmetric edge, the one
+/// nearest to the middle on the positive side has the place.
+fn largest(values: &[f64], parameter: &[f64]) -> Option<(f64, f64)> {
+    // Solvers promise 1e-10 of the largest force; the traction of a node may be less by its small area.
+    const ROUNDING: f64 = 1e-7;
+    let most = values.iter().copied().reduce(f64::max)?;
+    let high = values.iter().zip(parameter);
+    let places = high.filter(|(value, _)| **value >= most - ROUNDING * most.abs());
+    let nearer = |a: &f64, b: &f64| {
+        let apart = a.abs() - b.abs();
+        if apart.abs() > ROUNDING {
+            apart.total_cmp(&0.0)
+        } else {
+            b.total_cmp(a)
+        }
+    };
+    let place = places.map(|(_, place)| *place).min_by(nearer)?;
+    Some((most, place))
+}
+
+/// Zones of the whole edge, of which the model may be half.
+fn whole_zones(
+    problem: &InterfaceProblem,
+    state: &ContactState,
+    pair: usize,
+    geometry: &EdgeGeometry,
+) -> Vec<Zone> {
+    let (parameter, closed) = (&geometry.parameter, geometry.closed());
+    if geometry.half {
+        mirrored(&zones(problem, state, pair, parameter, None), closed)
+    } else {
+        zones(problem, state, pair, parameter, closed)
+    }
+}
+
 fn summarise(
     model: &Model,
     solved: &Solved,
@@ -266,39 +306,45 @@ fn summarise(
 ) -> EdgeResults {
     let parameter = &edge.geometry.parameter;
     let (half, problem, state) = (model.half, &solved.problem, &reported.state);
-    let zones = edge
-        .pair
-        .map_or_else(Vec::new, |pair| zones(problem, state, pair, parameter));
+    let zones = edge.pair.map_or_else(Vec::new, |pair| {
+        whole_zones(problem, state, pair, &edge.geometry)
+    });
+    let closed = edge.geometry.closed();
     let rubs = edge
         .pair
         .is_some_and(|pair| carries_friction(problem, state, pair));
-    let peak = |value: &dyn Fn(&EdgeRow) -> f64| {
-        rows.iter()
-            .zip(parameter)
-            .map(|(row, &at)| (value(row), at))
-            .max_by(|a, b| a.0.total_cmp(&b.0))
+    // A closed walk starts at −π, which is π.
+    let far = |place: f64| match closed {
+        Some(length) if place < -0.5 * length * (1.0 - 1e-9) => place + length,
+        _ => place,
     };
-    let touching = || zones.iter().filter(|zone| zone.status.touches());
-    let share = if half { 1.0 } else { 0.5 };
-    let extent = touching()
-        .next()
-        .zip(touching().next_back())
-        .map(|(first, last)| share * (last.end - first.start));
-    let around_middle =
-        |zone: &&Zone| zone.status == Status::Stick && zone.start <= 0.0 && zone.end >= 0.0;
+    let peak = |value: &dyn Fn(&EdgeRow) -> f64| {
+        let values: Vec<f64> = rows.iter().map(value).collect();
+        largest(&values, parameter).map(|(value, place)| (value, far(place)))
+    };
+    let extent = half_extent(&zones, closed);
+    let around_middle = |zone: &&Zone| {
+        let holds = |middle: f64| zone.start <= middle && middle <= zone.end;
+        zone.status == Status::Stick && (holds(0.0) || closed.is_some_and(holds))
+    };
     let middle = zones.iter().find(around_middle);
     let stick = extent
         .filter(|_| rubs)
-        .map(|_| middle.map_or(0.0, |zone| share * (zone.end - zone.start)));
+        .map(|_| middle.map_or(0.0, |zone| 0.5 * zone.length()));
     let double = if half { 2.0 } else { 1.0 };
+    // The friction forces of two symmetric halves of a line cancel; around a hole both pull the same way.
+    let doubled_friction = match edge.geometry.kind {
+        EdgeKind::Line if half => 0.0,
+        EdgeKind::Line | EdgeKind::Circle { .. } => double,
+    };
     let (resultant, sums) = edge.pair.map_or_else(Default::default, |pair| {
-        let [x, y] = reported.audit.resultants[pair];
+        let [x, y] = reported.sums[pair].resultant;
         let whole = match (half, edge.geometry.kind) {
             (false, _) => [x, y],
             (true, EdgeKind::Circle { .. }) => [2.0 * x, 0.0],
             (true, EdgeKind::Line) => [0.0, 2.0 * y],
         };
-        (whole, reported.audit.friction[pair])
+        (whole, reported.sums[pair])
     });
     let bearing =
         (0..rows.len()).min_by(|&a, &b| parameter[a].abs().total_cmp(&parameter[b].abs()));
@@ -308,10 +354,10 @@ fn summarise(
         peak_pressure: peak(&|row| row.pressure).filter(|_| extent.is_some()),
         peak_hoop: peak(&|row| row.sigma_tangential)
             .filter(|_| rows.iter().any(|row| row.sigma_tangential != 0.0)),
-        peak_hoop_uncertainty: cusp_uncertainty(&rows, &zones, parameter),
+        peak_hoop_uncertainty: cusp_uncertainty(&rows, &ends_of_contact(&zones, closed), parameter),
         hoop_at_bearing_point: bearing.map(|k| rows[k].sigma_tangential),
         resultant,
-        friction_force: double * friction_force(edge, &rows),
+        friction_force: doubled_friction * friction_force(edge, &rows),
         normal_force: double * sums.normal,
         rows,
         zones,

@@ -3,16 +3,21 @@
 //! A contact that opens keeps forces of some 10⁻¹⁶ of those it had, and a point at rest moves by as little of the largest motion.
 //! Shown, such numbers look like results, and ratios of them like large ones.
 
+use std::ops::Range;
+
 use nalgebra::DVector;
-use stickslip_contact::audit::Audit;
+use stickslip_contact::audit::PairSums;
 use stickslip_contact::{ContactState, InterfaceProblem, Status, StepRecord};
 
-use crate::results::EdgeRow;
+use crate::results::{EdgeResults, EdgeRow};
 
-/// Forces and lengths up to this part of the history's largest are rounding.
+/// Forces and lengths up to this part of the largest of their pair in the history are rounding.
 const ROUNDING: f64 = 1e-12;
 /// The same for stresses along an edge: derivatives of displacements lose as many digits as the body is longer than a cell.
 const STRESS_ROUNDING: f64 = 1e-10;
+
+/// The same for sums over an edge, of some hundred forces each.
+const SUM_ROUNDING: f64 = 1e-11;
 
 /// One load step without rounding.
 #[derive(Debug)]
@@ -21,43 +26,75 @@ pub(super) struct Reported {
     pub(super) state: ContactState,
     /// Slip of each point since the start `[length]`.
     pub(super) slip: DVector<f64>,
-    /// Sums of the forces that are left.
-    pub(super) audit: Audit,
+    /// Sums of the forces that are left, for each pair.
+    pub(super) sums: Vec<PairSums>,
 }
 
 /// All load steps of `records` without rounding.
 pub(super) fn reported(problem: &InterfaceProblem, records: &[StepRecord]) -> Vec<Reported> {
-    let largest = |of: fn(&ContactState) -> f64| {
-        let sizes = records.iter().map(|record| of(&record.state));
-        ROUNDING * sizes.fold(0.0, f64::max)
-    };
-    let force = largest(|state| state.forces.amax());
-    let length = largest(|state| state.motion.amax());
+    let cuts: Vec<Cut> = (0..problem.pairs().len())
+        .map(|pair| Cut::of(problem, records, pair))
+        .collect();
     let mut slip = DVector::zeros(problem.points().len());
     records
         .iter()
         .map(|record| {
             slip += &record.slip;
             let mut state = record.state.clone();
-            clean(&mut state, force, length);
+            let mut seen = slip.clone();
+            for cut in &cuts {
+                cut.clean(&mut state);
+                for k in cut.points.clone() {
+                    seen[k] = beyond(seen[k], cut.length);
+                }
+            }
             Reported {
-                audit: Audit::of(problem, &state),
-                slip: slip.map(|slip| beyond(slip, length)),
+                sums: PairSums::of(problem, &state),
+                slip: seen,
                 state,
             }
         })
         .collect()
 }
 
-fn clean(state: &mut ContactState, force: f64, length: f64) {
-    for k in 0..state.status.len() {
-        state.motion[2 * k] = beyond(state.motion[2 * k], length);
-        state.forces[2 * k] = beyond(state.forces[2 * k], force);
-        if state.forces[2 * k] == 0.0 {
-            state.forces[2 * k + 1] = 0.0;
-            state.status[k] = Status::Open;
+/// What is rounding at the points of a pair.
+#[derive(Debug)]
+struct Cut {
+    points: Range<usize>,
+    force: f64,
+    length: f64,
+}
+
+impl Cut {
+    fn of(problem: &InterfaceProblem, records: &[StepRecord], pair: usize) -> Self {
+        let points = problem.pair_points(pair);
+        let largest = |of: fn(&ContactState) -> &DVector<f64>| {
+            let values = records.iter().map(|record| of(&record.state));
+            let sizes = values.map(|all| all.rows(2 * points.start, 2 * points.len()).amax());
+            ROUNDING * sizes.fold(0.0, f64::max)
+        };
+        Self {
+            force: largest(|state| &state.forces),
+            length: largest(|state| &state.motion),
+            points,
         }
-        state.forces[2 * k + 1] = beyond(state.forces[2 * k + 1], force);
+    }
+
+    fn clean(&self, state: &mut ContactState) {
+        let Self {
+            points,
+            force,
+            length,
+        } = self;
+        for k in points.clone() {
+            state.motion[2 * k] = beyond(state.motion[2 * k], *length);
+            state.forces[2 * k] = beyond(state.forces[2 * k], *force);
+            if state.forces[2 * k] == 0.0 {
+                state.forces[2 * k + 1] = 0.0;
+                state.status[k] = Status::Open;
+            }
+            state.forces[2 * k + 1] = beyond(state.forces[2 * k + 1], *force);
+        }
     }
 }
 
@@ -78,9 +115,23 @@ pub(super) fn clear_stresses(steps: &mut [Vec<EdgeRow>]) {
     }
 }
 
+/// Clears the rounding from the sums of forces on an edge, given for all steps.
+pub(super) fn clear_sums(steps: &mut [EdgeResults]) {
+    let largest = steps.iter().fold(0.0_f64, |largest, edge| {
+        let [x, y] = edge.resultant;
+        largest.max(x.abs()).max(y.abs()).max(edge.normal_force)
+    });
+    let cut = |force: &mut f64| *force = beyond(*force, SUM_ROUNDING * largest);
+    for edge in steps {
+        edge.resultant.iter_mut().for_each(cut);
+        cut(&mut edge.friction_force);
+        cut(&mut edge.normal_force);
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{DVector, Status, beyond, clean};
+    use super::{Cut, DVector, Status, beyond};
     use stickslip_contact::ContactState;
 
     #[test]
@@ -93,7 +144,13 @@ mod tests {
             history: Vec::new(),
             multipliers: Vec::new(),
         };
-        clean(&mut state, 1e-12, 1e-15);
+        let cut = |points, force, length| Cut {
+            points,
+            force,
+            length,
+        };
+        cut(0..1, 1e-12, 1e-15).clean(&mut state);
+        cut(1..2, 1e-12, 1e-15).clean(&mut state);
         assert_eq!(state.forces.as_slice(), [0.0, 0.0, 1.0, 0.0]);
         assert_eq!(state.motion.as_slice(), [0.0, 0.1, 0.0, 0.2]);
         assert_eq!(state.status, [Status::Open, Status::SlipNegative]);

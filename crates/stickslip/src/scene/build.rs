@@ -26,6 +26,9 @@ use crate::units::{Measure, Quantity};
 /// Most sub-steps of a load step.
 const SUBSTEP_LIMIT: usize = 100_000;
 
+/// Most letters of a name, which is a part of file names.
+const LONGEST_NAME: usize = 64;
+
 /// Which of a body's sets fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Fits {
@@ -67,7 +70,7 @@ pub(super) fn build(
     let mesh = builder.mesh(format);
     let contacts = builder.contacts(format);
     let supports = builder.supports(format);
-    let platens = builder.platens(format);
+    let platens = builder.platens(format, &contacts);
     let loads = builder.loads(format, &materials, base);
     let edges = builder.edges(format);
     builder.everything_is_held(&contacts, &supports, &platens);
@@ -166,8 +169,8 @@ impl Builder<'_> {
     /// Names are parts of keys and of file names.
     fn name(&mut self, table: &str, name: &str) {
         let plain = |letter: char| letter.is_ascii_alphanumeric() || letter == '_' || letter == '-';
-        if name.is_empty() || !name.chars().all(plain) {
-            let allowed = "made of letters a–z, digits, '_' and '-'";
+        if name.is_empty() || name.len() > LONGEST_NAME || !name.chars().all(plain) {
+            let allowed = "made of 1 to 64 letters a–z, digits, '_' and '-'";
             let problem = SceneProblem::OutOfRange {
                 key: "name".to_owned(),
                 value: format!("\"{name}\""),

@@ -73,6 +73,10 @@ fn list_names_columns_with_units_and_signs() {
         serde_json::from_str(&succeeds(Path::new("."), &["list", "signs", "--json"])).unwrap();
     assert_eq!(signs["signs"]["columns"][3]["name"], "COPEN");
     assert_eq!(signs["signs"]["columns"][3]["unit"], "length");
+    let rows = signs["signs"]["signs"].as_array().unwrap();
+    let gap = rows.iter().find(|row| row["quantity"] == "COPEN").unwrap();
+    assert_eq!(gap["meaning"], "gap, open positive, 0 in contact");
+    assert!(gap["elsewhere"].as_str().unwrap().contains("Ansys"));
 }
 
 #[test]

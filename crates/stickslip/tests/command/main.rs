@@ -1,6 +1,7 @@
 //! The command as its users meet it: exit codes, streams, and messages with file, line, value and remedy.
 
 mod checks;
+mod conflicts;
 mod files;
 mod lists;
 mod refusals;

@@ -8,7 +8,7 @@ use super::{SCENE, fails, folder_with, succeeds};
 
 /// Checks the scene with `from` replaced by `to`; the message must hold every part.
 #[track_caller]
-fn refused(from: &str, to: &str, parts: &[&str]) {
+pub(super) fn refused(from: &str, to: &str, parts: &[&str]) {
     assert!(SCENE.contains(from), "{from}");
     let folder = folder_with("bad.toml", &SCENE.replacen(from, to, 1));
     let message = fails(folder.path(), &["check", "bad.toml"]);
@@ -360,19 +360,11 @@ fn chains_that_cannot_be() {
         &own,
         &["contact 'one' is one of a body with itself"],
     );
-}
-
-#[test]
-fn a_second_platen_of_a_body() {
-    let two = "[[platens]]\non = \"plate.left\"\nfree = [\"x\"]\n[[platens]]\non = \"plate.right\"\nfree = [\"x\"]\n[[loads]]";
+    let hole = "second = \"plate.left\"\n";
     refused(
-        "[[loads]]",
-        two,
-        &[
-            "bad.toml:30:6",
-            "'plate' has a platen on plate.left already",
-            "hold plate.right by a support",
-        ],
+        "second = \"pin.rim\"\n",
+        hole,
+        &["is one of a body with itself"],
     );
 }
 

@@ -3,10 +3,52 @@
 use std::fmt::Write as _;
 use std::fs;
 
+use serde_json::Value;
 use stickslip::model::{Model, ModelError};
+use stickslip::output::summary_json;
 use tempfile::TempDir;
 
-use super::{BUSHING, difference, model, results, scene, scene_in, tractions, upper};
+use super::{BUSHING, difference, model, results, scene, scene_in, solved, tractions, upper};
+
+/// A cylinder that is pressed on a block.
+const ROLLER: &str = r#"
+version = 1
+[analysis]
+plane = "strain"
+[materials.stiff.isotropic]
+young = "210 GPa"
+poisson = 0.3
+[materials.soft.isotropic]
+young = "70 GPa"
+poisson = 0.33
+[bodies.block]
+material = "soft"
+thickness = "1 mm"
+shape.block = { half_length = "12 mm", depth = "12 mm" }
+[bodies.roller]
+material = "stiff"
+thickness = "1 mm"
+shape.cylinder = { radius = "50 mm", half_length = "12 mm", depth = "12 mm" }
+[mesh]
+spacing = "0.2 mm"
+fine_to = "1.6 mm"
+[[contacts]]
+first = "roller.contact"
+second = "block.contact"
+friction.coulomb = { mu = 0.05 }
+[[supports]]
+on = "block.bottom"
+fix = ["x", "y"]
+[[platens]]
+on = "roller.top"
+free = ["y"]
+[[loads]]
+on = "roller.top"
+force = { direction = [0, -1], steps = ["300 N", "600 N", "200 N"] }
+[output]
+fields = "none"
+figures = false
+"#;
 
 /// A hole whose edge is loaded by the stresses of a table.
 const TABLE: &str = r#"
@@ -108,4 +150,114 @@ fn a_table_of_half_the_circle_is_mirrored_exactly() {
         );
         assert!(apart < 1e-8, "step {step}: {apart:e}");
     }
+}
+
+/// Keys that say how a scene was modelled and not what it does.
+const OF_THE_MODEL: [&str; 9] = [
+    "wall_time_s",
+    "solvers",
+    "iterations",
+    "pivots",
+    "increments",
+    "cutbacks",
+    "balance_residual",
+    "complementarity_residual",
+    "cone_violation",
+];
+
+/// Whether both have the same keys and texts, and numbers within `tolerance` of the larger one, or of `floor`.
+fn agree(one: &Value, other: &Value, path: &str, tolerance: f64, floor: f64) {
+    match (one, other) {
+        (Value::Object(one), Value::Object(other)) => {
+            assert!(one.keys().eq(other.keys()), "{path}");
+            for (key, value) in one {
+                if OF_THE_MODEL.contains(&key.as_str()) {
+                    continue;
+                }
+                agree(
+                    value,
+                    &other[key],
+                    &format!("{path}.{key}"),
+                    tolerance,
+                    floor,
+                );
+            }
+        }
+        (Value::Array(one), Value::Array(other)) => {
+            assert_eq!(one.len(), other.len(), "{path}: {one:?} {other:?}");
+            for (k, (one, other)) in one.iter().zip(other).enumerate() {
+                agree(one, other, &format!("{path}.{k}"), tolerance, floor);
+            }
+        }
+        (Value::Number(one), Value::Number(other)) => {
+            let [one, other] = [one, other].map(|number| number.as_f64().unwrap());
+            let size = one.abs().max(other.abs()).max(floor);
+            assert!(
+                (one - other).abs() <= tolerance * size,
+                "{path}: {one} {other}"
+            );
+        }
+        (one, other) => assert_eq!(one, other, "{path}"),
+    }
+}
+
+fn halves_agree(scene: &str, changes: &[&str]) {
+    let [half, whole] = ["half", "whole"].map(|extent| {
+        let extent = format!("analysis.model={extent}");
+        summary_json(&solved(scene, &[changes, &[&extent]].concat()))
+    });
+    // Ends of zones between nodes follow from p², the difference of two solutions from their rounding; forces of some N and
+    // angles of some degrees.
+    agree(&half["steps"], &whole["steps"], "steps", 1e-6, 1e-2);
+}
+
+#[test]
+fn half_and_whole_have_one_summary() {
+    halves_agree(BUSHING, &[]);
+    // Contact around the far side.
+    halves_agree(BUSHING, &["loads.0.force.direction=[1, 0]"]);
+    // Contact all around, then opening behind.
+    halves_agree(
+        BUSHING,
+        &[
+            "bodies.pin.shape.disk.radius=5.01 mm",
+            "contacts.1.interference=true",
+            "loads.0.force.steps=[\"0 N\", \"500 N\", \"4 kN\", \"500 N\"]",
+        ],
+    );
+}
+
+/// The scene that comes with the program, coarser.
+#[test]
+fn a_bushed_pin_is_one_scene_by_half_and_whole() {
+    let scene = include_str!("../../../../scenes/bushed-pin.toml");
+    let coarse = [
+        "mesh.spacing=4.5 deg",
+        "output.fields=none",
+        "output.figures=false",
+    ];
+    halves_agree(scene, &coarse);
+    let results = solved(scene, &coarse);
+    let pulls = [0.0, 2e3, 6e3, 12e3, 18e3, 24e3, 18e3, 12e3, 6e3, 1e3];
+    assert_eq!(results.steps.len(), pulls.len());
+    for (step, pull) in results.steps.iter().zip(pulls) {
+        assert!(step.balance_residual < 1e-10, "{}", step.balance_residual);
+        for edge in &step.edges {
+            assert!(
+                (edge.resultant[0] - pull).abs() < 1e-9 * 24e3,
+                "{:?}",
+                edge.resultant
+            );
+        }
+    }
+    // The press fit alone; then the bushing keeps more friction on the way back than on the way there.
+    let [bushing, pin] = [0, 1].map(|edge| &results.steps[0].edges[edge]);
+    assert_eq!(bushing.contact_half_extent, Some(std::f64::consts::PI));
+    assert_eq!(pin.contact_half_extent, None);
+    assert!(results.steps[8].edges[1].stick_half_extent.unwrap() < 0.1);
+}
+
+#[test]
+fn half_and_whole_lines_have_one_summary() {
+    halves_agree(ROLLER, &[]);
 }

@@ -1,6 +1,11 @@
 //! Several contacts that know nothing of each other, in one scene.
 
-use super::{BUSHING, difference, solved, tractions};
+use stickslip::run::{run_with, solver};
+use stickslip::scene::schema::SolverChoice;
+use stickslip_contact::InterfaceSolver;
+use stickslip_contact::solver::{Step, StepFailure, StepSolution};
+
+use super::{BUSHING, difference, scene, solved, tractions};
 
 const LINES: &str = r#"
 version = 1
@@ -62,6 +67,28 @@ fields = "none"
 figures = false
 "#;
 
+/// A second joint beside [`BUSHING`].
+const LUG: &str = r#"
+[bodies.lug]
+material = "metal"
+thickness = "3 mm"
+shape.plate_with_hole = { hole_radius = "4 mm", outline.ring.radius = "15 mm" }
+[bodies.bolt]
+material = "metal"
+thickness = "3 mm"
+shape.disk.radius = "3.99 mm"
+[[contacts]]
+first = "lug.hole"
+second = "bolt.rim"
+friction.coulomb = { mu = 0.1 }
+[[supports]]
+on = "bolt.centre"
+fix = ["x", "y"]
+[[loads]]
+on = "lug.outer"
+force = { direction = [-1, 0], steps = ["500 N", "700 N", "900 N"] }
+"#;
+
 /// The scene without some of its tables, which start with these lines.
 fn without(text: &str, tables: &[&str]) -> String {
     let mut kept = String::new();
@@ -99,30 +126,10 @@ fn two_line_contacts_are_as_each_is_alone() {
 
 #[test]
 fn two_joints_are_as_each_is_alone() {
-    let second = r#"
-[bodies.lug]
-material = "metal"
-thickness = "3 mm"
-shape.plate_with_hole = { hole_radius = "4 mm", outline.ring.radius = "15 mm" }
-[bodies.bolt]
-material = "metal"
-thickness = "3 mm"
-shape.disk.radius = "3.99 mm"
-[[contacts]]
-first = "lug.hole"
-second = "bolt.rim"
-friction.coulomb = { mu = 0.1 }
-[[supports]]
-on = "bolt.centre"
-fix = ["x", "y"]
-[[loads]]
-on = "lug.outer"
-force = { direction = [-1, 0], steps = ["500 N", "700 N", "900 N"] }
-"#;
-    let both = solved(&format!("{BUSHING}{second}"), &[]);
+    let both = solved(&format!("{BUSHING}{LUG}"), &[]);
     let bushing = solved(BUSHING, &[]);
     let lug = without(
-        &format!("{BUSHING}{second}"),
+        &format!("{BUSHING}{LUG}"),
         &["plate]", "\"plate.", "bodies.plate.", "bushing", "pin"],
     );
     let lug = solved(&lug, &[]);
@@ -136,4 +143,65 @@ force = { direction = [-1, 0], steps = ["500 N", "700 N", "900 N"] }
             assert!(apart < 1e-9, "step {step}, contact {edge}: {apart:e}");
         }
     }
+}
+
+/// Solves as the command does, then makes the largest normal force of a pair wrong.
+#[derive(Debug)]
+struct Wrong {
+    pair: usize,
+    error: f64,
+}
+
+impl InterfaceSolver for Wrong {
+    fn name(&self) -> &'static str {
+        "wrong"
+    }
+
+    fn solve(&self, step: &Step<'_>) -> Result<StepSolution, StepFailure> {
+        let mut solution = solver(SolverChoice::Auto).solve(step)?;
+        let forces = &mut solution.trial.forces;
+        let rows = step.problem.pair_points(self.pair).map(|k| 2 * k);
+        let largest = rows
+            .max_by(|&a, &b| forces[a].total_cmp(&forces[b]))
+            .unwrap();
+        forces[largest] *= 1.0 + self.error;
+        Ok(solution)
+    }
+}
+
+/// A large joint whose last step is small, and a small joint beside it, with one force wrong.
+fn balances(pair: usize, error: f64) -> Vec<f64> {
+    let changes = [
+        "loads.0.force.steps=[\"1 kN\", \"4 kN\", \"1 N\"]",
+        "loads.1.force.steps=[\"0.005 N\", \"0.007 N\", \"0 N\"]",
+    ];
+    let scene = scene(&format!("{BUSHING}{LUG}"), &changes);
+    let results = run_with(&scene, &Wrong { pair, error }, &mut |_| {}).unwrap();
+    results
+        .steps
+        .iter()
+        .map(|step| step.balance_residual)
+        .collect()
+}
+
+#[test]
+fn an_error_in_one_force_shows_in_the_balance_of_its_joint() {
+    let right = balances(0, 0.0);
+    assert!(right.iter().all(|balance| *balance < 1e-11), "{right:?}");
+    for (pair, steps) in [(0, &[0, 1, 2][..]), (1, &[0, 1, 2]), (2, &[0, 1])] {
+        let wrong = balances(pair, 1e-6);
+        for &step in steps {
+            assert!(wrong[step] > 1e-10, "pair {pair}, step {step}: {wrong:?}");
+        }
+    }
+}
+
+#[test]
+fn forces_are_rounding_beside_those_of_their_own_contact() {
+    let changes = [
+        "loads.0.force.steps=[\"1 kN\", \"4 kN\", \"0 N\"]",
+        "loads.1.force.steps=[\"0 N\", \"0 N\", \"1e-10 N\"]",
+    ];
+    let results = solved(&format!("{BUSHING}{LUG}"), &changes);
+    assert!(results.steps[2].edges[2].contact_half_extent.is_some());
 }

@@ -9,7 +9,6 @@ use stickslip::results::{
 use stickslip::scene::schema::DisplayUnits;
 use stickslip::units::{Dimension, Unit};
 use stickslip_contact::Status;
-use stickslip_contact::audit::{Audit, FrictionSum};
 use stickslip_contact::solver::{Residuals, Work};
 use stickslip_contact::zones::Zone;
 use stickslip_fem_core::generate::{
@@ -178,15 +177,6 @@ fn step(index: usize, edges: &[EdgeGeometry], mesh: &Mesh) -> StepResults {
         balance_residual: 4e-13,
         balance: Vec::new(),
         dissipation: 0.5,
-        audit: Audit {
-            resultants: vec![[LOADS[index], 0.0]; 2],
-            moments: vec![0.0; 2],
-            friction: vec![FrictionSum::default(); 2],
-            balance: 3e-16,
-            unbalanced: 3e-13,
-            scale: 1000.0,
-            gap_work: 0.0,
-        },
         fields: if unloading {
             vec![fields(mesh)]
         } else {

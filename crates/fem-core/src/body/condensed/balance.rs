@@ -4,10 +4,14 @@
 //! reactions + loads + contact forces = 0,   as resultants and at every node that nothing holds
 //! ```
 //!
-//! with all that is left relative to the state of a history that is loaded most, because in an unloaded one rounding is all there is.
+//! with all that is left relative to the body's own load in a state, or to a thousandth of its largest in the history where that is
+//! more: in an unloaded state rounding is all there is.
 
 use super::{BodyLoad, CondensedBody};
 use crate::mesh::Point;
+
+/// Part of the largest load of a history by which a state is at least measured.
+const FLOOR: f64 = 1e-3;
 
 /// Balance of a body by its recovered displacements.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -16,8 +20,8 @@ pub struct BodyBalance {
     pub reaction: [f64; 2],
     /// Their moment about the origin `[force·length]`.
     pub reaction_moment: f64,
-    /// Unbalanced resultant of reactions, loads and contact, relative to half the sum of all applied nodal forces where the body
-    /// is loaded most.
+    /// Unbalanced resultant of reactions, loads and contact, relative to half the sum of all applied nodal forces, or to a
+    /// thousandth of the largest such sum in the history where that is more.
     pub force: f64,
     /// Unbalanced moment, relative to that sum times the body's size.
     pub moment: f64,
@@ -27,25 +31,29 @@ pub struct BodyBalance {
 
 impl CondensedBody {
     /// Balance of the whole body in each of `states`: reactions (the part of the residual at held nodes), loads and contact
-    /// forces, as resultants, relative to the most loaded state. `residuals` are those of [`Self::residual_forces_of`].
+    /// forces, as resultants. `residuals` are those of [`Self::residual_forces_of`].
     pub fn balances_of(&self, residuals: &[Vec<f64>], states: &[BodyLoad<'_>]) -> Vec<BodyBalance> {
-        let largest =
-            |scale: &dyn Fn(&BodyLoad<'_>) -> f64| states.iter().map(scale).fold(0.0, f64::max);
-        let applied = largest(&|state| half_sum(&self.applied_forces(state)));
-        let load = largest(&|state| self.load_scale(state.forces, state.multipliers));
+        let scales = |of: &dyn Fn(&BodyLoad<'_>) -> f64| -> Vec<f64> {
+            let own: Vec<f64> = states.iter().map(of).collect();
+            let floor = FLOOR * own.iter().copied().fold(0.0, f64::max);
+            own.into_iter().map(|scale| scale.max(floor)).collect()
+        };
+        let applied = scales(&|state| half_sum(&self.applied_forces(state)));
+        let load = scales(&|state| self.load_scale(state.forces, state.multipliers));
         let [low, high] = self.body.mesh.bounding_box();
         let size = (high[0] - low[0]).hypot(high[1] - low[1]);
         residuals
             .iter()
             .zip(states)
-            .map(|(residual, state)| {
+            .enumerate()
+            .map(|(k, (residual, state))| {
                 let [reaction, rest] = self.resultants(residual, state);
                 BodyBalance {
                     reaction: [reaction[0], reaction[1]],
                     reaction_moment: reaction[2],
-                    force: relative(rest[0].hypot(rest[1]), applied),
-                    moment: relative(rest[2].abs(), applied * size),
-                    nodal: relative(self.largest_free(residual), load),
+                    force: relative(rest[0].hypot(rest[1]), applied[k]),
+                    moment: relative(rest[2].abs(), applied[k] * size),
+                    nodal: relative(self.largest_free(residual), load[k]),
                 }
             })
             .collect()

@@ -1,6 +1,6 @@
 //! Pairs of edges in contact.
 
-use super::{Builder, Fits};
+use super::{Builder, Fits, LONGEST_NAME};
 use crate::diagnostic::SceneProblem;
 use crate::scene::document::Part;
 use crate::scene::format::{ContactFormat, SceneFormat};
@@ -25,6 +25,7 @@ impl Builder<'_> {
                 .to_owned();
             let name = given.name.get_or_insert(second).clone();
             let key = format!("contacts.{index}");
+            self.contact_name(&key, &name);
             if contacts.iter().any(|other| other.name == name) {
                 let message = format!("two contacts are called '{name}'");
                 self.conflict(
@@ -42,6 +43,15 @@ impl Builder<'_> {
             }
         }
         contacts
+    }
+
+    /// Names of contacts are parts of file names, otherwise free.
+    fn contact_name(&mut self, key: &str, name: &str) {
+        let letters = name.chars().count();
+        if !(1..=LONGEST_NAME).contains(&letters) || name.contains(['/', '\\']) {
+            let allowed = "1 to 64 letters without '/' and '\\'".to_owned();
+            self.out_of_range(&format!("{key}.name"), &format!("\"{name}\""), allowed);
+        }
     }
 
     /// An edge touches one other edge.
@@ -103,7 +113,10 @@ impl Builder<'_> {
             },
         };
         let (first, second) = (first?, second?);
-        self.pair(key, given, &first, &second);
+        // Of a body with itself another refusal tells.
+        if first.body != second.body {
+            self.pair(key, given, &first, &second);
+        }
         let (gap, interference) = (given.gap, given.interference);
         Some(Contact {
             name,

@@ -67,7 +67,7 @@ impl Builder<'_> {
         }
     }
 
-    pub(super) fn platens(&mut self, format: &SceneFormat) -> Vec<Platen> {
+    pub(super) fn platens(&mut self, format: &SceneFormat, contacts: &[Contact]) -> Vec<Platen> {
         let mut platens: Vec<Platen> = Vec::new();
         for (index, given) in format.platens.iter().enumerate() {
             let key = format!("platens.{index}.on");
@@ -83,6 +83,14 @@ impl Builder<'_> {
                     "remove one of them, or hold {on} by a support: [[supports]] on = \"{on}\", fix = [\"x\", \"y\"]"
                 );
                 self.conflict(&key, message, remedy);
+            }
+            let touches = |contact: &&Contact| contact.first == on || contact.second == on;
+            if let Some(contact) = contacts.iter().find(touches) {
+                let message = format!(
+                    "{on} is an edge of a contact, '{}', and cannot be glued to a platen too",
+                    contact.name
+                );
+                self.conflict(&key, message, "glue another edge of the body to the platen");
             }
             platens.push(Platen {
                 on,

@@ -42,7 +42,7 @@ impl Builder<'_> {
         let key = child(&child(key, key_of(kind)), "steps");
         let steps = kind.steps().len();
         if steps == 0 {
-            self.out_of_range(&key, "[]", "at least one step");
+            self.out_of_range(&key, "[]", "a list of at least one value");
         }
         if let Some(first) = first
             && first.kind.steps().len() != steps
