@@ -61,7 +61,8 @@ tracing = job["contact"] == "ray tracing"
 multipliers = gf.MeshFem(plate_mesh, 2 if tracing or mu > 0 else 1)
 multipliers.set_fem(element)
 model.add_filtered_fem_variable("contact", multipliers, CONTACT)
-model.add_initialized_data("r", 10 * young)
+# 10 E per inch. Where r is much larger, quadrature points inside the contact of coarse facets open, and pressure is lost.
+model.add_initialized_data("r", 15 * young / job["length"])
 friction = []
 if mu > 0:
     model.add_initialized_data("mu", mu)
