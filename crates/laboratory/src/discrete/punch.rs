@@ -28,7 +28,7 @@ const WIDTH: f64 = 1.0;
 const HEIGHT: f64 = 0.5;
 /// Motion of the top `[length]` for a multiplier of 1.
 const UNIT: f64 = 1e-3;
-/// Multiplier of the push beside a press of 1: the corners slip, and for μ < 0.2 or so everything does.
+/// Multiplier of the push beside a press of 1: the corners slip, and for μ < 0.2 or so all but a few points.
 const PUSH: f64 = 0.5;
 const POISSON: f64 = 0.3;
 
