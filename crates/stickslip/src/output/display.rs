@@ -102,6 +102,11 @@ impl<'a> EdgeView<'a> {
         edge.bearing_stress(self.geometry).filter(|_| !balanced)
     }
 
+    /// Whether any step has a bearing stress; a press fit without a pull has none.
+    pub(super) fn bears(&self) -> bool {
+        (0..self.results().steps.len()).any(|step| self.bearing(step).is_some())
+    }
+
     /// Names of the normal, the tangential and the shear stress.
     pub(super) fn stress_symbols(&self) -> [&'static str; 3] {
         if self.is_circle() {

@@ -329,3 +329,19 @@ fn equal_results_give_equal_bytes() {
         );
     }
 }
+
+/// A press fit without a pull has pressures, but no bearing stress to compare them with.
+#[test]
+fn pressures_without_a_bearing_stress_are_drawn_all_the_same() {
+    let mut results = results();
+    for step in &mut results.steps {
+        for edge in &mut step.edges {
+            edge.resultant = [0.0; 2];
+        }
+    }
+    let (_place, folder) = written(&results, true);
+    let figures = names(&folder.join("figures"));
+    for name in ["pressure-pin.svg", "extent-pin.svg"] {
+        assert!(figures.contains(name), "{name} is not among {figures:?}");
+    }
+}

@@ -127,7 +127,7 @@ fn family(view: &EdgeView<'_>, quantity: &Quantity, peak: Option<String>) -> Att
         return Ok(None);
     }
     let unit = view.units().stress.name;
-    let over_bearing = view.geometry.contact && view.geometry.bearing_area.is_some();
+    let over_bearing = view.geometry.contact && view.bears();
     let title = format!(
         "{} on '{}' in every load step",
         quantity.title, view.geometry.name

@@ -39,7 +39,7 @@ pub(super) fn extent_and_peak(view: &EdgeView<'_>) -> Attempt {
         series.color = series.color.map(|color| color.tint(0.6));
         extents = extents.with(series.dash(Dash::Dotted).style(SeriesStyle::Both));
     }
-    let over_bearing = view.geometry.bearing_area.is_some();
+    let over_bearing = view.bears();
     let label = if over_bearing {
         "Largest pressure / bearing stress σ_b [–]".to_owned()
     } else {
