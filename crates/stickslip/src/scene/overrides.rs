@@ -24,8 +24,11 @@ const CHOICES: [&str; 4] = [
     "contacts.*.friction",
 ];
 
+/// The two ways to divide an edge.
+const DIVISIONS: [&[&str]; 2] = [&["angles"], &["spacing", "fine_to", "coarse_spacing"]];
+
 /// Keys of which a table holds only one group.
-const RIVALS: [(&str, &[&[&str]]); 4] = [
+const RIVALS: [(&str, &[&[&str]]); 5] = [
     (
         "loads.*",
         &[
@@ -37,10 +40,8 @@ const RIVALS: [(&str, &[&[&str]]); 4] = [
     ),
     ("supports.*", &[&["fix"], &["normal"]]),
     ("bodies.*", &[&["rigid"], &["material"]]),
-    (
-        "mesh",
-        &[&["angles"], &["spacing", "fine_to", "coarse_spacing"]],
-    ),
+    ("mesh", &DIVISIONS),
+    ("bodies.*.mesh", &DIVISIONS),
 ];
 
 /// Applies one argument `key=value`.
