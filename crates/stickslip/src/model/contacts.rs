@@ -125,7 +125,7 @@ impl Contacts {
         let (points, chosen) = tied.tie(&above, &below)?;
         let pair = self.pairs.len();
         let areas = points.iter().map(|point| point.area).collect();
-        let local = above.local.clone();
+        let local = above.local.clone().collect();
         self.pairs.push(ContactPair {
             name: contact.name.clone(),
             first,
