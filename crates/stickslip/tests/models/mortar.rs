@@ -175,10 +175,17 @@ fn probe() {
                     if model == "half" && what == "roller" {
                         continue;
                     }
-                    let results = solved(
+                    let scene = super::scene(
                         text,
                         &[&projection, &spacing, &format!("analysis.model={model}")],
                     );
+                    let results = match stickslip::run::run(&scene, &mut |_| {}) {
+                        Ok(r) => r,
+                        Err(e) => {
+                            println!("{what} {how} {other} {model} {e}");
+                            continue;
+                        }
+                    };
                     println!(
                         "{what} {how} {other} {model}: {:.5?} {:.5?} balance {:.1e}  tractions {:.1e} {:?}",
                         deviations(&results, &reference, 0),

@@ -4,7 +4,9 @@ use std::f64::consts::TAU;
 use std::ops::Range;
 
 use stickslip_contact::mortar::{self, MortarError};
-use stickslip_contact::{ContactPoint, EdgeSide, InitialGap, Multipliers, Projection};
+use stickslip_contact::{
+    ContactPoint, EdgeSide, InitialGap, Multipliers, Projection, Stencil, StencilTerm,
+};
 use stickslip_fem_core::mesh::{Mesh, Point};
 
 use super::edge::EdgeNodes;
@@ -51,6 +53,48 @@ impl<'a> Side<'a> {
 
     fn position(&self, k: usize) -> Point {
         self.positions[self.local.start + k]
+    }
+
+    /// The stencil on a circle with the moments that a node has which lies on it: of a normal force none about the centre, of a
+    /// tangential one the radius. Cells between nodes miss these by the third power of their length, so that a pin could climb as it
+    /// turns; the difference is made good by couples, which leave forces as they are.
+    fn centred(&self, stencil: &Stencil, [nx, ny]: [f64; 2]) -> Stencil {
+        let EdgeKind::Circle { centre, radius } = self.edge.kind else {
+            return stencil.clone();
+        };
+        // In the frame of the point: along the normal and along the tangent.
+        let place = |node: usize| {
+            let [x, y] = [0, 1].map(|i| self.positions[node][i] - centre[i]);
+            [nx * x + ny * y, nx * y - ny * x]
+        };
+        let terms = stencil.terms();
+        let places: Vec<[f64; 2]> = terms.iter().map(|term| place(term.node)).collect();
+        let count = places.len() as f64;
+        let middle = [0, 1].map(|i| places.iter().map(|at| at[i]).sum::<f64>() / count);
+        let arms = places
+            .iter()
+            .map(|at| [at[0] - middle[0], at[1] - middle[1]]);
+        let arms: Vec<[f64; 2]> = arms.collect();
+        let size: f64 = arms.iter().map(|[n, t]| n * n + t * t).sum();
+        if size <= 0.0 {
+            return stencil.clone();
+        }
+        let wanted = [0.0, radius];
+        let missing: [f64; 2] = std::array::from_fn(|row| {
+            let moment = |(term, at): (&StencilTerm, &[f64; 2])| {
+                at[0] * term.weights[row][1] - at[1] * term.weights[row][0]
+            };
+            wanted[row] - terms.iter().zip(&places).map(moment).sum::<f64>()
+        });
+        let mended = terms.iter().zip(&arms).map(|(term, [n, t])| StencilTerm {
+            node: term.node,
+            weights: std::array::from_fn(|row| {
+                let [along_n, along_t] = term.weights[row];
+                let turn = missing[row] / size;
+                [along_n - turn * t, along_t + turn * n]
+            }),
+        });
+        Stencil::new(mended.collect())
     }
 
     fn projected(&self, closed: bool) -> Result<EdgeSide, MortarError> {
@@ -223,7 +267,16 @@ impl Tied<'_> {
                 self.contact.second, self.contact.first
             )));
         }
-        Ok(made.points)
+        let mut points = made.points;
+        let last = nodes - 1;
+        for (k, point) in points.iter_mut().enumerate() {
+            // On a line of symmetry the other half balances the moments.
+            if !(self.half && (k == 0 || k == last)) {
+                point.first = first.centred(&point.first, point.normal);
+                point.second = second.centred(&point.second, point.normal);
+            }
+        }
+        Ok(points)
     }
 }
 
