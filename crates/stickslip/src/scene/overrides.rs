@@ -244,7 +244,8 @@ mod tests {
     fn document() -> Document {
         let text = "[mesh]\nspacing = \"1 deg\"\nfine_to = \"9 deg\"\n\
                     [[contacts]]\nfriction.static_dynamic = { static = 0.35, dynamic = 0.25 }\n\
-                    [bodies.pin]\nmaterial = \"steel\"\n";
+                    [bodies.pin]\nmaterial = \"steel\"\n\
+                    [bodies.disc]\nmesh.spacing = \"2 deg\"\n";
         let source = SourceText {
             name: "a.toml".into(),
             text: text.into(),
@@ -290,6 +291,10 @@ mod tests {
         );
         assert_eq!(
             after("mesh.angles=[\"0 deg\", \"180 deg\"]")["mesh"],
+            json!({"angles": ["0 deg", "180 deg"]})
+        );
+        assert_eq!(
+            after("bodies.disc.mesh.angles=[\"0 deg\", \"180 deg\"]")["bodies"]["disc"]["mesh"],
             json!({"angles": ["0 deg", "180 deg"]})
         );
         assert_eq!(

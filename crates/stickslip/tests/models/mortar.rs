@@ -2,6 +2,7 @@
 
 use stickslip::model::{Model, ModelError};
 use stickslip::results::Results;
+use stickslip::scene::Scene;
 
 use super::{BUSHING, difference, model, scene, solved, tractions, upper};
 
@@ -147,62 +148,243 @@ fn discretisation(model: &Model) -> [&str; 2] {
         .unwrap()
 }
 
+/// The second body's spacing beside 2 deg of the plate; friction over μ N and peak pressure barely see it, the end of contact lies
+/// between two nodes.
 #[test]
-fn probe() {
-    for (what, text, second) in [("pin", PIN, "pin"), ("roller", ROLLER, "block")] {
-        let (unit, base, others) = if what == "pin" {
-            ("deg", 2.0, [1.3, 3.1, 4.0])
-        } else {
-            ("mm", 0.06, [0.04, 0.09, 0.12])
-        };
-        let reference = solved(text, &[]);
-        let fine = solved(text, &[&format!("mesh.spacing={} {unit}", base / 2.0)]);
-        println!(
-            "{what} reference {:?} {:?}",
-            figures(&reference, 0),
-            figures(&reference, 1)
-        );
-        println!(
-            "   against half the spacing {:.5?} {:.5?}",
-            deviations(&reference, &fine, 0),
-            deviations(&reference, &fine, 1)
-        );
-        for how in ["mortar", "dual-mortar"] {
-            let projection = format!("contacts.0.projection={how}");
-            for other in [base, others[0], others[1], others[2]] {
-                let spacing = format!("bodies.{second}.mesh.spacing={other} {unit}");
-                for model in ["half", "whole"] {
-                    if model == "half" && what == "roller" {
-                        continue;
-                    }
-                    let scene = super::scene(
-                        text,
-                        &[&projection, &spacing, &format!("analysis.model={model}")],
-                    );
-                    let results = match stickslip::run::run(&scene, &mut |_| {}) {
-                        Ok(r) => r,
-                        Err(e) => {
-                            println!("{what} {how} {other} {model} {e}");
-                            continue;
-                        }
-                    };
-                    println!(
-                        "{what} {how} {other} {model}: {:.5?} {:.5?} balance {:.1e}  tractions {:.1e} {:?}",
-                        deviations(&results, &reference, 0),
-                        deviations(&results, &reference, 1),
-                        worst_balance(&results),
-                        difference(
-                            tractions(&upper(&reference, 0, 0)),
-                            tractions(&upper(&results, 0, 0))
-                        ),
-                        results
-                            .steps
-                            .iter()
-                            .map(|s| s.solvers.clone())
-                            .collect::<Vec<_>>()
-                    );
+fn pins_of_other_spacing_give_the_answer_of_matching_ones() {
+    let reference = solved(PIN, &[]);
+    for other in ["1.3 deg", "3.1 deg", "4 deg"] {
+        let spacing = format!("bodies.pin.mesh.spacing={other}");
+        let half = solved(PIN, &[&spacing]);
+        let whole = solved(PIN, &[&spacing, "analysis.model=whole"]);
+        for results in [&half, &whole] {
+            for step in 0..2 {
+                let found = deviations(results, &reference, step);
+                for (value, bound) in found.into_iter().zip([6e-3, 6e-3, 2e-3]) {
+                    assert!(value < bound, "{other}, step {step}: {found:?}");
                 }
+            }
+            assert!(worst_balance(results) < 1e-10);
+        }
+        let apart = difference(
+            tractions(&upper(&half, 0, 0)),
+            tractions(&upper(&whole, 0, 0)),
+        );
+        assert!(apart < 1e-3, "{other}: {apart:.1e}");
+        let standard = solved(PIN, &[&spacing, "contacts.0.projection=mortar"]);
+        let found = deviations(&standard, &reference, 0);
+        assert!(found.iter().all(|value| *value < 0.02), "{found:?}");
+    }
+}
+
+#[test]
+fn blocks_of_other_spacing_give_the_answer_of_matching_ones() {
+    let reference = solved(ROLLER, &[]);
+    for other in ["0.04 mm", "0.09 mm"] {
+        let results = solved(ROLLER, &[&format!("bodies.block.mesh.spacing={other}")]);
+        let found = deviations(&results, &reference, 1);
+        for (value, bound) in found.into_iter().zip([2e-3, 1e-2, 1e-10]) {
+            assert!(value < bound, "{other}: {found:?}");
+        }
+        let [pressed, known] = [&results, &reference].map(|results| figures(results, 0)[0]);
+        assert!((pressed / known - 1.0).abs() < 2e-3, "{pressed} {known}");
+        assert!(worst_balance(&results) < 1e-10);
+    }
+}
+
+/// Quadratic dual points differ from pairs of nodes by what the normal turns along a cell; standard ones spread a node's pressure.
+#[test]
+fn on_meshes_that_match_a_projection_is_close_to_pairs_of_nodes() {
+    for text in [PIN, ROLLER] {
+        let nodes = solved(text, &[]);
+        let of = |how: &str| solved(text, &[&format!("contacts.0.projection={how}")]);
+        let said = of("nodes");
+        assert_eq!(
+            tractions(&upper(&nodes, 1, 0)),
+            tractions(&upper(&said, 1, 0))
+        );
+        let dual = of("dual-mortar");
+        let apart = difference(
+            tractions(&upper(&nodes, 0, 0)),
+            tractions(&upper(&dual, 0, 0)),
+        );
+        assert!(apart < 5e-4, "{apart:.1e}");
+        let [standard, known] = [of("mortar"), nodes].map(|results| figures(&results, 1));
+        for (value, known) in standard.into_iter().zip(known) {
+            assert!((value / known - 1.0).abs() < 1e-2, "{standard:?}");
+        }
+    }
+}
+
+#[test]
+fn uniform_pressure_passes_meshes_that_do_not_match() {
+    for element in ["T3", "Q4", "T6", "Q8", "Q9"] {
+        for projection in ["mortar", "dual-mortar"] {
+            let results = solved(
+                BLOCKS,
+                &[
+                    "bodies.upper.mesh.spacing=0.3 mm",
+                    "bodies.upper.mesh.fine_to=4 mm",
+                    &format!("mesh.element={element}"),
+                    &format!("contacts.0.projection={projection}"),
+                ],
+            );
+            for row in &results.steps[0].edges[0].rows {
+                let off = (row.pressure / 50.0 - 1.0)
+                    .abs()
+                    .max(row.shear.abs() / 50.0);
+                assert!(off < 1e-10, "{element} {projection}: {row:?}");
+                assert!((row.sigma_normal / -50.0 - 1.0).abs() < 1e-10);
             }
         }
     }
+}
+
+#[test]
+fn the_choice_is_said_with_its_reason() {
+    let matching = model(PIN, &[]);
+    assert_eq!(discretisation(&matching)[0], "matching node pairs");
+    let other = model(PIN, &["bodies.pin.mesh.spacing=3 deg"]);
+    assert_eq!(
+        discretisation(&other),
+        [
+            "mortar projection, dual multipliers",
+            "181 nodes of plate.hole face 121 of pin.rim"
+        ]
+    );
+    let asked = model(PIN, &["contacts.0.projection=mortar"]);
+    assert_eq!(
+        discretisation(&asked),
+        [
+            "mortar projection, standard multipliers",
+            "the scene says so; the meshes match"
+        ]
+    );
+    let shifted = model(
+        PIN,
+        &[
+            "bodies.pin.mesh.angles=[\"0 deg\", \"40 deg\", \"90 deg\", \"135 deg\", \"180 deg\"]",
+            "mesh.spacing=45 deg",
+        ],
+    );
+    assert_eq!(
+        discretisation(&shifted)[1],
+        "nodes of plate.hole and pin.rim lie up to 5.000° apart"
+    );
+    // Cells of another kind on the same nodes still match.
+    let kinds = model(PIN, &["bodies.pin.mesh.element=Q9"]);
+    assert_eq!(discretisation(&kinds)[0], "matching node pairs");
+}
+
+#[test]
+fn pairs_of_nodes_need_nodes_that_match() {
+    let changes = ["bodies.pin.mesh.element=Q4", "contacts.0.projection=nodes"];
+    let refused = Model::build(&scene(PIN, &changes)).unwrap_err();
+    assert!(
+        matches!(refused, ModelError::Projection { .. }),
+        "{refused}"
+    );
+}
+
+#[test]
+fn chains_mix_pairs_of_nodes_and_projections() {
+    let whats = |changes: &[&str]| -> Vec<String> {
+        let choices = model(BUSHING, changes).choices.into_iter();
+        let found = choices.filter(|choice| choice.what.starts_with("contact discretisation"));
+        found
+            .map(|choice| format!("{}: {}", choice.what, choice.value))
+            .collect()
+    };
+    assert_eq!(
+        whats(&["bodies.pin.mesh.spacing=4 deg"]),
+        [
+            "contact discretisation of 'bushing': matching node pairs",
+            "contact discretisation of 'pin': mortar projection, dual multipliers"
+        ]
+    );
+    let reference = solved(BUSHING, &[]);
+    for model in ["half", "whole"] {
+        let results = solved(
+            BUSHING,
+            &[
+                "bodies.bushing.mesh.spacing=4 deg",
+                &format!("analysis.model={model}"),
+            ],
+        );
+        assert!(worst_balance(&results) < 1e-10);
+        for (edge, known) in results.steps[1].edges.iter().zip(&reference.steps[1].edges) {
+            let [[peak, _], [other, _]] =
+                [edge, known].map(|edge| edge.peak_pressure.map_or([0.0; 2], <[f64; 2]>::from));
+            assert!((peak / other - 1.0).abs() < 0.02, "{peak} {other}");
+            let along = edge.resultant[0] / known.resultant[0];
+            assert!((along - 1.0).abs() < 1e-9, "{along}");
+        }
+    }
+}
+
+/// A rigid pin has no nodes of its own.
+#[test]
+fn rigid_pins_can_be_projected_on() {
+    let rigid = "bodies.pin.rigid=true";
+    let nodes = solved(PIN, &[rigid]);
+    for (projection, bound) in [("dual-mortar", 2e-3), ("mortar", 1e-2)] {
+        for model in ["half", "whole"] {
+            let results = solved(
+                PIN,
+                &[
+                    rigid,
+                    &format!("contacts.0.projection={projection}"),
+                    &format!("analysis.model={model}"),
+                ],
+            );
+            let [peak, _, friction] = deviations(&results, &nodes, 0);
+            assert!(peak < bound && friction < bound, "{peak} {friction}");
+            assert!(worst_balance(&results) < 1e-10);
+        }
+    }
+}
+
+#[test]
+fn gaps_between_meshes_and_other_cells_can_be_projected() {
+    let reference = solved(PIN, &[]);
+    let faceted = ["contacts.0.gap=faceted", "bodies.pin.mesh.spacing=1.3 deg"];
+    let linear = [
+        "bodies.pin.mesh.element=Q4",
+        "bodies.pin.mesh.spacing=2.6 deg",
+    ];
+    for changes in [faceted, linear] {
+        let results = solved(PIN, &changes);
+        let found = deviations(&results, &reference, 0);
+        assert!(
+            found.iter().all(|value| *value < 0.02),
+            "{changes:?}: {found:?}"
+        );
+        assert!(worst_balance(&results) < 1e-10);
+    }
+}
+
+#[test]
+fn the_scene_of_a_coarser_pin_agrees_with_matching_meshes() {
+    let path =
+        std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/pin-mortar.toml");
+    let run = |changes: &[&str]| {
+        let quiet = ["output.fields=none", "output.figures=false"];
+        let all: Vec<&str> = quiet.iter().chain(changes).copied().collect();
+        super::results(&Scene::from_file(&path, &all).unwrap())
+    };
+    let (own, matching) = (
+        run(&[]),
+        run(&[
+            "bodies.pin.mesh.spacing=1.125 deg",
+            "bodies.pin.mesh.coarse_spacing=4.5 deg",
+            "contacts.0.projection=nodes",
+        ]),
+    );
+    for step in 0..own.steps.len() {
+        let found = deviations(&own, &matching, step);
+        for (value, bound) in found.into_iter().zip([5e-3, 1e-2, 1e-2]) {
+            assert!(value < bound, "step {step}: {found:?}");
+        }
+    }
+    assert!(worst_balance(&own) < 1e-10);
 }
