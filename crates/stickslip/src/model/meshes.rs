@@ -1,4 +1,4 @@
-//! Meshes of a scene's bodies, matching where they may touch.
+//! Meshes of a scene's bodies, matching where they may touch unless the scene divides a body by itself.
 
 mod angles;
 pub(super) mod lines;
@@ -9,12 +9,12 @@ use std::sync::Arc;
 use stickslip_fem_core::generate::{
     self, Disk, Extent, Generate, GenerateError, Growth, PlateWithHole, Rectangle,
 };
-use stickslip_fem_core::mesh::Mesh;
+use stickslip_fem_core::mesh::{ElementKind, Mesh};
 
 use super::{Meshes, ModelError, placement};
 use crate::results::Choice;
 use crate::scene::Scene;
-use crate::scene::schema::{Division, Outline, Shape, Substance};
+use crate::scene::schema::{Division, MeshSettings, Outline, Shape, Substance};
 
 /// Largest number of nodes of one body.
 pub const NODE_LIMIT: usize = 4_000_000;
@@ -30,12 +30,8 @@ pub(super) fn build(
     choices: &mut Vec<Choice>,
 ) -> Result<Meshes, ModelError> {
     let mut meshes = lines::build(scene, half)?;
-    let angles = if scene.bodies.values().any(|body| body.shape.is_round()) {
-        angles::on_circles(scene, half)?
-    } else {
-        Vec::new()
-    };
     let mut layers = Vec::new();
+    let mut counts = Vec::new();
     for (name, body) in &scene.bodies {
         if body.substance == Substance::Rigid {
             // The partner of a rigid block or cylinder was meshed with it.
@@ -43,14 +39,24 @@ pub(super) fn build(
             continue;
         }
         let refuse = |cause| refuse(name, cause);
+        let angles = if body.shape.is_round() {
+            angles::on_circles(scene, name, half)?
+        } else {
+            Vec::new()
+        };
+        let settings = scene.mesh_of(name);
+        let (kind, chosen) = (settings.element, settings.layers.is_none());
         let mesh = match body.shape {
             Shape::PlateWithHole {
                 hole_radius,
                 outline,
             } => {
-                let count = layers_around(scene, hole_radius, outline, angles.len(), half);
-                layers.push(format!("{count} in '{name}'"));
-                let mesh = plate(scene, hole_radius, outline, &angles, count, half);
+                let count = layers_around(scene, name, hole_radius, outline, angles.len(), half);
+                if chosen {
+                    layers.push(format!("{count} in '{name}'"));
+                    counts.push(angles.len());
+                }
+                let mesh = plate(kind, hole_radius, outline, &angles, count, half);
                 let place = placement::centre(scene, name);
                 let moved = mesh.map_err(refuse)?.translated(place);
                 moved.map_err(|cause| ModelError::Mesh {
@@ -59,23 +65,28 @@ pub(super) fn build(
                 })?
             }
             Shape::Disk { radius } => {
-                layers.push(format!("{} in '{name}'", disk_layers(angles.len(), half)));
+                if chosen {
+                    layers.push(format!("{} in '{name}'", disk_layers(angles.len(), half)));
+                    counts.push(angles.len());
+                }
                 disk(scene, name, radius, &angles, half).map_err(refuse)?
             }
             Shape::Rectangle { width, height } => {
-                rectangle(scene, width, height).map_err(refuse)?
+                rectangle(settings, width, height).map_err(refuse)?
             }
             Shape::Block { .. } | Shape::Cylinder { .. } => continue,
         };
         meshes.insert(name.clone(), Arc::new(mesh));
     }
-    if !layers.is_empty() && scene.mesh.layers.is_none() {
+    if !layers.is_empty() {
+        counts.dedup();
+        let counts: Vec<String> = counts.iter().map(usize::to_string).collect();
         choices.push(Choice {
             what: "radial layers".into(),
             value: layers.join(", "),
             reason: format!(
                 "cells about as deep as wide, with {} angles on the contact circles",
-                angles.len()
+                counts.join(" and ")
             ),
         });
     }
@@ -84,7 +95,7 @@ pub(super) fn build(
 
 fn refuse(body: &str, cause: GenerateError) -> ModelError {
     match cause {
-        GenerateError::TooLarge { nodes, .. } => too_many(nodes as f64),
+        GenerateError::TooLarge { nodes, .. } => too_many(body, nodes as f64),
         cause => ModelError::Generate {
             body: body.to_owned(),
             cause,
@@ -92,8 +103,9 @@ fn refuse(body: &str, cause: GenerateError) -> ModelError {
     }
 }
 
-fn too_many(nodes: f64) -> ModelError {
+fn too_many(body: &str, nodes: f64) -> ModelError {
     ModelError::TooManyNodes {
+        body: body.to_owned(),
         nodes,
         gigabytes: nodes * BYTES_PER_NODE / 1e9,
         limit: NODE_LIMIT as f64,
@@ -117,6 +129,7 @@ fn half_count(angles: usize, half: bool) -> f64 {
 /// ln(R/r) / Δθ, and a tenth more.
 fn layers_around(
     scene: &Scene,
+    body: &str,
     hole_radius: f64,
     outline: Outline,
     angles: usize,
@@ -127,7 +140,7 @@ fn layers_around(
         Outline::Ring { radius } => f64::min(0.55, 1.1 * (radius / hole_radius).ln() / PI),
     };
     let chosen = (part * half_count(angles, half)).round() as usize;
-    scene.mesh.layers.unwrap_or_else(|| chosen.max(4))
+    scene.mesh_of(body).layers.unwrap_or_else(|| chosen.max(4))
 }
 
 fn disk_layers(angles: usize, half: bool) -> usize {
@@ -135,7 +148,7 @@ fn disk_layers(angles: usize, half: bool) -> usize {
 }
 
 fn plate(
-    scene: &Scene,
+    kind: ElementKind,
     hole_radius: f64,
     outline: Outline,
     angles: &[f64],
@@ -164,7 +177,7 @@ fn plate(
         layers,
         growth: SQUARE,
         far_cells: ((half_count(angles.len(), half) / 4.0).round() as usize).max(3),
-        kind: scene.mesh.element,
+        kind,
     }
     .generate_within(NODE_LIMIT)
 }
@@ -184,13 +197,13 @@ fn disk(
         core: Disk::CORE,
         layers: disk_layers(angles.len(), half),
         growth: SQUARE,
-        kind: scene.mesh.element,
+        kind: scene.mesh_of(name).element,
     }
     .generate_within(NODE_LIMIT)
 }
 
-fn rectangle(scene: &Scene, width: f64, height: f64) -> Result<Mesh, GenerateError> {
-    let spacing = match scene.mesh.division {
+fn rectangle(settings: &MeshSettings, width: f64, height: f64) -> Result<Mesh, GenerateError> {
+    let spacing = match settings.division {
         Division::Linear(grading) => grading.spacing,
         Division::AngleList(_) | Division::Angular(_) => width.min(height) / 20.0,
     };
@@ -199,7 +212,7 @@ fn rectangle(scene: &Scene, width: f64, height: f64) -> Result<Mesh, GenerateErr
         [-width / 2.0, width / 2.0],
         [-height, 0.0],
         [cells(width), cells(height)],
-        scene.mesh.element,
+        settings.element,
     )?
     .generate_within(NODE_LIMIT)
 }

@@ -63,7 +63,9 @@ pub(crate) fn beyond_fine_zone(
     edge: &EdgeGeometry,
     steps: &[&[Zone]],
 ) -> Option<String> {
-    let (Division::Angular(grading) | Division::Linear(grading)) = scene.mesh.division else {
+    let (Division::Angular(grading) | Division::Linear(grading)) =
+        scene.mesh_of(&edge.body).division
+    else {
         return None;
     };
     let limit = fine_to(scene, edge, grading)?;

@@ -68,6 +68,7 @@ pub(super) fn build(
     let materials = builder.materials(format, analysis.plane);
     builder.bodies(format, &materials);
     let mesh = builder.mesh(format);
+    builder.body_meshes(format, &mesh);
     let contacts = builder.contacts(format);
     let supports = builder.supports(format);
     let platens = builder.platens(format, &contacts);

@@ -381,3 +381,80 @@ fn numbers_outside_their_range() {
         &["bad.toml:28:", "two numbers, x and y, such as [-1, 0]"],
     );
 }
+
+#[test]
+fn bodies_that_are_divided_by_themselves() {
+    const PIN: &str =
+        "shape.disk = { radius = \"4.99 mm\" }\n[mesh]\nspacing = \"6 deg\"\n[[contacts]]";
+    let divided = |mesh: &str, contact: &str| {
+        format!(
+            "shape.disk = {{ radius = \"4.99 mm\" }}\nmesh = {{ {mesh} }}\n[mesh]\nspacing = \"6 deg\"\n[[contacts]]\n{contact}"
+        )
+    };
+    refused(
+        PIN,
+        &divided("spacing = \"4 deg\"", "projection = \"nodes\""),
+        &[
+            "bad.toml:20:14",
+            "contact 'pin': pairs of nodes need meshes that match, but 61 nodes of plate.hole face 91 of pin.rim",
+            "say projection = \"auto\" or \"dual-mortar\", or divide both bodies alike",
+        ],
+    );
+    refused(
+        PIN,
+        &divided("element = \"Q4\"", "projection = \"nodes\""),
+        &[
+            "bad.toml:20:14",
+            "the cells along plate.hole are quadratic, those along pin.rim linear",
+        ],
+    );
+    refused(
+        PIN,
+        &divided("spacing = \"0.4 mm\"", ""),
+        &[
+            "bad.toml:16:20",
+            "body 'pin' (disk) is divided by angles, but bodies.pin.mesh.spacing = 0.4 mm is a length",
+            "spacing = \"2 deg\"",
+        ],
+    );
+    refused(
+        PIN,
+        &divided("angles = [\"0 deg\", \"100 deg\"]", ""),
+        &[
+            "bad.toml:16:19",
+            "a half model needs angles from 0 to 180 deg; the last one is 100.000000 deg",
+        ],
+    );
+    refused(
+        PIN,
+        &divided("spacing = \"1e-5 deg\"", ""),
+        &["bad.toml:16:20", "GB"],
+    );
+    refused(
+        PIN,
+        &divided("coarse_spacing = \"20 deg\"", ""),
+        &[
+            "bad.toml:16:27",
+            "bodies.pin.mesh.coarse_spacing needs bodies.pin.mesh.fine_to",
+        ],
+    );
+    refused(
+        PIN,
+        &divided("layers = 0", ""),
+        &["bad.toml:16:19", "layers = 0", "at least 1"],
+    );
+    refused(
+        PIN,
+        &divided("spacing = \"4 deg\"", "projection = \"dual\""),
+        &["bad.toml:20:14", "\"dual\"", "dual-mortar"],
+    );
+    refused(
+        "material = \"steel\"\nthickness = \"2 mm\"\nshape.disk = { radius = \"4.99 mm\" }",
+        "rigid = true\nmesh.spacing = \"3 deg\"\nshape.disk = { radius = \"4.99 mm\" }",
+        &[
+            "bad.toml:14:1",
+            "the rigid body 'pin' is not divided",
+            "remove its mesh",
+        ],
+    );
+}

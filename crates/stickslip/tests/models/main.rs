@@ -2,6 +2,7 @@
 
 mod chains;
 mod halves;
+mod mortar;
 mod remarks;
 mod several;
 

@@ -1,4 +1,4 @@
-//! Angles of the corner nodes that all round bodies of a scene share.
+//! Angles of the corner nodes of a round body: all bodies of a scene share them unless it divides one by itself.
 
 use std::f64::consts::{PI, TAU};
 
@@ -11,24 +11,26 @@ use crate::scene::schema::{Division, Grading};
 const ANGLE_GROWTH: f64 = 1.15;
 
 /// Angles of the corner nodes on the contact circle, from 0 to π (half) or to below 2π (whole).
-pub(super) fn on_circles(scene: &Scene, half: bool) -> Result<Vec<f64>, ModelError> {
-    let upper = match &scene.mesh.division {
+pub(super) fn on_circles(scene: &Scene, body: &str, half: bool) -> Result<Vec<f64>, ModelError> {
+    let refuse = |what: String| ModelError::MeshSettings {
+        body: body.to_owned(),
+        what,
+    };
+    let upper = match &scene.mesh_of(body).division {
         Division::AngleList(angles) => angles.clone(),
-        Division::Angular(grading) => graded_angles(*grading)?,
+        Division::Angular(grading) => graded_angles(body, *grading)?,
         Division::Linear(_) => {
-            return Err(ModelError::MeshSettings(
+            return Err(refuse(
                 "a round contact is divided by an angle, such as spacing = \"1 deg\"".into(),
             ));
         }
     };
     let Some(&last) = upper.last() else {
-        return Err(ModelError::MeshSettings(
-            "the list of angles is empty".into(),
-        ));
+        return Err(refuse("the list of angles is empty".into()));
     };
     let spans_half = (last - PI).abs() < 1e-9;
     if half && !spans_half {
-        return Err(ModelError::MeshSettings(format!(
+        return Err(refuse(format!(
             "a half model needs angles from 0 to 180 deg; the last one is {:.6} deg",
             last.to_degrees()
         )));
@@ -56,11 +58,11 @@ fn interval_estimate(grading: Grading, fine_to: f64) -> f64 {
 }
 
 /// Angles from 0 to π: equal spacing up to `fine_to`, then growing to the coarse spacing.
-fn graded_angles(grading: Grading) -> Result<Vec<f64>, ModelError> {
+fn graded_angles(body: &str, grading: Grading) -> Result<Vec<f64>, ModelError> {
     let fine_to = grading.fine_to.map_or(PI, |angle| angle.min(PI));
     let count = interval_estimate(grading, fine_to);
     if count * count * 0.7 > NODE_LIMIT as f64 {
-        return Err(too_many(count * count * 3.0));
+        return Err(too_many(body, count * count * 3.0));
     }
     let fine = ((fine_to / grading.spacing) - 1e-9).ceil().max(1.0);
     let spacing = fine_to / fine;
@@ -101,7 +103,7 @@ mod tests {
             fine_to: Some(100.0_f64.to_radians()),
             coarse_spacing: Some(4.5_f64.to_radians()),
         };
-        let angles = graded_angles(grading).unwrap();
+        let angles = graded_angles("plate", grading).unwrap();
         assert_eq!((angles[0], angles[angles.len() - 1]), (0.0, PI));
         let widths: Vec<f64> = angles.windows(2).map(|pair| pair[1] - pair[0]).collect();
         assert!(
@@ -109,22 +111,23 @@ mod tests {
                 .windows(2)
                 .all(|pair| pair[1] / pair[0] < 1.3 && pair[1] / pair[0] > 0.75)
         );
-        let uniform = graded_angles(Grading {
+        let equal = Grading {
             fine_to: None,
             coarse_spacing: None,
             ..grading
-        })
-        .unwrap();
+        };
+        let uniform = graded_angles("plate", equal).unwrap();
         assert_eq!(uniform.len(), 161);
     }
 
     #[test]
     fn a_billion_nodes_are_refused_before_anything_is_allocated() {
-        let refused = graded_angles(Grading {
+        let tiny = Grading {
             spacing: 1e-5,
             fine_to: None,
             coarse_spacing: None,
-        });
+        };
+        let refused = graded_angles("plate", tiny);
         assert!(
             matches!(refused, Err(ModelError::TooManyNodes { gigabytes, .. }) if gigabytes > 100.0)
         );

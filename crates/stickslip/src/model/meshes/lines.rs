@@ -1,4 +1,4 @@
-//! Cylinders on blocks: each pair is meshed together.
+//! Cylinders on blocks: each pair is meshed together, twice where the scene divides the two differently.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -25,11 +25,19 @@ pub(in crate::model) fn fine_to(given: Option<f64>, half_length: f64) -> f64 {
 pub(super) fn build(scene: &Scene, half: bool) -> Result<BTreeMap<String, Arc<Mesh>>, ModelError> {
     let mut meshes = BTreeMap::new();
     for [cylinder, block] in pairs(scene)? {
-        let made = together(scene, cylinder, block, half)?
-            .generate_within(NODE_LIMIT)
-            .map_err(|cause| refuse(cylinder, cause))?;
+        let divided_as = |name: &str| {
+            together(scene, [cylinder, block], name, half)?
+                .generate_within(NODE_LIMIT)
+                .map_err(|cause| refuse(name, cause))
+        };
+        let made = divided_as(cylinder)?;
+        let lower = if scene.mesh_of(cylinder) == scene.mesh_of(block) {
+            made.lower
+        } else {
+            divided_as(block)?.lower
+        };
         meshes.insert(cylinder.to_owned(), Arc::new(made.upper));
-        meshes.insert(block.to_owned(), Arc::new(made.lower));
+        meshes.insert(block.to_owned(), Arc::new(lower));
     }
     Ok(meshes)
 }
@@ -55,33 +63,38 @@ fn pairs(scene: &Scene) -> Result<Vec<[&str; 2]>, ModelError> {
         ([], []) => {}
         (&[cylinder], &[block]) => pairs.push([cylinder, block]),
         ([alone, ..], _) => {
-            return Err(ModelError::MeshSettings(format!(
-                "the cylinder '{alone}' needs a block that it touches"
-            )));
+            return Err(ModelError::MeshSettings {
+                body: (*alone).to_owned(),
+                what: format!("the cylinder '{alone}' needs a block that it touches"),
+            });
         }
         ([], [alone, ..]) => {
-            return Err(ModelError::MeshSettings(format!(
-                "the block '{alone}' needs a cylinder to touch it"
-            )));
+            return Err(ModelError::MeshSettings {
+                body: (*alone).to_owned(),
+                what: format!("the block '{alone}' needs a cylinder to touch it"),
+            });
         }
     }
     Ok(pairs)
 }
 
+/// The pair divided as `body`, one of the two, is.
 fn together(
     scene: &Scene,
-    cylinder: &str,
-    block: &str,
+    pair: [&str; 2],
+    body: &str,
     half: bool,
 ) -> Result<CylinderOnBlock, ModelError> {
-    let Division::Linear(grading) = &scene.mesh.division else {
-        return Err(ModelError::MeshSettings(
-            "a line contact is divided by a length, such as spacing = \"0.02 mm\"".into(),
-        ));
+    let settings = scene.mesh_of(body);
+    let Division::Linear(grading) = &settings.division else {
+        return Err(ModelError::MeshSettings {
+            body: body.to_owned(),
+            what: "a line contact is divided by a length, such as spacing = \"0.02 mm\"".into(),
+        });
     };
     let mut curvature = f64::INFINITY;
     let (mut half_width, mut height) = (f64::INFINITY, f64::INFINITY);
-    for name in [cylinder, block] {
+    for name in pair {
         match scene.bodies[name].shape {
             Shape::Cylinder {
                 radius,
@@ -100,7 +113,7 @@ fn together(
     let inner = fine_to(grading.fine_to, half_width);
     let cells = inner / grading.spacing;
     if cells * cells > NODE_LIMIT as f64 {
-        return Err(too_many(cells * cells * 3.0));
+        return Err(too_many(body, cells * cells * 3.0));
     }
     Ok(CylinderOnBlock {
         radius: curvature,
@@ -110,6 +123,6 @@ fn together(
         spacing: grading.spacing,
         growth: GROWTH,
         extent: extent(half),
-        kind: scene.mesh.element,
+        kind: settings.element,
     })
 }

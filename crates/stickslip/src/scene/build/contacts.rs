@@ -123,6 +123,7 @@ impl Builder<'_> {
             first,
             second,
             gap,
+            projection: given.projection,
             interference,
             law: law?,
         })
