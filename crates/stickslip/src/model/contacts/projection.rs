@@ -1,4 +1,13 @@
 //! How the edges of a contact are tied: pairs of nodes where the meshes match, the mortar projection where they do not.
+//!
+//! On circles the motion of a mortar point is made to follow a turn φ of its body about the circle's centre as a node does,
+//!
+//! ```text
+//! (u_n, u_t) = Σ_j W_j F u_j + couples = (0, R φ)     for u_j = φ e_z × (x_j − c)
+//! ```
+//!
+//! Cells between nodes miss that by the third power of their length, so the normal forces of a coarse mesh would turn a pin that
+//! friction alone holds. The couples are forces of the stencil's own nodes without resultant, perpendicular to their arms.
 
 use std::f64::consts::TAU;
 use std::ops::Range;
@@ -55,9 +64,8 @@ impl<'a> Side<'a> {
         self.positions[self.local.start + k]
     }
 
-    /// The stencil on a circle with the moments that a node has which lies on it: of a normal force none about the centre, of a
-    /// tangential one the radius. Cells between nodes miss these by the third power of their length, so that a pin could climb as it
-    /// turns; the difference is made good by couples, which leave forces as they are.
+    /// `stencil` with the moments about the circle's centre that a node on it has: none of a normal force, the radius of a tangential
+    /// one.
     fn centred(&self, stencil: &Stencil, [nx, ny]: [f64; 2]) -> Stencil {
         let EdgeKind::Circle { centre, radius } = self.edge.kind else {
             return stencil.clone();
