@@ -174,7 +174,7 @@ fn chart(rows: &[Row]) -> Result<stickslip_report::svg::Svg, Trouble> {
         Axis::log("clearance over radius c/R [1]"),
         Axis::log("error of the peak pressure at 1240 lbf [1]"),
     )
-    .subtitle("Against the gap of the true circles on a four times finer mesh.");
+    .subtitle("Against the true circles on a four times finer mesh. Where nodes face each other, the linearised gap is that between them.");
     for (name, _) in KINDS {
         let own = rows
             .iter()

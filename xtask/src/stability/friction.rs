@@ -3,6 +3,8 @@
 use stickslip_contact::uniqueness_bound;
 use stickslip_laboratory::discrete::{self, Discrete};
 
+use stickslip_report::svg::Svg;
+
 use super::history::Stages;
 use super::joint::{Joint, coulomb, set};
 use super::methods::{CHAIN, Method, methods};
@@ -16,11 +18,12 @@ pub(super) const STUDY: Study = Study {
     title: "Coefficient of friction",
     varied: "μ from 0 to 3: one node with known answers, pushed and with its load removed; a flat punch; a pin in a plate, \
              loaded and unloaded",
-    expectation: "Up to the bound μ_c a step has one solution and every method may find it. Beyond it there can be several, and \
-                  states that hold without any load: the answer must be one of them. A supported body always has one.",
+    expectation: "Below the bound μ_c a step has one solution and every method may find it. From there on there can be several, \
+                  and states that hold without any load: the answer must be one of them. A supported body always has one.",
     run,
 };
 
+const VARIED: &str = "coefficient of friction μ [1]";
 const PUSHED: &str = "one node, pushed";
 const WEDGED: &str = "one node, load removed";
 const PUNCH: &str = "flat punch, pressed and pushed to and fro";
@@ -77,7 +80,7 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
     let bounds = bounds(nodes, &pin)?;
     let name = |bound: f64, exact: bool| {
         let sign = if exact { "=" } else { "≈" };
-        format!("μ_c {sign} {bound:.2}")
+        format!("one solution below μ_c {sign} {bound:.2}")
     };
     let dividers: Vec<(String, f64, String)> = bounds
         .iter()
@@ -87,23 +90,66 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
         &rows,
         &Legend {
             title: "Which method can be trusted at which coefficient of friction",
-            subtitle: "Up to the line a step has one solution; beyond it there may be several.",
-            varied: "coefficient of friction μ [1]",
+            subtitle: "Left of the line a step has one solution; right of it there may be several. The worst step of a history counts.",
+            varied: VARIED,
             label: &|mu| format!("{mu:.1}"),
             dividers: &dividers,
         },
     )?;
+    let summary = summary(&rows, &bounds)?;
     Ok(Findings {
         remarks: remarks(&rows, &dividers),
         tables: vec![("", super::row::csv("mu", &rows))],
-        pictures: vec![(
-            "",
-            picture,
-            "Outcome of each method over the coefficient of friction".into(),
-        )],
+        pictures: vec![
+            (
+                "-summary",
+                summary,
+                "Worst outcome of each method in four problems over the coefficient of friction"
+                    .into(),
+            ),
+            (
+                "",
+                picture,
+                "Outcome of each method over the coefficient of friction".into(),
+            ),
+        ],
         rows,
         ..Findings::default()
     })
+}
+
+/// The worst outcome of each method in any of the problems.
+fn summary(rows: &[Row], bounds: &[(&str, f64, bool)]) -> Result<Svg, Trouble> {
+    const WORST: &str = "worst of the four problems";
+    let mut worst: Vec<Row> = Vec::new();
+    for row in rows {
+        let same = |other: &&mut Row| other.method == row.method && other.value == row.value;
+        match worst.iter_mut().find(same) {
+            Some(other) => other.outcome = other.outcome.max(row.outcome),
+            None => worst.push(Row {
+                case: WORST.into(),
+                ..row.clone()
+            }),
+        }
+    }
+    let least = bounds
+        .iter()
+        .map(|&(_, bound, _)| bound)
+        .fold(f64::INFINITY, f64::min);
+    Ok(map(
+        &worst,
+        &Legend {
+            title: "Which solver can be trusted at which coefficient of friction",
+            subtitle: "One node pushed, and with its load removed; a flat punch, pushed to and fro; a pin in a plate, loaded and unloaded.",
+            varied: VARIED,
+            label: &|mu| format!("{mu:.1}"),
+            dividers: &[(
+                WORST.to_owned(),
+                least,
+                "several solutions possible →".into(),
+            )],
+        },
+    )?)
 }
 
 /// Bounds of uniqueness: exact for one node, estimated where all points touch or did touch.
@@ -136,10 +182,17 @@ fn alone(case: &str, mu: f64, given: &Discrete, methods: &[Method]) -> Vec<Row> 
         .find(|method| method.is_chain())
         .and_then(|chain| chain.solver.solve(&given.step()).ok())
         .map(|solution| solution.trial);
+    let held = case == WEDGED
+        && taken
+            .as_ref()
+            .is_some_and(|trial| trial.forces.amax() > 0.0);
     methods
         .iter()
         .map(|method| {
-            let row = judge(method, given, taken.as_ref());
+            let mut row = judge(method, given, taken.as_ref());
+            if held && method.is_chain() {
+                row.note = "wedged: contact forces are left without load".into();
+            }
             Row::of_steps(case, mu, given.coercive, &[row])
         })
         .collect()
@@ -177,18 +230,36 @@ fn remarks(rows: &[Row], dividers: &[(String, f64, String)]) -> Vec<String> {
     let mut remarks = Vec::new();
     let wedged = |case: &str| {
         rows.iter()
-            .filter(|row| row.case == case && row.note.starts_with("wedged"))
+            .filter(|row| row.case == case && row.note.contains("wedged"))
             .map(|row| row.value)
             .reduce(f64::min)
     };
-    for case in [PUNCH, PIN] {
+    for case in [WEDGED, PUNCH, PIN] {
         remarks.push(match wedged(case) {
             Some(mu) => format!(
-                "{}: stays wedged without load from μ = {mu:.1}.",
+                "{}: the default chain's answer stays wedged from μ = {mu:.1} on.",
                 capital(case)
             ),
-            None => format!("{}: no state held without load was met.", capital(case)),
+            None => format!(
+                "{}: the default chain's answer is free of force at every μ.",
+                capital(case)
+            ),
         });
+    }
+    let mut others: Vec<&str> = Vec::new();
+    for row in rows
+        .iter()
+        .filter(|row| row.case == WEDGED && row.outcome == Outcome::Other)
+    {
+        if !others.contains(&row.method) {
+            others.push(row.method);
+        }
+    }
+    if !others.is_empty() {
+        remarks.push(format!(
+            "In the other state of that node end: {}.",
+            others.join(", ")
+        ));
     }
     let bound = |case: &str| {
         dividers

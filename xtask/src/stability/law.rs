@@ -10,8 +10,8 @@ use super::history::Stages;
 use super::joint::{Joint, set};
 use super::methods::{CHAIN, methods};
 use super::outcome::Outcome;
-use super::picture::{Legend, map};
-use super::row::csv;
+use super::picture::{Legend, map, power};
+use super::row::{Row, csv};
 use super::{Context, Findings, Study, Trouble};
 
 pub(super) const STUDY: Study = Study {
@@ -30,7 +30,7 @@ const LAGGED: &str = "drop from the next step on";
 const SOFTENING: &str = "softening with slip";
 const STATIC: f64 = 0.35;
 const DYNAMIC: f64 = 0.15;
-/// Columns: every case numbers its values from 1.
+/// Values of each case.
 const COLUMNS: usize = 11;
 
 fn run(context: &Context) -> Result<Findings, Trouble> {
@@ -44,13 +44,12 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
             let problem = pin.problem_with(law)?;
             let stages = Stages::follow(&problem, &pin.loads);
             let doubtful = doubtful(&stages);
-            for mut row in stages.rows(case, column as f64, &methods()) {
+            for mut row in stages.rows(case, value, &methods()) {
                 if row.method == CHAIN && doubtful > 0 {
-                    row.note = format!("at most {doubtful} points may as well slip; {}", row.note);
+                    row.note = format!("at most {doubtful} points may as well slip; {}", row.note)
+                        .trim_end_matches([';', ' '])
+                        .to_owned();
                 }
-                row.note = format!("{value}; {}", row.note)
-                    .trim_end_matches([';', ' '])
-                    .to_owned();
                 rows.push(row);
             }
         }
@@ -62,22 +61,28 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
             .iter()
             .position(|case| *case == row.case)
     });
-    let label = |column: f64| {
-        format!(
-            "{:.1} | {}",
-            1.0 - column / 10.0,
-            super::picture::power(slip_scale(column as usize))
-        )
-    };
-    let picture = map(
-        &rows,
-        &Legend {
+    let of_law = |softening: bool, varied: &str, label: &dyn Fn(f64) -> String| {
+        let own: Vec<Row> = rows
+            .iter()
+            .filter(|row| (row.case == SOFTENING) == softening)
+            .cloned()
+            .collect();
+        let legend = Legend {
             title: "Laws under which a step has several answers",
             subtitle: "Pin in a plate, 14 steps up to 1980 lbf and back; μs = 0.35.",
-            varied: "μd/μs [1] of the drops | slip over which the softening law falls [mm]",
-            label: &label,
+            varied,
+            label,
             dividers: &[],
-        },
+        };
+        map(&own, &legend)
+    };
+    let drops = of_law(false, "dynamic over static friction μd/μs [1]", &|share| {
+        format!("{share:.1}")
+    })?;
+    let slopes = of_law(
+        true,
+        "slip over which μ falls from 0.35 to 0.15 [mm]",
+        &power,
     )?;
     let several = rows
         .iter()
@@ -86,7 +91,7 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
     let unanswered: Vec<String> = rows
         .iter()
         .filter(|row| row.method == CHAIN && !row.outcome.is_answer())
-        .map(|row| format!("{}: {}", row.case, row.note))
+        .map(|row| format!("{}, {}: {}", row.case, row.value, row.note))
         .collect();
     let others = rows
         .iter()
@@ -104,12 +109,19 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
     }
     Ok(Findings {
         remarks,
-        tables: vec![("", csv("column", &rows))],
-        pictures: vec![(
-            "",
-            picture,
-            "Outcome of each method over the drop and the slope of friction".into(),
-        )],
+        tables: vec![("", csv("ratio_or_slip_mm", &rows))],
+        pictures: vec![
+            (
+                "-drop",
+                drops,
+                "Outcome of each method over the drop of friction".into(),
+            ),
+            (
+                "-softening",
+                slopes,
+                "Outcome of each method over the slope of friction".into(),
+            ),
+        ],
         rows,
         ..Findings::default()
     })
@@ -120,22 +132,17 @@ fn slip_scale(column: usize) -> f64 {
     10.0_f64.powi(1 - column as i32)
 }
 
-fn law(case: &str, column: usize) -> Result<(String, Arc<dyn FrictionLaw>), Trouble> {
-    let share = 1.0 - column as f64 / 10.0;
+/// The law of a column, and the value that makes it.
+fn law(case: &str, column: usize) -> Result<(f64, Arc<dyn FrictionLaw>), Trouble> {
+    let share = (COLUMNS - 1 - column) as f64 / (COLUMNS - 1) as f64;
     let drop = |transition| StaticDynamic::new(STATIC, share * STATIC, transition);
     Ok(match case {
-        DROP => (
-            format!("mu_d/mu_s = {share:.1}"),
-            Arc::new(drop(Transition::Drop)?),
-        ),
-        LAGGED => (
-            format!("mu_d/mu_s = {share:.1}"),
-            Arc::new(drop(Transition::Lagged)?),
-        ),
+        DROP => (share, Arc::new(drop(Transition::Drop)?)),
+        LAGGED => (share, Arc::new(drop(Transition::Lagged)?)),
         _ => {
             let scale = slip_scale(column);
             let law = SlipPower::new(STATIC, DYNAMIC, scale, 1.0, SlipPath::Current)?;
-            (format!("slip scale {scale:.1e} mm"), Arc::new(law))
+            (scale, Arc::new(law))
         }
     })
 }

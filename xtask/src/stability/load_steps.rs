@@ -168,7 +168,7 @@ fn findings(rows: Vec<Row>, cases: &[Case]) -> Result<Findings, Trouble> {
         &rows,
         &Legend {
             title: "Histories in more and more steps",
-            subtitle: "Each method follows its own history without cut-back; one failing step ends it.",
+            subtitle: "Each method follows its own history without cut-back; one failing step ends it. Beyond 100 steps only the fast ones run.",
             varied: "load steps per leg of the history [1]",
             label: &power,
             dividers: &[],

@@ -49,8 +49,8 @@ const MESHES: [(&str, Defect); 6] = [
     ("regular", Defect::None),
     ("aspect 10²", Defect::Aspect(1e2)),
     ("aspect 10⁴", Defect::Aspect(1e4)),
-    ("distorted 0.2", Defect::Distorted(0.2)),
-    ("distorted 0.35", Defect::Distorted(0.35)),
+    ("distorted 0.15", Defect::Distorted(0.15)),
+    ("distorted 0.25", Defect::Distorted(0.25)),
     ("mid-side 0.3", Defect::MidSide(0.3)),
 ];
 
@@ -214,7 +214,7 @@ fn findings(rows: Vec<Row>, solvers: Vec<Row>) -> Result<Findings, Trouble> {
     };
     let refused = rows
         .iter()
-        .filter(|row| row.outcome == Outcome::Refused)
+        .filter(|row| row.outcome == Outcome::Refused && row.case.ends_with(PLATE))
         .count();
     let oscillation = worst(&format!("{OSCILLATION}: {CYLINDER}"));
     let mut remarks = vec![

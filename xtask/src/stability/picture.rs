@@ -15,7 +15,7 @@ pub(crate) struct Legend<'a> {
     pub(crate) varied: &'a str,
     /// A value of the varied quantity as its column is labelled.
     pub(crate) label: &'a dyn Fn(f64) -> String,
-    /// Lines before the first column beyond a value: case, value, name.
+    /// Lines before the first column that reaches a value: case, value, name.
     pub(crate) dividers: &'a [(String, f64, String)],
 }
 
@@ -75,7 +75,7 @@ fn group(case: &str, rows: &[Row], columns: &[f64], legend: &Legend<'_>) -> Grou
         .collect();
     let divider = legend.dividers.iter().find(|(of, _, _)| of == case);
     let divider = divider.and_then(|(_, value, name)| {
-        let column = columns.iter().position(|column| column > value)?;
+        let column = columns.iter().position(|column| column >= value)?;
         Some((column, name.clone()))
     });
     Group {

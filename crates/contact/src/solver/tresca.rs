@@ -50,13 +50,14 @@ impl TrescaFixedPoint {
     fn run(&self, attempt: &mut Attempt<'_>) -> Result<StepSolution, FailureCause> {
         /// Updates without a better state after which the iteration counts as stalled.
         const PATIENCE: usize = 60;
-        /// Forces that have faded to this part of the first are on their way to none, which no relative measure sees.
+        /// Forces that have faded to this part of the first or the last ones are on their way to none, which no relative measure
+        /// sees.
         const FADED: f64 = 1e-9;
         let step = attempt.step;
         let mut convex = Convex::new(step);
         let mut bounds = Bounds::new(step);
         let (mut least, mut since) = (f64::INFINITY, 0);
-        let mut largest: f64 = 0.0;
+        let mut largest = step.committed.forces.amax();
         for update in 1..=self.limit {
             attempt.work.updates += 1;
             let (forces, rigid) = convex.solve(attempt, &bounds.values)?;
@@ -65,7 +66,9 @@ impl TrescaFixedPoint {
             largest = largest.max(forces.amax());
             if forces.amax() <= FADED * largest {
                 let released = attempt.released(&rigid);
-                return attempt.accept_within(released, self.tolerance);
+                if let Ok(solution) = attempt.accept_within(released, self.tolerance) {
+                    return Ok(solution);
+                }
             }
             let status = read_statuses(step, &forces, &motion);
             bounds.update(step, &forces, &motion, &status);
@@ -164,6 +167,8 @@ impl Convex {
         const UPDATES: usize = 40;
         const BALANCED: f64 = 1e-13;
         let step = attempt.step;
+        // Without load both the forces and what they leave unbalanced fade.
+        let before = step.mode_load.amax().max(step.committed.forces.amax());
         let modes = step.problem.modes();
         let boxes: Vec<[f64; 2]> = (0..2 * step.count())
             .map(|row| match row % 2 {
@@ -183,7 +188,7 @@ impl Convex {
             rigid.axpy(self.weight, &imbalance, 1.0);
             if imbalance
                 .iter()
-                .all(|force| force.abs() <= BALANCED * forces.amax().max(step.mode_load.amax()))
+                .all(|force| force.abs() <= BALANCED * forces.amax().max(before))
             {
                 self.rigid.clone_from(&rigid);
                 return Ok((forces, rigid));

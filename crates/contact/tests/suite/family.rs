@@ -345,6 +345,30 @@ fn nothing_changes_without_a_change_of_load() {
     assert_eq!(records[3].state.forces.amax(), 0.0);
 }
 
+/// Forces of a body that floats fade when its load is gone; whatever converges by relative measures must see that.
+#[test]
+fn a_floating_body_is_let_go_by_all() {
+    let compliance = DMatrix::from_fn(6, 6, |i, j| match (i == j, i % 2 == j % 2) {
+        (true, _) => 2.0,
+        (_, true) => 0.5,
+        (_, false) => 0.1,
+    });
+    let modes = DMatrix::from_fn(6, 1, |i, _| if i % 2 == 0 { 1.0 } else { 0.0 });
+    let press = DVector::from_element(1, -1.0);
+    let body = GivenBody::floating(compliance, modes, vec![DVector::zeros(6)], vec![press]);
+    for mu in [0.0, 0.3, 1.0] {
+        let problem = Ground::along_x(vec![0.0, 0.1, 0.0], coulomb(mu)).under(&body);
+        let start = ContactState::unloaded(&problem);
+        let pressed = solve(&Chain::default(), &problem, &start, &[1.0]).unwrap();
+        let state = crate::commit(&start, &pressed.trial, &[1.0]);
+        for solver in exact_solvers() {
+            let let_go = solve(solver.as_ref(), &problem, &state, &[0.0])
+                .unwrap_or_else(|failure| panic!("{}, μ = {mu}: {failure}", solver.name()));
+            assert!(let_go.trial.forces.amax() < 1e-9, "{}", solver.name());
+        }
+    }
+}
+
 /// One point that nothing solves: the reason of every solver, the name, and the size of what is left.
 #[test]
 fn what_is_not_solved_is_called_unresolved() {

@@ -202,26 +202,36 @@ fn floating_steps_are_solved_exactly_where_there_is_a_solution() {
 }
 
 /// Far beyond enumeration, where only the theory says that there is a solution.
+fn follow_larger(seed: u64, solver: &dyn InterfaceSolver) {
+    let mut draw = generator(seed);
+    let count = 5 + (seed as usize % 6) * 5;
+    let problem = problem(&mut draw, count, 0);
+    let mut state = ContactState::unloaded(&problem);
+    for _ in 0..3 {
+        let multipliers = [draw(), draw()];
+        let found = solve(solver, &problem, &state, &multipliers);
+        let solution =
+            found.unwrap_or_else(|failure| panic!("seed {seed}, {count} points: {failure}"));
+        let violation = Conditions::new(&problem, &state, &multipliers).violation(&solution.trial);
+        assert!(
+            violation < TOLERANCE,
+            "seed {seed}, {count} points: {violation}"
+        );
+        state = commit(&state, &solution.trial, &multipliers);
+    }
+}
+
 #[test]
 fn larger_supported_steps_are_solved_by_pivoting_alone() {
     for seed in 0..60 {
-        let mut draw = generator(seed);
-        let count = 5 + (seed as usize % 6) * 5;
-        let problem = problem(&mut draw, count, 0);
-        let mut state = ContactState::unloaded(&problem);
-        for _ in 0..3 {
-            let multipliers = [draw(), draw()];
-            let found = solve(&Pivoting::default(), &problem, &state, &multipliers);
-            let solution =
-                found.unwrap_or_else(|failure| panic!("seed {seed}, {count} points: {failure}"));
-            let violation =
-                Conditions::new(&problem, &state, &multipliers).violation(&solution.trial);
-            assert!(
-                violation < TOLERANCE,
-                "seed {seed}, {count} points: {violation}"
-            );
-            state = commit(&state, &solution.trial, &multipliers);
-        }
+        follow_larger(seed, &Pivoting::default());
+    }
+}
+
+#[test]
+fn larger_supported_steps_are_solved_by_the_chain() {
+    for seed in 0..120 {
+        follow_larger(seed, &Chain::default());
     }
 }
 
