@@ -42,8 +42,8 @@ fn blocks(mu: f64) -> InterfaceProblem {
         first: ground,
         second: ground + 2,
         points: vec![ContactPoint {
-            first: 0,
-            second: 0,
+            first: 0.into(),
+            second: 0.into(),
             normal: [1.0, 0.0],
             gap: 0.0,
             area: 1.0,

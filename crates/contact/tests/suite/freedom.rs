@@ -39,8 +39,8 @@ fn block(mu: f64) -> InterfaceProblem {
 
 fn pair(bodies: [&dyn InterfaceOperator; 2], normals: &[[f64; 2]], mu: f64) -> InterfaceProblem {
     let points = normals.iter().enumerate().map(|(k, &normal)| ContactPoint {
-        first: k,
-        second: k,
+        first: k.into(),
+        second: k.into(),
         normal,
         gap: 0.0,
         area: 1.0,
