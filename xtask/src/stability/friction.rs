@@ -61,7 +61,7 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
             &Stages::follow(&punch.problem, &loads),
             &methods,
         ));
-        let problem = pin.problem_with(coulomb(mu)?)?;
+        let problem = pin.problem_with(&coulomb(mu)?)?;
         let loads = [pin.loads.clone(), vec![vec![0.0; problem.load_cases()]]].concat();
         rows.extend(followed(
             PIN,
@@ -160,7 +160,7 @@ fn bounds(nodes: usize, pin: &Joint) -> Result<Vec<(&'static str, f64, bool)>, T
     ];
     let punch = discrete::flat_punch(nodes, 0.3)?;
     let pressed = Stages::follow(&punch.problem, &[vec![1.0, 0.0]]);
-    let problem = pin.problem_with(coulomb(0.3)?)?;
+    let problem = pin.problem_with(&coulomb(0.3)?)?;
     let pulled = Stages::follow(&problem, &pin.loads[..4]);
     for (case, problem, stages) in [(PUNCH, &punch.problem, &pressed), (PIN, &problem, &pulled)] {
         let bound = stages

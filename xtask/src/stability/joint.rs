@@ -54,13 +54,13 @@ impl Joint {
     /// The interface problem with friction `law` in every contact.
     pub(crate) fn problem_with(
         &self,
-        law: Arc<dyn FrictionLaw>,
+        law: &Arc<dyn FrictionLaw>,
     ) -> Result<InterfaceProblem, Trouble> {
         let faces: Vec<&dyn InterfaceOperator> =
             self.operators.iter().map(Operator::interface).collect();
         let mut pairs = self.pairs.clone();
         for pair in &mut pairs {
-            pair.law = Arc::clone(&law);
+            pair.law = Arc::clone(law);
         }
         Ok(InterfaceProblem::new(&faces, pairs)?)
     }

@@ -41,14 +41,16 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
         let mut rows = Vec::new();
         for case in [DROP, LAGGED, SOFTENING] {
             let (value, law) = law(case, column)?;
-            let problem = pin.problem_with(law)?;
+            let problem = pin.problem_with(&law)?;
             let stages = Stages::follow(&problem, &pin.loads);
             let doubtful = doubtful(&stages);
             for mut row in stages.rows(case, value, &methods()) {
                 if row.method == CHAIN && doubtful > 0 {
-                    row.note = format!("at most {doubtful} points may as well slip; {}", row.note)
-                        .trim_end_matches([';', ' '])
-                        .to_owned();
+                    let rest = match row.note.as_str() {
+                        "" => String::new(),
+                        note => format!("; {note}"),
+                    };
+                    row.note = format!("at most {doubtful} points may as well slip{rest}");
                 }
                 rows.push(row);
             }

@@ -116,7 +116,7 @@ fn cases(pin: &Joint) -> Result<Vec<Case>, Trouble> {
         .map(|(name, law, corners)| {
             Ok(Case {
                 name,
-                problem: pin.problem_with(Arc::clone(law))?,
+                problem: pin.problem_with(law)?,
                 corners: corners.clone(),
             })
         })
@@ -141,18 +141,15 @@ fn follow(case: &Case, number: usize, unit: &[f64], method: &Method) -> (Row, Op
             let load = from + (to - from) * (k as f64 / number as f64);
             given.multipliers = unit.iter().map(|share| share * load).collect();
             // The step's own answer is not known: the judge looks at its conditions.
-            match method.solver.solve(&given.step()) {
-                Ok(solution) => {
-                    let violation = given.check(&solution.trial);
-                    steps.push(super::outcome::accepted(method, &solution, violation));
-                    given.committed = commit(&given.committed, &solution.trial, &given.multipliers);
-                    end = Some(solution.trial);
-                }
-                Err(_) => {
-                    steps.push(judge(method, &given, None));
-                    end = None;
-                    break 'path;
-                }
+            if let Ok(solution) = method.solver.solve(&given.step()) {
+                let violation = given.check(&solution.trial);
+                steps.push(super::outcome::accepted(method, &solution, violation));
+                given.committed = commit(&given.committed, &solution.trial, &given.multipliers);
+                end = Some(solution.trial);
+            } else {
+                steps.push(judge(method, &given, None));
+                end = None;
+                break 'path;
             }
         }
         from = to;

@@ -122,7 +122,7 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
     let order = [ASPECT, DISTORTION, MID_SIDE, END, OSCILLATION];
     rows.sort_by_key(|row| order.iter().position(|case| row.case.starts_with(case)));
     let solvers = solvers(context, cells)?;
-    findings(rows, solvers)
+    findings(&rows, solvers)
 }
 
 /// Contact that ends at every position within an element: the load moves it over one cell and a half.
@@ -197,7 +197,7 @@ fn row(case: String, value: f64, kind: ElementKind, found: Result<f64, Trouble>)
     }
 }
 
-fn findings(rows: Vec<Row>, solvers: Vec<Row>) -> Result<Findings, Trouble> {
+fn findings(rows: &[Row], solvers: Vec<Row>) -> Result<Findings, Trouble> {
     let picture = map(
         &solvers,
         &Legend {
@@ -238,8 +238,8 @@ fn findings(rows: Vec<Row>, solvers: Vec<Row>) -> Result<Findings, Trouble> {
     if chain.clone().all(|row| row.outcome.is_answer()) {
         remarks.push("The default chain solves every step on every one of these meshes.".into());
     }
-    let chart = curves(&rows)?;
-    let table = csv("value", &rows);
+    let chart = curves(rows)?;
+    let table = csv("value", rows);
     Ok(Findings {
         tables: vec![("", table), ("-solvers", csv("mesh", &solvers))],
         pictures: vec![
