@@ -6,6 +6,11 @@ use super::frozen::Frozen;
 use super::step::Step;
 use crate::state::Status;
 
+/// Closing speeds below this part of the motion's are rounding: turning a round body about its centre closes nothing.
+const CLOSING: f64 = 1e-9;
+/// Unbalanced resultants below this part of the contact forces are what is left of a symmetric problem.
+const SYMMETRIC: f64 = 1e-8;
+
 /// What can stop the bodies from moving along `direction`, on which the load does work: the open point that first closes;
 /// if none does, sticking of slipping points on the way, and of open points that are already pressed together. Of the slipping
 /// ones, those that the motion would turn first are enough if their friction, turned against it, outweighs what is unbalanced.
@@ -33,7 +38,7 @@ pub(super) fn hold(
     for k in 0..status.len() {
         let (normal, tangential) = (rate(2 * k), rate(2 * k + 1));
         let open = status[k] == Status::Open;
-        if open && normal < -ROUNDING * speed {
+        if open && normal < -CLOSING * speed {
             let time = frozen.motion[2 * k] / -normal;
             if first.is_none_or(|(earliest, _)| time < earliest) {
                 first = Some((time, k));
@@ -50,10 +55,13 @@ pub(super) fn hold(
             }
         }
     }
+    // To stop a motion that rounding alone drives, any choice among the points would break a symmetry.
+    let driven = speed > SYMMETRIC * frozen.forces.amax();
     let unbalanced: f64 = direction.iter().map(|amount| amount * amount).sum();
     let held = match first {
         Some((_, point)) => vec![point],
-        None => first_turned(turning, unbalanced).unwrap_or(pressed),
+        None if driven => first_turned(turning, unbalanced).unwrap_or(pressed),
+        None => pressed,
     };
     if held.is_empty() {
         return Err(FailureCause::Unbalanced {

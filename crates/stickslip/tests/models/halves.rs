@@ -236,7 +236,9 @@ fn a_bushed_pin_is_one_scene_by_half_and_whole() {
         "output.fields=none",
         "output.figures=false",
     ];
-    halves_agree(scene, &coarse);
+    // Pulled from the first step on: the press fit alone may rest anywhere in the clearance of the pin.
+    let pulled = "loads.0.force.steps=[\"2 kN\", \"6 kN\", \"12 kN\", \"24 kN\", \"18 kN\", \"6 kN\", \"1 kN\"]";
+    halves_agree(scene, &[&coarse[..], &[pulled]].concat());
     let results = solved(scene, &coarse);
     let pulls = [0.0, 2e3, 6e3, 12e3, 18e3, 24e3, 18e3, 12e3, 6e3, 1e3];
     assert_eq!(results.steps.len(), pulls.len());
