@@ -18,11 +18,11 @@ pub(super) const STUDY: Study = Study {
     run,
 };
 
-/// Loads of the plate [lbf]: first contact, growth, release, the other side, and back.
+/// Loads of the plate `[lbf]`: first contact, growth, release, the other side, and back.
 const PULLS: [f64; 12] = [
     1.0, 20.0, 520.0, 1240.0, 210.0, 0.0, -20.0, -1240.0, -40.0, 0.0, 20.0, 1240.0,
 ];
-/// Loads of the cylinder [N].
+/// Loads of the cylinder `[N]`.
 const PRESSES: [f64; 8] = [1.0, 50.0, 500.0, 40.0, 0.0, 50.0, 500.0, -1.0];
 
 fn run(context: &Context) -> Result<Findings, Trouble> {

@@ -40,7 +40,7 @@ const ELEMENTS: [ElementKind; 5] = [
     ElementKind::T6,
 ];
 
-/// Two materials: Young's moduli [MPa] and Poisson's ratios of cylinder and block.
+/// Two materials: Young's moduli `[MPa]` and Poisson's ratios of cylinder and block.
 #[derive(Clone, Copy)]
 struct Materials {
     young: [f64; 2],
