@@ -6,7 +6,7 @@
 //! | module | subject |
 //! | --- | --- |
 //! | [`problems`] | reference problems as scenes, and the errors of their results |
-//! | [`run`] | a scene by the condensed or the conventional path, phase by phase |
+//! | [`run`](run()) | a scene by the condensed or the conventional path, phase by phase |
 //! | [`conventional`] | the whole finite-element system, refactorised in every contact iteration |
 //! | [`references`] | closed forms and tables behind them |
 //! | [`discrete`] | small problems given by their numbers, and all their solutions |

@@ -145,9 +145,9 @@ impl<'a> Step<'a> {
     }
 
     /// Friction bound of a point as forces: values `[force]`, pressure derivatives as ∂F/∂λ_n (dimensionless), and
-    /// ∂F_slip/∂|Δs| [force/length].
+    /// ∂F_slip/∂|Δs| `[force/length]`.
     ///
-    /// `slip_increment` ``[length]`` counts from the last accepted state, `normal_force` ``[force]`` is positive in compression.
+    /// `slip_increment` `[length]` counts from the last accepted state, `normal_force` `[force]` is positive in compression.
     pub fn bound(&self, point: usize, normal_force: f64, slip_increment: f64) -> Bound {
         let at = &self.problem.points()[point];
         let stress = self.problem.law(point).bound(
