@@ -56,7 +56,7 @@ fn one_node_has_its_closed_solutions() {
         for push in [-2.0, -0.4, 0.3, 1.25] {
             for press in [-1.0, 0.0, 0.7] {
                 for (gap, previous) in [(0.0, 0.0), (0.2, -0.5), (0.0, 0.7)] {
-                    let discrete = one_node(mu, stiffness, [push, press], gap, previous);
+                    let discrete = one_node(mu, stiffness, [push, press], gap, previous).unwrap();
                     let known = discrete.solutions.clone().unwrap();
                     assert!(known.complete);
                     agree(&discrete, &known);
@@ -67,14 +67,17 @@ fn one_node_has_its_closed_solutions() {
         }
     }
     assert!(several > 3);
-    let critical = one_node(1.0, stiffness, [1.0, -1.0], 0.0, 0.0);
+    let critical = one_node(1.0, stiffness, [1.0, -1.0], 0.0, 0.0).unwrap();
+    assert!(one_node(-1.0, stiffness, [1.0, -1.0], 0.0, 0.0).is_err());
+    let singular = one_node(1.0, [[1.0; 2]; 2], [1.0, -1.0], 0.0, 0.0);
+    assert!(singular.unwrap_err().to_string().contains("singular"));
     assert!(!critical.solutions.unwrap().complete);
 }
 
 #[test]
 fn a_node_without_load_stays_wedged_beyond_its_bound() {
     for mu in [0.0, 0.5, 1.4, 1.6, 2.5] {
-        let discrete = wedged(mu);
+        let discrete = wedged(mu).unwrap();
         let known = discrete.solutions.as_ref().unwrap();
         agree(&discrete, known);
         let held = known
@@ -88,7 +91,7 @@ fn a_node_without_load_stays_wedged_beyond_its_bound() {
 
 #[test]
 fn a_wrong_answer_is_noticed() {
-    let discrete = wedged(2.0);
+    let discrete = wedged(2.0).unwrap();
     let right = discrete.solutions.as_ref().unwrap().states[0].clone();
     let mut wrong = right.clone();
     wrong.forces[0] += 1e-3;

@@ -46,9 +46,9 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
     let mut rows = context.rows_of(&values, |&mu| {
         let methods = methods();
         let mut rows = Vec::new();
-        let node = discrete::one_node(mu, STIFFNESS, LOAD, 0.0, 0.0);
+        let node = discrete::one_node(mu, STIFFNESS, LOAD, 0.0, 0.0)?;
         rows.extend(alone(PUSHED, mu, &node, &methods));
-        rows.extend(alone(WEDGED, mu, &discrete::wedged(mu), &methods));
+        rows.extend(alone(WEDGED, mu, &discrete::wedged(mu)?, &methods));
         let punch = discrete::flat_punch(nodes, mu)?;
         let push = punch.multipliers[1];
         let loads: Vec<Vec<f64>> = [0.0, 1.0, -1.0]

@@ -17,6 +17,7 @@ use stickslip_contact::{ContactState, Status};
 use stickslip_friction::Coulomb;
 
 use super::{Discrete, GivenBody, GroundPoint, Known, on_ground};
+use crate::error::LaboratoryError;
 
 /// Relative rounding of an admissibility condition.
 const ROUNDING: f64 = 1e-13;
@@ -30,49 +31,53 @@ pub fn one_node_bound(stiffness: [[f64; 2]; 2]) -> f64 {
 /// One node with `stiffness` [[k_t, k_c], [k_c, k_n]] `[force/length]`, positive definite, under `force` (F_t, F_n) `[force]`,
 /// with initial gap `gap` `[length]` and last tangential displacement `previous` `[length]`, and all its solutions.
 ///
-/// # Panics
-/// If `mu` is negative or not finite, or `stiffness` is singular: the arguments are those of a study, not of a user.
+/// # Errors
+/// [`LaboratoryError`] if `mu` is negative or not finite, `stiffness` is singular, or another number is not finite.
 pub fn one_node(
     mu: f64,
     stiffness: [[f64; 2]; 2],
     force: [f64; 2],
     gap: f64,
     previous: f64,
-) -> Discrete {
+) -> Result<Discrete, LaboratoryError> {
     let [[tangential, coupling], [_, normal]] = stiffness;
     // Contact components are ordered (n, t).
     let matrix = DMatrix::from_row_slice(2, 2, &[normal, coupling, coupling, tangential]);
-    let compliance = matrix.try_inverse().expect("a stiffness is regular");
+    let refuse = |cause: &dyn std::fmt::Display| {
+        LaboratoryError::Missing(format!("one node, μ = {mu}: {cause}"))
+    };
+    let compliance = matrix
+        .try_inverse()
+        .ok_or_else(|| refuse(&format!("the stiffness {stiffness:?} is singular")))?;
     let response = &compliance * DVector::from_vec(vec![force[1], force[0]]);
     let body = GivenBody::held(compliance, vec![response]);
-    let law = Coulomb::new(mu).expect("a coefficient of friction is at least 0");
-    let problem = on_ground(&body, &[GroundPoint::along_x(gap)], Arc::new(law))
-        .expect("the node is a valid pair");
+    let law = Coulomb::new(mu).map_err(|cause| refuse(&cause))?;
+    let problem = on_ground(&body, &[GroundPoint::along_x(gap)], Arc::new(law))?;
     let mut committed = ContactState::unloaded(&problem);
     committed.motion[1] = previous;
-    Discrete {
+    Ok(Discrete {
         name: format!("one node, μ = {mu}"),
         problem,
         committed,
         multipliers: vec![1.0],
         coercive: true,
         solutions: Some(solutions(mu, stiffness, force, gap, previous)),
-    }
+    })
 }
 
 /// A node without load that was pushed against friction: beyond μ_c = 1.5 it can stay wedged.
 ///
-/// # Panics
-/// If `mu` is negative or not finite.
-pub fn wedged(mu: f64) -> Discrete {
+/// # Errors
+/// [`LaboratoryError`] if `mu` is negative or not finite.
+pub fn wedged(mu: f64) -> Result<Discrete, LaboratoryError> {
     const STIFFNESS: [[f64; 2]; 2] = [[3.0, -2.0], [-2.0, 3.0]];
-    let mut discrete = one_node(mu, STIFFNESS, [0.0, 0.0], 0.0, -1.0);
+    let mut discrete = one_node(mu, STIFFNESS, [0.0, 0.0], 0.0, -1.0)?;
     discrete.name = format!("one node without load, pushed before, μ = {mu}");
     // What held it: the force of the wedged state as far as friction carries it, the rest by a load that is gone.
     discrete.committed.forces = DVector::from_vec(vec![2.0, -f64::min(3.0, 2.0 * mu)]);
     discrete.committed.motion[0] = 0.0;
     discrete.committed.status = vec![Status::Stick];
-    discrete
+    Ok(discrete)
 }
 
 fn solutions(
