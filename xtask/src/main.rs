@@ -1,5 +1,8 @@
-//! Tasks on the whole workspace: `cargo xtask validate` compares the library with known solutions.
+//! Tasks on the whole workspace: `cargo xtask validate` compares the library with known solutions, `cargo xtask chart` shows
+//! what accuracy costs, `cargo xtask stability` where methods fail.
 
+mod chart;
+mod stability;
 mod validate;
 
 use std::process::ExitCode;
@@ -18,10 +21,16 @@ struct Arguments {
 enum Task {
     /// Compares computed quantities with known solutions; fails if one misses its bound.
     Validate(validate::Options),
+    /// Draws work–precision charts: what accuracy costs with each method.
+    Chart(chart::Options),
+    /// Draws the atlas of failures: what each method does where methods fail.
+    Stability(stability::Options),
 }
 
 fn main() -> ExitCode {
     match Arguments::parse().task {
         Task::Validate(options) => validate::main(&options),
+        Task::Chart(options) => chart::main(&options),
+        Task::Stability(options) => stability::main(&options),
     }
 }

@@ -16,6 +16,7 @@ mod mutation;
 mod open_hole;
 mod persson;
 mod pins;
+mod press_fit;
 mod render;
 mod rigid_pin;
 
@@ -58,7 +59,7 @@ struct Case {
     checks: fn(&Laboratory) -> Result<Vec<Check>, Trouble>,
 }
 
-const CASES: [Case; 13] = [
+const CASES: [Case; 14] = [
     Case {
         name: "elements",
         title: "Elements",
@@ -106,6 +107,12 @@ const CASES: [Case; 13] = [
         title: "Steel pin, orthotropic strip",
         friction: false,
         checks: pins::orthotropic,
+    },
+    Case {
+        name: "press-fit",
+        title: "Press fits of a pin and two rings",
+        friction: false,
+        checks: press_fit::checks,
     },
     Case {
         name: "interference",

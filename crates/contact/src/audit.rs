@@ -1,85 +1,153 @@
 //! Equilibrium of a step, reported and never assumed.
 
-use nalgebra::DVector;
-
 use crate::problem::InterfaceProblem;
 use crate::state::ContactState;
+
+/// Part of the largest forces on a body in the history that its forces in a step are at least measured by: below that, what is left
+/// is rounding of the forces that were there.
+const FLOOR: f64 = 1e-3;
 
 /// Resultants and balances at the end of a load step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Audit {
-    /// Resultant `[force]` of the contact forces on the first body of each pair, x and y.
-    pub resultants: Vec<[f64; 2]>,
-    /// Moment `[force·length]` of those forces about the origin.
-    pub moments: Vec<f64>,
-    /// Sum of |λ_t| over each pair `[force]`, and signed sum of λ_t.
-    pub friction: Vec<FrictionSum>,
-    /// Largest unbalanced resultant of a floating body, relative to the largest load resultant or contact resultant.
-    pub balance: f64,
+    /// Sums of the contact forces of each pair.
+    pub pairs: Vec<PairSums>,
+    /// Balance of each body that can move as a whole.
+    pub bodies: Vec<FloatingBalance>,
     /// Virtual work of the contact forces on the gaps, Σ |λ_n g_n| relative to Σ |λ_n| times the largest motion or elastic
     /// give of a point: zero by complementarity.
     pub gap_work: f64,
 }
 
-/// Sums of contact forces over one pair.
+/// Sums of the contact forces over one pair, as they act on its first body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct FrictionSum {
+pub struct PairSums {
+    /// Resultant `[force]`, x and y.
+    pub resultant: [f64; 2],
+    /// Moment about the origin `[force·length]`.
+    pub moment: f64,
     /// Σ λ_n `[force]`.
     pub normal: f64,
     /// Σ λ_t `[force]`, along e_t.
     pub tangential: f64,
     /// Σ |λ_t| `[force]`.
+    pub friction: f64,
+    /// Σ |λ| `[force]`.
     pub magnitude: f64,
+}
+
+impl PairSums {
+    /// The sums of every pair in `state`.
+    pub fn of(problem: &InterfaceProblem, state: &ContactState) -> Vec<Self> {
+        let mut sums = vec![Self::default(); problem.pairs().len()];
+        for (k, point) in problem.points().iter().enumerate() {
+            let (normal, tangential) = (state.normal_force(k), state.tangential_force(k));
+            let [pressing, shearing] = point.actions;
+            let action = |i: usize| normal * pressing[i] + tangential * shearing[i];
+            let sum = &mut sums[point.pair];
+            sum.resultant[0] += action(0);
+            sum.resultant[1] += action(1);
+            sum.moment += action(2);
+            sum.normal += normal;
+            sum.tangential += tangential;
+            sum.friction += tangential.abs();
+            sum.magnitude += normal.hypot(tangential);
+        }
+        sums
+    }
+}
+
+/// What the rigid motions of a body leave unbalanced.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FloatingBalance {
+    /// Index of the body.
+    pub body: usize,
+    /// Largest unbalanced resultant of its loads and contact forces `[force]`.
+    pub unbalanced: f64,
+    /// What its forces are measured by `[force]`: its largest load resultant or sum of contact forces |λ| of a pair in this step.
+    pub scale: f64,
+    /// The unbalanced resultant relative to [`Self::scale`], or to a thousandth of the body's largest in the whole history where
+    /// that is more; while the history is still being followed, in the steps so far. So a step without load shows rounding too, not
+    /// rounding by rounding.
+    pub relative: f64,
+}
+
+impl FloatingBalance {
+    fn of(
+        problem: &InterfaceProblem,
+        state: &ContactState,
+        pairs: &[PairSums],
+        body: usize,
+    ) -> Option<Self> {
+        let modes = problem.body_modes(body);
+        if modes.is_empty() {
+            return None;
+        }
+        let load = problem.mode_load(&state.multipliers);
+        let load = load.rows_range(modes.clone());
+        let sum = load + problem.modes().columns_range(modes).tr_mul(&state.forces);
+        let own = problem.pairs().iter().zip(pairs);
+        let presses = own
+            .filter(|(pair, _)| pair.first == body || pair.second == body)
+            .map(|(_, sums)| sums.magnitude);
+        let mut balance = Self {
+            body,
+            unbalanced: sum.amax(),
+            scale: presses.fold(load.amax(), f64::max),
+            relative: 0.0,
+        };
+        balance.measured_by(0.0);
+        Some(balance)
+    }
+
+    fn measured_by(&mut self, largest: f64) {
+        let scale = self.scale.max(FLOOR * largest);
+        self.relative = if scale > 0.0 {
+            self.unbalanced / scale
+        } else {
+            0.0
+        };
+    }
 }
 
 impl Audit {
     /// Audits `state`.
     pub fn of(problem: &InterfaceProblem, state: &ContactState) -> Self {
-        let pairs = problem.pairs().len();
-        let mut audit = Self {
-            resultants: vec![[0.0; 2]; pairs],
-            moments: vec![0.0; pairs],
-            friction: vec![FrictionSum::default(); pairs],
-            balance: 0.0,
-            gap_work: 0.0,
-        };
-        let (mut work, mut effort) = (0.0, 0.0);
+        let pairs = PairSums::of(problem, state);
+        let bodies = (0..problem.body_count())
+            .filter_map(|body| FloatingBalance::of(problem, state, &pairs, body))
+            .collect();
         // Where all points touch, their gaps are rounding, and no scale.
         let give = problem.compliance().diagonal().amax() * state.forces.amax();
         let widest = state.motion.amax().max(give);
-        for (k, point) in problem.points().iter().enumerate() {
-            let (normal, tangential) = (state.normal_force(k), state.tangential_force(k));
-            let [nx, ny] = point.normal;
-            let force = [normal * nx - tangential * ny, normal * ny + tangential * nx];
-            let [x, y] = point.place.position;
-            audit.resultants[point.pair][0] += force[0];
-            audit.resultants[point.pair][1] += force[1];
-            audit.moments[point.pair] += x * force[1] - y * force[0];
-            let sum = &mut audit.friction[point.pair];
-            sum.normal += normal;
-            sum.tangential += tangential;
-            sum.magnitude += tangential.abs();
+        let (mut work, mut effort) = (0.0, 0.0);
+        for k in 0..problem.points().len() {
+            let normal = state.normal_force(k);
             work += (normal * state.gap(k)).abs();
             effort += normal.abs() * widest;
         }
-        audit.gap_work = if effort > 0.0 { work / effort } else { 0.0 };
-        audit.balance = unbalanced(problem, state, &audit);
-        audit
+        Self {
+            pairs,
+            bodies,
+            gap_work: if effort > 0.0 { work / effort } else { 0.0 },
+        }
+    }
+
+    /// The largest relative imbalance of a floating body.
+    pub fn balance(&self) -> f64 {
+        let relative = self.bodies.iter().map(|body| body.relative);
+        relative.fold(0.0, f64::max)
     }
 }
 
-fn unbalanced(problem: &InterfaceProblem, state: &ContactState, audit: &Audit) -> f64 {
-    let load: DVector<f64> = problem.mode_load(&state.multipliers);
-    if load.is_empty() {
-        return 0.0;
-    }
-    let largest = audit.resultants.iter().fold(load.amax(), |scale, force| {
-        scale.max(force[0].hypot(force[1]))
-    });
-    let sum = &load + problem.modes().tr_mul(&state.forces);
-    if largest > 0.0 {
-        sum.amax() / largest
-    } else {
-        0.0
+/// Measures the balance of each body in all of `audits`, those of one history, by its forces there.
+pub(crate) fn measure<'a>(audits: impl IntoIterator<Item = &'a mut Audit>) {
+    let mut audits: Vec<&mut Audit> = audits.into_iter().collect();
+    for body in 0..audits.first().map_or(0, |audit| audit.bodies.len()) {
+        let scales = audits.iter().map(|audit| audit.bodies[body].scale);
+        let largest = scales.fold(0.0, f64::max);
+        for audit in &mut audits {
+            audit.bodies[body].measured_by(largest);
+        }
     }
 }

@@ -35,7 +35,11 @@ pub enum ContactError {
         what: String,
     },
     /// A load step was not solved, with every solver tried and the increment cut as far as allowed.
-    #[error("load step {} was not solved beyond {reached:.4} of its increment: {cause}", .step + 1)]
+    #[error(
+        "load step {} was not solved beyond {reached:.4} of its increment{}: {cause}",
+        .step + 1,
+        if .cause.is_unresolved() { " and is unresolved" } else { "" }
+    )]
     StepFailed {
         /// Index of the step, from 0; messages count from 1.
         step: usize,

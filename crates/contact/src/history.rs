@@ -1,8 +1,10 @@
 //! Load histories: from one load step to the next by sub-steps, cut back where a solver fails.
 
+mod frictionless;
+
 use nalgebra::DVector;
 
-use crate::audit::Audit;
+use crate::audit::{Audit, measure};
 use crate::error::ContactError;
 use crate::problem::InterfaceProblem;
 use crate::solver::{InterfaceSolver, Residuals, Step, Work};
@@ -93,8 +95,9 @@ impl LoadHistory {
             }
             let record = self.walk(problem, solver, &state, index, target)?;
             state = record.state.clone();
-            observe(&record);
             records.push(record);
+            measure(records.iter_mut().map(|record| &mut record.audit));
+            records.last().into_iter().for_each(&mut observe);
         }
         Ok(records)
     }
@@ -139,7 +142,9 @@ impl LoadHistory {
                     .zip(target)
                     .map(|(from, to)| (1.0 - fraction) * from + fraction * to)
                     .collect();
-                match walk.advance(problem, solver, &multipliers) {
+                // Whether a step has a solution is asked of the whole solver at both ends of cut-back, not on the way.
+                let quickly = part < 0.999 * whole && part > whole * SMALLEST_PART;
+                match walk.advance(problem, solver, quickly, &multipliers) {
                     Ok(()) => reached = next,
                     // Also where a balance is proved impossible: the history then ends at the largest load that has one.
                     Err(cause) if part > whole * SMALLEST_PART => {
@@ -193,17 +198,26 @@ impl Walk {
         &mut self,
         problem: &InterfaceProblem,
         solver: &dyn InterfaceSolver,
+        quickly: bool,
         multipliers: &[f64],
     ) -> Result<(), crate::solver::StepFailure> {
-        let solution = solver.solve(&Step::new(problem, &self.state, multipliers))?;
+        let step = Step::new(problem, &self.state, multipliers);
+        let mut solution = if quickly {
+            solver.try_quickly(&step)?
+        } else {
+            solver.solve(&step)?
+        };
+        frictionless::slide(&step, &mut solution.trial);
         self.work += solution.work;
+        // Those of the state that is kept, with the statuses that it has now.
+        let residuals = Residuals::of(&step, &solution.trial);
         self.residuals = Residuals {
             complementarity: self
                 .residuals
                 .complementarity
-                .max(solution.residuals.complementarity),
-            cone: self.residuals.cone.max(solution.residuals.cone),
-            balance: self.residuals.balance.max(solution.residuals.balance),
+                .max(residuals.complementarity),
+            cone: self.residuals.cone.max(residuals.cone),
+            balance: self.residuals.balance.max(residuals.balance),
         };
         self.doubtful = self.doubtful.max(solution.doubtful);
         if !self.solvers.contains(&solution.solver) {

@@ -11,29 +11,38 @@
 //! | module | subject |
 //! | --- | --- |
 //! | [`gap`] | initial gaps from the true geometry |
+//! | [`mortar`] | contact points between edges whose nodes do not match |
 //! | [`problem`] | pairs, points, and the operators of all bodies in one problem |
 //! | [`state`] | what is known at the end of a step |
 //! | [`solver`] | the family of one-step solvers and their fallback chain |
 //! | [`history`] | load steps, sub-steps, cut-back, dissipation |
+//! | [`uniqueness`] | the friction coefficient up to which a step has one solution |
 //! | [`zones`] | where contact is open, sticks and slips, with interpolated ends |
 //! | [`audit`] | equilibrium of every step |
+//! | [`freedom`] | rigid motions that no contact resists |
 //!
 //! Signs: normals e_n point from the second body into the first, e_t is e_n turned by +90°. Forces λ act on the first
 //! body; λ_n ≥ 0 presses; Δs is the motion of the first body against the second along e_t.
 
 pub mod audit;
 mod error;
+pub mod freedom;
 pub mod gap;
 pub mod history;
+pub mod mortar;
 pub mod problem;
 pub mod solver;
 pub mod state;
+pub mod uniqueness;
 pub mod zones;
 
 pub use error::ContactError;
 pub use history::{LoadHistory, Ramp, StepRecord};
-pub use problem::{ContactPair, ContactPoint, InterfaceProblem};
+pub use mortar::{EdgeSide, InitialGap, MortarError, Multipliers, Projected, Projection};
+pub use problem::{ContactPair, ContactPoint, InterfaceProblem, Stencil, StencilTerm};
 pub use solver::{
-    Chain, Enumeration, InterfaceSolver, Pivoting, SemismoothNewton, StatusIteration,
+    AugmentedLagrangian, Chain, Continuation, Enumeration, GaussSeidel, InterfaceSolver, Penalty,
+    Pivoting, PrincipalPivoting, SemismoothNewton, StatusIteration, TrescaFixedPoint,
 };
 pub use state::{ContactState, Status};
+pub use uniqueness::uniqueness_bound;

@@ -8,23 +8,30 @@
 //! ```
 //!
 //! where B_b takes displacements of body b into the frames of the points it touches, with + for the first body of a pair
-//! and − for the second. Forces λ `[force]` act on the first body.
+//! and − for the second. Forces λ `[force]` act on the first body. A contact point is a node of each body, or a short
+//! weighted [`Stencil`] of nodes as the [`mortar`](crate::mortar) projection makes it.
+
+mod check;
+mod stencil;
 
 use std::sync::Arc;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Matrix2};
 use stickslip_fem_core::InterfaceOperator;
+use stickslip_fem_core::mesh::Point;
 use stickslip_friction::{FrictionLaw, Place};
+
+pub use stencil::{BodyRows, Stencil, StencilTerm};
 
 use crate::error::ContactError;
 
-/// One contact point of a pair: a node of the first body against a node of the second.
+/// One contact point of a pair: a node of the first body against a node of the second, or a weighted share of both edges.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactPoint {
-    /// Index of the point among the first body's contact points.
-    pub first: usize,
-    /// Index of the point among the second body's contact points.
-    pub second: usize,
+    /// Where it stands on the first body; a node converts from its index among the body's contact points.
+    pub first: Stencil,
+    /// Where it stands on the second body.
+    pub second: Stencil,
     /// Unit normal e_n from the second body into the first; e_t is e_n turned by +90°.
     pub normal: [f64; 2],
     /// Initial gap g₀ `[length]`; negative for interference.
@@ -63,6 +70,9 @@ pub struct ProblemPoint {
     pub place: Place,
     /// Unit normal e_n.
     pub normal: [f64; 2],
+    /// What a unit normal and a unit tangential contact force do to the first body: force along x and y `[1]`, and moment
+    /// about the origin `[length]`.
+    pub actions: [[f64; 3]; 2],
     /// Whether the bodies can move against each other tangentially here; not so on a line of symmetry.
     pub slides: bool,
 }
@@ -83,11 +93,12 @@ pub struct InterfaceProblem {
 }
 
 impl InterfaceProblem {
-    /// Assembles the problem of `pairs` between `bodies`. Cost: one pass over each body's compliance.
+    /// Assembles the problem of `pairs` between `bodies`. Cost: a body of n contact nodes whose stencils have s terms takes
+    /// O(n² s) operations.
     ///
     /// # Errors
     /// [`ContactError::InvalidPair`] for an index out of range, a number that is not finite, a normal that is not a unit
-    /// vector or an area that is not positive; [`ContactError::LoadCases`] if the bodies disagree in the number of cases.
+    /// vector, an area that is not positive or a stencil without terms; [`ContactError::LoadCases`] if the bodies disagree in the number of cases.
     pub fn new(
         bodies: &[&dyn InterfaceOperator],
         pairs: Vec<ContactPair>,
@@ -99,7 +110,9 @@ impl InterfaceProblem {
                 other: other.load_cases(),
             });
         }
-        pairs.iter().try_for_each(|pair| check_pair(pair, bodies))?;
+        pairs
+            .iter()
+            .try_for_each(|pair| check::pair(pair, bodies))?;
         let mut offsets = vec![0];
         for pair in &pairs {
             offsets.push(offsets[offsets.len() - 1] + pair.points.len());
@@ -128,70 +141,91 @@ impl InterfaceProblem {
     }
 
     fn add_body(&mut self, index: usize, body: &dyn InterfaceOperator) {
-        let touches = self.touches(index);
+        let rows = self.body_rows(index);
         if let Some(compliance) = body.compliance() {
-            for (j, column) in touches.iter().enumerate() {
-                for row in &touches[j..] {
-                    let block = compliance.fixed_view::<2, 2>(2 * row.local, 2 * column.local);
-                    let turned = row.frame * block * column.frame.transpose();
-                    let mut target = self
-                        .compliance
-                        .fixed_view_mut::<2, 2>(2 * row.point, 2 * column.point);
-                    target += turned;
-                    if row.point != column.point {
-                        let mut mirror = self
-                            .compliance
-                            .fixed_view_mut::<2, 2>(2 * column.point, 2 * row.point);
-                        mirror += turned.transpose();
-                    }
-                }
-            }
+            self.add_compliance(&rows, compliance);
         }
         let first_mode = self.mode_offsets[index];
         let count = body.modes().ncols();
-        for touch in &touches {
-            let motion = touch.frame * body.modes().rows(2 * touch.local, 2);
-            self.modes
-                .view_mut((2 * touch.point, first_mode), (2, count))
-                .copy_from(&motion);
+        for row in &rows {
+            for (node, weight) in &row.terms {
+                let motion = weight * body.modes().rows(2 * node, 2);
+                let mut target = self.modes.view_mut((2 * row.point, first_mode), (2, count));
+                target += motion;
+            }
         }
         for case in 0..self.case_motion.len() {
             self.case_mode_load[case]
                 .rows_mut(first_mode, count)
                 .copy_from(body.mode_load(case));
             if let Some(response) = body.load_response(case) {
-                for touch in &touches {
-                    let motion = touch.frame * response.fixed_rows::<2>(2 * touch.local);
-                    let mut target = self.case_motion[case].fixed_rows_mut::<2>(2 * touch.point);
-                    target += motion;
+                for row in &rows {
+                    let mut target = self.case_motion[case].fixed_rows_mut::<2>(2 * row.point);
+                    for (node, weight) in &row.terms {
+                        target += weight * response.fixed_rows::<2>(2 * node);
+                    }
                 }
             }
         }
     }
 
-    /// The points where body `index` touches, with the frame that takes its displacements into the point's.
-    fn touches(&self, index: usize) -> Vec<Touch> {
-        let mut touches = Vec::new();
-        for (pair, &offset) in self.pairs.iter().zip(&self.offsets) {
-            for (k, point) in pair.points.iter().enumerate() {
-                let frame = frame(point.normal);
-                if pair.first == index {
-                    touches.push(Touch {
-                        point: offset + k,
-                        local: point.first,
-                        frame,
-                    });
-                }
-                if pair.second == index {
-                    touches.push(Touch {
-                        point: offset + k,
-                        local: point.second,
-                        frame: -frame,
-                    });
+    /// Adds B C Bᵀ: for each point the body's motion C Bᵀ under unit contact forces there, seen from the points after it.
+    fn add_compliance(&mut self, rows: &[BodyRows], compliance: &DMatrix<f64>) {
+        let mut motion = DMatrix::zeros(compliance.nrows(), 2);
+        for (j, pushed) in rows.iter().enumerate() {
+            motion.fill(0.0);
+            for (node, weight) in &pushed.terms {
+                for component in 0..2 {
+                    let mut column = motion.column_mut(component);
+                    for axis in 0..2 {
+                        let factor = weight[(component, axis)];
+                        column.axpy(factor, &compliance.column(2 * node + axis), 1.0);
+                    }
                 }
             }
+            for seen in &rows[j..] {
+                let mut block = Matrix2::zeros();
+                for (node, weight) in &seen.terms {
+                    block += weight * motion.fixed_view::<2, 2>(2 * node, 0);
+                }
+                let [row, column] = [2 * seen.point, 2 * pushed.point];
+                if row == column {
+                    block[(0, 1)] = block[(1, 0)];
+                } else {
+                    let mut mirror = self.compliance.fixed_view_mut::<2, 2>(column, row);
+                    mirror += block.transpose();
+                }
+                let mut target = self.compliance.fixed_view_mut::<2, 2>(row, column);
+                target += block;
+            }
         }
-        touches
+    }
+
+    /// The rows of B of body `index`, of the points where it touches, in their order.
+    pub fn body_rows(&self, index: usize) -> Vec<BodyRows> {
+        let mut rows = Vec::new();
+        for (pair, &offset) in self.pairs.iter().zip(&self.offsets) {
+            if ![pair.first, pair.second].contains(&index) {
+                continue;
+            }
+            for (k, point) in pair.points.iter().enumerate() {
+                let frame = frame(point.normal);
+                let mut terms = Vec::new();
+                if pair.first == index {
+                    let of = |term: &StencilTerm| (term.node, term.matrix() * frame);
+                    terms.extend(point.first.terms().iter().map(of));
+                }
+                if pair.second == index {
+                    let of = |term: &StencilTerm| (term.node, -(term.matrix() * frame));
+                    terms.extend(point.second.terms().iter().map(of));
+                }
+                rows.push(BodyRows {
+                    point: offset + k,
+                    terms,
+                });
+            }
+        }
+        rows
     }
 
     fn find_sliding_points(&mut self) {
@@ -239,6 +273,11 @@ impl InterfaceProblem {
         &self.modes
     }
 
+    /// Number of bodies.
+    pub fn body_count(&self) -> usize {
+        self.mode_offsets.len() - 1
+    }
+
     /// Range of the rigid motions of body `body` among the columns of G.
     pub fn body_modes(&self, body: usize) -> std::ops::Range<usize> {
         self.mode_offsets[body]..self.mode_offsets[body + 1]
@@ -254,33 +293,42 @@ impl InterfaceProblem {
         combine(&self.case_motion, multipliers, 2 * self.points.len())
     }
 
-    /// Resultants Σ m_k r_k `[force]` of the loads in the rigid motions, m.
+    /// Resultants Σ m_k r_k `[force]` of the loads in the rigid motions, m. What is left by rounding where load cases cancel
+    /// is zero.
     pub fn mode_load(&self, multipliers: &[f64]) -> DVector<f64> {
-        combine(&self.case_mode_load, multipliers, self.modes.ncols())
+        const ROUNDING: f64 = 1e-13;
+        let mut load = combine(&self.case_mode_load, multipliers, self.modes.ncols());
+        for (mode, sum) in load.iter_mut().enumerate() {
+            let parts = self.case_mode_load.iter().zip(multipliers);
+            let size: f64 = parts
+                .map(|(case, factor)| (factor * case[mode]).abs())
+                .sum();
+            if sum.abs() <= ROUNDING * size {
+                *sum = 0.0;
+            }
+        }
+        load
     }
 
     /// Forces `[force]` on the contact points of body `index` (2 × `count`, xy interleaved) by contact forces `forces`
     /// (2n, normal and tangential interleaved).
     pub fn forces_on_body(&self, index: usize, count: usize, forces: &DVector<f64>) -> Vec<f64> {
         let mut on_body = vec![0.0; 2 * count];
-        for touch in self.touches(index) {
-            let force = touch.frame.transpose() * forces.fixed_rows::<2>(2 * touch.point);
-            on_body[2 * touch.local] += force[0];
-            on_body[2 * touch.local + 1] += force[1];
+        for row in self.body_rows(index) {
+            let at_point = forces.fixed_rows::<2>(2 * row.point);
+            for (node, weight) in row.terms {
+                let force = weight.transpose() * at_point;
+                on_body[2 * node] += force[0];
+                on_body[2 * node + 1] += force[1];
+            }
         }
         on_body
     }
 }
 
-struct Touch {
-    point: usize,
-    local: usize,
-    frame: nalgebra::Matrix2<f64>,
-}
-
 /// Rows e_n and e_t.
-fn frame(normal: [f64; 2]) -> nalgebra::Matrix2<f64> {
-    nalgebra::Matrix2::new(normal[0], normal[1], -normal[1], normal[0])
+fn frame(normal: [f64; 2]) -> Matrix2<f64> {
+    Matrix2::new(normal[0], normal[1], -normal[1], normal[0])
 }
 
 fn combine(parts: &[DVector<f64>], multipliers: &[f64], size: usize) -> DVector<f64> {
@@ -295,8 +343,9 @@ fn problem_points(pairs: &[ContactPair], bodies: &[&dyn InterfaceOperator]) -> V
     let mut points = Vec::new();
     for (index, pair) in pairs.iter().enumerate() {
         for point in &pair.points {
+            let nodes = bodies[pair.first].points();
             let place = Place {
-                position: bodies[pair.first].points()[point.first],
+                position: point.first.position(nodes),
                 tangent: [-point.normal[1], point.normal[0]],
                 material_angle: point.material_angle,
             };
@@ -306,6 +355,7 @@ fn problem_points(pairs: &[ContactPair], bodies: &[&dyn InterfaceOperator]) -> V
                 area: point.area,
                 place,
                 normal: point.normal,
+                actions: actions(point, nodes),
                 slides: true,
             });
         }
@@ -313,44 +363,19 @@ fn problem_points(pairs: &[ContactPair], bodies: &[&dyn InterfaceOperator]) -> V
     points
 }
 
-fn check_pair(pair: &ContactPair, bodies: &[&dyn InterfaceOperator]) -> Result<(), ContactError> {
-    let refuse = |point: usize, what: String| {
-        Err(ContactError::InvalidPair {
-            pair: pair.name.clone(),
-            point,
-            what,
-        })
-    };
-    for (index, body) in [pair.first, pair.second].into_iter().enumerate() {
-        if body >= bodies.len() {
-            return refuse(0, format!("body {body} of {} does not exist", bodies.len()));
-        }
-        for (k, point) in pair.points.iter().enumerate() {
-            let local = if index == 0 {
-                point.first
-            } else {
-                point.second
-            };
-            let count = bodies[body].points().len();
-            if local >= count {
-                return refuse(
-                    k,
-                    format!("contact node {local} of body {body}, which has {count}"),
-                );
-            }
+/// Force and moment on the first body by a unit normal and a unit tangential force at `point`.
+fn actions(point: &ContactPoint, nodes: &[Point]) -> [[f64; 3]; 2] {
+    let frame = frame(point.normal);
+    let mut actions = [[0.0; 3]; 2];
+    for term in point.first.terms() {
+        let forces = term.matrix() * frame;
+        let [x, y] = nodes[term.node];
+        for (row, action) in actions.iter_mut().enumerate() {
+            let (along_x, along_y) = (forces[(row, 0)], forces[(row, 1)]);
+            action[0] += along_x;
+            action[1] += along_y;
+            action[2] += x * along_y - y * along_x;
         }
     }
-    for (k, point) in pair.points.iter().enumerate() {
-        let length = point.normal[0].hypot(point.normal[1]);
-        if length.is_nan() || (length - 1.0).abs() >= 1e-9 {
-            return refuse(k, format!("the normal has length {length}, not 1"));
-        }
-        if !point.gap.is_finite() {
-            return refuse(k, format!("the initial gap is {}", point.gap));
-        }
-        if !(point.area > 0.0 && point.area.is_finite()) {
-            return refuse(k, format!("the contact area is {}", point.area));
-        }
-    }
-    Ok(())
+    actions
 }

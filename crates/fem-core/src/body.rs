@@ -4,6 +4,7 @@ mod assembly;
 mod condensed;
 mod equations;
 mod parts;
+mod whole;
 
 use std::sync::Arc;
 
@@ -12,6 +13,7 @@ use thiserror::Error;
 pub use assembly::internal_forces;
 pub use condensed::{BodyBalance, BodyLoad, CondensedBody};
 pub use equations::BodyStructure;
+pub use whole::InterfaceUnknown;
 
 use crate::linalg::FactorError;
 use crate::material::{Material, PlaneStiffness};

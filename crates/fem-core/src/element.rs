@@ -23,6 +23,7 @@
 //!
 //! Source: Zienkiewicz, Taylor and Zhu, *The Finite Element Method* (2005), chapters 5 and 14.
 
+mod edge;
 mod kernel;
 mod quadrature;
 mod quads;
@@ -30,6 +31,7 @@ mod triangles;
 
 use std::fmt::Debug;
 
+pub use edge::{GAUSS_5, edge_shape, edge_slope};
 pub use kernel::{
     Jacobian, PhysicalGradients, gather, jacobian, physical_gradients, stiffness, thermal_load,
 };

@@ -9,12 +9,14 @@
 //! ```
 
 mod dense;
+mod lu;
 mod ordering;
 mod sparse;
 
 pub use dense::{
     DenseLu, SingularMatrix, invert_from_cholesky, solve_lower, solve_lower_transposed,
 };
+pub use lu::{LuStructure, SparseLu, SparseMatrix};
 pub use ordering::minimum_degree;
 pub use sparse::{LowerMatrix, SparseCholesky, SparseStructure, reference_factorisation};
 
@@ -31,6 +33,12 @@ pub enum FactorError {
     NotPositiveDefinite {
         /// Index of the unknown in the matrix as it was handed in.
         unknown: usize,
+    },
+    /// A column of an unsymmetric matrix has no pivot.
+    #[error("the matrix is singular: column {column} has no pivot")]
+    Singular {
+        /// Index of the column in the order of elimination.
+        column: usize,
     },
     /// The factor does not fit in memory, or its indices overflow.
     #[error("a factor of {unknowns} unknowns does not fit in memory")]

@@ -4,7 +4,9 @@
 //! f_a = t ∫ N_a q ds   (tractions q on edges)      f = t ∫ Bᵀ D ε₀ dA   (initial strain ε₀)
 //! ```
 
-use crate::element::{Element, KindVisitor, gather, thermal_load, with_element};
+use crate::element::{
+    Element, GAUSS_5, KindVisitor, edge_shape, edge_slope, gather, thermal_load, with_element,
+};
 use crate::material::PlaneStiffness;
 use crate::mesh::{EdgeRef, Mesh, Point};
 
@@ -16,15 +18,6 @@ pub struct EdgePoint {
     /// Unit outward normal.
     pub normal: [f64; 2],
 }
-
-/// Five-point Gauss rule on [−1, 1]: abscissae and weights.
-const GAUSS_5: [(f64, f64); 5] = [
-    (-0.906_179_845_938_664, 0.236_926_885_056_189_1),
-    (-0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
-    (0.0, 0.568_888_888_888_888_9),
-    (0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
-    (0.906_179_845_938_664, 0.236_926_885_056_189_1),
-];
 
 /// Forces `[force]` on all nodes, interleaved (2 × nodes), of a traction `[stress]` on `edges` of a body of `thickness`
 /// `[length]`. The traction is integrated by five Gauss points on each isoparametric edge.
@@ -40,10 +33,11 @@ pub fn edge_load(
         let [start, end] = nodes.ends.map(|node| mesh.nodes()[node]);
         let middle = nodes.mid.map(|node| mesh.nodes()[node]);
         for (xi, weight) in GAUSS_5 {
-            let (shape, slope) = edge_shape(xi, middle.is_some());
+            let order = if middle.is_some() { 2 } else { 1 };
+            let (shape, slope) = (edge_shape(order, xi), edge_slope(order, xi));
             let interpolate = |f: [f64; 3]| -> Point {
                 std::array::from_fn(|i| {
-                    f[0] * start[i] + f[1] * end[i] + middle.map_or(0.0, |m| f[2] * m[i])
+                    f[0] * start[i] + f[2] * end[i] + middle.map_or(0.0, |m| f[1] * m[i])
                 })
             };
             let tangent = interpolate(slope);
@@ -54,28 +48,15 @@ pub fn edge_load(
                 normal,
             });
             let factor = weight * speed * thickness;
-            for (node, value) in nodes.ends.into_iter().chain(nodes.mid).zip(shape) {
+            let [at_start, at_middle, at_end] = shape;
+            let values = [at_start, at_end, at_middle];
+            for (node, value) in nodes.ends.into_iter().chain(nodes.mid).zip(values) {
                 forces[2 * node] += factor * value * q[0];
                 forces[2 * node + 1] += factor * value * q[1];
             }
         }
     }
     forces
-}
-
-/// Shape functions of an edge and their slopes at ξ ∈ [−1, 1], in the order start, end, middle.
-fn edge_shape(xi: f64, quadratic: bool) -> ([f64; 3], [f64; 3]) {
-    if quadratic {
-        (
-            [xi * (xi - 1.0) / 2.0, xi * (xi + 1.0) / 2.0, 1.0 - xi * xi],
-            [xi - 0.5, xi + 0.5, -2.0 * xi],
-        )
-    } else {
-        (
-            [(1.0 - xi) / 2.0, f64::midpoint(1.0, xi), 0.0],
-            [-0.5, 0.5, 0.0],
-        )
-    }
 }
 
 /// Forces `[force]` on all nodes, interleaved, of one initial strain (ε_xx, ε_yy, γ_xy) per block, with the blocks'

@@ -5,7 +5,12 @@
 //! ```
 //!
 //! In plane stress D is the reduced stiffness; in plane strain ε_zz = 0 has been eliminated from the three-dimensional
-//! law, so S and the initial strain ε₀ are effective in-plane quantities.
+//! law, so S and the initial strain ε₀ are effective in-plane quantities. The stress across the thickness then follows from
+//! that of the plane, with S₃ⱼ and α₃ of the three-dimensional law,
+//!
+//! ```text
+//! 0 = ε_zz = Σⱼ S₃ⱼ σⱼ + S₃₃ σ_zz + α₃ ΔT,   j = xx, yy, xy
+//! ```
 //!
 //! The element kernels see a material only as the 3×3 matrix [`PlaneStiffness`]. Anything that yields one, such as a
 //! laminate, is a [`Material`].
@@ -46,6 +51,13 @@ pub trait Material: Debug + Send + Sync {
     fn thermal_strain(&self, dt: f64) -> [f64; 3] {
         let _ = dt;
         [0.0; 3]
+    }
+
+    /// Stress σ_zz across the thickness `[stress]` at the in-plane stress `stress` (xx, yy, xy) `[stress]` and the temperature
+    /// rise `dt` `[temperature]`: the one that holds ε_zz = 0 in plane strain, zero in plane stress. Linear in both arguments.
+    fn thickness_stress(&self, stress: [f64; 3], dt: f64) -> f64 {
+        let _ = (stress, dt);
+        0.0
     }
 
     /// The inverse S of the stiffness `[1/stress]`.

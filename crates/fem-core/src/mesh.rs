@@ -66,6 +66,22 @@ impl Mesh {
         self.parts
     }
 
+    /// The same mesh moved by `by` `[length]`, with the centres of its arcs.
+    ///
+    /// # Errors
+    /// As [`Mesh::new`]: a motion that is not finite, or so large that rounding destroys a cell.
+    pub fn translated(self, by: Point) -> Result<Self, MeshError> {
+        let mut parts = self.parts;
+        let shift = |point: &mut Point| *point = [point[0] + by[0], point[1] + by[1]];
+        parts.nodes.iter_mut().for_each(shift);
+        for set in parts.edge_sets.values_mut() {
+            if let Some(Curve::Arc { centre, .. }) = &mut set.curve {
+                shift(centre);
+            }
+        }
+        Self::new(parts)
+    }
+
     /// Node coordinates `[length]`.
     pub fn nodes(&self) -> &[Point] {
         &self.parts.nodes

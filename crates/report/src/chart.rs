@@ -71,6 +71,9 @@ pub struct Series {
     /// Points (x, y) in the units of the axes. A coordinate that has no place on its
     /// axis (NaN, infinite, not positive on a log axis) interrupts the line.
     pub points: Vec<[f64; 2]>,
+    /// Spread of each point along x, low and high end in the unit of the axis, drawn as a bar through the point; points
+    /// beyond the end of this list have none.
+    pub spread: Vec<[f64; 2]>,
     /// Lines, markers or both.
     pub style: SeriesStyle,
     /// Colour; the category of the series' position in the chart if not given.
@@ -87,11 +90,19 @@ impl Series {
         Self {
             label: label.into(),
             points,
+            spread: Vec::new(),
             style: SeriesStyle::Line,
             color: None,
             dash: Dash::Solid,
             width: 1.8,
         }
+    }
+
+    /// Sets the spread of the points along x, low and high end of each.
+    #[must_use]
+    pub fn spread(mut self, spread: Vec<[f64; 2]>) -> Self {
+        self.spread = spread;
+        self
     }
 
     /// Sets lines, markers or both.
@@ -315,6 +326,7 @@ impl LineChart {
         canvas.clipped(&frame.area, |canvas| {
             for (index, series) in self.series.iter().enumerate() {
                 curves::draw_line(canvas, frame, series, self.color_of(index));
+                curves::draw_spread(canvas, frame, series, self.color_of(index));
             }
         });
         frame.draw_axes(&mut canvas);

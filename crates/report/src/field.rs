@@ -180,7 +180,6 @@ impl<'a> FieldPlot<'a> {
         })?;
         let mut canvas = Canvas::default();
         layout.heading.draw(&mut canvas, [OUTER, OUTER]);
-        frame.draw_grid(&mut canvas);
         canvas.clipped(&frame.area, |canvas| {
             match &image {
                 Some(png) => canvas.image(&frame.area, png),

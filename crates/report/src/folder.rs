@@ -4,6 +4,7 @@
 //! write     everything into a hidden folder beside the target, synced to disk
 //! finish    move an old result aside, move the new one in, delete the old one
 //! drop      without `finish`: delete the hidden folder; the target is as before
+//! abandon   the same from another thread, for a handler of signals
 //! ```
 //!
 //! A rename within one folder is atomic on POSIX systems, so a reader sees the old
@@ -11,111 +12,18 @@
 //! folder `.NAME.partial-…`, which may be deleted; killed between the two renames of a
 //! replacement, it leaves the old results whole as `.NAME.old-…`.
 
+mod error;
+
 use std::fs::{self, File};
 use std::io::{self, Write as _};
 use std::path::{Component, Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use thiserror::Error;
+pub use error::FolderError;
 
 /// The file that makes a folder a result folder; [`ResultFolder::finish`] writes it.
 pub const MARKER: &str = "summary.json";
-
-/// What keeps results from being written. Each message names the path and a remedy.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum FolderError {
-    /// The target is there already and may not be replaced.
-    #[error("'{}' exists; choose another folder or ask to overwrite it", path.display())]
-    Exists {
-        /// The target.
-        path: PathBuf,
-    },
-    /// The target is to be replaced but holds something else than results.
-    #[error(
-        "'{}' is not empty and has no {MARKER}, so it does not look like results and is not \
-         overwritten; choose another folder or delete it yourself",
-        path.display()
-    )]
-    NotResults {
-        /// The target.
-        path: PathBuf,
-    },
-    /// A path such as `..` or the empty one.
-    #[error("'{}' names no file or folder; give a path that ends in a name", path.display())]
-    NoName {
-        /// The path as given.
-        path: PathBuf,
-    },
-    /// The target is a file.
-    #[error("'{}' is not a folder; choose another path", path.display())]
-    NotAFolder {
-        /// The target.
-        path: PathBuf,
-    },
-    /// A name inside the folder that leads out of it, or is [`MARKER`].
-    #[error(
-        "'{name}' cannot be a file of the result folder; use a relative path other than {MARKER}"
-    )]
-    Name {
-        /// The name as given.
-        name: String,
-    },
-    /// The place for the results cannot be written.
-    #[error("cannot write to '{}'; check that it exists, its permissions and the free space", path.display())]
-    Unwritable {
-        /// The file or folder that was to be written.
-        path: PathBuf,
-        /// The system's reason.
-        #[source]
-        cause: io::Error,
-    },
-    /// The new results could not be put in place; the target is as before.
-    #[error(
-        "the new results could not be put in '{}'; they are kept in '{}'",
-        path.display(),
-        kept.display()
-    )]
-    NotPlaced {
-        /// The target.
-        path: PathBuf,
-        /// Where the new results are.
-        kept: PathBuf,
-        /// The system's reason.
-        #[source]
-        cause: io::Error,
-    },
-    /// Neither the new results nor, after that, the old ones could be put in place.
-    #[error(
-        "neither the new results, kept in '{}', nor the old ones, kept in '{}', could be put in '{}'; \
-         move one of them there",
-        kept.display(),
-        old.display(),
-        path.display()
-    )]
-    NotRestored {
-        /// The target.
-        path: PathBuf,
-        /// Where the new results are.
-        kept: PathBuf,
-        /// Where the old results are.
-        old: PathBuf,
-        /// The system's reason.
-        #[source]
-        cause: io::Error,
-    },
-    /// The results are in place, but what they replaced could not be deleted.
-    #[error("results are in '{}', but the old ones in '{}' could not be deleted", path.display(), old.display())]
-    OldKept {
-        /// The target, with the new results.
-        path: PathBuf,
-        /// Where what is left of the old results is.
-        old: PathBuf,
-        /// The system's reason.
-        #[source]
-        cause: io::Error,
-    },
-}
 
 /// What to do with a result folder that is there already.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -132,8 +40,59 @@ pub struct ResultFolder {
     target: PathBuf,
     staging: PathBuf,
     overwrite: Overwrite,
-    /// Whether the staging folder is this value's to delete.
-    owns_staging: bool,
+    stage: Arc<Mutex<Stage>>,
+}
+
+/// Who may touch the hidden folder; it is locked as long as files are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Stage {
+    /// Being filled, and to be deleted if nothing comes of it.
+    Filling,
+    /// Deleted before it was complete.
+    Abandoned,
+    /// Complete, and not to be deleted any more.
+    Complete,
+}
+
+fn lock(stage: &Mutex<Stage>) -> MutexGuard<'_, Stage> {
+    // A stage is one word, which a panic elsewhere cannot leave half written.
+    stage.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// A way to give up a [`ResultFolder`] that another thread fills.
+#[derive(Debug, Clone)]
+pub struct FolderHandle {
+    staging: PathBuf,
+    stage: Arc<Mutex<Stage>>,
+}
+
+/// What became of a result folder that was given up.
+#[derive(Debug)]
+pub enum Abandoned<'a> {
+    /// It is deleted. As long as this value lives, the thread that fills the folder waits; after that its writes fail.
+    Deleted(Filling<'a>),
+    /// The results were complete, abandoned or dropped before.
+    TooLate,
+}
+
+/// Keeps the thread that fills a folder waiting.
+#[derive(Debug)]
+pub struct Filling<'a> {
+    _stage: MutexGuard<'a, Stage>,
+}
+
+impl FolderHandle {
+    /// Deletes the hidden folder, and what was written of it; while results are being put in place this waits.
+    pub fn abandon(&self) -> Abandoned<'_> {
+        let mut stage = lock(&self.stage);
+        if *stage != Stage::Filling {
+            return Abandoned::TooLate;
+        }
+        *stage = Stage::Abandoned;
+        // A handler of signals cannot report; the folder is hidden and named as partial.
+        let _ = fs::remove_dir_all(&self.staging);
+        Abandoned::Deleted(Filling { _stage: stage })
+    }
 }
 
 impl ResultFolder {
@@ -144,6 +103,8 @@ impl ResultFolder {
     /// [`FolderError::Exists`], [`FolderError::NotResults`], [`FolderError::NotAFolder`] and
     /// [`FolderError::NoName`] for what is at `path`; [`FolderError::Unwritable`] where nothing can be written.
     pub fn create(path: &Path, overwrite: Overwrite) -> Result<Self, FolderError> {
+        // As the path was given, so that the message has its words.
+        no_file_in_the_way(path)?;
         let target = resolved(path)?;
         check_target(&target, overwrite)?;
         let staging = sibling(&target, "partial")?;
@@ -155,7 +116,7 @@ impl ResultFolder {
             target,
             staging,
             overwrite,
-            owns_staging: true,
+            stage: Arc::new(Mutex::new(Stage::Filling)),
         };
         let probe = folder.staging.join(".probe");
         write_synced(&probe, b"probe").map_err(|cause| unwritable(&probe, cause))?;
@@ -168,6 +129,25 @@ impl ResultFolder {
         &self.target
     }
 
+    /// A way to give the results up from another thread.
+    pub fn handle(&self) -> FolderHandle {
+        FolderHandle {
+            staging: self.staging.clone(),
+            stage: Arc::clone(&self.stage),
+        }
+    }
+
+    /// Keeps the folder from being given up; fails if it was.
+    fn locked(&self) -> Result<MutexGuard<'_, Stage>, FolderError> {
+        let stage = lock(&self.stage);
+        match *stage {
+            Stage::Abandoned => Err(FolderError::Abandoned {
+                path: self.target.clone(),
+            }),
+            Stage::Filling | Stage::Complete => Ok(stage),
+        }
+    }
+
     /// The hidden folder where files are collected, for writers that want a path.
     pub fn staging(&self) -> &Path {
         &self.staging
@@ -177,7 +157,7 @@ impl ResultFolder {
     ///
     /// # Errors
     /// [`FolderError::Name`] for a path that leads out of the folder or is [`MARKER`];
-    /// [`FolderError::Unwritable`].
+    /// [`FolderError::Unwritable`]; [`FolderError::Abandoned`].
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), FolderError> {
         let relative = Path::new(name);
         let inside = relative
@@ -188,6 +168,7 @@ impl ResultFolder {
                 name: name.to_owned(),
             });
         }
+        let _writing = self.locked()?;
         let path = self.staging.join(relative);
         if let Some(parent) = path.parent() {
             fs::create_dir_all(parent).map_err(|cause| unwritable(parent, cause))?;
@@ -200,10 +181,10 @@ impl ResultFolder {
     /// # Errors
     /// [`FolderError::NotPlaced`] if the results had to stay beside the target, which is
     /// then as before ([`FolderError::NotRestored`]: moved aside);
-    /// [`FolderError::OldKept`] if only the deletion of the old results failed.
-    pub fn finish(mut self, summary: &str) -> Result<PathBuf, FolderError> {
-        // From here on the results are complete and are not deleted any more.
-        self.owns_staging = false;
+    /// [`FolderError::OldKept`] if only the deletion of the old results failed; [`FolderError::Abandoned`].
+    pub fn finish(self, summary: &str) -> Result<PathBuf, FolderError> {
+        let mut stage = self.locked()?;
+        *stage = Stage::Complete;
         let not_placed = |cause| FolderError::NotPlaced {
             path: self.target.clone(),
             kept: self.staging.clone(),
@@ -247,7 +228,9 @@ impl ResultFolder {
 
 impl Drop for ResultFolder {
     fn drop(&mut self) {
-        if self.owns_staging {
+        let mut stage = lock(&self.stage);
+        if *stage == Stage::Filling {
+            *stage = Stage::Abandoned;
             // A drop cannot report; the folder is hidden and named as partial.
             let _ = fs::remove_dir_all(&self.staging);
         }
@@ -286,13 +269,21 @@ fn exists(path: &Path) -> bool {
     path.symlink_metadata().is_ok()
 }
 
+fn no_file_in_the_way(path: &Path) -> Result<(), FolderError> {
+    match path.ancestors().find(|part| part.is_file()) {
+        Some(file) => Err(FolderError::NotAFolder {
+            path: path.to_owned(),
+            file: file.to_owned(),
+        }),
+        None => Ok(()),
+    }
+}
+
 fn check_target(target: &Path, overwrite: Overwrite) -> Result<(), FolderError> {
     let path = || target.to_owned();
+    no_file_in_the_way(target)?;
     if !exists(target) {
         return Ok(());
-    }
-    if !target.is_dir() {
-        return Err(FolderError::NotAFolder { path: path() });
     }
     if overwrite == Overwrite::Refuse {
         return Err(FolderError::Exists { path: path() });

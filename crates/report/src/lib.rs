@@ -3,6 +3,7 @@
 //! | module     | holds                                                                    |
 //! |------------|--------------------------------------------------------------------------|
 //! | [`chart`]  | line charts with bands, reference lines and legends; panels of charts    |
+//! | [`map`]    | maps of outcomes: a coloured cell for each row and column                |
 //! | [`field`]  | fields on finite-element meshes with a colour bar                        |
 //! | [`axis`]   | what the two have in common: labels, scales, ranges and ticks            |
 //! | [`color`]  | categorical, sequential and diverging colours                            |
@@ -22,6 +23,7 @@ mod error;
 pub mod field;
 pub mod folder;
 mod frame;
+pub mod map;
 pub mod page;
 pub mod raster;
 pub mod svg;

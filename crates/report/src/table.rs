@@ -77,7 +77,11 @@ impl Table {
             text.add_row(row);
         }
         for (index, number) in self.numeric_columns().into_iter().enumerate() {
-            if let (true, Some(column)) = (number, text.column_mut(index)) {
+            let Some(column) = text.column_mut(index) else {
+                continue;
+            };
+            column.set_padding((1, 0));
+            if number {
                 column.set_cell_alignment(CellAlignment::Right);
             }
         }
@@ -88,6 +92,29 @@ impl Table {
         lines.extend(text.lines().map(|line| line.trim_end().to_owned()));
         lines.extend(self.notes.iter().map(|note| format!("  {note}")));
         lines.join("\n") + "\n"
+    }
+
+    /// The table without column `index`; as it is if there is none.
+    #[must_use]
+    pub fn without_column(mut self, index: usize) -> Self {
+        for row in &mut self.rows {
+            if index < row.len() {
+                row.remove(index);
+            }
+        }
+        if index < self.columns.len() {
+            self.columns.remove(index);
+        }
+        self
+    }
+
+    /// Width of the widest line of the table as text, where no cell is wrapped.
+    pub fn text_width(&self) -> usize {
+        let text = self.to_text(None);
+        text.lines()
+            .map(|line| line.chars().count())
+            .max()
+            .unwrap_or(0)
     }
 
     /// The rows, each with as many cells as there are columns.
@@ -101,12 +128,12 @@ impl Table {
         self.rows.iter().map(fill).collect()
     }
 
-    /// Which columns hold numbers and nothing else but gaps.
+    /// Which columns hold numbers and gaps and nothing else.
     pub(crate) fn numeric_columns(&self) -> Vec<bool> {
         let rows = self.full_rows();
         let numeric = |column: usize| {
             let mut cells = rows.iter().map(|row| row[column].trim());
-            rows.iter().any(|row| is_number(row[column].trim()))
+            rows.iter().any(|row| !row[column].trim().is_empty())
                 && cells.all(|cell| is_number(cell) || is_gap(cell))
         };
         (0..self.column_count()).map(numeric).collect()

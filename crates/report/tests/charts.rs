@@ -281,6 +281,26 @@ fn panels_line_up() {
 }
 
 #[test]
+fn a_common_legend_names_every_curve_once() {
+    let mut family = LineChart::new("", Axis::linear("x"), Axis::linear("y"));
+    for step in 1..=14 {
+        let points = vec![[0.0, 0.0], [1.0, f64::from(step)]];
+        family = family.with(Series::new(format!("step {step}"), points));
+    }
+    let charts = vec![family.clone(), family];
+    let picture = Panels::new("All", 2, charts)
+        .common_legend()
+        .render()
+        .unwrap();
+    let document = parsed(&picture);
+    let names = texts(&document);
+    for step in 1..=14 {
+        let name = format!("step {step}");
+        assert_eq!(names.iter().filter(|text| **text == name).count(), 1);
+    }
+}
+
+#[test]
 fn equal_charts_give_equal_bytes() {
     let draw = || chart(vec![[0.0, 0.0], [1.0, 1.0]]).render().unwrap();
     assert_eq!(draw(), draw());
@@ -311,4 +331,21 @@ fn a_png_has_the_asked_size_and_shows_text() {
             Err(FigureError::Raster { .. })
         ));
     }
+}
+
+#[test]
+fn a_spread_is_a_bar_with_two_ends_and_widens_the_axis() {
+    let series = Series::new("curve", vec![[1.0, 1.0], [2.0, 2.0]])
+        .style(SeriesStyle::Markers)
+        .spread(vec![[0.5, 4.0]])
+        .color(RED);
+    let picture = LineChart::new("", Axis::linear("x"), Axis::linear("y"))
+        .with(series)
+        .render()
+        .unwrap();
+    let document = parsed(&picture);
+    let bars = lines(&document, RED);
+    let data = bars[0].attribute("d").unwrap();
+    assert_eq!(data.matches('M').count(), 3, "{data}");
+    assert!(texts(&document).iter().any(|t| t.parse() == Ok(4.0)));
 }

@@ -4,7 +4,9 @@ use std::error::Error as _;
 use std::fs;
 use std::path::Path;
 
-use stickslip_report::folder::{FolderError, MARKER, Overwrite, ResultFolder, write_atomic};
+use stickslip_report::folder::{
+    Abandoned, FolderError, MARKER, Overwrite, ResultFolder, write_atomic,
+};
 
 /// Names in a folder, hidden ones too, sorted.
 fn names(folder: &Path) -> Vec<String> {
@@ -122,8 +124,12 @@ fn a_place_that_cannot_be_written_is_found_before_the_run() {
     let file = home.path().join("file");
     fs::write(&file, "text").unwrap();
     let error = ResultFolder::create(&file.join("results"), Overwrite::Refuse).unwrap_err();
+    assert!(
+        matches!(&error, FolderError::NotAFolder { file: found, .. } if *found == file),
+        "{error}"
+    );
+    let error = ResultFolder::create(Path::new("/proc/results"), Overwrite::Refuse).unwrap_err();
     assert!(matches!(error, FolderError::Unwritable { .. }), "{error}");
-    assert!(error.to_string().contains("file"));
     for nameless in ["", "/proc/self/.."] {
         assert!(ResultFolder::create(Path::new(nameless), Overwrite::Refuse).is_err());
     }
@@ -167,4 +173,33 @@ fn single_files_are_replaced_whole() {
         Err(FolderError::Unwritable { .. })
     ));
     assert_eq!(names(home.path()), ["chart.svg"]);
+}
+
+#[test]
+fn an_abandoned_folder_is_gone_and_takes_no_more_files() {
+    let home = tempfile::tempdir().unwrap();
+    let target = home.path().join("results");
+    let results = ResultFolder::create(&target, Overwrite::Refuse).unwrap();
+    results.write("table.csv", b"1").unwrap();
+    let handle = results.handle();
+    let waiting = handle.abandon();
+    assert!(matches!(waiting, Abandoned::Deleted(_)));
+    drop(waiting);
+    assert!(names(home.path()).is_empty());
+    let error = results.write("figures/a.svg", b"2").unwrap_err();
+    assert!(matches!(error, FolderError::Abandoned { .. }), "{error}");
+    assert!(matches!(handle.abandon(), Abandoned::TooLate));
+    assert!(results.finish("{}").is_err());
+    assert!(names(home.path()).is_empty());
+}
+
+#[test]
+fn complete_results_are_not_abandoned() {
+    let home = tempfile::tempdir().unwrap();
+    let target = home.path().join("results");
+    let results = ResultFolder::create(&target, Overwrite::Refuse).unwrap();
+    let handle = results.handle();
+    results.finish("{}").unwrap();
+    assert!(matches!(handle.abandon(), Abandoned::TooLate));
+    assert_eq!(names(&target), [MARKER]);
 }

@@ -4,13 +4,14 @@
 //! stickslip run SCENE [--output DIR] [--force]   solve a scene and write a folder of results
 //! stickslip check SCENE                          check a scene and print it with all defaults
 //! stickslip init TEMPLATE [FILE]                 write a commented scene to start from
-//! stickslip list [TOPIC]                         laws and their parameters, templates, elements, solvers, units
+//! stickslip list [TOPIC]                         laws and their parameters, templates, elements, solvers, units, signs
 //! ```
 //!
 //! `run` and `check` take any number of `--set KEY=VALUE`.
 //!
 //! Results go to standard output, errors and progress to standard error. The exit code is 0 only if everything succeeded: 1 for a
-//! scene, run or file that failed, 2 for arguments that make no sense. With `--json` both streams are JSON, one document each.
+//! scene, run or file that failed, 2 for arguments that make no sense, 130 for a run that was interrupted (Ctrl-C), which leaves no
+//! files. With `--json` both streams are JSON, one document each.
 //!
 //! A program that adds friction laws of its own is the same command: its `main` is one line,
 //!
@@ -26,6 +27,7 @@ mod check;
 mod console;
 mod failure;
 mod init;
+mod interrupt;
 mod list;
 mod located;
 mod run;
@@ -38,6 +40,7 @@ use clap::{Args, Parser, Subcommand};
 use crate::diagnostic::SceneError;
 use crate::scene::Scene;
 use console::Console;
+use failure::CommandError;
 
 /// Plane frictional contact of elastic bodies.
 #[derive(Debug, Parser)]
@@ -61,7 +64,7 @@ enum Command {
     Check(SceneArguments),
     /// Write a commented scene to start from; never overwrites
     Init(init::InitArguments),
-    /// List friction laws with their parameters, templates, elements, solvers and units
+    /// List friction laws with their parameters, templates, elements, solvers, units, and the signs of results
     List(list::ListArguments),
 }
 
@@ -81,19 +84,29 @@ impl SceneArguments {
     }
 }
 
+/// Prints what the parser of arguments has to say. Help and version are such "refusals" too, with exit code 0.
+fn refused(refusal: &clap::Error) -> ExitCode {
+    // The arguments could not be parsed, so that one is looked for by its name.
+    let json = std::env::args_os().any(|argument| argument == "--json");
+    if refusal.use_stderr() {
+        if json {
+            Console::new(false, true).fail(&CommandError::usage(refusal).into());
+        } else {
+            // The exit code tells of the failure even if nobody can read the message.
+            let _ = refusal.print();
+        }
+        return ExitCode::from(2);
+    }
+    // Nothing can be done if printing the help fails.
+    let _ = refusal.print();
+    ExitCode::SUCCESS
+}
+
 /// Runs the command on the arguments of the process.
 pub fn main() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
-        Err(refusal) => {
-            // Help and version are such "refusals" too, with exit code 0. Nothing can be done if printing them fails.
-            let _ = refusal.print();
-            return if refusal.use_stderr() {
-                ExitCode::from(2)
-            } else {
-                ExitCode::SUCCESS
-            };
-        }
+        Err(refusal) => return refused(&refusal),
     };
     let console = Console::new(arguments.quiet, arguments.json);
     let outcome = match arguments.command {

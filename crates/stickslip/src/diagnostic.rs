@@ -6,6 +6,7 @@
 
 mod nearest;
 mod problem;
+mod remedy;
 
 use std::fmt;
 use std::sync::Arc;

@@ -5,7 +5,9 @@ mod extent;
 mod limits;
 mod loads;
 mod meshes;
+mod placement;
 mod polar_table;
+mod remarks;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -22,6 +24,7 @@ use crate::results::{Choice, EdgeGeometry};
 use crate::scene::Scene;
 
 pub use meshes::NODE_LIMIT;
+pub(crate) use remarks::beyond_fine_zone;
 
 /// Why a scene that reads well cannot be modelled.
 #[derive(Debug, Error)]
@@ -32,6 +35,8 @@ pub enum ModelError {
         "the mesh would have about {nodes:.3e} nodes and need about {gigabytes:.1} GB; the limit is {limit:.0e} nodes"
     )]
     TooManyNodes {
+        /// The body.
+        body: String,
         /// Nodes that the scene asks for.
         nodes: f64,
         /// Memory of mesh, matrix and factor `[GB]`.
@@ -86,6 +91,14 @@ pub enum ModelError {
         /// What does not fit, and what does.
         what: String,
     },
+    /// Edges that cannot be tied the way the scene says.
+    #[error("contact '{contact}': {what}")]
+    Projection {
+        /// The contact.
+        contact: String,
+        /// Why they cannot.
+        what: String,
+    },
     /// `model = "half"` where the scene has no such symmetry.
     #[error("model = \"half\" asks for symmetry, but {0}; say model = \"whole\" or \"auto\"")]
     NotSymmetric(String),
@@ -98,8 +111,13 @@ pub enum ModelError {
         what: String,
     },
     /// Something that a shape needs in the mesh settings.
-    #[error("mesh: {0}")]
-    MeshSettings(String),
+    #[error("mesh: {what}")]
+    MeshSettings {
+        /// The body.
+        body: String,
+        /// What it needs.
+        what: String,
+    },
 }
 
 /// A body ready to be condensed.
@@ -207,7 +225,7 @@ impl Model {
             history: loads::history(scene)?,
             half,
             choices,
-            notes: contacts.notes,
+            notes: remarks::of_scene(scene),
         })
     }
 }

@@ -21,7 +21,9 @@ mod names;
 mod page;
 mod summary;
 mod tables;
+pub(crate) use tables::SIGNS;
 mod vtk_files;
+mod zones;
 
 use std::path::PathBuf;
 
@@ -185,10 +187,11 @@ pub fn summary_json(results: &Results) -> serde_json::Value {
     serde_json::to_value(summary::summary(results)).unwrap_or_default()
 }
 
-/// The load steps as a table for the terminal, at most 120 columns wide; empty where the results do not fit together.
-pub fn summary_table(results: &Results) -> String {
+/// The load steps as a table for a terminal of `width` columns, which leaves columns out, the least needed first, rather than break
+/// numbers; empty where the results do not fit together.
+pub fn summary_table(results: &Results, width: usize) -> String {
     if check(results).is_ok() {
-        tables::terminal(results)
+        tables::terminal(results, width)
     } else {
         String::new()
     }
@@ -243,6 +246,9 @@ fn check(results: &Results) -> Result<(), OutputError> {
             let of = |what: &str| format!("step {number}, body {}: {what}", fields.body);
             same(fields.displacement.len(), 2 * nodes, &|| of("displacement"))?;
             same(fields.stress.len(), nodes, &|| of("stress"))?;
+            same(fields.thickness_stress.len(), nodes, &|| {
+                of("thickness_stress")
+            })?;
         }
     }
     Ok(())

@@ -1,9 +1,9 @@
 //! What a run yields, in base units (mm, N, MPa, rad): the source of every table, file and figure.
 
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use stickslip_contact::Status;
-use stickslip_contact::audit::Audit;
 use stickslip_contact::solver::{Residuals, Work};
 use stickslip_contact::zones::Zone;
 use stickslip_fem_core::body::BodyBalance;
@@ -101,7 +101,7 @@ pub struct EdgeGeometry {
     pub law: String,
 }
 
-/// One node of an edge at the end of a load step.
+/// One node of an edge at the end of a load step. What is rounding beside the largest of the history is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EdgeRow {
     /// Contact pressure, ≥ 0 `[MPa]`.
@@ -127,12 +127,14 @@ pub struct EdgeRow {
 pub struct EdgeResults {
     /// One row per node.
     pub rows: Vec<EdgeRow>,
-    /// Zones of equal status; empty without contact.
+    /// Zones of equal status of the whole edge, also where half of it is modelled; empty without contact. On a circle a zone
+    /// across θ = ±π starts before π and ends beyond it.
     pub zones: Vec<Zone>,
-    /// Half of the contact's extent [rad or mm]; `None` if the pair is open or not a contact.
+    /// Half of what contact reaches over, gaps between its parts included `[rad or mm]`: half of the distance from its first to its
+    /// last place, on a circle half of all but the longest opening; `None` if the pair is open or not a contact.
     pub contact_half_extent: Option<f64>,
-    /// Half of the extent of the stick zone around the bearing point or x = 0 `[rad or mm]`: 0 where there is none, `None`
-    /// without contact.
+    /// Half of the extent of the stick zone around the bearing point or x = 0 `[rad or mm]`: 0 where that point slips or is
+    /// open, `None` without contact or without friction.
     pub stick_half_extent: Option<f64>,
     /// Largest pressure `[MPa]` and its place.
     pub peak_pressure: Option<(f64, f64)>,
@@ -145,12 +147,19 @@ pub struct EdgeResults {
     pub hoop_at_bearing_point: Option<f64>,
     /// Resultant force on the first body, of the whole (both halves) `[N]`.
     pub resultant: [f64; 2],
-    /// ∫q dA over the whole contact `[N]`, q the shear that holds the first body back from sliding away from the bearing point:
-    /// positive while the load grows, and turning negative on unloading. On a line, the tangential force on the first body
-    /// along +x.
+    /// Signed sum of the friction forces over the whole contact `[N]`. On a circle ∫q dA with q = −λ_t sgn θ: q is positive where
+    /// friction pulls the first body along the edge towards the bearing point θ = 0, negative where it pulls away from it; parts
+    /// of opposite signs cancel, so the sum says which prevails. On a line the tangential force on the first body along +x.
     pub friction_force: f64,
     /// ∫p dA over the whole contact `[N]`.
     pub normal_force: f64,
+}
+
+impl EdgeGeometry {
+    /// The length of `parameter` after which the edge closes on itself, if it does.
+    pub fn closed(&self) -> Option<f64> {
+        matches!(self.kind, EdgeKind::Circle { .. }).then_some(TAU)
+    }
 }
 
 impl EdgeResults {
@@ -196,15 +205,14 @@ pub struct StepResults {
     pub doubtful: usize,
     /// Residuals of the contact conditions.
     pub residuals: Residuals,
-    /// Largest unbalanced force or moment relative to the load: of the floating bodies in the interface problem, and of each
-    /// elastic body's nodes, resultant and moment by its recovered displacements.
+    /// Largest unbalanced force or moment, of the floating bodies in the interface problem, and of each elastic body's nodes,
+    /// resultant and moment by its recovered displacements; relative to the body's own loads and contact forces in the step, or to a
+    /// thousandth of its largest in the history where that is more.
     pub balance_residual: f64,
     /// Balance of each body with its reactions, by the recovered displacements; `None` for a rigid one.
     pub balance: Vec<Option<BodyBalance>>,
     /// Frictional dissipation in the step, whole model `[N·mm]`.
     pub dissipation: f64,
-    /// Equilibrium audit.
-    pub audit: Audit,
     /// Fields of each elastic body, where asked for.
     pub fields: Vec<BodyFields>,
     /// Wall time of the step's contact solution `[s]`.
@@ -220,4 +228,6 @@ pub struct BodyFields {
     pub displacement: Vec<f64>,
     /// Averaged nodal stresses (xx, yy, xy) by patch recovery `[MPa]`.
     pub stress: Vec<[f64; 3]>,
+    /// Stress σ_zz across the thickness at each node `[MPa]`; zero in plane stress.
+    pub thickness_stress: Vec<f64>,
 }

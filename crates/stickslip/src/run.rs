@@ -2,10 +2,11 @@
 
 mod edges;
 mod fields;
+mod remarks;
+mod reported;
 
 use std::time::Instant;
 
-use nalgebra::DVector;
 use rayon::prelude::*;
 use stickslip_contact::{
     Chain, ContactError, InterfaceProblem, InterfaceSolver, Pivoting, StepRecord,
@@ -144,10 +145,32 @@ pub fn solve(
     let faces: Vec<&dyn InterfaceOperator> = operators.iter().map(Operator::interface).collect();
     let problem = InterfaceProblem::new(&faces, model.pairs.clone())?;
     let assembled = start.elapsed().as_secs_f64();
+    let phases = vec![
+        ("factorisation", condensed),
+        ("interface", assembled - condensed),
+    ];
+    drop(faces);
+    let mut solved = follow(model, operators, problem, solver, progress)?;
+    solved.phases.splice(0..0, phases);
+    Ok(solved)
+}
+
+/// Follows the history of `model` with `solver`, on the `problem` of its condensed bodies `operators`.
+///
+/// # Errors
+/// [`RunError::Contact`].
+pub fn follow(
+    model: &Model,
+    operators: Vec<Operator>,
+    problem: InterfaceProblem,
+    solver: &dyn InterfaceSolver,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Solved, RunError> {
     progress(Progress::Phase("contact"));
+    let start = Instant::now();
     let total = model.history.steps().len();
     let mut step_seconds = Vec::with_capacity(total);
-    let mut last = Instant::now();
+    let mut last = start;
     let records = model.history.follow(&problem, solver, |_| {
         step_seconds.push(last.elapsed().as_secs_f64());
         last = Instant::now();
@@ -156,18 +179,12 @@ pub fn solve(
             total,
         });
     })?;
-    let finished = start.elapsed().as_secs_f64();
-    let phases = vec![
-        ("factorisation", condensed),
-        ("interface", assembled - condensed),
-        ("contact", finished - assembled),
-    ];
     Ok(Solved {
         operators,
         problem,
         records,
         step_seconds,
-        phases,
+        phases: vec![("contact", start.elapsed().as_secs_f64())],
     })
 }
 
@@ -181,7 +198,10 @@ pub fn solver(choice: SolverChoice) -> Box<dyn InterfaceSolver> {
 }
 
 /// Condenses all bodies, in parallel; the result does not depend on the number of threads.
-fn condense(model: &Model) -> Result<Vec<Operator>, RunError> {
+///
+/// # Errors
+/// [`RunError::Body`].
+pub fn condense(model: &Model) -> Result<Vec<Operator>, RunError> {
     model
         .bodies
         .par_iter()
@@ -198,7 +218,11 @@ fn condense(model: &Model) -> Result<Vec<Operator>, RunError> {
         .collect()
 }
 
-fn results(
+/// What is reported of the history `solved` of `scene`: edges, balances and, where asked for, fields.
+///
+/// # Errors
+/// [`RunError::Stress`].
+pub fn results(
     scene: &Scene,
     model: &Model,
     solver: &dyn InterfaceSolver,
@@ -206,30 +230,29 @@ fn results(
 ) -> Result<Results, RunError> {
     let start = Instant::now();
     let recovered = fields::recover(&solved);
-    let mut slip = DVector::zeros(solved.problem.points().len());
+    let edges = edges::all(model, &solved, &recovered)?;
     let mut steps = Vec::with_capacity(solved.records.len());
-    for (index, record) in solved.records.iter().enumerate() {
-        slip += &record.slip;
+    for (index, (record, edges)) in solved.records.iter().zip(edges).enumerate() {
         steps.push(StepResults {
             unloading: false,
             loads: loads(scene, index),
-            edges: edges::all(model, &solved, record, &recovered[index], &slip)?,
+            edges,
             work: record.work,
             solvers: record.solvers.clone(),
             increments: record.increments,
             cutbacks: record.cutbacks,
             doubtful: record.doubtful,
             residuals: record.residuals,
-            balance_residual: record.audit.balance.max(recovered[index].imbalance()),
+            balance_residual: record.audit.balance().max(recovered[index].imbalance()),
             balance: recovered[index].balance.clone(),
             dissipation: record.dissipation * if model.half { 2.0 } else { 1.0 },
-            audit: record.audit.clone(),
             fields: Vec::new(),
             seconds: solved.step_seconds[index],
         });
     }
     let mut notes = model.notes.clone();
-    notes.extend(remarks(&steps));
+    notes.extend(remarks::of_steps(scene, model, &steps));
+    notes.extend(remarks::of_freedom(model, &solved.problem));
     let mut choices = model.choices.clone();
     choices.push(solver_choice(scene.analysis.solver, solver));
     let mut results = Results {
@@ -258,7 +281,7 @@ fn results(
         step.unloading = unloading;
     }
     for index in steps_with_fields(scene.output.fields, &scale, results.steps.len()) {
-        results.steps[index].fields = fields::with_stresses(model, &recovered[index])?;
+        results.steps[index].fields = fields::with_stresses(scene, model, &recovered[index])?;
     }
     solved
         .phases
@@ -334,42 +357,4 @@ fn loads(scene: &Scene, step: usize) -> Vec<LoadValue> {
             }
         })
         .collect()
-}
-
-/// What a reader must know of the steps: where an answer was not unique, and where the history was cut back.
-fn remarks(steps: &[StepResults]) -> Vec<String> {
-    let mut notes = Vec::new();
-    let doubtful: Vec<usize> = (0..steps.len())
-        .filter(|&k| steps[k].doubtful > 0)
-        .collect();
-    if !doubtful.is_empty() {
-        let most = steps.iter().map(|step| step.doubtful).max().unwrap_or(0);
-        notes.push(format!(
-            "The answer is not unique in load step {}: up to {most} contact points stick with a traction between the dynamic and the \
-             static bound, where slip at the dynamic traction would be admissible too. They were taken to stick because they had \
-             not slipped before.",
-            ranges(&doubtful)
-        ));
-    }
-    let cut: Vec<usize> = (0..steps.len())
-        .filter(|&k| steps[k].cutbacks > 0)
-        .collect();
-    if !cut.is_empty() {
-        notes.push(format!(
-            "The increment was cut back in load step {}.",
-            ranges(&cut)
-        ));
-    }
-    notes
-}
-
-/// Step numbers from 1, runs shortened: "2–5, 9".
-fn ranges(steps: &[usize]) -> String {
-    let runs = steps.chunk_by(|a, b| a + 1 == *b);
-    let shown = runs.map(|run| match run {
-        [] => String::new(),
-        [only] => format!("{}", only + 1),
-        [first, .., last] => format!("{}–{}", first + 1, last + 1),
-    });
-    shown.collect::<Vec<_>>().join(", ")
 }

@@ -194,6 +194,12 @@ impl Scene {
         })
     }
 
+    /// How finely `body` is divided: by its own settings, or those of the scene.
+    pub fn mesh_of(&self, body: &str) -> &MeshSettings {
+        let own = self.bodies.get(body).and_then(|body| body.mesh.as_ref());
+        own.unwrap_or(&self.mesh)
+    }
+
     /// Number of load steps, at least 1.
     pub fn steps(&self) -> usize {
         self.loads.first().map_or(1, |load| load.kind.steps().len())

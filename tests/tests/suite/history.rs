@@ -131,6 +131,7 @@ impl InterfaceSolver for Fickle {
             return Err(StepFailure {
                 attempts: vec![("fickle", FailureCause::Limit(0))],
                 work: Work::default(),
+                best: None,
             });
         }
         Ok(solution)

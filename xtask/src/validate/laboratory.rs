@@ -30,6 +30,9 @@ pub(crate) enum Trouble {
     /// A run stopped.
     #[error("{scene}: {cause}")]
     Run { scene: String, cause: Box<RunError> },
+    /// A reference does not read.
+    #[error(transparent)]
+    Reference(#[from] stickslip_laboratory::LaboratoryError),
     /// Results or data lack something that a check needs.
     #[error("{0}")]
     Missing(String),

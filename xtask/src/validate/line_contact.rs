@@ -1,30 +1,18 @@
 //! Cylinder on a block of the same material: Hertz, and Cattaneo–Mindlin partial slip over a cycle.
 //!
-//! ```text
-//! a² = 4PR/(πE*),   p₀ = 2P/(πa),   p = p₀ √(1 − x²/a²),   c = a √(1 − k),   k = Q/(μP)
-//! q = μp₀ [√(1 − x²/a²) − (c/a) √(1 − x²/c²)]                                    Q = kμP
-//! q = μp₀ [r(a) − r(c) − 2 (r(a) − r(c'))],   r(b) = (b/a) √(1 − x²/b²),  c' = a √(1 − k/2)     back at Q = 0
-//! ```
-//!
-//! for half-planes (Hertz 1882; Cattaneo 1938; Mindlin 1949; Mindlin & Deresiewicz 1953). 40 mm of block and cylinder stand
-//! for half-planes; the scene's cylinder is one up to a/R = 0.0018. A cylinder with a tenth of its radius under ten times the
-//! load has the same a and is shown beside it: there the shear that pressing leaves, odd in x, is not small. Part of it is made
-//! by the increments of pressing and falls as they get finer; the rest is a/R = 0.018, which is not in the closed form.
+//! 40 mm of block and cylinder stand for the half-planes of the closed forms; the scene's cylinder is one up to a/R = 0.0018. A
+//! cylinder with a tenth of its radius under ten times the load has the same a and is shown beside it: there the shear that
+//! pressing leaves, odd in x, is not small. Part of it is made by the increments of pressing and falls as they get finer; the
+//! rest is a/R = 0.018, which is not in the closed form.
 
 use stickslip::results::{EdgeResults, Results};
+use stickslip_laboratory::references::line_contact::{
+    CYCLE, FRICTION, HALF_WIDTH, PEAK, STICK, reversed_stick, shear_loaded, shear_returned,
+};
 
 use super::check::{Check, Checks, Tolerance, percent};
 use super::laboratory::{Laboratory, Trouble, Worst};
 
-/// Contact half-width `[mm]`.
-const HALF_WIDTH: f64 = 0.88093648;
-/// Peak pressure of the cylinder with R = 50 mm `[MPa]`; with R = 500 mm it is a tenth.
-const PEAK: f64 = 361.33126;
-const FRICTION: f64 = 0.4;
-/// Stick half-width `[mm]` at Q = 0.5 μP.
-const STICK: f64 = 0.62291616;
-/// Work lost in a full cycle between ±0.5 μP, R = 500 mm `[N·mm/mm]`.
-const CYCLE: f64 = 3.5296463e-4;
 /// Corner spacing of the scene of Cattaneo and Mindlin `[mm]`.
 const SPACING: f64 = 0.011;
 /// Allowed error of the stick half-width (of a), of the shear (of its peak) and of the work.
@@ -108,13 +96,11 @@ type Profile<'a> = &'a dyn Fn(f64) -> f64;
 
 /// Errors of the shear over half a cycle against the closed form for the peak pressure `peak` `[MPa]`.
 fn shear_errors(results: &Results, peak: f64) -> [(&'static str, Worst); 3] {
-    let back = HALF_WIDTH * 0.75_f64.sqrt();
-    let loaded = |x: f64| root(HALF_WIDTH, x) - root(STICK, x);
-    let returned = |x: f64| loaded(x) - 2.0 * (root(HALF_WIDTH, x) - root(back, x));
+    let back = reversed_stick();
     let states: [(&str, usize, Profile<'_>); 3] = [
-        ("at +Q", 1, &loaded),
-        ("back at 0", 2, &returned),
-        ("at −Q", 3, &|x| -loaded(x)),
+        ("at +Q", 1, &shear_loaded),
+        ("back at 0", 2, &shear_returned),
+        ("at −Q", 3, &|x| -shear_loaded(x)),
     ];
     states.map(|(name, step, exact)| {
         (
@@ -122,11 +108,6 @@ fn shear_errors(results: &Results, peak: f64) -> [(&'static str, Worst); 3] {
             shear_error(results, step, peak, &[STICK, back], exact),
         )
     })
-}
-
-/// (b/a) √(1 − x²/b²), zero beyond b.
-fn root(b: f64, x: f64) -> f64 {
-    (b * b - x * x).max(0.0).sqrt() / HALF_WIDTH
 }
 
 /// Largest error of λ_t/(μp₀) against `exact`, over the largest shear at Q = 0.5 μP, away from the ends.
@@ -137,7 +118,7 @@ fn shear_error(
     stick: &[f64],
     exact: Profile<'_>,
 ) -> Worst {
-    let highest = root(HALF_WIDTH, STICK);
+    let highest = shear_loaded(STICK);
     let (geometry, edge) = (&results.edges[0], &results.steps[step].edges[0]);
     let mut worst = Worst::default();
     for (row, &x) in edge.rows.iter().zip(&geometry.parameter) {

@@ -1,25 +1,11 @@
-//! Frictionless pin of the plate's own material in an infinite plate.
-//!
-//! ```text
-//! p R t/Q = 2√(b² − y²) / (π√(1 + b²)(1 + y²)) + L(y) / (2π b²(1 + b²)),   b = tan ε/2,  y = tan φ/2
-//! L(y) = ln[(√(1 + b²) + √(b² − y²)) / (√(1 + b²) − √(b² − y²))]
-//! ```
-//!
-//! for the contact half-angle ε (Persson 1964; Ciavarella & Decuzzi 2001).
-
-use std::f64::consts::PI;
+//! Frictionless pin of the plate's own material in an infinite plate (Persson 1964; Ciavarella & Decuzzi 2001).
 
 use stickslip::results::Results;
+use stickslip_laboratory::references::persson::{STEPS, pressure};
 
 use super::check::{Check, Checks, Tolerance, percent};
 use super::laboratory::{Laboratory, Trouble, Worst};
 
-/// Contact half-angles `[deg]` of the scene's steps, and the load factors Q/(Rt) `[MPa]` that belong to them.
-const STEPS: [(f64, f64); 3] = [
-    (25.0, 0.0582353975),
-    (45.0, 0.247952509),
-    (65.0, 0.94350039),
-];
 /// Allowed errors: of the half-angle `[deg]`, of the pressure.
 const ANGLE: f64 = 0.1;
 const PRESSURE: f64 = 1e-3;
@@ -144,35 +130,4 @@ fn errors(
         end,
         core: (square / f64::max(count, 1.0)).sqrt(),
     })
-}
-
-/// p R t/Q at the angle `phi` for the half-angle `epsilon` `[rad]`.
-fn pressure(epsilon: f64, phi: f64) -> f64 {
-    let (b, y) = ((epsilon / 2.0).tan(), (phi / 2.0).tan());
-    if y.abs() >= b {
-        return 0.0;
-    }
-    let (whole, rest) = ((1.0 + b * b).sqrt(), (b * b - y * y).sqrt());
-    let logarithm = ((whole + rest) / (whole - rest)).ln();
-    2.0 * rest / (PI * whole * (1.0 + y * y)) + logarithm / (2.0 * PI * b * b * (1.0 + b * b))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Values of an independent evaluation (Chebyshev collocation of the contact equation agrees to 1e-13), 7 digits.
-    #[test]
-    fn the_closed_form_gives_tabulated_pressures() {
-        for (half_angle, part, expected) in [
-            (25.0_f64, 0.0, 1.495362),
-            (25.0, 0.5, 1.294082),
-            (45.0, 0.9, 0.3758761),
-            (65.0, 0.3, 0.6394607),
-        ] {
-            let epsilon = half_angle.to_radians();
-            let error = pressure(epsilon, part * epsilon) / expected - 1.0;
-            assert!(error.abs() < 5e-7, "{half_angle}°, {part}: {error:e}");
-        }
-    }
 }

@@ -101,7 +101,7 @@ const INTRODUCTION: &str = "\
 
 Written by `cargo xtask validate --write`, the last section with `--mutate`; every number is measured. Axes and signs are those of the scenes. An error is \
 computed minus reference. *Shown* quantities have no bound. h is the distance of corner nodes, and \"more than 2h from\" a place \
-means all nodes farther from it than that. The references are the sources named; their tables are in `xtask/data`, with boundary \
+means all nodes farther from it than that. The references are the sources named; their tables are in `crates/laboratory/data`, with boundary \
 data in `scenes/data`.
 ";
 

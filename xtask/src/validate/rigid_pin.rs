@@ -1,12 +1,13 @@
 //! Rigid pin in an infinite orthotropic plate: stresses at the hole edge, every 5°, against tables.
 
 use stickslip::results::Results;
+use stickslip_laboratory::references::rigid_pin;
 
 use super::check::{Check, Checks};
-use super::laboratory::{KSI, Laboratory, Trouble};
+use super::laboratory::{Laboratory, Trouble};
 
-/// Average bearing stress P/(2Rt) at full load `[MPa]`: 81.9 ksi. All stresses are divided by it.
-pub(super) const BEARING: f64 = 81.9 * KSI;
+pub(super) use rigid_pin::BEARING;
+
 /// Allowed error of a stress over the bearing stress, where `MARGIN` times the table's own error is not larger.
 const BOUND: f64 = 1e-2;
 const MARGIN: f64 = 4.0;
@@ -32,7 +33,7 @@ const NO_FRICTION: &str = "contacts.0.friction.coulomb.mu=0";
 const FRICTIONLESS: [Table; 3] = [
     Table {
         name: "orthotropic, μ = 0",
-        text: include_str!("../../data/rigid-pin-orthotropic-mu-0.csv"),
+        text: rigid_pin::ORTHOTROPIC_FRICTIONLESS,
         scene: "validation/rigid-pin-orthotropic",
         overrides: &[
             NO_FRICTION,
@@ -43,7 +44,7 @@ const FRICTIONLESS: [Table; 3] = [
     },
     Table {
         name: "orthotropic, clearance R/100, μ = 0",
-        text: include_str!("../../data/rigid-pin-orthotropic-clearance-mu-0.csv"),
+        text: rigid_pin::ORTHOTROPIC_CLEARANCE_FRICTIONLESS,
         scene: "validation/rigid-pin-clearance",
         overrides: &[
             NO_FRICTION,
@@ -54,7 +55,7 @@ const FRICTIONLESS: [Table; 3] = [
     },
     Table {
         name: "quasi-isotropic, μ = 0",
-        text: include_str!("../../data/rigid-pin-quasi-isotropic-mu-0.csv"),
+        text: rigid_pin::QUASI_ISOTROPIC_FRICTIONLESS,
         scene: "validation/rigid-pin-orthotropic",
         overrides: &[
             QUASI_ISOTROPIC,
@@ -69,15 +70,15 @@ const FRICTIONLESS: [Table; 3] = [
 const FRICTIONAL: [Table; 4] = [
     Table {
         name: "orthotropic, μ = 0.2",
-        text: include_str!("../../data/rigid-pin-orthotropic-mu-0.2.csv"),
+        text: rigid_pin::ORTHOTROPIC,
         scene: "validation/rigid-pin-orthotropic",
         overrides: &[],
-        end: 84.56,
+        end: rigid_pin::ORTHOTROPIC_END,
         step: 0,
     },
     Table {
         name: "orthotropic, clearance R/100, μ = 0.2",
-        text: include_str!("../../data/rigid-pin-orthotropic-clearance-mu-0.2.csv"),
+        text: rigid_pin::ORTHOTROPIC_CLEARANCE,
         scene: "validation/rigid-pin-clearance",
         overrides: &[],
         end: 61.56,
@@ -85,7 +86,7 @@ const FRICTIONAL: [Table; 4] = [
     },
     Table {
         name: "quasi-isotropic, μ = 0.2",
-        text: include_str!("../../data/rigid-pin-quasi-isotropic-mu-0.2.csv"),
+        text: rigid_pin::QUASI_ISOTROPIC,
         scene: "validation/rigid-pin-orthotropic",
         overrides: &[
             QUASI_ISOTROPIC,
@@ -96,7 +97,7 @@ const FRICTIONAL: [Table; 4] = [
     },
     Table {
         name: "orthotropic, μ = 0.2, unloaded to half",
-        text: include_str!("../../data/rigid-pin-orthotropic-unloaded-mu-0.2.csv"),
+        text: rigid_pin::ORTHOTROPIC_UNLOADED,
         scene: "validation/rigid-pin-unloading",
         overrides: &[],
         end: 79.94,
@@ -128,10 +129,13 @@ fn all(laboratory: &Laboratory, tables: &[Table]) -> Result<Vec<Check>, Trouble>
 
 /// Angle `[deg]` and value of the largest −σ_r over P/(2Rt) among the stations of the orthotropic table with friction.
 pub(super) fn table_peak() -> Result<(f64, f64), Trouble> {
-    let lines = stations(FRICTIONAL[0].text)?;
-    let highest = lines.iter().max_by(|a, b| b[1].total_cmp(&a[1]));
+    let stations = rigid_pin::stations(FRICTIONAL[0].text)?;
+    let radial = |station: &rigid_pin::Station| station.stresses[0];
+    let highest = stations
+        .iter()
+        .min_by(|a, b| radial(a).total_cmp(&radial(b)));
     highest
-        .map(|line| (line[0], -line[1]))
+        .map(|station| (station.angle, -radial(station)))
         .ok_or_else(|| Trouble::Missing(format!("{} is empty", FRICTIONAL[0].name)))
 }
 
@@ -153,14 +157,18 @@ impl Station {
 fn compare(checks: &mut Checks, table: &Table, results: &Results) -> Result<(), Trouble> {
     let mut worst: [Option<Station>; 3] = [None; 3];
     let mut count = 0;
-    for line in stations(table.text)? {
-        let [angle, reference @ .., error_r, error_theta, error_tau] = line;
+    for rigid_pin::Station {
+        angle,
+        stresses: reference,
+        errors,
+    } in rigid_pin::stations(table.text)?
+    {
         if (angle - table.end).abs() < END {
             continue;
         }
         count += 1;
         let found = stresses(results, table.step, angle)?;
-        for (k, own) in [error_r, error_theta, error_tau].into_iter().enumerate() {
+        for (k, own) in errors.into_iter().enumerate() {
             let station = Station {
                 angle,
                 error: (found[k] / BEARING - reference[k]).abs(),
@@ -182,23 +190,6 @@ fn compare(checks: &mut Checks, table: &Table, results: &Results) -> Result<(), 
         );
     }
     Ok(())
-}
-
-/// Angle `[deg]`, σ_r, σ_θ, τ_rθ and their estimated errors, of each line of a table.
-fn stations(text: &str) -> Result<Vec<[f64; 7]>, Trouble> {
-    let lines = text.lines().filter(|line| !line.starts_with('#')).skip(1);
-    lines
-        .map(|line| {
-            let fields: Vec<&str> = line.split(',').collect();
-            let numbers: Option<Vec<f64>> = [0, 1, 2, 3, 5, 6, 7]
-                .into_iter()
-                .map(|k| fields.get(k)?.trim().parse().ok())
-                .collect();
-            numbers
-                .and_then(|numbers| numbers.try_into().ok())
-                .ok_or_else(|| Trouble::Missing(format!("a line of a table is broken: {line}")))
-        })
-        .collect()
 }
 
 /// σ_r, σ_θ, τ_rθ `[MPa]` at the node at `degrees` of the first edge.

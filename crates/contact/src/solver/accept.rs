@@ -1,35 +1,16 @@
-//! The last gate of every solver: what does not meet the conditions is no solution.
+//! What counts as met, and which statuses a state has.
 
-use super::frozen::Frozen;
 use super::step::Step;
-use super::{FailureCause, Residuals, StepSolution, Work};
 use crate::state::{Status, TrialState};
 
 /// Relative size below which a violation is rounding.
 pub(super) const ROUNDING: f64 = 1e-12;
-/// Largest relative residual of an accepted solution.
-const ACCEPTED: f64 = 1e-10;
+/// Largest relative residual of a verified solution.
+pub(super) const ACCEPTED: f64 = 1e-10;
 
-/// Turns a solve with consistent statuses into a solution, if it meets the conditions.
-pub(super) fn accept(
-    step: &Step<'_>,
-    frozen: Frozen,
-    status: Vec<Status>,
-    solver: &'static str,
-    work: Work,
-) -> Result<StepSolution, FailureCause> {
-    let trial = TrialState {
-        forces: frozen.forces,
-        motion: step.total_motion(frozen.motion),
-        rigid: frozen.rigid,
-        status,
-    };
-    let residuals = Residuals::of(step, &trial);
-    let violation = residuals.largest();
-    if violation > ACCEPTED || violation.is_nan() {
-        return Err(FailureCause::Inaccurate { violation });
-    }
-    let doubtful = (0..step.count())
+/// Number of points of `trial` that stick although a slip at once would be admissible too.
+pub(super) fn doubtful(step: &Step<'_>, trial: &TrialState) -> usize {
+    (0..step.count())
         .filter(|&k| {
             trial.status[k] == Status::Stick && step.problem.points()[k].slides && {
                 let bound = step.bound(k, trial.forces[2 * k], 0.0);
@@ -37,12 +18,5 @@ pub(super) fn accept(
                     && bound.stick > bound.slip
             }
         })
-        .count();
-    Ok(StepSolution {
-        trial,
-        residuals,
-        doubtful,
-        work,
-        solver,
-    })
+        .count()
 }

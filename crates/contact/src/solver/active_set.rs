@@ -2,13 +2,15 @@
 
 use std::collections::HashMap;
 
-use super::accept::{ROUNDING, accept};
+use super::accept::ROUNDING;
+use super::attempt::Attempt;
 use super::complementarity::Candidate;
-use super::frozen::{Frozen, SlipLine, solve};
+use super::frozen::{Condensed, Frozen, FrozenSystem, SlipLine, solve};
 use super::hold::hold;
 use super::residual::Scales;
+use super::rules::{Change, Rules};
 use super::step::Step;
-use super::{FailureCause, InterfaceSolver, StepFailure, StepSolution, Work};
+use super::{FailureCause, InterfaceSolver, StepFailure, StepSolution};
 use crate::state::Status;
 
 /// The status iteration of Post & Reddy (1988, II 2.1): solve with frozen statuses, then correct all of them at once. A
@@ -28,7 +30,8 @@ impl Default for StatusIteration {
 
 /// Semismooth Newton method on the projection form of the conditions (Alart & Curnier 1991), as an active-set iteration:
 /// the next status of a point follows from the sign of λ_n − c g_n and the size of λ_t − c Δs against the bound, c being the
-/// inverse of the point's own compliance. When statuses repeat, only the most violated point changes from then on.
+/// inverse of the point's own compliance. Where statuses repeat, the worse half of the changes is made, later the worst only,
+/// and points that slip once are held by their slip traction: of a law that drops, which leaves several answers, it takes one.
 #[derive(Clone, Copy, Debug)]
 pub struct SemismoothNewton {
     /// Largest number of solves.
@@ -41,13 +44,34 @@ impl Default for SemismoothNewton {
     }
 }
 
+impl SemismoothNewton {
+    /// The same iteration with its linear problems solved by `system`; `name` is the solver's name in results.
+    ///
+    /// # Errors
+    /// [`StepFailure`] as by [`InterfaceSolver::solve`].
+    pub fn solve_with(
+        &self,
+        step: &Step<'_>,
+        system: &dyn FrozenSystem,
+        name: &'static str,
+    ) -> Result<StepSolution, StepFailure> {
+        Attempt::run(step, name, |attempt| {
+            let mut iteration = Iteration::new(step, Rules::Projection);
+            iteration.system = system;
+            iteration.iterate(self.limit, attempt)
+        })
+    }
+}
+
 impl InterfaceSolver for StatusIteration {
     fn name(&self) -> &'static str {
         "status iteration"
     }
 
     fn solve(&self, step: &Step<'_>) -> Result<StepSolution, StepFailure> {
-        Iteration::new(step, Rules::Report).run(self.limit, self.name())
+        Attempt::run(step, self.name(), |attempt| {
+            Iteration::new(step, Rules::Report).iterate(self.limit, attempt)
+        })
     }
 }
 
@@ -57,18 +81,15 @@ impl InterfaceSolver for SemismoothNewton {
     }
 
     fn solve(&self, step: &Step<'_>) -> Result<StepSolution, StepFailure> {
-        Iteration::new(step, Rules::Projection).run(self.limit, self.name())
+        Attempt::run(step, self.name(), |attempt| {
+            Iteration::new(step, Rules::Projection).iterate(self.limit, attempt)
+        })
     }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Rules {
-    Report,
-    Projection,
 }
 
 struct Iteration<'a> {
     step: &'a Step<'a>,
+    system: &'a dyn FrozenSystem,
     rules: Rules,
     status: Vec<Status>,
     lines: Vec<SlipLine>,
@@ -80,6 +101,8 @@ struct Iteration<'a> {
     trail: Vec<Vec<Status>>,
     /// Cycles that were broken so far.
     breaks: usize,
+    /// Points that lost their bound of sticking: those that slipped since the first break.
+    slipped: Vec<bool>,
 }
 
 impl<'a> Iteration<'a> {
@@ -106,6 +129,7 @@ impl<'a> Iteration<'a> {
             .collect();
         Self {
             step,
+            system: &Condensed,
             rules,
             status,
             lines,
@@ -113,25 +137,21 @@ impl<'a> Iteration<'a> {
             seen: HashMap::new(),
             trail: Vec::new(),
             breaks: 0,
+            slipped: vec![false; step.count()],
         }
-    }
-
-    fn run(mut self, limit: usize, name: &'static str) -> Result<StepSolution, StepFailure> {
-        let mut work = Work::default();
-        self.iterate(limit, name, &mut work)
-            .map_err(|cause| StepFailure::new(name, cause, work))
     }
 
     fn iterate(
         &mut self,
         limit: usize,
-        name: &'static str,
-        work: &mut Work,
+        attempt: &mut Attempt<'_>,
     ) -> Result<StepSolution, FailureCause> {
-        let start = work.solves;
-        while work.solves < start + limit {
-            work.solves += 1;
-            let frozen = solve(self.step, &self.status, &self.lines)?;
+        for count in 0..limit {
+            self.remember_slips(count);
+            let work = &mut attempt.work;
+            let frozen = self
+                .system
+                .solve(self.step, &self.status, &self.lines, work)?;
             if let Some(direction) = &frozen.unbalanced {
                 let held = hold(self.step, &self.status, &frozen, direction.as_slice())?;
                 let (status, violation) = (Status::Stick, f64::INFINITY);
@@ -144,32 +164,19 @@ impl<'a> Iteration<'a> {
                 continue;
             }
             let scales = Scales::of(self.step, &frozen.forces, &frozen.motion);
-            let changes = self.changes(&frozen, scales);
+            let (rules, status) = (self.rules, &self.status);
+            let changes = rules.changes(self.step, status, &self.slipped, &frozen, scales);
             let settled = self.relinearise(&frozen, scales);
+            let trial = attempt.trial(&frozen, &self.status);
+            if changes.is_empty() && settled {
+                return attempt.accept(trial);
+            }
+            attempt.offer(&trial);
             if !changes.is_empty() {
                 self.apply(&changes)?;
-            } else if settled {
-                return accept(self.step, frozen, self.status.clone(), name, *work);
             }
         }
         Err(FailureCause::Limit(limit))
-    }
-
-    /// Points whose status is to change, with the new status and the relative size of the violation.
-    fn changes(&self, frozen: &Frozen, scales: Scales) -> Vec<Change> {
-        (0..self.status.len())
-            .filter_map(|point| {
-                let (status, violation) = match self.rules {
-                    Rules::Report => self.report_rule(point, frozen, scales),
-                    Rules::Projection => self.projection_rule(point, frozen, scales),
-                };
-                (status != self.status[point]).then_some(Change {
-                    point,
-                    status,
-                    violation,
-                })
-            })
-            .collect()
     }
 
     /// Applies `changes`. Where that would repeat statuses, the report's rules give up; the projection's first apply the
@@ -211,6 +218,16 @@ impl<'a> Iteration<'a> {
         Ok(())
     }
 
+    /// Once the iteration has run in a circle, or long, slipping points lose their bound of sticking for the rest of it.
+    fn remember_slips(&mut self, count: usize) {
+        const LONG: usize = 30;
+        if self.rules == Rules::Projection && (self.breaks > 0 || count > LONG) {
+            for (slipped, status) in self.slipped.iter_mut().zip(&self.status) {
+                *slipped |= status.slip_sign() != 0.0;
+            }
+        }
+    }
+
     fn with<'c>(&self, changes: impl Iterator<Item = &'c Change>) -> Vec<Status> {
         let mut next = self.status.clone();
         for change in changes {
@@ -250,109 +267,45 @@ impl<'a> Iteration<'a> {
         }
         settled
     }
-
-    fn report_rule(&self, point: usize, frozen: &Frozen, scales: Scales) -> (Status, f64) {
-        let now = self.status[point];
-        let (normal, tangential) = (frozen.forces[2 * point], frozen.forces[2 * point + 1]);
-        let (gap, slip) = (frozen.motion[2 * point], frozen.motion[2 * point + 1]);
-        if now == Status::Open {
-            let depth = -gap / scales.length;
-            return if depth > ROUNDING {
-                (Status::Stick, depth)
-            } else {
-                (now, 0.0)
-            };
-        }
-        let pull = -normal / scales.force;
-        if pull > ROUNDING {
-            return (Status::Open, pull);
-        }
-        if !self.step.problem.points()[point].slides {
-            return (Status::Stick, 0.0);
-        }
-        if now == Status::Stick {
-            let excess =
-                (tangential.abs() - self.step.bound(point, normal, 0.0).stick) / scales.force;
-            if excess > ROUNDING {
-                (Status::slip_along(-tangential), excess)
-            } else {
-                (now, 0.0)
-            }
-        } else {
-            let backward = -now.slip_sign() * slip / scales.length;
-            if backward > ROUNDING {
-                (Status::Stick, backward)
-            } else {
-                (now, 0.0)
-            }
-        }
-    }
-
-    fn projection_rule(&self, point: usize, frozen: &Frozen, scales: Scales) -> (Status, f64) {
-        let (plain, violation) = self.report_rule(point, frozen, scales);
-        let now = self.status[point];
-        let turns = plain == Status::Stick
-            && now != Status::Stick
-            && self.step.problem.points()[point].slides;
-        if !turns {
-            return (plain, violation);
-        }
-        // A closing or turning point sticks only if the force that would stop its motion lies within the bound. Its
-        // neighbours move with it, so it takes the compliance of all touching points together to tell.
-        let compliance = self.step.problem.compliance();
-        let stop = |row: usize| {
-            let column = compliance.column(row);
-            let touching =
-                (0..self.status.len()).filter(|&k| self.status[k].touches() || k == point);
-            let together: f64 = touching.map(|k| column[2 * k + row % 2].abs()).sum();
-            frozen.motion[row] / together.max(f64::MIN_POSITIVE)
-        };
-        let trial = frozen.forces[2 * point + 1] - stop(2 * point + 1);
-        let normal = (frozen.forces[2 * point] - stop(2 * point)).max(0.0);
-        let bound = self
-            .step
-            .bound(point, normal, frozen.motion[2 * point + 1])
-            .stick;
-        if trial.abs() > bound {
-            (Status::slip_along(-trial), violation)
-        } else {
-            (Status::Stick, violation)
-        }
-    }
-}
-
-struct Change {
-    point: usize,
-    status: Status,
-    violation: f64,
 }
 
 /// Confirms the statuses of a `candidate` that is exact up to rounding or springs, correcting them where they are not.
 pub(super) fn confirm(
-    step: &Step<'_>,
     candidate: &Candidate,
-    name: &'static str,
-    work: &mut Work,
+    attempt: &mut Attempt<'_>,
 ) -> Result<StepSolution, FailureCause> {
     const LIMIT: usize = 30;
     let (status, normal) = (candidate.status.clone(), candidate.normal.clone());
+    let step = attempt.step;
     Iteration::starting_at(step, Rules::Projection, status, normal, &candidate.slip)
-        .iterate(LIMIT, name, work)
+        .iterate(LIMIT, attempt)
+}
+
+/// The state with the statuses of `candidate`, which is not expected to be a solution but may be.
+pub(super) fn examine(
+    candidate: &Candidate,
+    attempt: &mut Attempt<'_>,
+) -> Result<StepSolution, FailureCause> {
+    let step = attempt.step;
+    let lines: Vec<SlipLine> = (0..step.count())
+        .map(|k| slip_line(step, k, candidate.normal[k], candidate.slip[k]))
+        .collect();
+    let frozen = solve(step, &candidate.status, &lines, &mut attempt.work)?;
+    let trial = attempt.trial(&frozen, &candidate.status);
+    attempt.accept(trial)
 }
 
 /// Solves with these statuses, changing only where the law is linearised.
 pub(super) fn settle(
-    step: &Step<'_>,
     status: &[Status],
-    name: &'static str,
-    work: &mut Work,
+    attempt: &mut Attempt<'_>,
 ) -> Result<StepSolution, FailureCause> {
     const LIMIT: usize = 20;
+    let step = attempt.step;
     let mut iteration = Iteration::new(step, Rules::Projection);
     iteration.status = status.to_vec();
     for _ in 0..LIMIT {
-        work.solves += 1;
-        let frozen = solve(step, &iteration.status, &iteration.lines)?;
+        let frozen = solve(step, &iteration.status, &iteration.lines, &mut attempt.work)?;
         if let Some(direction) = &frozen.unbalanced {
             return Err(FailureCause::Unbalanced {
                 motion: direction.as_slice().to_vec(),
@@ -361,7 +314,7 @@ pub(super) fn settle(
         }
         let scales = Scales::of(step, &frozen.forces, &frozen.motion);
         if iteration.relinearise(&frozen, scales) {
-            return accept(step, frozen, iteration.status, name, *work);
+            return attempt.accept(attempt.trial(&frozen, &iteration.status));
         }
     }
     Err(FailureCause::Limit(LIMIT))

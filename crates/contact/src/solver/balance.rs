@@ -18,9 +18,30 @@ pub(super) fn impossible(step: &Step<'_>) -> Option<DVector<f64>> {
     if step.mode_load.amax() == 0.0 {
         return None;
     }
-    let edges = cone_edges(step)?;
-    let remainder = nearest(&edges, &step.mode_load);
-    (remainder.norm() > NEGLIGIBLE * step.mode_load.norm()).then_some(remainder)
+    let mut edges = cone_edges(step)?;
+    // Translations and rotations have different units: all are measured by the largest motion of a point.
+    let modes = step.problem.modes();
+    let units = DVector::from_fn(modes.ncols(), |mode, _| match modes.column(mode).amax() {
+        largest if largest > 0.0 => 1.0 / largest,
+        _ => 1.0,
+    });
+    for (mut row, unit) in edges.row_iter_mut().zip(&units) {
+        row *= *unit;
+    }
+    let load = step.mode_load.component_mul(&units);
+    let remainder = nearest(&edges, &load);
+    proves(&edges, &load, &remainder).then(|| remainder.component_mul(&units))
+}
+
+/// Whether along `remainder` the load does work and no edge of the cones works against it: checked, because the search for
+/// the nearest point may have ended early.
+fn proves(edges: &DMatrix<f64>, load: &DVector<f64>, remainder: &DVector<f64>) -> bool {
+    let size = remainder.norm();
+    size > NEGLIGIBLE * load.norm()
+        && remainder.dot(load) > 0.0
+        && edges
+            .column_iter()
+            .all(|edge| remainder.dot(&edge) >= -NEGLIGIBLE * size * edge.norm())
 }
 
 /// Columns G_n ± μ G_t, m × 2n.
@@ -133,5 +154,29 @@ mod tests {
     #[test]
     fn a_pull_is_not_balanced() {
         assert!(remainder(&[[0.0, 1.0]], [0.0, 1.0]).norm() > 0.99);
+    }
+
+    /// Loads inside the cone of random edges in three motions, whatever the units of the third.
+    #[test]
+    fn loads_that_can_be_balanced_are_never_proved_impossible() {
+        let mut seed = 1_u64;
+        let mut draw = || {
+            seed = seed
+                .wrapping_mul(6364136223846793005)
+                .wrapping_add(1442695040888963407);
+            (seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+        };
+        for unit in [1.0, 1e-4, 40.0] {
+            for count in [2, 4, 8, 60] {
+                for _ in 0..200 {
+                    let mut edges = DMatrix::from_fn(3, count, |_, _| draw());
+                    edges.row_mut(2).scale_mut(unit);
+                    let weights = DVector::from_fn(count, |_, _| draw().max(0.0));
+                    let load = -(&edges * weights);
+                    let rest = nearest(&edges, &load);
+                    assert!(!proves(&edges, &load, &rest), "{edges} {load} {rest}");
+                }
+            }
+        }
     }
 }

@@ -15,12 +15,15 @@
 //! the same way where A is positive definite. So a supported body's step is always solved, up to rounding.
 //!
 //! Rigid motions α are held by springs, A + κ G Gᵀ, which makes the statement hold for floating bodies. The springs are
-//! soft beside the bodies, and serve to find statuses only: forces are then solved from the balance itself.
+//! soft beside the bodies, and serve to find statuses only: forces are then solved from the balance itself. Where that does
+//! not confirm the statuses, the springs are put at rest where they gave way to, and the problem is repeated.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::lemke::{Outcome, lemke};
+use super::principal::least_index;
 use super::step::Step;
+use super::{FailureCause, Work};
 use crate::state::Status;
 
 /// What a complementary pair stands for.
@@ -39,7 +42,11 @@ pub(super) struct Complementarity {
     slides: Vec<bool>,
     coefficients: Vec<f64>,
     /// Compliance and free motion, springs included, relative to the largest compliance.
-    sprung: (DMatrix<f64>, DVector<f64>),
+    sprung: Sprung,
+    /// What the springs need to tell how far they give: rigid motions, load resultants, and those at rest.
+    modes: DMatrix<f64>,
+    mode_load: DVector<f64>,
+    rest: DVector<f64>,
     force_unit: f64,
     compliance_unit: f64,
 }
@@ -51,12 +58,19 @@ pub(super) struct Candidate {
     pub(super) normal: Vec<f64>,
     /// Slip increment of each point.
     pub(super) slip: Vec<f64>,
+    /// Rigid motions at which the springs would hold the bodies under these forces.
+    pub(super) rigid: DVector<f64>,
 }
 
 impl Complementarity {
     /// The problem of `step` with friction coefficients `coefficients` of all points. Springs are `softness` times as
-    /// compliant as the bodies.
-    pub(super) fn new(step: &Step<'_>, coefficients: Vec<f64>, softness: f64) -> Self {
+    /// compliant as the bodies, and at rest at the rigid motions `rest`.
+    pub(super) fn new(
+        step: &Step<'_>,
+        coefficients: Vec<f64>,
+        softness: f64,
+        rest: &DVector<f64>,
+    ) -> Self {
         let points = step.problem.points();
         let count = points.len();
         let frictional: Vec<usize> = (0..count)
@@ -68,7 +82,8 @@ impl Complementarity {
             .chain(frictional.iter().map(|&k| (Kind::Reverse, k)))
             .collect();
         let compliance_unit = positive(step.problem.compliance().diagonal().max());
-        let (compliance, motion) = sprung(step, compliance_unit, softness);
+        let sprung = Sprung::new(step, compliance_unit, softness, rest);
+        let (compliance, motion) = (&sprung.compliance, &sprung.motion);
         let row_of = |kind, k| {
             if kind == Kind::Normal {
                 2 * k
@@ -100,7 +115,6 @@ impl Complementarity {
         let force_unit = positive(constant.amax());
         constant /= force_unit;
         let slides = points.iter().map(|point| point.slides).collect();
-        let sprung = (compliance, motion);
         Self {
             matrix,
             constant,
@@ -108,9 +122,17 @@ impl Complementarity {
             slides,
             coefficients,
             sprung,
+            modes: step.problem.modes().clone(),
+            mode_load: step.mode_load.clone(),
+            rest: rest.clone(),
             force_unit,
             compliance_unit,
         }
+    }
+
+    /// Number of complementary pairs.
+    pub(super) fn order(&self) -> usize {
+        self.constant.len()
     }
 
     /// The solution found with covering vector number `cover`; `None` if pivoting did not end with one.
@@ -118,7 +140,7 @@ impl Complementarity {
         &self,
         cover: usize,
         pivots_per_unknown: usize,
-        pivots: &mut usize,
+        work: &mut Work,
     ) -> Option<Candidate> {
         let limit = pivots_per_unknown * self.constant.len();
         match lemke(
@@ -126,11 +148,32 @@ impl Complementarity {
             &self.constant,
             &self.cover(cover),
             limit,
-            pivots,
+            work,
         ) {
             Outcome::Solved(z) => Some(self.candidate(&z)),
             Outcome::Unsolved => None,
         }
+    }
+
+    /// The solution found by least-index principal pivoting, or the statuses where that ended and why.
+    pub(super) fn solve_by_least_index(
+        &self,
+        pivots_per_unknown: usize,
+        work: &mut Work,
+    ) -> (Candidate, Result<(), FailureCause>) {
+        let limit = pivots_per_unknown * self.constant.len();
+        let (z, outcome) = least_index(&self.matrix, &self.constant, limit, work);
+        let outcome = outcome.map_err(|cause| match cause {
+            FailureCause::Cycled { period, points } => {
+                let mut points: Vec<usize> =
+                    points.iter().map(|&pair| self.pairs[pair].1).collect();
+                points.sort_unstable();
+                points.dedup();
+                FailureCause::Cycled { period, points }
+            }
+            other => other,
+        });
+        (self.candidate(&z), outcome)
     }
 
     /// A covering vector with d > 0 and d_n > μ d_t; each number gives another.
@@ -174,7 +217,10 @@ impl Complementarity {
                 Kind::Reverse => {}
             }
         }
-        let motion = (&self.sprung.0 * &forces + &self.sprung.1) * self.compliance_unit;
+        let motion =
+            (&self.sprung.compliance * &forces + &self.sprung.motion) * self.compliance_unit;
+        let give = self.sprung.spring * self.compliance_unit;
+        let rigid = &self.rest + (self.modes.tr_mul(&forces) + &self.mode_load) * give;
         for k in 0..count {
             if status[k].touches() && self.slides[k] && self.coefficients[k] == 0.0 {
                 status[k] = Status::slip_along(motion[2 * k + 1]);
@@ -184,21 +230,36 @@ impl Complementarity {
             status,
             normal: (0..count).map(|k| forces[2 * k]).collect(),
             slip: (0..count).map(|k| motion[2 * k + 1]).collect(),
+            rigid,
         }
     }
 }
 
-/// Compliance and free motion with springs on the rigid motions, in units of `unit` `[length/force]`.
-fn sprung(step: &Step<'_>, unit: f64, softness: f64) -> (DMatrix<f64>, DVector<f64>) {
-    let mut compliance = step.problem.compliance() / unit;
-    let mut motion = &step.free_motion / unit;
-    let modes = step.problem.modes();
-    if modes.ncols() > 0 {
+/// Compliance and free motion with springs on the rigid motions, in units of a compliance `[length/force]`.
+struct Sprung {
+    compliance: DMatrix<f64>,
+    motion: DVector<f64>,
+    /// κ of the springs in the same unit.
+    spring: f64,
+}
+
+impl Sprung {
+    fn new(step: &Step<'_>, unit: f64, softness: f64, rest: &DVector<f64>) -> Self {
+        let modes = step.problem.modes();
         let spring = softness / positive(modes.amax().powi(2));
-        compliance.gemm(spring, modes, &modes.transpose(), 1.0);
-        motion.gemv(spring, modes, &step.mode_load, 1.0);
+        let mut compliance = step.soft_compliance() / unit;
+        let mut motion = &step.free_motion / unit;
+        if modes.ncols() > 0 {
+            compliance.gemm(spring, modes, &modes.transpose(), 1.0);
+            motion.gemv(spring, modes, &step.mode_load, 1.0);
+            motion.gemv(1.0 / unit, modes, rest, 1.0);
+        }
+        Self {
+            compliance,
+            motion,
+            spring,
+        }
     }
-    (compliance, motion)
 }
 
 fn positive(value: f64) -> f64 {

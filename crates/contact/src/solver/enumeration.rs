@@ -4,12 +4,14 @@
 //! none where each of them is regular and the law's bound is proportional to pressure.
 
 use super::active_set::settle;
+use super::attempt::Attempt;
+use super::residual::Scales;
 use super::step::Step;
-use super::{FailureCause, InterfaceSolver, StepFailure, StepSolution, Work};
+use super::{FailureCause, InterfaceSolver, StepFailure, StepSolution};
 use crate::state::Status;
 
-/// Exhaustive enumeration of statuses. Of several solutions it returns the one whose statuses differ at the fewest points
-/// from the committed ones.
+/// Exhaustive enumeration of statuses, which counts the solutions. Of several it returns the one whose statuses differ at the
+/// fewest points from the last accepted ones, and among these the one that has moved least.
 #[derive(Clone, Copy, Debug)]
 pub struct Enumeration {
     /// Largest number of points; at 6 it is 4096 small solves.
@@ -28,14 +30,13 @@ impl InterfaceSolver for Enumeration {
     }
 
     fn solve(&self, step: &Step<'_>) -> Result<StepSolution, StepFailure> {
-        let mut work = Work::default();
-        self.run(step, &mut work)
-            .map_err(|cause| StepFailure::new(self.name(), cause, work))
+        Attempt::run(step, self.name(), |attempt| self.run(attempt))
     }
 }
 
 impl Enumeration {
-    fn run(self, step: &Step<'_>, work: &mut Work) -> Result<StepSolution, FailureCause> {
+    fn run(self, attempt: &mut Attempt<'_>) -> Result<StepSolution, FailureCause> {
+        let step = attempt.step;
         let count = step.count();
         if count > self.points {
             return Err(FailureCause::TooManyPoints {
@@ -44,20 +45,13 @@ impl Enumeration {
             });
         }
         let mut proved = (0..count).all(|k| step.problem.law(k).is_linear());
-        let mut nearest: Option<(usize, StepSolution)> = None;
+        let mut found: Vec<StepSolution> = Vec::new();
         let mut status = vec![Status::Open; count];
         let mut combinations = 0;
         loop {
             combinations += 1;
-            match settle(step, &status, self.name(), work) {
-                Ok(solution) => {
-                    let changes = (0..count)
-                        .filter(|&k| status[k] != step.committed.status[k])
-                        .count();
-                    if nearest.as_ref().is_none_or(|(fewest, _)| changes < *fewest) {
-                        nearest = Some((changes, solution));
-                    }
-                }
+            match settle(&status, attempt) {
+                Ok(solution) => keep(step, &mut found, solution),
                 Err(FailureCause::Singular) => proved = false,
                 Err(_) => {}
             }
@@ -65,9 +59,14 @@ impl Enumeration {
                 break;
             }
         }
+        let solutions = Some(found.len());
+        let nearest = found.into_iter().min_by(|a, b| {
+            let (a, b) = (distance(step, a), distance(step, b));
+            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+        });
         match nearest {
-            Some((_, solution)) => Ok(StepSolution {
-                work: *work,
+            Some(solution) => Ok(StepSolution {
+                solutions,
                 ..solution
             }),
             None => Err(FailureCause::NoSolution {
@@ -76,6 +75,31 @@ impl Enumeration {
             }),
         }
     }
+}
+
+/// Adds `solution`. The same forces may be found with several statuses, on the border between them; of these the statuses
+/// nearest to the last accepted ones are kept.
+fn keep(step: &Step<'_>, found: &mut Vec<StepSolution>, solution: StepSolution) {
+    const SAME: f64 = 1e-8;
+    let scale = Scales::of(step, &solution.trial.forces, &solution.trial.motion).force;
+    let same = |other: &&mut StepSolution| {
+        (&other.trial.forces - &solution.trial.forces).amax() <= SAME * scale
+    };
+    match found.iter_mut().find(same) {
+        Some(other) if distance(step, &solution).0 < distance(step, other).0 => *other = solution,
+        Some(_) => {}
+        None => found.push(solution),
+    }
+}
+
+/// Number of points whose status is not the last accepted one, and the largest change of motion `[length]` since then.
+fn distance(step: &Step<'_>, solution: &StepSolution) -> (usize, f64) {
+    let changes = (solution.trial.status.iter())
+        .zip(&step.committed.status)
+        .filter(|(new, old)| new != old)
+        .count();
+    let moved = (&solution.trial.motion - &step.committed.motion).amax();
+    (changes, moved)
 }
 
 /// The next combination, counting with the first point as the lowest digit; false after the last one.

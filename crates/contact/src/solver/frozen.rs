@@ -11,33 +11,73 @@
 //! amount; the load and slip tractions left unbalanced in them are reported, so that the caller can bring further points
 //! into contact.
 
+use std::fmt::Debug;
+
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use stickslip_fem_core::linalg::DenseLu;
 
-use super::FailureCause;
 use super::step::Step;
+use super::{FailureCause, Work};
 use crate::state::Status;
 
 /// Relative size below which a resistance or a resultant is rounding.
 const NEGLIGIBLE: f64 = 1e-12;
 
-/// Linearised slip traction of one point.
+/// Linearised slip traction of one point: F ≈ f₀ + f₁ λ_n + f₂ |Δs|.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct SlipLine {
-    pub(super) constant: f64,
-    pub(super) normal: f64,
-    pub(super) slip: f64,
+pub struct SlipLine {
+    /// f₀ `[force]`.
+    pub constant: f64,
+    /// f₁.
+    pub normal: f64,
+    /// f₂ `[force/length]`.
+    pub slip: f64,
 }
 
 /// Result of a solve with frozen statuses.
 #[derive(Clone, Debug)]
-pub(super) struct Frozen {
-    pub(super) forces: DVector<f64>,
-    pub(super) rigid: DVector<f64>,
-    /// Gap and slip increment, 2n.
-    pub(super) motion: DVector<f64>,
+pub struct Frozen {
+    /// Contact forces `[force]`, 2n.
+    pub forces: DVector<f64>,
+    /// Rigid motions, m.
+    pub rigid: DVector<f64>,
+    /// Gap and slip increment `[length]`, 2n.
+    pub motion: DVector<f64>,
     /// Resultants that nothing resists, of the load and the slip tractions, if there are any.
-    pub(super) unbalanced: Option<DVector<f64>>,
+    pub unbalanced: Option<DVector<f64>>,
+}
+
+/// Solves the linear problem of a step with frozen statuses: what an active-set iteration repeats. The solvers of this crate
+/// do it on the condensed problem; another way, such as the whole finite-element system, gives the same iteration.
+pub trait FrozenSystem: Debug + Send + Sync {
+    /// Forces and motion of `step` for the statuses `status` and the slip tractions `lines`, both one per point; counts in
+    /// `work` what that costs, the solve included.
+    ///
+    /// # Errors
+    /// [`FailureCause::Singular`] if the statuses leave the solution undetermined.
+    fn solve(
+        &self,
+        step: &Step<'_>,
+        status: &[Status],
+        lines: &[SlipLine],
+        work: &mut Work,
+    ) -> Result<Frozen, FailureCause>;
+}
+
+/// The condensed problem: compliance of the touching points, bordered by the rigid motions.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Condensed;
+
+impl FrozenSystem for Condensed {
+    fn solve(
+        &self,
+        step: &Step<'_>,
+        status: &[Status],
+        lines: &[SlipLine],
+        work: &mut Work,
+    ) -> Result<Frozen, FailureCause> {
+        solve(step, status, lines, work)
+    }
 }
 
 /// How the unknown at each position of the reduced system relates to the contact forces.
@@ -48,10 +88,12 @@ struct Layout {
     tangential: Vec<usize>,
 }
 
+/// Solves with statuses `status` and slip tractions `lines`, and counts what that costs.
 pub(super) fn solve(
     step: &Step<'_>,
     status: &[Status],
     lines: &[SlipLine],
+    work: &mut Work,
 ) -> Result<Frozen, FailureCause> {
     let points = step.problem.points();
     let layout = Layout {
@@ -65,6 +107,10 @@ pub(super) fn solve(
     };
     let (matrix, side, free) = reduced_system(step, status, lines, &layout);
     let mut solution = side;
+    let (order, count) = (solution.len() as u64, points.len() as u64);
+    work.solves += 1;
+    work.factorisations += 1;
+    work.operations += lu_operations(order) + 4 * count * order;
     DenseLu::new(matrix)
         .map_err(|_| FailureCause::Singular)?
         .solve(&mut solution);
@@ -88,7 +134,7 @@ pub(super) fn solve(
         .rows(touching + layout.tangential.len(), step.mode_load.len())
         .into_owned();
     let motion = step.motion(&forces, &rigid);
-    let unbalanced = free.and_then(|free| unbalanced(step, &free, &forces));
+    let unbalanced = free.and_then(|free| free.unbalanced(step, &forces));
     Ok(Frozen {
         forces,
         rigid,
@@ -97,21 +143,61 @@ pub(super) fn solve(
     })
 }
 
-/// The part along the motions `free` of the load and of the slip tractions.
-fn unbalanced(step: &Step<'_>, free: &DMatrix<f64>, forces: &DVector<f64>) -> Option<DVector<f64>> {
-    let mut resultants = step.mode_load.clone();
-    resultants.gemv_tr(1.0, step.problem.modes(), forces, 1.0);
-    let along = free * resultants;
-    (along.amax() > NEGLIGIBLE * step.mode_load.amax().max(forces.amax())).then_some(along)
+/// Operations of a dense LU factorisation of that order with one pair of triangular solves.
+pub(super) fn lu_operations(order: u64) -> u64 {
+    2 * order * order * order / 3 + 2 * order * order
 }
 
-/// Matrix and right-hand side of the reduced system, and the projector on the rigid motions that no row resists.
+/// Rigid motions that the touching points do not resist.
+#[derive(Clone, Debug)]
+pub struct FreeMotions {
+    /// Orthogonal projector on them, m × m.
+    pub projector: DMatrix<f64>,
+}
+
+impl FreeMotions {
+    /// The rigid motions of `step` that none of the contact conditions on `rows` of (g, Δs) resists, if there are any.
+    pub fn of(step: &Step<'_>, rows: impl IntoIterator<Item = usize>) -> Option<Self> {
+        let modes = step.problem.modes();
+        let rigid = modes.ncols();
+        if rigid == 0 {
+            return None;
+        }
+        let mut gram = DMatrix::zeros(rigid, rigid);
+        for row in rows {
+            let motion = modes.row(row);
+            gram += motion.transpose() * motion;
+        }
+        let scale = gram.trace().max(1.0);
+        let eigen = SymmetricEigen::new(gram);
+        let free: Vec<usize> = (0..rigid)
+            .filter(|&k| eigen.eigenvalues[k] <= NEGLIGIBLE * scale)
+            .collect();
+        if free.is_empty() {
+            return None;
+        }
+        let basis = eigen.eigenvectors.select_columns(&free);
+        Some(Self {
+            projector: &basis * basis.transpose(),
+        })
+    }
+
+    /// The part along them of the load and of the contact forces `forces`; `None` where it is rounding.
+    pub fn unbalanced(&self, step: &Step<'_>, forces: &DVector<f64>) -> Option<DVector<f64>> {
+        let mut resultants = step.mode_load.clone();
+        resultants.gemv_tr(1.0, step.problem.modes(), forces, 1.0);
+        let along = &self.projector * resultants;
+        (along.amax() > NEGLIGIBLE * step.mode_load.amax().max(forces.amax())).then_some(along)
+    }
+}
+
+/// Matrix and right-hand side of the reduced system, and the rigid motions that no row resists.
 fn reduced_system(
     step: &Step<'_>,
     status: &[Status],
     lines: &[SlipLine],
     layout: &Layout,
-) -> (DMatrix<f64>, DVector<f64>, Option<DMatrix<f64>>) {
+) -> (DMatrix<f64>, DVector<f64>, Option<FreeMotions>) {
     let (compliance, modes) = (step.problem.compliance(), step.problem.modes());
     let rows: Vec<usize> = layout
         .normal
@@ -150,6 +236,7 @@ fn reduced_system(
             matrix[(i, j)] = normal[row] + slope * tangential[row];
             side[i] -= constant * tangential[row];
         }
+        matrix[(j, j)] += step.softness;
         for mode in 0..rigid {
             let (along_normal, along_tangent) = (modes[(2 * k, mode)], modes[(2 * k + 1, mode)]);
             matrix[(contact + mode, j)] = along_normal + slope * along_tangent;
@@ -161,6 +248,7 @@ fn reduced_system(
         for (i, &row) in rows.iter().enumerate() {
             matrix[(i, touching + j)] = column[row];
         }
+        matrix[(touching + j, touching + j)] += step.softness;
         for mode in 0..rigid {
             matrix[(contact + mode, touching + j)] = modes[(2 * k + 1, mode)];
         }
@@ -195,41 +283,24 @@ fn soften_slip_rows(
     }
 }
 
-/// Keeps rigid motions that no row of `rows` resists at their committed amount, and returns the projector on them.
+/// Keeps rigid motions that no row of `rows` resists at their committed amount, and returns them.
 fn hold_free_motions(
     step: &Step<'_>,
     rows: &[usize],
     matrix: &mut DMatrix<f64>,
     side: &mut DVector<f64>,
-) -> Option<DMatrix<f64>> {
-    let modes = step.problem.modes();
-    let (contact, rigid) = (rows.len(), modes.ncols());
-    if rigid == 0 {
-        return None;
-    }
-    let mut gram = DMatrix::zeros(rigid, rigid);
-    for &row in rows {
-        let motion = modes.row(row);
-        gram += motion.transpose() * motion;
-    }
-    let scale = gram.trace().max(1.0);
-    let eigen = SymmetricEigen::new(gram);
-    let free: Vec<usize> = (0..rigid)
-        .filter(|&k| eigen.eigenvalues[k] <= NEGLIGIBLE * scale)
-        .collect();
-    if free.is_empty() {
-        return None;
-    }
-    let basis = eigen.eigenvectors.select_columns(&free);
-    let projector = &basis * basis.transpose();
+) -> Option<FreeMotions> {
+    let (contact, rigid) = (rows.len(), step.problem.modes().ncols());
+    let free = FreeMotions::of(step, rows.iter().copied())?;
+    let projector = &free.projector;
     let mut balance = matrix.rows_mut(contact, rigid);
-    let along = &projector * &balance;
+    let along = projector * &balance;
     balance -= along;
     let mut corner = matrix.view_mut((contact, contact), (rigid, rigid));
-    corner += &projector;
+    corner += projector;
     let mut resultants = side.rows_mut(contact, rigid);
-    let along = &projector * &resultants;
+    let along = projector * &resultants;
     resultants -= along;
-    resultants.gemv(1.0, &projector, &step.committed.rigid, 1.0);
-    Some(projector)
+    resultants.gemv(1.0, projector, &step.committed.rigid, 1.0);
+    Some(free)
 }

@@ -6,8 +6,14 @@ use super::frozen::Frozen;
 use super::step::Step;
 use crate::state::Status;
 
+/// Closing speeds below this part of the motion's are rounding: turning a round body about its centre closes nothing.
+const CLOSING: f64 = 1e-9;
+/// Unbalanced resultants below this part of the contact forces are what is left of a symmetric problem.
+const SYMMETRIC: f64 = 1e-8;
+
 /// What can stop the bodies from moving along `direction`, on which the load does work: the open point that first closes;
-/// if none does, sticking of all slipping points on the way, and of open points that are already pressed together.
+/// if none does, sticking of slipping points on the way, and of open points that are already pressed together. Of the slipping
+/// ones, those that the motion would turn first are enough if their friction, turned against it, outweighs what is unbalanced.
 pub(super) fn hold(
     step: &Step<'_>,
     status: &[Status],
@@ -27,12 +33,12 @@ pub(super) fn hold(
         .iter()
         .fold(0.0, |largest: f64, value| largest.max(value.abs()));
     let mut first: Option<(f64, usize)> = None;
-    let mut pressed = Vec::new();
+    let (mut pressed, mut turning) = (Vec::new(), Vec::new());
     let mut proved = true;
     for k in 0..status.len() {
         let (normal, tangential) = (rate(2 * k), rate(2 * k + 1));
         let open = status[k] == Status::Open;
-        if open && normal < -ROUNDING * speed {
+        if open && normal < -CLOSING * speed {
             let time = frozen.motion[2 * k] / -normal;
             if first.is_none_or(|(earliest, _)| time < earliest) {
                 first = Some((time, k));
@@ -43,9 +49,20 @@ pub(super) fn hold(
         proved &= !friction;
         if friction && (status[k].slip_sign() != 0.0 || (open && frozen.motion[2 * k] < 0.0)) {
             pressed.push(k);
+            let drive = frozen.forces[2 * k + 1] * tangential;
+            if drive > 0.0 {
+                turning.push((frozen.motion[2 * k + 1].abs() / tangential.abs(), k, drive));
+            }
         }
     }
-    let held = first.map_or(pressed, |(_, k)| vec![k]);
+    // To stop a motion that rounding alone drives, any choice among the points would break a symmetry.
+    let driven = speed > SYMMETRIC * frozen.forces.amax();
+    let unbalanced: f64 = direction.iter().map(|amount| amount * amount).sum();
+    let held = match first {
+        Some((_, point)) => vec![point],
+        None if driven => first_turned(turning, unbalanced).unwrap_or(pressed),
+        None => pressed,
+    };
     if held.is_empty() {
         return Err(FailureCause::Unbalanced {
             motion: direction.to_vec(),
@@ -53,4 +70,20 @@ pub(super) fn hold(
         });
     }
     Ok(held)
+}
+
+/// Of slipping points, each with the amount of motion that turns it and the power of its friction in that motion, the first
+/// whose turning stops the motion; `None` if all together do not.
+fn first_turned(mut turning: Vec<(f64, usize, f64)>, unbalanced: f64) -> Option<Vec<usize>> {
+    turning.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut left = unbalanced;
+    let mut held = Vec::new();
+    for (_, point, drive) in turning {
+        held.push(point);
+        left -= 2.0 * drive;
+        if left < 0.0 {
+            return Some(held);
+        }
+    }
+    None
 }

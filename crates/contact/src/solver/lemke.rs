@@ -10,6 +10,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::Work;
+use super::tableau::Dictionary;
+
 /// Outcome of Lemke's method.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Outcome {
@@ -24,43 +27,7 @@ const NEGLIGIBLE: f64 = 1e-10;
 /// The same for values of basic variables, whose ties decide.
 const ROUNDING: f64 = 1e-12;
 
-/// A variable of the dictionary: z₀ has index 0, wᵢ index 1 + i, zᵢ index 1 + n + i.
-type Variable = usize;
-
-struct Dictionary {
-    /// Rows: basic variables; columns: constant, then non-basic variables. basic = table · (1, nonbasic).
-    table: DMatrix<f64>,
-    basic: Vec<Variable>,
-    nonbasic: Vec<Variable>,
-}
-
 impl Dictionary {
-    /// Exchanges the basic variable of `row` with the non-basic one of `column`.
-    fn pivot(&mut self, row: usize, column: usize) {
-        let pivot = self.table[(row, column)];
-        let pivot_row: Vec<f64> = self
-            .table
-            .row(row)
-            .iter()
-            .map(|value| -value / pivot)
-            .collect();
-        let pivot_column = self.table.column(column).into_owned();
-        for (j, &factor) in pivot_row.iter().enumerate() {
-            if j == column {
-                let mut target = self.table.column_mut(j);
-                target.copy_from(&(&pivot_column / pivot));
-                target[row] = 1.0 / pivot;
-            } else {
-                let mut target = self.table.column_mut(j);
-                if factor != 0.0 {
-                    target.axpy(factor, &pivot_column, 1.0);
-                }
-                target[row] = factor;
-            }
-        }
-        std::mem::swap(&mut self.basic[row], &mut self.nonbasic[column - 1]);
-    }
-
     /// Row of the first basic variable to vanish as the non-basic one of `column` grows; `None` on a ray.
     fn leaving(&self, column: usize) -> Option<usize> {
         let largest = self.table.column(column).amax();
@@ -74,7 +41,14 @@ impl Dictionary {
             if first.len() <= 1 {
                 break;
             }
-            first = self.first_to_vanish(first, column, |row| self.perturbation(row, power));
+            // Coefficient of ε^(power + 1) in the basic variables: the perturbation goes with the w of that index.
+            let variable = 1 + power;
+            let place = self.nonbasic.iter().position(|&other| other == variable);
+            first = self.first_to_vanish(first, column, |row| match place {
+                Some(position) => -self.table[(row, position + 1)],
+                None if self.basic[row] == variable => 1.0,
+                None => 0.0,
+            });
         }
         // What is left differs by rounding only.
         let slope = |row: usize| self.table[(row, column)];
@@ -108,27 +82,15 @@ impl Dictionary {
         let row = self.basic.iter().position(|&variable| variable == 0);
         row.is_none_or(|row| self.table[(row, 0)] <= rounding)
     }
-
-    /// Coefficient of ε^(`power` + 1) in the basic variable of `row`: the perturbation goes with w of that index.
-    fn perturbation(&self, row: usize, power: usize) -> f64 {
-        let variable = 1 + power;
-        if self.basic[row] == variable {
-            return 1.0;
-        }
-        match self.nonbasic.iter().position(|&other| other == variable) {
-            Some(position) => -self.table[(row, position + 1)],
-            None => 0.0,
-        }
-    }
 }
 
-/// Solves the problem with covering vector `cover` (positive) in at most `limit` pivots, which are counted in `pivots`.
+/// Solves the problem with covering vector `cover` (positive) in at most `limit` pivots, which are counted in `work`.
 pub(super) fn lemke(
     matrix: &DMatrix<f64>,
     constant: &DVector<f64>,
     cover: &DVector<f64>,
     limit: usize,
-    pivots: &mut usize,
+    work: &mut Work,
 ) -> Outcome {
     let n = constant.len();
     if constant.iter().all(|&value| value >= 0.0) {
@@ -156,7 +118,8 @@ pub(super) fn lemke(
     for _ in 0..limit {
         let leaving = dictionary.basic[row];
         dictionary.pivot(row, column);
-        *pivots += 1;
+        work.pivots += 1;
+        work.operations += 2 * (n * (n + 2)) as u64;
         if dictionary.is_uncovered() {
             return Outcome::Solved(read_off(&dictionary, n));
         }
@@ -203,13 +166,13 @@ mod tests {
             });
             let matrix = &a * a.transpose() + DMatrix::identity(n, n) * 0.5;
             let constant = DVector::from_fn(n, |i, _| ((i * 11) % 5) as f64 - 2.0);
-            let mut pivots = 0;
+            let mut work = Work::default();
             let Outcome::Solved(z) = lemke(
                 &matrix,
                 &constant,
                 &DVector::repeat(n, 1.0),
                 1000,
-                &mut pivots,
+                &mut work,
             ) else {
                 panic!("a positive definite problem has a solution");
             };
@@ -226,7 +189,13 @@ mod tests {
             DVector::from_element(1, -1.0),
         );
         assert_eq!(
-            lemke(&matrix, &constant, &DVector::repeat(1, 1.0), 10, &mut 0),
+            lemke(
+                &matrix,
+                &constant,
+                &DVector::repeat(1, 1.0),
+                10,
+                &mut Work::default()
+            ),
             Outcome::Unsolved
         );
     }

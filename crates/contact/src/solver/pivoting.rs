@@ -5,15 +5,18 @@
 //! secant, F ≈ (F(p)/p) λ_n, and the problem is repeated with new secants until that iteration confirms the statuses.
 
 use super::active_set::confirm;
+use super::attempt::Attempt;
 use super::complementarity::{Candidate, Complementarity};
 use super::step::Step;
-use super::{FailureCause, InterfaceSolver, StepFailure, StepSolution, Work};
+use super::{FailureCause, InterfaceSolver, StepFailure, StepSolution};
 
 /// Complementary pivoting with covering vectors that exclude rays for supported bodies; it needs no start.
 #[derive(Clone, Copy, Debug)]
 pub struct Pivoting {
-    /// Largest number of pivots per complementarity problem, in multiples of its order.
+    /// Largest number of pivots per complementarity problem, in multiples of its order; rarely are more than two needed.
     pub pivots_per_unknown: usize,
+    /// Floating-point operations after which no further complementarity problem is begun.
+    pub effort: u64,
     /// Number of covering vectors that are tried.
     pub covers: usize,
     /// Largest number of repetitions with new secants of the law.
@@ -23,7 +26,8 @@ pub struct Pivoting {
 impl Default for Pivoting {
     fn default() -> Self {
         Self {
-            pivots_per_unknown: 50,
+            pivots_per_unknown: 10,
+            effort: 20_000_000_000,
             covers: 4,
             repetitions: 20,
         }
@@ -33,48 +37,63 @@ impl Default for Pivoting {
 /// Softness of the springs that hold floating bodies, beside the bodies' own.
 const SOFTNESS: [f64; 2] = [1e5, 1e3];
 
+/// The softnesses to try; without floating bodies there are no springs.
+pub(super) fn softnesses(step: &Step<'_>) -> &'static [f64] {
+    if step.mode_load.is_empty() {
+        &SOFTNESS[..1]
+    } else {
+        &SOFTNESS
+    }
+}
+
+/// How often the springs of floating bodies are put at rest.
+fn rounds(step: &Step<'_>) -> usize {
+    if step.mode_load.is_empty() { 1 } else { 3 }
+}
+
 impl InterfaceSolver for Pivoting {
     fn name(&self) -> &'static str {
         "pivoting"
     }
 
     fn solve(&self, step: &Step<'_>) -> Result<StepSolution, StepFailure> {
-        let mut work = Work::default();
-        self.run(step, &mut work)
-            .map_err(|cause| StepFailure::new(self.name(), cause, work))
+        Attempt::run(step, self.name(), |attempt| self.run(attempt))
     }
 }
 
 impl Pivoting {
-    fn run(&self, step: &Step<'_>, work: &mut Work) -> Result<StepSolution, FailureCause> {
-        let springs = if step.mode_load.is_empty() {
-            &SOFTNESS[..1]
-        } else {
-            &SOFTNESS
-        };
+    fn run(&self, attempt: &mut Attempt<'_>) -> Result<StepSolution, FailureCause> {
+        let step = attempt.step;
         let mut secants = Secants::new(step);
         let mut last = FailureCause::Ray;
         for _ in 0..self.repetitions {
             let coefficients = secants.coefficients(step);
             let mut next = None;
-            for &softness in springs {
-                let problem = Complementarity::new(step, coefficients.clone(), softness);
-                for cover in 0..self.covers {
-                    let Some(candidate) =
-                        problem.solve(cover, self.pivots_per_unknown, &mut work.pivots)
-                    else {
-                        continue;
-                    };
-                    match confirm(step, &candidate, self.name(), work) {
-                        Ok(solution) => {
-                            return Ok(StepSolution {
-                                work: *work,
-                                ..solution
-                            });
+            for &softness in softnesses(step) {
+                let mut rest = step.committed.rigid.map(|_| 0.0);
+                for round in 0..rounds(step) {
+                    let problem = Complementarity::new(step, coefficients.clone(), softness, &rest);
+                    // Which of several solutions is followed is settled by the first round.
+                    let covers = if round == 0 { self.covers } else { 1 };
+                    for cover in 0..covers {
+                        if attempt.work.operations > self.effort {
+                            return Err(last);
                         }
-                        Err(cause) => last = cause,
+                        let Some(candidate) =
+                            problem.solve(cover, self.pivots_per_unknown, &mut attempt.work)
+                        else {
+                            continue;
+                        };
+                        match confirm(&candidate, attempt) {
+                            Ok(solution) => return Ok(solution),
+                            Err(cause) => last = cause,
+                        }
+                        next = Some(candidate);
                     }
-                    next = Some(candidate);
+                    match &next {
+                        Some(candidate) => rest.clone_from(&candidate.rigid),
+                        None => break,
+                    }
                 }
             }
             let Some(candidate) = next else {
@@ -90,7 +109,7 @@ impl Pivoting {
 }
 
 /// Where the law's secants are taken.
-struct Secants {
+pub(super) struct Secants {
     normal: Vec<f64>,
     slip: Vec<f64>,
     /// Points that slipped once stay on their slip traction, so that a drop of the traction ends the repetition.
@@ -98,7 +117,7 @@ struct Secants {
 }
 
 impl Secants {
-    fn new(step: &Step<'_>) -> Self {
+    pub(super) fn new(step: &Step<'_>) -> Self {
         let count = step.count();
         Self {
             normal: step.starting_forces(),
@@ -108,7 +127,7 @@ impl Secants {
     }
 
     /// F/λ_n of all points; at open ones that of a small force.
-    fn coefficients(&self, step: &Step<'_>) -> Vec<f64> {
+    pub(super) fn coefficients(&self, step: &Step<'_>) -> Vec<f64> {
         const SMALL: f64 = 1e-3;
         let largest = self
             .normal
@@ -127,7 +146,7 @@ impl Secants {
             .collect()
     }
 
-    fn advance(&mut self, candidate: &Candidate) {
+    pub(super) fn advance(&mut self, candidate: &Candidate) {
         for (slipped, status) in self.slipped.iter_mut().zip(&candidate.status) {
             *slipped |= status.slip_sign() != 0.0;
         }

@@ -9,7 +9,7 @@ use crate::state::{Status, TrialState};
 /// load resultant, lengths to the largest motion of a point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Residuals {
-    /// Penetration, tension, and min(gap, force) at open or touching points.
+    /// Penetration, tension, gaps of touching points, and forces on open ones.
     pub complementarity: f64,
     /// Tangential force beyond the bound, slip along the force, and slip of sticking points.
     pub cone: f64,
@@ -37,29 +37,20 @@ impl Residuals {
             let (normal, tangential) = (trial.forces[2 * k], trial.forces[2 * k + 1]);
             let gap = trial.motion[2 * k] / scales.length;
             let force = normal / scales.force;
+            let closed = trial.status[k].touches();
             residuals.complementarity = worst(
                 residuals.complementarity,
-                [-gap, -force, gap.abs().min(force.abs())],
+                [-gap, -force, if closed { gap.abs() } else { force.abs() }],
             );
             if !point.slides {
                 continue;
             }
             let slip = trial.motion[2 * k + 1] - step.committed.tangential_displacement(k);
-            let bound = step.bound(k, normal, slip);
-            let violation = match trial.status[k] {
-                Status::Open => tangential.abs() / scales.force,
-                Status::Stick => ((tangential.abs() - bound.stick) / scales.force)
-                    .max(slip.abs() / scales.length),
-                status => {
-                    let sign = status.slip_sign();
-                    ((tangential + sign * bound.slip).abs() / scales.force)
-                        .max(-sign * slip / scales.length)
-                }
-            };
+            let violation =
+                scales.cone_violation(step, k, trial.status[k], [normal, tangential], slip);
             residuals.cone = worst(residuals.cone, [violation]);
         }
-        let mut unbalanced = step.mode_load.clone();
-        unbalanced.gemv_tr(1.0, step.problem.modes(), &trial.forces, 1.0);
+        let unbalanced = step.imbalance(&trial.forces);
         residuals.balance = worst(
             0.0,
             unbalanced.iter().map(|force| force.abs() / scales.force),
@@ -109,4 +100,61 @@ impl Scales {
             length: positive(length),
         }
     }
+
+    /// Relative violation of the friction conditions at `point` with `status` under the force (normal, tangential) and the
+    /// slip increment `slip`.
+    pub(crate) fn cone_violation(
+        &self,
+        step: &Step<'_>,
+        point: usize,
+        status: Status,
+        [normal, tangential]: [f64; 2],
+        slip: f64,
+    ) -> f64 {
+        let bound = step.bound(point, normal, slip);
+        match status {
+            Status::Open => tangential.abs() / self.force,
+            Status::Stick => {
+                ((tangential.abs() - bound.stick) / self.force).max(slip.abs() / self.length)
+            }
+            status => {
+                let sign = status.slip_sign();
+                ((tangential + sign * bound.slip).abs() / self.force)
+                    .max(-sign * slip / self.length)
+            }
+        }
+    }
+}
+
+/// The statuses that forces and motions (slip increments from the last accepted state) come closest to.
+pub(super) fn read_statuses(
+    step: &Step<'_>,
+    forces: &DVector<f64>,
+    motion: &DVector<f64>,
+) -> Vec<Status> {
+    let scales = Scales::of(step, forces, motion);
+    (0..step.count())
+        .map(|k| {
+            let (gap, slip) = (motion[2 * k], motion[2 * k + 1]);
+            let (normal, tangential) = (forces[2 * k], forces[2 * k + 1]);
+            if normal / scales.force <= gap / scales.length {
+                return Status::Open;
+            }
+            if !step.problem.points()[k].slides {
+                return Status::Stick;
+            }
+            let slipping = if tangential == 0.0 {
+                Status::slip_along(slip)
+            } else {
+                Status::slip_along(-tangential)
+            };
+            let violation =
+                |status| scales.cone_violation(step, k, status, [normal, tangential], slip);
+            if violation(slipping) < violation(Status::Stick) {
+                slipping
+            } else {
+                Status::Stick
+            }
+        })
+        .collect()
 }

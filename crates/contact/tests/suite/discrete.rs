@@ -16,11 +16,11 @@ use crate::{Ground, coulomb, solve};
 /// The numbers have one or two digits and the matrices condition numbers below 100: rounding stays far below this.
 const ROUNDING: f64 = 1e-12;
 
-fn data() -> Value {
+pub(crate) fn data() -> Value {
     serde_json::from_str(include_str!("../data/discrete_coulomb.json")).unwrap()
 }
 
-fn cases(data: &Value, family: &str) -> Vec<Value> {
+pub(crate) fn cases(data: &Value, family: &str) -> Vec<Value> {
     data[family].as_array().unwrap().clone()
 }
 
@@ -52,7 +52,7 @@ fn stiffness(case: &Value) -> DMatrix<f64> {
 
 /// The body K on the case's ground, with a unit force on each dof as a load case; directions that K leaves free are rigid
 /// motions.
-fn problem(case: &Value) -> InterfaceProblem {
+pub(crate) fn problem(case: &Value) -> InterfaceProblem {
     let stiffness = stiffness(case);
     let size = stiffness.nrows();
     let free: Vec<usize> = (0..size)
@@ -78,12 +78,16 @@ fn problem(case: &Value) -> InterfaceProblem {
     Ground::along_x(gaps, coulomb(fraction(&case["mu"]))).under(&body)
 }
 
-fn load(case: &Value) -> Vec<f64> {
+pub(crate) fn load(case: &Value) -> Vec<f64> {
     normal_first(&fractions(&case["F_N"])).as_slice().to_vec()
 }
 
 /// The state before the increment: tangential displacements as given, all points with status `status`.
-fn committed(case: &Value, problem: &InterfaceProblem, status: Vec<Status>) -> ContactState {
+pub(crate) fn committed(
+    case: &Value,
+    problem: &InterfaceProblem,
+    status: Vec<Status>,
+) -> ContactState {
     let mut state = ContactState::unloaded(problem);
     for (k, displacement) in fractions(&case["u_t_prev_mm"]).into_iter().enumerate() {
         state.motion[2 * k + 1] = displacement;
@@ -93,12 +97,12 @@ fn committed(case: &Value, problem: &InterfaceProblem, status: Vec<Status>) -> C
 }
 
 /// All combinations of statuses to start from.
-fn starts(count: usize) -> impl Iterator<Item = Vec<Status>> {
+pub(crate) fn starts(count: usize) -> impl Iterator<Item = Vec<Status>> {
     (0..4_usize.pow(count as u32))
         .map(move |code| (0..count).map(|k| STATUSES[code >> (2 * k) & 3]).collect())
 }
 
-fn statuses(letters: &str) -> Vec<Status> {
+pub(crate) fn statuses(letters: &str) -> Vec<Status> {
     let status = |letter| match letter {
         'O' => Status::Open,
         'S' => Status::Stick,
@@ -121,7 +125,7 @@ fn is_listed(trial: &TrialState, gaps: &[f64], solutions: &Value, keys: [&str; 2
     })
 }
 
-fn check_increment(
+pub(crate) fn check_increment(
     case: &Value,
     problem: &InterfaceProblem,
     committed: &ContactState,

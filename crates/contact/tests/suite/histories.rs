@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 use stickslip_contact::solver::{Step, StepFailure, StepSolution, Work};
+use stickslip_contact::zones::carries_friction;
 use stickslip_contact::{
     Chain, ContactError, ContactState, InterfaceSolver, LoadHistory, Ramp, Status,
 };
@@ -107,11 +108,12 @@ impl InterfaceSolver for Reluctant {
         if self.calls.fetch_add(1, Ordering::Relaxed) % 6 < 2 {
             let work = Work {
                 solves: 1,
-                pivots: 0,
+                ..Work::default()
             };
             return Err(StepFailure {
                 attempts: Vec::new(),
                 work,
+                best: None,
             });
         }
         Chain::default().solve(step)
@@ -134,6 +136,7 @@ impl InterfaceSolver for Tiring {
             return Err(StepFailure {
                 attempts: Vec::new(),
                 work: Work::default(),
+                best: None,
             });
         }
         self.left.fetch_sub(1, Ordering::Relaxed);
@@ -206,4 +209,37 @@ fn dissipation_of_a_closed_loop_is_its_area() {
             epsilon = 1e-14
         );
     }
+}
+
+/// Two points pressed by 1 and moved along by 1 and −1, then by what is below rounding: without friction each slips the way it
+/// moves, and keeps to that of the point before it where it does not move at all. Nothing can stick.
+#[test]
+fn without_friction_points_slip_the_way_they_move() {
+    let motion = |values: [f64; 4]| DVector::from_vec(values.to_vec());
+    let body = GivenBody::held(
+        DMatrix::identity(4, 4),
+        vec![
+            motion([-1.0, 0.0, -1.0, 0.0]),
+            motion([0.0, -1.0, 0.0, 1.0]),
+        ],
+    );
+    let problem = Ground::along_x(vec![0.0; 2], coulomb(0.0)).under(&body);
+    let steps = vec![vec![1.0, 1.0], vec![1.0, 1.0 + 1e-14], vec![1.0, -1.0]];
+    let records = follow(&problem, &steps, 1);
+    let (minus, plus) = (Status::SlipNegative, Status::SlipPositive);
+    assert_eq!(records[0].state.status, [minus, plus]);
+    assert_eq!(records[1].state.status, [minus, minus]);
+    assert_eq!(records[2].state.status, [plus, minus]);
+    for (record, slip) in records.iter().zip([1.0, 0.0, -2.0]) {
+        approx::assert_abs_diff_eq!(record.slip[1], slip, epsilon = 1e-13);
+        assert_eq!(record.dissipation, 0.0);
+        assert!(!carries_friction(&problem, &record.state, 0));
+    }
+    let rough = Ground::along_x(vec![0.0; 2], coulomb(0.1)).under(&body);
+    assert!(carries_friction(&rough, &records[0].state, 0));
+    assert!(!carries_friction(
+        &rough,
+        &ContactState::unloaded(&rough),
+        0
+    ));
 }

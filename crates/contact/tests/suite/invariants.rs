@@ -27,8 +27,8 @@ fn wedge(
         .map(|k| {
             let angle = if k % 2 == 0 { tilts[k] } else { -tilts[k] };
             ContactPoint {
-                first: k,
-                second: k,
+                first: k.into(),
+                second: k.into(),
                 normal: [angle.cos(), angle.sin()],
                 gap,
                 area: 1.0,
@@ -96,10 +96,10 @@ proptest! {
         }
         for i in 0..2 {
             prop_assert!((resultant[i] - multipliers[i]).abs() < ROUNDING);
-            prop_assert!((audit.resultants[0][i] - resultant[i]).abs() < ROUNDING);
+            prop_assert!((audit.pairs[0].resultant[i] - resultant[i]).abs() < ROUNDING);
         }
-        prop_assert!((audit.moments[0] - moment).abs() < ROUNDING);
-        prop_assert!(audit.balance < ROUNDING);
+        prop_assert!((audit.pairs[0].moment - moment).abs() < ROUNDING);
+        prop_assert!(audit.balance() < ROUNDING);
     }
 
     #[test]
@@ -181,8 +181,8 @@ proptest! {
         );
         let points = (0..count)
             .map(|k| ContactPoint {
-                first: k,
-                second: count - 1 - k,
+                first: k.into(),
+                second: (count - 1 - k).into(),
                 normal: [scene.angles[k].cos(), scene.angles[k].sin()],
                 gap: scene.gaps[k],
                 area: 1.0,

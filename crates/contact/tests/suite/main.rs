@@ -1,6 +1,9 @@
 //! Tests of the contact solvers, from outside the crate.
 
+mod audit;
 mod discrete;
+mod family;
+mod freedom;
 mod given_body;
 mod histories;
 mod invariants;
@@ -9,6 +12,8 @@ mod oracle;
 mod random;
 mod rigid;
 mod scene;
+mod unique;
+mod zones;
 
 use std::sync::Arc;
 
@@ -45,8 +50,8 @@ impl Ground {
         let points = (self.normals.iter().zip(&self.gaps))
             .enumerate()
             .map(|(k, (&normal, &gap))| ContactPoint {
-                first: k,
-                second: k,
+                first: k.into(),
+                second: k.into(),
                 normal,
                 gap,
                 area: 1.0,

@@ -18,7 +18,7 @@ use crate::{Ground, commit, coulomb, positive_definite, solve};
 const TOLERANCE: f64 = 1e-8;
 
 /// Numbers between −1 and 1 (SplitMix64; Steele, Lea & Flood 2014).
-fn generator(mut seed: u64) -> impl FnMut() -> f64 {
+pub(crate) fn generator(mut seed: u64) -> impl FnMut() -> f64 {
     move || {
         seed = seed.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut bits = seed;
@@ -82,14 +82,14 @@ fn committed(draw: &mut impl FnMut() -> f64, problem: &InterfaceProblem) -> Cont
 
 /// One random step from a random past.
 #[derive(Debug)]
-struct RandomStep {
-    problem: InterfaceProblem,
-    committed: ContactState,
-    multipliers: [f64; 2],
+pub(crate) struct RandomStep {
+    pub(crate) problem: InterfaceProblem,
+    pub(crate) committed: ContactState,
+    pub(crate) multipliers: [f64; 2],
 }
 
 impl RandomStep {
-    fn new(draw: &mut impl FnMut() -> f64, modes: usize) -> Self {
+    pub(crate) fn new(draw: &mut impl FnMut() -> f64, modes: usize) -> Self {
         let least = modes.max(1);
         let count = (least + (f64::midpoint(draw(), 1.0) * (5 - least) as f64) as usize).min(4);
         let problem = problem(draw, count, modes);
@@ -103,7 +103,7 @@ impl RandomStep {
         }
     }
 
-    fn conditions(&self) -> Conditions<'_> {
+    pub(crate) fn conditions(&self) -> Conditions<'_> {
         Conditions::new(&self.problem, &self.committed, &self.multipliers)
     }
 }
@@ -202,26 +202,36 @@ fn floating_steps_are_solved_exactly_where_there_is_a_solution() {
 }
 
 /// Far beyond enumeration, where only the theory says that there is a solution.
+fn follow_larger(seed: u64, solver: &dyn InterfaceSolver) {
+    let mut draw = generator(seed);
+    let count = 5 + (seed as usize % 6) * 5;
+    let problem = problem(&mut draw, count, 0);
+    let mut state = ContactState::unloaded(&problem);
+    for _ in 0..3 {
+        let multipliers = [draw(), draw()];
+        let found = solve(solver, &problem, &state, &multipliers);
+        let solution =
+            found.unwrap_or_else(|failure| panic!("seed {seed}, {count} points: {failure}"));
+        let violation = Conditions::new(&problem, &state, &multipliers).violation(&solution.trial);
+        assert!(
+            violation < TOLERANCE,
+            "seed {seed}, {count} points: {violation}"
+        );
+        state = commit(&state, &solution.trial, &multipliers);
+    }
+}
+
 #[test]
 fn larger_supported_steps_are_solved_by_pivoting_alone() {
     for seed in 0..60 {
-        let mut draw = generator(seed);
-        let count = 5 + (seed as usize % 6) * 5;
-        let problem = problem(&mut draw, count, 0);
-        let mut state = ContactState::unloaded(&problem);
-        for _ in 0..3 {
-            let multipliers = [draw(), draw()];
-            let found = solve(&Pivoting::default(), &problem, &state, &multipliers);
-            let solution =
-                found.unwrap_or_else(|failure| panic!("seed {seed}, {count} points: {failure}"));
-            let violation =
-                Conditions::new(&problem, &state, &multipliers).violation(&solution.trial);
-            assert!(
-                violation < TOLERANCE,
-                "seed {seed}, {count} points: {violation}"
-            );
-            state = commit(&state, &solution.trial, &multipliers);
-        }
+        follow_larger(seed, &Pivoting::default());
+    }
+}
+
+#[test]
+fn larger_supported_steps_are_solved_by_the_chain() {
+    for seed in 0..120 {
+        follow_larger(seed, &Chain::default());
     }
 }
 

@@ -1,5 +1,7 @@
 //! A finite-element body condensed to its contact nodes.
 
+mod balance;
+
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
@@ -11,6 +13,8 @@ use crate::interface::InterfaceOperator;
 use crate::linalg::{SparseCholesky, invert_from_cholesky, solve_lower_transposed};
 use crate::load::initial_strain_load;
 use crate::mesh::Point;
+
+pub use balance::BodyBalance;
 
 /// A linear elastic body seen from its contact nodes, with its factor kept for the fields inside.
 ///
@@ -231,59 +235,7 @@ impl CondensedBody {
         applied
     }
 
-    /// Balance of the whole body: reactions (the part of `residual` at held nodes), loads and contact forces, as resultants.
-    pub fn balance(&self, residual: &[f64], state: &BodyLoad<'_>) -> BodyBalance {
-        let nodes = self.body.mesh.nodes();
-        let mut reactions = vec![0.0; residual.len()];
-        for (node, constraint) in self.structure.constraints.iter().enumerate() {
-            let local = constraint.to_local([residual[2 * node], residual[2 * node + 1]]);
-            let held = std::array::from_fn(|axis| {
-                if constraint.held[axis] {
-                    local[axis]
-                } else {
-                    0.0
-                }
-            });
-            reactions[2 * node..2 * node + 2].copy_from_slice(&constraint.to_global(held));
-        }
-        let applied = self.applied_forces(state);
-        let [reaction, load] = [&reactions, &applied].map(|forces| resultant(nodes, forces));
-        let [low, high] = self.body.mesh.bounding_box();
-        let size = (high[0] - low[0]).hypot(high[1] - low[1]);
-        let scale = applied.iter().map(|force| force.abs()).sum::<f64>() / 2.0;
-        let relative = |value: f64, scale: f64| {
-            if scale > 0.0 {
-                value.abs() / scale
-            } else {
-                0.0
-            }
-        };
-        BodyBalance {
-            reaction: [reaction[0], reaction[1]],
-            reaction_moment: reaction[2],
-            force: relative((reaction[0] + load[0]).hypot(reaction[1] + load[1]), scale),
-            moment: relative(reaction[2] + load[2], scale * size),
-            nodal: self.relative_imbalance(residual, state.forces, state.multipliers),
-        }
-    }
-
-    /// Largest of the `residual` forces on unknowns that nothing holds, relative to the load: half the sum of all nodal
-    /// forces of `forces`, or of the load cases times `multipliers` if that is more. 0 where nothing is loaded.
-    pub fn relative_imbalance(&self, residual: &[f64], forces: &[f64], multipliers: &[f64]) -> f64 {
-        let sum = |values: &[f64]| values.iter().map(|value| value.abs()).sum::<f64>() / 2.0;
-        let cases = self.case_forces.iter().zip(multipliers);
-        let load: f64 = cases
-            .map(|(case, factor)| factor.abs() * case.as_deref().map_or(0.0, sum))
-            .sum();
-        let scale = load.max(sum(forces));
-        let free = self.structure.to_unknowns(residual);
-        let largest = free
-            .iter()
-            .fold(0.0, |worst: f64, force| worst.max(force.abs()));
-        if scale > 0.0 { largest / scale } else { 0.0 }
-    }
-
-    fn right_hand_side(&self, forces: &[f64], multipliers: &[f64]) -> Vec<f64> {
+    pub(super) fn right_hand_side(&self, forces: &[f64], multipliers: &[f64]) -> Vec<f64> {
         let structure = &self.structure;
         let mut side = vec![0.0; structure.unknowns];
         for (case, &factor) in self.case_forces.iter().zip(multipliers) {
@@ -314,32 +266,6 @@ pub struct BodyLoad<'a> {
     pub multipliers: &'a [f64],
     /// Amounts of the free rigid motions, f.
     pub motions: &'a [f64],
-}
-
-/// Balance of a body by its recovered displacements.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct BodyBalance {
-    /// Resultant of the support reactions `[force]`.
-    pub reaction: [f64; 2],
-    /// Their moment about the origin `[force·length]`.
-    pub reaction_moment: f64,
-    /// Unbalanced resultant of reactions, loads and contact, relative to half the sum of all applied nodal forces.
-    pub force: f64,
-    /// Unbalanced moment, relative to that sum times the body's size.
-    pub moment: f64,
-    /// Largest unbalanced force on a node that nothing holds, relative to that sum.
-    pub nodal: f64,
-}
-
-/// Resultant (F_x, F_y, M about the origin) of nodal forces.
-fn resultant(nodes: &[Point], forces: &[f64]) -> [f64; 3] {
-    let mut sum = [0.0; 3];
-    for ([x, y], force) in nodes.iter().zip(forces.chunks_exact(2)) {
-        sum[0] += force[0];
-        sum[1] += force[1];
-        sum[2] += x * force[1] - y * force[0];
-    }
-    sum
 }
 
 impl InterfaceOperator for CondensedBody {
@@ -375,7 +301,7 @@ impl BodyStructure {
     }
 
     /// For each interface unknown: contact point, and the xy direction of the unknown's axis.
-    fn interface_axes(&self) -> Vec<(usize, [f64; 2])> {
+    pub(super) fn interface_axes(&self) -> Vec<(usize, [f64; 2])> {
         let mut axes = Vec::with_capacity(self.interface_unknowns);
         for (point, &node) in self.interface.iter().enumerate() {
             for axis in 0..2 {
@@ -439,15 +365,25 @@ impl BodyStructure {
         modes
     }
 
-    /// Resultants of nodal forces in the free motions.
+    /// Resultants of nodal forces in the free motions. What is rounding beside the forces' own sizes is zero: a load that
+    /// balances itself leaves nothing for contact to balance.
     fn mode_load(&self, body: &ElasticBody, nodal: &[f64]) -> DVector<f64> {
+        const ROUNDING: f64 = 1e-12;
         let mut load = DVector::zeros(self.motions.count());
+        let mut size = load.clone();
         for (node, force) in nodal.chunks_exact(2).enumerate() {
             if !load.is_empty() && force != [0.0, 0.0] {
-                load += self.motions.at(&body.mesh, node).transpose()
-                    * DVector::from_column_slice(force);
+                let motions = self.motions.at(&body.mesh, node).transpose();
+                let force = DVector::from_column_slice(force);
+                size += motions.abs() * force.abs();
+                load += motions * force;
             }
         }
+        load.zip_apply(&size, |sum, size| {
+            if sum.abs() <= ROUNDING * size {
+                *sum = 0.0;
+            }
+        });
         load
     }
 

@@ -101,6 +101,11 @@ impl BodyStructure {
     pub fn factor_entries(&self) -> usize {
         self.symbolic.factor_entries()
     }
+
+    /// Floating-point operations of one Cholesky factorisation.
+    pub fn factor_operations(&self) -> u64 {
+        self.symbolic.operations()
+    }
 }
 
 fn flag_interface(mesh: &Mesh, interface: &[usize]) -> Result<Vec<bool>, BodyError> {

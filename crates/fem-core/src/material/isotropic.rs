@@ -5,7 +5,7 @@
 //! plane strain   the same with E/(1 − ν²) for E and ν/(1 − ν) for ν
 //! ```
 //!
-//! and G = E / 2(1 + ν) in both.
+//! and G = E / 2(1 + ν) in both; in plane strain σ_zz = ν (σ_xx + σ_yy) − E α ΔT.
 
 use super::{Material, MaterialError, PlaneState, PlaneStiffness, finite, modulus};
 
@@ -112,6 +112,13 @@ impl Material for Isotropic {
         };
         [in_plane, in_plane, 0.0]
     }
+
+    fn thickness_stress(&self, [xx, yy, _]: [f64; 3], dt: f64) -> f64 {
+        match self.state {
+            PlaneState::Stress => 0.0,
+            PlaneState::Strain => self.poisson * (xx + yy) - self.young * self.expansion * dt,
+        }
+    }
 }
 
 #[cfg(test)]
@@ -170,6 +177,20 @@ mod tests {
             1.25e-3,
             max_relative = 1e-15
         );
+    }
+
+    #[test]
+    fn no_thickness_strain_is_left_in_plane_strain() {
+        let material = Isotropic::new(200e3, 0.25, PlaneState::Strain)
+            .unwrap()
+            .with_expansion(1e-5)
+            .unwrap();
+        let stress = [120.0, -40.0, 30.0];
+        // 0.25 · 80 − 200 000 · 10⁻⁵ · 10
+        assert_eq!(material.thickness_stress(stress, 10.0), 20.0 - 20.0);
+        assert_eq!(material.thickness_stress(stress, 0.0), 20.0);
+        let thin = Isotropic::new(200e3, 0.25, PlaneState::Stress).unwrap();
+        assert_eq!(thin.thickness_stress(stress, 10.0), 0.0);
     }
 
     #[test]

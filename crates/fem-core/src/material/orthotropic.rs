@@ -3,6 +3,7 @@
 //! ```text
 //! plane stress   S = [1/E₁ −ν₁₂/E₁ 0; −ν₁₂/E₁ 1/E₂ 0; 0 0 1/G₁₂]
 //! plane strain   Sᵢⱼ − Sᵢ₃ Sⱼ₃ / S₃₃ for i, j = 1, 2, with Sᵢ₃ = −νᵢ₃/Eᵢ, S₃₃ = 1/E₃
+//!                σ₃ = −(S₁₃ σ₁ + S₂₃ σ₂ + α₃ ΔT) / S₃₃
 //! ```
 //!
 //! Source: Jones, *Mechanics of Composite Materials* (1999), chapter 2.
@@ -49,6 +50,30 @@ pub struct Orthotropic {
     out_of_plane: [f64; 2],
     /// Effective (α_xx, α_yy, α_xy) in x, y, engineering shear `[1/temperature]`.
     expansion: [f64; 3],
+    thickness: Thickness,
+}
+
+/// σ₃ = `per_stress` · (σ_xx, σ_yy, τ_xy) + `per_degree` ΔT; zero in plane stress.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Thickness {
+    per_stress: [f64; 3],
+    /// `[stress/temperature]`.
+    per_degree: f64,
+}
+
+impl Thickness {
+    /// From σ₃ / σ₁ and σ₃ / σ₂ in axes at `angle`. Along n = (c, s) the normal stress is c² σ_xx + s² σ_yy + 2sc τ_xy.
+    fn new([from1, from2]: [f64; 2], per_degree: f64, angle: f64) -> Self {
+        let (s, c) = angle.sin_cos();
+        Self {
+            per_stress: [
+                from1 * c * c + from2 * s * s,
+                from1 * s * s + from2 * c * c,
+                2.0 * s * c * (from1 - from2),
+            ],
+            per_degree,
+        }
+    }
 }
 
 impl Orthotropic {
@@ -94,7 +119,10 @@ impl Orthotropic {
         let expansion = s3.map(|s| -s * e3 * alpha3);
         let material =
             Self::from_normal_compliance(constants, angle, [[s11, s12], [s12, s22]], expansion);
-        Ok(material.expanding(0.0, 0.0))
+        Ok(Self {
+            thickness: Thickness::new(s3.map(|s| -s * e3), -e3 * alpha3, angle),
+            ..material.expanding(0.0, 0.0)
+        })
     }
 
     /// The same material with the coefficients of thermal expansion `alpha1` and `alpha2` `[1/temperature]` along 1 and 2.
@@ -145,6 +173,7 @@ impl Orthotropic {
             compliance: rotated_compliance(&local, axis),
             out_of_plane,
             expansion: [0.0; 3],
+            thickness: Thickness::default(),
         }
     }
 }
@@ -160,6 +189,14 @@ impl Material for Orthotropic {
 
     fn thermal_strain(&self, dt: f64) -> [f64; 3] {
         self.expansion.map(|alpha| alpha * dt)
+    }
+
+    fn thickness_stress(&self, [xx, yy, xy]: [f64; 3], dt: f64) -> f64 {
+        let Thickness {
+            per_stress: [from_xx, from_yy, from_xy],
+            per_degree,
+        } = self.thickness;
+        from_xx * xx + from_yy * yy + from_xy * xy + per_degree * dt
     }
 }
 
@@ -224,167 +261,4 @@ fn poisson(name: &'static str, value: f64, along: f64, across: f64) -> Result<()
 }
 
 #[cfg(test)]
-mod tests {
-    use std::f64::consts::{FRAC_PI_2, PI};
-
-    use approx::assert_relative_eq;
-
-    use super::*;
-    use crate::material::{Isotropic, PlaneState};
-
-    /// T300/5208, Tsai and Hahn, *Introduction to Composite Materials* (1980) [GPa].
-    const PLY: OrthotropicConstants = OrthotropicConstants {
-        e1: 181.0,
-        e2: 10.3,
-        g12: 7.17,
-        nu12: 0.28,
-    };
-
-    fn assert_close(a: &PlaneStiffness, b: &PlaneStiffness, relative: f64) {
-        let size = b.iter().flatten().fold(0.0_f64, |m, v| m.max(v.abs()));
-        for (a, b) in a.iter().flatten().zip(b.iter().flatten()) {
-            assert_relative_eq!(*a, *b, epsilon = relative * size);
-        }
-    }
-
-    #[test]
-    fn stiffness_at_45_degrees_is_the_published_one() {
-        // Tsai and Hahn (1980) give Q11 = Q22 = 56.66, Q12 = 42.32, Q66 = 46.59, Q16 = Q26 = 42.87 GPa for +45°.
-        let d = Orthotropic::new(PLY, PI / 4.0).unwrap().stiffness();
-        let published = [
-            [56.66, 42.32, 42.87],
-            [42.32, 56.66, 42.87],
-            [42.87, 42.87, 46.59],
-        ];
-        for (a, b) in d.iter().flatten().zip(published.iter().flatten()) {
-            assert_relative_eq!(*a, *b, epsilon = 0.005 * 1.01);
-        }
-    }
-
-    #[test]
-    fn rotation_follows_the_explicit_formulas() {
-        let angle = 0.7_f64;
-        let (c, s) = (angle.cos(), angle.sin());
-        let q = Orthotropic::new(PLY, 0.0).unwrap().stiffness();
-        let (q11, q22, q12, q66) = (q[0][0], q[1][1], q[0][1], q[2][2]);
-        let d11 = q11 * c.powi(4) + 2.0 * (q12 + 2.0 * q66) * (s * c).powi(2) + q22 * s.powi(4);
-        let d12 = (q11 + q22 - 4.0 * q66) * (s * c).powi(2) + q12 * (s.powi(4) + c.powi(4));
-        let d22 = q11 * s.powi(4) + 2.0 * (q12 + 2.0 * q66) * (s * c).powi(2) + q22 * c.powi(4);
-        let d16 = (q11 - q12 - 2.0 * q66) * s * c.powi(3) + (q12 - q22 + 2.0 * q66) * s.powi(3) * c;
-        let d26 = (q11 - q12 - 2.0 * q66) * s.powi(3) * c + (q12 - q22 + 2.0 * q66) * s * c.powi(3);
-        let d66 =
-            (q11 + q22 - 2.0 * q12 - 2.0 * q66) * (s * c).powi(2) + q66 * (s.powi(4) + c.powi(4));
-        let explicit = [[d11, d12, d16], [d12, d22, d26], [d16, d26, d66]];
-        let material = Orthotropic::new(PLY, angle).unwrap();
-        assert_close(&material.stiffness(), &explicit, 1e-14);
-        assert_close(&material.compliance(), &inverse(&explicit), 1e-13);
-    }
-
-    #[test]
-    fn equal_constants_give_the_isotropic_law() {
-        let (e, nu, alpha) = (70.0, 0.3, 2e-5);
-        let constants = OrthotropicConstants {
-            e1: e,
-            e2: e,
-            g12: 0.5 * e / (1.0 + nu),
-            nu12: nu,
-        };
-        let out = OutOfPlane {
-            e3: e,
-            nu13: nu,
-            nu23: nu,
-            alpha3: alpha,
-        };
-        let stress = Orthotropic::new(constants, 0.4).unwrap();
-        let strain = Orthotropic::plane_strain(constants, out, 0.4).unwrap();
-        for (orthotropic, state) in [(stress, PlaneState::Stress), (strain, PlaneState::Strain)] {
-            let isotropic = Isotropic::new(e, nu, state)
-                .unwrap()
-                .with_expansion(alpha)
-                .unwrap();
-            let orthotropic = orthotropic.with_expansion(alpha, alpha).unwrap();
-            assert_close(&orthotropic.stiffness(), &isotropic.stiffness(), 1e-14);
-            assert_close(&orthotropic.compliance(), &isotropic.compliance(), 1e-14);
-            for (a, b) in orthotropic
-                .thermal_strain(50.0)
-                .iter()
-                .zip(isotropic.thermal_strain(50.0))
-            {
-                assert_relative_eq!(*a, b, epsilon = 1e-16);
-            }
-        }
-    }
-
-    #[test]
-    fn a_quarter_turn_exchanges_the_axes_and_keeps_symmetry() {
-        let across = Orthotropic::new(PLY, FRAC_PI_2)
-            .unwrap()
-            .with_expansion(1e-6, 3e-5)
-            .unwrap();
-        let along = Orthotropic::new(PLY, 0.0).unwrap();
-        assert_relative_eq!(
-            across.stiffness()[0][0],
-            along.stiffness()[1][1],
-            max_relative = 1e-14
-        );
-        assert_relative_eq!(across.thermal_strain(1.0)[0], 3e-5, max_relative = 1e-14);
-        assert!(across.symmetric_about_x() && along.symmetric_about_x());
-        assert!(!Orthotropic::new(PLY, 0.1).unwrap().symmetric_about_x());
-    }
-
-    #[test]
-    fn expansion_rotates_as_a_strain() {
-        // Expansion along fibres at +45° only: ε_xx = ε_yy = α/2, γ_xy = α.
-        let ply = Orthotropic::new(PLY, PI / 4.0)
-            .unwrap()
-            .with_expansion(2e-6, 0.0)
-            .unwrap();
-        let [xx, yy, xy] = ply.thermal_strain(1.0);
-        assert_relative_eq!(xx, 1e-6, max_relative = 1e-14);
-        assert_relative_eq!(yy, 1e-6, max_relative = 1e-14);
-        assert_relative_eq!(xy, 2e-6, max_relative = 1e-14);
-    }
-
-    #[test]
-    fn unstable_constants_are_refused_with_their_numbers() {
-        let too_large = OrthotropicConstants { nu12: 4.2, ..PLY };
-        let error = Orthotropic::new(too_large, 0.0).unwrap_err();
-        // √(181/10.3) = 4.1920
-        assert!(
-            matches!(error, MaterialError::OrthotropicPoisson { limit, .. } if (limit - 4.1920).abs() < 1e-4)
-        );
-        assert!(Orthotropic::new(OrthotropicConstants { nu12: 4.19, ..PLY }, 0.0).is_ok());
-        for bad in [
-            OrthotropicConstants { e1: -1.0, ..PLY },
-            OrthotropicConstants {
-                e2: f64::NAN,
-                ..PLY
-            },
-            OrthotropicConstants { g12: 0.0, ..PLY },
-        ] {
-            let error = Orthotropic::new(bad, 0.0).unwrap_err();
-            assert!(matches!(error, MaterialError::Modulus { .. }), "{error}");
-        }
-        assert!(matches!(
-            Orthotropic::new(PLY, f64::NAN),
-            Err(MaterialError::NotFinite { .. })
-        ));
-        let cube = OrthotropicConstants {
-            e1: 1.0,
-            e2: 1.0,
-            g12: 1.0,
-            nu12: 0.6,
-        };
-        let out = OutOfPlane {
-            e3: 1.0,
-            nu13: 0.6,
-            nu23: 0.6,
-            alpha3: 0.0,
-        };
-        let error = Orthotropic::plane_strain(cube, out, 0.0).unwrap_err();
-        assert!(
-            matches!(error, MaterialError::OrthotropicIndefinite { .. }),
-            "{error}"
-        );
-    }
-}
+mod tests;

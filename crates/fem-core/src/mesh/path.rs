@@ -11,18 +11,10 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use super::{Curve, EdgeRef, EdgeSet, Mesh, MeshError, Point};
+use crate::element::{GAUSS_5, edge_shape, edge_slope};
 
 /// Angles this far below the full turn count as zero: coordinates of a node at θ = 0 carry rounding.
 const ANGLE_ROUNDING: f64 = 1e-9;
-
-/// Five-point Gauss–Legendre rule on [−1, 1]: abscissa and weight.
-const GAUSS: [(f64, f64); 5] = [
-    (-0.906_179_845_938_664, 0.236_926_885_056_189_1),
-    (-0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
-    (0.0, 0.568_888_888_888_888_9),
-    (0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
-    (0.906_179_845_938_664, 0.236_926_885_056_189_1),
-];
 
 /// The edges of a set joined to one chain.
 #[derive(Clone, Debug, PartialEq)]
@@ -262,9 +254,8 @@ fn chain_count(links: &BTreeMap<usize, Link>, end_of: impl Fn(usize) -> usize) -
 /// ∫ Nᵢ |dx/dξ| dξ on the quadratic edge through first, mid-side and last point.
 fn quadratic_edge_weights(x: [Point; 3]) -> [f64; 3] {
     let mut weights = [0.0; 3];
-    for (xi, weight) in GAUSS {
-        let shape = [xi * (xi - 1.0) / 2.0, 1.0 - xi * xi, xi * (xi + 1.0) / 2.0];
-        let slope = [xi - 0.5, -2.0 * xi, xi + 0.5];
+    for (xi, weight) in GAUSS_5 {
+        let (shape, slope) = (edge_shape(2, xi), edge_slope(2, xi));
         let tangent = [0, 1].map(|i| slope[0] * x[0][i] + slope[1] * x[1][i] + slope[2] * x[2][i]);
         let speed = tangent[0].hypot(tangent[1]);
         for (sum, value) in weights.iter_mut().zip(shape) {

@@ -58,6 +58,20 @@ impl NodalStresses {
         }
         mean.into_values()
     }
+
+    /// The mean, as [`Self::averaged`], of a quantity that `of` makes of a block's index and the stress there: one per node.
+    pub fn averaged_of(&self, of: impl Fn(usize, [f64; 3]) -> f64) -> Vec<f64> {
+        let mut mean = Mean::new(self.node_count);
+        for (index, block) in self.blocks.iter().enumerate() {
+            for (&node, &value) in block.nodes.iter().zip(&block.values) {
+                mean.add(node, [of(index, value), 0.0, 0.0]);
+            }
+        }
+        mean.into_values()
+            .into_iter()
+            .map(|[value, ..]| value)
+            .collect()
+    }
 }
 
 impl ElasticField<'_> {

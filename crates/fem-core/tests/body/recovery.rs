@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use stickslip_fem_core::body::BodyLoad;
 use stickslip_fem_core::material::Material;
 use stickslip_fem_core::mesh::ElementKind;
 use stickslip_fem_core::{
@@ -85,6 +86,37 @@ fn recovered_fields_are_in_equilibrium() {
             }
         }
     }
+}
+
+/// A state loaded a billion times less is balanced by a thousandth of the history's load: its rounding does not grow into a defect.
+#[test]
+fn balance_has_a_floor_in_the_most_loaded_state() {
+    let body = Arc::new(supported(ElementKind::Q8, ply(0.5)));
+    let interface = side_nodes(body.mesh(), &["top", "right"]);
+    let condensed = body.condense(&interface).unwrap();
+    let lambda = Noise::new(53).vector(2 * interface.len());
+    let little: Vec<f64> = lambda.iter().map(|force| 1e-9 * force).collect();
+    let state = |forces| BodyLoad {
+        forces,
+        multipliers: &[0.0; 3],
+        motions: &[],
+    };
+    let states = [state(&lambda[..]), state(&little[..])];
+    let displacements = condensed.displacements_of(&states);
+    let residuals = condensed.residual_forces_of(&displacements, &states);
+    let alone = condensed.balances_of(&residuals[1..], &states[1..])[0];
+    let both = condensed.balances_of(&residuals, &states);
+    assert_eq!(both[1].reaction, alone.reaction);
+    for (of_both, of_one) in [
+        (both[1].force, alone.force),
+        (both[1].moment, alone.moment),
+        (both[1].nodal, alone.nodal),
+    ] {
+        // Two roundings of the scale.
+        assert!((of_both - 1e-6 * of_one).abs() <= 1e-14 * 1e-6 * of_one);
+        assert!(of_both < 1e-15);
+    }
+    assert!(both[0].force.max(both[0].moment).max(both[0].nodal) < 1e-10);
 }
 
 /// Every number that a contact solver can ask for, bit by bit.

@@ -235,6 +235,10 @@ fn stress_jumps_between_blocks_are_kept() {
         }
     }
     assert_eq!(stresses.averaged()[shared], mean);
+    // Of the blocks' own values: (1 · σ_xx of the first + 2 · σ_xx of the second) / 2.
+    let weighted = stresses.averaged_of(|block, stress| (block + 1) as f64 * stress[0]);
+    let [first, second] = [0, 1].map(|k| stresses.blocks()[k].at(shared).unwrap()[0]);
+    assert_eq!(weighted[shared], f64::midpoint(first, 2.0 * second));
     let outside = mesh.nodes().iter().position(|p| *p == [0.0, 0.0]).unwrap();
     assert_eq!(stresses.blocks()[1].at(outside), None);
 }

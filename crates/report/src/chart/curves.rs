@@ -10,6 +10,8 @@ const INVISIBLE: f64 = 0.15;
 /// Lines are cut this far outside the frame, so that far points stay finite \[px\].
 const OVERSCAN: f64 = 50.0;
 const MARKER_RADIUS: f64 = 3.4;
+/// Half height of the ticks that end a bar \[px\].
+const BAR_END: f64 = 3.0;
 
 /// The series' unbroken runs of points in pixels, stairs written out.
 pub(crate) fn runs(frame: &Frame, series: &Series) -> Vec<Vec<[f64; 2]>> {
@@ -54,6 +56,27 @@ pub(crate) fn draw_line(canvas: &mut Canvas, frame: &Frame, series: &Series, col
         &data,
         &Stroke::dashed(color, series.width, series.dash.pattern()),
     );
+}
+
+/// Draws a bar from the low to the high end of each point's spread, with a tick at both.
+pub(crate) fn draw_spread(canvas: &mut Canvas, frame: &Frame, series: &Series, color: Color) {
+    let cut = frame.area.grown(OVERSCAN);
+    let mut data = String::new();
+    for (&[_, y], &[low, high]) in series.points.iter().zip(&series.spread) {
+        let (Some(from), Some(to)) = (frame.pixel([low, y]), frame.pixel([high, y])) else {
+            continue;
+        };
+        let Some([start, end]) = clip(from, to, &cut) else {
+            continue;
+        };
+        push_point(&mut data, 'M', start);
+        push_point(&mut data, 'L', end);
+        for [x, y] in [start, end] {
+            push_point(&mut data, 'M', [x, y - BAR_END]);
+            push_point(&mut data, 'L', [x, y + BAR_END]);
+        }
+    }
+    canvas.stroked_path(&data, &Stroke::solid(color, 1.0));
 }
 
 /// Appends path data for the part of `run` inside `cut`.

@@ -240,9 +240,14 @@ fn spans(chart: &LineChart) -> Result<[Span; 2], FigureError> {
     } else {
         Padding::Tight
     };
-    let x = chart
-        .x
-        .span(coordinate(0).chain(fixed(Direction::Vertical)), padding)?;
+    let spreads = chart
+        .series
+        .iter()
+        .flat_map(|series| series.spread.iter().flatten().copied());
+    let values = coordinate(0)
+        .chain(spreads)
+        .chain(fixed(Direction::Vertical));
+    let x = chart.x.span(values, padding)?;
     // A fitted y axis sees only what the x axis shows.
     let shown = chart.series.iter().flat_map(|series| {
         series

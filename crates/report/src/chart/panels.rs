@@ -1,7 +1,8 @@
 //! Several figures in one picture.
 
-use super::LineChart;
 use super::layout::{Layout, Margins};
+use super::legend::LegendBox;
+use super::{Legend, LineChart};
 use crate::error::FigureError;
 use crate::frame::{Heading, OUTER};
 use crate::svg::{Canvas, Svg};
@@ -19,6 +20,8 @@ pub struct Panels {
     pub columns: usize,
     /// The charts, each with its own title and width.
     pub charts: Vec<LineChart>,
+    /// Whether the legend of the first chart stands below all of them, in place of their own.
+    pub common_legend: bool,
 }
 
 impl Panels {
@@ -28,37 +31,54 @@ impl Panels {
             title: title.into(),
             columns,
             charts,
+            common_legend: false,
         }
     }
 
-    /// Draws all charts. Charts of one column share their left and right margins,
-    /// charts of one row their upper margin.
+    /// One legend, that of the first chart, below all charts.
+    #[must_use]
+    pub fn common_legend(mut self) -> Self {
+        self.common_legend = true;
+        self
+    }
+
+    /// Draws all charts. All share their left and right margins, so that charts of equal width have frames of equal width;
+    /// charts of one row share their upper margin.
     ///
     /// # Errors
     /// Those of [`LineChart::render`], and [`FigureError::NoPanels`].
     pub fn render(&self) -> Result<Svg, FigureError> {
         let columns = self.columns.max(1);
-        let mut column_margins = vec![Margins::default(); columns];
-        let mut row_tops = vec![0.0_f64; self.charts.len().div_ceil(columns)];
-        for (index, chart) in self.charts.iter().enumerate() {
+        let mut charts = self.charts.clone();
+        let legend = charts
+            .first()
+            .filter(|_| self.common_legend)
+            .and_then(|first| LegendBox::new(first, &[]));
+        if self.common_legend {
+            for chart in &mut charts {
+                chart.legend = Legend::Hidden;
+            }
+        }
+        let mut sides = Margins::default();
+        let mut row_tops = vec![0.0_f64; charts.len().div_ceil(columns)];
+        for (index, chart) in charts.iter().enumerate() {
             let margins = Layout::new(chart, Margins::default())?.margins(chart.width);
-            let shared = &mut column_margins[index % columns];
-            *shared = shared.covering(Margins {
+            sides = sides.covering(Margins {
                 top: 0.0,
                 ..margins
             });
             let top = &mut row_tops[index / columns];
             *top = top.max(margins.top);
         }
-        let mut pictures = Vec::with_capacity(self.charts.len());
-        for (index, chart) in self.charts.iter().enumerate() {
+        let mut pictures = Vec::with_capacity(charts.len());
+        for (index, chart) in charts.iter().enumerate() {
             let least = Margins {
                 top: row_tops[index / columns],
-                ..column_margins[index % columns]
+                ..sides
             };
             pictures.push(chart.draw(&Layout::new(chart, least)?));
         }
-        tile(&self.title, self.columns, &pictures)
+        tile_above(&self.title, self.columns, &pictures, legend, sides.left)
     }
 }
 
@@ -67,6 +87,17 @@ impl Panels {
 /// # Errors
 /// [`FigureError::NoPanels`] without pictures or columns.
 pub fn tile(title: &str, columns: usize, pictures: &[Svg]) -> Result<Svg, FigureError> {
+    tile_above(title, columns, pictures, None, OUTER)
+}
+
+/// Pictures in rows of `columns`, and below them a legend that starts at `left`.
+fn tile_above(
+    title: &str,
+    columns: usize,
+    pictures: &[Svg],
+    legend: Option<LegendBox>,
+    left: f64,
+) -> Result<Svg, FigureError> {
     if columns == 0 || pictures.is_empty() {
         let panels = pictures.len();
         return Err(FigureError::NoPanels {
@@ -90,12 +121,18 @@ pub fn tile(title: &str, columns: usize, pictures: &[Svg]) -> Result<Svg, Figure
         0.0
     };
     for row in pictures.chunks(columns) {
-        let mut left = 0.0;
+        let mut across = 0.0;
         for (picture, width) in row.iter().zip(&widths) {
-            canvas.place([left, top], picture);
-            left += width + GAP;
+            canvas.place([across, top], picture);
+            across += width + GAP;
         }
         top += row.iter().map(Svg::height).fold(0.0, f64::max) + GAP;
     }
-    Ok(canvas.finish(width, top - GAP, title))
+    let mut height = top - GAP;
+    if let Some(mut legend) = legend {
+        legend.spread(width - OUTER - left);
+        legend.draw(&mut canvas, [left, height]);
+        height += legend.size()[1] + OUTER;
+    }
+    Ok(canvas.finish(width, height, title))
 }

@@ -8,7 +8,7 @@ use super::failure::Failure;
 use super::located::locate;
 use crate::model::{Model, ModelBodyKind};
 use crate::scene::Scene;
-use crate::scene::schema::{Body, Division, LoadKind, Outline, Shape, Substance};
+use crate::scene::schema::{Body, Division, LoadKind, MeshSettings, Outline, Shape, Substance};
 use crate::units::{Dimension, Unit};
 
 const DEGREE: Unit = Unit {
@@ -53,13 +53,18 @@ fn outline(scene: &Scene, model: &Model) -> Vec<(&'static str, String)> {
     for (name, body) in &scene.bodies {
         lines.push(("body", format!("{name}: {}", body_line(scene, body))));
     }
-    lines.push(("mesh", mesh_line(scene)));
+    lines.push(("mesh", mesh_line(scene, &scene.mesh)));
     for body in &model.bodies {
         if let ModelBodyKind::Elastic(elastic) = &body.kind {
+            let own = scene
+                .bodies
+                .get(&body.name)
+                .and_then(|body| body.mesh.as_ref());
+            let own = own.map_or_else(String::new, |own| format!("; {}", mesh_line(scene, own)));
             let (nodes, elements) = (elastic.mesh().nodes().len(), elastic.mesh().element_count());
             lines.push((
                 "mesh",
-                format!("{}: {nodes} nodes, {elements} elements", body.name),
+                format!("{}: {nodes} nodes, {elements} elements{own}", body.name),
             ));
         }
     }
@@ -159,9 +164,9 @@ fn body_line(scene: &Scene, body: &Body) -> String {
     }
 }
 
-fn mesh_line(scene: &Scene) -> String {
-    let element = scene.mesh.element;
-    match &scene.mesh.division {
+fn mesh_line(scene: &Scene, settings: &MeshSettings) -> String {
+    let element = settings.element;
+    match &settings.division {
         Division::AngleList(angles) => format!("{element:?}, {} given angles", angles.len()),
         Division::Angular(grading) => {
             format!(

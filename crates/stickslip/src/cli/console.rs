@@ -10,6 +10,8 @@ use super::failure::{CommandError, Failure};
 /// Columns of a message on a terminal. Elsewhere lines are not broken, so that they can be searched.
 const TERMINAL_WIDTH: usize = 100;
 const UNBROKEN: usize = 10_000;
+/// Columns of a table that goes to a file or another program.
+const FILE_WIDTH: usize = 120;
 
 /// Where and how the command speaks.
 #[derive(Debug, Clone, Copy)]
@@ -21,6 +23,12 @@ pub(super) struct Console {
 impl Console {
     pub(super) fn new(quiet: bool, json: bool) -> Self {
         Self { quiet, json }
+    }
+
+    /// Columns of the terminal that standard output is, or those of a table elsewhere.
+    pub(super) fn width() -> usize {
+        let terminal = terminal_size::terminal_size_of(io::stdout());
+        terminal.map_or(FILE_WIDTH, |(width, _)| usize::from(width.0))
     }
 
     /// Prints a result: `text` for people, `value` for programs.

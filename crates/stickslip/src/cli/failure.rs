@@ -26,10 +26,34 @@ pub(super) enum CommandError {
         help("check that its folder exists and can be written to")
     )]
     Write { path: String, cause: String },
+    /// Arguments that make no sense.
+    #[error("{message}")]
+    #[diagnostic(code(command::usage), help("{usage}"))]
+    Usage { message: String, usage: String },
+    /// A signal before the results were complete.
+    #[error("interrupted; nothing was written")]
+    #[diagnostic(code(run::interrupted))]
+    Interrupted,
+    /// A signal when the results were complete.
+    #[error("interrupted; the results were complete")]
+    #[diagnostic(code(run::interrupted))]
+    InterruptedLate,
     /// Standard output cannot be written.
     #[error("the output cannot be written: {cause}")]
     #[diagnostic(code(output::write))]
     Output { cause: String },
+}
+
+impl CommandError {
+    /// A refusal of the arguments: its first paragraph is the message, the others say what would do.
+    pub(super) fn usage(refusal: &clap::Error) -> Self {
+        let text = refusal.to_string();
+        let (message, usage) = text.trim().split_once("\n\n").unwrap_or((text.trim(), ""));
+        Self::Usage {
+            message: message.trim_start_matches("error: ").to_owned(),
+            usage: usage.to_owned(),
+        }
+    }
 }
 
 /// Why a command fails.

@@ -10,6 +10,7 @@ use stickslip_friction::{ParameterInfo, laws};
 use super::console::Console;
 use super::failure::Failure;
 use super::init::TEMPLATES;
+use crate::output::{SIGNS, signs_table};
 use crate::units::Dimension;
 
 #[derive(Debug, Args)]
@@ -25,6 +26,7 @@ enum Topic {
     Elements,
     Solvers,
     Units,
+    Signs,
 }
 
 const SOLVERS: [(&str, &str); 4] = [
@@ -38,6 +40,23 @@ const SOLVERS: [(&str, &str); 4] = [
         "pivoting",
         "Lemke's pivoting on the linear complementarity problem",
     ),
+];
+
+/// Columns of the tables of edges, what they are measured in, and what they are.
+const COLUMNS: [(&str, &str, &str); 9] = [
+    (
+        "theta, x",
+        "deg, length",
+        "place along a circle, along a line",
+    ),
+    ("CPRESS", "stress", "contact pressure"),
+    ("CSHEAR1", "stress", "friction traction"),
+    ("COPEN", "length", "gap"),
+    ("CSLIP1", "length", "accumulated slip"),
+    ("CSTATUS", "–", "open, stick, slip+, slip-"),
+    ("sigma_r, sigma_yy", "stress", "stress normal to the edge"),
+    ("sigma_theta, sigma_xx", "stress", "stress along the edge"),
+    ("tau_rtheta, tau_xy", "stress", "shear stress"),
 ];
 
 pub(super) fn list(arguments: &ListArguments, console: Console) -> Result<(), Failure> {
@@ -66,6 +85,7 @@ fn name(topic: Topic) -> &'static str {
         Topic::Elements => "elements",
         Topic::Solvers => "solvers",
         Topic::Units => "units",
+        Topic::Signs => "signs",
     }
 }
 
@@ -108,6 +128,16 @@ fn text(topic: Topic) -> String {
                 "Units; every quantity is written with one, in quotes",
                 Dimension::ALL.into_iter().map(row),
             )
+        }
+        Topic::Signs => {
+            let row = |(name, unit, meaning): (&str, &str, &str)| {
+                (name.to_owned(), format!("{unit:11}  {meaning}"))
+            };
+            let columns = table(
+                "Columns of edge tables; lengths and stresses in the [units] of the scene, which headings name",
+                COLUMNS.into_iter().map(row),
+            );
+            format!("{columns}\n{}", signs_table())
         }
     }
 }
@@ -190,6 +220,17 @@ fn value(topic: Topic) -> Value {
         Topic::Units => {
             let names = |dimension: Dimension| json!(dimension.unit_names().collect::<Vec<_>>());
             Dimension::ALL.into_iter().map(|dimension| (dimension.to_string(), names(dimension))).collect()
+        }
+        Topic::Signs => {
+            let column = |(name, unit, meaning): &(&str, &str, &str)| {
+                json!({ "name": name, "unit": unit, "meaning": meaning })
+            };
+            let columns: Vec<_> = COLUMNS.iter().map(column).collect();
+            let sign = |[quantity, meaning, elsewhere]: &[&str; 3]| {
+                json!({ "quantity": quantity, "meaning": meaning, "elsewhere": elsewhere })
+            };
+            let signs: Vec<_> = SIGNS.iter().map(sign).collect();
+            json!({ "columns": columns, "signs": signs })
         }
     }
 }

@@ -8,8 +8,8 @@ use crate::scene::schema::Division;
 /// The error at the key that it is about, with a remedy.
 pub(super) fn locate(scene: &Scene, error: &ModelError) -> SceneError {
     let (key, remedy) = match error {
-        ModelError::TooManyNodes { .. } => (
-            mesh_key(scene),
+        ModelError::TooManyNodes { body, .. } => (
+            mesh_key(scene, body),
             "make mesh.spacing larger, or let it grow with mesh.fine_to and mesh.coarse_spacing; mesh.layers counts too",
         ),
         ModelError::Generate { body, .. }
@@ -22,13 +22,14 @@ pub(super) fn locate(scene: &Scene, error: &ModelError) -> SceneError {
             format!("materials.{material}"),
             "check the material's constants",
         ),
-        ModelError::Pairing { contact, .. } => {
-            let index = scene.contacts.iter().position(|own| own.name == *contact);
-            (
-                format!("contacts.{}", index.unwrap_or_default()),
-                "change the two bodies so that they can touch",
-            )
-        }
+        ModelError::Pairing { contact, .. } => (
+            contact_key(scene, contact),
+            "change the two bodies so that they can touch",
+        ),
+        ModelError::Projection { contact, .. } => (
+            contact_key(scene, contact) + ".projection",
+            "say projection = \"auto\" or \"dual-mortar\", or divide both bodies alike: remove their own mesh tables",
+        ),
         ModelError::NotSymmetric(_) => (
             "analysis.model".to_owned(),
             "say model = \"auto\" or leave it out",
@@ -37,8 +38,8 @@ pub(super) fn locate(scene: &Scene, error: &ModelError) -> SceneError {
             key.clone(),
             "`stickslip check` shows the scene as it is understood; docs/scene-format.md lists what each key can do",
         ),
-        ModelError::MeshSettings(_) => (
-            mesh_key(scene),
+        ModelError::MeshSettings { body, .. } => (
+            mesh_key(scene, body),
             "`stickslip init` writes scenes with mesh settings that fit",
         ),
         // The contact problem as a whole, and whatever else may come.
@@ -54,9 +55,24 @@ pub(super) fn locate(scene: &Scene, error: &ModelError) -> SceneError {
     scene.error_at(&key, problem)
 }
 
-fn mesh_key(scene: &Scene) -> String {
-    match scene.mesh.division {
-        Division::AngleList(_) => "mesh.angles".to_owned(),
-        Division::Angular(_) | Division::Linear(_) => "mesh.spacing".to_owned(),
+fn contact_key(scene: &Scene, contact: &str) -> String {
+    let index = scene.contacts.iter().position(|own| own.name == *contact);
+    format!("contacts.{}", index.unwrap_or_default())
+}
+
+/// What divides `body`.
+fn mesh_key(scene: &Scene, body: &str) -> String {
+    let own = scene
+        .bodies
+        .get(body)
+        .is_some_and(|body| body.mesh.is_some());
+    let table = if own {
+        format!("bodies.{body}.mesh")
+    } else {
+        "mesh".to_owned()
+    };
+    match scene.mesh_of(body).division {
+        Division::AngleList(_) => table + ".angles",
+        Division::Angular(_) | Division::Linear(_) => table + ".spacing",
     }
 }

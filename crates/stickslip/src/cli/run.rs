@@ -13,6 +13,7 @@ use thiserror::Error;
 use super::SceneArguments;
 use super::console::Console;
 use super::failure::Failure;
+use super::interrupt::guarded;
 use super::located::locate;
 use crate::diagnostic::{SceneError, SceneProblem};
 use crate::output;
@@ -40,7 +41,9 @@ enum KeepError {
     #[error(transparent)]
     #[diagnostic(
         code(run::folder),
-        help("name a folder with --output DIR; --force replaces results that are there already")
+        help(
+            "name a folder with --output DIR; it is made if it does not exist, and --force replaces results that are there already"
+        )
     )]
     Folder(#[from] FolderError),
     #[error(transparent)]
@@ -59,7 +62,9 @@ pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Fail
     } else {
         Overwrite::Refuse
     };
-    let folder = ResultFolder::create(&arguments.folder(), overwrite).map_err(KeepError::from)?;
+    let path = arguments.folder();
+    let folder =
+        guarded(console, || ResultFolder::create(&path, overwrite)).map_err(KeepError::from)?;
     let bar = bar(&scene, console);
     let solved = solve(&scene, &mut |progress| show(&bar, progress));
     bar.finish_and_clear();
@@ -69,7 +74,7 @@ pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Fail
         || {
             format!(
                 "{}\nresults in {}\n",
-                output::summary_table(&results),
+                output::summary_table(&results, Console::width()),
                 path.display()
             )
         },

@@ -4,6 +4,7 @@ use miette::Diagnostic;
 use stickslip_fem_core::material::MaterialError;
 use thiserror::Error;
 
+use super::remedy::{counted, listed, material_remedy, meant, on_lines};
 use crate::units::UnitError;
 
 /// One thing wrong with a scene. Every variant carries the numbers and names that its message and remedy show.
@@ -48,10 +49,12 @@ pub enum SceneProblem {
     },
     /// The same key twice in one table.
     #[error("the key '{key}' is given twice")]
-    #[diagnostic(code(scene::duplicate_key), help("keep one of the two"))]
+    #[diagnostic(code(scene::duplicate_key), help("keep one of the two{}", on_lines(*lines)))]
     DuplicateKey {
         /// The key.
         key: String,
+        /// The lines of both, from 1, where they are known.
+        lines: Option<(usize, usize)>,
     },
     /// An override is not `key=value`.
     #[error("'{argument}' is not of the form key=value")]
@@ -270,18 +273,20 @@ pub enum SceneProblem {
         /// What would do.
         remedy: String,
     },
-    /// The pin does not fit.
+    /// What a hole holds does not fit.
     #[error(
-        "the pin (radius {pin}) is larger than the hole (radius {hole}): they overlap by {overlap}"
+        "the {part} (radius {pin}) is larger than the hole (radius {hole}): they overlap by {overlap}"
     )]
     #[diagnostic(
         code(scene::pin_too_large),
-        help("make the pin smaller than {hole}, or say interference = true for a press fit")
+        help("make the {part} smaller than {hole}, or say interference = true for a press fit")
     )]
     PinTooLarge {
-        /// Pin radius as written.
+        /// Pin or bushing.
+        part: &'static str,
+        /// Its radius as written.
         pin: String,
-        /// Hole radius as written.
+        /// Radius of the hole as written.
         hole: String,
         /// The difference with its unit.
         overlap: String,
@@ -356,40 +361,6 @@ pub enum SceneProblem {
         /// How to mend it.
         remedy: String,
     },
-}
-
-fn meant(nearest: Option<&str>) -> String {
-    nearest.map_or_else(String::new, |name| format!("did you mean '{name}'? "))
-}
-
-fn counted(count: usize, one: &'static str, many: &'static str) -> &'static str {
-    if count == 1 { one } else { many }
-}
-
-fn listed(names: &[String]) -> String {
-    if names.is_empty() {
-        "none".to_owned()
-    } else {
-        names.join(", ")
-    }
-}
-
-fn material_remedy(cause: &MaterialError) -> String {
-    match cause {
-        MaterialError::Poisson { .. } => {
-            "metals have 0.25 to 0.35; ν = 0.5 is incompressible and has no plane-strain stiffness"
-                .to_owned()
-        }
-        MaterialError::OrthotropicPoisson { limit, .. } => {
-            format!(
-                "give a magnitude below {limit:.4} = sqrt(Ei/Ej), or check which of the two moduli is which"
-            )
-        }
-        MaterialError::OrthotropicIndefinite { .. } => {
-            "make at least one of nu12, nu13 and nu23 smaller".to_owned()
-        }
-        _ => "a modulus is positive, and every constant is finite".to_owned(),
-    }
 }
 
 #[cfg(test)]

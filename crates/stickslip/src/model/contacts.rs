@@ -1,15 +1,21 @@
 //! Contact pairs with their frames and exact gaps, and the edges that results are reported on.
 
-use std::f64::consts::{PI, TAU};
+mod edge;
+mod geometry;
+mod projection;
+
 use std::sync::Arc;
 
-use stickslip_contact::{ContactPair, ContactPoint, gap};
-use stickslip_fem_core::mesh::{Curve, Mesh, Point};
+use stickslip_contact::ContactPair;
+use stickslip_fem_core::mesh::Point;
 
-use super::{Meshes, ModelEdge, ModelError, loads, meshes};
-use crate::results::{Choice, EdgeGeometry, EdgeKind};
+use self::edge::edge_nodes;
+use self::geometry::Geometry;
+use self::projection::{Side, Tied};
+use super::{Meshes, ModelEdge, ModelError, loads};
+use crate::results::Choice;
 use crate::scene::Scene;
-use crate::scene::schema::{self, Contact, GapKind, SetRef, Shape, Substance};
+use crate::scene::schema::{self, Contact, Substance};
 
 /// Pairs, edges, and each body's contact points.
 #[derive(Debug, Default)]
@@ -20,17 +26,6 @@ pub(super) struct Contacts {
     pub(super) interfaces: Vec<Vec<usize>>,
     /// Contact points of each rigid body.
     pub(super) rigid_points: Vec<Vec<Point>>,
-    pub(super) notes: Vec<String>,
-}
-
-/// The nodes of an edge by ascending parameter.
-struct EdgeNodes {
-    kind: EdgeKind,
-    parameter: Vec<f64>,
-    nodes: Vec<usize>,
-    corner: Vec<bool>,
-    weights: Vec<f64>,
-    order: usize,
 }
 
 pub(super) fn build(
@@ -47,9 +42,10 @@ pub(super) fn build(
     };
     // The scene was checked: every contact names two bodies of it.
     let index = |body: &str| names.iter().position(|name| name == body).unwrap_or(0);
+    let mut chosen = Vec::new();
     for contact in &scene.contacts {
         let (first, second) = (index(&contact.first.body), index(&contact.second.body));
-        contacts.add(scene, contact, meshes, [first, second], half)?;
+        chosen.push(contacts.add(scene, contact, meshes, [first, second], half)?);
     }
     for reported in &scene.edges {
         let known = contacts
@@ -69,17 +65,12 @@ pub(super) fn build(
         edge.tractions = loads::edge_tractions(scene, reported, &edge);
         contacts.edges.push(edge);
     }
-    if !scene.contacts.is_empty() {
-        choices.push(Choice {
-            what: "contact discretisation".into(),
-            value: "matching node pairs".into(),
-            reason: "the meshes of a pair are made with the same divisions; gaps come from the true geometry".into(),
-        });
-    }
+    choices.extend(projection::choices(scene, &chosen));
     Ok(contacts)
 }
 
 impl Contacts {
+    /// Adds a contact, and says how its edges are tied and why.
     fn add(
         &mut self,
         scene: &Scene,
@@ -87,7 +78,7 @@ impl Contacts {
         meshes: &Meshes,
         [first, second]: [usize; 2],
         half: bool,
-    ) -> Result<(), ModelError> {
+    ) -> Result<[String; 2], ModelError> {
         let refuse = |what: String| ModelError::Pairing {
             contact: contact.name.clone(),
             what,
@@ -95,62 +86,46 @@ impl Contacts {
         let rigid = |body: &str| scene.bodies[body].substance == Substance::Rigid;
         if rigid(&contact.first.body) {
             return Err(refuse(format!(
-                "the first body '{}' is rigid; make it the second",
+                "the first body '{}' is rigid, which only the second may be: give it a material",
                 contact.first.body
             )));
         }
         let upper = edge_nodes(scene, &contact.first, meshes, half)?;
         let geometry = Geometry::of(scene, contact).ok_or_else(|| {
             refuse(format!(
-                "{} and {} cannot touch; a hole takes a disk's rim, a cylinder a block",
+                "{} and {} cannot touch; a hole takes a disk's rim or a ring's outer edge, a cylinder a block",
                 contact.first, contact.second
             ))
         })?;
-        let count = upper.nodes.len();
-        let first_start = self.interfaces[first].len();
-        self.interfaces[first].extend(&upper.nodes);
-        let positions = |mesh: &Mesh, nodes: &[usize]| -> Vec<Point> {
-            nodes.iter().map(|&node| mesh.nodes()[node]).collect()
-        };
-        let upper_positions = positions(&meshes[&contact.first.body], &upper.nodes);
-        let (second_start, lower_positions) = if rigid(&contact.second.body) {
-            let start = self.rigid_points[second].len();
-            self.rigid_points[second].extend(&upper_positions);
-            (start, upper_positions.clone())
+        let lower = if rigid(&contact.second.body) {
+            None
         } else {
-            let lower = edge_nodes(scene, &contact.second, meshes, half)?;
-            if lower.nodes.len() != count {
-                return Err(refuse(format!(
-                    "{count} nodes face {}; the meshes must match",
-                    lower.nodes.len()
-                )));
-            }
-            let start = self.interfaces[second].len();
-            self.interfaces[second].extend(&lower.nodes);
-            (
-                start,
-                positions(&meshes[&contact.second.body], &lower.nodes),
-            )
+            Some(edge_nodes(scene, &contact.second, meshes, half)?)
+        };
+        let mesh = &meshes[&contact.first.body];
+        let above = Side::new(&mut self.interfaces[first], mesh, &upper);
+        let below = match &lower {
+            Some(lower) => Side::new(
+                &mut self.interfaces[second],
+                &meshes[&contact.second.body],
+                lower,
+            ),
+            // A rigid body takes the places of the first edge's nodes for its own.
+            None => Side::rigid(&mut self.rigid_points[second], &above, &upper),
         };
         let (thickness, material_angle) = substance(scene, &contact.first.body);
-        let points = (0..count)
-            .map(|k| {
-                let normal = upper.normal(k);
-                let faceted = normal[0] * (upper_positions[k][0] - lower_positions[k][0])
-                    + normal[1] * (upper_positions[k][1] - lower_positions[k][1]);
-                ContactPoint {
-                    first: first_start + k,
-                    second: second_start + k,
-                    normal,
-                    gap: geometry
-                        .gap(contact.gap, upper.parameter[k])
-                        .unwrap_or(faceted),
-                    area: upper.weights[k] * thickness,
-                    material_angle,
-                }
-            })
-            .collect();
+        let tied = Tied {
+            scene,
+            contact,
+            geometry: &geometry,
+            half,
+            thickness,
+            material_angle,
+        };
+        let (points, chosen) = tied.tie(&above, &below)?;
         let pair = self.pairs.len();
+        let areas = points.iter().map(|point| point.area).collect();
+        let local = above.local.clone().collect();
         self.pairs.push(ContactPair {
             name: contact.name.clone(),
             first,
@@ -161,72 +136,10 @@ impl Contacts {
         let mut edge = upper.into_model_edge(scene, &contact.first, first, half, Some(pair));
         edge.geometry.name.clone_from(&contact.name);
         contact.law.name().clone_into(&mut edge.geometry.law);
-        edge.local = (first_start..first_start + count).collect();
+        edge.local = local;
+        edge.areas = areas;
         self.edges.push(edge);
-        Ok(())
-    }
-}
-
-/// The two curves that face each other.
-enum Geometry {
-    Circles {
-        radius: f64,
-        clearance: f64,
-        offset: Point,
-    },
-    Cylinder {
-        radius: f64,
-    },
-}
-
-impl Geometry {
-    fn of(scene: &Scene, contact: &Contact) -> Option<Self> {
-        let shape = |set: &SetRef| scene.bodies.get(&set.body).map(|body| body.shape);
-        match (shape(&contact.first)?, shape(&contact.second)?) {
-            (first @ Shape::PlateWithHole { .. }, second @ Shape::Disk { radius: pin }) => {
-                let radius = first
-                    .circle(&contact.first.set)
-                    .filter(|_| contact.first.set == "hole")?;
-                second.circle(&contact.second.set)?;
-                let offset = meshes::disk_centre(scene, &contact.second.body, pin);
-                Some(Self::Circles {
-                    radius,
-                    clearance: radius - pin,
-                    offset,
-                })
-            }
-            (Shape::Cylinder { radius, .. }, Shape::Block { .. })
-                if contact.first.set == "contact" && contact.second.set == "contact" =>
-            {
-                Some(Self::Cylinder { radius })
-            }
-            _ => None,
-        }
-    }
-
-    /// Initial gap; `None` for a faceted one.
-    fn gap(&self, kind: GapKind, at: f64) -> Option<f64> {
-        match (self, kind) {
-            (_, GapKind::Faceted) => None,
-            (
-                Self::Circles {
-                    radius,
-                    clearance,
-                    offset,
-                },
-                GapKind::Exact,
-            ) => Some(gap::circles(*radius, *clearance, *offset, at)),
-            (
-                Self::Circles {
-                    clearance, offset, ..
-                },
-                GapKind::Linearised,
-            ) => Some(gap::circles_linearised(*clearance, *offset, at)),
-            (Self::Cylinder { radius }, GapKind::Exact) => Some(gap::cylinder(*radius, at)),
-            (Self::Cylinder { radius }, GapKind::Linearised) => {
-                Some(gap::cylinder_linearised(*radius, at))
-            }
-        }
+        Ok(chosen)
     }
 }
 
@@ -244,122 +157,5 @@ fn substance(scene: &Scene, body: &str) -> (f64, f64) {
                 .map_or(0.0, schema::Material::angle),
         ),
         Substance::Rigid => (1.0, 0.0),
-    }
-}
-
-fn edge_nodes(
-    scene: &Scene,
-    edge: &SetRef,
-    meshes: &Meshes,
-    half: bool,
-) -> Result<EdgeNodes, ModelError> {
-    let mesh_error = |cause| ModelError::Mesh {
-        body: edge.body.clone(),
-        cause,
-    };
-    let mesh = &meshes[&edge.body];
-    let path = mesh.edge_path(&edge.set).map_err(mesh_error)?;
-    let curve = mesh.edge_set(&edge.set).map_err(mesh_error)?.curve;
-    let shape = &scene.bodies[&edge.body].shape;
-    if let (Some(radius), Some(Curve::Arc { centre, .. })) = (shape.circle(&edge.set), curve) {
-        let walk = mesh.counter_clockwise(&path, centre);
-        let weights = mesh.edge_weights(&walk, curve);
-        let parameter = mesh.angles(&walk, centre);
-        let corner = (0..walk.nodes.len()).map(|k| k % walk.order == 0).collect();
-        let mut nodes = EdgeNodes {
-            kind: EdgeKind::Circle { centre, radius },
-            parameter,
-            nodes: walk.nodes,
-            corner,
-            weights,
-            order: walk.order,
-        };
-        if !half {
-            nodes.start_at_minus_pi();
-        }
-        return Ok(nodes);
-    }
-    let weights = mesh.edge_weights(&path, curve);
-    let x = |node: usize| mesh.nodes()[node][0];
-    let mut nodes = EdgeNodes {
-        kind: EdgeKind::Line,
-        parameter: path.nodes.iter().map(|&node| x(node)).collect(),
-        corner: (0..path.nodes.len()).map(|k| k % path.order == 0).collect(),
-        weights,
-        order: path.order,
-        nodes: path.nodes,
-    };
-    if nodes.parameter.first() > nodes.parameter.last() {
-        nodes.parameter.reverse();
-        nodes.nodes.reverse();
-        nodes.corner.reverse();
-        nodes.weights.reverse();
-    }
-    Ok(nodes)
-}
-
-impl EdgeNodes {
-    /// Rotates a closed walk so that its angles ascend from −π and the bearing point lies in the middle.
-    fn start_at_minus_pi(&mut self) {
-        let first = (0..self.nodes.len())
-            .filter(|&k| self.corner[k])
-            .find(|&k| self.parameter[k] > PI - 1e-9)
-            .unwrap_or(0);
-        for angle in &mut self.parameter[first..] {
-            *angle -= TAU;
-        }
-        self.parameter.rotate_left(first);
-        self.nodes.rotate_left(first);
-        self.corner.rotate_left(first);
-        self.weights.rotate_left(first);
-    }
-
-    /// e_r on a circle, +y on a line.
-    fn normal(&self, k: usize) -> [f64; 2] {
-        match self.kind {
-            EdgeKind::Circle { .. } => [self.parameter[k].cos(), self.parameter[k].sin()],
-            EdgeKind::Line => [0.0, 1.0],
-        }
-    }
-
-    fn into_model_edge(
-        self,
-        scene: &Scene,
-        edge: &SetRef,
-        body: usize,
-        half: bool,
-        pair: Option<usize>,
-    ) -> ModelEdge {
-        let normals = (0..self.nodes.len()).map(|k| self.normal(k)).collect();
-        let (thickness, _) = substance(scene, &edge.body);
-        let bearing_area = match self.kind {
-            EdgeKind::Circle { radius, .. } => Some(2.0 * radius * thickness),
-            EdgeKind::Line => None,
-        };
-        ModelEdge {
-            geometry: EdgeGeometry {
-                name: edge.to_string(),
-                contact: pair.is_some(),
-                body: edge.body.clone(),
-                kind: self.kind,
-                parameter: self.parameter,
-                corner: self.corner,
-                half,
-                bearing_area,
-                law: String::new(),
-            },
-            body,
-            nodes: self.nodes,
-            local: Vec::new(),
-            areas: self
-                .weights
-                .iter()
-                .map(|weight| weight * thickness)
-                .collect(),
-            order: self.order,
-            normals,
-            pair,
-            tractions: Vec::new(),
-        }
     }
 }

@@ -3,7 +3,7 @@
 use super::ModelError;
 use crate::results::Choice;
 use crate::scene::Scene;
-use crate::scene::schema::{Hold, LoadKind, Material, ModelChoice, PolarTable, Shape, Substance};
+use crate::scene::schema::{Hold, LoadKind, Material, ModelChoice, SetRef, Shape, Substance};
 
 /// Whether half of the scene is modelled: y ≥ 0 for round shapes, x ≥ 0 for line contacts.
 pub(super) fn choose(scene: &Scene, choices: &mut Vec<Choice>) -> Result<bool, ModelError> {
@@ -70,13 +70,21 @@ fn obstacle(scene: &Scene) -> Option<String> {
                 support.on
             ));
         }
-        let lateral = match support.on.set.as_str() {
-            "left" | "right" => across == 0,
-            "top" | "bottom" => across == 1,
-            _ => false,
-        };
-        if lateral {
+        if is_lateral(&support.on, across) {
             return Some(format!("the support on {} has no mirror image", support.on));
+        }
+    }
+    for platen in &scene.platens {
+        if is_lateral(&platen.on, across) {
+            return Some(format!("the platen on {} has no mirror image", platen.on));
+        }
+    }
+    for edge in &scene.edges {
+        if is_missing(edge, across) {
+            let half = if across == 1 { "y ≥ 0" } else { "x ≥ 0" };
+            return Some(format!(
+                "{edge} is to be reported, and the half {half} does not have it"
+            ));
         }
     }
     scene.loads.iter().find_map(|load| {
@@ -86,33 +94,31 @@ fn obstacle(scene: &Scene) -> Option<String> {
                 why("acts across the line of symmetry")
             }
             LoadKind::Force { on, .. } | LoadKind::Pressure { on, .. } => {
-                let lateral = if across == 1 {
-                    ["top", "bottom"]
-                } else {
-                    ["left", "right"]
-                };
-                if lateral.contains(&on.set.as_str()) {
+                if is_lateral(on, across) {
                     why("acts on one side only")
                 } else {
                     None
                 }
             }
-            LoadKind::PolarTraction { table, .. } if !table_mirrors(table) => {
-                why("is not symmetric")
-            }
+            LoadKind::PolarTraction { table, .. } if !table.is_half() => why("is not symmetric"),
             LoadKind::PolarTraction { .. } | LoadKind::Temperature { .. } => None,
         }
     })
+}
+
+/// Whether the edge lies on one side of the line of symmetry.
+fn is_lateral(edge: &SetRef, across: usize) -> bool {
+    let sides = [["left", "right"], ["bottom", "top"]][across];
+    sides.contains(&edge.set.as_str())
+}
+
+/// Whether the edge lies on the side that a half model leaves out.
+fn is_missing(edge: &SetRef, across: usize) -> bool {
+    edge.set == ["left", "bottom"][across]
 }
 
 fn mirrors(material: &Material) -> bool {
     let quarter_turns = material.angle() / std::f64::consts::FRAC_PI_2;
     matches!(material, Material::Isotropic { .. })
         || (quarter_turns - quarter_turns.round()).abs() < 1e-12
-}
-
-/// A table from 0 to π stands for a symmetric load.
-fn table_mirrors(table: &PolarTable) -> bool {
-    let last = table.theta.last().copied().unwrap_or(0.0);
-    (last - std::f64::consts::PI).abs() < 1e-9
 }

@@ -2,12 +2,11 @@
 
 use super::ModelError;
 use crate::scene::Scene;
-use crate::scene::schema::{Hold, LoadKind, SetRef, Shape, Substance};
+use crate::scene::schema::{Hold, LoadKind, SetRef, Substance};
 
 /// Refuses what the model would otherwise ignore.
 pub(super) fn check(scene: &Scene) -> Result<(), ModelError> {
     rigid_bodies(scene)?;
-    line_contacts(scene)?;
     scene
         .edges
         .iter()
@@ -61,20 +60,6 @@ fn rigid_bodies(scene: &Scene) -> Result<(), ModelError> {
             "a rigid body needs no platen".into(),
         ),
         None => Ok(()),
-    }
-}
-
-fn line_contacts(scene: &Scene) -> Result<(), ModelError> {
-    let mut cylinders = scene
-        .bodies
-        .iter()
-        .filter(|(_, body)| matches!(body.shape, Shape::Cylinder { .. }));
-    match (cylinders.next(), cylinders.next()) {
-        (Some(_), Some((second, _))) => refuse(
-            format!("bodies.{second}"),
-            "a scene has room for one cylinder on one block".into(),
-        ),
-        _ => Ok(()),
     }
 }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use stickslip_contact::{LoadHistory, Ramp};
 use stickslip_fem_core::load::edge_load;
 use stickslip_fem_core::material::Material;
-use stickslip_fem_core::mesh::{Mesh, Point};
+use stickslip_fem_core::mesh::{Curve, Mesh, Point};
 use stickslip_fem_core::{ElasticBody, HeldDirection, LoadCase, Platen, RigidBody, Support};
 
 use super::polar_table::PolarField;
@@ -169,8 +169,13 @@ fn unit_load(
             } else {
                 1.0
             };
-            edge_load(mesh, &mesh.edge_set(&on.set)?.edges, thickness, |at| {
-                let theta = at.position[1].atan2(at.position[0]);
+            let edge = mesh.edge_set(&on.set)?;
+            let centre = match edge.curve {
+                Some(Curve::Arc { centre, .. }) => centre,
+                _ => [0.0; 2],
+            };
+            edge_load(mesh, &edge.edges, thickness, |at| {
+                let theta = (at.position[1] - centre[1]).atan2(at.position[0] - centre[0]);
                 let [radial, shear] = field.at(theta);
                 let (s, c) = theta.sin_cos();
                 [

@@ -1,13 +1,14 @@
 //! Tractions on a circle from a table, made continuous.
 //!
-//! A table of equally spaced angles from 0 to π stands for a load symmetric about the x axis and is interpolated by its
-//! finite Fourier series,
+//! A table from 0 to π stands for a load symmetric about the x axis, σ_r(−θ) = σ_r(θ) and τ_rθ(−θ) = −τ_rθ(θ). In equal steps it
+//! is interpolated by its finite Fourier series,
 //!
 //! ```text
 //! σ_r = Σ_k a_k cos kθ,   τ_rθ = Σ_k b_k sin kθ,
 //! ```
 //!
-//! which is exact to rounding for a smooth field; any other table is interpolated linearly and periodically.
+//! which is exact to rounding for a smooth field, in unequal ones linearly. A table beyond π is interpolated linearly and
+//! periodically.
 
 use std::f64::consts::{PI, TAU};
 
@@ -24,6 +25,8 @@ pub(super) enum PolarField {
         theta: Vec<f64>,
         radial: Vec<f64>,
         shear: Vec<f64>,
+        /// Whether the table is one of half the circle.
+        mirrored: bool,
     },
 }
 
@@ -47,6 +50,7 @@ impl PolarField {
                 theta: theta.clone(),
                 radial: radial.clone(),
                 shear: shear.clone(),
+                mirrored: table.is_half(),
             };
         }
         let end = |k: usize| if k == 0 || k == intervals { 0.5 } else { 1.0 };
@@ -88,8 +92,18 @@ impl PolarField {
                 theta: knots,
                 radial,
                 shear,
+                mirrored,
             } => {
-                let angle = theta.rem_euclid(TAU);
+                let turned = theta.rem_euclid(TAU);
+                // The image of the lower half, without a step at π.
+                let (angle, sign) = if *mirrored && turned > PI {
+                    (TAU - turned, -1.0)
+                } else {
+                    (turned, 1.0)
+                };
+                if *mirrored && angle >= PI {
+                    return [radial, shear].map(|values| values.last().copied().unwrap_or(0.0));
+                }
                 let next = knots.partition_point(|&knot| knot <= angle);
                 let count = knots.len();
                 let (left, right) = ((next + count - 1) % count, next % count);
@@ -99,7 +113,9 @@ impl PolarField {
                 } else {
                     0.0
                 };
-                [radial, shear].map(|values| values[left] + part * (values[right] - values[left]))
+                let [radial, shear] = [radial, shear]
+                    .map(|values| values[left] + part * (values[right] - values[left]));
+                [radial, sign * shear]
             }
         }
     }
@@ -145,5 +161,23 @@ mod tests {
             assert!((field.at(*knot)[0] - table.radial[k]).abs() < 1e-14);
             assert!((field.at(*knot - TAU)[1] - table.shear[k]).abs() < 1e-12);
         }
+    }
+
+    #[test]
+    fn a_table_of_half_the_circle_is_mirrored_whatever_its_steps() {
+        let field = PolarField::new(&table(vec![0.0, 0.4, 1.0, 2.5, PI]));
+        for angle in [1e-9_f64, 0.2, 0.7, 1.0, 2.0, 3.0, PI] {
+            let ([above, forward], [below, backward]) = (field.at(angle), field.at(-angle));
+            assert!((above - below).abs() < 1e-14, "{angle}: {above} {below}");
+            // At 0 and π the shear itself vanishes.
+            assert!(
+                (forward + backward).abs() < 1e-8,
+                "{angle}: {forward} {backward}"
+            );
+        }
+        // Half-way between the last two knots, not on the way back to the first.
+        let middle = f64::midpoint(2.5, PI);
+        let expected = f64::midpoint(field.at(2.5)[0], field.at(PI)[0]);
+        assert!((field.at(-middle)[0] - expected).abs() < 1e-14);
     }
 }

@@ -102,6 +102,11 @@ impl<'a> EdgeView<'a> {
         edge.bearing_stress(self.geometry).filter(|_| !balanced)
     }
 
+    /// Whether any step has a bearing stress; a press fit without a pull has none.
+    pub(super) fn bears(&self) -> bool {
+        (0..self.results().steps.len()).any(|step| self.bearing(step).is_some())
+    }
+
     /// Names of the normal, the tangential and the shear stress.
     pub(super) fn stress_symbols(&self) -> [&'static str; 3] {
         if self.is_circle() {
@@ -196,11 +201,14 @@ pub(super) fn decimals(value: Option<f64>, count: usize) -> String {
     }
 }
 
-/// A value with at most twelve significant digits, so that a change of units leaves no tail of nines; `None` if not finite.
+/// A value with at most twelve significant digits, so that a change of units leaves no tail of nines, and without a negative
+/// zero; `None` if not finite.
 pub(super) fn tidy(value: f64) -> Option<f64> {
-    value
-        .is_finite()
-        .then(|| format!("{value:.11e}").parse().unwrap_or(value))
+    let positive_zero = value + 0.0;
+    value.is_finite().then(|| {
+        let digits = format!("{positive_zero:.11e}");
+        digits.parse().unwrap_or(positive_zero)
+    })
 }
 
 #[cfg(test)]
@@ -233,6 +241,7 @@ mod tests {
         assert_eq!(decimals(Some(-0.06), 1), "−0.1");
         assert_eq!(decimals(None, 1), "–");
         assert_eq!(tidy(79.999_999_999_999_99), Some(80.0));
+        assert_eq!(tidy(-0.0).map(f64::is_sign_negative), Some(false));
         assert_eq!(tidy(f64::NAN), None);
     }
 }

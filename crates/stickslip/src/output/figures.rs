@@ -6,8 +6,6 @@ mod fields;
 mod history;
 mod map;
 
-use std::f64::consts::TAU;
-
 use stickslip_contact::Status;
 use stickslip_report::FigureError;
 use stickslip_report::chart::Band;
@@ -16,10 +14,8 @@ use stickslip_report::svg::Svg;
 
 use super::display::EdgeView;
 use super::names::FileNames;
+use super::zones::shown_ranges;
 use crate::results::Results;
-
-/// Largest angle between two nodes of a closed circle `[rad]`.
-const LARGEST_INTERVAL: f64 = 0.5;
 
 /// A finished figure.
 #[derive(Debug)]
@@ -128,31 +124,9 @@ fn zone_name(status: Status) -> &'static str {
     }
 }
 
-/// Where a closed circle that starts at its first node ends again `[deg]`; `None` for every other edge.
-fn closing_angle(view: &EdgeView<'_>) -> Option<f64> {
-    let parameter = &view.geometry.parameter;
-    let (first, last) = parameter.first().zip(parameter.last())?;
-    // The last interval of a closed edge is as short as its others; an arc ends for good.
-    let open = TAU - (last - first);
-    let closed = view.is_circle() && !view.geometry.half && open > 0.0 && open < LARGEST_INTERVAL;
-    closed.then(|| view.place(first + TAU))
-}
-
-/// Zones of a step along the place axis, the last one up to where a closed circle ends.
-fn zone_ranges(view: &EdgeView<'_>, step: usize) -> Vec<(Status, [f64; 2])> {
-    let zones = view.step(step).zones.iter();
-    let mut ranges: Vec<_> = zones
-        .map(|zone| (zone.status, [view.place(zone.start), view.place(zone.end)]))
-        .collect();
-    if let (Some(end), Some((_, range))) = (closing_angle(view), ranges.last_mut()) {
-        range[1] = end;
-    }
-    ranges
-}
-
 /// Zones of a step as bands over the place axis.
 fn zone_bands(view: &EdgeView<'_>, step: usize) -> Vec<Band> {
-    let ranges = zone_ranges(view, step).into_iter();
+    let ranges = shown_ranges(view, step).into_iter();
     ranges
         .map(|(status, [start, end])| Band::new(zone_name(status), start, end, zone_color(status)))
         .collect()

@@ -1,174 +1,20 @@
 //! `summary.json`: the numbers that other programs read. The format is described in `docs/summary-format.md`.
 
+mod keys;
+
 use std::collections::BTreeMap;
 
-use serde::Serialize;
 use stickslip_contact::Status;
 
 use super::display::{EdgeView, tidy};
 use super::loads::LoadScale;
+use super::zones::{contact_ranges, zone_ranges};
 use crate::results::{EdgeKind, LoadValue, Results};
 use crate::scene::schema::DisplayUnits;
-
-/// Version of the format; a change that could break a reader raises it.
-pub(super) const FORMAT_VERSION: u32 = 1;
-
-/// Everything in `summary.json`, in its order.
-#[derive(Debug, Serialize)]
-pub(super) struct Summary<'a> {
-    format: &'static str,
-    format_version: u32,
-    title: &'a str,
-    source: &'a str,
-    scene_hash: &'a str,
-    program: Program,
-    units: Units,
-    choices: Vec<Choice<'a>>,
-    pub(super) notes: Vec<String>,
-    bodies: Vec<Body<'a>>,
-    dofs: usize,
-    factorisations: usize,
-    wall_time_s: BTreeMap<&'static str, f64>,
-    /// Name of the edge whose quantities stand directly in each step.
-    edge: Option<&'a str>,
-    edges: Vec<Edge<'a>>,
-    steps: Vec<Step<'a>>,
-}
-
-#[derive(Debug, Serialize)]
-struct Program {
-    name: &'static str,
-    version: &'static str,
-}
-
-#[derive(Debug, Serialize)]
-struct Units {
-    length: &'static str,
-    force: &'static str,
-    stress: &'static str,
-    energy: String,
-    angle: &'static str,
-}
-
-#[derive(Debug, Serialize)]
-struct Choice<'a> {
-    what: &'a str,
-    value: &'a str,
-    reason: &'a str,
-}
-
-#[derive(Debug, Serialize)]
-struct Body<'a> {
-    name: &'a str,
-    rigid: bool,
-    nodes: usize,
-    elements: usize,
-    dofs: usize,
-    factor_entries: usize,
-    free_motions: usize,
-}
-
-#[derive(Debug, Serialize)]
-struct Edge<'a> {
-    name: &'a str,
-    kind: &'static str,
-    contact: bool,
-    body: &'a str,
-    law: Option<&'a str>,
-    radius: Option<Quantity>,
-    nodes: usize,
-    half: bool,
-}
-
-#[derive(Debug, Serialize)]
-struct Quantity {
-    value: Option<f64>,
-    unit: String,
-}
-
-#[derive(Debug, Serialize)]
-struct Load<'a> {
-    name: &'a str,
-    value: Option<f64>,
-    unit: &'a str,
-}
-
-#[derive(Debug, Serialize)]
-struct Step<'a> {
-    #[serde(rename = "step")]
-    number: usize,
-    load: Option<Quantity>,
-    loads: Vec<Load<'a>>,
-    unloading: bool,
-    #[serde(flatten)]
-    edge: Option<EdgeStep>,
-    edges: BTreeMap<&'a str, EdgeStep>,
-    iterations: usize,
-    pivots: usize,
-    solvers: &'a [&'static str],
-    increments: usize,
-    cutbacks: usize,
-    points_in_doubt: usize,
-    balance_residual: Option<f64>,
-    complementarity_residual: Option<f64>,
-    cone_violation: Option<f64>,
-    dissipation: Quantity,
-    wall_time_s: f64,
-}
-
-/// Quantities of one edge at the end of a step.
-#[derive(Debug, Serialize)]
-struct EdgeStep {
-    #[serde(flatten)]
-    places: Places,
-    peak_pressure: Option<Quantity>,
-    peak_hoop: Option<Quantity>,
-    peak_hoop_uncertainty: Option<Quantity>,
-    hoop_at_bearing_point: Option<Quantity>,
-    friction_force: Option<Quantity>,
-    normal_force: Option<Quantity>,
-    resultant: Option<Resultant>,
-}
-
-#[derive(Debug, Serialize)]
-struct Resultant {
-    x: Option<f64>,
-    y: Option<f64>,
-    unit: &'static str,
-}
-
-/// What is measured along the edge: in degrees on a circle, in lengths on a line.
-#[derive(Debug, Serialize)]
-#[serde(untagged)]
-enum Places {
-    Circle {
-        contact_half_angle_deg: Option<f64>,
-        stick_half_angle_deg: Option<f64>,
-        slip_zones_deg: Vec<SlipZone>,
-        bearing_stress: Option<Quantity>,
-        peak_pressure_over_bearing: Option<f64>,
-        peak_pressure_angle_deg: Option<f64>,
-        peak_hoop_over_bearing: Option<f64>,
-        peak_hoop_angle_deg: Option<f64>,
-        hoop_at_bearing_point_over_bearing: Option<f64>,
-    },
-    Line {
-        contact_half_width: Option<Quantity>,
-        stick_half_width: Option<Quantity>,
-        slip_zones: Vec<SlipZone>,
-        peak_pressure_position: Option<Quantity>,
-        peak_hoop_position: Option<Quantity>,
-    },
-}
-
-#[derive(Debug, Serialize)]
-struct SlipZone {
-    start: Option<f64>,
-    end: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    unit: Option<&'static str>,
-    direction: &'static str,
-}
+use keys::{
+    Body, Choice, ContactZone, Edge, EdgeStep, FORMAT_VERSION, Load, Places, Program, Quantity,
+    Resultant, SlipZone, Step, Summary, Units,
+};
 
 /// The summary of `results`, which are consistent.
 pub(super) fn summary(results: &Results) -> Summary<'_> {
@@ -348,6 +194,7 @@ fn on_circle(view: &EdgeView<'_>, step: usize) -> Places {
     Places::Circle {
         contact_half_angle_deg: edge.contact_half_extent.and_then(degrees),
         stick_half_angle_deg: view.step(step).stick_half_extent.and_then(degrees),
+        contact_zones_deg: contact_zones(view, step),
         slip_zones_deg: slip_zones(view, step),
         bearing_stress: bearing.map(|bearing| Quantity {
             value: tidy(view.stress(bearing)),
@@ -369,6 +216,7 @@ fn on_line(view: &EdgeView<'_>, step: usize) -> Places {
     Places::Line {
         contact_half_width: edge.contact_half_extent.map(length),
         stick_half_width: view.step(step).stick_half_extent.map(length),
+        contact_zones: contact_zones(view, step),
         slip_zones: slip_zones(view, step),
         peak_pressure_position: edge.peak_pressure.map(|(_, place)| length(place)),
         peak_hoop_position: edge.peak_hoop.map(|(_, place)| length(place)),
@@ -383,19 +231,36 @@ fn length(view: &EdgeView<'_>, value: f64) -> Quantity {
     }
 }
 
+fn contact_zones(view: &EdgeView<'_>, step: usize) -> Vec<ContactZone> {
+    let zone = |[start, end]: [f64; 2]| ContactZone {
+        start: tidy(start),
+        end: tidy(end),
+        unit: zone_unit(view),
+    };
+    contact_ranges(view, step).into_iter().map(zone).collect()
+}
+
 fn slip_zones(view: &EdgeView<'_>, step: usize) -> Vec<SlipZone> {
     let direction = |status: Status| match status {
         Status::SlipPositive => Some("+"),
         Status::SlipNegative => Some("-"),
         Status::Open | Status::Stick => None,
     };
-    let zone = |zone: &stickslip_contact::zones::Zone| {
+    let zone = |(status, [start, end]): (Status, [f64; 2])| {
         Some(SlipZone {
-            start: tidy(view.place(zone.start)),
-            end: tidy(view.place(zone.end)),
-            unit: (!view.is_circle()).then(|| view.place_unit()),
-            direction: direction(zone.status)?,
+            start: tidy(start),
+            end: tidy(end),
+            unit: zone_unit(view),
+            direction: direction(status)?,
         })
     };
-    view.step(step).zones.iter().filter_map(zone).collect()
+    zone_ranges(view, step)
+        .into_iter()
+        .filter_map(zone)
+        .collect()
+}
+
+/// The unit of places along a line; on a circle the key names it.
+fn zone_unit(view: &EdgeView<'_>) -> Option<&'static str> {
+    (!view.is_circle()).then(|| view.place_unit())
 }

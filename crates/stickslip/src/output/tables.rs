@@ -1,28 +1,28 @@
 //! Tables for the terminal and the page: load steps, signs, choices, bodies.
 
+mod fit;
+
 use stickslip_report::table::{Column, Table};
 
 use super::display::{EdgeView, decimals, short, significant};
 use super::loads::LoadScale;
 use crate::results::Results;
+use fit::fitted;
 
-/// Widest line of the terminal's table.
-const TERMINAL_WIDTH: u16 = 120;
-
-/// The load steps for a terminal, at most 120 columns wide.
-pub(super) fn terminal(results: &Results) -> String {
+/// The load steps for a terminal of `width` columns.
+pub(super) fn terminal(results: &Results, width: usize) -> String {
     let edges = EdgeView::all(results);
     let contacts: Vec<_> = edges.iter().filter(|edge| edge.geometry.contact).collect();
     let mut text = String::new();
     if contacts.is_empty() {
         for edge in &edges {
-            text += &stress_table(edge).to_text(Some(TERMINAL_WIDTH));
+            text += &fitted(stress_table(edge), width);
         }
     }
     for edge in contacts {
         let mut table = contact_table(edge, Detail::Brief);
         table.caption = format!("Contact '{}'", edge.geometry.name);
-        text += &table.to_text(Some(TERMINAL_WIDTH));
+        text += &fitted(table, width);
     }
     text
 }
@@ -46,13 +46,7 @@ pub(super) fn contact_table(edge: &EdgeView<'_>, detail: Detail) -> Table {
     columns.extend(extent_columns(edge));
     columns.extend(peak_columns(edge, detail));
     columns.extend(work_columns(edge, detail));
-    let mut table = assembled(edge.results(), &columns);
-    if edge.geometry.half {
-        table.notes.push(
-            "One half is modelled: slip is the length of the slipping zones in that half.".into(),
-        );
-    }
-    table
+    assembled(edge.results(), &columns)
 }
 
 /// One row per load step for an edge without contact.
@@ -224,7 +218,7 @@ pub(super) fn signs() -> Table {
 }
 
 /// Quantity, its sign here, and where other programs or texts differ.
-const SIGNS: [[&str; 3]; 12] = [
+pub(crate) const SIGNS: [[&str; 3]; 12] = [
     [
         "x, θ",
         "x is the load axis; θ = 0 is the bearing point, counter-clockwise positive",
@@ -274,8 +268,8 @@ const SIGNS: [[&str; 3]; 12] = [
     ],
     [
         "q, Q",
-        "hole: friction that holds the first body back from sliding away from the bearing point, negative \
-         where unloading has turned it round; line: Q is the tangential force on the first body along +x",
+        "hole: q is positive where friction pulls the first body along the edge towards the bearing point, \
+         negative where it pulls away from it; line: Q is the tangential force on the first body along +x",
         "–",
     ],
     ["σ_b", "bearing stress |resultant| / (D t) of the step", "–"],

@@ -120,7 +120,7 @@ fn grid(
     Ok(bytes)
 }
 
-/// Nodal stresses by name `[MPa]`: Cartesian, polar if an edge is a circle, and the plane von Mises stress.
+/// Nodal stresses by name `[MPa]`: Cartesian, across the thickness, von Mises, and polar if an edge is a circle.
 fn stresses(results: &Results, mesh: &Mesh, fields: &BodyFields) -> Vec<(&'static str, Vec<f64>)> {
     let component = |k: usize| {
         fields
@@ -133,14 +133,8 @@ fn stresses(results: &Results, mesh: &Mesh, fields: &BodyFields) -> Vec<(&'stati
         ("stress_xx", component(0)),
         ("stress_yy", component(1)),
         ("stress_xy", component(2)),
-        (
-            "von_mises_plane",
-            fields
-                .stress
-                .iter()
-                .map(|&stress| von_mises(stress))
-                .collect(),
-        ),
+        ("stress_zz", fields.thickness_stress.clone()),
+        ("von_mises", von_mises_stresses(fields)),
     ];
     if let Some(centre) = polar_centre(results) {
         let turned = polar_stresses(mesh, fields, centre);
@@ -170,9 +164,17 @@ pub(super) fn polar_centre(results: &Results) -> Option<Point> {
     })
 }
 
-/// √(σ_xx² − σ_xx σ_yy + σ_yy² + 3 τ_xy²): von Mises (1913) with σ_zz = 0.
-pub(super) fn von_mises([xx, yy, xy]: [f64; 3]) -> f64 {
-    (xx * xx - xx * yy + yy * yy + 3.0 * xy * xy).sqrt()
+/// Von Mises stress at every node `[MPa]`.
+pub(super) fn von_mises_stresses(fields: &BodyFields) -> Vec<f64> {
+    let nodes = fields.stress.iter().zip(&fields.thickness_stress);
+    nodes.map(|(&stress, &zz)| von_mises(stress, zz)).collect()
+}
+
+/// √(½ [(σ_xx − σ_yy)² + (σ_yy − σ_zz)² + (σ_zz − σ_xx)²] + 3 τ_xy²): von Mises (1913) with τ_xz = τ_yz = 0.
+fn von_mises([xx, yy, xy]: [f64; 3], zz: f64) -> f64 {
+    let differences = [xx - yy, yy - zz, zz - xx];
+    let normal: f64 = differences.iter().map(|d| d * d).sum();
+    (0.5 * normal + 3.0 * xy * xy).sqrt()
 }
 
 #[cfg(test)]
@@ -180,9 +182,13 @@ mod tests {
     use super::von_mises;
 
     #[test]
-    fn von_mises_of_tension_and_of_shear() {
-        assert_eq!(von_mises([100.0, 0.0, 0.0]), 100.0);
+    fn von_mises_of_tension_shear_and_pressure() {
+        assert_eq!(von_mises([100.0, 0.0, 0.0], 0.0), 100.0);
         // Pure shear yields at 1/√3 of the tension; two roundings.
-        assert!((von_mises([0.0, 0.0, 1.0]) - 3_f64.sqrt()).abs() < 1e-15);
+        assert!((von_mises([0.0, 0.0, 1.0], 0.0) - 3_f64.sqrt()).abs() < 1e-15);
+        assert_eq!(von_mises([-7.0, -7.0, 0.0], -7.0), 0.0);
+        // Uniaxial tension 100 in plane strain, ν = 0.3: 100 √(1 − ν + ν²) = 88.88.
+        let held = von_mises([100.0, 0.0, 0.0], 30.0);
+        assert!((held - 100.0 * 0.79_f64.sqrt()).abs() < 1e-12);
     }
 }

@@ -1,39 +1,55 @@
 //! Quantities along the reported edges: contact forces become tractions, edge strains become stresses.
 
 use nalgebra::DVector;
-use stickslip_contact::zones::{Zone, zones};
-use stickslip_contact::{Status, StepRecord};
+use stickslip_contact::zones::{
+    Zone, carries_friction, ends_of_contact, half_extent, mirrored, zones,
+};
+use stickslip_contact::{ContactState, InterfaceProblem, Status, StepRecord};
 use stickslip_fem_core::stress::{EdgeData, PathEnd, PathEnds, StressError, edge_stresses};
 
 use super::Solved;
 use super::fields::Recovered;
+use super::reported::{Reported, clear_stresses, clear_sums, reported};
 use crate::model::{Model, ModelBodyKind, ModelEdge};
-use crate::results::{EdgeKind, EdgeResults, EdgeRow};
+use crate::results::{EdgeGeometry, EdgeKind, EdgeResults, EdgeRow};
 
+/// All edges in every load step: one list of edges per step.
 pub(super) fn all(
     model: &Model,
     solved: &Solved,
-    record: &StepRecord,
-    recovered: &Recovered,
-    slip: &DVector<f64>,
-) -> Result<Vec<EdgeResults>, StressError> {
-    model
-        .edges
-        .iter()
-        .map(|edge| one(model, solved, record, recovered, slip, edge))
-        .collect()
+    recovered: &[Recovered],
+) -> Result<Vec<Vec<EdgeResults>>, StressError> {
+    let reported = reported(&solved.problem, &solved.records);
+    let mut steps: Vec<Vec<EdgeResults>> = vec![Vec::new(); reported.len()];
+    for edge in &model.edges {
+        let mut rows = (0..reported.len())
+            .map(|step| rows(model, solved, &reported[step], &recovered[step], step, edge))
+            .collect::<Result<Vec<_>, _>>()?;
+        clear_stresses(&mut rows);
+        let mut results: Vec<EdgeResults> = rows
+            .into_iter()
+            .zip(&reported)
+            .map(|(rows, reported)| summarise(model, solved, edge, rows, reported))
+            .collect();
+        clear_sums(&mut results);
+        for (step, result) in steps.iter_mut().zip(results) {
+            step.push(result);
+        }
+    }
+    Ok(steps)
 }
 
-fn one(
+/// One row per node of `edge` in load step `step`.
+fn rows(
     model: &Model,
     solved: &Solved,
-    record: &StepRecord,
+    reported: &Reported,
     recovered: &Recovered,
-    slip: &DVector<f64>,
+    step: usize,
     edge: &ModelEdge,
-) -> Result<EdgeResults, StressError> {
+) -> Result<Vec<EdgeRow>, StressError> {
     let displacement = match edge.pair {
-        Some(_) => interface_displacement(solved, record, edge),
+        Some(_) => interface_displacement(solved, &solved.records[step], edge),
         None => edge
             .nodes
             .iter()
@@ -45,9 +61,9 @@ fn one(
             })
             .collect(),
     };
-    let mut rows = contact_rows(solved, record, slip, edge);
+    let mut rows = contact_rows(solved, reported, edge);
     let initial = match &model.bodies[edge.body].kind {
-        ModelBodyKind::Elastic(body) => body.initial_strain(&record.state.multipliers),
+        ModelBodyKind::Elastic(body) => body.initial_strain(&reported.state.multipliers),
         ModelBodyKind::Rigid(_) => Vec::new(),
     };
     add_stresses(
@@ -57,15 +73,7 @@ fn one(
         initial.first().copied().unwrap_or_default(),
         &mut rows,
     )?;
-    let zones = edge.pair.map_or_else(Vec::new, |pair| {
-        zones(
-            &solved.problem,
-            &record.state,
-            pair,
-            &edge.geometry.parameter,
-        )
-    });
-    Ok(summarise(edge, rows, zones, record, model.half))
+    Ok(rows)
 }
 
 /// Displacements of a contact edge's nodes on its first body: u = C λ + Σ m_k u_k + R α, no sparse solve.
@@ -97,12 +105,8 @@ fn interface_displacement(solved: &Solved, record: &StepRecord, edge: &ModelEdge
         .collect()
 }
 
-fn contact_rows(
-    solved: &Solved,
-    record: &StepRecord,
-    slip: &DVector<f64>,
-    edge: &ModelEdge,
-) -> Vec<EdgeRow> {
+fn contact_rows(solved: &Solved, reported: &Reported, edge: &ModelEdge) -> Vec<EdgeRow> {
+    let state = &reported.state;
     let free = EdgeRow {
         pressure: 0.0,
         shear: 0.0,
@@ -114,7 +118,7 @@ fn contact_rows(
         tau: 0.0,
     };
     let Some(pair) = edge.pair else {
-        let multiplier = |case: usize| record.state.multipliers.get(case).copied().unwrap_or(0.0);
+        let multiplier = |case: usize| state.multipliers.get(case).copied().unwrap_or(0.0);
         let sum = |k: usize, part: usize| -> f64 {
             edge.tractions
                 .iter()
@@ -134,15 +138,15 @@ fn contact_rows(
         .map(|k| {
             let area = solved.problem.points()[k].area;
             EdgeRow {
-                pressure: record.state.normal_force(k) / area,
-                shear: record.state.tangential_force(k) / area,
-                gap: if record.state.status[k].touches() {
+                pressure: state.normal_force(k) / area,
+                shear: state.tangential_force(k) / area,
+                gap: if state.status[k].touches() {
                     0.0
                 } else {
-                    record.state.gap(k)
+                    state.gap(k)
                 },
-                slip: slip[k],
-                status: record.state.status[k],
+                slip: reported.slip[k],
+                status: state.status[k],
                 ..free
             }
         })
@@ -220,8 +224,8 @@ fn add_stresses(
     Ok(())
 }
 
-/// Friction force of the modelled part. On a circle ∫ q dA with q = −λ_t sgn θ, positive where friction holds the first body
-/// back from sliding away from the bearing point; on a line the force on the first body along +x, which is against e_t.
+/// Friction force of the modelled part, with sign. On a circle ∫ q dA with q = −λ_t sgn θ, positive where friction pulls the first
+/// body towards the bearing point; on a line the force on the first body along +x, which is against e_t.
 fn friction_force(edge: &ModelEdge, rows: &[EdgeRow]) -> f64 {
     let friction = rows.iter().zip(&edge.areas).zip(&edge.geometry.parameter);
     let side = |at: f64| match edge.geometry.kind {
@@ -235,7 +239,7 @@ fn friction_force(edge: &ModelEdge, rows: &[EdgeRow]) -> f64 {
 }
 
 /// Uncertainty of the largest tangential stress if it lies within four nodes of an end of contact.
-fn cusp_uncertainty(rows: &[EdgeRow], zones: &[Zone], parameter: &[f64]) -> Option<f64> {
+fn cusp_uncertainty(rows: &[EdgeRow], ends: &[f64], parameter: &[f64]) -> Option<f64> {
     const REACH: usize = 4;
     let stress = |k: usize| rows[k].sigma_tangential;
     let peak = (0..rows.len()).max_by(|&a, &b| stress(a).total_cmp(&stress(b)))?;
@@ -244,10 +248,7 @@ fn cusp_uncertainty(rows: &[EdgeRow], zones: &[Zone], parameter: &[f64]) -> Opti
         (peak + REACH).min(rows.len() - 1),
     );
     let near = parameter[low]..=parameter[high];
-    let ends = zones
-        .windows(2)
-        .filter(|pair| pair[0].status.touches() != pair[1].status.touches());
-    if !ends.map(|pair| pair[0].end).any(|end| near.contains(&end)) {
+    if !ends.iter().any(|end| near.contains(end)) {
         return None;
     }
     let neighbours = [
@@ -261,39 +262,89 @@ fn cusp_uncertainty(rows: &[EdgeRow], zones: &[Zone], parameter: &[f64]) -> Opti
         .reduce(f64::max)
 }
 
+/// The largest of `values` and its place. Of values that are equal but for rounding, as on both sides of a symmetric edge, the one
+/// nearest to the middle on the positive side has the place.
+fn largest(values: &[f64], parameter: &[f64]) -> Option<(f64, f64)> {
+    // Solvers promise 1e-10 of the largest force; the traction of a node may be less by its small area.
+    const ROUNDING: f64 = 1e-7;
+    let most = values.iter().copied().reduce(f64::max)?;
+    let high = values.iter().zip(parameter);
+    let places = high.filter(|(value, _)| **value >= most - ROUNDING * most.abs());
+    let nearer = |a: &f64, b: &f64| {
+        let apart = a.abs() - b.abs();
+        if apart.abs() > ROUNDING {
+            apart.total_cmp(&0.0)
+        } else {
+            b.total_cmp(a)
+        }
+    };
+    let place = places.map(|(_, place)| *place).min_by(nearer)?;
+    Some((most, place))
+}
+
+/// Zones of the whole edge, of which the model may be half.
+fn whole_zones(
+    problem: &InterfaceProblem,
+    state: &ContactState,
+    pair: usize,
+    geometry: &EdgeGeometry,
+) -> Vec<Zone> {
+    let (parameter, closed) = (&geometry.parameter, geometry.closed());
+    if geometry.half {
+        mirrored(&zones(problem, state, pair, parameter, None), closed)
+    } else {
+        zones(problem, state, pair, parameter, closed)
+    }
+}
+
 fn summarise(
+    model: &Model,
+    solved: &Solved,
     edge: &ModelEdge,
     rows: Vec<EdgeRow>,
-    zones: Vec<Zone>,
-    record: &StepRecord,
-    half: bool,
+    reported: &Reported,
 ) -> EdgeResults {
     let parameter = &edge.geometry.parameter;
-    let peak = |value: &dyn Fn(&EdgeRow) -> f64| {
-        rows.iter()
-            .zip(parameter)
-            .map(|(row, &at)| (value(row), at))
-            .max_by(|a, b| a.0.total_cmp(&b.0))
+    let (half, problem, state) = (model.half, &solved.problem, &reported.state);
+    let zones = edge.pair.map_or_else(Vec::new, |pair| {
+        whole_zones(problem, state, pair, &edge.geometry)
+    });
+    let closed = edge.geometry.closed();
+    let rubs = edge
+        .pair
+        .is_some_and(|pair| carries_friction(problem, state, pair));
+    // A closed walk starts at −π, which is π.
+    let far = |place: f64| match closed {
+        Some(length) if place < -0.5 * length * (1.0 - 1e-9) => place + length,
+        _ => place,
     };
-    let touching = || zones.iter().filter(|zone| zone.status.touches());
-    let share = if half { 1.0 } else { 0.5 };
-    let extent = touching()
-        .next()
-        .zip(touching().next_back())
-        .map(|(first, last)| share * (last.end - first.start));
-    let around_middle =
-        |zone: &&Zone| zone.status == Status::Stick && zone.start <= 0.0 && zone.end >= 0.0;
+    let peak = |value: &dyn Fn(&EdgeRow) -> f64| {
+        let values: Vec<f64> = rows.iter().map(value).collect();
+        largest(&values, parameter).map(|(value, place)| (value, far(place)))
+    };
+    let extent = half_extent(&zones, closed);
+    let around_middle = |zone: &&Zone| {
+        let holds = |middle: f64| zone.start <= middle && middle <= zone.end;
+        zone.status == Status::Stick && (holds(0.0) || closed.is_some_and(holds))
+    };
     let middle = zones.iter().find(around_middle);
-    let stick = extent.map(|_| middle.map_or(0.0, |zone| share * (zone.end - zone.start)));
+    let stick = extent
+        .filter(|_| rubs)
+        .map(|_| middle.map_or(0.0, |zone| 0.5 * zone.length()));
     let double = if half { 2.0 } else { 1.0 };
+    // The friction forces of two symmetric halves of a line cancel; around a hole both pull the same way.
+    let doubled_friction = match edge.geometry.kind {
+        EdgeKind::Line if half => 0.0,
+        EdgeKind::Line | EdgeKind::Circle { .. } => double,
+    };
     let (resultant, sums) = edge.pair.map_or_else(Default::default, |pair| {
-        let [x, y] = record.audit.resultants[pair];
+        let [x, y] = reported.sums[pair].resultant;
         let whole = match (half, edge.geometry.kind) {
             (false, _) => [x, y],
             (true, EdgeKind::Circle { .. }) => [2.0 * x, 0.0],
             (true, EdgeKind::Line) => [0.0, 2.0 * y],
         };
-        (whole, record.audit.friction[pair])
+        (whole, reported.sums[pair])
     });
     let bearing =
         (0..rows.len()).min_by(|&a, &b| parameter[a].abs().total_cmp(&parameter[b].abs()));
@@ -301,11 +352,12 @@ fn summarise(
         contact_half_extent: extent,
         stick_half_extent: stick,
         peak_pressure: peak(&|row| row.pressure).filter(|_| extent.is_some()),
-        peak_hoop: peak(&|row| row.sigma_tangential),
-        peak_hoop_uncertainty: cusp_uncertainty(&rows, &zones, parameter),
+        peak_hoop: peak(&|row| row.sigma_tangential)
+            .filter(|_| rows.iter().any(|row| row.sigma_tangential != 0.0)),
+        peak_hoop_uncertainty: cusp_uncertainty(&rows, &ends_of_contact(&zones, closed), parameter),
         hoop_at_bearing_point: bearing.map(|k| rows[k].sigma_tangential),
         resultant,
-        friction_force: double * friction_force(edge, &rows),
+        friction_force: doubled_friction * friction_force(edge, &rows),
         normal_force: double * sums.normal,
         rows,
         zones,

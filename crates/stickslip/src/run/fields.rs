@@ -7,6 +7,8 @@ use stickslip_fem_core::stress::{ElasticField, StressError};
 use super::Solved;
 use crate::model::Model;
 use crate::results::BodyFields;
+use crate::scene::Scene;
+use crate::scene::schema::LoadKind;
 
 /// Displacements and balance of all bodies at the end of one load step.
 #[derive(Debug, Default)]
@@ -68,12 +70,10 @@ pub(super) fn recover(solved: &Solved) -> Vec<Recovered> {
             .collect();
         let displacements = body.displacements_of(&states);
         let residuals = body.residual_forces_of(&displacements, &states);
-        for (step, ((u, residual), state)) in all
-            .iter_mut()
-            .zip(displacements.into_iter().zip(&residuals).zip(&states))
-        {
+        let balances = body.balances_of(&residuals, &states);
+        for (step, (u, balance)) in all.iter_mut().zip(displacements.into_iter().zip(balances)) {
             step.displacement.push(u);
-            step.balance.push(Some(body.balance(residual, state)));
+            step.balance.push(Some(balance));
         }
     }
     all
@@ -81,6 +81,7 @@ pub(super) fn recover(solved: &Solved) -> Vec<Recovered> {
 
 /// Fields of all bodies that were recovered, with stresses by patch recovery.
 pub(super) fn with_stresses(
+    scene: &Scene,
     model: &Model,
     recovered: &Recovered,
 ) -> Result<Vec<BodyFields>, StressError> {
@@ -95,14 +96,25 @@ pub(super) fn with_stresses(
         let strain = elastic.initial_strain(&recovered.multipliers);
         let displacement = recovered.displacement[index].clone();
         let initial = (!strain.is_empty()).then_some(strain.as_slice());
-        let stress = ElasticField::new(elastic.mesh(), &materials, &displacement, initial)?
-            .patch_recovery()
-            .averaged();
+        let nodal =
+            ElasticField::new(elastic.mesh(), &materials, &displacement, initial)?.patch_recovery();
+        let heating = heating(scene, &body.name, &recovered.multipliers);
         fields.push(BodyFields {
             body: index,
+            stress: nodal.averaged(),
+            thickness_stress: nodal
+                .averaged_of(|block, stress| materials[block].thickness_stress(stress, heating)),
             displacement,
-            stress,
         });
     }
     Ok(fields)
+}
+
+/// Temperature rise `[K]` of body `name`; the first load cases are the scene's loads.
+fn heating(scene: &Scene, name: &str, multipliers: &[f64]) -> f64 {
+    let loads = scene.loads.iter().zip(multipliers);
+    let heats = loads.filter(
+        |(load, _)| matches!(&load.kind, LoadKind::Temperature { body, .. } if body == name),
+    );
+    heats.map(|(_, degrees)| degrees).sum()
 }

@@ -23,6 +23,12 @@ use super::schema::{
 use crate::diagnostic::{Finding, SceneError, SceneProblem, nearest};
 use crate::units::{Measure, Quantity};
 
+/// Most sub-steps of a load step.
+const SUBSTEP_LIMIT: usize = 100_000;
+
+/// Most letters of a name, which is a part of file names.
+const LONGEST_NAME: usize = 64;
+
 /// Which of a body's sets fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Fits {
@@ -62,9 +68,10 @@ pub(super) fn build(
     let materials = builder.materials(format, analysis.plane);
     builder.bodies(format, &materials);
     let mesh = builder.mesh(format);
+    builder.body_meshes(format, &mesh);
     let contacts = builder.contacts(format);
     let supports = builder.supports(format);
-    let platens = builder.platens(format);
+    let platens = builder.platens(format, &contacts);
     let loads = builder.loads(format, &materials, base);
     let edges = builder.edges(format);
     builder.everything_is_held(&contacts, &supports, &platens);
@@ -163,8 +170,8 @@ impl Builder<'_> {
     /// Names are parts of keys and of file names.
     fn name(&mut self, table: &str, name: &str) {
         let plain = |letter: char| letter.is_ascii_alphanumeric() || letter == '_' || letter == '-';
-        if name.is_empty() || !name.chars().all(plain) {
-            let allowed = "made of letters a–z, digits, '_' and '-'";
+        if name.is_empty() || name.len() > LONGEST_NAME || !name.chars().all(plain) {
+            let allowed = "made of 1 to 64 letters a–z, digits, '_' and '-'";
             let problem = SceneProblem::OutOfRange {
                 key: "name".to_owned(),
                 value: format!("\"{name}\""),
@@ -222,8 +229,10 @@ impl Builder<'_> {
 
     fn analysis(&mut self, format: &SceneFormat) -> Analysis {
         let analysis = &format.analysis;
-        if analysis.substeps == 0 {
-            self.out_of_range("analysis.substeps", "0", "at least 1");
+        if !(1..=SUBSTEP_LIMIT).contains(&analysis.substeps) {
+            let allowed = format!("from 1 to {SUBSTEP_LIMIT}");
+            let given = analysis.substeps.to_string();
+            self.out_of_range("analysis.substeps", &given, allowed);
         }
         Analysis {
             plane: analysis.plane,

@@ -2,6 +2,8 @@
 //!
 //! TOML and JSON arrive at the same tree. A key is written as in `--set`: `contacts.0.friction.coulomb.mu`.
 
+mod duplicate;
+
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
@@ -87,7 +89,10 @@ impl Document {
         let source = Arc::clone(&self.source);
         let table = DeTable::parse(&source.text).map_err(|error| {
             let cause = error.message().to_owned();
-            self.syntax("TOML", cause, error.span())
+            match error.span() {
+                Some(span) if cause == "duplicate key" => self.duplicate_toml(span),
+                span => self.syntax("TOML", cause, span),
+            }
         })?;
         self.root = self.toml_table(table.get_ref(), "")?;
         Ok(())
@@ -160,15 +165,9 @@ impl Document {
             self.syntax("JSON", words.to_owned(), Some(at..at))
         })?;
         for entry in json::entries(&source.text) {
-            if self.places.contains_key(&entry.path) {
-                let name = entry.path.rsplit('.').next().unwrap_or_default().to_owned();
-                let finding = Finding {
-                    problem: SceneProblem::DuplicateKey { key: name },
-                    key: entry.path,
-                    source,
-                    span: entry.key,
-                };
-                return Err(SceneError::new(finding, []));
+            if let Some(first) = self.places.get(&entry.path) {
+                let first = first.key.clone();
+                return Err(self.duplicate(entry.path, first.as_ref(), entry.key));
             }
             self.note(&entry.path, entry.key, entry.value);
         }

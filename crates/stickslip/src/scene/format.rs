@@ -10,7 +10,9 @@ use serde_json::Value;
 use stickslip_fem_core::material::PlaneState;
 use stickslip_fem_core::mesh::ElementKind;
 
-use super::schema::{Axis, FieldOutput, GapKind, ModelChoice, Ramp, SolverChoice};
+use super::schema::{
+    Axis, FieldOutput, GapKind, ModelChoice, ProjectionChoice, Ramp, SolverChoice,
+};
 use crate::units::{
     Angle, AngleOrLength, Force, Length, PerTemperature, Quantity, Stress, Temperature, UnitName,
 };
@@ -143,6 +145,8 @@ pub(super) struct BodyFormat {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) thickness: Option<Quantity<Length>>,
     pub(super) shape: ShapeFormat,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) mesh: Option<BodyMeshFormat>,
 }
 
 /// `shape.NAME = { … }`.
@@ -224,6 +228,24 @@ pub(super) struct MeshFormat {
     pub(super) layers: Option<usize>,
 }
 
+/// `[bodies.NAME.mesh]`: what differs from `[mesh]`.
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct BodyMeshFormat {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) element: Option<ElementKind>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) spacing: Option<Quantity<AngleOrLength>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) angles: Option<Vec<Quantity<Angle>>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) fine_to: Option<Quantity<AngleOrLength>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) coarse_spacing: Option<Quantity<AngleOrLength>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) layers: Option<usize>,
+}
+
 #[derive(Debug, Clone, Deserialize, Serialize)]
 #[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
 pub(super) struct ContactFormat {
@@ -233,6 +255,8 @@ pub(super) struct ContactFormat {
     pub(super) second: String,
     #[serde(default)]
     pub(super) gap: GapKind,
+    #[serde(default)]
+    pub(super) projection: ProjectionChoice,
     #[serde(default)]
     pub(super) interference: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -277,7 +301,7 @@ pub(super) struct LoadFormat {
 #[derive(Debug, Clone, Deserialize, Serialize)]
 #[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
 pub(super) struct ForceFormat {
-    pub(super) direction: [f64; 2],
+    pub(super) direction: Vec<f64>,
     pub(super) steps: Vec<Quantity<Force>>,
 }
 

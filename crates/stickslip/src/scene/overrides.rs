@@ -24,8 +24,11 @@ const CHOICES: [&str; 4] = [
     "contacts.*.friction",
 ];
 
+/// The two ways to divide an edge.
+const DIVISIONS: [&[&str]; 2] = [&["angles"], &["spacing", "fine_to", "coarse_spacing"]];
+
 /// Keys of which a table holds only one group.
-const RIVALS: [(&str, &[&[&str]]); 4] = [
+const RIVALS: [(&str, &[&[&str]]); 5] = [
     (
         "loads.*",
         &[
@@ -37,10 +40,8 @@ const RIVALS: [(&str, &[&[&str]]); 4] = [
     ),
     ("supports.*", &[&["fix"], &["normal"]]),
     ("bodies.*", &[&["rigid"], &["material"]]),
-    (
-        "mesh",
-        &[&["angles"], &["spacing", "fine_to", "coarse_spacing"]],
-    ),
+    ("mesh", &DIVISIONS),
+    ("bodies.*.mesh", &DIVISIONS),
 ];
 
 /// Applies one argument `key=value`.
@@ -243,7 +244,8 @@ mod tests {
     fn document() -> Document {
         let text = "[mesh]\nspacing = \"1 deg\"\nfine_to = \"9 deg\"\n\
                     [[contacts]]\nfriction.static_dynamic = { static = 0.35, dynamic = 0.25 }\n\
-                    [bodies.pin]\nmaterial = \"steel\"\n";
+                    [bodies.pin]\nmaterial = \"steel\"\n\
+                    [bodies.disc]\nmesh.spacing = \"2 deg\"\n";
         let source = SourceText {
             name: "a.toml".into(),
             text: text.into(),
@@ -289,6 +291,10 @@ mod tests {
         );
         assert_eq!(
             after("mesh.angles=[\"0 deg\", \"180 deg\"]")["mesh"],
+            json!({"angles": ["0 deg", "180 deg"]})
+        );
+        assert_eq!(
+            after("bodies.disc.mesh.angles=[\"0 deg\", \"180 deg\"]")["bodies"]["disc"]["mesh"],
             json!({"angles": ["0 deg", "180 deg"]})
         );
         assert_eq!(

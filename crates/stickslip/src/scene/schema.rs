@@ -86,6 +86,8 @@ pub struct Body {
     pub substance: Substance,
     /// Its outline.
     pub shape: Shape,
+    /// How finely it is divided where it differs from [`Scene::mesh`](super::Scene::mesh); whole, with what it takes from there.
+    pub mesh: Option<MeshSettings>,
 }
 
 /// What a body is made of.
@@ -120,7 +122,7 @@ impl fmt::Display for SetRef {
 /// How finely the bodies are divided.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeshSettings {
-    /// Element of every body.
+    /// Element of the cells.
     pub element: ElementKind,
     /// Division along the contact edges.
     pub division: Division,
@@ -157,10 +159,12 @@ pub struct Contact {
     pub name: String,
     /// The edge that the normal points into: hole, or cylinder.
     pub first: SetRef,
-    /// The other edge: rim of the pin, or block.
+    /// The other edge: rim of a pin, outer edge of a ring, or block.
     pub second: SetRef,
     /// How the initial gap is computed.
     pub gap: GapKind,
+    /// How the two edges are tied to each other.
+    pub projection: ProjectionChoice,
     /// Whether an initial overlap is meant.
     pub interference: bool,
     /// Its friction.
@@ -178,6 +182,21 @@ pub enum GapKind {
     Linearised,
     /// From the nodes and straight facets of the mesh.
     Faceted,
+}
+
+/// How two edges in contact are tied to each other.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ProjectionChoice {
+    /// Pairs of nodes where the meshes match, dual mortar where they do not.
+    #[default]
+    Auto,
+    /// Pairs of nodes; the meshes must match.
+    Nodes,
+    /// Mortar projection with the shape functions of the first edge.
+    Mortar,
+    /// Mortar projection with functions biorthogonal to them.
+    DualMortar,
 }
 
 /// A coordinate axis.
@@ -297,6 +316,15 @@ pub struct PolarTable {
     pub radial: Vec<f64>,
     /// τ_rθ `[MPa]`.
     pub shear: Vec<f64>,
+}
+
+impl PolarTable {
+    /// Whether the table ends at π and so stands for a load symmetric about the x axis.
+    pub fn is_half(&self) -> bool {
+        self.theta
+            .last()
+            .is_some_and(|last| (last - std::f64::consts::PI).abs() < 1e-9)
+    }
 }
 
 /// What is written beside tables.

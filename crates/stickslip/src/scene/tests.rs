@@ -184,3 +184,49 @@ fn no_typing_error_makes_it_panic() {
         }
     }
 }
+
+#[test]
+fn a_body_takes_from_the_scene_what_its_own_mesh_leaves_out() {
+    let with = |own: &str| {
+        let text = SCENE
+            .replace(
+                "[mesh]\nspacing = \"2 deg\"",
+                "[mesh]\nspacing = \"2 deg\"\nfine_to = \"90 deg\"\ncoarse_spacing = \"5 deg\"\nlayers = 9",
+            )
+            .replace(
+                "shape.disk = { radius = \"4.99 mm\" }",
+                &format!("shape.disk = {{ radius = \"4.99 mm\" }}\nmesh = {{ {own} }}"),
+            );
+        let scene = read(&text).unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(scene.mesh_of("plate"), &scene.mesh);
+        let again = read(scene.resolved()).unwrap();
+        assert_eq!(again.mesh_of("pin"), scene.mesh_of("pin"), "{own}");
+        scene
+    };
+    let graded = |scene: &Scene| match scene.mesh_of("pin").division {
+        Division::Angular(grading) => {
+            let degrees = |value: Option<f64>| value.map(|value| value.to_degrees().round());
+            (
+                grading.spacing.to_degrees().round(),
+                degrees(grading.fine_to),
+                degrees(grading.coarse_spacing),
+            )
+        }
+        _ => panic!("{:?}", scene.mesh_of("pin")),
+    };
+    let scene = with("element = \"Q4\"");
+    assert_eq!(graded(&scene), (2.0, Some(90.0), Some(5.0)));
+    assert_eq!(scene.mesh_of("pin").layers, Some(9));
+    assert_ne!(scene.mesh_of("pin").element, scene.mesh.element);
+    let scene = with("spacing = \"3 deg\", layers = 4");
+    assert_eq!(graded(&scene), (3.0, Some(90.0), None));
+    assert_eq!(scene.mesh_of("pin").layers, Some(4));
+    assert_eq!(
+        graded(&with("fine_to = \"60 deg\"")),
+        (2.0, Some(60.0), Some(5.0))
+    );
+    let scene = with("angles = [\"0 deg\", \"90 deg\", \"180 deg\"]");
+    assert!(
+        matches!(&scene.mesh_of("pin").division, Division::AngleList(angles) if angles.len() == 3)
+    );
+}

@@ -21,7 +21,7 @@ pub(crate) fn dimensions_of_tag(list: &str) -> Expected {
             .into_iter()
             .find(|dimension| dimension.tag() == name)
     };
-    Expected(list.split('|').filter_map(named).collect())
+    Expected::any(&list.split('|').filter_map(named).collect::<Vec<_>>())
 }
 
 /// What a [`Quantity`] may measure, at compile time.

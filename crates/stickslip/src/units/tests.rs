@@ -1,3 +1,5 @@
+use miette::Diagnostic;
+
 use super::*;
 
 fn value(text: &str, dimension: Dimension) -> f64 {

@@ -161,7 +161,7 @@ fn field_files_are_xml_in_display_units() {
     for name in [
         "displacement [in]",
         "stress_xx [psi]",
-        "von_mises_plane [psi]",
+        "von_mises [psi]",
         "sigma_theta [psi]",
     ] {
         assert!(arrays.contains(&name), "{arrays:?}");
@@ -181,7 +181,7 @@ fn field_files_are_xml_in_display_units() {
     // 100 MPa in psi; two roundings.
     let stress = 100.0 * 25.4 * 25.4 / 4.448_221_615_260_5;
     assert!((largest("stress_xx [psi]") / stress - 1.0).abs() < 1e-15);
-    assert!((largest("von_mises_plane [psi]") / stress - 1.0).abs() < 1e-15);
+    assert!((largest("von_mises [psi]") / stress - 1.0).abs() < 1e-15);
 }
 
 /// The numbers of array `name`: base64 of a byte count of 8 bytes and little-endian doubles.
@@ -327,5 +327,21 @@ fn equal_results_give_equal_bytes() {
             fs::read(second.join(name)).unwrap(),
             "{name}"
         );
+    }
+}
+
+/// A press fit without a pull has pressures, but no bearing stress to compare them with.
+#[test]
+fn pressures_without_a_bearing_stress_are_drawn_all_the_same() {
+    let mut results = results();
+    for step in &mut results.steps {
+        for edge in &mut step.edges {
+            edge.resultant = [0.0; 2];
+        }
+    }
+    let (_place, folder) = written(&results, true);
+    let figures = names(&folder.join("figures"));
+    for name in ["pressure-pin.svg", "extent-pin.svg"] {
+        assert!(figures.contains(name), "{name} is not among {figures:?}");
     }
 }

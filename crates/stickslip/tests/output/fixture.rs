@@ -9,7 +9,6 @@ use stickslip::results::{
 use stickslip::scene::schema::DisplayUnits;
 use stickslip::units::{Dimension, Unit};
 use stickslip_contact::Status;
-use stickslip_contact::audit::{Audit, FrictionSum};
 use stickslip_contact::solver::{Residuals, Work};
 use stickslip_contact::zones::Zone;
 use stickslip_fem_core::generate::{
@@ -164,7 +163,7 @@ fn step(index: usize, edges: &[EdgeGeometry], mesh: &Mesh) -> StepResults {
         edges: edges.iter().map(|edge| edge_step(edge, index)).collect(),
         work: Work {
             solves: 3 + index,
-            pivots: 0,
+            ..Work::default()
         },
         solvers: vec!["status iteration"],
         increments: 1,
@@ -178,13 +177,6 @@ fn step(index: usize, edges: &[EdgeGeometry], mesh: &Mesh) -> StepResults {
         balance_residual: 4e-13,
         balance: Vec::new(),
         dissipation: 0.5,
-        audit: Audit {
-            resultants: vec![[LOADS[index], 0.0]; 2],
-            moments: vec![0.0; 2],
-            friction: vec![FrictionSum::default(); 2],
-            balance: 3e-16,
-            gap_work: 0.0,
-        },
         fields: if unloading {
             vec![fields(mesh)]
         } else {
@@ -204,6 +196,7 @@ fn fields(mesh: &Mesh) -> BodyFields {
             .flat_map(|node| [1e-3 * node[0], 0.0])
             .collect(),
         stress: vec![[100.0, 0.0, 0.0]; mesh.nodes().len()],
+        thickness_stress: vec![0.0; mesh.nodes().len()],
     }
 }
 

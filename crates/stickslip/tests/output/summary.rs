@@ -39,6 +39,9 @@ fn the_first_contact_edge_stands_in_each_step() {
     assert_eq!(step["peak_pressure"]["unit"], "psi");
     // Sticking nodes reach to 40°; slip follows up to the last node inside 80°.
     assert!(close(&step["stick_half_angle_deg"], 40.0));
+    let contact = step["contact_zones_deg"].as_array().unwrap();
+    assert_eq!(contact.len(), 1);
+    assert!(contact[0]["start"] == 0.0 && close(&contact[0]["end"], 75.0));
     let slip = &step["slip_zones_deg"][0];
     assert!(
         close(&slip["start"], 40.0) && close(&slip["end"], 75.0),
@@ -62,6 +65,8 @@ fn a_line_has_widths_and_an_edge_without_contact_has_nulls() {
     assert!(close(&line["contact_half_width"]["value"], 2.0 / 25.4));
     assert_eq!(line["contact_half_width"]["unit"], "in");
     assert_eq!(line["slip_zones"][0]["unit"], "in");
+    assert_eq!(line["contact_zones"].as_array().unwrap().len(), 1);
+    assert_eq!(line["contact_zones"][0]["unit"], "in");
     assert!(close(&line["stick_half_width"]["value"], 1.0 / 25.4)); // half of the contact in this fixture
     assert!(line.get("contact_half_angle_deg").is_none());
     let free = &summary["steps"][2]["edges"]["plate.left"];

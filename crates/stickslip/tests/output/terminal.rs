@@ -4,9 +4,12 @@ use stickslip::output::{signs_table, summary_table};
 
 use super::fixture::{open_hole, results};
 
+/// Enough for all columns.
+const WIDE: usize = 120;
+
 #[test]
 fn load_steps_fit_in_120_columns_below_a_row_of_units() {
-    let text = summary_table(&results());
+    let text = summary_table(&results(), WIDE);
     assert!(
         text.lines().all(|line| line.chars().count() <= 120),
         "{text}"
@@ -37,8 +40,29 @@ fn load_steps_fit_in_120_columns_below_a_row_of_units() {
 }
 
 #[test]
+fn a_narrow_terminal_has_fewer_columns_and_whole_numbers() {
+    let wide = summary_table(&results(), WIDE);
+    assert!(!wide.contains("want of width"), "{wide}");
+    for width in [100, 80] {
+        let text = summary_table(&results(), width);
+        assert!(
+            text.lines().all(|line| line.chars().count() <= width),
+            "{text}"
+        );
+        // One line of names and one of units: no heading is broken, and the numbers stand as in the wide table.
+        let lines: Vec<&str> = text.lines().collect();
+        assert!(lines[3].starts_with('─'), "{text}");
+        assert_eq!(
+            lines[6].split_whitespace().take(4).collect::<Vec<_>>(),
+            ["3", "899.24", "80.0", "40.0"]
+        );
+        assert!(text.contains("For want of width without time"), "{text}");
+    }
+}
+
+#[test]
 fn without_contact_the_hoop_stress_is_shown() {
-    let text = summary_table(&open_hole());
+    let text = summary_table(&open_hole(), WIDE);
     assert!(text.starts_with("Edge 'plate.hole'\n"), "{text}");
     assert!(
         text.contains("max σ_θ") && !text.contains("contact"),
@@ -49,7 +73,7 @@ fn without_contact_the_hoop_stress_is_shown() {
 /// The header, the units and the first row of the first table.
 fn head(results: &stickslip::results::Results) -> Vec<Vec<String>> {
     let words = |line: &str| line.split_whitespace().map(str::to_owned).collect();
-    summary_table(results).lines().map(words).collect()
+    summary_table(results, WIDE).lines().map(words).collect()
 }
 
 #[test]
@@ -92,7 +116,7 @@ fn without_loads_the_steps_have_only_their_numbers() {
 fn inconsistent_results_have_no_table() {
     let mut results = results();
     results.steps[0].edges.clear();
-    assert_eq!(summary_table(&results), "");
+    assert_eq!(summary_table(&results, WIDE), "");
 }
 
 #[test]

@@ -3,9 +3,10 @@
 use stickslip_report::axis::Axis;
 use stickslip_report::chart::{Dash, LineChart, Series};
 
-use super::{Attempt, closing_angle, half_remark, zone_bands};
+use super::{Attempt, half_remark, zone_bands};
 use crate::output::display::{EdgeView, decimals, short, significant};
 use crate::output::loads::LoadScale;
+use crate::output::zones::closing_angle;
 use crate::results::EdgeRow;
 
 /// Part of a contact line that is shown, in half-widths of the widest contact.

@@ -12,8 +12,8 @@ use crate::output::display::{EdgeView, decimals, significant};
 use crate::output::loads::LoadScale;
 use crate::results::{EdgeRow, Results};
 
-/// Steps up to which every curve has its own entry in the legend.
-const NAMED_STEPS: usize = 8;
+/// Steps up to which every curve has its own entry in the legend: as many as stand beside one chart.
+const NAMED_STEPS: usize = 24;
 /// Intervals between ticks under a panel.
 const TICK_INTERVALS: f64 = 8.0;
 /// Part of the edge that is shown, in half-extents of the widest contact.
@@ -127,7 +127,7 @@ fn family(view: &EdgeView<'_>, quantity: &Quantity, peak: Option<String>) -> Att
         return Ok(None);
     }
     let unit = view.units().stress.name;
-    let over_bearing = view.geometry.contact && view.geometry.bearing_area.is_some();
+    let over_bearing = view.geometry.contact && view.bears();
     let title = format!(
         "{} on '{}' in every load step",
         quantity.title, view.geometry.name
@@ -163,13 +163,11 @@ fn side_by_side(
 ) -> Result<Svg, FigureError> {
     left.title = "(a) in stress".into();
     right.title = "(b) relative to the bearing stress of each step".into();
-    // One legend for both; frames of equal size need it outside of both.
-    let charts = vec![left.legend(Legend::Below), right.legend(Legend::Hidden)];
-    let charts = charts
+    let charts = vec![left, right]
         .into_iter()
         .map(|chart| chart.size(520.0, 0.8))
         .collect();
-    Panels::new(title, 2, charts).render()
+    Panels::new(title, 2, charts).common_legend().render()
 }
 
 fn what_is_seen(view: &EdgeView<'_>, quantity: &Quantity, over_bearing: bool) -> Vec<String> {
@@ -192,6 +190,11 @@ fn what_is_seen(view: &EdgeView<'_>, quantity: &Quantity, over_bearing: bool) ->
         "{} {} in {order}{parts}.",
         quantity.title, quantity.symbol
     )];
+    if count > NAMED_STEPS {
+        sentences.push(format!(
+            "The legend names {NAMED_STEPS} of the {count} steps; the shades of the others lie between."
+        ));
+    }
     let halves = || (0..count).filter_map(|step| view.step(step).contact_half_extent);
     let ends = halves().reduce(f64::min).zip(halves().reduce(f64::max));
     if let Some((low, high)) = ends.filter(|_| quantity.near_contact) {
@@ -313,14 +316,19 @@ mod tests {
     use super::named_steps;
 
     #[test]
-    fn a_long_history_names_the_ends_of_both_branches() {
+    fn every_step_is_named_up_to_two_dozen() {
         let falls: Vec<bool> = (0..14).map(|step| step >= 7).collect();
+        assert_eq!(named_steps(&falls), [true; 14]);
+    }
+
+    #[test]
+    fn a_long_history_names_the_ends_of_both_branches() {
+        let falls: Vec<bool> = (0..60).map(|step| step >= 30).collect();
         let named = named_steps(&falls);
-        assert_eq!(named.iter().filter(|named| **named).count(), 8);
-        assert!(named[0] && named[6] && named[7] && named[13]);
-        assert_eq!(named_steps(&[false, false, true]), [true; 3]);
+        assert_eq!(named.iter().filter(|named| **named).count(), 24);
+        assert!(named[0] && named[29] && named[30] && named[59]);
         let one_way = named_steps(&[false; 50]);
         assert!(one_way[0] && one_way[49]);
-        assert_eq!(one_way.iter().filter(|named| **named).count(), 8);
+        assert_eq!(one_way.iter().filter(|named| **named).count(), 24);
     }
 }

@@ -8,7 +8,7 @@ use stickslip_report::field::{FieldPlot, Mirror};
 use super::Attempt;
 use crate::output::display::{EdgeView, significant};
 use crate::output::loads::LoadScale;
-use crate::output::vtk_files::{polar_stresses, von_mises};
+use crate::output::vtk_files::{polar_stresses, von_mises_stresses};
 use crate::results::{BodyFields, EdgeKind, Results, StepResults};
 
 /// Half of the window around a hole, in radii.
@@ -100,19 +100,26 @@ impl<'a> Scene<'a> {
     }
 
     fn von_mises(&self) -> Attempt {
-        let values = self.values(|_, stress| von_mises(stress));
+        let values: Vec<f64> = shown(self.edge, self.record())
+            .flat_map(von_mises_stresses)
+            .map(|stress| self.edge.stress(stress))
+            .collect();
         let unit = self.edge.units().stress.name;
         let largest = self.largest(&values);
-        let mut plot = self.plot(
-            "Von Mises stress in the plane",
-            format!("σ_vM [{unit}]"),
-            &values,
-        );
+        let mut plot = self.plot("Von Mises stress", format!("σ_vM [{unit}]"), &values);
         if largest > 0.0 {
             plot = plot.between(0.0, largest);
         }
+        let thick = shown(self.edge, self.record())
+            .flat_map(|fields| &fields.thickness_stress)
+            .any(|&stress| stress != 0.0);
+        let formula = if thick {
+            "Von Mises stress of σ_xx, σ_yy, τ_xy and σ_zz, which holds ε_zz = 0 in plane strain,"
+        } else {
+            "√(σ_xx² − σ_xx σ_yy + σ_yy² + 3 τ_xy²), as σ_zz = 0 in plane stress,"
+        };
         let text = format!(
-            "√(σ_xx² − σ_xx σ_yy + σ_yy² + 3 τ_xy²) at {}. Its largest value in sight in '{}' is {} {unit}.",
+            "{formula} at {}. Its largest value in sight in '{}' is {} {unit}.",
             LoadScale::of(self.edge.results()).step_text(self.step),
             self.edge.geometry.body,
             significant(largest, 4),

@@ -39,7 +39,7 @@ pub(super) fn extent_and_peak(view: &EdgeView<'_>) -> Attempt {
         series.color = series.color.map(|color| color.tint(0.6));
         extents = extents.with(series.dash(Dash::Dotted).style(SeriesStyle::Both));
     }
-    let over_bearing = view.geometry.bearing_area.is_some();
+    let over_bearing = view.bears();
     let label = if over_bearing {
         "Largest pressure / bearing stress σ_b [–]".to_owned()
     } else {
@@ -128,8 +128,8 @@ pub(super) fn friction(view: &EdgeView<'_>) -> Attempt {
         chart = chart.with(series.style(SeriesStyle::Both));
     }
     let meaning = if view.is_circle() {
-        "q is the friction that holds the plate back from sliding away from the bearing point; where it is negative, unloading \
-         has turned it round. Where all slips under one coefficient μ the ratio is ±μ."
+        "q is positive where friction pulls the plate along the edge towards the bearing point, negative where it pulls away from \
+         it. Where all slips one way under one coefficient μ the ratio is ±μ."
     } else {
         "Q is the tangential force on the first body along +x, N the normal force; |Q/N| = μ means that all slips."
     };

@@ -6,9 +6,10 @@ use stickslip_report::chart::{Legend, LineChart, ReferenceLine, Series};
 use stickslip_report::color::Color;
 
 use super::edge::{TICK_INTERVALS, around_contact, place_axis};
-use super::{Attempt, zone_color, zone_name, zone_ranges};
+use super::{Attempt, zone_color, zone_name};
 use crate::output::display::{EdgeView, significant};
 use crate::output::loads::LoadScale;
+use crate::output::zones::shown_ranges;
 
 /// Width of the figure `[px]`.
 const WIDTH: f64 = 760.0;
@@ -85,7 +86,7 @@ fn bars(view: &EdgeView<'_>, status: Status, width: f64) -> Series {
     let mut points = Vec::new();
     for step in 0..view.results().steps.len() {
         let x = (step + 1) as f64;
-        for (_, [start, end]) in zone_ranges(view, step)
+        for (_, [start, end]) in shown_ranges(view, step)
             .into_iter()
             .filter(|zone| zone.0 == status)
         {

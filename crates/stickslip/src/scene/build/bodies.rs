@@ -123,7 +123,13 @@ impl Builder<'_> {
             let table = child("bodies", name);
             let substance = self.substance(&table, body, materials);
             let shape = self.shape(&child(&table, "shape"), &body.shape);
-            self.bodies.insert(name.clone(), Body { substance, shape });
+            // The division is read when all bodies are known.
+            let body = Body {
+                substance,
+                shape,
+                mesh: None,
+            };
+            self.bodies.insert(name.clone(), body);
         }
     }
 

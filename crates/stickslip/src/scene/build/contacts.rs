@@ -1,11 +1,16 @@
 //! Pairs of edges in contact.
 
-use super::{Builder, Fits};
+use super::{Builder, Fits, LONGEST_NAME};
 use crate::diagnostic::SceneProblem;
 use crate::scene::document::Part;
 use crate::scene::format::{ContactFormat, SceneFormat};
 use crate::scene::friction;
-use crate::scene::schema::{Contact, SetRef, Shape};
+use crate::scene::schema::{Contact, Outline, SetRef, Shape};
+
+/// Largest overlap of two circles, as a part of the hole's radius: small displacements hold far below it.
+const LARGEST_OVERLAP: f64 = 0.1;
+/// Smallest inner circle, as a part of the hole's radius: radii of the hole, along which gaps are found, miss a smaller one.
+const SMALLEST_INNER: f64 = 0.5;
 
 impl Builder<'_> {
     pub(super) fn contacts(&mut self, format: &mut SceneFormat) -> Vec<Contact> {
@@ -20,6 +25,7 @@ impl Builder<'_> {
                 .to_owned();
             let name = given.name.get_or_insert(second).clone();
             let key = format!("contacts.{index}");
+            self.contact_name(&key, &name);
             if contacts.iter().any(|other| other.name == name) {
                 let message = format!("two contacts are called '{name}'");
                 self.conflict(
@@ -28,9 +34,56 @@ impl Builder<'_> {
                     "give each contact a name of its own",
                 );
             }
-            contacts.extend(self.contact(&key, name, given));
+            if let Some(contact) = self.contact(&key, name, given) {
+                self.edges_are_free(&key, &contacts, &contact);
+                match closed_chain(&contacts, &contact) {
+                    Some(chain) => self.circular(&key, &chain),
+                    None => contacts.push(contact),
+                }
+            }
         }
         contacts
+    }
+
+    /// Names of contacts are parts of file names, otherwise free.
+    fn contact_name(&mut self, key: &str, name: &str) {
+        let letters = name.chars().count();
+        if !(1..=LONGEST_NAME).contains(&letters) || name.contains(['/', '\\']) {
+            let allowed = "1 to 64 letters without '/' and '\\'".to_owned();
+            self.out_of_range(&format!("{key}.name"), &format!("\"{name}\""), allowed);
+        }
+    }
+
+    /// An edge touches one other edge.
+    fn edges_are_free(&mut self, key: &str, others: &[Contact], contact: &Contact) {
+        for (place, edge) in [("first", &contact.first), ("second", &contact.second)] {
+            let taken = others
+                .iter()
+                .find(|other| [&other.first, &other.second].contains(&edge));
+            if let Some(other) = taken {
+                let message = format!("{edge} is in contact '{}' already", other.name);
+                self.conflict(
+                    &format!("{key}.{place}"),
+                    message,
+                    "an edge takes part in one contact; a bushing touches with its hole and its outer edge",
+                );
+            }
+        }
+    }
+
+    fn circular(&mut self, key: &str, chain: &[String]) {
+        let message = match chain {
+            [own] => format!("contact {own} is one of a body with itself"),
+            _ => format!(
+                "contacts form a circle, in which each body would stand inside the next: {}",
+                chain.join(", ")
+            ),
+        };
+        self.conflict(
+            key,
+            message,
+            "a hole holds another, smaller body: change or remove a contact",
+        );
     }
 
     fn contact(&mut self, key: &str, name: String, given: &mut ContactFormat) -> Option<Contact> {
@@ -60,13 +113,17 @@ impl Builder<'_> {
             },
         };
         let (first, second) = (first?, second?);
-        self.pair(key, given, &first, &second);
+        // Of a body with itself another refusal tells.
+        if first.body != second.body {
+            self.pair(key, given, &first, &second);
+        }
         let (gap, interference) = (given.gap, given.interference);
         Some(Contact {
             name,
             first,
             second,
             gap,
+            projection: given.projection,
             interference,
             law: law?,
         })
@@ -75,13 +132,15 @@ impl Builder<'_> {
     fn pair(&mut self, key: &str, given: &ContactFormat, first: &SetRef, second: &SetRef) {
         let shapes = (self.shape_of(first), self.shape_of(second));
         match shapes {
-            (Some(Shape::PlateWithHole { hole_radius, .. }), Some(Shape::Disk { radius }))
-                if first.set == "hole" =>
-            {
-                if radius > hole_radius && !given.interference {
-                    self.pin_too_large(first, second, radius - hole_radius);
-                }
-            }
+            (
+                Some(Shape::PlateWithHole {
+                    hole_radius: hole, ..
+                }),
+                Some(inner @ (Shape::Disk { .. } | Shape::PlateWithHole { .. })),
+            ) if first.set == "hole" && second.set != "hole" => match inner.circle(&second.set) {
+                Some(radius) => self.circles(given, [first, second], [hole, radius]),
+                None => self.no_pair(key, first, second),
+            },
             (
                 Some(Shape::Cylinder {
                     half_length, depth, ..
@@ -115,14 +174,17 @@ impl Builder<'_> {
     fn no_pair(&mut self, key: &str, first: &SetRef, second: &SetRef) {
         let swapped = matches!(
             (self.shape_of(first), self.shape_of(second)),
-            (Some(Shape::Disk { .. }), Some(Shape::PlateWithHole { .. }))
-                | (Some(Shape::Block { .. }), Some(Shape::Cylinder { .. }))
-        ) && ["hole", "contact"].contains(&second.set.as_str());
+            (
+                Some(Shape::Disk { .. } | Shape::PlateWithHole { .. }),
+                Some(Shape::PlateWithHole { .. })
+            ) | (Some(Shape::Block { .. }), Some(Shape::Cylinder { .. }))
+        ) && ["hole", "contact"].contains(&second.set.as_str())
+            && ["rim", "outer", "contact"].contains(&first.set.as_str());
         let remedy = if swapped {
             format!("swap them: first = \"{second}\", second = \"{first}\"")
         } else {
-            "first is the hole of a plate_with_hole and second the rim of a disk, or first the contact edge of a \
-             cylinder and second that of a block"
+            "first is the hole of a plate_with_hole and second the rim of a disk or the outer edge of a ring, or first the \
+             contact edge of a cylinder and second that of a block"
                 .to_owned()
         };
         let problem = SceneProblem::ContactPair {
@@ -133,21 +195,83 @@ impl Builder<'_> {
         self.report(key, Part::Key, problem);
     }
 
-    fn pin_too_large(&mut self, hole: &SetRef, pin: &SetRef, overlap: f64) {
-        let radius_key = format!("bodies.{}.shape.disk.radius", pin.body);
-        let hole_key = format!("bodies.{}.shape.plate_with_hole.hole_radius", hole.body);
+    /// Refuses two circles that overlap without being meant to, or that small displacements or gaps along radii cannot join.
+    fn circles(&mut self, given: &ContactFormat, edges: [&SetRef; 2], [hole, inner]: [f64; 2]) {
+        let [hole_key, inner_key] = edges.map(|edge| self.radius_key(edge));
         let text = |key: &str| {
             let value = self.document.get(key).and_then(serde_json::Value::as_str);
             value.unwrap_or_default().to_owned()
         };
-        let pin_text = text(&radius_key);
-        // The overlap is told in the unit that the pin's radius is written in.
-        let unit = crate::units::unit_of(&pin_text);
-        let problem = SceneProblem::PinTooLarge {
-            hole: text(&hole_key),
-            overlap: unit.map_or_else(|| format!("{overlap} mm"), |unit| unit.show(overlap)),
-            pin: pin_text,
+        let (hole_text, inner_text) = (text(&hole_key), text(&inner_key));
+        // Differences are told in the unit that the inner radius is written in.
+        let unit = crate::units::unit_of(&inner_text);
+        let show = |value: f64| unit.map_or_else(|| format!("{value} mm"), |unit| unit.show(value));
+        let part = if edges[1].set == "rim" {
+            "pin"
+        } else {
+            "bushing"
         };
-        self.report(&radius_key, Part::Value, problem);
+        if inner > hole && !given.interference {
+            let problem = SceneProblem::PinTooLarge {
+                part,
+                hole: hole_text,
+                overlap: show(inner - hole),
+                pin: inner_text,
+            };
+            self.report(&inner_key, Part::Value, problem);
+        } else if inner - hole > LARGEST_OVERLAP * hole {
+            let message = format!(
+                "the {part} (radius {inner_text}) overlaps the hole (radius {hole_text}) by {}, {:.3} % of the hole's radius; \
+                 displacements are taken as small, which they are not here",
+                show(inner - hole),
+                100.0 * (inner / hole - 1.0)
+            );
+            let most = show(hole * (1.0 + LARGEST_OVERLAP));
+            self.conflict(
+                &inner_key,
+                message,
+                format!("give a radius of at most {most}"),
+            );
+        } else if inner < SMALLEST_INNER * hole {
+            let message = format!(
+                "the {part} (radius {inner_text}) is too small for the hole (radius {hole_text}): gaps are found along the hole's \
+                 radii, and some of them miss a {part} of less than half its radius"
+            );
+            let least = show(SMALLEST_INNER * hole);
+            self.conflict(
+                &inner_key,
+                message,
+                format!("give a radius of at least {least}, close to the hole's"),
+            );
+        }
     }
+
+    /// Key of the radius of a circular edge.
+    fn radius_key(&self, edge: &SetRef) -> String {
+        let size = match (self.shape_of(edge), edge.set.as_str()) {
+            (Some(Shape::Disk { .. }), _) => "disk.radius",
+            (
+                Some(Shape::PlateWithHole {
+                    outline: Outline::Ring { .. },
+                    ..
+                }),
+                "outer",
+            ) => "plate_with_hole.outline.ring.radius",
+            _ => "plate_with_hole.hole_radius",
+        };
+        format!("bodies.{}.shape.{size}", edge.body)
+    }
+}
+
+/// The contacts by which `contact` would lead from a body back to itself, if it would.
+fn closed_chain(others: &[Contact], contact: &Contact) -> Option<Vec<String>> {
+    let mut chain = vec![format!("'{}'", contact.name)];
+    let mut outer = &contact.first.body;
+    // The others close no chain, so this walk ends.
+    while *outer != contact.second.body {
+        let holder = others.iter().find(|other| other.second.body == *outer)?;
+        chain.push(format!("'{}'", holder.name));
+        outer = &holder.first.body;
+    }
+    Some(chain)
 }

@@ -67,14 +67,35 @@ impl Builder<'_> {
         }
     }
 
-    pub(super) fn platens(&mut self, format: &SceneFormat) -> Vec<Platen> {
-        let mut platens = Vec::new();
+    pub(super) fn platens(&mut self, format: &SceneFormat, contacts: &[Contact]) -> Vec<Platen> {
+        let mut platens: Vec<Platen> = Vec::new();
         for (index, given) in format.platens.iter().enumerate() {
-            let on = self.set(&format!("platens.{index}.on"), &given.on, Fits::Edges);
-            platens.extend(on.map(|on| Platen {
+            let key = format!("platens.{index}.on");
+            let Some(on) = self.set(&key, &given.on, Fits::Edges) else {
+                continue;
+            };
+            if let Some(other) = platens.iter().find(|other| other.on.body == on.body) {
+                let message = format!(
+                    "'{}' has a platen on {} already, and a body has room for one",
+                    on.body, other.on
+                );
+                let remedy = format!(
+                    "remove one of them, or hold {on} by a support: [[supports]] on = \"{on}\", fix = [\"x\", \"y\"]"
+                );
+                self.conflict(&key, message, remedy);
+            }
+            let touches = |contact: &&Contact| contact.first == on || contact.second == on;
+            if let Some(contact) = contacts.iter().find(touches) {
+                let message = format!(
+                    "{on} is an edge of a contact, '{}', and cannot be glued to a platen too",
+                    contact.name
+                );
+                self.conflict(&key, message, "glue another edge of the body to the platen");
+            }
+            platens.push(Platen {
                 on,
                 free: axes(&given.free),
-            }));
+            });
         }
         platens
     }

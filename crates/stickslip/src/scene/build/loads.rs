@@ -42,7 +42,7 @@ impl Builder<'_> {
         let key = child(&child(key, key_of(kind)), "steps");
         let steps = kind.steps().len();
         if steps == 0 {
-            self.out_of_range(&key, "[]", "at least one step");
+            self.out_of_range(&key, "[]", "a list of at least one value");
         }
         if let Some(first) = first
             && first.kind.steps().len() != steps
@@ -110,15 +110,18 @@ impl Builder<'_> {
     }
 
     fn force(&mut self, key: &str, on: SetRef, force: &ForceFormat) -> Option<LoadKind> {
-        let [x, y] = force.direction;
+        let direction_key = child(key, "force.direction");
+        let numbers: Vec<_> = force.direction.iter().map(f64::to_string).collect();
+        let shown = format!("[{}]", numbers.join(", "));
+        let &[x, y] = force.direction.as_slice() else {
+            let allowed = "two numbers, x and y, such as [-1, 0]";
+            self.out_of_range(&direction_key, &shown, allowed);
+            return None;
+        };
         let length = x.hypot(y);
         if !(length.is_finite() && length > 0.0) {
-            let key = child(key, "force.direction");
-            self.out_of_range(
-                &key,
-                &format!("[{x}, {y}]"),
-                "a vector other than zero, such as [-1, 0]",
-            );
+            let allowed = "a vector other than zero, such as [-1, 0]";
+            self.out_of_range(&direction_key, &shown, allowed);
             return None;
         }
         let direction = [x / length, y / length];

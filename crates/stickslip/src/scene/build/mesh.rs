@@ -4,25 +4,88 @@ use std::f64::consts::TAU;
 
 use super::Builder;
 use crate::diagnostic::SceneProblem;
-use crate::scene::document::Part;
-use crate::scene::format::{MeshFormat, SceneFormat};
-use crate::scene::schema::{Division, Grading, MeshSettings};
+use crate::scene::document::{Part, child};
+use crate::scene::format::{BodyMeshFormat, MeshFormat, SceneFormat};
+use crate::scene::schema::{Body, Division, Grading, MeshSettings, Substance};
 use crate::units::{AngleOrLength, Dimension, Expected, Quantity, UnitError};
+
+/// A table of mesh settings and the bodies that it divides.
+struct Scope<'a> {
+    table: &'a str,
+    bodies: &'a [&'a str],
+}
+
+impl Scope<'_> {
+    fn key(&self, name: &str) -> String {
+        child(self.table, name)
+    }
+}
 
 impl Builder<'_> {
     pub(super) fn mesh(&mut self, format: &SceneFormat) -> MeshSettings {
-        let given = &format.mesh;
+        let divided = |name: &&String| {
+            let own = format.bodies[*name].mesh.as_ref();
+            !own.is_some_and(|own| own.spacing.is_some() || own.angles.is_some())
+        };
+        let names = format.bodies.keys().filter(divided);
+        let bodies: Vec<&str> = names.map(String::as_str).collect();
+        let scope = Scope {
+            table: "mesh",
+            bodies: &bodies,
+        };
+        self.settings(&scope, &format.mesh, None)
+    }
+
+    /// The settings of bodies that have their own.
+    pub(super) fn body_meshes(&mut self, format: &SceneFormat, whole: &MeshSettings) {
+        for (name, body) in &format.bodies {
+            let Some(own) = &body.mesh else {
+                continue;
+            };
+            let table = child(&child("bodies", name), "mesh");
+            let rigid = |body: &Body| body.substance == Substance::Rigid;
+            if self.bodies.get(name).is_some_and(rigid) {
+                self.conflict(
+                    &table,
+                    format!("the rigid body '{name}' is not divided"),
+                    "remove its mesh, or give the body a material",
+                );
+                continue;
+            }
+            let scope = Scope {
+                table: &table,
+                bodies: &[name],
+            };
+            let divides = own.spacing.is_some()
+                || own.angles.is_some()
+                || own.fine_to.is_some()
+                || own.coarse_spacing.is_some();
+            let given = merged(own, &format.mesh);
+            let inherited = (!divides).then(|| whole.division.clone());
+            let settings = self.settings(&scope, &given, inherited);
+            if let Some(body) = self.bodies.get_mut(name) {
+                body.mesh = Some(settings);
+            }
+        }
+    }
+
+    fn settings(
+        &mut self,
+        scope: &Scope<'_>,
+        given: &MeshFormat,
+        inherited: Option<Division>,
+    ) -> MeshSettings {
         if given.layers == Some(0) {
-            self.out_of_range("mesh.layers", "0", "at least 1");
+            self.out_of_range(&scope.key("layers"), "0", "at least 1");
         }
         MeshSettings {
             element: given.element,
-            division: self.division(given),
+            division: inherited.unwrap_or_else(|| self.division(scope, given)),
             layers: given.layers,
         }
     }
 
-    fn division(&mut self, given: &MeshFormat) -> Division {
+    fn division(&mut self, scope: &Scope<'_>, given: &MeshFormat) -> Division {
         let others = [
             ("fine_to", &given.fine_to),
             ("coarse_spacing", &given.coarse_spacing),
@@ -30,38 +93,39 @@ impl Builder<'_> {
         match (&given.spacing, &given.angles) {
             (None, Some(angles)) => {
                 let angles: Vec<f64> = angles.iter().map(Quantity::value).collect();
-                self.angles(given, &angles);
+                self.angles(scope, given, &angles);
                 for (name, _) in others.iter().filter(|(_, value)| value.is_some()) {
-                    let message = format!("mesh.{name} has no meaning beside mesh.angles");
+                    let (key, angles) = (scope.key(name), scope.key("angles"));
+                    let message = format!("{key} has no meaning beside {angles}");
                     self.conflict(
-                        &format!("mesh.{name}"),
+                        &key,
                         message,
                         "give the angles themselves, or spacing instead",
                     );
                 }
-                self.fits_shapes("mesh.angles", "a list of angles", Dimension::Angle);
+                self.fits_shapes(scope, "angles", "a list of angles", Dimension::Angle);
                 Division::AngleList(angles)
             }
-            (Some(spacing), None) => self.graded(spacing, others),
+            (Some(spacing), None) => self.graded(scope, spacing, others),
             (spacing, _) => {
                 let found = if spacing.is_some() { "both" } else { "none" };
                 let problem = SceneProblem::OneOf {
-                    table: "mesh".to_owned(),
+                    table: scope.table.to_owned(),
                     choices: "spacing = \"2 deg\", angles = [\"0 deg\", …]".to_owned(),
                     found: found.to_owned(),
                 };
-                self.report("mesh", Part::Key, problem);
+                self.report(scope.table, Part::Key, problem);
                 Division::AngleList(Vec::new())
             }
         }
     }
 
-    fn angles(&mut self, given: &MeshFormat, angles: &[f64]) {
+    fn angles(&mut self, scope: &Scope<'_>, given: &MeshFormat, angles: &[f64]) {
         let texts: Vec<_> = given.angles.iter().flatten().map(Quantity::text).collect();
         if angles.len() < 2 {
             let found = format!("{} angles", angles.len());
             self.out_of_range(
-                "mesh.angles",
+                &scope.key("angles"),
                 &found,
                 "at least two, from 0 deg to 180 deg for a half model",
             );
@@ -71,20 +135,20 @@ impl Builder<'_> {
             if pair[1] <= pair[0] {
                 let allowed = format!("greater than the angle before it, {}", texts[index]);
                 self.out_of_range(
-                    &format!("mesh.angles.{}", index + 1),
+                    &scope.key(&format!("angles.{}", index + 1)),
                     texts[index + 1],
                     allowed,
                 );
             }
         }
         if angles[0] != 0.0 {
-            self.out_of_range("mesh.angles.0", texts[0], "0 deg, the bearing point");
+            self.out_of_range(&scope.key("angles.0"), texts[0], "0 deg, the bearing point");
         }
         let last = angles.len() - 1;
         // Half an ulp of 2π more than the sum of a table in degrees can miss.
         if angles[last] > TAU * (1.0 + f64::EPSILON) {
             self.out_of_range(
-                &format!("mesh.angles.{last}"),
+                &scope.key(&format!("angles.{last}")),
                 texts[last],
                 "at most 360 deg",
             );
@@ -93,36 +157,38 @@ impl Builder<'_> {
 
     fn graded(
         &mut self,
+        scope: &Scope<'_>,
         spacing: &Quantity<AngleOrLength>,
         others: [(&str, &Option<Quantity<AngleOrLength>>); 2],
     ) -> Division {
         let dimension = spacing.dimension();
-        self.fits_shapes("mesh.spacing", spacing.text(), dimension);
-        let fine = self.positive("mesh", "spacing", spacing);
+        self.fits_shapes(scope, "spacing", spacing.text(), dimension);
+        let fine = self.positive(scope.table, "spacing", spacing);
         if dimension == Dimension::Angle && fine > TAU / 8.0 {
-            self.out_of_range("mesh.spacing", spacing.text(), "at most 45 deg");
+            self.out_of_range(&scope.key("spacing"), spacing.text(), "at most 45 deg");
         }
         let [fine_to, coarse_spacing] = others.map(|(name, other)| {
             let other = other.as_ref()?;
-            let value = self.positive("mesh", name, other);
+            let value = self.positive(scope.table, name, other);
             if other.dimension() != dimension {
                 let problem = UnitError::WrongDimension {
                     text: other.text().to_owned(),
                     expected: Expected::one(dimension),
                     found: other.dimension(),
                 };
-                self.report(&format!("mesh.{name}"), Part::Value, problem.into());
+                self.report(&scope.key(name), Part::Value, problem.into());
             } else if value < fine {
-                let allowed = format!("at least mesh.spacing, {}", spacing.text());
-                self.out_of_range(&format!("mesh.{name}"), other.text(), allowed);
+                let allowed = format!("at least {}, {}", scope.key("spacing"), spacing.text());
+                self.out_of_range(&scope.key(name), other.text(), allowed);
             }
             Some(value)
         });
         if coarse_spacing.is_some() && fine_to.is_none() {
+            let (key, fine_to) = (scope.key("coarse_spacing"), scope.key("fine_to"));
             self.conflict(
-                "mesh.coarse_spacing",
-                "mesh.coarse_spacing needs mesh.fine_to, which says from where it holds".to_owned(),
-                "add mesh.fine_to, for example fine_to = \"100 deg\"",
+                &key,
+                format!("{key} needs {fine_to}, which says from where it holds"),
+                format!("add {fine_to}, for example fine_to = \"100 deg\""),
             );
         }
         let grading = Grading {
@@ -138,7 +204,7 @@ impl Builder<'_> {
     }
 
     /// Round shapes are divided by angles, the others by lengths.
-    fn fits_shapes(&mut self, key: &str, text: &str, dimension: Dimension) {
+    fn fits_shapes(&mut self, scope: &Scope<'_>, name: &str, text: &str, dimension: Dimension) {
         let wanted = |round: bool| {
             if round {
                 Dimension::Angle
@@ -146,15 +212,17 @@ impl Builder<'_> {
                 Dimension::Length
             }
         };
-        let misfit = self
-            .bodies
-            .iter()
-            .find(|(_, body)| wanted(body.shape.is_round()) != dimension);
-        let Some((name, body)) = misfit else {
+        let shapes = scope.bodies.iter().copied().filter_map(|body| {
+            let shape = self.bodies.get(body)?.shape;
+            Some((body, shape))
+        });
+        let mut misfits = shapes.filter(|(_, shape)| wanted(shape.is_round()) != dimension);
+        let Some((body, shape)) = misfits.next() else {
             return;
         };
-        let expected = wanted(body.shape.is_round());
-        let (name, shape) = (name.clone(), body.shape.name());
+        let key = scope.key(name);
+        let expected = wanted(shape.is_round());
+        let shape = shape.name();
         let remedy = match expected {
             Dimension::Angle => {
                 "give the spacing of corner nodes on the circle, for example spacing = \"2 deg\""
@@ -164,18 +232,47 @@ impl Builder<'_> {
             }
         };
         let message = format!(
-            "body '{name}' ({shape}) is divided by {}, but {key} = {text} is {}",
+            "body '{body}' ({shape}) is divided by {}, but {key} = {text} is {}",
             if expected == Dimension::Angle {
                 "angles"
             } else {
                 "lengths"
             },
-            if key == "mesh.angles" {
+            if name == "angles" {
                 "angles"
             } else {
                 dimension.with_article()
             },
         );
-        self.conflict(key, message, remedy);
+        self.conflict(&key, message, remedy);
+    }
+}
+
+/// What a body's own settings and those of the scene make together. A spacing of its own keeps the fine zone of the scene where
+/// that is possible; a list of angles says everything.
+fn merged(own: &BodyMeshFormat, whole: &MeshFormat) -> MeshFormat {
+    let divides = own.spacing.is_some() || own.angles.is_some();
+    let fits = |fine_to: &&Quantity<AngleOrLength>| match (&own.spacing, &own.angles) {
+        (Some(spacing), None) => {
+            fine_to.dimension() == spacing.dimension() && fine_to.value() >= spacing.value()
+        }
+        (None, None) => true,
+        (_, Some(_)) => false,
+    };
+    let kept = || whole.fine_to.as_ref().filter(fits).cloned();
+    let coarse = || whole.coarse_spacing.clone().filter(|_| !divides);
+    MeshFormat {
+        element: own.element.unwrap_or(whole.element),
+        spacing: own
+            .spacing
+            .clone()
+            .or_else(|| whole.spacing.clone().filter(|_| !divides)),
+        angles: own
+            .angles
+            .clone()
+            .or_else(|| whole.angles.clone().filter(|_| !divides)),
+        fine_to: own.fine_to.clone().or_else(kept),
+        coarse_spacing: own.coarse_spacing.clone().or_else(coarse),
+        layers: own.layers.or(whole.layers),
     }
 }

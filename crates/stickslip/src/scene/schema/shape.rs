@@ -1,6 +1,6 @@
 //! Shapes of bodies and the names of their edges.
 
-/// A shape and its place. The centre of a hole or disk is the origin.
+/// A shape and its place. The centre of a hole or disk is the origin, unless another hole holds it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shape {
     /// A plate around a circular hole.

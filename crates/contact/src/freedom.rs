@@ -1,0 +1,91 @@
+//! Rigid motions that no contact can resist, wherever it closes:
+//!
+//! ```text
+//! G_n α = 0 at every point,     G_t α = 0 at every point with friction
+//! ```
+//!
+//! If the load does no work along such an α, as it must where there is balance, every multiple of it may be added to a solution.
+
+use nalgebra::{DMatrix, DVector};
+use stickslip_friction::History;
+
+use crate::problem::InterfaceProblem;
+
+/// Singular values up to this part of the largest are those of a motion that nothing resists.
+const NEGLIGIBLE: f64 = 1e-10;
+
+/// A body that can move as a whole without resistance.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FreeBody {
+    /// Index of the body.
+    pub body: usize,
+    /// Whether it turns, and does not only slide along straight contacts.
+    pub turns: bool,
+    /// Its pairs, in which the motion is slip.
+    pub slipping: Vec<usize>,
+}
+
+/// The bodies that take part in motions without resistance.
+pub fn free_bodies(problem: &InterfaceProblem) -> Vec<FreeBody> {
+    if problem.modes().ncols() == 0 {
+        return Vec::new();
+    }
+    let motions = null_motions(problem);
+    if motions.ncols() == 0 {
+        return Vec::new();
+    }
+    let relative = problem.modes() * &motions;
+    let moves = |body: usize| motions.rows_range(problem.body_modes(body)).amax() > NEGLIGIBLE;
+    let free = |body: usize| {
+        let pairs = problem.pairs().iter().enumerate();
+        let own = pairs.filter(|(_, pair)| pair.first == body || pair.second == body);
+        let own: Vec<usize> = own.map(|(index, _)| index).collect();
+        let mut normals = own.iter().flat_map(|&pair| &problem.pairs()[pair].points);
+        let first = normals.next().map(|point| point.normal);
+        FreeBody {
+            body,
+            turns: normals.any(|point| Some(point.normal) != first),
+            slipping: own
+                .into_iter()
+                .filter(|&pair| {
+                    let points = problem.pair_points(pair);
+                    relative.rows(2 * points.start, 2 * points.len()).amax() > NEGLIGIBLE
+                })
+                .collect(),
+        }
+    };
+    (0..problem.body_count())
+        .filter(|&body| moves(body))
+        .map(free)
+        .collect()
+}
+
+/// Columns α of length 1 that nothing resists, of a problem with rigid motions.
+fn null_motions(problem: &InterfaceProblem) -> DMatrix<f64> {
+    let modes = problem.modes();
+    let mut resisted = modes.clone();
+    for (k, point) in problem.points().iter().enumerate() {
+        let bound = problem
+            .law(k)
+            .bound(1.0, 0.0, &point.place, &History::default());
+        if bound.stick == 0.0 && bound.slip == 0.0 {
+            resisted.row_mut(2 * k + 1).fill(0.0);
+        }
+    }
+    // Rows that are missing change no null space, and give as many right vectors as motions.
+    let missing = modes.ncols().saturating_sub(resisted.nrows());
+    let rows = resisted.nrows();
+    let svd = resisted.insert_rows(rows, missing, 0.0).svd(false, true);
+    let largest = svd.singular_values.iter().fold(0.0, |a: f64, b| a.max(*b));
+    let Some(right) = svd.v_t else {
+        return DMatrix::zeros(modes.ncols(), 0);
+    };
+    let free: Vec<DVector<f64>> = (0..right.nrows())
+        .filter(|&k| svd.singular_values[k] <= NEGLIGIBLE * largest)
+        .map(|k| right.row(k).transpose())
+        .collect();
+    if free.is_empty() {
+        return DMatrix::zeros(modes.ncols(), 0);
+    }
+    DMatrix::from_columns(&free)
+}

@@ -1,0 +1,149 @@
+//! How an active-set iteration corrects the status of a point after a solve with frozen statuses.
+
+use super::accept::ROUNDING;
+use super::frozen::Frozen;
+use super::residual::Scales;
+use super::step::Step;
+use crate::state::Status;
+
+/// Which rules correct the statuses.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Rules {
+    /// Post & Reddy (1988, II 2.1): a closing or turning point sticks.
+    Report,
+    /// The projection's (Alart & Curnier 1991): it sticks if the force that this takes lies within the bound.
+    Projection,
+}
+
+/// A point whose status is to change.
+pub(super) struct Change {
+    pub(super) point: usize,
+    pub(super) status: Status,
+    /// Relative size of the violation.
+    pub(super) violation: f64,
+}
+
+impl Rules {
+    /// The points whose status is to change after the solve `frozen` with statuses `status`. Points that are `slipped` are
+    /// held by their slip traction only, not by a larger bound of sticking.
+    pub(super) fn changes(
+        self,
+        step: &Step<'_>,
+        status: &[Status],
+        slipped: &[bool],
+        frozen: &Frozen,
+        scales: Scales,
+    ) -> Vec<Change> {
+        let at = At {
+            step,
+            status,
+            slipped,
+            frozen,
+            scales,
+        };
+        (0..status.len())
+            .filter_map(|point| {
+                let (next, violation) = match self {
+                    Self::Report => at.report_rule(point),
+                    Self::Projection => at.projection_rule(point),
+                };
+                (next != status[point]).then_some(Change {
+                    point,
+                    status: next,
+                    violation,
+                })
+            })
+            .collect()
+    }
+}
+
+struct At<'a> {
+    step: &'a Step<'a>,
+    status: &'a [Status],
+    slipped: &'a [bool],
+    frozen: &'a Frozen,
+    scales: Scales,
+}
+
+impl At<'_> {
+    /// Tangential force that `point` can carry without slip.
+    fn holding(&self, point: usize, normal: f64, slip: f64) -> f64 {
+        let bound = self.step.bound(point, normal, slip);
+        if self.slipped[point] {
+            bound.stick.min(bound.slip)
+        } else {
+            bound.stick
+        }
+    }
+
+    fn report_rule(&self, point: usize) -> (Status, f64) {
+        let now = self.status[point];
+        let (normal, tangential) = (
+            self.frozen.forces[2 * point],
+            self.frozen.forces[2 * point + 1],
+        );
+        let (gap, slip) = (
+            self.frozen.motion[2 * point],
+            self.frozen.motion[2 * point + 1],
+        );
+        if now == Status::Open {
+            let depth = -gap / self.scales.length;
+            return if depth > ROUNDING {
+                (Status::Stick, depth)
+            } else {
+                (now, 0.0)
+            };
+        }
+        let pull = -normal / self.scales.force;
+        if pull > ROUNDING {
+            return (Status::Open, pull);
+        }
+        if !self.step.problem.points()[point].slides {
+            return (Status::Stick, 0.0);
+        }
+        if now == Status::Stick {
+            let excess = (tangential.abs() - self.holding(point, normal, 0.0)) / self.scales.force;
+            if excess > ROUNDING {
+                (Status::slip_along(-tangential), excess)
+            } else {
+                (now, 0.0)
+            }
+        } else {
+            let backward = -now.slip_sign() * slip / self.scales.length;
+            if backward > ROUNDING {
+                (Status::Stick, backward)
+            } else {
+                (now, 0.0)
+            }
+        }
+    }
+
+    fn projection_rule(&self, point: usize) -> (Status, f64) {
+        let (plain, violation) = self.report_rule(point);
+        let now = self.status[point];
+        let turns = plain == Status::Stick
+            && now != Status::Stick
+            && self.step.problem.points()[point].slides;
+        if !turns {
+            return (plain, violation);
+        }
+        // A closing or turning point sticks only if the force that would stop its motion lies within the bound. Its
+        // neighbours move with it, so it takes the compliance of all touching points together to tell.
+        let compliance = self.step.problem.compliance();
+        let stop = |row: usize| {
+            let column = compliance.column(row);
+            let touching =
+                (0..self.status.len()).filter(|&k| self.status[k].touches() || k == point);
+            let together: f64 = touching.map(|k| column[2 * k + row % 2].abs()).sum();
+            self.frozen.motion[row] / (together + self.step.softness).max(f64::MIN_POSITIVE)
+        };
+        let trial = self.frozen.forces[2 * point + 1] - stop(2 * point + 1);
+        let normal = (self.frozen.forces[2 * point] - stop(2 * point)).max(0.0);
+        let bound = self.holding(point, normal, self.frozen.motion[2 * point + 1]);
+        if trial.abs() > bound {
+            (Status::slip_along(-trial), violation)
+        } else {
+            (Status::Stick, violation)
+        }
+    }
+}

@@ -1,0 +1,6 @@
+//! Closed forms and tables that results are compared with.
+
+pub mod aluminium;
+pub mod line_contact;
+pub mod persson;
+pub mod rigid_pin;

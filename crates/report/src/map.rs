@@ -1,0 +1,294 @@
+//! Maps of outcomes: one coloured cell for each row and column, in groups of rows.
+//!
+//! Every category has a mark besides its colour, so that a map can be read without colours. Groups may have a line between
+//! two columns, such as a bound beyond which something else is to be expected.
+
+use crate::color::Color;
+use crate::error::FigureError;
+use crate::frame::{Heading, INK, LABEL_SIZE, LINE_HEIGHT, MUTED, OUTER, TICK_SIZE, TITLE_SIZE};
+use crate::svg::{Anchor, Area, Canvas, Stroke, Svg, TextStyle};
+use crate::text::{self, Weight};
+
+/// Smallest width and the height of a cell \[px\].
+const NARROWEST: f64 = 11.0;
+const CELL_HEIGHT: f64 = 19.0;
+const GROUP_HEIGHT: f64 = 25.0;
+const NAME_GAP: f64 = 8.0;
+const SWATCH: f64 = 16.0;
+const LEGEND_ROW: f64 = 22.0;
+const LEGEND_GAP: f64 = 20.0;
+/// Room between column labels \[px\].
+const LABEL_ROOM: f64 = 5.0;
+
+/// What a cell can say.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Category {
+    /// Name in the legend.
+    pub label: String,
+    /// One or two characters in the cell; may be empty.
+    pub mark: String,
+    /// Ground of the cell.
+    pub color: Color,
+}
+
+/// Rows that belong together, under a heading.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Group {
+    /// Heading; may be empty.
+    pub label: String,
+    /// Name of each row, and the index of each cell's category; `None` leaves a cell empty.
+    pub rows: Vec<(String, Vec<Option<usize>>)>,
+    /// A line before the column with this index, with its name.
+    pub divider: Option<(usize, String)>,
+}
+
+/// A map of outcomes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OutcomeMap {
+    /// What the map shows.
+    pub title: String,
+    /// A second, smaller line; may be empty.
+    pub subtitle: String,
+    /// Name, symbol and unit of what the columns vary.
+    pub x_label: String,
+    /// Label of each column.
+    pub columns: Vec<String>,
+    /// Groups from top to bottom.
+    pub groups: Vec<Group>,
+    /// Categories; the legend shows those that occur.
+    pub categories: Vec<Category>,
+    /// Width of the figure \[px\]; more if the columns need it.
+    pub width: f64,
+}
+
+impl OutcomeMap {
+    /// Draws the map.
+    ///
+    /// # Errors
+    /// [`FigureError::NoData`] without a row or a column.
+    pub fn render(&self) -> Result<Svg, FigureError> {
+        if self.columns.is_empty() || self.groups.iter().all(|group| group.rows.is_empty()) {
+            return Err(FigureError::NoData {
+                axis: self.x_label.clone(),
+            });
+        }
+        let layout = self.layout();
+        let mut canvas = Canvas::default();
+        layout.heading.draw(&mut canvas, [OUTER, OUTER]);
+        let mut top = OUTER + layout.heading.height();
+        for group in &self.groups {
+            top = self.draw_group(&mut canvas, &layout, group, top);
+        }
+        top = self.draw_columns(&mut canvas, &layout, top);
+        let bottom = self.draw_legend(&mut canvas, layout.width, top + 10.0);
+        Ok(canvas.finish(layout.width, bottom + OUTER, &self.title))
+    }
+
+    fn layout(&self) -> Layout {
+        let names = self.groups.iter().flat_map(|group| &group.rows);
+        let widest = text::widest(names.map(|(name, _)| name.as_str()), TICK_SIZE);
+        let left = OUTER + widest + NAME_GAP;
+        let count = self.columns.len() as f64;
+        let cell = ((self.width - left - OUTER) / count).max(NARROWEST);
+        let width = left + cell * count + OUTER;
+        let heading = Heading::new(
+            &self.title,
+            TITLE_SIZE,
+            &[&self.subtitle],
+            width - 2.0 * OUTER,
+        );
+        Layout {
+            left,
+            cell,
+            width,
+            heading,
+        }
+    }
+
+    /// Draws a group below `top` and returns where it ends.
+    fn draw_group(&self, canvas: &mut Canvas, layout: &Layout, group: &Group, top: f64) -> f64 {
+        let headed = !group.label.is_empty() || group.divider.is_some();
+        let first = top + if headed { GROUP_HEIGHT } else { 4.0 };
+        if headed {
+            let style = TextStyle::new(LABEL_SIZE, INK, Anchor::Start).bold();
+            canvas.text([OUTER, first - 7.0], &group.label, &style);
+        }
+        let edge = Stroke::solid(Color::rgb(255, 255, 255), 1.0);
+        for (index, (name, cells)) in group.rows.iter().enumerate() {
+            let row = first + CELL_HEIGHT * index as f64;
+            let style = TextStyle::new(TICK_SIZE, INK, Anchor::End);
+            let middle = row + CELL_HEIGHT / 2.0;
+            canvas.centred_text([layout.left - NAME_GAP, middle], name, &style);
+            for (column, cell) in cells.iter().enumerate().take(self.columns.len()) {
+                let area = Area {
+                    left: layout.left + layout.cell * column as f64,
+                    top: row,
+                    width: layout.cell,
+                    height: CELL_HEIGHT,
+                };
+                match cell.and_then(|category| self.categories.get(category)) {
+                    Some(category) => draw_cell(canvas, &area, category, &edge),
+                    None => canvas.rectangle(&area, Color::rgb(0xf6, 0xf6, 0xf6), Some(&edge)),
+                }
+            }
+        }
+        let bottom = first + CELL_HEIGHT * group.rows.len() as f64;
+        if let Some((column, name)) = &group.divider {
+            let x = layout.left + layout.cell * *column as f64;
+            canvas.line(
+                [x, first - 4.0],
+                [x, bottom + 2.0],
+                &Stroke::solid(INK, 2.0),
+            );
+            // The name stands on the side of the line that has room for it.
+            let wide = text::width(name, TICK_SIZE, Weight::Regular) + 8.0;
+            let (shift, anchor) = if x + wide > layout.width - OUTER {
+                (-4.0, Anchor::End)
+            } else {
+                (4.0, Anchor::Start)
+            };
+            let style = TextStyle::new(TICK_SIZE, INK, anchor);
+            canvas.text([x + shift, first - 6.0], name, &style);
+        }
+        bottom + 4.0
+    }
+
+    /// Column labels and what they mean; returns where they end.
+    fn draw_columns(&self, canvas: &mut Canvas, layout: &Layout, top: f64) -> f64 {
+        let style = TextStyle::new(TICK_SIZE, INK, Anchor::Middle);
+        let baseline = top + TICK_SIZE * 1.2;
+        let mut free = f64::NEG_INFINITY;
+        for (index, label) in self.columns.iter().enumerate() {
+            let x = layout.left + layout.cell * (index as f64 + 0.5);
+            let half = text::width(label, TICK_SIZE, Weight::Regular) / 2.0;
+            if x - half < free {
+                continue;
+            }
+            canvas.text([x, baseline], label, &style);
+            free = x + half + LABEL_ROOM;
+        }
+        let middle = layout.left + layout.cell * self.columns.len() as f64 / 2.0;
+        let at = [middle, baseline + LABEL_SIZE * LINE_HEIGHT + 4.0];
+        let style = TextStyle::new(LABEL_SIZE, INK, Anchor::Middle);
+        canvas.text(at, &self.x_label, &style);
+        at[1] + 6.0
+    }
+
+    /// The categories that occur, in lines; returns where they end.
+    fn draw_legend(&self, canvas: &mut Canvas, width: f64, top: f64) -> f64 {
+        let rows = self.groups.iter().flat_map(|group| &group.rows);
+        let met: Vec<usize> = rows
+            .flat_map(|(_, cells)| cells)
+            .flatten()
+            .copied()
+            .collect();
+        let style = TextStyle::new(TICK_SIZE, INK, Anchor::Start);
+        let edge = Stroke::solid(MUTED, 0.5);
+        let [mut left, mut line] = [OUTER, top];
+        for (index, category) in self.categories.iter().enumerate() {
+            if !met.contains(&index) {
+                continue;
+            }
+            let needed = SWATCH + 6.0 + text::width(&category.label, TICK_SIZE, Weight::Regular);
+            if left > OUTER && left + needed > width - OUTER {
+                [left, line] = [OUTER, line + LEGEND_ROW];
+            }
+            let swatch = Area {
+                left,
+                top: line,
+                width: SWATCH,
+                height: SWATCH,
+            };
+            draw_cell(canvas, &swatch, category, &edge);
+            let at = [left + SWATCH + 6.0, line + SWATCH / 2.0];
+            canvas.centred_text(at, &category.label, &style);
+            left += needed + LEGEND_GAP;
+        }
+        line + SWATCH
+    }
+}
+
+#[derive(Debug)]
+struct Layout {
+    left: f64,
+    cell: f64,
+    width: f64,
+    heading: Heading,
+}
+
+fn draw_cell(canvas: &mut Canvas, area: &Area, category: &Category, edge: &Stroke) {
+    canvas.rectangle(area, category.color, Some(edge));
+    let color = category.color;
+    let light = 0.299 * f64::from(color.red)
+        + 0.587 * f64::from(color.green)
+        + 0.114 * f64::from(color.blue);
+    let ink = if light > 140.0 {
+        INK
+    } else {
+        Color::rgb(255, 255, 255)
+    };
+    let style = TextStyle::new(9.5, ink, Anchor::Middle);
+    canvas.centred_text(area.middle(), &category.mark, &style);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn map() -> OutcomeMap {
+        let category = |label: &str, mark: &str, index| Category {
+            label: label.into(),
+            mark: mark.into(),
+            color: Color::category(index),
+        };
+        OutcomeMap {
+            title: "Friction".into(),
+            subtitle: "one node".into(),
+            x_label: "coefficient of friction μ [1]".into(),
+            columns: vec!["0".into(), "1".into(), "2".into()],
+            groups: vec![Group {
+                label: "push".into(),
+                rows: vec![("Newton".into(), vec![Some(0), Some(1), None])],
+                divider: Some((2, "bound".into())),
+            }],
+            categories: vec![
+                category("solved", "", 0),
+                category("cycled", "c", 1),
+                category("never met", "x", 2),
+            ],
+            width: 400.0,
+        }
+    }
+
+    #[test]
+    fn a_map_shows_its_cells_marks_and_the_categories_that_occur() {
+        let svg = map().render().unwrap();
+        let document = roxmltree::Document::parse(svg.as_str()).unwrap();
+        let texts: Vec<&str> = document
+            .descendants()
+            .filter(|node| node.has_tag_name("text"))
+            .filter_map(|node| node.text())
+            .collect();
+        for expected in [
+            "Friction", "push", "Newton", "c", "bound", "solved", "cycled", "2",
+        ] {
+            assert!(texts.contains(&expected), "{expected}: {texts:?}");
+        }
+        assert!(!texts.contains(&"never met"));
+        assert_eq!(svg, map().render().unwrap());
+    }
+
+    #[test]
+    fn a_map_without_cells_is_refused() {
+        let empty = OutcomeMap {
+            columns: Vec::new(),
+            ..map()
+        };
+        assert!(matches!(empty.render(), Err(FigureError::NoData { .. })));
+        let empty = OutcomeMap {
+            groups: vec![Group::default()],
+            ..map()
+        };
+        assert!(empty.render().is_err());
+    }
+}

@@ -1,0 +1,39 @@
+//! Ctrl-C, SIGTERM and SIGHUP during a run: what was written so far goes, old results stay.
+
+use std::process::exit;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use stickslip_report::folder::{Abandoned, FolderError, FolderHandle, ResultFolder};
+
+use super::console::Console;
+use super::failure::CommandError;
+
+/// What shells report for a process that SIGINT ended, 128 + 2; also for the other signals, which the handler cannot tell apart.
+const INTERRUPTED: i32 = 130;
+
+/// The folder that `create` makes, which an interrupt of the process deletes as long as it is not complete.
+pub(super) fn guarded(
+    console: Console,
+    create: impl FnOnce() -> Result<ResultFolder, FolderError>,
+) -> Result<ResultFolder, FolderError> {
+    let slot: Arc<Mutex<Option<FolderHandle>>> = Arc::default();
+    // An interrupt waits until it is known what there is to delete.
+    let mut place = slot.lock().unwrap_or_else(PoisonError::into_inner);
+    let seen = Arc::clone(&slot);
+    // Without a handler an interrupt leaves the hidden folder, which does no harm.
+    let _ = ctrlc::set_handler(move || {
+        let slot = seen.lock().unwrap_or_else(PoisonError::into_inner);
+        // As long as it is held, the run cannot fail for want of its folder before this does.
+        let abandoned = slot.as_ref().map(FolderHandle::abandon);
+        let reason = match &abandoned {
+            Some(Abandoned::TooLate) => CommandError::InterruptedLate,
+            Some(Abandoned::Deleted(_)) | None => CommandError::Interrupted,
+        };
+        console.fail(&reason.into());
+        exit(INTERRUPTED);
+    });
+    let folder = create()?;
+    *place = Some(folder.handle());
+    drop(place);
+    Ok(folder)
+}

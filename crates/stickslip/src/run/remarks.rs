@@ -1,0 +1,109 @@
+//! What a reader must know of the solution: where an answer was not unique, where the history was cut back, where contact lies.
+
+use stickslip_contact::InterfaceProblem;
+use stickslip_contact::freedom::{FreeBody, free_bodies};
+use stickslip_contact::zones::Zone;
+
+use crate::model::{Model, ModelEdge, beyond_fine_zone};
+use crate::results::{EdgeKind, StepResults};
+use crate::scene::Scene;
+
+/// Mean cosine of the places in contact that is rounding of contact all around.
+const ROUNDING: f64 = 1e-9;
+
+/// Remarks on the load steps.
+pub(super) fn of_steps(scene: &Scene, model: &Model, steps: &[StepResults]) -> Vec<String> {
+    let mut notes: Vec<String> = doubtful(steps).into_iter().chain(cut_back(steps)).collect();
+    for (index, edge) in model.edges.iter().enumerate() {
+        if edge.pair.is_some() {
+            let zones: Vec<&[Zone]> = steps.iter().map(|step| &*step.edges[index].zones).collect();
+            notes.extend(beyond_fine_zone(scene, &edge.geometry, &zones));
+            notes.extend(bears_behind(edge, &zones));
+        }
+    }
+    notes
+}
+
+fn doubtful(steps: &[StepResults]) -> Option<String> {
+    let which = steps_where(steps, |step| step.doubtful > 0)?;
+    let most = steps.iter().map(|step| step.doubtful).max().unwrap_or(0);
+    Some(format!(
+        "The answer is not unique in load step {which}: up to {most} contact points stick with a traction between the dynamic and the \
+         static bound, where slip at the dynamic traction would be admissible too. They were taken to stick because they had \
+         not slipped before."
+    ))
+}
+
+fn cut_back(steps: &[StepResults]) -> Option<String> {
+    let which = steps_where(steps, |step| step.cutbacks > 0)?;
+    Some(format!("The increment was cut back in load step {which}."))
+}
+
+/// Says where two circles touch around θ = 180° in place of θ = 0; `steps` holds their zones for each step.
+fn bears_behind(edge: &ModelEdge, steps: &[&[Zone]]) -> Option<String> {
+    let EdgeKind::Circle { .. } = edge.geometry.kind else {
+        return None;
+    };
+    let behind = |zones: &&[Zone]| {
+        let touching = zones.iter().filter(|zone| zone.status.touches());
+        let cosines: f64 = touching.map(|zone| zone.end.sin() - zone.start.sin()).sum();
+        cosines < -ROUNDING
+    };
+    let which = steps_where(steps, behind)?;
+    Some(format!(
+        "Contact '{}' lies nearer to θ = 180° than to θ = 0 in load step {which}. The bearing point, the fine mesh and the zones \
+         around it are counted from θ = 0: turn the load, so that the contact bears there.",
+        edge.geometry.name
+    ))
+}
+
+/// Says which bodies move as a whole without resistance, so that where they stand is not unique.
+pub(super) fn of_freedom(model: &Model, problem: &InterfaceProblem) -> Vec<String> {
+    let free = free_bodies(problem);
+    let (slipping, together): (Vec<_>, Vec<_>) =
+        free.iter().partition(|body| !body.slipping.is_empty());
+    let mut notes: Vec<String> = slipping.iter().map(|body| freely(model, body)).collect();
+    if !together.is_empty() {
+        notes.push(format!(
+            "Nothing holds {} against moving as one: displacements hold up to that motion, which changes no stress and no slip.",
+            quoted(together.iter().map(|body| &*model.bodies[body.body].name))
+        ));
+    }
+    notes
+}
+
+fn freely(model: &Model, free: &FreeBody) -> String {
+    let (verb, motion) = if free.turns {
+        ("turn", "rotation")
+    } else {
+        ("slide", "translation")
+    };
+    format!(
+        "Body '{}' can {verb} freely: its {motion} and CSLIP1 on {} are not unique.",
+        model.bodies[free.body].name,
+        quoted(free.slipping.iter().map(|&pair| &*model.pairs[pair].name))
+    )
+}
+
+/// "'a', 'b' and 'c'".
+fn quoted<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    let mut names: Vec<String> = names.map(|name| format!("'{name}'")).collect();
+    let last = names.pop().unwrap_or_default();
+    if names.is_empty() {
+        last
+    } else {
+        format!("{} and {last}", names.join(", "))
+    }
+}
+
+/// The numbers of the steps that are so, counted from 1, runs shortened: "2–5, 9"; `None` if none is.
+fn steps_where<T>(steps: &[T], is_so: impl Fn(&T) -> bool) -> Option<String> {
+    let which: Vec<usize> = (0..steps.len()).filter(|&k| is_so(&steps[k])).collect();
+    let runs = which.chunk_by(|a, b| a + 1 == *b);
+    let shown = runs.map(|run| match run {
+        [] => String::new(),
+        [only] => format!("{}", only + 1),
+        [first, .., last] => format!("{}–{}", first + 1, last + 1),
+    });
+    (!which.is_empty()).then(|| shown.collect::<Vec<_>>().join(", "))
+}

@@ -1,0 +1,164 @@
+//! The contact as it is reported: without what is rounding beside the rest of the history.
+//!
+//! A contact that opens keeps forces of some 10⁻¹⁶ of those it had, and a point at rest moves by as little of the largest motion.
+//! Shown, such numbers look like results, and ratios of them like large ones.
+
+use std::ops::Range;
+
+use nalgebra::DVector;
+use stickslip_contact::audit::PairSums;
+use stickslip_contact::{ContactState, InterfaceProblem, Status, StepRecord};
+
+use crate::results::{EdgeResults, EdgeRow};
+
+/// Forces and lengths up to this part of the largest of their pair in the history are rounding.
+const ROUNDING: f64 = 1e-12;
+/// The same for stresses along an edge: derivatives of displacements lose as many digits as the body is longer than a cell.
+const STRESS_ROUNDING: f64 = 1e-10;
+
+/// The same for sums over an edge, of some hundred forces each.
+const SUM_ROUNDING: f64 = 1e-11;
+
+/// One load step without rounding.
+#[derive(Debug)]
+pub(super) struct Reported {
+    /// Contact at its end; a point without force is open.
+    pub(super) state: ContactState,
+    /// Slip of each point since the start `[length]`.
+    pub(super) slip: DVector<f64>,
+    /// Sums of the forces that are left, for each pair.
+    pub(super) sums: Vec<PairSums>,
+}
+
+/// All load steps of `records` without rounding.
+pub(super) fn reported(problem: &InterfaceProblem, records: &[StepRecord]) -> Vec<Reported> {
+    let cuts: Vec<Cut> = (0..problem.pairs().len())
+        .map(|pair| Cut::of(problem, records, pair))
+        .collect();
+    let mut slip = DVector::zeros(problem.points().len());
+    records
+        .iter()
+        .map(|record| {
+            slip += &record.slip;
+            let mut state = record.state.clone();
+            let mut seen = slip.clone();
+            for cut in &cuts {
+                cut.clean(&mut state);
+                for k in cut.points.clone() {
+                    seen[k] = beyond(seen[k], cut.length);
+                }
+            }
+            Reported {
+                sums: PairSums::of(problem, &state),
+                slip: seen,
+                state,
+            }
+        })
+        .collect()
+}
+
+/// What is rounding at the points of a pair.
+#[derive(Debug)]
+struct Cut {
+    points: Range<usize>,
+    force: f64,
+    length: f64,
+}
+
+impl Cut {
+    fn of(problem: &InterfaceProblem, records: &[StepRecord], pair: usize) -> Self {
+        let points = problem.pair_points(pair);
+        let largest = |of: fn(&ContactState) -> &DVector<f64>| {
+            let values = records.iter().map(|record| of(&record.state));
+            let sizes = values.map(|all| all.rows(2 * points.start, 2 * points.len()).amax());
+            ROUNDING * sizes.fold(0.0, f64::max)
+        };
+        Self {
+            force: largest(|state| &state.forces),
+            length: largest(|state| &state.motion),
+            points,
+        }
+    }
+
+    fn clean(&self, state: &mut ContactState) {
+        let Self {
+            points,
+            force,
+            length,
+        } = self;
+        for k in points.clone() {
+            state.motion[2 * k] = beyond(state.motion[2 * k], *length);
+            state.forces[2 * k] = beyond(state.forces[2 * k], *force);
+            if state.forces[2 * k] == 0.0 {
+                state.forces[2 * k + 1] = 0.0;
+                state.status[k] = Status::Open;
+            }
+            state.forces[2 * k + 1] = beyond(state.forces[2 * k + 1], *force);
+        }
+    }
+}
+
+/// `value`, or zero where it is not beyond `rounding`.
+fn beyond(value: f64, rounding: f64) -> f64 {
+    if value.abs() > rounding { value } else { 0.0 }
+}
+
+/// Clears the rounding from the stresses along an edge, given for all steps.
+pub(super) fn clear_stresses(steps: &mut [Vec<EdgeRow>]) {
+    let largest = steps.iter().flatten().fold(0.0_f64, |largest, row| {
+        largest
+            .max(row.sigma_tangential.abs())
+            .max(row.pressure.abs())
+    });
+    for row in steps.iter_mut().flatten() {
+        row.sigma_tangential = beyond(row.sigma_tangential, STRESS_ROUNDING * largest);
+    }
+}
+
+/// Clears the rounding from the sums of forces on an edge, given for all steps.
+pub(super) fn clear_sums(steps: &mut [EdgeResults]) {
+    let largest = steps.iter().fold(0.0_f64, |largest, edge| {
+        let [x, y] = edge.resultant;
+        largest.max(x.abs()).max(y.abs()).max(edge.normal_force)
+    });
+    let cut = |force: &mut f64| *force = beyond(*force, SUM_ROUNDING * largest);
+    for edge in steps {
+        edge.resultant.iter_mut().for_each(cut);
+        cut(&mut edge.friction_force);
+        cut(&mut edge.normal_force);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Cut, DVector, Status, beyond};
+    use stickslip_contact::ContactState;
+
+    #[test]
+    fn a_point_without_force_is_open_and_rests() {
+        let mut state = ContactState {
+            forces: DVector::from_vec(vec![2e-13, 1e-5, 1.0, 3e-14]),
+            motion: DVector::from_vec(vec![-4e-17, 0.1, 0.0, 0.2]),
+            rigid: DVector::zeros(0),
+            status: vec![Status::Stick, Status::SlipNegative],
+            history: Vec::new(),
+            multipliers: Vec::new(),
+        };
+        let cut = |points, force, length| Cut {
+            points,
+            force,
+            length,
+        };
+        cut(0..1, 1e-12, 1e-15).clean(&mut state);
+        cut(1..2, 1e-12, 1e-15).clean(&mut state);
+        assert_eq!(state.forces.as_slice(), [0.0, 0.0, 1.0, 0.0]);
+        assert_eq!(state.motion.as_slice(), [0.0, 0.1, 0.0, 0.2]);
+        assert_eq!(state.status, [Status::Open, Status::SlipNegative]);
+    }
+
+    #[test]
+    fn without_any_size_only_zero_is_zero() {
+        assert_eq!(beyond(1e-300, 0.0), 1e-300);
+        assert_eq!(beyond(0.0, 0.0), 0.0);
+    }
+}

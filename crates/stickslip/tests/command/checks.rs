@@ -1,0 +1,119 @@
+//! `check`, and overrides.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use super::{SCENE, fails, folder_with, succeeds};
+
+fn scenes() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
+    let files = fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path());
+    let mut scenes: Vec<_> = files
+        .filter(|path| path.extension().is_some_and(|end| end == "toml"))
+        .collect();
+    scenes.sort();
+    assert!(scenes.len() >= 13);
+    scenes
+}
+
+#[test]
+fn every_scene_passes_its_check_and_says_what_it_shows() {
+    for scene in scenes() {
+        let printed = succeeds(Path::new("."), &["check", scene.to_str().unwrap()]);
+        assert!(
+            printed.contains("\n# mesh") && printed.contains("\nversion = 1\n"),
+            "{printed}"
+        );
+        let header = fs::read_to_string(&scene).unwrap();
+        assert!(header.starts_with("# "), "{}", scene.display());
+    }
+}
+
+#[test]
+fn check_prints_a_scene_that_checks_again() {
+    let folder = folder_with("pin.toml", SCENE);
+    let first = succeeds(folder.path(), &["check", "pin.toml"]);
+    fs::write(folder.path().join("again.toml"), &first).unwrap();
+    let second = succeeds(folder.path(), &["check", "again.toml"]);
+    let scene = |printed: &str| printed[printed.find("\nversion").unwrap()..].to_owned();
+    assert_eq!(scene(&first), scene(&second));
+    assert!(
+        first.contains("solver = \"auto\"") && first.contains("gap = \"exact\""),
+        "{first}"
+    );
+    assert!(first.contains("# choice"), "{first}");
+}
+
+#[test]
+fn check_in_json_and_quietly() {
+    let folder = folder_with("pin.toml", SCENE);
+    let value: Value =
+        serde_json::from_str(&succeeds(folder.path(), &["check", "pin.toml", "--json"])).unwrap();
+    assert_eq!(
+        (&value["title"], &value["steps"]),
+        (&Value::from("Pin"), &Value::from(2))
+    );
+    assert_eq!(value["resolved"]["mesh"]["element"], "Q8");
+    assert_eq!(value["hash"].as_str().unwrap().len(), 64);
+    assert_eq!(
+        succeeds(folder.path(), &["check", "pin.toml", "--quiet"]),
+        ""
+    );
+}
+
+#[test]
+fn overrides() {
+    let folder = folder_with("pin.toml", SCENE);
+    let check = |overrides: &[&str]| {
+        let mut arguments = vec!["check", "pin.toml", "--json"];
+        for argument in overrides {
+            arguments.extend(["--set", argument]);
+        }
+        serde_json::from_str::<Value>(&succeeds(folder.path(), &arguments)).unwrap()["resolved"]
+            .clone()
+    };
+    let scene = check(&[
+        "mesh.spacing=9 deg",
+        "contacts.0.friction.static_dynamic={ static = 0.3, dynamic = 0.2 }",
+    ]);
+    assert_eq!(scene["mesh"]["spacing"], "9 deg");
+    assert!(scene["contacts"][0]["friction"].get("coulomb").is_none());
+    assert_eq!(
+        scene["contacts"][0]["friction"]["static_dynamic"]["static"],
+        0.3
+    );
+    let scene = check(&["analysis.substeps=4", "edges.0.on=plate.top"]);
+    assert_eq!(
+        (&scene["analysis"]["substeps"], &scene["edges"][0]["on"]),
+        (&Value::from(4), &Value::from("plate.top"))
+    );
+    let message = fails(
+        folder.path(),
+        &[
+            "check",
+            "pin.toml",
+            "--set",
+            "contacts.0.friction.coulomb.mu=-0.15",
+        ],
+    );
+    for part in [
+        "--set:1:",
+        "contacts.0.friction.coulomb.mu=-0.15",
+        "mu = -0.15 is outside [0, ∞)",
+        "help:",
+    ] {
+        assert!(message.contains(part), "'{part}' is missing in:\n{message}");
+    }
+    let message = fails(
+        folder.path(),
+        &["check", "pin.toml", "--set", "mesh.spacing"],
+    );
+    assert!(
+        message.contains("is not of the form key=value"),
+        "{message}"
+    );
+}

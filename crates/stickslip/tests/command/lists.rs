@@ -1,0 +1,103 @@
+//! `list`, and arguments that make no sense.
+
+use std::path::Path;
+
+use serde_json::Value;
+
+use super::{stickslip, succeeds};
+
+#[test]
+fn list_names_laws_with_their_parameters() {
+    let printed = succeeds(Path::new("."), &["list"]);
+    for part in [
+        "coulomb",
+        "mu",
+        "slip_scale",
+        "default \"committed\"",
+        "pin-infinite-plate",
+        "Q9",
+        "pivoting",
+        "ksi",
+        "CSHEAR1",
+    ] {
+        assert!(printed.contains(part), "'{part}' is missing in:\n{printed}");
+    }
+    let laws: Value =
+        serde_json::from_str(&succeeds(Path::new("."), &["list", "laws", "--json"])).unwrap();
+    let names: Vec<_> = laws["laws"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|law| law["name"].as_str().unwrap())
+        .collect();
+    assert_eq!(
+        names,
+        [
+            "coulomb",
+            "fibre_coverage",
+            "pressure_power",
+            "slip_power",
+            "static_dynamic"
+        ]
+    );
+}
+
+#[test]
+fn senseless_arguments_exit_with_two() {
+    for arguments in [&["solve"][..], &["check"], &["list", "everything"], &[]] {
+        let output = stickslip(Path::new("."), arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(!output.stderr.is_empty());
+    }
+    assert!(stickslip(Path::new("."), &["--help"]).status.success());
+}
+
+#[test]
+fn list_names_columns_with_units_and_signs() {
+    // Cells wrap: a phrase may go on in the next line.
+    let printed = succeeds(Path::new("."), &["list", "signs"]);
+    let printed = printed.split_whitespace().collect::<Vec<_>>().join(" ");
+    for part in [
+        "CPRESS",
+        "CSHEAR1",
+        "COPEN",
+        "CSLIP1",
+        "CSTATUS",
+        "stress",
+        "compression positive",
+        "gap, open positive",
+    ] {
+        assert!(printed.contains(part), "'{part}' is missing in:\n{printed}");
+    }
+    let signs: Value =
+        serde_json::from_str(&succeeds(Path::new("."), &["list", "signs", "--json"])).unwrap();
+    assert_eq!(signs["signs"]["columns"][3]["name"], "COPEN");
+    assert_eq!(signs["signs"]["columns"][3]["unit"], "length");
+    let rows = signs["signs"]["signs"].as_array().unwrap();
+    let gap = rows.iter().find(|row| row["quantity"] == "COPEN").unwrap();
+    assert_eq!(gap["meaning"], "gap, open positive, 0 in contact");
+    assert!(gap["elsewhere"].as_str().unwrap().contains("Ansys"));
+}
+
+#[test]
+fn senseless_arguments_are_told_in_json_too() {
+    for (arguments, part) in [
+        (&["--json", "solve"][..], "unrecognized subcommand 'solve'"),
+        (&["check", "--json"], "<SCENE>"),
+        (
+            &["run", "a.toml", "--json", "--quite"],
+            "unexpected argument '--quite'",
+        ),
+    ] {
+        let output = stickslip(Path::new("."), arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        let errors: Value = serde_json::from_slice(&output.stderr).unwrap();
+        let error = &errors["errors"][0];
+        assert_eq!(error["code"], "command::usage");
+        assert!(error["message"].as_str().unwrap().contains(part), "{error}");
+        assert!(
+            error["help"].as_str().unwrap().contains("--help"),
+            "{error}"
+        );
+    }
+}

@@ -1,0 +1,118 @@
+//! Remarks on scenes that are right but surprise.
+
+use super::{BUSHING, model, solved};
+
+/// The notes on a run that have this part.
+fn told(changes: &[&str], part: &str) -> Vec<String> {
+    let notes = solved(BUSHING, changes).notes;
+    notes
+        .into_iter()
+        .filter(|note| note.contains(part))
+        .collect()
+}
+
+#[test]
+fn a_plain_joint_needs_no_remark() {
+    assert_eq!(solved(BUSHING, &[]).notes, Vec::<String>::new());
+}
+
+#[test]
+fn contact_at_the_far_side_is_told() {
+    let part = "lies nearer to θ = 180° than to θ = 0";
+    for extent in ["half", "whole"] {
+        let extent = format!("analysis.model={extent}");
+        let turned = told(&["loads.0.force.direction=[1, 0]", &extent], part);
+        assert_eq!(turned.len(), 2, "{turned:?}");
+        for (note, name) in turned.iter().zip(["'bushing'", "'pin'"]) {
+            assert!(
+                note.contains(name) && note.contains("in load step 1–3."),
+                "{note}"
+            );
+        }
+    }
+    let pressed = "loads.0={ on = \"plate.left\", pressure.steps = [\"-5 MPa\", \"5 MPa\"] }";
+    let pressed = told(&[pressed], part);
+    assert!(pressed[0].contains("in load step 2."), "{pressed:?}");
+    // A press fit touches all around.
+    let fit = [
+        "bodies.pin.shape.disk.radius=5.01 mm",
+        "contacts.1.interference=true",
+    ];
+    let fit = told(
+        &[&fit[..], &["loads.0.force.steps=[\"10 N\"]"]].concat(),
+        part,
+    );
+    assert_eq!(fit, Vec::<String>::new());
+}
+
+#[test]
+fn a_wide_clearance_is_told() {
+    let wide = model(BUSHING, &["bodies.pin.shape.disk.radius=4 mm"]);
+    assert!(
+        wide.notes[0].contains("the clearance is 20 % of the hole's radius"),
+        "{:?}",
+        wide.notes
+    );
+}
+
+#[test]
+fn bodies_of_different_thickness_are_told() {
+    let uneven = model(BUSHING, &["bodies.pin.thickness=1.5 mm"]).notes;
+    assert_eq!(uneven.len(), 1, "{uneven:?}");
+    assert!(
+        uneven[0].starts_with("Contact 'pin': 'bushing' is 2 mm thick and 'pin' 1.5 mm."),
+        "{uneven:?}"
+    );
+}
+
+#[test]
+fn forces_that_cancel_are_nothing() {
+    let whole = solved(BUSHING, &["analysis.model=whole"]);
+    for edge in whole.steps.iter().flat_map(|step| &step.edges) {
+        assert_eq!(edge.resultant[1], 0.0);
+    }
+}
+
+#[test]
+fn an_end_of_contact_outside_the_fine_zone_is_told() {
+    let part = "beyond the fine part of its mesh, which ends at ±30.0°";
+    for extent in ["half", "whole"] {
+        let extent = format!("analysis.model={extent}");
+        let fine = ["mesh.fine_to=30 deg", "mesh.coarse_spacing=12 deg", &extent];
+        let notes = told(&fine, part);
+        assert_eq!(notes.len(), 2, "{notes:?}");
+        assert!(
+            notes.iter().all(|note| note.contains("in load step 2")),
+            "{notes:?}"
+        );
+    }
+    // Contact all around has no end.
+    let around = [
+        "mesh.fine_to=30 deg",
+        "mesh.coarse_spacing=12 deg",
+        "bodies.bushing.shape.plate_with_hole.outline.ring.radius=7.05 mm",
+        "contacts.0.interference=true",
+    ];
+    let notes = told(&around, part);
+    assert!(notes.len() == 1 && notes[0].contains("'pin'"), "{notes:?}");
+}
+
+#[test]
+fn a_bushing_without_friction_is_said_to_turn_freely() {
+    let smooth = [
+        "contacts.0.friction.coulomb.mu=0",
+        "contacts.1.friction.coulomb.mu=0",
+    ];
+    let part = "Body 'bushing' can turn freely: its rotation and CSLIP1";
+    let whole = told(&[&smooth[..], &["analysis.model=whole"]].concat(), part);
+    assert_eq!(whole.len(), 1, "{whole:?}");
+    assert!(whole[0].contains("are not unique"), "{whole:?}");
+    // Symmetry holds it, and so does friction on either side.
+    assert!(told(&smooth, "can turn freely").is_empty());
+    let rubbing = solved(BUSHING, &["analysis.model=whole"]).notes;
+    assert_eq!(rubbing.len(), 1, "{rubbing:?}");
+    assert!(
+        rubbing[0].starts_with("Nothing holds 'bushing', 'pin' and 'plate' against moving as one"),
+        "{rubbing:?}"
+    );
+}

@@ -1,0 +1,207 @@
+//! `cargo xtask chart`: work–precision diagrams.
+//!
+//! Reference problems with known answers are solved by every method on ever finer meshes; errors are drawn over wall time and
+//! over unknowns, log–log, one curve for each method, with the Pareto front. Everything goes to one folder: the data as CSV,
+//! the pictures as SVG and PNG, and a page that says in numbers who wins where.
+
+mod bench;
+mod curve;
+mod data;
+mod factors;
+mod figures;
+mod methods;
+mod peers;
+mod summary;
+mod text;
+mod yardstick;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::Instant;
+
+use clap::Args;
+use stickslip_laboratory::LaboratoryError;
+use stickslip_laboratory::problems::Problem;
+use stickslip_report::FigureError;
+use thiserror::Error;
+
+use bench::{Bench, Cost, Quantity};
+use factors::{PathFactor, path_factors};
+use figures::save;
+use methods::Method;
+use peers::PeerRun;
+use yardstick::Yardstick;
+
+/// What to chart.
+#[derive(Debug, Args)]
+pub(crate) struct Options {
+    /// Two coarse meshes of each curve, each run once: under a minute.
+    #[arg(long)]
+    quick: bool,
+    /// Runs the other programs that are installed (CalculiX as `ccx`, GetFEM in the system's Python) on the benchmark.
+    #[arg(long)]
+    peers: bool,
+    /// Folder of data and pictures [default: docs/charts; with --quick target/charts].
+    #[arg(long, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
+
+/// Why charts could not be made.
+#[derive(Debug, Error)]
+pub(crate) enum Trouble {
+    /// A problem could not be built.
+    #[error(transparent)]
+    Laboratory(#[from] LaboratoryError),
+    /// A picture could not be drawn.
+    #[error(transparent)]
+    Figure(#[from] FigureError),
+    /// A file could not be read or written.
+    #[error("{}: {cause}", path.display())]
+    File {
+        path: PathBuf,
+        cause: std::io::Error,
+    },
+    /// A table could not be read or written.
+    #[error("{}: {cause}", path.display())]
+    Csv { path: PathBuf, cause: csv::Error },
+    /// Another program could not be run.
+    #[error("{0}")]
+    Peer(String),
+    /// A thread could not be started.
+    #[error("{0}")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+    /// The default method does not solve a reference problem.
+    #[error("the default method does not solve {0}")]
+    Unsolved(String),
+}
+
+/// Everything measured.
+struct Charts {
+    bench: Bench,
+    factors: Vec<PathFactor>,
+    yardstick: Yardstick,
+    peers: Vec<PeerRun>,
+}
+
+/// Runs the task: progress on stderr, a summary on stdout.
+pub(crate) fn main(options: &Options) -> ExitCode {
+    let start = Instant::now();
+    match charts(options) {
+        Ok(summary) => {
+            print!("{summary}");
+            eprintln!("{:.0} s", start.elapsed().as_secs_f64());
+            ExitCode::SUCCESS
+        }
+        Err(trouble) => {
+            eprintln!("{trouble}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn charts(options: &Options) -> Result<String, Trouble> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let committed = root.join("docs/charts");
+    let folder = options.output.clone().unwrap_or_else(|| {
+        if options.quick {
+            root.join("target/charts")
+        } else {
+            committed.clone()
+        }
+    });
+    std::fs::create_dir_all(&folder).map_err(|cause| Trouble::File {
+        path: folder.clone(),
+        cause,
+    })?;
+    // One thread, as the other programs were measured.
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
+    let (bench, yardstick) = pool.install(|| measure(options.quick))?;
+    let mut peers = peers::read(&committed.join("peers.csv"))?;
+    if options.peers {
+        let machine = data::machine();
+        peers::renew(&mut peers, &data::today(), &machine, yardstick.seconds)?;
+    }
+    let charts = Charts {
+        factors: path_factors(&bench),
+        bench,
+        yardstick,
+        peers,
+    };
+    data::write(&folder, charts.bench.samples())?;
+    peers::write(&folder.join("peers.csv"), &charts.peers)?;
+    draw(&folder, &charts)?;
+    let page = text::page(&charts);
+    let path = folder.join("README.md");
+    std::fs::write(&path, &page).map_err(|cause| Trouble::File { path, cause })?;
+    unsolved(&charts.bench)?;
+    Ok(text::short(&charts))
+}
+
+/// Runs every method on every problem, and the yardstick.
+fn measure(quick: bool) -> Result<(Bench, Yardstick), Trouble> {
+    let mut bench = Bench::new(quick);
+    let groups = [
+        methods::elements(),
+        methods::gaps(),
+        methods::direct_solvers(),
+        methods::iterative_solvers(),
+    ];
+    for problem in Problem::ALL {
+        eprintln!("{}", problem.title());
+        for group in &groups {
+            bench.measure(problem, group);
+        }
+    }
+    Ok((bench, Yardstick::measure()?))
+}
+
+/// The default has to solve everything.
+fn unsolved(bench: &Bench) -> Result<(), Trouble> {
+    let failed = bench
+        .samples()
+        .iter()
+        .find(|sample| sample.method == Method::DEFAULT && sample.outcome.is_err());
+    failed.map_or(Ok(()), |sample| {
+        let cause = sample.outcome.as_ref().err().cloned().unwrap_or_default();
+        Err(Trouble::Unsolved(format!(
+            "{} at {} {}: {cause}",
+            sample.problem.name(),
+            sample.spacing,
+            sample.problem.unit()
+        )))
+    })
+}
+
+fn draw(folder: &Path, charts: &Charts) -> Result<(), Trouble> {
+    let bench = &charts.bench;
+    for problem in Problem::ALL {
+        for (cost, ending) in [(Cost::Whole, ""), (Cost::Unknowns, "-unknowns")] {
+            let picture = figures::problem_figure(bench, problem, &methods::elements(), cost)?;
+            save(
+                folder,
+                &format!("elements-{}{ending}", problem.name()),
+                &picture,
+            )?;
+        }
+    }
+    for (quantity, name) in [
+        (Quantity::PeakPressure, "gaps-peak-pressure"),
+        (Quantity::Extent, "gaps-extent"),
+    ] {
+        let picture = figures::overview(bench, &methods::gaps(), Cost::Whole, quantity)?;
+        save(folder, name, &picture)?;
+    }
+    for group in [methods::direct_solvers(), methods::iterative_solvers()] {
+        let picture = figures::overview(bench, &group, Cost::Solve, Quantity::PeakPressure)?;
+        save(folder, group.key, &picture)?;
+        let picture = figures::contact_cost(bench, &group)?;
+        save(folder, &format!("{}-contact", group.key), &picture)?;
+    }
+    save(folder, "paths", &figures::path_factors(&charts.factors)?)?;
+    save(folder, "summary", &summary::seconds(charts)?)?;
+    save(
+        folder,
+        "peers-factorisations",
+        &summary::factorisations(charts)?,
+    )
+}

@@ -1,0 +1,295 @@
+//! Errors and processor times of methods on the reference problems, by repeated runs on one thread.
+
+use std::time::Instant;
+
+use stickslip_contact::solver::Work;
+use stickslip_fem_core::mesh::ElementKind;
+use stickslip_laboratory::LaboratoryError;
+use stickslip_laboratory::conventional::Settings;
+use stickslip_laboratory::measure::{Timing, summary};
+use stickslip_laboratory::problems::{Errors, Problem};
+use stickslip_laboratory::run::{Path, Run, run};
+
+use super::curve::Point;
+use super::methods::{Group, Method};
+
+/// A method whose run took longer `[s]` is not tried on finer meshes.
+const PATIENCE: f64 = 3.0;
+/// A run that took longer `[s]` is not repeated.
+const REPEATED: f64 = 1.0;
+/// Repetitions go on until they have taken this long together `[s]`, but there are at least and at most so many.
+const LONG_ENOUGH: f64 = 0.8;
+const LEAST: usize = 3;
+const MOST: usize = 9;
+
+/// What one method did on one mesh.
+#[derive(Clone, Debug)]
+pub(super) struct Sample {
+    pub(super) problem: Problem,
+    pub(super) method: Method,
+    /// Spacing of the corner nodes, in the problem's unit.
+    pub(super) spacing: f64,
+    /// The numbers, or why there are none.
+    pub(super) outcome: Result<Measured, String>,
+}
+
+/// Errors and costs of a solved history.
+#[derive(Clone, Debug)]
+pub(super) struct Measured {
+    pub(super) unknowns: usize,
+    pub(super) errors: Errors,
+    /// Everything but files: meshes, matrices, contact, edge stresses.
+    pub(super) whole: Timing,
+    /// Without meshes and stresses: what solution methods differ in.
+    pub(super) solve: Timing,
+    /// Contact alone.
+    pub(super) contact: Timing,
+    /// Work of the whole history.
+    pub(super) work: Work,
+}
+
+/// An error of the results, and its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Quantity {
+    PeakPressure,
+    Extent,
+    Pressure,
+    Shear,
+    Hoop,
+}
+
+impl Quantity {
+    pub(super) const ALL: [Self; 5] = [
+        Self::PeakPressure,
+        Self::Extent,
+        Self::Pressure,
+        Self::Shear,
+        Self::Hoop,
+    ];
+
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::PeakPressure => "peak pressure",
+            Self::Extent => "extent of contact",
+            Self::Pressure => "pressure profile",
+            Self::Shear => "shear profile",
+            Self::Hoop => "hoop stress at 90°",
+        }
+    }
+
+    pub(super) fn of(self, errors: &Errors) -> Option<f64> {
+        match self {
+            Self::PeakPressure => Some(errors.peak_pressure),
+            Self::Extent => Some(errors.contact_extent),
+            Self::Pressure => Some(errors.pressure_profile),
+            Self::Shear => errors.shear,
+            Self::Hoop => errors.hoop,
+        }
+    }
+}
+
+/// What a mesh is charged for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Cost {
+    Whole,
+    Solve,
+    Contact,
+    Unknowns,
+}
+
+impl Cost {
+    pub(super) fn label(self) -> &'static str {
+        match self {
+            Self::Whole => "Processor time of the whole history [s]",
+            Self::Solve => "Processor time of matrices and contact [s]",
+            Self::Contact => "Processor time of contact alone [s]",
+            Self::Unknowns => "Unknowns",
+        }
+    }
+
+    fn timing(self, measured: &Measured) -> Option<Timing> {
+        match self {
+            Self::Whole => Some(measured.whole),
+            Self::Solve => Some(measured.solve),
+            Self::Contact => Some(measured.contact),
+            Self::Unknowns => None,
+        }
+    }
+
+    pub(super) fn of(self, measured: &Measured) -> f64 {
+        self.timing(measured)
+            .map_or(measured.unknowns as f64, |timing| timing.median)
+    }
+
+    /// First and third quartile; none of a cost that is counted.
+    pub(super) fn spread(self, measured: &Measured) -> Option<[f64; 2]> {
+        self.timing(measured)
+            .map(|timing| [timing.lower, timing.upper])
+    }
+}
+
+/// Measures each method once on each mesh, and remembers.
+#[derive(Debug)]
+pub(super) struct Bench {
+    quick: bool,
+    samples: Vec<Sample>,
+}
+
+impl Bench {
+    /// With `quick`, few coarse meshes and one run of each.
+    pub(super) fn new(quick: bool) -> Self {
+        Self {
+            quick,
+            samples: Vec::new(),
+        }
+    }
+
+    /// All samples, in the order in which they were measured.
+    pub(super) fn samples(&self) -> &[Sample] {
+        &self.samples
+    }
+
+    /// Measures all methods of `group` on all meshes of `problem`.
+    pub(super) fn measure(&mut self, problem: Problem, group: &Group) {
+        for (_, method) in &group.methods {
+            self.measure_method(problem, *method);
+        }
+    }
+
+    /// The meshes of `problem` that `method` solved, the coarsest first.
+    pub(super) fn curve(&self, problem: Problem, method: Method) -> Vec<(f64, &Measured)> {
+        self.samples
+            .iter()
+            .filter(|sample| sample.problem == problem && sample.method == method)
+            .filter_map(|sample| Some((sample.spacing, sample.outcome.as_ref().ok()?)))
+            .collect()
+    }
+
+    /// That curve as points of one cost and one error.
+    pub(super) fn points(
+        &self,
+        problem: Problem,
+        method: Method,
+        cost: Cost,
+        quantity: Quantity,
+    ) -> Vec<Point> {
+        self.curve(problem, method)
+            .into_iter()
+            .filter_map(|(_, measured)| {
+                Some(Point {
+                    cost: cost.of(measured),
+                    error: quantity.of(&measured.errors)?,
+                })
+            })
+            .collect()
+    }
+
+    fn measure_method(&mut self, problem: Problem, method: Method) {
+        let known = |sample: &Sample| sample.problem == problem && sample.method == method;
+        if self.samples.iter().any(known) {
+            return;
+        }
+        for spacing in self.spacings(problem, method.element) {
+            let start = Instant::now();
+            let outcome = self.sample(problem, method, spacing);
+            let longest = match &outcome {
+                Ok(measured) => measured.whole.median,
+                Err(_) => start.elapsed().as_secs_f64(),
+            };
+            tell(problem, method, spacing, &outcome);
+            self.samples.push(Sample {
+                problem,
+                method,
+                spacing,
+                outcome: outcome.map_err(|cause| cause.to_string()),
+            });
+            if longest > PATIENCE {
+                break;
+            }
+        }
+    }
+
+    /// The problem's spacings; linear elements, with fewer unknowns for each, go one further.
+    fn spacings(&self, problem: Problem, element: ElementKind) -> Vec<f64> {
+        let mut spacings = problem.spacings().to_vec();
+        if self.quick {
+            spacings.truncate(2);
+        } else if matches!(element, ElementKind::T3 | ElementKind::Q4) {
+            spacings.extend(spacings.last().map(|finest| 0.5 * finest));
+        }
+        spacings
+    }
+
+    fn sample(
+        &self,
+        problem: Problem,
+        method: Method,
+        spacing: f64,
+    ) -> Result<Measured, LaboratoryError> {
+        let scene = problem.build(spacing, method.element, method.gap)?;
+        let solver = method.enforcement.solver();
+        let settings = Settings::default();
+        let once = || {
+            let way = match &solver {
+                Some(solver) => Path::Condensed(solver.as_ref()),
+                None => Path::Conventional(&settings),
+            };
+            run(&scene, way)
+        };
+        let mut runs = vec![once()?];
+        let first = runs[0].processor.total();
+        if !self.quick && first < REPEATED {
+            // The first run warmed up caches and memory.
+            runs.clear();
+            let wanted = (LONG_ENOUGH / first).ceil() as usize;
+            for _ in 0..wanted.clamp(LEAST, MOST) {
+                runs.push(once()?);
+            }
+        }
+        measured(problem, &runs)
+    }
+}
+
+/// The errors of the last run and the times of all.
+fn measured(problem: Problem, runs: &[Run]) -> Result<Measured, LaboratoryError> {
+    let last = runs
+        .last()
+        .ok_or_else(|| LaboratoryError::Missing("no run".into()))?;
+    let timing = |seconds: fn(&Run) -> f64| {
+        let samples: Vec<f64> = runs.iter().map(seconds).collect();
+        summary(&samples)
+    };
+    let mut work = Work::default();
+    for step in &last.results.steps {
+        work += step.work;
+    }
+    Ok(Measured {
+        unknowns: last.unknowns,
+        errors: problem.measure(&last.results)?,
+        whole: timing(|run| run.processor.total()),
+        solve: timing(|run| run.processor.solve()),
+        contact: timing(|run| run.processor.contact),
+        work,
+    })
+}
+
+fn tell(
+    problem: Problem,
+    method: Method,
+    spacing: f64,
+    outcome: &Result<Measured, LaboratoryError>,
+) {
+    let [element, gap, solver] = method.columns();
+    let what = match outcome {
+        Ok(measured) => format!(
+            "{:.4} s, peak pressure {:.1e}",
+            measured.whole.median, measured.errors.peak_pressure
+        ),
+        Err(cause) => format!("not solved: {cause}"),
+    };
+    let unit = problem.unit();
+    eprintln!(
+        "  {} {spacing} {unit}, {element}, {gap}, {solver}: {what}",
+        problem.name()
+    );
+}

@@ -1,0 +1,254 @@
+//! The charts: errors over costs in panels with one legend, the Pareto front behind the curves.
+
+use std::path::Path;
+
+use stickslip_laboratory::problems::Problem;
+use stickslip_report::FigureError;
+use stickslip_report::axis::Axis;
+use stickslip_report::chart::{Dash, LineChart, Panels, Series, SeriesStyle};
+use stickslip_report::color::Color;
+use stickslip_report::raster::to_png;
+use stickslip_report::svg::Svg;
+
+use super::Trouble;
+use super::bench::{Bench, Cost, Quantity};
+use super::curve::{Point, front};
+use super::factors::PathFactor;
+use super::methods::{Group, Method};
+
+const WIDTH: f64 = 400.0;
+const ASPECT: f64 = 0.85;
+const FRONT_COLOR: Color = Color::rgb(0xd5, 0xd5, 0xd5);
+const FRONT_WIDTH: f64 = 7.0;
+const FRONT_LABEL: &str = "Pareto front of the settled errors";
+const KNOWN_COLOR: Color = Color::rgb(0x77, 0x77, 0x77);
+/// That line is drawn from this part of the smallest error on.
+const NEAR: f64 = 0.2;
+const KNOWN_LABEL: &str = "What the reference is known to";
+
+/// A curve of a chart: points, with the spread of their costs.
+#[derive(Clone, Debug)]
+pub(super) struct Curve {
+    pub(super) label: String,
+    pub(super) points: Vec<Point>,
+    pub(super) spread: Vec<[f64; 2]>,
+    /// Category of its colour.
+    pub(super) color: usize,
+    pub(super) dash: Dash,
+    pub(super) width: f64,
+}
+
+impl Curve {
+    fn of(
+        bench: &Bench,
+        problem: Problem,
+        (index, (label, method)): (usize, &(String, Method)),
+        cost: Cost,
+        quantity: Quantity,
+    ) -> Self {
+        let mut spread = Vec::new();
+        if cost != Cost::Unknowns {
+            for (_, measured) in bench.curve(problem, *method) {
+                spread.extend(cost.spread(measured));
+            }
+        }
+        Self {
+            label: label.clone(),
+            points: bench.points(problem, *method, cost, quantity),
+            spread,
+            color: index,
+            dash: Dash::Solid,
+            width: 1.8,
+        }
+    }
+}
+
+/// A log–log chart of `curves`, with their front behind them and a line at the error that the reference has itself.
+pub(super) fn chart(
+    title: &str,
+    cost: &str,
+    error: &str,
+    curves: &[Curve],
+    known: f64,
+) -> LineChart {
+    let pareto: Vec<Vec<Point>> = curves.iter().map(|curve| curve.points.clone()).collect();
+    let mut chart = LineChart::new(title, Axis::log(cost), Axis::log(error))
+        .size(WIDTH, ASPECT)
+        .with(
+            Series::new(FRONT_LABEL, pairs(&front(&pareto)))
+                .style(SeriesStyle::Step)
+                .color(FRONT_COLOR)
+                .width(FRONT_WIDTH),
+        )
+        .with(
+            Series::new(KNOWN_LABEL, known_line(curves, known))
+                .color(KNOWN_COLOR)
+                .dash(Dash::Dotted),
+        );
+    for curve in curves {
+        chart = chart.with(
+            Series::new(curve.label.clone(), pairs(&curve.points))
+                .style(SeriesStyle::Both)
+                .spread(curve.spread.clone())
+                .color(Color::category(curve.color))
+                .dash(curve.dash)
+                .width(curve.width),
+        );
+    }
+    chart
+}
+
+/// A level line over all curves, where they come near it.
+fn known_line(curves: &[Curve], known: f64) -> Vec<[f64; 2]> {
+    let points = || curves.iter().flat_map(|curve| &curve.points);
+    let least = points()
+        .map(|point| point.error)
+        .fold(f64::INFINITY, f64::min);
+    if known < NEAR * least {
+        return Vec::new();
+    }
+    let costs = points().map(|point| point.cost);
+    let low = costs.clone().fold(f64::INFINITY, f64::min);
+    let high = costs.fold(0.0, f64::max);
+    vec![[low, known], [high, known]]
+}
+
+fn pairs(points: &[Point]) -> Vec<[f64; 2]> {
+    points
+        .iter()
+        .map(|point| [point.cost, point.error])
+        .collect()
+}
+
+/// One problem: every error over one cost.
+pub(super) fn problem_figure(
+    bench: &Bench,
+    problem: Problem,
+    group: &Group,
+    cost: Cost,
+) -> Result<Svg, FigureError> {
+    let quantities: Vec<Quantity> = Quantity::ALL
+        .into_iter()
+        .filter(|&quantity| {
+            let measured = bench.curve(problem, Method::DEFAULT);
+            measured
+                .iter()
+                .any(|(_, measured)| quantity.of(&measured.errors).is_some())
+        })
+        .collect();
+    let mut charts = Vec::new();
+    for quantity in quantities {
+        let curves: Vec<Curve> = group
+            .methods
+            .iter()
+            .enumerate()
+            .map(|method| Curve::of(bench, problem, method, cost, quantity))
+            .collect();
+        let known = quantity.of(&problem.known()).unwrap_or(0.0);
+        charts.push(chart(
+            "",
+            cost.label(),
+            &error_label(quantity),
+            &curves,
+            known,
+        ));
+    }
+    let title = format!("{}: {}", problem.title(), group.title.to_lowercase());
+    Panels::new(title, 3, charts).common_legend().render()
+}
+
+/// One error over one cost, in a panel for each problem.
+pub(super) fn overview(
+    bench: &Bench,
+    group: &Group,
+    cost: Cost,
+    quantity: Quantity,
+) -> Result<Svg, FigureError> {
+    let charts = Problem::ALL
+        .into_iter()
+        .map(|problem| {
+            let curves: Vec<Curve> = group
+                .methods
+                .iter()
+                .enumerate()
+                .map(|method| Curve::of(bench, problem, method, cost, quantity))
+                .collect();
+            chart(
+                problem.title(),
+                cost.label(),
+                &error_label(quantity),
+                &curves,
+                quantity.of(&problem.known()).unwrap_or(0.0),
+            )
+        })
+        .collect();
+    Panels::new(group.title, 3, charts).common_legend().render()
+}
+
+/// What contact alone costs over the size of the model, in a panel for each problem.
+pub(super) fn contact_cost(bench: &Bench, group: &Group) -> Result<Svg, FigureError> {
+    let charts = Problem::ALL
+        .into_iter()
+        .map(|problem| {
+            let axes = [
+                Axis::log(Cost::Unknowns.label()),
+                Axis::log(Cost::Contact.label()),
+            ];
+            let [x, y] = axes;
+            let mut chart = LineChart::new(problem.title(), x, y).size(WIDTH, ASPECT);
+            for (index, (label, method)) in group.methods.iter().enumerate() {
+                let points = bench
+                    .curve(problem, *method)
+                    .iter()
+                    .map(|(_, m)| [m.unknowns as f64, m.contact.median])
+                    .collect();
+                chart = chart.with(
+                    Series::new(label.clone(), points)
+                        .style(SeriesStyle::Both)
+                        .color(Color::category(index)),
+                );
+            }
+            chart
+        })
+        .collect();
+    Panels::new(format!("{}: cost of contact alone", group.title), 3, charts)
+        .common_legend()
+        .render()
+}
+
+/// The conventional path's time over the condensed one's on the same meshes, a curve for each problem.
+pub(super) fn path_factors(factors: &[PathFactor]) -> Result<Svg, FigureError> {
+    let mut chart = LineChart::new(
+        "Conventional path against condensed path, same meshes, same answers",
+        Axis::log(Cost::Unknowns.label()),
+        Axis::log("Time for matrices and contact, conventional / condensed"),
+    )
+    .size(720.0, 0.55);
+    for (index, problem) in Problem::ALL.into_iter().enumerate() {
+        let points = factors
+            .iter()
+            .filter(|factor| factor.problem == problem)
+            .map(|factor| [factor.unknowns as f64, factor.factor()])
+            .collect();
+        chart = chart.with(
+            Series::new(problem.title(), points)
+                .style(SeriesStyle::Both)
+                .color(Color::category(index)),
+        );
+    }
+    chart.render()
+}
+
+pub(super) fn error_label(quantity: Quantity) -> String {
+    format!("Relative error of the {}", quantity.name())
+}
+
+/// Writes `picture` as SVG and PNG.
+pub(super) fn save(folder: &Path, name: &str, picture: &Svg) -> Result<(), Trouble> {
+    let keep = |extension: &str, bytes: &[u8]| {
+        let path = folder.join(format!("{name}.{extension}"));
+        std::fs::write(&path, bytes).map_err(|cause| Trouble::File { path, cause })
+    };
+    keep("svg", picture.as_str().as_bytes())?;
+    keep("png", &to_png(picture, 1.5)?)
+}

@@ -1,0 +1,178 @@
+//! What is compared: around the default (Q8, node pairs with their true gap, the default chain) one choice at a time.
+
+use stickslip_contact::InterfaceSolver;
+use stickslip_fem_core::mesh::ElementKind;
+use stickslip_laboratory::problems::Gap;
+
+use crate::stability::methods as table;
+
+/// How the contact conditions are met.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Enforcement {
+    /// On the condensed interface, by the solver of this name in the table of methods.
+    Condensed(&'static str),
+    /// Newton on the whole finite-element system, refactorised at every contact iteration.
+    Conventional,
+}
+
+impl Enforcement {
+    /// The chain of solvers that a user gets who chooses none.
+    pub(super) const DEFAULT: Self = Self::Condensed(table::CHAIN);
+
+    /// The solver of the condensed interface problem; none for the path that does not condense.
+    pub(super) fn solver(self) -> Option<Box<dyn InterfaceSolver>> {
+        let Self::Condensed(name) = self else {
+            return None;
+        };
+        let mut methods = table::methods().into_iter();
+        methods
+            .find(|method| method.name == name)
+            .map(|method| method.solver)
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Condensed(name) => name,
+            Self::Conventional => "conventional Newton",
+        }
+    }
+}
+
+/// One way to discretise and solve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Method {
+    pub(super) element: ElementKind,
+    pub(super) gap: Gap,
+    pub(super) enforcement: Enforcement,
+}
+
+impl Method {
+    /// What a user gets who chooses nothing.
+    pub(super) const DEFAULT: Self = Self {
+        element: ElementKind::Q8,
+        gap: Gap::Exact,
+        enforcement: Enforcement::DEFAULT,
+    };
+
+    /// Element and contact discretisation, and enforcement, for the data.
+    pub(super) fn columns(self) -> [String; 3] {
+        let gap = match self.gap {
+            Gap::Exact => "node pairs, true gap",
+            Gap::Faceted => "node pairs, faceted gap",
+        };
+        [
+            format!("{:?}", self.element),
+            gap.to_owned(),
+            self.enforcement.name().to_owned(),
+        ]
+    }
+
+    fn element(element: ElementKind) -> Self {
+        Self {
+            element,
+            ..Self::DEFAULT
+        }
+    }
+
+    fn enforced(enforcement: Enforcement) -> Self {
+        Self {
+            enforcement,
+            ..Self::DEFAULT
+        }
+    }
+}
+
+/// Methods that differ in one choice, and stand in one picture.
+#[derive(Clone, Debug)]
+pub(super) struct Group {
+    /// Part of file names.
+    pub(super) key: &'static str,
+    /// What differs.
+    pub(super) title: &'static str,
+    /// Label of each curve, and its method.
+    pub(super) methods: Vec<(String, Method)>,
+}
+
+/// Elements, at the default contact discretisation and solver.
+pub(super) fn elements() -> Group {
+    use ElementKind::{Q4, Q8, Q9, T3, T6};
+    Group {
+        key: "elements",
+        title: "Elements",
+        methods: [T3, Q4, T6, Q8, Q9]
+            .map(|element| (format!("{element:?}"), Method::element(element)))
+            .into(),
+    }
+}
+
+/// Contact discretisations, for a linear and a quadratic element.
+pub(super) fn gaps() -> Group {
+    let mut methods = Vec::new();
+    for element in [ElementKind::Q8, ElementKind::Q4] {
+        for (name, gap) in [
+            ("true gap", Gap::Exact),
+            ("gap between facets", Gap::Faceted),
+        ] {
+            let method = Method {
+                gap,
+                ..Method::element(element)
+            };
+            methods.push((format!("{element:?}, {name}"), method));
+        }
+    }
+    Group {
+        key: "gaps",
+        title: "Contact discretisation",
+        methods,
+    }
+}
+
+/// Solvers of the table that end with the exact answer of the discrete problem, beside the default.
+const DIRECT: [&str; 4] = [
+    "status iteration",
+    "Lemke pivoting",
+    "principal pivoting",
+    "continuation",
+];
+/// Those that the charts leave out: the default's first member, and one for a handful of points.
+const LEFT_OUT: [&str; 2] = ["semismooth Newton", "enumeration"];
+
+/// Solvers that end with the exact answer of the discrete problem, and the conventional path.
+pub(super) fn direct_solvers() -> Group {
+    let condensed = DIRECT.map(Enforcement::Condensed);
+    solvers(
+        "solvers-direct",
+        "Solvers that end with the discrete problem's exact answer",
+        condensed
+            .into_iter()
+            .chain(std::iter::once(Enforcement::Conventional)),
+    )
+}
+
+/// All other solvers of the table: they approach the answer.
+pub(super) fn iterative_solvers() -> Group {
+    let others = table::methods().into_iter().map(|method| method.name);
+    let iterative = others
+        .filter(|name| *name != table::CHAIN && !DIRECT.contains(name) && !LEFT_OUT.contains(name));
+    solvers(
+        "solvers-iterative",
+        "Solvers that approach the answer",
+        iterative.map(Enforcement::Condensed),
+    )
+}
+
+/// The default first, then `others`.
+fn solvers(
+    key: &'static str,
+    title: &'static str,
+    others: impl Iterator<Item = Enforcement>,
+) -> Group {
+    Group {
+        key,
+        title,
+        methods: std::iter::once(Enforcement::DEFAULT)
+            .chain(others)
+            .map(|enforcement| (enforcement.name().to_owned(), Method::enforced(enforcement)))
+            .collect(),
+    }
+}

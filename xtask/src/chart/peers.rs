@@ -1,0 +1,251 @@
+//! Other programs on the pin benchmark (`scenes/pin-benchmark.toml`, frictionless and with μ = 0.25).
+//!
+//! Their last measured runs are in `docs/charts/peers.csv`; `--peers` runs the programs that are installed and replaces their
+//! rows. Programs differ in what they solve: contact on the undeformed or on the deformed shape, 0.3 % apart in the peak
+//! pressure. Each run is held against the reference that is nearer to it, and no error is called smaller than that
+//! reference is known:
+//!
+//! ```text
+//! e = min over references r of max(|p/p_r − 1|, u_r/p_r)
+//! ```
+
+mod calculix;
+mod getfem;
+mod job;
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use super::Trouble;
+use super::curve::Point;
+
+/// A reference for the peak pressure at 1240 lb while loading, and how well it is known `[psi]`.
+#[derive(Clone, Copy, Debug)]
+struct Known {
+    value: f64,
+    uncertainty: f64,
+}
+
+/// μ, and the references on the undeformed and on the deformed shape: on the undeformed one a condensed node-to-node code,
+/// Q4 and Q8 agreeing; on the deformed one GetFEM, Kratos and CalculiX on fine meshes.
+const REFERENCES: [(f64, [Known; 2]); 2] = [
+    (
+        0.0,
+        [
+            Known {
+                value: 31501.0,
+                uncertainty: 2.0,
+            },
+            Known {
+                value: 31600.0,
+                uncertainty: 15.0,
+            },
+        ],
+    ),
+    (
+        0.25,
+        [
+            Known {
+                value: 25229.0,
+                uncertainty: 2.0,
+            },
+            Known {
+                value: 25293.0,
+                uncertainty: 15.0,
+            },
+        ],
+    ),
+];
+
+/// Load steps of the job.
+pub(super) const LOAD_STEPS: usize = 14;
+
+/// A program's run of the whole history: a row of the file.
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
+pub(super) struct PeerRun {
+    /// Program and version.
+    pub(super) program: String,
+    /// Its contact method.
+    pub(super) contact: String,
+    /// Its element.
+    pub(super) element: String,
+    /// Coefficient of friction.
+    pub(super) mu: f64,
+    /// Spacing of corner nodes `[deg]`.
+    pub(super) spacing_deg: f64,
+    /// Displacement unknowns.
+    pub(super) unknowns: usize,
+    /// Load steps that met the program's own tolerance, of 14.
+    pub(super) steps_converged: usize,
+    /// Largest pressure at 1240 lb while loading `[psi]`.
+    pub(super) peak_pressure_psi: Option<f64>,
+    /// Contact half-angle there `[deg]`.
+    pub(super) contact_half_angle_deg: Option<f64>,
+    /// σ_θ at 90° there `[psi]`.
+    pub(super) hoop_at_90_deg_psi: Option<f64>,
+    /// Friction force over μ times normal force there.
+    pub(super) shear_ratio: Option<f64>,
+    /// Wall time `[s]`.
+    pub(super) wall_s: f64,
+    /// Processor time `[s]`.
+    pub(super) cpu_s: Option<f64>,
+    /// One sparse Cholesky factorisation of its own stiffness matrix on the same machine `[s]`.
+    pub(super) factorisation_s: Option<f64>,
+    /// Processor time over that.
+    pub(super) cpu_over_factorisation: Option<f64>,
+    /// One sparse Cholesky factorisation of about 41 000 unknowns (Q4, 1.125°) on the same machine `[s]`.
+    pub(super) yardstick_s: f64,
+    /// Contact iterations of the whole history.
+    pub(super) iterations: Option<usize>,
+    /// When it was measured.
+    pub(super) measured: String,
+    /// Where.
+    pub(super) machine: String,
+}
+
+impl PeerRun {
+    /// Curve that it belongs to.
+    pub(super) fn label(&self) -> String {
+        let contact = self.contact.split(',').next().unwrap_or(&self.contact);
+        format!("{}, {contact}, {}", self.name(), self.element)
+    }
+
+    /// The program without its version.
+    fn name(&self) -> &str {
+        self.program.split(' ').next().unwrap_or(&self.program)
+    }
+
+    /// The smaller one of wall and processor time `[s]`: runs shared the machine, so the kinder number.
+    pub(super) fn seconds(&self) -> f64 {
+        self.cpu_s.map_or(self.wall_s, |cpu| cpu.min(self.wall_s))
+    }
+
+    /// Relative error of the peak pressure, where all steps converged.
+    pub(super) fn error(&self) -> Option<f64> {
+        if self.steps_converged < LOAD_STEPS {
+            return None;
+        }
+        error(self.mu, self.peak_pressure_psi?)
+    }
+
+    /// Seconds and error.
+    pub(super) fn point(&self) -> Option<Point> {
+        Some(Point {
+            cost: self.seconds(),
+            error: self.error()?,
+        })
+    }
+}
+
+/// Error of a peak pressure `[psi]` by the kinder reference.
+fn error(mu: f64, peak: f64) -> Option<f64> {
+    let (_, references) = REFERENCES.iter().find(|(known, _)| *known == mu)?;
+    references
+        .iter()
+        .map(|known| {
+            let uncertainty = known.uncertainty / known.value;
+            (peak / known.value - 1.0).abs().max(uncertainty)
+        })
+        .min_by(f64::total_cmp)
+}
+
+/// The smallest error that can be told with the coefficient of friction `mu`.
+pub(super) fn finest_error(mu: f64) -> f64 {
+    let found = REFERENCES.iter().find(|(known, _)| *known == mu);
+    found.map_or(0.0, |(_, [small, _])| small.uncertainty / small.value)
+}
+
+/// Reads the runs of `path`.
+pub(super) fn read(path: &Path) -> Result<Vec<PeerRun>, Trouble> {
+    let trouble = |cause| Trouble::Csv {
+        path: path.to_owned(),
+        cause,
+    };
+    let mut reader = csv::ReaderBuilder::new()
+        .comment(Some(b'#'))
+        .from_path(path)
+        .map_err(trouble)?;
+    reader
+        .deserialize()
+        .collect::<Result<_, _>>()
+        .map_err(trouble)
+}
+
+/// Runs the programs that are installed and puts their rows in place of those that they had with the same contact method.
+pub(super) fn renew(
+    runs: &mut Vec<PeerRun>,
+    today: &str,
+    machine: &str,
+    yardstick: f64,
+) -> Result<(), Trouble> {
+    let found: [(&str, Option<String>); 2] = [
+        ("CalculiX", calculix::version()),
+        ("GetFEM", getfem::version()),
+    ];
+    for (name, version) in &found {
+        match version {
+            Some(version) => eprintln!("  {name}: {version}"),
+            None => eprintln!("  {name} is not installed; its last measured runs are drawn"),
+        }
+    }
+    let [(_, calculix), (_, getfem)] = found;
+    let mut fresh = Vec::new();
+    if let Some(version) = calculix {
+        fresh.extend(calculix::runs(&version)?);
+    }
+    if let Some(version) = getfem {
+        fresh.extend(getfem::runs(&version)?);
+    }
+    for run in &mut fresh {
+        today.clone_into(&mut run.measured);
+        machine.clone_into(&mut run.machine);
+        run.yardstick_s = yardstick;
+    }
+    let same = |a: &PeerRun, b: &PeerRun| a.name() == b.name() && a.contact == b.contact;
+    runs.retain(|old| !fresh.iter().any(|new| same(new, old)));
+    runs.extend(fresh);
+    Ok(())
+}
+
+/// Writes `runs` to `path`.
+pub(super) fn write(path: &Path, runs: &[PeerRun]) -> Result<(), Trouble> {
+    let trouble = |cause| Trouble::Csv {
+        path: path.to_owned(),
+        cause,
+    };
+    let mut writer = csv::Writer::from_path(path).map_err(trouble)?;
+    for run in runs {
+        writer.serialize(run).map_err(trouble)?;
+    }
+    writer.flush().map_err(|cause| Trouble::File {
+        path: path.to_owned(),
+        cause,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_committed_runs_read_and_have_the_errors_that_their_numbers_say() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/charts/peers.csv");
+        let runs = read(&path).unwrap();
+        assert!(runs.len() > 40);
+        assert!(
+            runs.iter()
+                .all(|run| run.seconds() > 0.0 && run.yardstick_s > 0.0)
+        );
+        assert!(runs.iter().filter_map(PeerRun::error).count() > 30);
+    }
+
+    #[test]
+    fn errors_go_by_the_nearer_reference_and_not_below_its_uncertainty() {
+        assert!((error(0.0, 31816.0).unwrap() - 216.0 / 31600.0).abs() < 1e-12);
+        assert!((error(0.0, 31470.0).unwrap() - 31.0 / 31501.0).abs() < 1e-12);
+        assert_eq!(error(0.25, 25293.0), Some(15.0 / 25293.0));
+        assert_eq!(error(0.25, 25229.5), Some(2.0 / 25229.0));
+        assert_eq!(error(0.5, 1.0), None);
+    }
+}

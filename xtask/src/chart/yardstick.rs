@@ -1,0 +1,66 @@
+//! One ordinary sparse Cholesky factorisation, by which times on different machines can be compared.
+
+use std::time::Instant;
+
+use stickslip::model::{Model, ModelBodyKind};
+use stickslip_fem_core::linalg::{LowerMatrix, reference_factorisation};
+use stickslip_fem_core::mesh::ElementKind;
+use stickslip_laboratory::measure::{summary, thread_seconds};
+use stickslip_laboratory::problems::{Gap, Problem};
+
+use super::Trouble;
+
+/// Spacing `[deg]` at which linear elements on the benchmark have about 41 000 unknowns, the size of the other programs'
+/// yardstick.
+const SPACING: f64 = 1.125;
+
+/// Times that it is repeated.
+const RUNS: usize = 5;
+
+/// One factorisation of the benchmark's stiffness matrix on linear elements, one thread.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Yardstick {
+    pub(super) unknowns: usize,
+    /// Symbolic and numeric, minimum degree, median `[s]`.
+    pub(super) seconds: f64,
+}
+
+impl Yardstick {
+    pub(super) fn measure() -> Result<Self, Trouble> {
+        let scene = Problem::AluminiumFrictional.build(SPACING, ElementKind::Q4, Gap::Exact)?;
+        let fail = |cause: &dyn std::fmt::Display| Trouble::Peer(cause.to_string());
+        let model = Model::build(&scene).map_err(|cause| fail(&cause))?;
+        let mut matrix = LowerMatrix {
+            column_start: vec![0],
+            ..LowerMatrix::default()
+        };
+        for body in &model.bodies {
+            if let ModelBodyKind::Elastic(elastic) = &body.kind {
+                let structure = elastic
+                    .analyse(&body.interface)
+                    .map_err(|cause| fail(&cause))?;
+                append(&mut matrix, &structure.stiffness(elastic));
+            }
+        }
+        let mut samples = Vec::new();
+        for _ in 0..RUNS {
+            let (wall, before) = (Instant::now(), thread_seconds());
+            reference_factorisation(&matrix, 1).map_err(|cause| fail(&cause))?;
+            let used = before.zip(thread_seconds()).map(|(start, end)| end - start);
+            samples.push(used.unwrap_or_else(|| wall.elapsed().as_secs_f64()));
+        }
+        Ok(Self {
+            unknowns: matrix.order(),
+            seconds: summary(&samples).median,
+        })
+    }
+}
+
+/// Adds `block` as a further diagonal block.
+fn append(matrix: &mut LowerMatrix, block: &LowerMatrix) {
+    let (rows, entries) = (matrix.order(), matrix.rows.len());
+    let starts = block.column_start[1..].iter().map(|start| start + entries);
+    matrix.column_start.extend(starts);
+    matrix.rows.extend(block.rows.iter().map(|row| row + rows));
+    matrix.values.extend(&block.values);
+}

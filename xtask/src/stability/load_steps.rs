@@ -1,0 +1,229 @@
+//! Study 2: the size of load steps. Friction remembers its path, so the steps are part of the answer.
+
+use std::sync::Arc;
+
+use stickslip_contact::state::TrialState;
+use stickslip_contact::{ContactState, InterfaceProblem};
+use stickslip_friction::{FrictionLaw, StaticDynamic, Transition};
+use stickslip_laboratory::discrete::{Discrete, commit};
+use stickslip_report::axis::Axis;
+use stickslip_report::chart::{LineChart, Series, SeriesStyle};
+
+use super::joint::{Joint, coulomb, set};
+use super::methods::{CHAIN, Method, methods};
+use super::outcome::{distance, judge};
+use super::picture::{Legend, map, power};
+use super::row::{Row, csv};
+use super::{Context, Findings, Study, Trouble};
+
+pub(super) const STUDY: Study = Study {
+    name: "02-load-steps",
+    title: "Size of load steps",
+    varied: "number of equal load steps from 1 to 10 000 up to 1240 lbf, and up to 1980 lbf and back to 535 lbf, on the pin; \
+             each method follows its own history and no step is cut back",
+    expectation: "Every step is solved, and the answer tends to a limit as the steps get smaller: in proportion to their size for \
+                  Coulomb's law, not smoothly for a law whose traction drops when slip begins. One giant step is not the limit.",
+    run,
+};
+
+const LIMIT_LBF: f64 = 1240.0;
+const CYCLE_LBF: [f64; 2] = [1980.0, 535.0];
+/// Steps beyond which only the methods that are used for histories are tried.
+const MANY: usize = 100;
+const FAST: [&str; 3] = [CHAIN, "semismooth Newton", "status iteration"];
+
+/// A load path under a friction law.
+struct Case {
+    name: &'static str,
+    problem: InterfaceProblem,
+    corners: Vec<f64>,
+}
+
+fn run(context: &Context) -> Result<Findings, Trouble> {
+    let numbers: &[usize] = context.sized(
+        &[1, 2, 5, 10, 100],
+        &[1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000],
+    );
+    let spacing = context.sized("18 deg", "6 deg");
+    let pin = Joint::of_scene("pin-benchmark", &set(&[("mesh.spacing", spacing.into())]))?;
+    let cases = cases(&pin)?;
+    let mut jobs: Vec<(usize, usize, Method)> = Vec::new();
+    for case in 0..cases.len() {
+        for &number in numbers {
+            let fast = |method: &Method| number <= MANY || FAST.contains(&method.name);
+            jobs.extend(
+                methods()
+                    .into_iter()
+                    .filter(fast)
+                    .map(|method| (case, number, method)),
+            );
+        }
+    }
+    // The longest first, so that both cores end together.
+    jobs.sort_by_key(|(_, number, _)| usize::MAX - number);
+    let unit = pin.loads[3]
+        .iter()
+        .map(|load| load / LIMIT_LBF)
+        .collect::<Vec<_>>();
+    let ends = std::sync::Mutex::new(Vec::new());
+    let mut rows = context.rows_of(&jobs, |(case, number, method)| {
+        let (row, end) = follow(&cases[*case], *number, &unit, method);
+        if let (Some(end), Ok(mut ends)) = (end, ends.lock()) {
+            ends.push((*case, *number, method.name, end));
+        }
+        Ok(vec![row])
+    })?;
+    let ends = ends.into_inner().map_err(|_| "a history panicked")?;
+    let finest = numbers[numbers.len() - 1];
+    for row in &mut rows {
+        let Some(case) = cases.iter().position(|case| case.name == row.case) else {
+            continue;
+        };
+        let end = |number: usize, method: &str| {
+            let found = |(c, n, m, _): &&(usize, usize, &str, TrialState)| {
+                *c == case && *n == number && *m == method
+            };
+            ends.iter().find(found).map(|(_, _, _, trial)| trial)
+        };
+        row.error = end(row.value as usize, row.method)
+            .zip(end(finest, CHAIN))
+            .map(|(trial, limit)| distance(&trial.forces, &limit.forces, 0.0));
+    }
+    let order = |row: &Row| {
+        methods()
+            .iter()
+            .position(|method| method.name == row.method)
+    };
+    rows.sort_by(|a, b| {
+        let place = |row: &Row| cases.iter().position(|case| case.name == row.case);
+        (place(a), a.value as usize, order(a)).cmp(&(place(b), b.value as usize, order(b)))
+    });
+    findings(rows, &cases)
+}
+
+fn cases(pin: &Joint) -> Result<Vec<Case>, Trouble> {
+    let coulomb = coulomb(0.25)?;
+    let drop: Arc<dyn FrictionLaw> = Arc::new(StaticDynamic::new(0.35, 0.25, Transition::Drop)?);
+    let once = vec![LIMIT_LBF];
+    let cycle = CYCLE_LBF.to_vec();
+    let list = [
+        ("Coulomb, loaded", &coulomb, &once),
+        ("Coulomb, loaded and unloaded", &coulomb, &cycle),
+        ("static and dynamic, loaded", &drop, &once),
+        ("static and dynamic, loaded and unloaded", &drop, &cycle),
+    ];
+    list.into_iter()
+        .map(|(name, law, corners)| {
+            Ok(Case {
+                name,
+                problem: pin.problem_with(law)?,
+                corners: corners.clone(),
+            })
+        })
+        .collect()
+}
+
+/// Follows a path in `number` equal steps per leg; the row, and the end if it is reached.
+fn follow(case: &Case, number: usize, unit: &[f64], method: &Method) -> (Row, Option<TrialState>) {
+    let mut given = Discrete {
+        name: String::new(),
+        problem: case.problem.clone(),
+        committed: ContactState::unloaded(&case.problem),
+        multipliers: Vec::new(),
+        coercive: false,
+        solutions: None,
+    };
+    let mut steps = Vec::new();
+    let mut end = None;
+    let mut from = 0.0;
+    'path: for &to in &case.corners {
+        for k in 1..=number {
+            let load = from + (to - from) * (k as f64 / number as f64);
+            given.multipliers = unit.iter().map(|share| share * load).collect();
+            // The step's own answer is not known: the judge looks at its conditions.
+            if let Ok(solution) = method.solver.solve(&given.step()) {
+                let violation = given.check(&solution.trial);
+                steps.push(super::outcome::accepted(method, &solution, violation));
+                given.committed = commit(&given.committed, &solution.trial, &given.multipliers);
+                end = Some(solution.trial);
+            } else {
+                steps.push(judge(method, &given, None));
+                end = None;
+                break 'path;
+            }
+        }
+        from = to;
+    }
+    let mut row = Row::of_steps(case.name, number as f64, false, &steps);
+    row.method = method.name;
+    row.steps = number * case.corners.len();
+    (row, end)
+}
+
+fn findings(rows: Vec<Row>, cases: &[Case]) -> Result<Findings, Trouble> {
+    let picture = map(
+        &rows,
+        &Legend {
+            title: "Histories in more and more steps",
+            subtitle: "Each method follows its own history without cut-back; one failing step ends it. Beyond 100 steps only the fast ones run.",
+            varied: "load steps per leg of the history [1]",
+            label: &power,
+            dividers: &[],
+        },
+    )?;
+    let curve = |case: &str| {
+        let own = rows
+            .iter()
+            .filter(|row| row.case == case && row.method == CHAIN);
+        let points: Vec<[f64; 2]> = own
+            .filter_map(|row| Some([row.value, row.error?]))
+            .filter(|point| point[1] > 0.0)
+            .collect();
+        Series::new(case, points).style(SeriesStyle::Both)
+    };
+    let mut chart = LineChart::new(
+        "What a history loses by large load steps",
+        Axis::log("load steps per leg of the history [1]"),
+        Axis::log("difference of contact forces from the finest history, over the largest [1]"),
+    )
+    .subtitle("Default chain. The answer of one giant step is not the limit of many.");
+    for case in cases {
+        chart = chart.with(curve(case.name));
+    }
+    let error = |case: &str, number: f64| {
+        let mut own = rows.iter();
+        own.find(|row| row.case == case && row.method == CHAIN && row.value == number)
+            .and_then(|row| row.error)
+            .unwrap_or(f64::NAN)
+    };
+    let remarks = cases
+        .iter()
+        .map(|case| {
+            format!(
+                "{}: one step per leg is off by {:.1} % of the largest contact force, ten by {:.2} %, a hundred by {:.3} %.",
+                case.name,
+                100.0 * error(case.name, 1.0),
+                100.0 * error(case.name, 10.0),
+                100.0 * error(case.name, 100.0)
+            )
+        })
+        .collect();
+    Ok(Findings {
+        tables: vec![("", csv("steps_per_leg", &rows))],
+        pictures: vec![
+            (
+                "",
+                picture,
+                "Outcome of each method over the number of load steps".into(),
+            ),
+            (
+                "-limit",
+                chart.render()?,
+                "Error of a history over the number of its load steps".into(),
+            ),
+        ],
+        remarks,
+        rows,
+        ..Findings::default()
+    })
+}

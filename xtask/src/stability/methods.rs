@@ -1,0 +1,54 @@
+//! The methods under test: one table, so that a new solver appears in every study and map.
+
+use stickslip_contact::solver::FailureCause;
+use stickslip_contact::{
+    AugmentedLagrangian, Chain, Continuation, Enumeration, GaussSeidel, InterfaceSolver, Penalty,
+    Pivoting, PrincipalPivoting, SemismoothNewton, StatusIteration, TrescaFixedPoint,
+};
+
+/// Name of the default chain, whose failures fail the task.
+pub(crate) const CHAIN: &str = "default chain";
+
+/// A solver with its name in tables and maps.
+#[derive(Debug)]
+pub(crate) struct Method {
+    pub(crate) name: &'static str,
+    pub(crate) solver: Box<dyn InterfaceSolver>,
+}
+
+impl Method {
+    fn new(name: &'static str, solver: impl InterfaceSolver + 'static) -> Self {
+        Self {
+            name,
+            solver: Box::new(solver),
+        }
+    }
+
+    /// Whether it is the chain that answers by default.
+    pub(crate) fn is_chain(&self) -> bool {
+        self.name == CHAIN
+    }
+}
+
+/// Every method, in the order of the maps: the default first, then from the fastest to the slowest.
+pub(crate) fn methods() -> Vec<Method> {
+    vec![
+        Method::new(CHAIN, Chain::default()),
+        Method::new("semismooth Newton", SemismoothNewton::default()),
+        Method::new("status iteration", StatusIteration::default()),
+        Method::new("Lemke pivoting", Pivoting::default()),
+        Method::new("principal pivoting", PrincipalPivoting::default()),
+        Method::new("continuation", Continuation::default()),
+        Method::new("Tresca fixed point", TrescaFixedPoint::default()),
+        Method::new("Gauss–Seidel", GaussSeidel::plain()),
+        Method::new("Gauss–Seidel, accelerated", GaussSeidel::default()),
+        Method::new("augmented Lagrangian", AugmentedLagrangian::default()),
+        Method::new("penalty", Penalty::default()),
+        Method::new("enumeration", Enumeration::default()),
+    ]
+}
+
+/// Whether a failure only says that the problem is too large for the method.
+pub(crate) fn is_too_large(cause: &FailureCause) -> bool {
+    matches!(cause, FailureCause::TooManyPoints { .. })
+}

@@ -1,0 +1,344 @@
+//! Study 9: very many small random problems against all their solutions.
+
+use std::fmt::Write as _;
+
+use rayon::prelude::*;
+use stickslip_contact::problem::ProblemPoint;
+use stickslip_contact::{ContactState, InterfaceProblem};
+use stickslip_laboratory::discrete::{self, Known};
+use stickslip_report::color::Color;
+use stickslip_report::map::{Category, Group, OutcomeMap};
+
+use super::methods::{Method, methods};
+use super::outcome::{Outcome, judge};
+use super::{Context, Findings, Study, Trouble};
+
+pub(super) const STUDY: Study = Study {
+    name: "09-random",
+    title: "Random small problems",
+    varied: "100 000 problems of 1 to 3 points with random compliance, history, gaps, load and μ up to 3, supported or floating \
+             along 1 or 2 motions; every twentieth is given to every method",
+    expectation: "Against enumeration of all statuses: nothing wrong, every supported problem solved, and of the floating ones at \
+                  most 0.1 % left without solution or proof.",
+    run,
+};
+
+/// Problems that go through the default chain, and each of how many that goes through every method.
+const PROBLEMS: [u64; 2] = [4000, 100_000];
+const EVERY: u64 = 20;
+/// Problems that one piece of progress stands for.
+const BATCH: u64 = 500;
+/// Problems after which the number of rigid motions repeats.
+const MOTIONS: u64 = 5;
+/// Width of a bin of μ.
+const BIN: f64 = 0.3;
+const BINS: usize = 10;
+/// Share of the problems without supports that may stay unresolved.
+const UNRESOLVED: f64 = 1e-3;
+
+/// What is known of a problem before any method sees it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Class {
+    Supported,
+    Solvable,
+    Unsolvable,
+    /// Floating, with statuses that leave the solution undetermined: enumeration finds none, and proves nothing.
+    Undetermined,
+}
+
+impl Class {
+    const ALL: [Self; 4] = [
+        Self::Supported,
+        Self::Solvable,
+        Self::Unsolvable,
+        Self::Undetermined,
+    ];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Supported => "supported",
+            Self::Solvable => "floating, with solution",
+            Self::Unsolvable => "floating, without solution",
+            Self::Undetermined => "floating, undetermined",
+        }
+    }
+}
+
+/// One judged trial.
+struct Trial {
+    class: Class,
+    bin: usize,
+    /// Index of the method.
+    method: usize,
+    outcome: Outcome,
+    several: bool,
+    seed: u64,
+    note: String,
+}
+
+fn run(context: &Context) -> Result<Findings, Trouble> {
+    let problems = if context.quick {
+        PROBLEMS[0]
+    } else {
+        PROBLEMS[1]
+    };
+    let batches: Vec<u64> = (0..problems / BATCH).collect();
+    context.progress.set_length(problems);
+    let trials: Vec<Trial> = batches
+        .par_iter()
+        .flat_map_iter(|&batch| {
+            let methods = methods();
+            let seeds = batch * BATCH..(batch + 1) * BATCH;
+            let trials: Vec<Trial> = seeds.flat_map(|seed| tried(seed, &methods)).collect();
+            context.progress.inc(BATCH);
+            trials
+        })
+        .collect();
+    findings(&trials, problems)
+}
+
+/// Three of five are supported, one floats along one motion and one along two.
+fn floating(seed: u64) -> usize {
+    match seed % MOTIONS {
+        0..=2 => 0,
+        3 => 1,
+        _ => 2,
+    }
+}
+
+fn tried(seed: u64, methods: &[Method]) -> Vec<Trial> {
+    let mut given = discrete::random(seed, floating(seed));
+    let all = discrete::enumerate(&given);
+    let complete = !all.singular && !all.borderline;
+    let class = match (given.coercive, all.states.is_empty()) {
+        (true, _) => Class::Supported,
+        (false, false) => Class::Solvable,
+        (false, true) if complete => Class::Unsolvable,
+        (false, true) => Class::Undetermined,
+    };
+    let several = all.states.len() > 1;
+    let answer = all.states.first().cloned();
+    given.solutions = Some(Known {
+        complete,
+        states: all.states,
+    });
+    let bin = ((friction(&given.problem, &given.committed) / BIN) as usize).min(BINS - 1);
+    let chosen = if (seed / MOTIONS).is_multiple_of(EVERY) {
+        methods.len()
+    } else {
+        1
+    };
+    methods[..chosen]
+        .iter()
+        .enumerate()
+        .map(|(method, solver)| {
+            let row = judge(solver, &given, answer.as_ref());
+            Trial {
+                class,
+                bin,
+                method,
+                outcome: row.outcome,
+                several,
+                seed,
+                note: row.note,
+            }
+        })
+        .collect()
+}
+
+/// μ of a problem with one Coulomb law.
+fn friction(problem: &InterfaceProblem, state: &ContactState) -> f64 {
+    let bound = |point: &ProblemPoint| {
+        problem
+            .law(0)
+            .bound(1.0, 0.0, &point.place, &state.history[0])
+            .stick
+    };
+    problem.points().first().map_or(0.0, bound)
+}
+
+fn findings(trials: &[Trial], problems: u64) -> Result<Findings, Trouble> {
+    let names: Vec<&str> = methods().iter().map(|method| method.name).collect();
+    let mut table = String::from("class,mu_from,mu_to,method,problems");
+    for outcome in Outcome::ALL {
+        // Writing into a string does not fail.
+        let _ = write!(table, ",{}", outcome.name());
+    }
+    table.push('\n');
+    for class in Class::ALL {
+        for bin in 0..BINS {
+            for (method, name) in names.iter().enumerate() {
+                let own = |trial: &&Trial| {
+                    trial.class == class && trial.bin == bin && trial.method == method
+                };
+                let list: Vec<&Trial> = trials.iter().filter(own).collect();
+                let (from, to) = (BIN * bin as f64, BIN * (bin + 1) as f64);
+                let _ = write!(
+                    table,
+                    "\"{}\",{from:.1},{to:.1},\"{name}\",{}",
+                    class.name(),
+                    list.len()
+                );
+                for outcome in Outcome::ALL {
+                    let count = list.iter().filter(|trial| trial.outcome == outcome).count();
+                    let _ = write!(table, ",{count}");
+                }
+                table.push('\n');
+            }
+        }
+    }
+    let picture = OutcomeMap {
+        title: "Random problems of 1 to 3 points: share that is solved or proved impossible".into(),
+        subtitle:
+            "Against enumeration of all statuses. Regularised answers count if they are within 1 %."
+                .into(),
+        x_label: "coefficient of friction μ, middle of the bin [1]".into(),
+        columns: (0..BINS)
+            .map(|bin| format!("{:.2}", BIN * (bin as f64 + 0.5)))
+            .collect(),
+        groups: Class::ALL
+            .iter()
+            .map(|&class| shares(trials, &names, class))
+            .filter(|group| !group.rows.is_empty())
+            .collect(),
+        categories: levels(),
+        width: 860.0,
+    }
+    .render()?;
+    Ok(Findings {
+        tables: vec![("", table)],
+        pictures: vec![(
+            "",
+            picture,
+            "Share of random problems that each method solves, over friction".into(),
+        )],
+        remarks: remarks(trials, &names, problems),
+        failures: failures(trials),
+        ..Findings::default()
+    })
+}
+
+/// Grounds of the cells by the share that is answered; the first is for wrong answers.
+fn levels() -> Vec<Category> {
+    let level = |label: &str, mark: &str, color| Category {
+        label: label.into(),
+        mark: mark.into(),
+        color,
+    };
+    vec![
+        level("wrong answers", "!", Color::rgb(0x11, 0x11, 0x11)),
+        level("all", "", Color::rgb(0x8c, 0xc5, 0xe3)),
+        level("99 % and more", "99", Color::rgb(0xc9, 0xe5, 0xc0)),
+        level("90 % and more", "90", Color::rgb(0xf2, 0xd9, 0x6b)),
+        level("50 % and more", "50", Color::rgb(0xe8, 0x8b, 0x3a)),
+        level("less", "·", Color::rgb(0xc6, 0x58, 0x3c)),
+    ]
+}
+
+/// The level of each method in each bin of μ.
+fn shares(trials: &[Trial], names: &[&str], class: Class) -> Group {
+    let level = |method: usize, bin: usize| {
+        let own = trials
+            .iter()
+            .filter(|trial| trial.class == class && trial.bin == bin && trial.method == method);
+        let (mut all, mut answered, mut wrong) = (0_usize, 0_usize, false);
+        for trial in own {
+            let useful = matches!(trial.outcome, Outcome::Approximate | Outcome::Certified);
+            all += 1;
+            answered += usize::from(useful || trial.outcome.is_answer());
+            wrong |= trial.outcome == Outcome::Wrong;
+        }
+        let share = answered as f64 / all as f64;
+        let steps = [1.0, 0.99, 0.9, 0.5];
+        let index = steps
+            .iter()
+            .position(|&step| share >= step)
+            .unwrap_or(steps.len());
+        (all > 0).then_some(if wrong { 0 } else { index + 1 })
+    };
+    let rows = names.iter().enumerate().map(|(method, name)| {
+        let cells: Vec<_> = (0..BINS).map(|bin| level(method, bin)).collect();
+        ((*name).to_owned(), cells)
+    });
+    Group {
+        label: class.name().into(),
+        rows: rows
+            .filter(|(_, cells)| cells.iter().any(Option::is_some))
+            .collect(),
+        divider: None,
+    }
+}
+
+fn remarks(trials: &[Trial], names: &[&str], problems: u64) -> Vec<String> {
+    let chain = || trials.iter().filter(|trial| trial.method == 0);
+    let mut remarks = vec![format!("Of {problems} problems the default chain:")];
+    for class in Class::ALL {
+        let own: Vec<&Trial> = chain().filter(|trial| trial.class == class).collect();
+        let counts: Vec<String> = Outcome::ALL
+            .iter()
+            .filter_map(|&outcome| {
+                let count = own.iter().filter(|trial| trial.outcome == outcome).count();
+                (count > 0).then(|| format!("{count} {}", outcome.name()))
+            })
+            .collect();
+        let several = own.iter().filter(|trial| trial.several).count();
+        remarks.push(format!(
+            "{} ({}, {several} with several solutions): {}.",
+            class.name(),
+            own.len(),
+            counts.join(", ")
+        ));
+    }
+    let wrong: Vec<String> = names
+        .iter()
+        .enumerate()
+        .filter_map(|(method, name)| {
+            let count = trials
+                .iter()
+                .filter(|trial| trial.method == method && trial.outcome == Outcome::Wrong)
+                .count();
+            (count > 0).then(|| format!("{name} {count}"))
+        })
+        .collect();
+    remarks.push(if wrong.is_empty() {
+        "No method gives a wrong answer.".into()
+    } else {
+        format!("Wrong answers: {}.", wrong.join(", "))
+    });
+    remarks
+}
+
+/// Failures of the default chain, with the seeds that repeat them.
+fn failures(trials: &[Trial]) -> Vec<String> {
+    let chain: Vec<&Trial> = trials.iter().filter(|trial| trial.method == 0).collect();
+    let bad = |trial: &&&Trial| {
+        trial.outcome == Outcome::Wrong
+            || (trial.class == Class::Supported && !trial.outcome.is_answer())
+    };
+    let mut failures: Vec<String> = chain
+        .iter()
+        .filter(bad)
+        .map(|trial| {
+            format!(
+                "seed {} ({}): {} {}",
+                trial.seed,
+                trial.class.name(),
+                trial.outcome.name(),
+                trial.note
+            )
+        })
+        .collect();
+    let floating = chain.iter().filter(|trial| trial.class != Class::Supported);
+    let unresolved: Vec<u64> = floating
+        .clone()
+        .filter(|trial| trial.outcome == Outcome::Unresolved)
+        .map(|trial| trial.seed)
+        .collect();
+    if unresolved.len() as f64 > UNRESOLVED * floating.count() as f64 {
+        failures.push(format!(
+            "{} floating problems unresolved, seeds {unresolved:?}",
+            unresolved.len()
+        ));
+    }
+    failures
+}

@@ -1,0 +1,117 @@
+//! Study 4: contact that begins, ends and begins again.
+
+use super::history::Stages;
+use super::joint::{Joint, set};
+use super::methods::{CHAIN, methods};
+use super::outcome::{Outcome, judge};
+use super::picture::{Legend, map};
+use super::row::{Row, csv};
+use super::{Context, Findings, Study, Trouble};
+
+pub(super) const STUDY: Study = Study {
+    name: "04-separation",
+    title: "Separation and re-contact",
+    varied: "load step by step: a floating plate that first touches its pin, is pushed off it and onto its other side and back; \
+             the same held by symmetry; a cylinder pressed, let go, pressed again and at last pulled off",
+    expectation: "Every step that can be balanced is solved, also those without any force, which leave a floating body's place open. \
+                  Pulling off is proved to have no balance.",
+    run,
+};
+
+/// Loads of the plate `[lbf]`: first contact, growth, release, the other side, and back.
+const PULLS: [f64; 12] = [
+    1.0, 20.0, 520.0, 1240.0, 210.0, 0.0, -20.0, -1240.0, -40.0, 0.0, 20.0, 1240.0,
+];
+/// Loads of the cylinder `[N]`.
+const PRESSES: [f64; 8] = [1.0, 50.0, 500.0, 40.0, 0.0, 50.0, 500.0, -1.0];
+
+fn run(context: &Context) -> Result<Findings, Trouble> {
+    let spacing = context.sized("18 deg", "9 deg");
+    let pin = |model: &str, mu: f64| {
+        let steps: Vec<String> = PULLS.iter().map(|load| format!("\"{load} lbf\"")).collect();
+        Joint::of_scene(
+            "pin-benchmark",
+            &set(&[
+                ("mesh.spacing", spacing.into()),
+                ("analysis.model", model.into()),
+                ("contacts.0.friction.coulomb.mu", mu.to_string()),
+                ("loads.0.force.steps", format!("[{}]", steps.join(", "))),
+            ]),
+        )
+    };
+    let cylinder = |mu: f64| {
+        let steps: Vec<String> = PRESSES.iter().map(|load| format!("\"{load} N\"")).collect();
+        Joint::of_scene(
+            "hertz-cylinder",
+            &set(&[
+                ("mesh.spacing", context.sized("0.4 mm", "0.1 mm").into()),
+                ("contacts.0.friction.coulomb.mu", mu.to_string()),
+                ("loads.0.force.steps", format!("[{}]", steps.join(", "))),
+            ]),
+        )
+    };
+    let cases: Vec<(String, Joint)> = vec![
+        (
+            "floating plate, whole, frictionless".into(),
+            pin("whole", 0.0)?,
+        ),
+        (
+            "floating plate, whole, friction 0.25".into(),
+            pin("whole", 0.25)?,
+        ),
+        (
+            "floating plate, half, friction 0.25".into(),
+            pin("half", 0.25)?,
+        ),
+        ("floating cylinder, frictionless".into(), cylinder(0.0)?),
+        ("floating cylinder, friction 0.4".into(), cylinder(0.4)?),
+    ];
+    let rows = context.rows_of(&cases, |(name, joint)| {
+        let stages = Stages::follow(&joint.problem()?, &joint.loads);
+        let methods = methods();
+        let mut rows = Vec::new();
+        for (index, stage) in stages.list.iter().enumerate() {
+            for method in &methods {
+                let row = judge(method, &stage.given, stage.answer.as_ref());
+                rows.push(Row {
+                    steps: 1,
+                    ..Row::of_steps(name, (index + 1) as f64, stages.coercive, &[row])
+                });
+            }
+        }
+        Ok(rows)
+    })?;
+    let picture = map(
+        &rows,
+        &Legend {
+            title: "Contact that begins, ends and begins again",
+            subtitle: "Plate [lbf]: 1, 20, 520, 1240, 210, 0, −20, −1240, −40, 0, 20, 1240. Cylinder [N]: 1, 50, 500, 40, 0, 50, 500, −1.",
+            varied: "load step [1]",
+            label: &|step| format!("{step}"),
+            dividers: &[],
+        },
+    )?;
+    let certified = |row: &&Row| row.method == CHAIN && row.outcome == Outcome::Certified;
+    let pulled = |row: &&Row| row.case.contains("cylinder") && row.value as usize == PRESSES.len();
+    let proofs = rows.iter().filter(certified).filter(pulled).count();
+    let others = rows.iter().filter(certified).count() - proofs;
+    let mut failures = Vec::new();
+    if (proofs, others) != (2, 0) {
+        failures.push(format!(
+            "pulling the cylinder off was proved impossible in {proofs} of 2 cases, and {others} steps that can be balanced"
+        ));
+    }
+    Ok(Findings {
+        remarks: vec![format!(
+            "Pulling the cylinder off is proved impossible in {proofs} of 2 cases."
+        )],
+        tables: vec![("", csv("step", &rows))],
+        pictures: vec![(
+            "",
+            picture,
+            "Outcome of each method at every step of histories with separation".into(),
+        )],
+        rows,
+        failures,
+    })
+}
