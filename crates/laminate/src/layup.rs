@@ -156,7 +156,7 @@ impl Group {
                 Item::Group(group) => once.extend(group.stack()),
             }
         }
-        let mut stack = once.repeat(self.repeats);
+        let mut stack = vec![once; self.repeats].concat();
         if self.symmetric {
             let shared = matches!(self.items.last(), Some(Item::Plies(plies)) if plies.shared);
             let mirrored = stack.len() - usize::from(shared);

@@ -107,7 +107,7 @@ impl Loaded {
         layer: &Layer,
         assess: impl Fn(&PlyLoading) -> Result<Assessment, FailureError>,
     ) -> Result<PlyAssessment, FailureError> {
-        let at = |position: Position| {
+        let at = |position: Position| -> Result<PlyAssessment, FailureError> {
             let height = position.height(layer);
             let loading = PlyLoading {
                 held: layer.stress(self.held.strain_at(height), self.temperature),

@@ -91,7 +91,7 @@ fn notation() -> impl Strategy<Value = String> {
     let pair = (prop_oneof![Just("±"), Just("∓")], 1..90_u8).prop_map(|(sign, angle)| format!("{sign}{angle}"));
     let item = prop_oneof![single, pair];
     let suffix = || prop_oneof![Just(""), Just("s"), Just("_2"), Just("_3s")];
-    let group = |item: BoxedStrategy<String>| {
+    let group = move |item: BoxedStrategy<String>| {
         (prop::collection::vec(item, 1..4), suffix()).prop_map(|(items, suffix)| format!("[{}]{suffix}", items.join("/")))
     };
     item.boxed().prop_recursive(3, 24, 4, move |inner| group(inner).boxed()).prop_map(|text| {

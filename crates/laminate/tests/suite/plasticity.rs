@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use stickslip_fem_core::material::{apply, rotated_strain, rotated_stiffness};
 use stickslip_laminate::failure::TsaiHill;
 use stickslip_laminate::progressive::{TsaiHillPlasticity, YieldSurface};
-use stickslip_laminate::{FailureCriterion, PlyLoading, PointHistory, PointModel, PointState, Strengths};
+use stickslip_laminate::{FailureCriterion, Ply, PlyLoading, PointHistory, PointModel, PointState, Strengths};
 
 use crate::{STRENGTHS, assert_matrix, assert_vector, laminate, ply, ply_with};
 
@@ -54,7 +54,7 @@ fn the_surface_is_tsai_hill_up_to_the_interaction() {
     let [xt, xc, yt, yc, s] = STRENGTHS;
     let equal = ply_with(Strengths::in_plane(xt, xt, yt, yc, s));
     for stress in [[100.0, 5.0, 6.0], [-100.0, 5.0, 6.0], [-150.0, -12.0, 4.0], [120.0, -12.0, 1.0]] {
-        let hill = |ply| TsaiHill.assess(ply, &PlyLoading::mechanical(stress)).unwrap().index;
+        let hill = |ply: &Ply| TsaiHill.assess(ply, &PlyLoading::mechanical(stress)).unwrap().index;
         let same = YieldSurface::new(&equal, 0.0).unwrap().value(stress);
         assert_relative_eq!(same * same, hill(&equal), max_relative = 1e-13);
         let value = surface(0.0).value(stress);
