@@ -12,7 +12,12 @@ use stickslip_laminate::{
 use crate::{assert_matrix, assert_vector, laminate};
 
 fn model(layup: &str, criterion: impl FailureCriterion + 'static) -> PlyDiscount {
-    PlyDiscount::new(laminate(layup), Box::new(criterion), Degradation::new(0.02, 0.1).unwrap()).unwrap()
+    PlyDiscount::new(
+        laminate(layup),
+        Box::new(criterion),
+        Degradation::new(0.02, 0.1).unwrap(),
+    )
+    .unwrap()
 }
 
 /// From no strain to `strain` in equal steps, and the work done on the way by the trapezoidal rule.
@@ -23,7 +28,9 @@ fn walk(model: &dyn PointModel, strain: [f64; 3], steps: usize) -> (PointState, 
         let at = strain.map(|component| component * step as f64 / steps as f64);
         let response = model.respond(history.committed(), at, 0.0).unwrap();
         let before = history.committed().strain;
-        work += (0..3).map(|i| 0.5 * (stress[i] + response.stress[i]) * (at[i] - before[i])).sum::<f64>();
+        work += (0..3)
+            .map(|i| 0.5 * (stress[i] + response.stress[i]) * (at[i] - before[i]))
+            .sum::<f64>();
         stress = response.stress;
         history.commit(response.trial);
     }
@@ -37,7 +44,11 @@ fn sound_laminate_is_its_membrane() {
     let strain = [0.001, -0.0005, 0.0008];
     let response = model.respond(&model.initial_state(), strain, 0.0).unwrap();
     assert_matrix(&response.tangent, &material.stiffness(), 1e-14);
-    assert_vector(&response.stress, &apply(&material.stiffness(), strain), 1e-13);
+    assert_vector(
+        &response.stress,
+        &apply(&material.stiffness(), strain),
+        1e-13,
+    );
     assert_eq!(response.trial.dissipated, 0.0);
     // Heated and free it is without mean stress.
     let free = material.thermal_strain(-250.0);
@@ -50,11 +61,25 @@ fn first_event_is_first_ply_failure() {
     let model = model("[0/±45/90]s", TsaiHill);
     let laminate = model.laminate();
     let load = LaminateLoad::membrane([laminate.thickness(), 0.0, 0.0]);
-    let factor = first_ply_failure(laminate, &load, &TsaiHill).unwrap().assessment.reserve_factor;
+    let factor = first_ply_failure(laminate, &load, &TsaiHill)
+        .unwrap()
+        .assessment
+        .reserve_factor;
     let strain = laminate.deformation(&load).strain;
     let damaged = |multiple: f64| {
-        let response = model.respond(&model.initial_state(), strain.map(|e| multiple * factor * e), 0.0).unwrap();
-        response.trial.layers.iter().filter(|layer| layer.damage.matrix).count()
+        let response = model
+            .respond(
+                &model.initial_state(),
+                strain.map(|e| multiple * factor * e),
+                0.0,
+            )
+            .unwrap();
+        response
+            .trial
+            .layers
+            .iter()
+            .filter(|layer| layer.damage.matrix)
+            .count()
     };
     assert_eq!((damaged(1.0 - 1e-12), damaged(1.0 + 1e-12)), (0, 2));
 }
@@ -62,12 +87,20 @@ fn first_event_is_first_ply_failure() {
 #[test]
 fn step_size_changes_nothing_on_a_straight_path() {
     let strain = [0.016, -0.003, 0.01];
-    for criterion in [Box::new(TsaiHill) as Box<dyn FailureCriterion>, Box::new(Hashin::default()), Box::new(MaximumStress)] {
+    for criterion in [
+        Box::new(TsaiHill) as Box<dyn FailureCriterion>,
+        Box::new(Hashin::default()),
+        Box::new(MaximumStress),
+    ] {
         let degradation = Degradation::new(0.02, 0.1).unwrap();
         let model = PlyDiscount::new(laminate("[0/±45/90]s"), criterion, degradation).unwrap();
         let (one, _) = walk(&model, strain, 1);
         // Fibres and matrix fail on the way, not all at the same strain.
-        assert!(one.layers[0].damage.fibre && one.layers[3].damage.matrix && !one.layers[3].damage.fibre);
+        assert!(
+            one.layers[0].damage.fibre
+                && one.layers[3].damage.matrix
+                && !one.layers[3].damage.fibre
+        );
         for steps in [3, 17, 1000] {
             let (many, _) = walk(&model, strain, steps);
             for (a, b) in one.layers.iter().zip(&many.layers) {
