@@ -215,7 +215,7 @@ fn held_stress_uses_up_the_strength() {
         applied: [0.0, 2.0, 0.0],
     };
     for criterion in standard_criteria() {
-        // (10.1 − 4.1)/2, whatever the criterion; halving the load doubles nothing but the multiplier.
+        // (10.1 − 4.1)/2, whatever the criterion.
         let factor = criterion.assess(&ply, &loading).unwrap().reserve_factor;
         assert_relative_eq!(factor, 3.0, max_relative = 1e-12);
     }

@@ -4,7 +4,7 @@ use approx::assert_relative_eq;
 use proptest::prelude::*;
 use stickslip_laminate::failure::{
     EnvelopeEvent, EnvelopePlane, MaximumStress, TsaiHill, TsaiWu, assess_plies, failure_envelope,
-    first_ply_failure, last_ply_failure,
+    first_ply_failure, last_ply_failure, standard_criteria,
 };
 use stickslip_laminate::laminate::Position;
 use stickslip_laminate::{Damage, Degradation, FailureMode, LaminateLoad};
@@ -131,7 +131,7 @@ fn residual_stress_lowers_the_first_failure_of_a_cross_ply() {
 fn bending_fails_the_outer_face() {
     let single = laminate("[0_2]");
     let h = single.thickness();
-    // σ₁ = 6 M/h² at the lower face in compression for M < 0... and tension above.
+    // σ₁ = ±6 M/h² at the faces: tension above, compression below.
     let load = LaminateLoad {
         moment: [h * h / 6.0, 0.0, 0.0],
         ..LaminateLoad::default()
@@ -294,6 +294,26 @@ proptest! {
         };
         let (a, b) = (factor(&plain, force), factor(&turned, rotated));
         prop_assert!((a / b - 1.0).abs() < 1e-10);
+    }
+
+    #[test]
+    fn the_reserve_factor_times_the_load_is_at_the_limit(
+        force in prop::array::uniform3(-1.0..1.0_f64),
+        moment in prop::array::uniform3(-0.01..0.01_f64),
+        temperature in -200.0..0.0_f64,
+    ) {
+        // Neither symmetric nor balanced: every coupling is at work.
+        let plies = laminate("[0/30_2/-45/90]");
+        let load = LaminateLoad { force, moment, temperature };
+        for criterion in standard_criteria() {
+            let factor = first_ply_failure(&plies, &load, criterion.as_ref()).unwrap().assessment.reserve_factor;
+            prop_assume!(factor > 1e-3);
+            let [force, moment] = [force, moment].map(|vector| vector.map(|component| factor * component));
+            let scaled = LaminateLoad { force, moment, temperature };
+            let assessments = assess_plies(&plies, &scaled, criterion.as_ref()).unwrap();
+            let indices = assessments.iter().map(|ply| ply.assessment.index);
+            prop_assert!((indices.fold(0.0, f64::max) - 1.0).abs() < 1e-10, "{}", criterion.name());
+        }
     }
 
     #[test]

@@ -20,13 +20,21 @@ fn model(layup: &str, criterion: impl FailureCriterion + 'static) -> PlyDiscount
     .unwrap()
 }
 
-/// From no strain to `strain` in equal steps, and the work done on the way by the trapezoidal rule.
-fn walk(model: &dyn PointModel, strain: [f64; 3], steps: usize) -> (PointState, f64) {
+/// From no strain to `strain` and `temperature` in equal steps, and the work done on the way by the trapezoidal rule.
+fn walk(
+    model: &dyn PointModel,
+    strain: [f64; 3],
+    temperature: f64,
+    steps: usize,
+) -> (PointState, f64) {
     let mut history = PointHistory::new(model.initial_state());
     let (mut work, mut stress) = (0.0, [0.0; 3]);
     for step in 1..=steps {
-        let at = strain.map(|component| component * step as f64 / steps as f64);
-        let response = model.respond(history.committed(), at, 0.0).unwrap();
+        let share = step as f64 / steps as f64;
+        let at = strain.map(|component| component * share);
+        let response = model
+            .respond(history.committed(), at, temperature * share)
+            .unwrap();
         let before = history.committed().strain;
         work += (0..3)
             .map(|i| 0.5 * (stress[i] + response.stress[i]) * (at[i] - before[i]))
@@ -94,21 +102,23 @@ fn step_size_changes_nothing_on_a_straight_path() {
     ] {
         let degradation = Degradation::new(0.02, 0.1).unwrap();
         let model = PlyDiscount::new(laminate("[0/±45/90]s"), criterion, degradation).unwrap();
-        let (one, _) = walk(&model, strain, 1);
-        // Fibres and matrix fail on the way, not all at the same strain.
-        assert!(
-            one.layers[0].damage.fibre
-                && one.layers[3].damage.matrix
-                && !one.layers[3].damage.fibre
-        );
-        for steps in [3, 17, 1000] {
-            let (many, _) = walk(&model, strain, steps);
-            for (a, b) in one.layers.iter().zip(&many.layers) {
-                assert_eq!(a.damage, b.damage);
-                assert_vector(&a.stress, &b.stress, 1e-12);
+        for temperature in [0.0, -100.0] {
+            let (one, _) = walk(&model, strain, temperature, 1);
+            // Fibres and matrix fail on the way, not all at the same strain.
+            assert!(
+                one.layers[0].damage.fibre
+                    && one.layers[3].damage.matrix
+                    && !one.layers[3].damage.fibre
+            );
+            for steps in [3, 17, 1000] {
+                let (many, _) = walk(&model, strain, temperature, steps);
+                for (a, b) in one.layers.iter().zip(&many.layers) {
+                    assert_eq!(a.damage, b.damage);
+                    assert_vector(&a.stress, &b.stress, 1e-12);
+                }
+                assert_relative_eq!(many.dissipated, one.dissipated, max_relative = 1e-10);
+                assert_relative_eq!(many.stored, one.stored, max_relative = 1e-12);
             }
-            assert_relative_eq!(many.dissipated, one.dissipated, max_relative = 1e-10);
-            assert_relative_eq!(many.stored, one.stored, max_relative = 1e-12);
         }
     }
 }
@@ -118,7 +128,7 @@ fn work_is_stored_or_dissipated() {
     // The trapezoidal rule errs by half a step times each drop of stress: first order.
     let model = model("[0/±45/90]s", TsaiHill);
     let error = |steps| {
-        let (state, work) = walk(&model, [0.016, -0.003, 0.01], steps);
+        let (state, work) = walk(&model, [0.016, -0.003, 0.01], 0.0, steps);
         (work - state.stored - state.dissipated).abs() / work
     };
     let (coarse, fine) = (error(200), error(20_000));
