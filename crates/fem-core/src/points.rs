@@ -48,6 +48,11 @@ impl QuadraturePoints {
         self.position.len()
     }
 
+    /// Number of cells.
+    pub fn cell_count(&self) -> usize {
+        self.first.len() - 1
+    }
+
     /// Points of cell `cell`, a global index of the mesh.
     pub fn of_cell(&self, cell: usize) -> Range<usize> {
         self.first[cell]..self.first[cell + 1]

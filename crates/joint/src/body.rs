@@ -86,6 +86,8 @@ pub struct ProgressiveBody {
     models: Vec<Arc<dyn PointModel>>,
     /// State of rest, one per cell.
     rest: Vec<PointState>,
+    /// Size of the nodal forces that plies exert on each other at rest.
+    rest_force: f64,
 }
 
 impl ProgressiveBody {
@@ -130,6 +132,7 @@ impl ProgressiveBody {
             rest: models.iter().map(|model| model.initial_state()).collect(),
             models,
             body,
+            rest_force: 0.0,
         })
     }
 
@@ -143,6 +146,11 @@ impl ProgressiveBody {
             .map(|(cell, model)| cured(cell, model.as_ref(), temperature))
             .collect();
         self.rest = rest.into_iter().collect::<Result<_, _>>()?;
+        let layers = self.rest.iter().flat_map(|state| &state.layers);
+        let stress = (layers.flat_map(|layer| layer.stress)).fold(0.0, |m: f64, s| m.max(s.abs()));
+        let area: f64 = self.points.areas().iter().sum();
+        let cell = (area / self.points.cell_count() as f64).sqrt();
+        self.rest_force = stress * cell * self.body.thickness();
         Ok(self)
     }
 
@@ -184,6 +192,11 @@ impl ProgressiveBody {
     /// Volume `[length³]` of quadrature point `point`.
     pub fn volume(&self, point: usize) -> f64 {
         self.points.areas()[point] * self.body.thickness()
+    }
+
+    /// Size of the nodal forces `[force]` that plies exert on each other at rest.
+    pub(crate) fn rest_force(&self) -> f64 {
+        self.rest_force
     }
 
     /// The response of all points to the nodal displacements `u`, coming from the states `base`.
@@ -233,7 +246,7 @@ impl ProgressiveBody {
 }
 
 /// What the points of a body do at one displacement.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Response {
     /// B u.
     pub(crate) strain: Vec<[f64; 3]>,

@@ -3,8 +3,9 @@
 use stickslip_contact::{ContactState, InterfaceProblem, InterfaceSolver};
 use stickslip_fem_core::InterfaceOperator;
 
+use crate::body::Response;
 use crate::error::{Halt, JointError};
-use crate::increment::{Accepted, Manner, Solving};
+use crate::increment::{Accepted, Manner, Solving, starting_responses};
 use crate::joint::Joint;
 use crate::operator::Factors;
 use crate::record::{Ending, JointHistory, JointRecord};
@@ -36,6 +37,7 @@ impl Joint {
             joint: self,
             solver,
             factors,
+            starting: Vec::new(),
             records: Vec::new(),
             observe,
             stiffest: 0.0,
@@ -80,7 +82,8 @@ impl Joint {
             burst: usize::MAX,
         };
         let still = vec![0.0; self.load_cases()];
-        let solving = Solving::new(self, &rest, &still, manner).map_err(JointError::NoStart)?;
+        let starting = starting_responses(self, &rest).map_err(JointError::NoStart)?;
+        let solving = Solving::new(self, &rest, &starting, &still, manner);
         let operators = solving.operators(factors).map_err(|halt| match halt {
             Halt::Stiffness { body, cause } => JointError::Body { body, cause },
             other => JointError::NoStart(other),
@@ -98,6 +101,8 @@ struct Walk<'a, F> {
     joint: &'a Joint,
     solver: &'a dyn InterfaceSolver,
     factors: Factors,
+    /// Responses in `state`, once they are known.
+    starting: Vec<Option<Response>>,
     state: JointState,
     records: Vec<JointRecord>,
     observe: F,
@@ -174,7 +179,10 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
         manner: Manner,
         driven: bool,
     ) -> Result<Accepted, Halt> {
-        let solving = Solving::new(self.joint, &self.state, multipliers, manner)?;
+        if self.starting.is_empty() {
+            self.starting = starting_responses(self.joint, &self.state)?;
+        }
+        let solving = Solving::new(self.joint, &self.state, &self.starting, multipliers, manner);
         let accepted = solving.run(self.solver, &mut self.factors)?;
         let stiffness = accepted.load / accepted.displacement / self.stiffest;
         let lost = stiffness < self.joint.options.residual_stiffness && accepted.passes > 0;
@@ -190,6 +198,7 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
         let mut contact = accepted.contact;
         contact.cutbacks = cutbacks;
         self.state = accepted.state;
+        self.starting.clear();
         if accepted.displacement > 0.0 {
             self.stiffest = self.stiffest.max(accepted.load / accepted.displacement);
         }

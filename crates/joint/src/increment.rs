@@ -50,6 +50,32 @@ pub(crate) struct Manner {
     pub(crate) burst: usize,
 }
 
+/// Stresses and tangents of all bodies with a history in the state `start`, without trial states; `None` for the others. All
+/// attempts from one state share them.
+pub(crate) fn starting_responses(
+    joint: &Joint,
+    start: &JointState,
+) -> Result<Vec<Option<Response>>, Halt> {
+    let respond = |(index, (body, state)): (usize, (&JointBody, &BodyState))| {
+        let Some(body) = body.progressive() else {
+            return Ok(None);
+        };
+        match body.respond(&state.points, &state.displacements) {
+            Ok(response) => Ok(Some(Response {
+                trial: Vec::new(),
+                ..response
+            })),
+            Err((point, cause)) => Err(Halt::Material {
+                body: index,
+                point,
+                cause,
+            }),
+        }
+    };
+    let bodies = joint.bodies.iter().zip(&start.bodies).enumerate();
+    bodies.map(respond).collect()
+}
+
 /// A body with a history on its way through an increment.
 struct Working<'a> {
     index: usize,
@@ -60,6 +86,8 @@ struct Working<'a> {
     response: Response,
     /// Since the start, or since plies failed last.
     passage: Passage,
+    /// Largest nodal force of the last linearisation.
+    largest_force: f64,
 }
 
 impl Working<'_> {
@@ -120,42 +148,37 @@ pub(crate) struct Solving<'a> {
 }
 
 impl<'a> Solving<'a> {
+    /// `starting` is what [`starting_responses`] says of `start`.
     pub(crate) fn new(
         joint: &'a Joint,
         start: &'a JointState,
+        starting: &[Option<Response>],
         multipliers: &'a [f64],
         manner: Manner,
-    ) -> Result<Self, Halt> {
-        let part = |(index, (body, state)): (usize, (&'a JointBody, &'a BodyState))| {
-            Ok(match body {
-                JointBody::Rigid(body) => Part::Linear(body),
-                JointBody::Elastic(body) => Part::Linear(body.as_ref()),
-                JointBody::Progressive(body) => {
-                    let response = body.respond(&state.points, &state.displacements);
-                    let response = response.map_err(|(point, cause)| Halt::Material {
-                        body: index,
-                        point,
-                        cause,
-                    });
-                    let response = response?;
-                    Part::History(Box::new(Working {
-                        index,
-                        body: Arc::as_ref(body),
-                        start: &state.points,
-                        base: None,
-                        passage: Passage::new(&response, body.energies(&state.points)),
-                        response,
-                    }))
-                }
-            })
+    ) -> Self {
+        let part = |(index, (body, state)): (usize, (&'a JointBody, &'a BodyState))| match body {
+            JointBody::Rigid(body) => Part::Linear(body),
+            JointBody::Elastic(body) => Part::Linear(body.as_ref()),
+            JointBody::Progressive(body) => {
+                let response = starting[index].clone().unwrap_or_default();
+                Part::History(Box::new(Working {
+                    index,
+                    body: Arc::as_ref(body),
+                    start: &state.points,
+                    base: None,
+                    passage: Passage::new(&response, body.energies(&state.points)),
+                    response,
+                    largest_force: 0.0,
+                }))
+            }
         };
         let bodies = joint.bodies.iter().zip(&start.bodies).enumerate();
-        Ok(Self {
+        Self {
             joint,
             start,
             multipliers,
             manner,
-            parts: bodies.map(part).collect::<Result<_, Halt>>()?,
+            parts: bodies.map(part).collect(),
             station: Station::of(start),
             external: 0.0,
             released: 0.0,
@@ -163,7 +186,7 @@ impl<'a> Solving<'a> {
             passes: 0,
             residuals: Vec::new(),
             work: Work::default(),
-        })
+        }
     }
 
     fn histories(&self) -> impl Iterator<Item = &Working<'a>> {

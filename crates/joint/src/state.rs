@@ -25,6 +25,8 @@ pub struct BodyState {
     pub displacements: Vec<f64>,
     /// Force `[force]` with which the driven supports act along their unit displacements: power per rate of the multiplier.
     pub support_force: f64,
+    /// Largest nodal force `[force]` so far, by which unbalanced forces are measured where little is left of the load.
+    pub largest_force: f64,
     /// History of each quadrature point; empty unless the body has one.
     pub points: Vec<PointState>,
     /// Mean stress (xx, yy, xy) of each quadrature point `[stress]`; empty unless the body has a history.
@@ -76,6 +78,7 @@ impl JointState {
             BodyState {
                 displacements: vec![0.0; 2 * body.node_count()],
                 support_force: 0.0,
+                largest_force: 0.0,
                 stress: vec![[0.0; 3]; points.len()],
                 points,
             }

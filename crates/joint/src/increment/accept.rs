@@ -153,8 +153,11 @@ impl Solving<'_> {
         let mut bodies = self.station.bodies;
         for part in self.parts {
             if let Part::History(working) = part {
-                bodies[working.index].points = working.response.trial;
-                bodies[working.index].stress = working.response.stress;
+                let before = self.start.bodies[working.index].largest_force;
+                let body = &mut bodies[working.index];
+                body.largest_force = before.max(working.largest_force);
+                body.points = working.response.trial;
+                body.stress = working.response.stress;
             }
         }
         Accepted {

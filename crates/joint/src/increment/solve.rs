@@ -87,26 +87,34 @@ impl<'a> Solving<'a> {
         self.joint.bodies.iter().enumerate().map(moved).collect()
     }
 
-    /// Largest unbalanced nodal force of all bodies with a history, relative to the largest nodal force.
-    pub(super) fn residual(&self, linear: &Linear, responses: &[Response]) -> f64 {
-        let residuals = self.histories().zip(responses).map(|(working, response)| {
+    /// Largest unbalanced nodal force of all bodies with a history, relative to the largest nodal force, or to a thousandth of the
+    /// largest so far, or of those that plies exert on each other, where that is more.
+    pub(super) fn residual(&mut self, linear: &Linear, responses: &[Response]) -> f64 {
+        const FLOOR: f64 = 1e-3;
+        let mut worst = 0.0;
+        let mut scales = Vec::with_capacity(responses.len());
+        for (working, response) in self.histories().zip(responses) {
             let internal = working.body.internal_forces(&response.stress);
             let applied = self.applied_forces(linear, working.index);
             let rest: Vec<f64> = internal.iter().zip(&applied).map(|(i, a)| i - a).collect();
             let scale = (internal.iter().chain(&applied)).fold(0.0, |m: f64, f| m.max(f.abs()));
-            if scale > 0.0 {
-                working.body.structure().largest_on_unknowns(&rest) / scale
-            } else {
-                0.0
+            scales.push(scale);
+            let before = self.start.bodies[working.index].largest_force;
+            let scale = scale.max(FLOOR * before.max(working.body.rest_force()));
+            let unbalanced = working.body.structure().largest_on_unknowns(&rest);
+            if unbalanced > worst * scale || unbalanced.is_nan() {
+                worst = unbalanced / scale;
             }
-        });
-        residuals.fold(0.0, |worst, value| {
-            if value > worst || value.is_nan() {
-                value
-            } else {
-                worst
+        }
+        let mut scales = scales.into_iter();
+        for part in &mut self.parts {
+            if let Part::History(working) = part
+                && let Some(scale) = scales.next()
+            {
+                working.largest_force = scale;
             }
-        })
+        }
+        worst
     }
 
     /// Nodal forces of loads and contact on a body of finite elements, interleaved.

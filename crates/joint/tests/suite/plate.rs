@@ -168,23 +168,37 @@ impl Plate {
     }
 
     pub(crate) fn joint(&self, model: &Arc<dyn PointModel>, end: End) -> Joint {
-        let mesh = self.mesh();
-        let models = vec![Arc::clone(model); mesh.element_count()];
-        self.joint_of(&mesh, models, end)
+        self.joint_at(model, end, 0.0)
     }
 
-    pub(crate) fn joint_of(
+    /// With the residual stresses of the temperature rise `temperature` since the cure.
+    pub(crate) fn joint_at(
+        &self,
+        model: &Arc<dyn PointModel>,
+        end: End,
+        temperature: f64,
+    ) -> Joint {
+        let mesh = self.mesh();
+        let models = vec![Arc::clone(model); mesh.element_count()];
+        self.joint_of(&mesh, models, end, temperature)
+    }
+
+    fn joint_of(
         &self,
         mesh: &Arc<Mesh>,
         models: Vec<Arc<dyn PointModel>>,
         end: End,
+        temperature: f64,
     ) -> Joint {
         let laminate = models[0].laminate();
         let thickness = laminate.thickness();
         let material = Arc::new(laminate.membrane_material().unwrap());
         let body = self.body(mesh, material, thickness, end);
         let (pair, pin) = self.pair(mesh, thickness);
-        let plate = ProgressiveBody::with_models(body, &self.hole(mesh), models).unwrap();
+        let plate = ProgressiveBody::with_models(body, &self.hole(mesh), models)
+            .unwrap()
+            .at_temperature(temperature)
+            .unwrap();
         let bodies = vec![JointBody::Progressive(Arc::new(plate)), JointBody::Rigid(pin)];
         Joint::new(bodies, vec![pair], self.gauge(mesh)).unwrap()
     }
