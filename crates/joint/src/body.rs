@@ -69,8 +69,10 @@ impl JointBody {
 
     /// Number of places whose displacement is known: mesh nodes, or contact points of a rigid body.
     pub(crate) fn node_count(&self) -> usize {
-        self.elements()
-            .map_or_else(|| self.contact_points(), |(body, _)| body.mesh().nodes().len())
+        self.elements().map_or_else(
+            || self.contact_points(),
+            |(body, _)| body.mesh().nodes().len(),
+        )
     }
 }
 
@@ -257,11 +259,7 @@ pub(crate) struct Response {
 }
 
 /// The state at `temperature` whose mean stress is zero, by Newton's iteration from no strain.
-fn cured(
-    cell: usize,
-    model: &dyn PointModel,
-    temperature: f64,
-) -> Result<PointState, JointError> {
+fn cured(cell: usize, model: &dyn PointModel, temperature: f64) -> Result<PointState, JointError> {
     const ITERATIONS: usize = 30;
     const ROUNDING: f64 = 1e-13;
     let committed = model.initial_state();
@@ -296,8 +294,13 @@ pub(crate) fn check(bodies: &[JointBody]) -> Result<(), JointError> {
                 found,
             });
         }
-        let cases = body.elements().map_or(&[][..], |(body, _)| body.load_cases());
-        if let Some(case) = cases.iter().position(|case| !case.initial_strain.is_empty()) {
+        let cases = body
+            .elements()
+            .map_or(&[][..], |(body, _)| body.load_cases());
+        if let Some(case) = cases
+            .iter()
+            .position(|case| !case.initial_strain.is_empty())
+        {
             return Err(JointError::InitialStrain { body: index, case });
         }
     }

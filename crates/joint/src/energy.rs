@@ -109,7 +109,8 @@ impl Passage {
             })
             .sum();
         let [stored, dissipated] = body.energies(&end.trial);
-        let released = self.released_by_jump(body, end) + work - (stored + dissipated - self.energy);
+        let released =
+            self.released_by_jump(body, end) + work - (stored + dissipated - self.energy);
         let lost = predicted.iter().zip(&end.stress);
         *self = Self {
             jump: lost

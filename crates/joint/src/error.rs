@@ -43,7 +43,9 @@ pub enum JointError {
         cause: ProgressiveError,
     },
     /// The residual stresses of the cure find no equilibrium.
-    #[error("cell {cell}: no strain frees the laminate of stress at the temperature rise {temperature}")]
+    #[error(
+        "cell {cell}: no strain frees the laminate of stress at the temperature rise {temperature}"
+    )]
     Cure {
         /// Index of the cell.
         cell: usize,
@@ -51,7 +53,9 @@ pub enum JointError {
         temperature: f64,
     },
     /// Bodies have different numbers of load cases.
-    #[error("body {body} has {found} load cases, the first body {expected}: they cannot share one load history")]
+    #[error(
+        "body {body} has {found} load cases, the first body {expected}: they cannot share one load history"
+    )]
     LoadCases {
         /// Index of the body.
         body: usize,
@@ -105,7 +109,9 @@ pub enum JointError {
         what: String,
     },
     /// Not even the smallest part of the first increment has an equilibrium.
-    #[error("the joint has no equilibrium under the smallest part of its first load increment: {0}")]
+    #[error(
+        "the joint has no equilibrium under the smallest part of its first load increment: {0}"
+    )]
     NoStart(#[source] Halt),
 }
 
@@ -154,7 +160,9 @@ pub enum Halt {
         passes: usize,
     },
     /// The equilibrium after the plies failed is so far away that the joint has lost its load path.
-    #[error("the joint's secant stiffness falls to {stiffness:.3} of what it was: its load path is lost")]
+    #[error(
+        "the joint's secant stiffness falls to {stiffness:.3} of what it was: its load path is lost"
+    )]
     LoadPathLost {
         /// Load per displacement, relative to the largest seen before.
         stiffness: f64,

@@ -88,8 +88,10 @@ impl Joint {
             Halt::Stiffness { body, cause } => JointError::Body { body, cause },
             other => JointError::NoStart(other),
         })?;
-        let faces: Vec<&dyn InterfaceOperator> =
-            operators.iter().map(crate::operator::Operator::interface).collect();
+        let faces: Vec<&dyn InterfaceOperator> = operators
+            .iter()
+            .map(crate::operator::Operator::interface)
+            .collect();
         let problem = InterfaceProblem::new(&faces, self.pairs.clone())?;
         let contact = ContactState::unloaded(&problem);
         Ok(JointState { contact, ..rest })
@@ -133,7 +135,7 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
             let smallest = part <= whole * options.smallest_part;
             let manner = Manner {
                 quickly: part < 0.999 * whole && !smallest,
-                burst: if part > whole * BURST_PART {
+                burst: if part > whole * BURST_PART && !smallest {
                     options.burst
                 } else {
                     usize::MAX
@@ -184,10 +186,13 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
         }
         let solving = Solving::new(self.joint, &self.state, &self.starting, multipliers, manner);
         let accepted = solving.run(self.solver, &mut self.factors)?;
-        let stiffness = accepted.load / accepted.displacement / self.stiffest;
+        // That of the increment itself, before plies failed, where it is the first.
+        let before = accepted.events.first();
+        let before = before.map_or(0.0, |event| event.load / event.displacement);
+        let stiffness = accepted.load / accepted.displacement / self.stiffest.max(before);
         let lost = stiffness < self.joint.options.residual_stiffness && accepted.passes > 0;
-        let further = self.records.last();
-        let further = further.is_some_and(|last| accepted.displacement > last.displacement);
+        let last = self.records.last();
+        let further = last.is_none_or(|last| accepted.displacement > last.displacement);
         if !driven && lost && further {
             return Err(Halt::LoadPathLost { stiffness });
         }

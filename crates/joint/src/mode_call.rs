@@ -179,7 +179,11 @@ fn decide(shares: [f64; 3], reach: [f64; 3]) -> (JointMode, Why) {
         _ => {}
     }
     let largest = (0..3).fold(0, |best, mode| {
-        if shares[mode] > shares[best] { mode } else { best }
+        if shares[mode] > shares[best] {
+            mode
+        } else {
+            best
+        }
     });
     if shares[largest] >= GOVERNS {
         (JointMode::PURE[largest], Why::Share)
@@ -236,12 +240,16 @@ impl JointHistory {
         for (index, record) in self.records.iter().enumerate() {
             let late = index > peak || record.load >= enough;
             let failures = record.events.iter().filter(|event| event.is_failure());
-            sites.extend(failures.filter(|event| event.body == body).map(|event| DamageSite {
-                position: event.position,
-                volume: event.volume,
-                fibre: event.breaks_fibres(),
-                late,
-            }));
+            sites.extend(
+                failures
+                    .filter(|event| event.body == body)
+                    .map(|event| DamageSite {
+                        position: event.position,
+                        volume: event.volume,
+                        fibre: event.breaks_fibres(),
+                        late,
+                    }),
+            );
         }
         sites
     }
@@ -251,8 +259,8 @@ impl JointHistory {
         let peak = self.peak();
         let last = &self.records[self.records.len() - 1];
         let beyond = last.displacement > self.records[peak].displacement;
-        let retained = (beyond && self.records[peak].load > 0.0)
-            .then(|| last.load / self.records[peak].load);
+        let retained =
+            (beyond && self.records[peak].load > 0.0).then(|| last.load / self.records[peak].load);
         call_mode(hole, &self.damage_sites(body), retained)
     }
 }

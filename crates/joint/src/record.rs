@@ -81,6 +81,20 @@ impl JointHistory {
         best
     }
 
+    /// Index of the first record after which the load fell by the part `drop` of itself, or more, before it rose above it again: the
+    /// first peak of a curve that climbs on, as in bearing. `None` if there is no such fall.
+    pub fn first_peak(&self, drop: f64) -> Option<usize> {
+        let mut best = 0;
+        for (index, record) in self.records.iter().enumerate() {
+            if record.load >= self.records[best].load {
+                best = index;
+            } else if record.load <= (1.0 - drop) * self.records[best].load {
+                return Some(best);
+            }
+        }
+        None
+    }
+
     /// The largest load `[force]` that the joint bore, if the history shows that it cannot bear more: it ended there, or the load fell
     /// afterwards at a growing displacement.
     pub fn strength(&self) -> Option<f64> {

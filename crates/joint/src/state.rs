@@ -57,7 +57,9 @@ impl Energy {
     pub fn imbalance(&self) -> f64 {
         let parts = [self.stored, self.dissipated, self.friction, self.released];
         let sum: f64 = parts.iter().sum();
-        let scale = parts.iter().fold(self.external.abs(), |m, part| m.max(part.abs()));
+        let scale = parts
+            .iter()
+            .fold(self.external.abs(), |m, part| m.max(part.abs()));
         if scale > 0.0 {
             (self.external - sum) / scale
         } else {

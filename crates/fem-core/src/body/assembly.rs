@@ -4,9 +4,7 @@ use rayon::prelude::*;
 
 use super::ElasticBody;
 use super::equations::{BodyStructure, HELD};
-use crate::element::{
-    Element, KindVisitor, gather, stiffness, tangent_stiffness, with_element,
-};
+use crate::element::{Element, KindVisitor, gather, stiffness, tangent_stiffness, with_element};
 use crate::linalg::LowerMatrix;
 use crate::material::PlaneStiffness;
 use crate::mesh::Mesh;

@@ -131,7 +131,9 @@ impl CondensedBody {
     /// unknowns.
     pub(super) fn response_to(&self, nodal: &[f64]) -> (DVector<f64>, Vec<f64>) {
         let forces = self.structure.to_unknowns(nodal);
-        let lower = self.factor.trailing_block(self.structure.interface_unknowns);
+        let lower = self
+            .factor
+            .trailing_block(self.structure.interface_unknowns);
         let tail = self.interface_response(&forces, &lower);
         (self.structure.spread_response(&tail, false), forces)
     }

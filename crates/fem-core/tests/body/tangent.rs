@@ -133,7 +133,10 @@ fn a_linearised_body_is_in_equilibrium() {
         }
         let structure = tangent.condensed().structure();
         let left = structure.largest_on_unknowns(&rest);
-        assert!(left <= 10.0 * ROUNDING * scale, "{kind:?}: {left:e} of {scale:e}");
+        assert!(
+            left <= 10.0 * ROUNDING * scale,
+            "{kind:?}: {left:e} of {scale:e}"
+        );
 
         let mut expected = linear.compliance().unwrap() * DVector::from_vec(forces);
         assert_eq!(linear.load_cases(), 3);
@@ -141,9 +144,14 @@ fn a_linearised_body_is_in_equilibrium() {
             expected += linear.load_response(case).unwrap() * *factor;
             assert!(linear.mode_load(case).is_empty());
         }
-        let moved = interface.iter().flat_map(|&node| [u[2 * node], u[2 * node + 1]]);
+        let moved = interface
+            .iter()
+            .flat_map(|&node| [u[2 * node], u[2 * node + 1]]);
         let off = largest(moved.zip(expected.iter()).map(|(a, b)| a - b));
-        assert!(off <= 10.0 * ROUNDING * expected.amax(), "{kind:?}: {off:e}");
+        assert!(
+            off <= 10.0 * ROUNDING * expected.amax(),
+            "{kind:?}: {off:e}"
+        );
 
         let driven = structure.support_motion();
         let pushed = nearest(mesh, [1.1, -0.2]);
@@ -172,8 +180,16 @@ fn points_carry_area_strain_and_work() {
                 THICKNESS * points.areas()[q] * work
             })
             .sum();
-        assert!((outside - inside).abs() <= 1e-12 * largest(u.iter().copied()) * largest(forces.iter().copied()) * u.len() as f64);
-        let cells: f64 = (0..points.cell_count()).map(|cell| points.cell_area(cell)).sum();
+        assert!(
+            (outside - inside).abs()
+                <= 1e-12
+                    * largest(u.iter().copied())
+                    * largest(forces.iter().copied())
+                    * u.len() as f64
+        );
+        let cells: f64 = (0..points.cell_count())
+            .map(|cell| points.cell_area(cell))
+            .sum();
         assert!((cells / points.areas().iter().sum::<f64>() - 1.0).abs() < 1e-14);
         let last = points.count() - 1;
         assert_eq!(points.cell(last), points.cell_count() - 1);
@@ -214,5 +230,8 @@ fn wrong_counts_and_initial_strains_are_refused() {
     let refused = TangentBody::new(Arc::new(strained), Arc::clone(&structure), tangents.clone());
     assert!(matches!(refused, Err(BodyError::LoadCase { case: 2, .. })));
     let lost = vec![[[0.0; 3]; 3]; count];
-    assert!(matches!(TangentBody::new(body, structure, lost), Err(BodyError::Factor(_))));
+    assert!(matches!(
+        TangentBody::new(body, structure, lost),
+        Err(BodyError::Factor(_))
+    ));
 }

@@ -106,7 +106,13 @@ impl Solving<'_> {
     }
 
     /// Force of the supports along their unit displacements `motion`.
-    fn support_force(&self, linear: &Linear, index: usize, motion: &[f64], internal: &[f64]) -> f64 {
+    fn support_force(
+        &self,
+        linear: &Linear,
+        index: usize,
+        motion: &[f64],
+        internal: &[f64],
+    ) -> f64 {
         let applied = self.applied_forces(linear, index);
         let reactions = internal.iter().zip(&applied).map(|(i, a)| i - a);
         reactions.zip(motion).map(|(force, u)| force * u).sum()
@@ -128,9 +134,9 @@ impl Solving<'_> {
         let [load, displacement] = self.read(&linear);
         let flowing = self.flowing(load, displacement);
         self.events.extend(flowing);
-        let jumps = self.histories().map(|working| {
-            (working.passage).released_by_jump(working.body, &working.response)
-        });
+        let jumps = self
+            .histories()
+            .map(|working| (working.passage).released_by_jump(working.body, &working.response));
         self.released += jumps.sum::<f64>();
 
         let multipliers = with_correction(self.multipliers);

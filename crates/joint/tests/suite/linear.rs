@@ -53,13 +53,20 @@ fn a_linear_model_gives_the_linear_answer() {
             let count = plate.hole(&mesh).len();
             let forces = problem.forces_on_body(0, count, &b.forces);
             let motions = b.rigid.rows_range(problem.body_modes(0));
-            let u = condensed.displacements(&forces, &b.multipliers, motions.clone_owned().as_slice());
+            let u =
+                condensed.displacements(&forces, &b.multipliers, motions.clone_owned().as_slice());
             let scale = u.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
             let off = u.iter().zip(field).map(|(p, q)| (p - q).abs());
             worst_field = worst_field.max(off.fold(0.0, f64::max) / scale);
-            assert!((ours.contact.dissipation - theirs.dissipation).abs() <= 1e-10 * theirs.dissipation.abs());
+            assert!(
+                (ours.contact.dissipation - theirs.dissipation).abs()
+                    <= 1e-10 * theirs.dissipation.abs()
+            );
         }
         println!("{end:?}: forces {worst_force:.1e}, displacements {worst_field:.1e}");
-        assert!(worst_force < 1e-12 && worst_field < 1e-12, "{worst_force:e} {worst_field:e}");
+        assert!(
+            worst_force < 1e-12 && worst_field < 1e-12,
+            "{worst_force:e} {worst_field:e}"
+        );
     }
 }

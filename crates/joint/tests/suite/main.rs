@@ -7,5 +7,6 @@ mod linear;
 mod mode;
 mod models;
 mod patch;
+mod pins;
 mod plasticity;
 mod plate;

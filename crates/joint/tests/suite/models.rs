@@ -38,9 +38,9 @@ pub(crate) fn laminate(layup: &str, ply: &Ply) -> Laminate {
     Laminate::new(&layup, ply).unwrap()
 }
 
-/// Ply discount by maximum stress; failed plies keep a tenth.
+/// Ply discount by maximum stress; broken fibres keep a hundredth, broken matrix a tenth.
 pub(crate) fn discount(layup: &str) -> Arc<dyn PointModel> {
-    let degradation = Degradation::new(0.1, 0.1).unwrap();
+    let degradation = Degradation::new(0.01, 0.1).unwrap();
     let laminate = laminate(layup, &carbon());
     Arc::new(PlyDiscount::new(laminate, Box::new(MaximumStress), degradation).unwrap())
 }

@@ -123,7 +123,8 @@ fn uniform_failure_is_exact() {
         assert!((load / (elastic.ex * first) - 1.0).abs() < 1e-8, "{load}");
         let events = &history.records[1].events;
         assert_eq!(events.len(), 2 * history.state.bodies[0].points.len());
-        assert!(events.iter().all(|event| event.angle == 90.0 && event.pass == 0
+        assert!(events.iter().all(|event| event.angle == 90.0
+            && event.pass == 0
             && event.kind == PlyEventKind::Failure(FailureMode::MatrixTension)));
         let history_load = history.records[1].load / section;
         assert!(history_load < load);

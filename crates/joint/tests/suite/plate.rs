@@ -4,7 +4,9 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use stickslip_contact::{ContactPair, ContactPoint, Stencil};
-use stickslip_fem_core::generate::{Extent, Generate, Growth, Outline, PlateWithHole, uniform_angles};
+use stickslip_fem_core::generate::{
+    Extent, Generate, Growth, Outline, PlateWithHole, uniform_angles,
+};
 use stickslip_fem_core::load::edge_load;
 use stickslip_fem_core::material::Material;
 use stickslip_fem_core::mesh::{ElementKind, Mesh};
@@ -51,6 +53,8 @@ pub(crate) enum End {
     Loaded,
     /// By 1 mm.
     Driven,
+    /// Not at all: it is held, and the pin moves.
+    Held,
 }
 
 impl Plate {
@@ -92,13 +96,17 @@ impl Plate {
         let mut supports = vec![hold("symmetry", HeldDirection::Y, 0.0)];
         let case = match end {
             End::Loaded => LoadCase {
-                forces: edge_load(mesh, &mesh.edge_set("left").unwrap().edges, thickness, |_| {
-                    [-0.5 / (thickness * self.half_width), 0.0]
-                }),
+                forces: edge_load(
+                    mesh,
+                    &mesh.edge_set("left").unwrap().edges,
+                    thickness,
+                    |_| [-0.5 / (thickness * self.half_width), 0.0],
+                ),
                 ..LoadCase::default()
             },
-            End::Driven => {
-                supports.push(hold("left", HeldDirection::X, -1.0));
+            End::Driven | End::Held => {
+                let pull = if end == End::Driven { -1.0 } else { 0.0 };
+                supports.push(hold("left", HeldDirection::X, pull));
                 LoadCase {
                     moves_supports: true,
                     ..LoadCase::default()
@@ -190,6 +198,19 @@ impl Plate {
         end: End,
         temperature: f64,
     ) -> Joint {
+        let (plate, pair, pin) = self.parts(mesh, models, end, temperature);
+        let bodies = vec![plate, JointBody::Rigid(pin)];
+        Joint::new(bodies, vec![pair], self.gauge(mesh)).unwrap()
+    }
+
+    /// Plate, pair and rigid pin.
+    pub(crate) fn parts(
+        &self,
+        mesh: &Arc<Mesh>,
+        models: Vec<Arc<dyn PointModel>>,
+        end: End,
+        temperature: f64,
+    ) -> (JointBody, ContactPair, RigidBody) {
         let laminate = models[0].laminate();
         let thickness = laminate.thickness();
         let material = Arc::new(laminate.membrane_material().unwrap());
@@ -199,7 +220,6 @@ impl Plate {
             .unwrap()
             .at_temperature(temperature)
             .unwrap();
-        let bodies = vec![JointBody::Progressive(Arc::new(plate)), JointBody::Rigid(pin)];
-        Joint::new(bodies, vec![pair], self.gauge(mesh)).unwrap()
+        (JointBody::Progressive(Arc::new(plate)), pair, pin)
     }
 }

@@ -51,7 +51,11 @@ impl BodyStructure {
         full
     }
 
-    pub(super) fn spread_response(&self, reduced: &DVector<f64>, moves_supports: bool) -> DVector<f64> {
+    pub(super) fn spread_response(
+        &self,
+        reduced: &DVector<f64>,
+        moves_supports: bool,
+    ) -> DVector<f64> {
         let mut full = DVector::zeros(2 * self.interface.len());
         for (&(point, axis), value) in self.interface_axes().iter().zip(reduced.iter()) {
             full[2 * point] += axis[0] * value;
