@@ -168,14 +168,13 @@ impl CrackBand {
         let mut models = Vec::with_capacity(points.cell_count());
         for cell in 0..points.cell_count() {
             let class = (0.5 * points.cell_area(cell).ln() / SHARED).round();
-            let model = match known.get(&(class as i64)) {
-                Some(model) => Arc::clone(model),
-                None => {
-                    let length = self.width * (class * SHARED).exp();
-                    let model = build(self.laminate(laminate, length)?)?;
-                    known.insert(class as i64, Arc::clone(&model));
-                    model
-                }
+            let model = if let Some(model) = known.get(&(class as i64)) {
+                Arc::clone(model)
+            } else {
+                let length = self.width * (class * SHARED).exp();
+                let model = build(self.laminate(laminate, length)?)?;
+                known.insert(class as i64, Arc::clone(&model));
+                model
             };
             models.push(model);
         }

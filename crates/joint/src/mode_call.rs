@@ -107,6 +107,10 @@ const GOVERNS: f64 = 0.6;
 const TAKES_PART: f64 = 0.2;
 /// Part of its path at which a net section or a shear-out plug has come apart.
 const SEVERED: f64 = 0.8;
+/// Part of the paths to side and end within which damage is confined to the hole's edge.
+const CONFINED: f64 = 0.25;
+/// Share ahead of the pin that makes confined damage bearing.
+const CRUSHED: f64 = 0.45;
 /// Radii within which the angle decides.
 const NEAR: f64 = 1.5;
 
@@ -136,7 +140,7 @@ pub fn call_mode(hole: &Hole, sites: &[DamageSite], retained: Option<f64>) -> Op
         reach,
         reasons: Vec::new(),
     };
-    call.reasons = reasons::of(&call, &basis, why, retained);
+    call.reasons = reasons::of(&call, basis, why, retained);
     Some(call)
 }
 
@@ -145,6 +149,7 @@ pub fn call_mode(hole: &Hole, sites: &[DamageSite], retained: Option<f64>) -> Op
 enum Why {
     Severed,
     Share,
+    Confined,
     NoShare,
 }
 
@@ -169,7 +174,7 @@ impl Basis {
     }
 }
 
-/// A severed path first, then the share.
+/// A severed path first, then the share, then whether the damage stays at the hole's edge.
 fn decide(shares: [f64; 3], reach: [f64; 3]) -> (JointMode, Why) {
     // Bearing has no path to sever: what lies ahead of the pin is crushed, not parted.
     let severed = |mode: usize| reach[mode] >= SEVERED && shares[mode] >= TAKES_PART;
@@ -185,8 +190,11 @@ fn decide(shares: [f64; 3], reach: [f64; 3]) -> (JointMode, Why) {
             best
         }
     });
+    let confined = reach[1] < CONFINED && reach[2] < CONFINED;
     if shares[largest] >= GOVERNS {
         (JointMode::PURE[largest], Why::Share)
+    } else if largest == 0 && shares[0] >= CRUSHED && confined {
+        (JointMode::Bearing, Why::Confined)
     } else {
         (JointMode::Mixed, Why::NoShare)
     }

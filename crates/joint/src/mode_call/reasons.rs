@@ -2,7 +2,7 @@
 
 use super::{Basis, JointMode, ModeCall, SEVERED, Why};
 
-pub(super) fn of(call: &ModeCall, basis: &Basis, why: Why, retained: Option<f64>) -> Vec<String> {
+pub(super) fn of(call: &ModeCall, basis: Basis, why: Why, retained: Option<f64>) -> Vec<String> {
     let percent = |part: f64| 100.0 * part;
     let what = if basis.fibre {
         "broken fibres"
@@ -33,6 +33,10 @@ pub(super) fn of(call: &ModeCall, basis: &Basis, why: Why, retained: Option<f64>
         (Why::Share, mode) => {
             format!("most of it lies where {mode} begins; neither path to side or end is alone severed")
         }
+        (Why::Confined, _) => format!(
+            "it stays at the hole's edge, over {ligament:.0} % of the way to the side and {plug:.0} % of that to the end, and the largest part lies \
+             ahead of the pin"
+        ),
         (Why::NoShare, _) => {
             "no mode has 60 % of it, and neither path to side or end is alone severed".to_owned()
         }
