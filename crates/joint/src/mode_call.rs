@@ -11,7 +11,8 @@
 //!
 //! Angles count from the bearing point, on either side. Near the hole a site of damage belongs to a mode by its angle, with linear
 //! transitions between the ranges; farther away by the path on which it lies. Of all damage, that which grows as the load path is lost
-//! decides: what fails from 95 % of the peak load on, and of this the broken fibres, if there are any.
+//! decides: what fails from 95 % of the peak load on, and of this the broken fibres, if there are any. An end that is split ahead of
+//! the pin, which some authors call cleavage, counts as shear-out: the load path to the end is lost.
 //!
 //! Source of the ranges: Post & Reddy (1988), part II, 4.4, who found damage at 0–35° in bearing, at 60–80° in shear-out, and at the
 //! net section in net tension.
@@ -148,6 +149,7 @@ pub fn call_mode(hole: &Hole, sites: &[DamageSite], retained: Option<f64>) -> Op
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Why {
     Severed,
+    Split,
     Share,
     Confined,
     NoShare,
@@ -176,10 +178,11 @@ impl Basis {
 
 /// A severed path first, then the share, then whether the damage stays at the hole's edge.
 fn decide(shares: [f64; 3], reach: [f64; 3]) -> (JointMode, Why) {
-    // Bearing has no path to sever: what lies ahead of the pin is crushed, not parted.
     let severed = |mode: usize| reach[mode] >= SEVERED && shares[mode] >= TAKES_PART;
-    match [severed(1), severed(2)] {
-        [true, false] => return (JointMode::ShearOut, Why::Severed),
+    // What is crushed ahead of the pin is not parted; what is split ahead of it to the end is.
+    match [severed(0) || severed(1), severed(2)] {
+        [true, false] if severed(1) => return (JointMode::ShearOut, Why::Severed),
+        [true, false] => return (JointMode::ShearOut, Why::Split),
         [false, true] => return (JointMode::NetTension, Why::Severed),
         _ => {}
     }

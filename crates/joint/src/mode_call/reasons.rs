@@ -19,7 +19,7 @@ pub(super) fn of(call: &ModeCall, basis: Basis, why: Why, retained: Option<f64>)
         "{what} {when}: {bearing:.0} % ahead of the pin (0-35 deg), {shear:.0} % where a plug shears out (45-80 deg), {tension:.0} % at the \
          net section (about 90 deg)"
     )];
-    let [_, plug, ligament] = call.reach.map(percent);
+    let [ahead, plug, ligament] = call.reach.map(percent);
     let parted = percent(SEVERED);
     reasons.push(match (why, call.mode) {
         (Why::Severed, JointMode::NetTension) => format!(
@@ -28,6 +28,10 @@ pub(super) fn of(call: &ModeCall, basis: Basis, why: Why, retained: Option<f64>)
         ),
         (Why::Severed, _) => format!(
             "it reaches over {plug:.0} % of the way from the hole to the end ({parted:.0} % free the plug), over {ligament:.0} % of that to the \
+             side"
+        ),
+        (Why::Split, _) => format!(
+            "the end is split ahead of the pin, over {ahead:.0} % of the way to it ({parted:.0} % part it), with {ligament:.0} % of the way to the \
              side"
         ),
         (Why::Share, mode) => {

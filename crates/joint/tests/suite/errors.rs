@@ -16,7 +16,7 @@ fn plate() -> (Plate, Joint) {
 }
 
 fn gauge(plate: &Plate) -> Gauge {
-    plate.gauge(&plate.mesh())
+    Plate::gauge(&plate.mesh())
 }
 
 #[test]

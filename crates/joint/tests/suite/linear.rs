@@ -37,7 +37,7 @@ fn a_linear_model_gives_the_linear_answer() {
         let laminate = model.laminate();
         let material = Arc::new(laminate.membrane_material().unwrap());
         let body = plate.body(&mesh, material, laminate.thickness(), end);
-        let condensed = body.condense(&plate.hole(&mesh)).unwrap();
+        let condensed = body.condense(&Plate::hole(&mesh)).unwrap();
         let (pair, pin) = plate.pair(&mesh, laminate.thickness());
         let faces: [&dyn InterfaceOperator; 2] = [&condensed, &pin];
         let problem = InterfaceProblem::new(&faces, vec![pair]).unwrap();
@@ -50,7 +50,7 @@ fn a_linear_model_gives_the_linear_answer() {
             assert_eq!(ours.residuals.len(), 1);
             let (a, b) = (&ours.contact.state, &theirs.state);
             worst_force = worst_force.max((&a.forces - &b.forces).amax() / b.forces.amax());
-            let count = plate.hole(&mesh).len();
+            let count = Plate::hole(&mesh).len();
             let forces = problem.forces_on_body(0, count, &b.forces);
             let motions = b.rigid.rows_range(problem.body_modes(0));
             let u =

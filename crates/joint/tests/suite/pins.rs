@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use stickslip_contact::Chain;
 use stickslip_fem_core::generate::{Disk, Extent, Generate, Growth, uniform_angles};
-use stickslip_fem_core::material::{Isotropic, PlaneState};
+use stickslip_fem_core::material::{Isotropic, Material, PlaneState};
 use stickslip_fem_core::mesh::Mesh;
 use stickslip_fem_core::{ElasticBody, HeldDirection, LoadCase, RigidBody, Support};
 use stickslip_joint::{Ending, Gauge, Joint, JointBody, JointHistory, Mark, Options};
@@ -38,7 +38,7 @@ fn joint(pin: impl FnOnce(&Plate, RigidBody) -> JointBody, mark: usize) -> Joint
             body: 0,
             node: mesh.node_set("left").unwrap()[0],
         },
-        ..plate.gauge(&mesh)
+        ..Plate::gauge(&mesh)
     };
     let options = Options {
         increments: 25,
@@ -84,8 +84,9 @@ fn steel(plate: &Plate) -> JointBody {
         moves_supports: true,
         ..LoadCase::default()
     };
-    let materials: Vec<Arc<dyn stickslip_fem_core::material::Material>> =
-        vec![Arc::new(steel); mesh.blocks().len()];
+    let materials: Vec<Arc<dyn Material>> = (mesh.blocks().iter())
+        .map(|_| -> Arc<dyn Material> { Arc::new(steel) })
+        .collect();
     let body = ElasticBody::new(Arc::clone(&mesh), materials, thickness)
         .unwrap()
         .with_supports([
@@ -116,8 +117,8 @@ fn a_driven_elastic_pin_balances_energy() {
             "{:?}",
             record.energy
         );
-        // The driven pin's reaction is the joint's load.
     }
+    // The driven pin's reaction is the joint's load.
     let last = &history.state.bodies[1];
     let load = history.records[history.records.len() - 1].load;
     assert!((2.0 * last.support_force / load - 1.0).abs() < 1e-9);

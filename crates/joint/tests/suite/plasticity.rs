@@ -64,7 +64,6 @@ fn the_load_converges_with_the_increments() {
     }
     let changes: Vec<f64> = loads.windows(2).map(|w| (w[1] - w[0]).abs()).collect();
     let rates: Vec<f64> = changes.windows(2).map(|w| (w[0] / w[1]).log2()).collect();
-    println!("yields {}", pulled(&plate, 4).events().count());
     println!("loads {loads:?}\nrates {rates:.2?}\nimbalance {imbalances:?}");
     assert!(changes[2] < 1e-3 * loads[3]);
     assert!(rates.iter().all(|rate| *rate > 0.7), "{rates:?}");

@@ -76,7 +76,7 @@ impl Plate {
         Arc::new(plate.generate().unwrap())
     }
 
-    pub(crate) fn hole(&self, mesh: &Mesh) -> Vec<usize> {
+    pub(crate) fn hole(mesh: &Mesh) -> Vec<usize> {
         mesh.counter_clockwise(&mesh.edge_path("hole").unwrap(), [0.0, 0.0])
             .nodes
     }
@@ -124,7 +124,7 @@ impl Plate {
 
     /// The pair of plate (body 0) and pin (body 1), and the pin's points.
     pub(crate) fn pair(&self, mesh: &Mesh, thickness: f64) -> (ContactPair, RigidBody) {
-        let nodes = self.hole(mesh);
+        let nodes = Self::hole(mesh);
         let count = nodes.len();
         let positions: Vec<[f64; 2]> = nodes.iter().map(|&node| mesh.nodes()[node]).collect();
         let quadratic = self.kind.order() == 2;
@@ -161,7 +161,7 @@ impl Plate {
         (pair, RigidBody::held(positions, 1))
     }
 
-    pub(crate) fn gauge(&self, mesh: &Mesh) -> Gauge {
+    pub(crate) fn gauge(mesh: &Mesh) -> Gauge {
         let far = mesh.node_set("left").unwrap()[0];
         Gauge {
             pull: Pull::Contact {
@@ -200,7 +200,7 @@ impl Plate {
     ) -> Joint {
         let (plate, pair, pin) = self.parts(mesh, models, end, temperature);
         let bodies = vec![plate, JointBody::Rigid(pin)];
-        Joint::new(bodies, vec![pair], self.gauge(mesh)).unwrap()
+        Joint::new(bodies, vec![pair], Self::gauge(mesh)).unwrap()
     }
 
     /// Plate, pair and rigid pin.
@@ -216,7 +216,7 @@ impl Plate {
         let material = Arc::new(laminate.membrane_material().unwrap());
         let body = self.body(mesh, material, thickness, end);
         let (pair, pin) = self.pair(mesh, thickness);
-        let plate = ProgressiveBody::with_models(body, &self.hole(mesh), models)
+        let plate = ProgressiveBody::with_models(body, &Self::hole(mesh), models)
             .unwrap()
             .at_temperature(temperature)
             .unwrap();
