@@ -107,7 +107,7 @@ pub trait FailureCriterion: Debug + Send + Sync {
     ///
     /// # Errors
     /// [`FailureError::MissingStrength`] if the ply lacks a strength in [`required`](Self::required),
-    /// [`FailureError::NotFinite`] if a stress is not finite.
+    /// [`FailureError::NotFinite`] if a stress is not finite, [`FailureError::OpenSurface`] if its strengths make no closed surface.
     fn assess(&self, ply: &Ply, loading: &PlyLoading) -> Result<Assessment, FailureError>;
 
     /// Whether `ply` has all strengths that it asks for, to be known before anything is computed.

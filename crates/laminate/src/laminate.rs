@@ -43,6 +43,7 @@
 
 mod build;
 mod coupling;
+mod coverage;
 mod membrane;
 mod response;
 
@@ -50,7 +51,6 @@ use std::sync::Arc;
 
 use nalgebra::{Cholesky, SMatrix};
 use stickslip_fem_core::material::{PlaneStiffness, apply, rotated_stiffness, rotated_strain};
-use stickslip_friction::PlyFraction;
 use thiserror::Error;
 
 pub use coupling::Coupling;
@@ -224,31 +224,6 @@ impl Laminate {
     /// The inverse of [A B; B D].
     pub fn compliance(&self) -> &PlateMatrix {
         &self.compliance
-    }
-
-    /// Fraction of the thickness per fibre angle, in the form that the law
-    /// [`FibreCoverage`](stickslip_friction::FibreCoverage) takes: angles in radians in (−π/2, π/2], in the order of first
-    /// appearance from the bottom, fractions summing to 1.
-    pub fn ply_fractions(&self) -> Vec<PlyFraction> {
-        let mut angles: Vec<(f64, f64)> = Vec::new();
-        for layer in &self.layers {
-            let turned = layer.angle.rem_euclid(180.0);
-            let angle = if turned > 90.0 {
-                turned - 180.0
-            } else {
-                turned
-            };
-            let thickness = layer.ply.thickness();
-            match angles.iter_mut().find(|(known, _)| *known == angle) {
-                Some((_, sum)) => *sum += thickness,
-                None => angles.push((angle, thickness)),
-            }
-        }
-        let fraction = |(angle, thickness): (f64, f64)| PlyFraction {
-            angle: angle.to_radians(),
-            fraction: (thickness / self.thickness).min(1.0),
-        };
-        angles.into_iter().map(fraction).collect()
     }
 }
 

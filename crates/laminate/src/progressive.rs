@@ -92,7 +92,8 @@ pub enum ProgressiveError {
     Failure(#[from] FailureError),
 }
 
-/// A laminate with history at one point, in plane stress and without curvature.
+/// A laminate with history at one point, in plane stress and held flat: where it could bend, a lay-up that is not symmetric is softer
+/// ([`Laminate::coupling`] says by how much).
 pub trait PointModel: Debug + Send + Sync {
     /// The undamaged laminate.
     fn laminate(&self) -> &Laminate;
@@ -110,7 +111,9 @@ pub trait PointModel: Debug + Send + Sync {
         temperature: f64,
     ) -> Result<PointResponse, ProgressiveError>;
 
-    /// The state before any load: no strain, no stress, no damage.
+    /// The state before any load: no strain, no stress, no damage. The residual stress of a cure is that of a first step to its
+    /// temperature change and the laminate's free thermal strain
+    /// ([`LaminateMembrane`](crate::LaminateMembrane) as a material has it).
     fn initial_state(&self) -> PointState {
         PointState::initial(self.laminate().layers().len())
     }

@@ -27,7 +27,7 @@ pub enum EnvelopePlane {
 pub enum EnvelopeEvent {
     /// The first ply's.
     First,
-    /// The last ply's, by ply discount.
+    /// The laminate's, by ply discount.
     Last(Degradation),
 }
 
@@ -77,7 +77,8 @@ pub fn failure_envelope(
             }
             EnvelopeEvent::Last(degradation) => {
                 let history = last_ply_failure(laminate, &load, criterion, &degradation)?;
-                history.events.last().map(|event| (event.factor, event.ply))
+                let last = history.events.last().filter(|_| history.collapsed);
+                last.map(|event| (event.factor, event.ply))
             }
         };
         let (factor, ply) = failure.ok_or(FailureError::OpenEnvelope { force })?;

@@ -46,16 +46,19 @@ pub enum FailureError {
         /// Its components.
         values: Vec<f64>,
     },
-    /// Tsai–Wu with an interaction that leaves the surface open.
+    /// A quadratic criterion whose interaction leaves its surface open.
     #[error(
-        "tsai_wu: F12 = {f12:e} must be less than sqrt(F11 F22) = {limit:e} in magnitude for ply '{ply}', \
-         or loads exist under which it never fails; -0.5 times that is usual"
+        "criterion '{criterion}', ply '{ply}': the interaction F12 = {interaction:e} must be less than sqrt(F11 F22) = {limit:e} in \
+         magnitude, or loads exist under which the ply never fails; change {}",
+        if *.criterion == "tsai_wu" { "F12, usually -0.5 times that" } else { "the strengths that F12 comes from" }
     )]
     OpenSurface {
+        /// Name of the criterion.
+        criterion: &'static str,
         /// Name of the ply.
         ply: String,
-        /// F₁₂ `[1/stress²]`.
-        f12: f64,
+        /// F₁₂, half the coefficient of σ₁σ₂ `[1/stress²]`.
+        interaction: f64,
         /// √(F₁₁ F₂₂) `[1/stress²]`.
         limit: f64,
     },

@@ -79,7 +79,7 @@ impl FailureCriterion for Hashin {
 }
 
 impl Hashin {
-    fn branches(&self, strengths: &InPlane, s23: f64, [along, across]: [bool; 2]) -> Branches<3> {
+    fn branches(self, strengths: &InPlane, s23: f64, [along, across]: [bool; 2]) -> Branches<3> {
         let InPlane {
             xt,
             xc,

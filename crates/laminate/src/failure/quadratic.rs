@@ -6,7 +6,8 @@
 //! Tsai–Wu     the same with 2 F₁₂ σ₁σ₂ for the second term
 //! ```
 //!
-//! Interactive criteria do not tell modes apart: the mode named is that of the stress nearest to its own strength.
+//! Interactive criteria do not tell modes apart: the mode named is that of the stress nearest to its own strength. Strengths for
+//! which a polynomial is no closed ellipse are refused: Tsai–Hill needs Y < 2X, Hoffman Y_t Y_c < 4 X_t X_c, Tsai–Wu |F₁₂| < √(F₁₁F₂₂).
 //!
 //! Sources: Azzi & Tsai, Exp. Mech. 5 (1965) 283; Hoffman, J. Compos. Mater. 1 (1967) 200; Tsai & Wu, J. Compos. Mater. 5 (1971) 58.
 
@@ -14,6 +15,9 @@ use super::ray::{Branch, Surface};
 use super::{Assessment, FailureCriterion, FailureError, IN_PLANE, InPlane, PlyLoading, in_plane};
 use crate::ply::Ply;
 use crate::strengths::Strength;
+
+/// How near to the limit an interaction may come: nearer, the surface is open but for rounding.
+const CLOSED: f64 = 1.0 - 1e-12;
 
 /// Tsai–Hill in plane stress, strengths by the signs of the stresses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,7 +60,7 @@ impl FailureCriterion for TsaiHill {
 
     fn assess(&self, ply: &Ply, loading: &PlyLoading) -> Result<Assessment, FailureError> {
         let strengths = in_plane(self.name(), ply)?;
-        let polynomial = |[along, across, _]: [bool; 3]| {
+        let polynomial = |[along, across]: [bool; 2]| {
             let x = if along { strengths.xt } else { strengths.xc };
             let y = if across { strengths.yt } else { strengths.yc };
             let direct = 1.0 / (x * x);
@@ -66,7 +70,7 @@ impl FailureCriterion for TsaiHill {
                 interaction: -0.5 * direct,
             }
         };
-        assess(self.name(), strengths, loading, polynomial)
+        assess(self.name(), ply, strengths, loading, polynomial)
     }
 }
 
@@ -82,7 +86,7 @@ impl FailureCriterion for Hoffman {
     fn assess(&self, ply: &Ply, loading: &PlyLoading) -> Result<Assessment, FailureError> {
         let strengths = in_plane(self.name(), ply)?;
         let polynomial = Polynomial::of_uniaxial(&strengths, -0.5 / (strengths.xt * strengths.xc));
-        assess(self.name(), strengths, loading, |_| polynomial)
+        assess(self.name(), ply, strengths, loading, |_| polynomial)
     }
 }
 
@@ -95,33 +99,24 @@ impl FailureCriterion for TsaiWu {
         &IN_PLANE
     }
 
-    /// As [`FailureCriterion::assess`], and [`FailureError::OpenSurface`] unless |F₁₂| < √(F₁₁F₂₂).
     fn assess(&self, ply: &Ply, loading: &PlyLoading) -> Result<Assessment, FailureError> {
         let strengths = in_plane(self.name(), ply)?;
         let InPlane { xt, xc, yt, yc, .. } = strengths;
-        let limit = 1.0 / (xt * xc * yt * yc).sqrt();
         let f12 = match self.interaction {
-            Interaction::Normalised(factor) => factor * limit,
+            Interaction::Normalised(factor) => factor / (xt * xc * yt * yc).sqrt(),
             Interaction::Coefficient(f12) => f12,
         };
-        if f12.is_nan() || f12.abs() >= limit {
-            return Err(FailureError::OpenSurface {
-                ply: ply.name().to_owned(),
-                f12,
-                limit,
-            });
-        }
         let polynomial = Polynomial::of_uniaxial(&strengths, f12);
-        assess(self.name(), strengths, loading, |_| polynomial)
+        assess(self.name(), ply, strengths, loading, |_| polynomial)
     }
 }
 
 /// Coefficients of σ₁ and σ₂; `interaction` is that of 2 σ₁σ₂.
 #[derive(Clone, Copy)]
-struct Polynomial {
-    linear: [f64; 2],
-    direct: [f64; 2],
-    interaction: f64,
+pub(super) struct Polynomial {
+    pub linear: [f64; 2],
+    pub direct: [f64; 2],
+    pub interaction: f64,
 }
 
 impl Polynomial {
@@ -136,21 +131,26 @@ impl Polynomial {
     }
 }
 
-fn assess(
+/// Index, reserve factor and mode by the polynomial for the signs of σ₁ and σ₂, to which (τ₁₂/S₁₂)² is added.
+pub(super) fn assess(
     criterion: &'static str,
+    ply: &Ply,
     strengths: InPlane,
     loading: &PlyLoading,
-    polynomial: impl Fn([bool; 3]) -> Polynomial,
+    polynomial: impl Fn([bool; 2]) -> Polynomial,
 ) -> Result<Assessment, FailureError> {
+    for quadrant in [[true, true], [true, false], [false, true], [false, false]] {
+        closed(criterion, ply, &polynomial(quadrant))?;
+    }
     let shear = 1.0 / (strengths.s12 * strengths.s12);
     let surface = Surface {
         criterion,
-        branches: |signs| {
+        branches: |[along, across, _]: [bool; 3]| {
             let Polynomial {
                 linear: [l1, l2],
                 direct: [q11, q22],
                 interaction: q12,
-            } = polynomial(signs);
+            } = polynomial([along, across]);
             let branch = Branch {
                 mode: None,
                 linear: [l1, l2, 0.0],
@@ -161,4 +161,20 @@ fn assess(
         dominant: |stress: &[f64; 3]| strengths.dominant(stress),
     };
     surface.assess(&loading.held, &loading.applied)
+}
+
+/// Whether the polynomial is a closed ellipse.
+fn closed(criterion: &'static str, ply: &Ply, given: &Polynomial) -> Result<(), FailureError> {
+    let interaction = given.interaction;
+    let limit = (given.direct[0] * given.direct[1]).sqrt();
+    if interaction.abs() < CLOSED * limit {
+        Ok(())
+    } else {
+        Err(FailureError::OpenSurface {
+            criterion,
+            ply: ply.name().to_owned(),
+            interaction,
+            limit,
+        })
+    }
 }

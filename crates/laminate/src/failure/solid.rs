@@ -5,25 +5,38 @@
 //!     + (τ₂₃/R)² + (τ₁₃/S)² + (τ₁₂/T)²,     X, Y, Z by the signs of σ₁, σ₂, σ₃;  R = S₂₃, S = S₁₃, T = S₁₂
 //! ```
 //!
-//! In plane stress Z still acts, through the coefficient of σ₁σ₂; σ₃ = 0 counts as tension. With Z = Y it is the plane form. The
-//! coefficients jump where a stress changes sign, and so does the index where the other two do not vanish.
+//! In plane stress Z still acts, through the coefficient of σ₁σ₂:
+//!
+//! ```text
+//! (σ₁/X)² + (σ₂/Y)² − (1/X² + 1/Y² − 1/Z²) σ₁σ₂ + (τ₁₂/T)²,     Z_t or Z_c by the sign of σ₂
+//! ```
+//!
+//! The report leaves open which Z belongs to σ₃ = 0. By the sign of σ₂, a ply that is alike in 2 and 3 (Z = Y) has the plane form in
+//! every quadrant, and the surface is closed. It is closed for other strengths as long as |1/X − 1/Y| < 1/Z < 1/X + 1/Y, and
+//! refused otherwise. With σ₃ the condition fails wherever σ₂ and σ₃ differ in sign and Y and Z in size, as they do for usual plies:
+//! there the form has no bound along some rays, the reserve factor is infinite, and no error says so, because the report's form is
+//! what is asked for. Its coefficients jump where a stress changes sign, and so does its index unless the other two vanish.
 
+use super::quadratic::{self, Polynomial};
 use super::ray::{Branch, Surface};
-use super::{Assessment, FailureCriterion, FailureError, FailureMode, PlyLoading, mode, needed};
+use super::{
+    Assessment, FailureCriterion, FailureError, FailureMode, PlyLoading, in_plane, mode, needed,
+};
 use crate::ply::Ply;
 use crate::strengths::Strength;
 
-/// Tsai–Hill in three dimensions. As a [`FailureCriterion`] it sees plane stress and asks for Z_t, not for Z_c, S₁₃ and S₂₃.
+/// Tsai–Hill in three dimensions. As a [`FailureCriterion`] it sees plane stress and asks for Z_t and Z_c, not for S₁₃ and S₂₃.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TsaiHillSolid;
 
-const PLANE: [Strength; 6] = [
+const PLANE: [Strength; 7] = [
     Strength::Xt,
     Strength::Xc,
     Strength::Yt,
     Strength::Yc,
     Strength::S12,
     Strength::Zt,
+    Strength::Zc,
 ];
 
 impl FailureCriterion for TsaiHillSolid {
@@ -36,16 +49,24 @@ impl FailureCriterion for TsaiHillSolid {
     }
 
     fn assess(&self, ply: &Ply, loading: &PlyLoading) -> Result<Assessment, FailureError> {
-        let strength = |name| needed(self.name(), ply, name);
-        let z = strength(Strength::Zt)?;
-        let strengths = Strengths3 {
-            tension: [strength(Strength::Xt)?, strength(Strength::Yt)?, z],
-            compression: [strength(Strength::Xc)?, strength(Strength::Yc)?, z],
-            // The shear stresses τ₂₃ and τ₁₃ vanish, whatever their strengths.
-            shear: [f64::INFINITY, f64::INFINITY, strength(Strength::S12)?],
+        let strengths = in_plane(self.name(), ply)?;
+        let zt = needed(self.name(), ply, Strength::Zt)?;
+        let zc = needed(self.name(), ply, Strength::Zc)?;
+        let polynomial = |[along, across]: [bool; 2]| {
+            let x = if along { strengths.xt } else { strengths.xc };
+            let [y, z] = if across {
+                [strengths.yt, zt]
+            } else {
+                [strengths.yc, zc]
+            };
+            let [x, y, z] = [x, y, z].map(|strength| 1.0 / (strength * strength));
+            Polynomial {
+                linear: [0.0; 2],
+                direct: [x, y],
+                interaction: -0.5 * (x + y - z),
+            }
         };
-        let solid = |[s1, s2, t]: [f64; 3]| [s1, s2, 0.0, 0.0, 0.0, t];
-        strengths.assess(self.name(), &solid(loading.held), &solid(loading.applied))
+        quadratic::assess(self.name(), ply, strengths, loading, polynomial)
     }
 }
 
@@ -54,7 +75,7 @@ impl TsaiHillSolid {
     /// `held` stays and `applied` grows with the load.
     ///
     /// # Errors
-    /// As [`FailureCriterion::assess`]; needs Z_c, S₁₃ and S₂₃ as well.
+    /// [`FailureError::MissingStrength`] unless the ply has all nine strengths, [`FailureError::NotFinite`] if a stress is not finite.
     pub fn assess_solid(
         &self,
         ply: &Ply,

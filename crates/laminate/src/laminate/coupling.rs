@@ -57,7 +57,7 @@ impl Laminate {
             Cholesky::new(square(&matrix.bending)),
         );
         let (Some(membrane), Some(bending)) = factors else {
-            // Both are positive definite, or the laminate's stiffness had had no Cholesky factor; complete to be safe.
+            // A laminate's A and D are positive definite; were they not in floating point, no membrane could be trusted.
             return 1.0;
         };
         let solved = membrane

@@ -222,6 +222,10 @@ impl YieldSurface {
             let slope = level * curvature / point.value.powi(3) + self.hardening;
             let newton = mu - residual / slope;
             let inside = newton > low && newton < high;
+            if !inside && distance <= ACCEPTED {
+                // Newton's step is rounding.
+                return Ok(self.end(&point, mu, residuals));
+            }
             let next = if inside {
                 newton
             } else {

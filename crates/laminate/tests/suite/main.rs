@@ -42,7 +42,12 @@ fn constants() -> PlyConstants {
 
 fn ply_with(strengths: Strengths) -> Ply {
     let PlyConstants { e1, e2, g12, .. } = constants();
-    Ply::new("carbon", constants(), strengths.with_linear_strain_limits(e1, e2, g12)).unwrap()
+    Ply::new(
+        "carbon",
+        constants(),
+        strengths.with_linear_strain_limits(e1, e2, g12),
+    )
+    .unwrap()
 }
 
 fn ply() -> Ply {

@@ -12,18 +12,33 @@ use stickslip_laminate::{
 use crate::{assert_matrix, assert_vector, laminate};
 
 fn model(layup: &str, criterion: impl FailureCriterion + 'static) -> PlyDiscount {
-    PlyDiscount::new(laminate(layup), Box::new(criterion), Degradation::new(0.02, 0.1).unwrap()).unwrap()
+    PlyDiscount::new(
+        laminate(layup),
+        Box::new(criterion),
+        Degradation::new(0.02, 0.1).unwrap(),
+    )
+    .unwrap()
 }
 
-/// From no strain to `strain` in equal steps, and the work done on the way by the trapezoidal rule.
-fn walk(model: &dyn PointModel, strain: [f64; 3], steps: usize) -> (PointState, f64) {
+/// From no strain to `strain` and `temperature` in equal steps, and the work done on the way by the trapezoidal rule.
+fn walk(
+    model: &dyn PointModel,
+    strain: [f64; 3],
+    temperature: f64,
+    steps: usize,
+) -> (PointState, f64) {
     let mut history = PointHistory::new(model.initial_state());
     let (mut work, mut stress) = (0.0, [0.0; 3]);
     for step in 1..=steps {
-        let at = strain.map(|component| component * step as f64 / steps as f64);
-        let response = model.respond(history.committed(), at, 0.0).unwrap();
+        let share = step as f64 / steps as f64;
+        let at = strain.map(|component| component * share);
+        let response = model
+            .respond(history.committed(), at, temperature * share)
+            .unwrap();
         let before = history.committed().strain;
-        work += (0..3).map(|i| 0.5 * (stress[i] + response.stress[i]) * (at[i] - before[i])).sum::<f64>();
+        work += (0..3)
+            .map(|i| 0.5 * (stress[i] + response.stress[i]) * (at[i] - before[i]))
+            .sum::<f64>();
         stress = response.stress;
         history.commit(response.trial);
     }
@@ -37,7 +52,11 @@ fn sound_laminate_is_its_membrane() {
     let strain = [0.001, -0.0005, 0.0008];
     let response = model.respond(&model.initial_state(), strain, 0.0).unwrap();
     assert_matrix(&response.tangent, &material.stiffness(), 1e-14);
-    assert_vector(&response.stress, &apply(&material.stiffness(), strain), 1e-13);
+    assert_vector(
+        &response.stress,
+        &apply(&material.stiffness(), strain),
+        1e-13,
+    );
     assert_eq!(response.trial.dissipated, 0.0);
     // Heated and free it is without mean stress.
     let free = material.thermal_strain(-250.0);
@@ -50,11 +69,25 @@ fn first_event_is_first_ply_failure() {
     let model = model("[0/±45/90]s", TsaiHill);
     let laminate = model.laminate();
     let load = LaminateLoad::membrane([laminate.thickness(), 0.0, 0.0]);
-    let factor = first_ply_failure(laminate, &load, &TsaiHill).unwrap().assessment.reserve_factor;
+    let factor = first_ply_failure(laminate, &load, &TsaiHill)
+        .unwrap()
+        .assessment
+        .reserve_factor;
     let strain = laminate.deformation(&load).strain;
     let damaged = |multiple: f64| {
-        let response = model.respond(&model.initial_state(), strain.map(|e| multiple * factor * e), 0.0).unwrap();
-        response.trial.layers.iter().filter(|layer| layer.damage.matrix).count()
+        let response = model
+            .respond(
+                &model.initial_state(),
+                strain.map(|e| multiple * factor * e),
+                0.0,
+            )
+            .unwrap();
+        response
+            .trial
+            .layers
+            .iter()
+            .filter(|layer| layer.damage.matrix)
+            .count()
     };
     assert_eq!((damaged(1.0 - 1e-12), damaged(1.0 + 1e-12)), (0, 2));
 }
@@ -62,20 +95,30 @@ fn first_event_is_first_ply_failure() {
 #[test]
 fn step_size_changes_nothing_on_a_straight_path() {
     let strain = [0.016, -0.003, 0.01];
-    for criterion in [Box::new(TsaiHill) as Box<dyn FailureCriterion>, Box::new(Hashin::default()), Box::new(MaximumStress)] {
+    for criterion in [
+        Box::new(TsaiHill) as Box<dyn FailureCriterion>,
+        Box::new(Hashin::default()),
+        Box::new(MaximumStress),
+    ] {
         let degradation = Degradation::new(0.02, 0.1).unwrap();
         let model = PlyDiscount::new(laminate("[0/±45/90]s"), criterion, degradation).unwrap();
-        let (one, _) = walk(&model, strain, 1);
-        // Fibres and matrix fail on the way, not all at the same strain.
-        assert!(one.layers[0].damage.fibre && one.layers[3].damage.matrix && !one.layers[3].damage.fibre);
-        for steps in [3, 17, 1000] {
-            let (many, _) = walk(&model, strain, steps);
-            for (a, b) in one.layers.iter().zip(&many.layers) {
-                assert_eq!(a.damage, b.damage);
-                assert_vector(&a.stress, &b.stress, 1e-12);
+        for temperature in [0.0, -100.0] {
+            let (one, _) = walk(&model, strain, temperature, 1);
+            // Fibres and matrix fail on the way, not all at the same strain.
+            assert!(
+                one.layers[0].damage.fibre
+                    && one.layers[3].damage.matrix
+                    && !one.layers[3].damage.fibre
+            );
+            for steps in [3, 17, 1000] {
+                let (many, _) = walk(&model, strain, temperature, steps);
+                for (a, b) in one.layers.iter().zip(&many.layers) {
+                    assert_eq!(a.damage, b.damage);
+                    assert_vector(&a.stress, &b.stress, 1e-12);
+                }
+                assert_relative_eq!(many.dissipated, one.dissipated, max_relative = 1e-10);
+                assert_relative_eq!(many.stored, one.stored, max_relative = 1e-12);
             }
-            assert_relative_eq!(many.dissipated, one.dissipated, max_relative = 1e-10);
-            assert_relative_eq!(many.stored, one.stored, max_relative = 1e-12);
         }
     }
 }
@@ -85,7 +128,7 @@ fn work_is_stored_or_dissipated() {
     // The trapezoidal rule errs by half a step times each drop of stress: first order.
     let model = model("[0/±45/90]s", TsaiHill);
     let error = |steps| {
-        let (state, work) = walk(&model, [0.016, -0.003, 0.01], steps);
+        let (state, work) = walk(&model, [0.016, -0.003, 0.01], 0.0, steps);
         (work - state.stored - state.dissipated).abs() / work
     };
     let (coarse, fine) = (error(200), error(20_000));

@@ -3,7 +3,10 @@
 use approx::assert_relative_eq;
 use serde_json::Value;
 use stickslip_laminate::failure::{assess_plies, criterion_named, first_ply_failure};
-use stickslip_laminate::{Curvature, Deformation, Laminate, LaminateLoad, Ply, PlyConstants, Strengths};
+use stickslip_laminate::laminate::Layer;
+use stickslip_laminate::{
+    Curvature, Deformation, Laminate, LaminateLoad, Ply, PlyConstants, Strengths,
+};
 
 use crate::{STRENGTHS, assert_matrix, assert_vector};
 
@@ -40,7 +43,12 @@ fn laminates() -> Vec<(Value, Laminate)> {
             alpha2: 0.0,
             thickness: number(&entry["ply_thickness_in"]),
         };
-        let ply = Ply::new("reference", constants, Strengths::in_plane(xt, xc, yt, yc, s12)).unwrap();
+        let ply = Ply::new(
+            "reference",
+            constants,
+            Strengths::in_plane(xt, xc, yt, yc, s12),
+        )
+        .unwrap();
         let layup = match entry["laminate"].as_str().unwrap() {
             "QI_0_2/60_2/-60_2_s" => "[0_2/60_2/-60_2]s",
             "0/45/-45/90_s" => "[0/±45/90]s",
@@ -63,22 +71,32 @@ fn unit_load(name: &str, thickness: f64) -> LaminateLoad {
 fn load_cases(entry: &Value, laminate: &Laminate) -> Vec<(Value, LaminateLoad)> {
     let cases = entry["load_cases"].as_array().unwrap().clone();
     let load = |case: &Value| unit_load(case["load"].as_str().unwrap(), laminate.thickness());
-    cases.into_iter().map(|case| (case.clone(), load(&case))).collect()
+    cases
+        .into_iter()
+        .map(|case| (case.clone(), load(&case)))
+        .collect()
 }
 
 #[test]
 fn strengths_are_those_of_the_table() {
     let names = ["XT", "XC", "YT", "YC", "S"];
     let table = table();
-    assert_eq!(names.map(|name| number(&table["strengths_ksi"][name])), STRENGTHS);
+    assert_eq!(
+        names.map(|name| number(&table["strengths_ksi"][name])),
+        STRENGTHS
+    );
 }
 
 #[test]
 fn stacks_and_stiffness() {
     for (entry, laminate) in laminates() {
-        let angles: Vec<f64> = laminate.layers().iter().map(|layer| layer.angle()).collect();
+        let angles: Vec<f64> = laminate.layers().iter().map(Layer::angle).collect();
         assert_eq!(angles, vector(&entry["stack_bottom_to_top_deg"]));
-        assert_relative_eq!(laminate.thickness(), number(&entry["h_in"]), max_relative = DIGITS);
+        assert_relative_eq!(
+            laminate.thickness(),
+            number(&entry["h_in"]),
+            max_relative = DIGITS
+        );
         let stiffness = laminate.stiffness();
         assert_matrix(&stiffness.membrane, &matrix(&entry["A_kip_per_in"]), DIGITS);
         assert_matrix(&stiffness.bending, &matrix(&entry["D_kip_in"]), DIGITS);
@@ -138,11 +156,22 @@ fn first_ply_failure_by_every_criterion() {
                 let table = &case["first_ply_failure"][key];
                 let factor = number(&table["factor_on_N_over_h_ksi"]);
                 let first = first_ply_failure(&laminate, &load, criterion.as_ref()).unwrap();
-                assert_relative_eq!(first.assessment.reserve_factor, factor, max_relative = DIGITS);
+                assert_relative_eq!(
+                    first.assessment.reserve_factor,
+                    factor,
+                    max_relative = DIGITS
+                );
                 // The table names one of several plies that tie.
                 let plies = assess_plies(&laminate, &load, criterion.as_ref()).unwrap();
-                let named = plies.iter().find(|ply| ply.angle == number(&table["ply_deg"])).unwrap();
-                assert_relative_eq!(named.assessment.reserve_factor, factor, max_relative = DIGITS);
+                let named = plies
+                    .iter()
+                    .find(|ply| ply.angle == number(&table["ply_deg"]))
+                    .unwrap();
+                assert_relative_eq!(
+                    named.assessment.reserve_factor,
+                    factor,
+                    max_relative = DIGITS
+                );
             }
         }
     }

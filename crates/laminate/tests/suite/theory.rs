@@ -3,8 +3,8 @@
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use proptest::prelude::*;
 use std::sync::Arc;
-use stickslip_fem_core::material::{Material, rotated_strain, rotated_stiffness};
-use stickslip_friction::{Coulomb, FibreCoverage, Kernel};
+use stickslip_fem_core::material::{Material, rotated_stiffness, rotated_strain};
+use stickslip_friction::{Coulomb, FibreCoverage, Kernel, Place};
 use stickslip_laminate::laminate::Position;
 use stickslip_laminate::{Curvature, Deformation, Laminate, LaminateError, LaminateLoad};
 
@@ -39,9 +39,17 @@ fn cross_ply_coupling_in_closed_form() {
     let q = *ply().stiffness();
     let h = cross.thickness();
     let b = (q[1][1] - q[0][0]) * h * h / 8.0;
-    assert_matrix(&cross.stiffness().coupling, &[[b, 0.0, 0.0], [0.0, -b, 0.0], [0.0; 3]], 1e-14);
+    assert_matrix(
+        &cross.stiffness().coupling,
+        &[[b, 0.0, 0.0], [0.0, -b, 0.0], [0.0; 3]],
+        1e-14,
+    );
     let a = cross.stiffness().membrane;
-    assert_matrix(&cross.stiffness().bending, &a.map(|row| row.map(|v| v * h * h / 12.0)), 1e-14);
+    assert_matrix(
+        &cross.stiffness().bending,
+        &a.map(|row| row.map(|v| v * h * h / 12.0)),
+        1e-14,
+    );
     // A⁻¹ B D⁻¹ B = (12/h²) (A⁻¹ B)²; A⁻¹ B swaps (1, ±1) and (1, ∓1), and (A⁻¹B)² = b²/((a₁₁ − a₁₂)(a₁₁ + a₁₂)) I.
     let squared = 12.0 / (h * h) * b * b / (a[0][0] * a[0][0] - a[0][1] * a[0][1]);
     let coupling = cross.coupling();
@@ -55,8 +63,29 @@ fn cross_ply_coupling_in_closed_form() {
     assert_eq!(flat.coupling(), coupling);
     assert_matrix(&flat.stiffness(), &a.map(|row| row.map(|v| v / h)), 1e-15);
     // Free to bend it is softer, by no more than the coupling says.
-    let [held, free] = [Curvature::Suppressed, Curvature::Free].map(|c| cross.membrane_moduli(c).ex);
+    let [held, free] =
+        [Curvature::Suppressed, Curvature::Free].map(|c| cross.membrane_moduli(c).ex);
     assert!(free < held && free >= (1.0 - squared) * held * (1.0 - 1e-12));
+}
+
+#[test]
+fn couplings_with_shear_and_twist_in_closed_form() {
+    let q = *ply().stiffness();
+    // At 45°: Q̄₁₆ = Q̄₂₆ = (Q₁₁ − Q₂₂)/4, Q̄₁₁ = (Q₁₁ + Q₂₂ + 2 Q₁₂ + 4 Q₆₆)/4, Q̄₆₆ = (Q₁₁ + Q₂₂ − 2 Q₁₂)/4.
+    let sum = q[0][0] + q[1][1];
+    let square = (sum + 2.0 * q[0][1] + 4.0 * q[2][2]) * (sum - 2.0 * q[0][1]);
+    let expected = (q[0][0] - q[1][1]) / square.sqrt();
+    let single = laminate("[45]").coupling();
+    assert_relative_eq!(single.extension_shear, expected, max_relative = 1e-13);
+    assert_relative_eq!(single.bending_twisting, expected, max_relative = 1e-13);
+    // Exchanging x and y exchanges the two candidates for the largest.
+    let [a, b] = ["[30]", "[60]"].map(|layup| laminate(layup).coupling().extension_shear);
+    assert_relative_eq!(a, b, max_relative = 1e-13);
+    // Balanced and symmetric: no shear, but twist. Antisymmetric: the other way round, and it twists when stretched.
+    let symmetric = laminate("[±45]s").coupling();
+    assert!(symmetric.extension_shear < 1e-15 && symmetric.bending_twisting > 0.3 * expected);
+    let antisymmetric = laminate("[±45]").coupling();
+    assert!(antisymmetric.bending_twisting < 1e-15 && antisymmetric.bending_extension > 0.3);
 }
 
 #[test]
@@ -69,7 +98,11 @@ fn residual_stress_of_a_cross_ply_in_closed_form() {
     let alpha = ((q[0][0] + q[0][1]) * given.alpha1 + (q[0][1] + q[1][1]) * given.alpha2)
         / (q[0][0] + 2.0 * q[0][1] + q[1][1]);
     let material = cross.membrane_material().unwrap();
-    assert_vector(&material.thermal_strain(dt), &[alpha * dt, alpha * dt, 0.0], 1e-13);
+    assert_vector(
+        &material.thermal_strain(dt),
+        &[alpha * dt, alpha * dt, 0.0],
+        1e-13,
+    );
     let s1 = (q[0][0] * (alpha - given.alpha1) + q[0][1] * (alpha - given.alpha2)) * dt;
     for state in cross.residual_states(dt) {
         assert_vector(&state.stress, &[s1, -s1, 0.0], 1e-12);
@@ -81,29 +114,73 @@ fn residual_stress_of_a_cross_ply_in_closed_form() {
 #[test]
 fn ply_fractions_feed_the_fibre_coverage_law() {
     let plies = laminate("[0_2/60_2/-60_2]s").ply_fractions();
-    assert_vector(&plies.iter().map(|ply| ply.fraction).collect::<Vec<_>>(), &[1.0 / 3.0; 3], 1e-14);
+    assert_vector(
+        &plies.iter().map(|ply| ply.fraction).collect::<Vec<_>>(),
+        &[1.0 / 3.0; 3],
+        1e-14,
+    );
     let angles: Vec<f64> = plies.iter().map(|ply| ply.angle.to_degrees()).collect();
     assert_vector(&angles, &[0.0, 60.0, -60.0], 1e-14);
     // Fibres have no head and tail: 120° is −60°, −90° is 90°.
     let folded = of_angles(&[120.0, -60.0, -90.0, 90.0, 270.0]).ply_fractions();
-    let shares: Vec<_> = folded.iter().map(|ply| (ply.angle.to_degrees().round(), (5.0 * ply.fraction).round())).collect();
+    let shares: Vec<_> = folded
+        .iter()
+        .map(|ply| (ply.angle.to_degrees().round(), (5.0 * ply.fraction).round()))
+        .collect();
     assert_eq!(shares, [(-60.0, 2.0), (90.0, 3.0)]);
     let law = |mu| Box::new(Coulomb::new(mu).unwrap());
-    assert!(FibreCoverage::new(plies, 0.6, Kernel::Swept { kappa: 0.5 }, law(0.15), law(0.35)).is_ok());
+    let kernel = Kernel::Swept { kappa: 0.5 };
+    let by_hand = FibreCoverage::new(plies, 0.6, kernel, law(0.15), law(0.35)).unwrap();
+    let of_layup = laminate("[0_2/60_2/-60_2]s")
+        .fibre_coverage(0.6, kernel, law(0.15), law(0.35))
+        .unwrap();
+    // Fibres are tangent to a hole at θ = 30° and 90°, and the coverage is largest there.
+    let coverage = |law: &FibreCoverage, theta: f64| {
+        let (sine, cosine) = theta.to_radians().sin_cos();
+        let place = Place {
+            position: [cosine, sine],
+            tangent: [-sine, cosine],
+            material_angle: 0.0,
+        };
+        law.coverage(&place)
+    };
+    for theta in [0.0, 13.0, 30.0, 60.0, 90.0] {
+        assert_eq!(coverage(&of_layup, theta), coverage(&by_hand, theta));
+    }
+    assert_relative_eq!(
+        coverage(&of_layup, 30.0),
+        coverage(&of_layup, 90.0),
+        max_relative = 1e-14
+    );
+    assert!(coverage(&of_layup, 30.0) > 1.03 * coverage(&of_layup, 0.0));
+    assert!(
+        laminate("[0]")
+            .fibre_coverage(0.95, kernel, law(0.15), law(0.35))
+            .is_err()
+    );
 }
 
 #[test]
 fn stress_along_the_thickness_of_a_bent_ply() {
     let single = laminate("[0]");
     let curvature = [0.2, 0.0, 0.0];
-    let bent = Deformation { strain: [0.0; 3], curvature };
+    let bent = Deformation {
+        strain: [0.0; 3],
+        curvature,
+    };
     let states = single.ply_states(&bent, 0.0);
     let q11 = ply().stiffness()[0][0];
     for (state, z) in states.iter().zip([-0.0025, 0.0, 0.0025]) {
         assert_abs_diff_eq!(state.height, z, epsilon = 1e-18);
         assert_abs_diff_eq!(state.stress[0], q11 * 0.2 * z, epsilon = 1e-12);
     }
-    assert_eq!(states.iter().map(|state| state.position).collect::<Vec<_>>(), Position::ALL);
+    assert_eq!(
+        states
+            .iter()
+            .map(|state| state.position)
+            .collect::<Vec<_>>(),
+        Position::ALL
+    );
 }
 
 fn angle_lists() -> impl Strategy<Value = Vec<f64>> {
