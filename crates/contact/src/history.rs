@@ -1,6 +1,7 @@
 //! Load histories: from one load step to the next by sub-steps, cut back where a solver fails.
 
 mod frictionless;
+mod increment;
 
 use nalgebra::DVector;
 
@@ -8,7 +9,9 @@ use crate::audit::{Audit, measure};
 use crate::error::ContactError;
 use crate::problem::InterfaceProblem;
 use crate::solver::{InterfaceSolver, Residuals, Step, Work};
-use crate::state::{ContactState, Status};
+use crate::state::ContactState;
+
+pub use increment::Increment;
 
 /// How the load grows within the first load step, from nothing; later steps are always linear.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -202,15 +205,14 @@ impl Walk {
         multipliers: &[f64],
     ) -> Result<(), crate::solver::StepFailure> {
         let step = Step::new(problem, &self.state, multipliers);
-        let mut solution = if quickly {
+        let solution = if quickly {
             solver.try_quickly(&step)?
         } else {
             solver.solve(&step)?
         };
-        frictionless::slide(&step, &mut solution.trial);
+        let increment = Increment::accept(&step, solution.trial);
         self.work += solution.work;
-        // Those of the state that is kept, with the statuses that it has now.
-        let residuals = Residuals::of(&step, &solution.trial);
+        let residuals = increment.residuals;
         self.residuals = Residuals {
             complementarity: self
                 .residuals
@@ -224,23 +226,9 @@ impl Walk {
             self.solvers.push(solution.solver);
         }
         self.increments += 1;
-        for (k, status) in solution.trial.status.iter().enumerate() {
-            if status.slip_sign() != 0.0 {
-                let slip = solution.trial.motion[2 * k + 1] - self.state.tangential_displacement(k);
-                // A sticking point starts to slip at its bound, not at the force it had before; a point that closes or goes on
-                // slipping starts at the force it had.
-                let end = solution.trial.forces[2 * k + 1];
-                let before = self.state.status[k];
-                let start = if before == *status || before == Status::Open {
-                    self.state.tangential_force(k)
-                } else {
-                    end
-                };
-                self.dissipation -= f64::midpoint(start, end) * slip;
-                self.slip[k] += slip;
-            }
-        }
-        self.state = self.state.advance(solution.trial, multipliers);
+        self.dissipation += increment.dissipation;
+        self.slip += increment.slip;
+        self.state = increment.state;
         Ok(())
     }
 

@@ -37,7 +37,7 @@ pub mod uniqueness;
 pub mod zones;
 
 pub use error::ContactError;
-pub use history::{LoadHistory, Ramp, StepRecord};
+pub use history::{Increment, LoadHistory, Ramp, StepRecord};
 pub use mortar::{EdgeSide, InitialGap, MortarError, Multipliers, Projected, Projection};
 pub use problem::{ContactPair, ContactPoint, InterfaceProblem, Stencil, StencilTerm};
 pub use solver::{

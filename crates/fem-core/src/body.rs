@@ -4,6 +4,7 @@ mod assembly;
 mod condensed;
 mod equations;
 mod parts;
+mod tangent;
 mod whole;
 
 use std::sync::Arc;
@@ -13,6 +14,7 @@ use thiserror::Error;
 pub use assembly::internal_forces;
 pub use condensed::{BodyBalance, BodyLoad, CondensedBody};
 pub use equations::BodyStructure;
+pub use tangent::{Linearised, TangentBody};
 pub use whole::InterfaceUnknown;
 
 use crate::linalg::FactorError;
@@ -101,6 +103,16 @@ pub enum BodyError {
     /// A body was given to a structure made for other supports or another platen.
     #[error("the structure was made for other supports")]
     OtherSupports,
+    /// There is not one value per quadrature point.
+    #[error("{found} {what} for {expected} quadrature points")]
+    PointCount {
+        /// What is counted.
+        what: &'static str,
+        /// Quadrature points of the mesh.
+        expected: usize,
+        /// Values given.
+        found: usize,
+    },
     /// The factorisation failed.
     #[error(transparent)]
     Factor(#[from] FactorError),

@@ -27,6 +27,7 @@ mod edge;
 mod kernel;
 mod quadrature;
 mod quads;
+mod tangent;
 mod triangles;
 
 use std::fmt::Debug;
@@ -36,6 +37,7 @@ pub use kernel::{
     Jacobian, PhysicalGradients, gather, jacobian, physical_gradients, stiffness, thermal_load,
 };
 pub use quads::{Q4, Q8, Q9};
+pub use tangent::tangent_stiffness;
 pub use triangles::{T3, T6};
 
 use crate::mesh::{ElementKind, Point};

@@ -10,6 +10,7 @@
 //! | [`mesh`], [`generate`], [`vtk`] | meshes, their generators, files for ParaView |
 //! | [`element`], [`material`] | shape functions and element matrices; plane stiffness |
 //! | [`support`], [`load`], [`body`] | how a body is held and loaded; its condensation |
+//! | [`points`] | strains and stresses at quadrature points, where materials with history live |
 //! | [`interface`] | the operator that contact sees, of elastic and rigid bodies |
 //! | [`stress`] | stresses at Gauss points, nodes and edges |
 //! | [`linalg`] | the factorisations (the only module that knows faer) |
@@ -24,10 +25,14 @@ pub mod linalg;
 pub mod load;
 pub mod material;
 pub mod mesh;
+pub mod points;
 pub mod stress;
 pub mod support;
 pub mod vtk;
 
-pub use body::{BodyError, BodyStructure, CondensedBody, ElasticBody, LoadCase};
+pub use body::{
+    BodyError, BodyStructure, CondensedBody, ElasticBody, Linearised, LoadCase, TangentBody,
+};
 pub use interface::{InterfaceOperator, RigidBody};
+pub use points::QuadraturePoints;
 pub use support::{HeldDirection, Platen, Support};

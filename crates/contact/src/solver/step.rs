@@ -126,7 +126,7 @@ impl<'a> Step<'a> {
 
     /// The step, to be started from the statuses and forces of `trial`.
     #[must_use]
-    pub(crate) fn near(mut self, trial: &TrialState) -> Self {
+    pub fn near(mut self, trial: &TrialState) -> Self {
         self.guess = Some(Guess {
             status: trial.status.clone(),
             forces: trial.forces.clone(),

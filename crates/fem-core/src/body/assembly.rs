@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::ElasticBody;
 use super::equations::{BodyStructure, HELD};
-use crate::element::{Element, KindVisitor, gather, stiffness, with_element};
+use crate::element::{Element, KindVisitor, gather, stiffness, tangent_stiffness, with_element};
 use crate::linalg::LowerMatrix;
 use crate::material::PlaneStiffness;
 use crate::mesh::Mesh;
@@ -21,16 +21,43 @@ pub(super) struct Assembled {
 }
 
 pub(super) fn assemble(body: &ElasticBody, structure: &BodyStructure) -> Assembled {
+    let stiffnesses = body.stiffnesses();
+    assemble_blocks(body, structure, |block| {
+        BlockStiffness::Uniform(&stiffnesses[block])
+    })
+}
+
+/// With one tangent per quadrature point of the mesh.
+pub(super) fn assemble_tangents(
+    body: &ElasticBody,
+    structure: &BodyStructure,
+    tangents: &[PlaneStiffness],
+) -> Assembled {
+    let mut first = vec![0];
+    for block in body.mesh.blocks() {
+        let cells = block.connectivity.len() / block.kind.nodes();
+        let last = first[first.len() - 1];
+        first.push(last + cells * with_element(block.kind, CountPoints));
+    }
+    assemble_blocks(body, structure, |block| {
+        BlockStiffness::Points(&tangents[first[block]..first[block + 1]])
+    })
+}
+
+fn assemble_blocks<'a>(
+    body: &'a ElasticBody,
+    structure: &'a BodyStructure,
+    stiffness: impl Fn(usize) -> BlockStiffness<'a>,
+) -> Assembled {
     let mut assembled = Assembled {
         matrix: structure.pattern.clone(),
         support_forces: vec![0.0; structure.unknowns],
     };
-    let stiffnesses = body.stiffnesses();
-    for (block, stiffness) in body.mesh.blocks().iter().zip(&stiffnesses) {
+    for (index, block) in body.mesh.blocks().iter().enumerate() {
         let visit = AssembleBlock {
             mesh: &body.mesh,
             connectivity: &block.connectivity,
-            stiffness,
+            stiffness: stiffness(index),
             thickness: body.thickness,
             structure,
             assembled: &mut assembled,
@@ -40,10 +67,30 @@ pub(super) fn assemble(body: &ElasticBody, structure: &BodyStructure) -> Assembl
     assembled
 }
 
+/// The material of a block of cells `[stress]`.
+#[derive(Clone, Copy)]
+enum BlockStiffness<'a> {
+    /// The same everywhere.
+    Uniform(&'a PlaneStiffness),
+    /// One matrix per quadrature point, cell by cell.
+    Points(&'a [PlaneStiffness]),
+}
+
+/// Quadrature points of a cell.
+pub(super) struct CountPoints;
+
+impl KindVisitor for CountPoints {
+    type Output = usize;
+
+    fn visit<const N: usize, E: Element<N>>(self) -> usize {
+        E::QUADRATURE.len()
+    }
+}
+
 struct AssembleBlock<'a> {
     mesh: &'a Mesh,
     connectivity: &'a [usize],
-    stiffness: &'a PlaneStiffness,
+    stiffness: BlockStiffness<'a>,
     thickness: f64,
     structure: &'a BodyStructure,
     assembled: &'a mut Assembled,
@@ -55,14 +102,25 @@ impl KindVisitor for AssembleBlock<'_> {
     fn visit<const N: usize, E: Element<N>>(self) {
         let size = 4 * N * N;
         let mut buffer = vec![0.0; CHUNK.min(self.connectivity.len() / N) * size];
-        for cells in self.connectivity.chunks(CHUNK * N) {
+        let per_cell = E::QUADRATURE.len();
+        for (chunk, cells) in self.connectivity.chunks(CHUNK * N).enumerate() {
             let count = cells.len() / N;
             buffer[..count * size]
                 .par_chunks_exact_mut(size)
                 .zip(cells.par_chunks_exact(N))
-                .for_each(|(local, cell)| {
+                .enumerate()
+                .for_each(|(index, (local, cell))| {
                     let x = gather::<N>(self.mesh.nodes(), cell);
-                    stiffness::<N, E>(&x, self.stiffness, self.thickness, local);
+                    match self.stiffness {
+                        BlockStiffness::Uniform(material) => {
+                            stiffness::<N, E>(&x, material, self.thickness, local);
+                        }
+                        BlockStiffness::Points(tangents) => {
+                            let first = (chunk * CHUNK + index) * per_cell;
+                            let own = &tangents[first..first + per_cell];
+                            tangent_stiffness::<N, E>(&x, own, self.thickness, local);
+                        }
+                    }
                     turn_to_node_axes(local, cell, &self.structure.constraints);
                 });
             for (local, cell) in buffer.chunks_exact(size).zip(cells.chunks_exact(N)) {

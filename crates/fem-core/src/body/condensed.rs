@@ -1,12 +1,13 @@
 //! A finite-element body condensed to its contact nodes.
 
 mod balance;
+mod unknowns;
 
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::assembly::assemble;
+use super::assembly::{Assembled, assemble};
 use super::equations::{BodyStructure, HELD};
 use super::{BodyError, ElasticBody};
 use crate::interface::InterfaceOperator;
@@ -41,6 +42,15 @@ impl CondensedBody {
     pub fn new(body: Arc<ElasticBody>, structure: Arc<BodyStructure>) -> Result<Self, BodyError> {
         structure.check_made_for(&body)?;
         let assembled = assemble(&body, &structure);
+        Self::of_matrix(body, structure, assembled)
+    }
+
+    /// Condenses `body` with a matrix assembled for it.
+    pub(super) fn of_matrix(
+        body: Arc<ElasticBody>,
+        structure: Arc<BodyStructure>,
+        assembled: Assembled,
+    ) -> Result<Self, BodyError> {
         let factor = SparseCholesky::factorise(&structure.symbolic, &assembled.matrix)?;
         drop(assembled.matrix);
         let lower = factor.trailing_block(structure.interface_unknowns);
@@ -99,16 +109,43 @@ impl CondensedBody {
                 self.responses.push(None);
                 continue;
             }
-            let mut half = forces.clone();
-            self.factor.solve_lower(&mut half);
-            let mut tail =
-                DVector::from_column_slice(&half[self.structure.unknowns - lower.nrows()..]);
-            solve_lower_transposed(lower, &mut tail);
+            let tail = self.interface_response(&forces, lower);
             self.responses.push(Some(
                 self.structure.spread_response(&tail, case.moves_supports),
             ));
             self.case_forces.push(Some(forces));
         }
+    }
+
+    /// Displacements of the interface unknowns by `forces` on all unknowns: half a sparse solve. `lower` is the trailing block
+    /// of the factor.
+    fn interface_response(&self, forces: &[f64], lower: &DMatrix<f64>) -> DVector<f64> {
+        let mut half = forces.to_vec();
+        self.factor.solve_lower(&mut half);
+        let mut tail = DVector::from_column_slice(&half[self.structure.unknowns - lower.nrows()..]);
+        solve_lower_transposed(lower, &mut tail);
+        tail
+    }
+
+    /// Displacements `[length]` of the contact points, 2n, by nodal forces that balance themselves, and these forces on the
+    /// unknowns.
+    pub(super) fn response_to(&self, nodal: &[f64]) -> (DVector<f64>, Vec<f64>) {
+        let forces = self.structure.to_unknowns(nodal);
+        let lower = self
+            .factor
+            .trailing_block(self.structure.interface_unknowns);
+        let tail = self.interface_response(&forces, &lower);
+        (self.structure.spread_response(&tail, false), forces)
+    }
+
+    /// As [`displacements`](Self::displacements), with `further` forces on the unknowns.
+    pub(super) fn displacements_with(&self, state: &BodyLoad<'_>, further: &[f64]) -> Vec<f64> {
+        let mut side = self.right_hand_side(state.forces, state.multipliers);
+        side.iter_mut()
+            .zip(further)
+            .for_each(|(sum, part)| *sum += part);
+        self.factor.solve(&mut side);
+        self.displacement(&side, state)
     }
 
     /// The body.
@@ -291,112 +328,5 @@ impl InterfaceOperator for CondensedBody {
 
     fn mode_load(&self, case: usize) -> &DVector<f64> {
         &self.mode_loads[case]
-    }
-}
-
-impl BodyStructure {
-    /// The stiffness matrix of `body`, ordered as it is factorised; `body` must have the mesh and supports of this structure.
-    pub fn stiffness(&self, body: &ElasticBody) -> crate::linalg::LowerMatrix {
-        assemble(body, self).matrix
-    }
-
-    /// For each interface unknown: contact point, and the xy direction of the unknown's axis.
-    pub(super) fn interface_axes(&self) -> Vec<(usize, [f64; 2])> {
-        let mut axes = Vec::with_capacity(self.interface_unknowns);
-        for (point, &node) in self.interface.iter().enumerate() {
-            for axis in 0..2 {
-                if self.equations[node][axis] != HELD {
-                    axes.push((point, self.constraints[node].axes()[axis]));
-                }
-            }
-        }
-        axes
-    }
-
-    /// Spreads a matrix on the interface unknowns to the xy components of all contact points.
-    fn spread(&self, reduced: &DMatrix<f64>) -> DMatrix<f64> {
-        let axes = self.interface_axes();
-        let size = 2 * self.interface.len();
-        if axes.len() == size
-            && !self
-                .interface
-                .iter()
-                .any(|&node| self.constraints[node].is_turned())
-        {
-            return reduced.clone();
-        }
-        let mut full = DMatrix::zeros(size, size);
-        for (q, &(column_point, column_axis)) in axes.iter().enumerate() {
-            for (p, &(row_point, row_axis)) in axes.iter().enumerate() {
-                for j in 0..2 {
-                    for i in 0..2 {
-                        full[(2 * row_point + i, 2 * column_point + j)] +=
-                            row_axis[i] * reduced[(p, q)] * column_axis[j];
-                    }
-                }
-            }
-        }
-        full
-    }
-
-    fn spread_response(&self, reduced: &DVector<f64>, moves_supports: bool) -> DVector<f64> {
-        let mut full = DVector::zeros(2 * self.interface.len());
-        for (&(point, axis), value) in self.interface_axes().iter().zip(reduced.iter()) {
-            full[2 * point] += axis[0] * value;
-            full[2 * point + 1] += axis[1] * value;
-        }
-        if moves_supports {
-            for (point, &node) in self.interface.iter().enumerate() {
-                let held = self.constraints[node].to_global(self.constraints[node].displacement);
-                full[2 * point] += held[0];
-                full[2 * point + 1] += held[1];
-            }
-        }
-        full
-    }
-
-    fn interface_modes(&self, body: &ElasticBody) -> DMatrix<f64> {
-        let mut modes = DMatrix::zeros(2 * self.interface.len(), self.motions.count());
-        for (point, &node) in self.interface.iter().enumerate() {
-            modes
-                .rows_mut(2 * point, 2)
-                .copy_from(&self.motions.at(&body.mesh, node));
-        }
-        modes
-    }
-
-    /// Resultants of nodal forces in the free motions. What is rounding beside the forces' own sizes is zero: a load that
-    /// balances itself leaves nothing for contact to balance.
-    fn mode_load(&self, body: &ElasticBody, nodal: &[f64]) -> DVector<f64> {
-        const ROUNDING: f64 = 1e-12;
-        let mut load = DVector::zeros(self.motions.count());
-        let mut size = load.clone();
-        for (node, force) in nodal.chunks_exact(2).enumerate() {
-            if !load.is_empty() && force != [0.0, 0.0] {
-                let motions = self.motions.at(&body.mesh, node).transpose();
-                let force = DVector::from_column_slice(force);
-                size += motions.abs() * force.abs();
-                load += motions * force;
-            }
-        }
-        load.zip_apply(&size, |sum, size| {
-            if sum.abs() <= ROUNDING * size {
-                *sum = 0.0;
-            }
-        });
-        load
-    }
-
-    fn to_unknowns(&self, nodal: &[f64]) -> Vec<f64> {
-        let mut unknowns = vec![0.0; self.unknowns];
-        for (node, force) in nodal.chunks_exact(2).enumerate() {
-            let local = self.constraints[node].to_local([force[0], force[1]]);
-            for axis in 0..2 {
-                if self.equations[node][axis] != HELD {
-                    unknowns[self.equations[node][axis] as usize] += local[axis];
-                }
-            }
-        }
-        unknowns
     }
 }

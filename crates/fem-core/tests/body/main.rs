@@ -16,4 +16,5 @@ mod platen;
 mod recovery;
 mod reference;
 mod supports;
+mod tangent;
 mod thermal;

@@ -1,0 +1,247 @@
+//! A load history, increment by increment, cut back where there is no equilibrium.
+
+use stickslip_contact::{ContactState, InterfaceProblem, InterfaceSolver};
+use stickslip_fem_core::InterfaceOperator;
+
+use crate::body::Response;
+use crate::error::{Halt, JointError};
+use crate::increment::{Accepted, Manner, Solving, starting_responses};
+use crate::joint::Joint;
+use crate::operator::Factors;
+use crate::record::{Ending, JointHistory, JointRecord};
+use crate::state::JointState;
+
+/// Part of an increment down to which a burst of failures is resolved.
+const BURST_PART: f64 = 1.0 / 32.0;
+
+impl Joint {
+    /// Follows the load steps `steps`, each the multipliers of all load cases at its end, from rest, with `solver` for the contact.
+    /// `observe` sees each accepted increment and the state at its end.
+    ///
+    /// Under given loads the history ends at the joint's strength; driven supports carry it past the peak, until the load has
+    /// fallen.
+    ///
+    /// # Errors
+    /// [`JointError::Load`] for steps that make no sense, [`JointError::Contact`] for pairs that make none, [`JointError::Body`] for a
+    /// body that cannot be condensed at rest, [`JointError::NoStart`] if nothing at all can be borne.
+    pub fn follow(
+        &self,
+        steps: &[Vec<f64>],
+        solver: &dyn InterfaceSolver,
+        observe: impl FnMut(&JointRecord, &JointState),
+    ) -> Result<JointHistory, JointError> {
+        self.check_steps(steps)?;
+        let mut factors = Factors::new(self.bodies.len());
+        let mut walk = Walk {
+            state: self.at_rest(&mut factors)?,
+            joint: self,
+            solver,
+            factors,
+            starting: Vec::new(),
+            records: Vec::new(),
+            observe,
+            stiffest: 0.0,
+            counted: 0,
+        };
+        for (index, target) in steps.iter().enumerate() {
+            if let Some(ending) = walk.step(index, target)? {
+                return Ok(walk.finish(ending));
+            }
+        }
+        Ok(walk.finish(Ending::Completed))
+    }
+
+    fn check_steps(&self, steps: &[Vec<f64>]) -> Result<(), JointError> {
+        let cases = self.load_cases();
+        let refuse = |step, what| Err(JointError::Load { step, what });
+        if steps.is_empty() {
+            return refuse(0, "there is none".to_owned());
+        }
+        for (step, multipliers) in steps.iter().enumerate() {
+            if multipliers.len() != cases {
+                let given = multipliers.len();
+                return refuse(step, format!("{given} multipliers for {cases} load cases"));
+            }
+            if let Some(value) = multipliers.iter().find(|value| !value.is_finite()) {
+                return refuse(step, format!("the multiplier {value} is not finite"));
+            }
+        }
+        Ok(())
+    }
+
+    /// The joint before any load: its bodies are condensed once, and its pairs checked.
+    fn at_rest(&self, factors: &mut Factors) -> Result<JointState, JointError> {
+        let nothing = InterfaceProblem::new(&[], Vec::new())?;
+        let rest = JointState::at_rest(
+            &self.bodies,
+            ContactState::unloaded(&nothing),
+            self.load_cases(),
+        );
+        let manner = Manner {
+            quickly: false,
+            burst: usize::MAX,
+        };
+        let still = vec![0.0; self.load_cases()];
+        let starting = starting_responses(self, &rest).map_err(JointError::NoStart)?;
+        let solving = Solving::new(self, &rest, &starting, &still, manner);
+        let operators = solving.operators(factors).map_err(|halt| match halt {
+            Halt::Stiffness { body, cause } => JointError::Body { body, cause },
+            other => JointError::NoStart(other),
+        })?;
+        let faces: Vec<&dyn InterfaceOperator> = operators
+            .iter()
+            .map(crate::operator::Operator::interface)
+            .collect();
+        let problem = InterfaceProblem::new(&faces, self.pairs.clone())?;
+        let contact = ContactState::unloaded(&problem);
+        Ok(JointState { contact, ..rest })
+    }
+}
+
+/// A history on its way.
+struct Walk<'a, F> {
+    joint: &'a Joint,
+    solver: &'a dyn InterfaceSolver,
+    factors: Factors,
+    /// Responses in `state`, once they are known.
+    starting: Vec<Option<Response>>,
+    state: JointState,
+    records: Vec<JointRecord>,
+    observe: F,
+    /// Largest load per displacement so far.
+    stiffest: f64,
+    /// Factorisations that records have counted.
+    counted: usize,
+}
+
+impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
+    /// Follows one load step; returns how the history ends, if it ends in it.
+    fn step(&mut self, index: usize, target: &[f64]) -> Result<Option<Ending>, JointError> {
+        let options = self.joint.options;
+        let start = self.state.multipliers.clone();
+        let driven = self.joint.is_driven(&start, target);
+        let whole = 1.0 / options.increments as f64;
+        let (mut reached, mut part, mut cutbacks) = (0.0, whole, 0);
+        while reached < 1.0 {
+            let next = if 1.0 - reached <= part * (1.0 + 1e-9) {
+                1.0
+            } else {
+                reached + part
+            };
+            // Exact at both ends.
+            let multipliers: Vec<f64> = (start.iter().zip(target))
+                .map(|(from, to)| (1.0 - next) * from + next * to)
+                .collect();
+            let smallest = part <= whole * options.smallest_part;
+            let manner = Manner {
+                quickly: part < 0.999 * whole && !smallest,
+                burst: if part > whole * BURST_PART && !smallest {
+                    options.burst
+                } else {
+                    usize::MAX
+                },
+            };
+            match self.attempt(&multipliers, manner, driven) {
+                Ok(accepted) => {
+                    reached = next;
+                    if accepted.passes == 0 {
+                        part = whole.min(2.0 * part);
+                    }
+                    self.record((index, reached), accepted, cutbacks);
+                    cutbacks = 0;
+                    if driven && self.has_dropped() {
+                        return Ok(Some(Ending::LoadDropped {
+                            step: index,
+                            reached,
+                        }));
+                    }
+                }
+                Err(cause) if smallest && self.records.is_empty() => {
+                    return Err(JointError::NoStart(cause));
+                }
+                Err(cause) if smallest => {
+                    return Ok(Some(Ending::NoEquilibrium {
+                        step: index,
+                        reached,
+                        cause,
+                    }));
+                }
+                Err(_) => {
+                    part *= 0.5;
+                    cutbacks += 1;
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    fn attempt(
+        &mut self,
+        multipliers: &[f64],
+        manner: Manner,
+        driven: bool,
+    ) -> Result<Accepted, Halt> {
+        if self.starting.is_empty() {
+            self.starting = starting_responses(self.joint, &self.state)?;
+        }
+        let solving = Solving::new(self.joint, &self.state, &self.starting, multipliers, manner);
+        let accepted = solving.run(self.solver, &mut self.factors)?;
+        // That of the increment itself, before plies failed, where it is the first.
+        let before = accepted.events.first();
+        let before = before.map_or(0.0, |event| event.load / event.displacement);
+        let stiffness = accepted.load / accepted.displacement / self.stiffest.max(before);
+        let lost = stiffness < self.joint.options.residual_stiffness && accepted.passes > 0;
+        let last = self.records.last();
+        let further = last.is_none_or(|last| accepted.displacement > last.displacement);
+        if !driven && lost && further {
+            return Err(Halt::LoadPathLost { stiffness });
+        }
+        Ok(accepted)
+    }
+
+    fn record(&mut self, (step, reached): (usize, f64), accepted: Accepted, cutbacks: usize) {
+        let mut contact = accepted.contact;
+        contact.cutbacks = cutbacks;
+        self.state = accepted.state;
+        self.starting.clear();
+        if accepted.displacement > 0.0 {
+            self.stiffest = self.stiffest.max(accepted.load / accepted.displacement);
+        }
+        let record = JointRecord {
+            step,
+            reached,
+            multipliers: self.state.multipliers.clone(),
+            load: accepted.load,
+            displacement: accepted.displacement,
+            energy: self.state.energy,
+            contact,
+            events: accepted.events,
+            passes: accepted.passes,
+            residuals: accepted.residuals,
+            factorisations: self.factors.factorisations - self.counted,
+        };
+        self.counted = self.factors.factorisations;
+        (self.observe)(&record, &self.state);
+        self.records.push(record);
+    }
+
+    /// Whether the load has fallen far below its peak while the displacement went on.
+    fn has_dropped(&self) -> bool {
+        let Some(last) = self.records.last() else {
+            return false;
+        };
+        let limit = self.joint.options.residual_load;
+        self.records.iter().any(|record| {
+            last.load < limit * record.load && last.displacement > record.displacement
+        })
+    }
+
+    fn finish(self, ending: Ending) -> JointHistory {
+        JointHistory {
+            records: self.records,
+            ending,
+            state: self.state,
+            factorisations: self.factors.factorisations,
+        }
+    }
+}

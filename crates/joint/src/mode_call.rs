@@ -1,0 +1,277 @@
+//! How a pinned joint fails: in bearing, by shear-out, in net tension, or mixed; with the reasons.
+//!
+//! ```text
+//!                 net tension  90°
+//!          ·  ·  ┌─────┐            paths that the load takes and can lose
+//!        ·     ╱ shear-out 45…80°   net tension  across the ligament, from the hole to the side
+//!       ·  ◯  │ ─────────────►      shear-out    two lines ahead of the hole's sides, to the end
+//!        ·     ╲ bearing 0…35°      bearing      ahead of the pin, into the hole's edge
+//!          ·  ·  └─────
+//! ```
+//!
+//! Angles count from the bearing point, on either side. Near the hole a site of damage belongs to a mode by its angle, with linear
+//! transitions between the ranges; farther away by the path on which it lies. Of all damage, that which grows as the load path is lost
+//! decides: what fails from 95 % of the peak load on, and of this the broken fibres, if there are any. An end that is split ahead of
+//! the pin, which some authors call cleavage, counts as shear-out: the load path to the end is lost.
+//!
+//! Source of the ranges: Post & Reddy (1988), part II, 4.4, who found damage at 0–35° in bearing, at 60–80° in shear-out, and at the
+//! net section in net tension.
+
+mod reasons;
+
+use std::fmt;
+
+use stickslip_fem_core::mesh::Point;
+
+use crate::record::JointHistory;
+
+/// A mode of failure of a pinned joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum JointMode {
+    /// The pin crushes the hole's edge ahead of it.
+    Bearing,
+    /// The pin pushes a plug out of the plate's end.
+    ShearOut,
+    /// The plate tears across the net section.
+    NetTension,
+    /// No single one.
+    Mixed,
+}
+
+impl JointMode {
+    /// The pure modes, in the order of [`ModeCall::shares`].
+    pub const PURE: [Self; 3] = [Self::Bearing, Self::ShearOut, Self::NetTension];
+
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Bearing => "bearing",
+            Self::ShearOut => "shear-out",
+            Self::NetTension => "net tension",
+            Self::Mixed => "mixed",
+        }
+    }
+}
+
+impl fmt::Display for JointMode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// The hole and what is left of the plate around it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hole {
+    /// Centre `[length]`.
+    pub centre: Point,
+    /// Radius `[length]`.
+    pub radius: f64,
+    /// Unit vector from the centre to the bearing point, where the pin presses.
+    pub bearing: [f64; 2],
+    /// Distance from the centre to the nearer side of the plate `[length]`, at right angles to `bearing`.
+    pub side_distance: f64,
+    /// Distance from the centre to the end of the plate that the pin pushes at `[length]`.
+    pub end_distance: f64,
+}
+
+/// Damage of one ply at one point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DamageSite {
+    /// Where `[length]`.
+    pub position: Point,
+    /// Volume that it stands for `[length³]`.
+    pub volume: f64,
+    /// Whether fibres broke.
+    pub fibre: bool,
+    /// Whether it happened as the load path was lost: from 95 % of the peak load on.
+    pub late: bool,
+}
+
+/// The mode of a joint, and why.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ModeCall {
+    /// The mode.
+    pub mode: JointMode,
+    /// Shares of the deciding damage in [`JointMode::PURE`], by volume; they sum to 1 or less, the rest lying elsewhere.
+    pub shares: [f64; 3],
+    /// How far the deciding damage has eaten up each mode's path, from 0 at the hole to 1 at the side or end.
+    pub reach: [f64; 3],
+    /// The reasons, one sentence each.
+    pub reasons: Vec<String>,
+}
+
+/// Part of the peak load from which on damage is late.
+const LATE: f64 = 0.95;
+/// Share that makes a mode the governing one.
+const GOVERNS: f64 = 0.6;
+/// Share from which on a mode takes part.
+const TAKES_PART: f64 = 0.2;
+/// Part of its path at which a net section or a shear-out plug has come apart.
+const SEVERED: f64 = 0.8;
+/// Part of the paths to side and end within which damage is confined to the hole's edge.
+const CONFINED: f64 = 0.25;
+/// Share ahead of the pin that makes confined damage bearing.
+const CRUSHED: f64 = 0.45;
+/// Radii within which the angle decides.
+const NEAR: f64 = 1.5;
+
+/// Calls the mode of a joint by its damage; `None` without damage. `retained` is the part of the peak load that the joint still bore
+/// at the end of its history, if that went beyond the peak.
+pub fn call_mode(hole: &Hole, sites: &[DamageSite], retained: Option<f64>) -> Option<ModeCall> {
+    let basis = Basis::of(sites)?;
+    let deciding: Vec<&DamageSite> = sites.iter().filter(|site| basis.takes(site)).collect();
+    let mut sums = [0.0; 3];
+    let mut total = 0.0;
+    let mut reach = [0.0_f64; 3];
+    for site in &deciding {
+        let local = hole.local(site.position);
+        total += site.volume;
+        for (mode, weight) in zone_weights(local).into_iter().enumerate() {
+            sums[mode] += weight * site.volume;
+            if weight >= 0.5 {
+                reach[mode] = reach[mode].max(hole.reach(mode, local));
+            }
+        }
+    }
+    let shares = sums.map(|sum| if total > 0.0 { sum / total } else { 0.0 });
+    let (mode, why) = decide(shares, reach);
+    let mut call = ModeCall {
+        mode,
+        shares,
+        reach,
+        reasons: Vec::new(),
+    };
+    call.reasons = reasons::of(&call, basis, why, retained);
+    Some(call)
+}
+
+/// Which rule decided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Why {
+    Severed,
+    Split,
+    Share,
+    Confined,
+    NoShare,
+}
+
+/// Damage that decides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Basis {
+    fibre: bool,
+    late: bool,
+}
+
+impl Basis {
+    fn of(sites: &[DamageSite]) -> Option<Self> {
+        let candidates = [(true, true), (false, true), (true, false), (false, false)];
+        let bases = candidates.map(|(fibre, late)| Self { fibre, late });
+        bases
+            .into_iter()
+            .find(|basis| sites.iter().any(|site| basis.takes(site)))
+    }
+
+    fn takes(self, site: &DamageSite) -> bool {
+        (site.fibre || !self.fibre) && (site.late || !self.late)
+    }
+}
+
+/// A severed path first, then the share, then whether the damage stays at the hole's edge.
+fn decide(shares: [f64; 3], reach: [f64; 3]) -> (JointMode, Why) {
+    let severed = |mode: usize| reach[mode] >= SEVERED && shares[mode] >= TAKES_PART;
+    // What is crushed ahead of the pin is not parted; what is split ahead of it to the end is.
+    match [severed(0) || severed(1), severed(2)] {
+        [true, false] if severed(1) => return (JointMode::ShearOut, Why::Severed),
+        [true, false] => return (JointMode::ShearOut, Why::Split),
+        [false, true] => return (JointMode::NetTension, Why::Severed),
+        _ => {}
+    }
+    let largest = (0..3).fold(0, |best, mode| {
+        if shares[mode] > shares[best] {
+            mode
+        } else {
+            best
+        }
+    });
+    let confined = reach[1] < CONFINED && reach[2] < CONFINED;
+    if shares[largest] >= GOVERNS {
+        (JointMode::PURE[largest], Why::Share)
+    } else if largest == 0 && shares[0] >= CRUSHED && confined {
+        (JointMode::Bearing, Why::Confined)
+    } else {
+        (JointMode::Mixed, Why::NoShare)
+    }
+}
+
+impl Hole {
+    /// A position in radii, first component towards the bearing point, second away from the bearing line.
+    fn local(&self, position: Point) -> [f64; 2] {
+        let arm = [0, 1].map(|i| (position[i] - self.centre[i]) / self.radius);
+        let [bx, by] = self.bearing;
+        [arm[0] * bx + arm[1] * by, (arm[1] * bx - arm[0] * by).abs()]
+    }
+
+    /// How far along the path of a mode a place lies, from 0 at the hole to 1.
+    fn reach(&self, mode: usize, [ahead, aside]: [f64; 2]) -> f64 {
+        let [end, side] = [self.end_distance, self.side_distance].map(|d| d / self.radius);
+        let part = match mode {
+            0 => (ahead - 1.0) / (end - 1.0),
+            // The plug's sides start where shear-out does, at about 60°.
+            1 => (ahead - 0.5) / (end - 0.5),
+            _ => (aside - 1.0) / (side - 1.0),
+        };
+        part.clamp(0.0, 1.0)
+    }
+}
+
+/// How much of a place belongs to each of [`JointMode::PURE`].
+fn zone_weights([ahead, aside]: [f64; 2]) -> [f64; 3] {
+    if ahead.hypot(aside) <= NEAR {
+        let angle = aside.atan2(ahead).to_degrees();
+        let rise = |from: f64, to: f64| ((angle - from) / (to - from)).clamp(0.0, 1.0);
+        let [shear, tension, behind] = [rise(35.0, 45.0), rise(75.0, 85.0), rise(105.0, 115.0)];
+        return [1.0 - shear, shear - tension, tension - behind];
+    }
+    if ahead.abs() <= 0.5 * aside {
+        return [0.0, 0.0, 1.0];
+    }
+    match (ahead > 0.0, aside) {
+        (true, aside) if aside < 0.6 => [1.0, 0.0, 0.0],
+        (true, aside) if aside <= 1.6 => [0.0, 1.0, 0.0],
+        _ => [0.0; 3],
+    }
+}
+
+impl JointHistory {
+    /// The failures of body `body`, as [`call_mode`] takes them.
+    pub fn damage_sites(&self, body: usize) -> Vec<DamageSite> {
+        let peak = self.peak();
+        let enough = LATE * self.records[peak].load;
+        let mut sites = Vec::new();
+        for (index, record) in self.records.iter().enumerate() {
+            let late = index > peak || record.load >= enough;
+            let failures = record.events.iter().filter(|event| event.is_failure());
+            sites.extend(
+                failures
+                    .filter(|event| event.body == body)
+                    .map(|event| DamageSite {
+                        position: event.position,
+                        volume: event.volume,
+                        fibre: event.breaks_fibres(),
+                        late,
+                    }),
+            );
+        }
+        sites
+    }
+
+    /// The mode in which body `body` fails around `hole`; `None` without damage.
+    pub fn mode(&self, body: usize, hole: &Hole) -> Option<ModeCall> {
+        let peak = self.peak();
+        let last = &self.records[self.records.len() - 1];
+        let beyond = last.displacement > self.records[peak].displacement;
+        let retained =
+            (beyond && self.records[peak].load > 0.0).then(|| last.load / self.records[peak].load);
+        call_mode(hole, &self.damage_sites(body), retained)
+    }
+}

@@ -1,0 +1,57 @@
+//! Reasons in sentences.
+
+use super::{Basis, JointMode, ModeCall, SEVERED, Why};
+
+pub(super) fn of(call: &ModeCall, basis: Basis, why: Why, retained: Option<f64>) -> Vec<String> {
+    let percent = |part: f64| 100.0 * part;
+    let what = if basis.fibre {
+        "broken fibres"
+    } else {
+        "matrix damage"
+    };
+    let when = if basis.late {
+        "from 95 % of the peak load on"
+    } else {
+        "in the whole history, because nothing failed late"
+    };
+    let [bearing, shear, tension] = call.shares.map(percent);
+    let mut reasons = vec![format!(
+        "{what} {when}: {bearing:.0} % ahead of the pin (0-35 deg), {shear:.0} % where a plug shears out (45-80 deg), {tension:.0} % at the \
+         net section (about 90 deg)"
+    )];
+    let [ahead, plug, ligament] = call.reach.map(percent);
+    let parted = percent(SEVERED);
+    reasons.push(match (why, call.mode) {
+        (Why::Severed, JointMode::NetTension) => format!(
+            "it reaches over {ligament:.0} % of the way from the hole to the side ({parted:.0} % part the net section), over {plug:.0} % of that \
+             to the end"
+        ),
+        (Why::Severed, _) => format!(
+            "it reaches over {plug:.0} % of the way from the hole to the end ({parted:.0} % free the plug), over {ligament:.0} % of that to the \
+             side"
+        ),
+        (Why::Split, _) => format!(
+            "the end is split ahead of the pin, over {ahead:.0} % of the way to it ({parted:.0} % part it), with {ligament:.0} % of the way to the \
+             side"
+        ),
+        (Why::Share, mode) => {
+            format!("most of it lies where {mode} begins; neither path to side or end is alone severed")
+        }
+        (Why::Confined, _) => format!(
+            "it stays at the hole's edge, over {ligament:.0} % of the way to the side and {plug:.0} % of that to the end, and the largest part lies \
+             ahead of the pin"
+        ),
+        (Why::NoShare, _) => {
+            "no mode has 60 % of it, and neither path to side or end is alone severed".to_owned()
+        }
+    });
+    if let Some(retained) = retained {
+        let kept = percent(retained);
+        reasons.push(if retained >= 0.7 {
+            format!("the load stays at {kept:.0} % of its peak: the pin goes on crushing material")
+        } else {
+            format!("the load falls to {kept:.0} % of its peak: the path that bore it is lost")
+        });
+    }
+    reasons
+}

@@ -1,0 +1,160 @@
+//! Modes of failure: of made-up damage, and of small plates with the geometry for each.
+
+use stickslip_contact::Chain;
+use stickslip_joint::{DamageSite, Hole, JointMode, Options, call_mode};
+
+use crate::models::discount;
+use crate::plate::{End, Plate};
+
+const HOLE: Hole = Hole {
+    centre: [1.0, 2.0],
+    radius: 3.0,
+    bearing: [0.0, -1.0],
+    side_distance: 9.0,
+    end_distance: 12.0,
+};
+
+/// Damage at `angle` `[degree]` from the bearing point, `radii` from the centre.
+fn site(angle: f64, radii: f64, fibre: bool, late: bool) -> DamageSite {
+    let (s, c) = angle.to_radians().sin_cos();
+    let r = radii * HOLE.radius;
+    // The bearing point lies at −y; angles count to either side.
+    let position = [HOLE.centre[0] + r * s, HOLE.centre[1] - r * c];
+    DamageSite {
+        position,
+        volume: 1.0,
+        fibre,
+        late,
+    }
+}
+
+fn called(sites: &[DamageSite]) -> JointMode {
+    call_mode(&HOLE, sites, None).unwrap().mode
+}
+
+#[test]
+fn the_angle_near_the_hole_makes_the_mode() {
+    let fan = |from: i32, to: i32| -> Vec<DamageSite> {
+        let angles = (from..=to).step_by(5);
+        let one = |angle: i32| site(f64::from(angle), 1.1, true, true);
+        angles.map(one).collect()
+    };
+    assert_eq!(called(&fan(-35, 35)), JointMode::Bearing);
+    assert_eq!(called(&fan(45, 75)), JointMode::ShearOut);
+    assert_eq!(called(&fan(-75, -45)), JointMode::ShearOut);
+    assert_eq!(called(&fan(85, 105)), JointMode::NetTension);
+    assert_eq!(called(&fan(0, 100)), JointMode::Mixed);
+    let shares = call_mode(&HOLE, &fan(40, 40), None).unwrap().shares;
+    assert!((shares[0] - 0.5).abs() < 1e-12 && (shares[1] - 0.5).abs() < 1e-12);
+}
+
+#[test]
+fn a_severed_path_decides() {
+    // Most damage ahead of the pin, but a crack through the whole ligament.
+    let mut sites: Vec<DamageSite> = (-3..=3)
+        .map(|k| site(10.0 * f64::from(k), 1.1, true, true))
+        .collect();
+    sites.extend((0..=10).map(|k| site(90.0, 1.0 + 0.2 * f64::from(k), true, true)));
+    let call = call_mode(&HOLE, &sites[..], Some(0.3)).unwrap();
+    assert_eq!(call.mode, JointMode::NetTension);
+    assert!((call.reach[2] - 1.0).abs() < 1e-12);
+    assert!(
+        call.reasons
+            .iter()
+            .any(|reason| reason.contains("100 % of the way from the hole to the side"))
+    );
+    assert!(
+        call.reasons
+            .iter()
+            .any(|reason| reason.contains("30 % of its peak"))
+    );
+    // The same crack ahead of the pin splits the end.
+    let split: Vec<DamageSite> = (0..=15)
+        .map(|k| site(0.0, 1.0 + 0.2 * f64::from(k), true, true))
+        .collect();
+    let call = call_mode(&HOLE, &split, None).unwrap();
+    assert_eq!(call.mode, JointMode::ShearOut);
+    assert!(call.reasons[1].contains("split ahead of the pin"));
+    // Two lines beside the plug, to the end.
+    let lines = (0..=18).flat_map(|k| {
+        [-1.0, 1.0].map(|side| DamageSite {
+            position: [
+                HOLE.centre[0] + 3.0 * side,
+                HOLE.centre[1] - 1.5 - 0.6 * f64::from(k),
+            ],
+            ..site(0.0, 1.0, true, true)
+        })
+    });
+    let call = call_mode(&HOLE, &lines.collect::<Vec<_>>(), None).unwrap();
+    assert_eq!(call.mode, JointMode::ShearOut);
+    assert!(call.reach[1] > 0.95);
+}
+
+#[test]
+fn late_broken_fibres_outweigh_early_cracks() {
+    let mut sites: Vec<DamageSite> = (0..40)
+        .map(|k| site(80.0 + 0.5 * f64::from(k), 1.2, false, false))
+        .collect();
+    sites.push(site(5.0, 1.1, true, true));
+    assert_eq!(called(&sites), JointMode::Bearing);
+    // Without late or broken fibres the cracks are all there is.
+    sites.pop();
+    assert_eq!(called(&sites), JointMode::NetTension);
+    assert!(call_mode(&HOLE, &[], None).is_none());
+}
+
+/// Geometries of the textbook: a wide plate with a far end bears, one with a near end loses that end, a narrow one tears.
+#[test]
+fn computed_joints_fail_as_their_geometry_has_it() {
+    let cases = [
+        ("[0/45/-45/90]s", 24.0, 18.0, 0.3, JointMode::Bearing),
+        ("[0/45/-45/90]s", 12.0, 5.0, 0.3, JointMode::ShearOut),
+        ("[0/45/-45/90]s", 4.5, 12.0, 0.6, JointMode::NetTension),
+    ];
+    for (layup, half_width, right, pull, expected) in cases {
+        let plate = Plate {
+            half_width,
+            right,
+            left: 1.5 * half_width.max(6.0),
+            cells: 16,
+            layers: 6,
+            ..Plate::default()
+        };
+        let options = Options {
+            increments: 30,
+            residual_load: 0.6,
+            ..Options::default()
+        };
+        let history = plate
+            .joint(&discount(layup), End::Driven)
+            .with_options(options)
+            .unwrap()
+            .follow(&[vec![pull]], &Chain::newton_first(), |_, _| {})
+            .unwrap();
+        let hole = Hole {
+            centre: [0.0; 2],
+            radius: plate.radius,
+            bearing: [1.0, 0.0],
+            side_distance: half_width,
+            end_distance: right,
+        };
+        let call = history.mode(0, &hole).unwrap();
+        let peak = &history.records[history.peak()];
+        println!(
+            "{layup} W/D {:.1} e/D {:.1}: {} at {:.0} N ({:.3} mm), shares {:.2?}, reach {:.2?}, {} records, {} factorisations",
+            half_width / plate.radius,
+            right / plate.radius / 2.0,
+            call.mode,
+            peak.load,
+            peak.displacement,
+            call.shares,
+            call.reach,
+            history.records.len(),
+            history.factorisations
+        );
+        for reason in &call.reasons {
+            println!("   {reason}");
+        }
+        assert_eq!(call.mode, expected, "{layup} {half_width} {right}");
+    }
+}
