@@ -20,6 +20,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use clap::Args;
+use stickslip_fem_core::mesh::ElementKind;
 use stickslip_laboratory::LaboratoryError;
 use stickslip_laboratory::problems::Problem;
 use stickslip_report::FigureError;
@@ -143,6 +144,8 @@ fn measure(quick: bool) -> Result<(Bench, Yardstick), Trouble> {
     let groups = [
         methods::elements(),
         methods::gaps(),
+        methods::projections(ElementKind::Q8),
+        methods::projections(ElementKind::Q4),
         methods::direct_solvers(),
         methods::iterative_solvers(),
     ];
@@ -184,12 +187,19 @@ fn draw(folder: &Path, charts: &Charts) -> Result<(), Trouble> {
             )?;
         }
     }
-    for (quantity, name) in [
-        (Quantity::PeakPressure, "gaps-peak-pressure"),
-        (Quantity::Extent, "gaps-extent"),
-    ] {
-        let picture = figures::overview(bench, &methods::gaps(), Cost::Whole, quantity)?;
-        save(folder, name, &picture)?;
+    let discretisations = [
+        methods::gaps(),
+        methods::projections(ElementKind::Q8),
+        methods::projections(ElementKind::Q4),
+    ];
+    for group in &discretisations {
+        for (quantity, ending) in [
+            (Quantity::PeakPressure, "peak-pressure"),
+            (Quantity::Extent, "extent"),
+        ] {
+            let picture = figures::overview(bench, group, Cost::Whole, quantity)?;
+            save(folder, &format!("{}-{ending}", group.key), &picture)?;
+        }
     }
     for group in [methods::direct_solvers(), methods::iterative_solvers()] {
         let picture = figures::overview(bench, &group, Cost::Solve, Quantity::PeakPressure)?;

@@ -16,6 +16,7 @@
 //! Where a problem has several load steps with known answers, an error is the largest over these.
 
 mod expected;
+mod pairing;
 
 use std::path::PathBuf;
 
@@ -25,6 +26,7 @@ use stickslip_fem_core::mesh::ElementKind;
 
 use crate::error::LaboratoryError;
 use expected::{Expected, expected};
+pub use pairing::Pairing;
 
 /// A problem with a known answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -41,16 +43,6 @@ pub enum Problem {
     AluminiumFrictionless,
     /// The same with friction 0.25.
     AluminiumFrictional,
-}
-
-/// How initial gaps are computed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Gap {
-    /// As the problem states it: of the true circles, or linearised where the known answer is.
-    #[default]
-    Exact,
-    /// Between the nodes of the meshes.
-    Faceted,
 }
 
 /// Relative errors, none negative.
@@ -121,6 +113,19 @@ impl Problem {
         }
     }
 
+    /// Name of the body that the contact's first body is pressed against.
+    fn second_body(self) -> &'static str {
+        match self {
+            Self::Hertz | Self::CattaneoMindlin => "lower",
+            _ => "pin",
+        }
+    }
+
+    /// Whether both bodies have meshes, which can then be apart.
+    pub fn two_meshes(self) -> bool {
+        self != Self::OrthotropicPin
+    }
+
     /// Whether there is friction.
     pub fn friction(self) -> bool {
         matches!(
@@ -137,9 +142,9 @@ impl Problem {
         self,
         spacing: f64,
         element: ElementKind,
-        gap: Gap,
+        pairing: Pairing,
     ) -> Result<Scene, LaboratoryError> {
-        self.build_with(spacing, element, gap, &[])
+        self.build_with(spacing, element, pairing, &[])
     }
 
     /// The scene with further settings `key=value`, as the command's `--set` takes them.
@@ -150,16 +155,14 @@ impl Problem {
         self,
         spacing: f64,
         element: ElementKind,
-        gap: Gap,
+        pairing: Pairing,
         overrides: &[String],
     ) -> Result<Scene, LaboratoryError> {
         let mut settings = vec![
             format!("mesh.element={element:?}"),
             format!("mesh.spacing=\"{spacing} {}\"", self.unit()),
         ];
-        if gap == Gap::Faceted {
-            settings.push("contacts.0.gap=\"faceted\"".into());
-        }
+        settings.extend(pairing.settings(self, spacing));
         match self {
             Self::AluminiumFrictionless => {
                 settings.push("contacts.0.friction.coulomb.mu=0".into());

@@ -151,7 +151,7 @@ impl Bench {
 
     /// Measures all methods of `group` on all meshes of `problem`.
     pub(super) fn measure(&mut self, problem: Problem, group: &Group) {
-        for (_, method) in &group.methods {
+        for (_, method) in group.methods.iter().filter(|(_, m)| m.suits(problem)) {
             self.measure_method(problem, *method);
         }
     }
@@ -163,6 +163,17 @@ impl Bench {
             .filter(|sample| sample.problem == problem && sample.method == method)
             .filter_map(|sample| Some((sample.spacing, sample.outcome.as_ref().ok()?)))
             .collect()
+    }
+
+    /// An error on the finest mesh of `problem` that `method` solved.
+    pub(super) fn finest(
+        &self,
+        problem: Problem,
+        method: Method,
+        quantity: Quantity,
+    ) -> Option<f64> {
+        let (_, measured) = self.curve(problem, method).pop()?;
+        quantity.of(&measured.errors)
     }
 
     /// That curve as points of one cost and one error.
@@ -226,7 +237,7 @@ impl Bench {
         method: Method,
         spacing: f64,
     ) -> Result<Measured, LaboratoryError> {
-        let scene = problem.build(spacing, method.element, method.gap)?;
+        let scene = problem.build(spacing, method.element, method.pairing)?;
         let solver = method.enforcement.solver();
         let settings = Settings::default();
         let once = || {
@@ -279,7 +290,7 @@ fn tell(
     spacing: f64,
     outcome: &Result<Measured, LaboratoryError>,
 ) {
-    let [element, gap, solver] = method.columns();
+    let [element, pairing, solver] = method.columns();
     let what = match outcome {
         Ok(measured) => format!(
             "{:.4} s, peak pressure {:.1e}",
@@ -289,7 +300,7 @@ fn tell(
     };
     let unit = problem.unit();
     eprintln!(
-        "  {} {spacing} {unit}, {element}, {gap}, {solver}: {what}",
+        "  {} {spacing} {unit}, {element}, {pairing}, {solver}: {what}",
         problem.name()
     );
 }

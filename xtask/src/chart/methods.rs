@@ -2,7 +2,7 @@
 
 use stickslip_contact::InterfaceSolver;
 use stickslip_fem_core::mesh::ElementKind;
-use stickslip_laboratory::problems::Gap;
+use stickslip_laboratory::problems::{Pairing, Problem};
 
 use crate::stability::methods as table;
 
@@ -42,7 +42,7 @@ impl Enforcement {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Method {
     pub(super) element: ElementKind,
-    pub(super) gap: Gap,
+    pub(super) pairing: Pairing,
     pub(super) enforcement: Enforcement,
 }
 
@@ -50,19 +50,15 @@ impl Method {
     /// What a user gets who chooses nothing.
     pub(super) const DEFAULT: Self = Self {
         element: ElementKind::Q8,
-        gap: Gap::Exact,
+        pairing: Pairing::NodePairs,
         enforcement: Enforcement::DEFAULT,
     };
 
     /// Element and contact discretisation, and enforcement, for the data.
     pub(super) fn columns(self) -> [String; 3] {
-        let gap = match self.gap {
-            Gap::Exact => "node pairs, true gap",
-            Gap::Faceted => "node pairs, faceted gap",
-        };
         [
             format!("{:?}", self.element),
-            gap.to_owned(),
+            self.pairing.name().to_owned(),
             self.enforcement.name().to_owned(),
         ]
     }
@@ -72,6 +68,22 @@ impl Method {
             element,
             ..Self::DEFAULT
         }
+    }
+
+    fn paired(element: ElementKind, pairing: Pairing) -> Self {
+        Self {
+            pairing,
+            ..Self::element(element)
+        }
+    }
+
+    /// Whether `problem` can be discretised so: a body without a mesh has nothing to be apart from.
+    pub(super) fn suits(self, problem: Problem) -> bool {
+        let apart = matches!(
+            self.pairing,
+            Pairing::Mortar { apart: true } | Pairing::DualMortar { apart: true }
+        );
+        problem.two_meshes() || !apart
     }
 
     fn enforced(enforcement: Enforcement) -> Self {
@@ -105,25 +117,50 @@ pub(super) fn elements() -> Group {
     }
 }
 
-/// Contact discretisations, for a linear and a quadratic element.
+/// The gap of the true shapes against that between facets, for a linear and a quadratic element.
 pub(super) fn gaps() -> Group {
     let mut methods = Vec::new();
     for element in [ElementKind::Q8, ElementKind::Q4] {
-        for (name, gap) in [
-            ("true gap", Gap::Exact),
-            ("gap between facets", Gap::Faceted),
+        for (name, pairing) in [
+            ("true gap", Pairing::NodePairs),
+            ("gap between facets", Pairing::FacetedNodePairs),
         ] {
-            let method = Method {
-                gap,
-                ..Method::element(element)
-            };
-            methods.push((format!("{element:?}, {name}"), method));
+            methods.push((
+                format!("{element:?}, {name}"),
+                Method::paired(element, pairing),
+            ));
         }
     }
     Group {
         key: "gaps",
-        title: "Contact discretisation",
+        title: "Initial gap",
         methods,
+    }
+}
+
+/// Node pairs against mortar projections, on matching meshes and on meshes apart.
+pub(super) fn projections(element: ElementKind) -> Group {
+    let (key, title) = if element == ElementKind::Q4 {
+        ("mortar-linear", "Node pairs and mortar, linear edges (Q4)")
+    } else {
+        ("mortar", "Node pairs and mortar, quadratic edges (Q8)")
+    };
+    let pairings = [
+        Pairing::NodePairs,
+        Pairing::Mortar { apart: false },
+        Pairing::DualMortar { apart: false },
+        Pairing::Mortar { apart: true },
+        Pairing::DualMortar { apart: true },
+    ];
+    Group {
+        key,
+        title,
+        methods: pairings
+            .map(|pairing| {
+                let label = pairing.name().to_owned();
+                (label, Method::paired(element, pairing))
+            })
+            .into(),
     }
 }
 

@@ -1,5 +1,6 @@
 //! The page beside the charts: who wins where, in numbers.
 
+mod discretisations;
 mod programs;
 
 use std::fmt::Write as _;
@@ -39,7 +40,8 @@ pub(super) fn page(charts: &Charts) -> String {
     programs::section(&mut page, charts);
     paths(&mut page, charts);
     elements(&mut page, &charts.bench);
-    gaps(&mut page, &charts.bench);
+    discretisations::gaps(&mut page, &charts.bench);
+    discretisations::projections(&mut page, &charts.bench);
     solvers(&mut page, &charts.bench);
     failures(&mut page, &charts.bench);
     page
@@ -189,40 +191,6 @@ fn known(page: &mut String) {
 
 fn none() -> String {
     "–".to_owned()
-}
-
-fn gaps(page: &mut String, bench: &Bench) {
-    page.push_str(
-        "## Contact discretisation\n\nError on the finest common mesh with the true gap, and with the gap between facets:\n\n\
-         | problem | element | peak pressure: true, faceted | extent: true, faceted |\n| --- | --- | --- | --- |\n",
-    );
-    let group = methods::gaps();
-    for problem in Problem::ALL {
-        for pair in group.methods.chunks_exact(2) {
-            let curves: Vec<_> = pair
-                .iter()
-                .map(|(_, method)| bench.curve(problem, *method))
-                .collect();
-            let ([.., (_, exact)], [.., (_, faceted)]) = (&curves[0][..], &curves[1][..]) else {
-                continue;
-            };
-            let [element, ..] = pair[0].1.columns();
-            let cell = |quantity: Quantity| {
-                let of = |measured| quantity.of(measured).map_or_else(none, percent);
-                format!("{}, {}", of(&exact.errors), of(&faceted.errors))
-            };
-            let _ = writeln!(
-                page,
-                "| {} | {element} | {} | {} |",
-                problem.title(),
-                cell(Quantity::PeakPressure),
-                cell(Quantity::Extent)
-            );
-        }
-    }
-    page.push_str(
-        "\n![Error of the peak pressure](gaps-peak-pressure.png)\n\n![Error of the extent of contact](gaps-extent.png)\n\n",
-    );
 }
 
 fn solvers(page: &mut String, bench: &Bench) {

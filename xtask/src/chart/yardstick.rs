@@ -6,7 +6,7 @@ use stickslip::model::{Model, ModelBodyKind};
 use stickslip_fem_core::linalg::{LowerMatrix, reference_factorisation};
 use stickslip_fem_core::mesh::ElementKind;
 use stickslip_laboratory::measure::{summary, thread_seconds};
-use stickslip_laboratory::problems::{Gap, Problem};
+use stickslip_laboratory::problems::{Pairing, Problem};
 
 use super::Trouble;
 
@@ -27,7 +27,8 @@ pub(super) struct Yardstick {
 
 impl Yardstick {
     pub(super) fn measure() -> Result<Self, Trouble> {
-        let scene = Problem::AluminiumFrictional.build(SPACING, ElementKind::Q4, Gap::Exact)?;
+        let scene =
+            Problem::AluminiumFrictional.build(SPACING, ElementKind::Q4, Pairing::NodePairs)?;
         let fail = |cause: &dyn std::fmt::Display| Trouble::Peer(cause.to_string());
         let model = Model::build(&scene).map_err(|cause| fail(&cause))?;
         let mut matrix = LowerMatrix {

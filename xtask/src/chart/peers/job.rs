@@ -8,7 +8,7 @@ use stickslip::model::{Model, ModelBodyKind};
 use stickslip_fem_core::ElasticBody;
 use stickslip_fem_core::body::internal_forces;
 use stickslip_fem_core::mesh::{EdgeRef, ElementKind, Point};
-use stickslip_laboratory::problems::{Gap, Problem};
+use stickslip_laboratory::problems::{Pairing, Problem};
 
 use super::{LOAD_STEPS, PeerRun};
 use crate::chart::Trouble;
@@ -50,7 +50,7 @@ impl Job {
         } else {
             Problem::AluminiumFrictional
         };
-        let scene = problem.build(spacing, element, Gap::Exact)?;
+        let scene = problem.build(spacing, element, Pairing::NodePairs)?;
         let model = Model::build(&scene).map_err(|cause| Trouble::Peer(cause.to_string()))?;
         let body = |name: &str| {
             let found = model.bodies.iter().find(|body| body.name == name);
@@ -269,7 +269,7 @@ mod tests {
     #[test]
     fn the_peak_of_our_own_displacements_is_our_own_peak() {
         let mut scene = Problem::AluminiumFrictional
-            .build(9.0, ElementKind::Q8, Gap::Exact)
+            .build(9.0, ElementKind::Q8, Pairing::NodePairs)
             .unwrap();
         scene.output.fields = FieldOutput::All;
         let results = run(&scene, &mut |_| {}).unwrap();
