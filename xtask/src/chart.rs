@@ -5,6 +5,7 @@
 //! the pictures as SVG and PNG, and a page that says in numbers who wins where.
 
 mod bench;
+mod contact_cost;
 mod curve;
 mod data;
 mod factors;
@@ -27,6 +28,7 @@ use stickslip_report::FigureError;
 use thiserror::Error;
 
 use bench::{Bench, Cost, Quantity};
+use contact_cost::ContactCost;
 use factors::{PathFactor, path_factors};
 use figures::save;
 use methods::Method;
@@ -80,8 +82,11 @@ pub(crate) enum Trouble {
 struct Charts {
     bench: Bench,
     factors: Vec<PathFactor>,
+    contact: Vec<ContactCost>,
     yardstick: Yardstick,
     peers: Vec<PeerRun>,
+    /// Seconds that everything but the other programs took, by the wall clock.
+    elapsed: f64,
 }
 
 /// Runs the task: progress on stderr, a summary on stdout.
@@ -116,7 +121,9 @@ fn charts(options: &Options) -> Result<String, Trouble> {
     })?;
     // One thread, as the other programs were measured.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
-    let (bench, yardstick) = pool.install(|| measure(options.quick))?;
+    let start = Instant::now();
+    let (bench, contact, yardstick) = pool.install(|| measure(options.quick))?;
+    let elapsed = start.elapsed().as_secs_f64();
     let mut peers = peers::read(&committed.join("peers.csv"))?;
     if options.peers {
         let machine = data::machine();
@@ -125,8 +132,10 @@ fn charts(options: &Options) -> Result<String, Trouble> {
     let charts = Charts {
         factors: path_factors(&bench),
         bench,
+        contact,
         yardstick,
         peers,
+        elapsed,
     };
     data::write(&folder, charts.bench.samples())?;
     peers::write(&folder.join("peers.csv"), &charts.peers)?;
@@ -139,7 +148,7 @@ fn charts(options: &Options) -> Result<String, Trouble> {
 }
 
 /// Runs every method on every problem, and the yardstick.
-fn measure(quick: bool) -> Result<(Bench, Yardstick), Trouble> {
+fn measure(quick: bool) -> Result<(Bench, Vec<ContactCost>, Yardstick), Trouble> {
     let mut bench = Bench::new(quick);
     let groups = [
         methods::elements(),
@@ -155,7 +164,8 @@ fn measure(quick: bool) -> Result<(Bench, Yardstick), Trouble> {
             bench.measure(problem, group);
         }
     }
-    Ok((bench, Yardstick::measure()?))
+    bench.share_matrices();
+    Ok((bench, contact_cost::measure(quick)?, Yardstick::measure()?))
 }
 
 /// The default has to solve everything.

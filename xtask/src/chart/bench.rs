@@ -11,7 +11,7 @@ use stickslip_laboratory::problems::{Errors, Problem};
 use stickslip_laboratory::run::{Path, Run, run};
 
 use super::curve::Point;
-use super::methods::{Group, Method};
+use super::methods::{Enforcement, Group, Method};
 
 /// A method whose run took longer `[s]` is not tried on finer meshes.
 const PATIENCE: f64 = 3.0;
@@ -33,14 +33,32 @@ pub(super) struct Sample {
     pub(super) outcome: Result<Measured, String>,
 }
 
+impl Sample {
+    /// Whether the matrices of `other` are these.
+    fn shares(&self, other: &Self) -> bool {
+        let conventional = |sample: &Self| sample.method.enforcement == Enforcement::Conventional;
+        self.problem == other.problem
+            && self.spacing == other.spacing
+            && self.method.element == other.method.element
+            && self.method.pairing == other.method.pairing
+            && conventional(self) == conventional(other)
+    }
+}
+
 /// Errors and costs of a solved history.
 #[derive(Clone, Debug)]
 pub(super) struct Measured {
     pub(super) unknowns: usize,
+    /// The largest over the load steps with a known answer.
     pub(super) errors: Errors,
+    /// Of the peak pressure in the first of these.
+    pub(super) first_peak: f64,
     /// Everything but files: meshes, matrices, contact, edge stresses.
     pub(super) whole: Timing,
-    /// Without meshes and stresses: what solution methods differ in.
+    /// The same by the wall clock.
+    pub(super) wall: Timing,
+    /// Without meshes and stresses. The matrices of one mesh are the same for all solvers of the condensed problem, and so is
+    /// their time here ([`Bench::share_matrices`]).
     pub(super) solve: Timing,
     /// Contact alone.
     pub(super) contact: Timing,
@@ -153,6 +171,34 @@ impl Bench {
     pub(super) fn measure(&mut self, problem: Problem, group: &Group) {
         for (_, method) in group.methods.iter().filter(|(_, m)| m.suits(problem)) {
             self.measure_method(problem, *method);
+        }
+    }
+
+    /// Gives all condensed runs on one mesh the same time for the matrices, the median over the solvers: runs that follow one
+    /// another differ by more than the solvers do.
+    pub(super) fn share_matrices(&mut self) {
+        let shares: Vec<Option<f64>> = self
+            .samples
+            .iter()
+            .map(|sample| {
+                let alike = self.samples.iter().filter(|other| sample.shares(other));
+                let times: Vec<f64> = alike
+                    .filter_map(|other| other.outcome.as_ref().ok())
+                    .map(|measured| measured.solve.median - measured.contact.median)
+                    .collect();
+                (sample.method.enforcement != Enforcement::Conventional)
+                    .then(|| summary(&times).median)
+            })
+            .collect();
+        for (sample, matrices) in self.samples.iter_mut().zip(shares) {
+            if let (Ok(measured), Some(matrices)) = (&mut sample.outcome, matrices) {
+                measured.solve = Timing {
+                    median: matrices + measured.contact.median,
+                    lower: matrices + measured.contact.lower,
+                    upper: matrices + measured.contact.upper,
+                    runs: measured.solve.runs,
+                };
+            }
         }
     }
 
@@ -274,9 +320,19 @@ fn measured(problem: Problem, runs: &[Run]) -> Result<Measured, LaboratoryError>
     for step in &last.results.steps {
         work += step.work;
     }
+    let steps = problem.measure_each(&last.results)?;
     Ok(Measured {
         unknowns: last.unknowns,
         errors: problem.measure(&last.results)?,
+        first_peak: steps
+            .first()
+            .map_or(f64::NAN, |errors| errors.peak_pressure),
+        wall: summary(
+            &runs
+                .iter()
+                .map(|run| run.seconds.total())
+                .collect::<Vec<f64>>(),
+        ),
         whole: timing(|run| run.processor.total()),
         solve: timing(|run| run.processor.solve()),
         contact: timing(|run| run.processor.contact),

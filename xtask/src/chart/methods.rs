@@ -63,6 +63,14 @@ impl Method {
         ]
     }
 
+    /// Element and contact discretisation, for a reader.
+    pub(super) fn discretisation(self) -> String {
+        match self.pairing {
+            Pairing::NodePairs => format!("{:?}", self.element),
+            pairing => format!("{:?}, {}", self.element, pairing.name()),
+        }
+    }
+
     fn element(element: ElementKind) -> Self {
         Self {
             element,
@@ -79,11 +87,7 @@ impl Method {
 
     /// Whether `problem` can be discretised so: a body without a mesh has nothing to be apart from.
     pub(super) fn suits(self, problem: Problem) -> bool {
-        let apart = matches!(
-            self.pairing,
-            Pairing::Mortar { apart: true } | Pairing::DualMortar { apart: true }
-        );
-        problem.two_meshes() || !apart
+        problem.two_meshes() || !self.pairing.apart()
     }
 
     fn enforced(enforcement: Enforcement) -> Self {
@@ -124,6 +128,11 @@ pub(super) fn gaps() -> Group {
         for (name, pairing) in [
             ("true gap", Pairing::NodePairs),
             ("gap between facets", Pairing::FacetedNodePairs),
+            (
+                "meshes apart, true gap",
+                Pairing::DualMortar { apart: true },
+            ),
+            ("meshes apart, gap between facets", Pairing::FacetedApart),
         ] {
             methods.push((
                 format!("{element:?}, {name}"),

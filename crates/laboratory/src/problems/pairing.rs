@@ -13,6 +13,8 @@ pub enum Pairing {
     NodePairs,
     /// Pairs of nodes, with the gap between the straight facets of the meshes.
     FacetedNodePairs,
+    /// Dual mortar projection on meshes apart, with the gap between the straight facets.
+    FacetedApart,
     /// Mortar projection with standard multipliers.
     Mortar {
         /// Whether the meshes are apart.
@@ -27,6 +29,7 @@ pub enum Pairing {
 
 /// Spacing of the second body's nodes over that of the first one's on meshes apart.
 const APART: f64 = 1.5;
+const FACETED: &str = "contacts.0.gap=\"faceted\"";
 
 impl Pairing {
     /// Name for tables and captions.
@@ -34,11 +37,20 @@ impl Pairing {
         match self {
             Self::NodePairs => "node pairs, true gap",
             Self::FacetedNodePairs => "node pairs, faceted gap",
+            Self::FacetedApart => "dual mortar, meshes apart, faceted gap",
             Self::Mortar { apart: false } => "mortar",
             Self::Mortar { apart: true } => "mortar, meshes apart",
             Self::DualMortar { apart: false } => "dual mortar",
             Self::DualMortar { apart: true } => "dual mortar, meshes apart",
         }
+    }
+
+    /// Whether the meshes are apart.
+    pub fn apart(self) -> bool {
+        matches!(
+            self,
+            Self::FacetedApart | Self::Mortar { apart: true } | Self::DualMortar { apart: true }
+        )
     }
 
     /// Settings of the scene that make it so.
@@ -54,7 +66,12 @@ impl Pairing {
         };
         match self {
             Self::NodePairs => Vec::new(),
-            Self::FacetedNodePairs => vec!["contacts.0.gap=\"faceted\"".to_owned()],
+            Self::FacetedNodePairs => vec![FACETED.to_owned()],
+            Self::FacetedApart => {
+                let mut settings = projection("dual-mortar", true);
+                settings.push(FACETED.to_owned());
+                settings
+            }
             Self::Mortar { apart } => projection("mortar", apart),
             Self::DualMortar { apart } => projection("dual-mortar", apart),
         }

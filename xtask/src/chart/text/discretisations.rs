@@ -6,7 +6,7 @@ use stickslip_fem_core::mesh::ElementKind;
 use stickslip_laboratory::problems::Problem;
 
 use super::super::bench::{Bench, Quantity};
-use super::super::methods::{self, Group};
+use super::super::methods::{self, Group, Method};
 use super::{none, percent};
 
 const QUANTITIES: [Quantity; 2] = [Quantity::PeakPressure, Quantity::Extent];
@@ -14,21 +14,29 @@ const QUANTITIES: [Quantity; 2] = [Quantity::PeakPressure, Quantity::Extent];
 /// The true gap against the one between facets.
 pub(super) fn gaps(page: &mut String, bench: &Bench) {
     page.push_str(
-        "## Initial gap\n\nError on the finest common mesh with the true gap, and with the gap between facets:\n\n\
-         | problem | element | peak pressure: true, faceted | extent: true, faceted |\n| --- | --- | --- | --- |\n",
+        "## Initial gap\n\nError on the finest mesh with the gap of the true shapes, and with that between straight facets. Nodes of \
+         matching meshes lie on the true shapes, so there is little between the two; where the meshes are apart a node faces the \
+         middle of a facet, and its sagitta is as large as a small clearance.\n\n\
+         | problem | element | meshes | peak pressure: true, faceted | extent: true, faceted |\n| --- | --- | --- | ---: | ---: |\n",
     );
     let group = methods::gaps();
     for problem in Problem::ALL {
-        for pair in group.methods.chunks_exact(2) {
+        let suited = |pair: &&[(String, Method)]| pair[0].1.suits(problem);
+        for pair in group.methods.chunks_exact(2).filter(suited) {
             let errors = |quantity| {
                 pair.iter()
                     .map(move |(_, method)| bench.finest(problem, *method, quantity))
             };
             let cells = QUANTITIES.map(|quantity| listed(errors(quantity), ", "));
             let [element, ..] = pair[0].1.columns();
+            let meshes = if pair[0].1.pairing.apart() {
+                "apart"
+            } else {
+                "matching"
+            };
             let _ = writeln!(
                 page,
-                "| {} | {element} | {} |",
+                "| {} | {element} | {meshes} | {} |",
                 problem.title(),
                 cells.join(" | ")
             );
