@@ -15,12 +15,12 @@ use super::methods::{Enforcement, Group, Method};
 
 /// A method whose run took longer `[s]` is not tried on finer meshes.
 const PATIENCE: f64 = 3.0;
-/// A run that took longer `[s]` is not repeated.
-const REPEATED: f64 = 1.0;
+/// A run that took longer `[s]` is not repeated, unless it is the default's.
+const REPEATED: f64 = 0.4;
 /// Repetitions go on until they have taken this long together `[s]`, but there are at least and at most so many.
-const LONG_ENOUGH: f64 = 0.8;
+const LONG_ENOUGH: f64 = 0.4;
 const LEAST: usize = 3;
-const MOST: usize = 9;
+const MOST: usize = 7;
 
 /// What one method did on one mesh.
 #[derive(Clone, Debug)]
@@ -295,7 +295,7 @@ impl Bench {
         };
         let mut runs = vec![once()?];
         let first = runs[0].processor.total();
-        if !self.quick && first < REPEATED {
+        if !self.quick && (first < REPEATED || method == Method::DEFAULT) {
             // The first run warmed up caches and memory.
             runs.clear();
             let wanted = (LONG_ENOUGH / first).ceil() as usize;
