@@ -225,13 +225,11 @@ fn solvers(page: &mut String, bench: &Bench) {
     }
     page.push('\n');
     for group in &groups {
-        let _ = write!(
-            page,
-            "![{title}]({key}.png)\n\n![{title}: contact alone]({key}-contact.png)\n\n",
-            title = group.title,
-            key = group.key
-        );
+        let (title, key) = (group.title, group.key);
+        let _ = write!(page, "![{title}: contact alone]({key}-contact.png)\n\n");
     }
+    let [_, Group { title, key, .. }] = &groups;
+    let _ = write!(page, "![{title}]({key}.png)\n\n");
 }
 
 fn against_default(bench: &Bench, problem: Problem, method: Method) -> String {
