@@ -13,10 +13,10 @@ use stickslip_laboratory::problems::{Pairing, Problem};
 use stickslip_laboratory::run::{Path, Run, run};
 
 use super::Trouble;
-use super::text::{number, seconds};
+use super::text::seconds;
 use super::yardstick::{factorisation, stiffness};
 
-/// Spacings `[deg]` with about 40, 80, 150, 280 and 360 touching nodes, the last with about 195 000 unknowns.
+/// Spacings `[deg]`; the last has about 195 000 unknowns.
 const SPACINGS: [f64; 5] = [9.0, 4.5, 2.25, 1.125, 0.9];
 const RUNS: usize = 3;
 
@@ -24,7 +24,7 @@ const RUNS: usize = 3;
 #[derive(Clone, Debug)]
 pub(super) struct ContactCost {
     unknowns: usize,
-    /// Most contact nodes that touch at once.
+    /// Most contact nodes that touch at once, in the half that is modelled.
     touching: usize,
     /// Newton iterations of a load step, the confirming one included: median and most.
     iterations: [f64; 2],
@@ -80,7 +80,7 @@ fn measure_at(spacing: f64) -> Result<ContactCost, Trouble> {
 
 /// Recovers all displacements from forces on the interface, in every elastic body: median of repeated runs `[s]`.
 fn pair_of_solves(operators: &[Operator]) -> f64 {
-    let samples: Vec<f64> = (0..2 * RUNS + 1)
+    let samples: Vec<f64> = (0..=2 * RUNS)
         .map(|_| {
             let (wall, before) = (Instant::now(), thread_seconds());
             for body in operators.iter().filter_map(Operator::elastic) {
@@ -100,22 +100,22 @@ pub(super) fn section(page: &mut String, costs: &[ContactCost]) {
          the confirming one included. *Contact of a step* is everything that the solver does in one load step, *solves* one pair of \
          triangular solves with the factors of all bodies, *factorisation* one ordinary sparse Cholesky factorisation of the same \
          stiffness matrix, *history* everything of a run but its files. One thread.\n\n\
-         | unknowns | touching nodes | iterations: median, most | contact of a step | solves | ratio | history | factorisation | ratio |\n\
+         | unknowns | touching nodes of the half model | iterations: median, most | contact of a step | solves | ratio | history | factorisation | ratio |\n\
          | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n",
     );
     for cost in costs {
         let [median, most] = cost.iterations;
         let _ = writeln!(
             page,
-            "| {} | {} | {median}, {most} | {} | {} | {} | {} | {} | {} |",
+            "| {} | {} | {median}, {most} | {} | {} | {:.2} | {} | {} | {:.2} |",
             cost.unknowns,
             cost.touching,
             seconds(cost.step),
             seconds(cost.solves),
-            number(cost.step / cost.solves),
+            cost.step / cost.solves,
             seconds(cost.history),
             seconds(cost.factorisation),
-            number(cost.history / cost.factorisation),
+            cost.history / cost.factorisation,
         );
     }
     page.push('\n');

@@ -65,6 +65,10 @@ const REFERENCES: [(f64, [Known; 2]); 2] = [
     ),
 ];
 
+/// A run that claims convergence with an error beyond this is a wrong answer: off the charts, and not held against the other runs
+/// of its curve.
+pub(super) const WRONG: f64 = 0.2;
+
 /// Load steps of the job.
 pub(super) const LOAD_STEPS: usize = 14;
 
@@ -161,8 +165,13 @@ fn refer(runs: &mut [PeerRun]) {
             let finest = runs
                 .iter()
                 .filter(|other| family(run, other) && other.steps_converged == LOAD_STEPS)
-                .max_by_key(|other| other.unknowns)?;
-            nearer(run.mu, finest.peak_pressure_psi?)
+                .filter_map(|other| {
+                    let peak = other.peak_pressure_psi?;
+                    let reference = nearer(run.mu, peak)?;
+                    (reference.error(peak) < WRONG).then_some((other.unknowns, reference))
+                })
+                .max_by_key(|(unknowns, _)| *unknowns);
+            finest.map(|(_, reference)| reference)
         })
         .collect();
     for (run, reference) in runs.iter_mut().zip(chosen) {
@@ -231,7 +240,7 @@ pub(super) fn renew(
     for run in &mut fresh {
         today.clone_into(&mut run.measured);
         machine.clone_into(&mut run.machine);
-        run.yardstick_s = yardstick;
+        run.yardstick_s = job::rounded(yardstick, 4);
     }
     runs.retain(|old| !fresh.iter().any(|new| new.same_method(old)));
     runs.extend(fresh);
@@ -284,11 +293,16 @@ mod tests {
 
     #[test]
     fn a_method_keeps_the_reference_of_its_finest_run() {
-        // The coarse run is near the other reference by chance.
-        let mut runs = [run(10, 0.0, 31600.0), run(90, 0.0, 31510.0)];
+        // The coarse run is near the other reference by chance, and the last one is wrong by whatever reference.
+        let mut runs = [
+            run(10, 0.0, 31600.0),
+            run(90, 0.0, 31510.0),
+            run(900, 0.0, 104_230.0),
+        ];
         refer(&mut runs);
         assert!((runs[0].error().unwrap() - 99.0 / 31501.0).abs() < 1e-12);
         assert!((runs[1].error().unwrap() - 9.0 / 31501.0).abs() < 1e-12);
+        assert!(runs[2].error().unwrap() > WRONG);
     }
 
     #[test]

@@ -11,10 +11,8 @@ use super::bench::Cost;
 use super::curve::{Point, cost_of};
 use super::figures::{Curve, chart};
 use super::methods::{self, Enforcement, Method};
-use super::peers::{PeerRun, finest_error};
+use super::peers::{PeerRun, WRONG, finest_error};
 
-/// A run that claims convergence with an error beyond this is a wrong answer, and off the chart.
-pub(super) const WRONG: f64 = 0.2;
 /// The two jobs.
 pub(super) const JOBS: [(f64, Problem); 2] = [
     (0.0, Problem::AluminiumFrictionless),
@@ -257,7 +255,7 @@ pub(super) fn single_duels(charts: &Charts) -> Vec<Duel> {
 fn peer_curves(runs: &[PeerRun], mu: f64) -> Vec<(&PeerRun, Vec<Point>)> {
     let mut curves: Vec<(&PeerRun, Vec<Point>)> = Vec::new();
     for run in runs.iter().filter(|run| run.mu == mu) {
-        let Some(point) = run.point() else {
+        let Some(point) = run.point().filter(|point| point.error < WRONG) else {
             continue;
         };
         match curves

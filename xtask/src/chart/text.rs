@@ -293,7 +293,7 @@ fn first_clause(cause: &str) -> String {
 }
 
 /// Two digits, or all before the point.
-pub(super) fn number(value: f64) -> String {
+fn number(value: f64) -> String {
     if value >= 9.95 {
         format!("{value:.0}")
     } else {

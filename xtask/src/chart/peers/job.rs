@@ -167,9 +167,9 @@ impl Job {
             spacing_deg: self.spacing,
             unknowns: self.unknowns(),
             steps_converged: steps.len(),
-            peak_pressure_psi: peak,
-            wall_s: cost.wall,
-            cpu_s: cost.cpu,
+            peak_pressure_psi: peak.map(|psi| rounded(psi, 1)),
+            wall_s: rounded(cost.wall, 3),
+            cpu_s: cost.cpu.map(|seconds| rounded(seconds, 3)),
             ..PeerRun::default()
         };
         eprintln!(
@@ -256,6 +256,12 @@ fn children_seconds() -> Option<f64> {
     let fields: Vec<&str> = rest.split_whitespace().collect();
     let ticks = |k: usize| fields.get(k)?.parse::<f64>().ok();
     Some(0.01 * (ticks(13)? + ticks(14)?))
+}
+
+/// `value` with so many decimals, as it is kept in the file.
+pub(super) fn rounded(value: f64, decimals: i32) -> f64 {
+    let scale = 10_f64.powi(decimals);
+    (scale * value).round() / scale
 }
 
 #[cfg(test)]

@@ -75,7 +75,6 @@ pub(super) fn projections(page: &mut String, bench: &Bench) {
                 );
             }
         }
-        page.push('\n');
         pictures(page, &group);
     }
 }

@@ -4,7 +4,8 @@ use std::fmt::Write as _;
 
 use super::{none, number, percent, seconds};
 use crate::chart::Charts;
-use crate::chart::summary::{Duel, WRONG, duels, single_duels};
+use crate::chart::peers::WRONG;
+use crate::chart::summary::{Duel, duels, single_duels};
 
 /// Errors at which other programs are met.
 const DUELS: [f64; 5] = [1e-2, 5e-3, 2e-3, 1e-3, 5e-4];
@@ -99,7 +100,8 @@ pub(super) fn section(page: &mut String, charts: &Charts) {
     if !wrong.is_empty() {
         let _ = write!(
             page,
-            "Runs that report convergence with an error of more than 20 % are off the chart: {}.\n\n",
+            "Runs that report convergence with an error of more than 20 % are off the chart, and not held against the coarser runs of \
+             their curve: {}.\n\n",
             wrong.join("; ")
         );
     }
