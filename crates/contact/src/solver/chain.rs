@@ -6,9 +6,11 @@ use super::{
     Continuation, Enumeration, FailureCause, InterfaceSolver, Pivoting, SemismoothNewton,
     StatusIteration, Step, StepFailure, StepSolution, Work,
 };
+use crate::uniqueness::{NEAR_BOUND, uniqueness_bound};
 
 /// Tries its members in order until one solves the step, or until the step is proved to have no solution. On ordinary steps it
-/// costs what its first member costs.
+/// costs what its first member costs. Where at most six points touch, under friction near or beyond the estimated bound of
+/// uniqueness, the statuses of these are enumerated, and the solution nearest to the last accepted state is taken.
 #[derive(Debug)]
 pub struct Chain {
     members: Vec<Box<dyn InterfaceSolver>>,
@@ -76,20 +78,22 @@ impl Chain {
             work: Work::default(),
             best: None,
         };
-        if let Some(motion) = impossible(step) {
-            let motion = motion.as_slice().to_vec();
-            let proof = FailureCause::Unbalanced {
-                motion,
-                proved: true,
-            };
-            failure.attempts.push(("force balance", proof));
-            return Err(failure);
+        let unbalanced = impossible(step).map(|(motion, proved)| FailureCause::Unbalanced {
+            motion: motion.as_slice().to_vec(),
+            proved,
+        });
+        if let Some(cause) = unbalanced {
+            failure.attempts.push(("force balance", cause));
+            if !failure.is_unresolved() {
+                return Err(failure);
+            }
         }
         for member in members {
             match member.solve(step) {
                 Ok(mut solution) => {
                     solution.work += failure.work;
-                    return Ok(solution);
+                    solution.attempts = failure.attempts;
+                    return Ok(among_several(step, solution));
                 }
                 Err(next) => {
                     failure.attempts.extend(next.attempts);
@@ -101,8 +105,35 @@ impl Chain {
                 }
             }
         }
-        released(step).ok_or(failure)
+        match released(step) {
+            Some(mut solution) => {
+                solution.work += failure.work;
+                solution.attempts = failure.attempts;
+                Ok(solution)
+            }
+            None => Err(failure),
+        }
     }
+}
+
+/// The solution nearest to the last accepted state where there may be several and few points touch; `solution` elsewhere, at
+/// the cost of looking at its statuses.
+fn among_several(step: &Step<'_>, solution: StepSolution) -> StepSolution {
+    let enumeration = Enumeration::default();
+    let touching = (solution.trial.status.iter())
+        .filter(|status| status.touches())
+        .count();
+    if solution.solutions.is_some() || touching == 0 || touching > enumeration.points {
+        return solution;
+    }
+    let coefficient = step.largest_coefficient(&solution.trial);
+    let unique = |bound: f64| coefficient < NEAR_BOUND * bound;
+    if coefficient == 0.0
+        || uniqueness_bound(step.problem, &solution.trial.status).is_some_and(unique)
+    {
+        return solution;
+    }
+    enumeration.nearest_to_last(step, solution)
 }
 
 /// The last accepted state as the solution of a step without change of load: what has been reached stays.
