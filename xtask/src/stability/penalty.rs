@@ -52,7 +52,7 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
             method(AUGMENTED, Box::new(multipliers)),
         ];
         let mut rows = stages.rows(CASE, factor, &methods);
-        rows.push(stiffness_side(&stages, factor)?);
+        rows.push(stiffness_side(&pin, &stages, factor)?);
         Ok(rows)
     })?;
     let picture = map(
@@ -145,8 +145,8 @@ fn remarks(rows: &[Row], steps: f64) -> Vec<String> {
     let best = stiff.iter().min_by(|a, b| a.1.total_cmp(&b.1));
     if let (Some((factor, error)), Some((stiffest, lost))) = (best, stiff.last()) {
         remarks.push(format!(
-            "With springs added to the stiffness it is best at {}, off by {error:.0e}; beyond, the spring's force is a large stiffness times \
-             a small difference of displacements, and at {} it is off by {lost:.0e}.",
+            "With springs added to the stiffness of the bodies it is best at {}, off by {error:.0e}; at {} it is off by {lost:.0e}, because the \
+             spring's force is a large stiffness times a small difference of displacements.",
             power(*factor),
             power(*stiffest)
         ));
@@ -163,12 +163,12 @@ fn remarks(rows: &[Row], steps: f64) -> Vec<String> {
 }
 
 /// The steps of `stages` with springs added to the stiffness of the bodies.
-fn stiffness_side(stages: &Stages, factor: f64) -> Result<Row, Trouble> {
+fn stiffness_side(pin: &Joint, stages: &Stages, factor: f64) -> Result<Row, Trouble> {
     let mut error: f64 = 0.0;
     let mut count = 0;
     for stage in &stages.list {
         if let Some(answer) = &stage.answer {
-            let forces = stiffness_side::forces(&stage.given, answer, factor)?;
+            let forces = stiffness_side::forces(pin, &stage.given, answer, factor)?;
             let floor = stage.given.committed.forces.amax();
             let own = distance(&forces, &answer.forces, floor);
             error = if own.is_nan() { own } else { error.max(own) };

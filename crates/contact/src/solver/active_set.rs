@@ -326,6 +326,7 @@ pub(super) fn settle(
     let step = attempt.step;
     let mut iteration = Iteration::new(step, Rules::Projection);
     iteration.status = status.to_vec();
+    let linear = (0..step.count()).all(|k| step.problem.law(k).is_linear());
     for _ in 0..LIMIT {
         let frozen = solve(step, &iteration.status, &iteration.lines, &mut attempt.work)?;
         if let Some(direction) = &frozen.unbalanced {
@@ -334,7 +335,7 @@ pub(super) fn settle(
             return Err(FailureCause::Inaccurate { violation });
         }
         let scales = Scales::of(step, &frozen.forces, &frozen.motion);
-        if iteration.relinearise(&frozen, scales) {
+        if linear || iteration.relinearise(&frozen, scales) {
             return attempt.accept(attempt.trial(&frozen, &iteration.status));
         }
     }

@@ -6,6 +6,8 @@ use super::{
     Continuation, Enumeration, FailureCause, InterfaceSolver, Pivoting, SemismoothNewton,
     StatusIteration, Step, StepFailure, StepSolution, Work,
 };
+
+use crate::state::Status;
 use crate::uniqueness::{NEAR_BOUND, uniqueness_bound};
 
 /// Tries its members in order until one solves the step, or until the step is proved to have no solution. On ordinary steps it
@@ -120,20 +122,31 @@ impl Chain {
 /// the cost of looking at its statuses.
 fn among_several(step: &Step<'_>, solution: StepSolution) -> StepSolution {
     let enumeration = Enumeration::default();
-    let touching = (solution.trial.status.iter())
-        .filter(|status| status.touches())
-        .count();
-    if solution.solutions.is_some() || touching == 0 || touching > enumeration.points {
+    if solution.solutions.is_some() {
         return solution;
     }
-    let coefficient = step.largest_coefficient(&solution.trial);
-    let unique = |bound: f64| coefficient < NEAR_BOUND * bound;
-    if coefficient == 0.0
-        || uniqueness_bound(step.problem, &solution.trial.status).is_some_and(unique)
-    {
+    let Some(points) = enumeration.candidates(&solution) else {
+        return solution;
+    };
+    let coefficient = step.coefficient_of(&points);
+    let mut together = vec![Status::Open; step.count()];
+    for &point in &points {
+        together[point] = Status::Stick;
+    }
+    let unique = |status: &[Status]| {
+        uniqueness_bound(step.problem, status).is_some_and(|bound| coefficient < NEAR_BOUND * bound)
+    };
+    let few = |status: &&&Vec<Status>| {
+        let touching = status.iter().filter(|status| status.touches()).count();
+        (1..=enumeration.points).contains(&touching)
+    };
+    // Another solution may touch at all of them, or where the last state did.
+    let touches = [&solution.trial.status, &step.committed.status, &together];
+    let alone = coefficient == 0.0 || touches.iter().filter(few).all(|status| unique(status));
+    if alone {
         return solution;
     }
-    enumeration.nearest_to_last(step, solution)
+    enumeration.nearest_to_last(step, &points, solution)
 }
 
 /// The last accepted state as the solution of a step without change of load: what has been reached stays.

@@ -64,17 +64,18 @@ impl Enumeration {
         }
     }
 
-    /// The solution nearest to the last accepted state among `known` and all solutions in which no points touch but those of
-    /// `known` (any points, where there are few enough), and how many these are; `known` itself, uncounted, where too many
-    /// touch.
-    pub(super) fn nearest_to_last(self, step: &Step<'_>, known: StepSolution) -> StepSolution {
-        let Some(points) = self.candidates(&known) else {
-            return known;
-        };
+    /// The solution nearest to the last accepted state among `known` and all solutions in which no points touch but `points`, and
+    /// how many these are.
+    pub(super) fn nearest_to_last(
+        self,
+        step: &Step<'_>,
+        points: &[usize],
+        known: StepSolution,
+    ) -> StepSolution {
         let searched = Attempt::run(step, self.name(), |attempt| {
             attempt.work = known.work;
             let mut found = vec![known.clone()];
-            visit(attempt, &points, &mut found);
+            visit(attempt, points, &mut found);
             let solutions = Some(found.len());
             // There is at least the one that is known.
             let taken = nearest(step, found).unwrap_or_else(|| known.clone());
@@ -92,14 +93,15 @@ impl Enumeration {
         searched.unwrap_or(known)
     }
 
-    /// The points whose statuses are enumerated around `known`.
-    fn candidates(self, known: &StepSolution) -> Option<Vec<usize>> {
+    /// The points whose statuses may be enumerated around `known`: all of them, or those that touch in it; `None` where these
+    /// are none or too many.
+    pub(super) fn candidates(self, known: &StepSolution) -> Option<Vec<usize>> {
         let status = &known.trial.status;
         let few = status.len() <= self.points;
         let points: Vec<usize> = (0..status.len())
             .filter(|&k| few || status[k].touches())
             .collect();
-        (points.len() <= self.points).then_some(points)
+        (1..=self.points).contains(&points.len()).then_some(points)
     }
 }
 

@@ -185,6 +185,22 @@ impl<'a> Step<'a> {
             .fold(0.0, f64::max)
     }
 
+    /// The largest coefficient of friction (dimensionless) of `points`, at the last normal forces or such as the loads make.
+    pub(crate) fn coefficient_of(&self, points: &[usize]) -> f64 {
+        let normal = self.starting_forces();
+        let coefficient = |&k: &usize| {
+            let bound = self.bound(k, normal[k], 0.0);
+            let slides = self.problem.points()[k].slides;
+            let force = if slides {
+                bound.stick.max(bound.slip)
+            } else {
+                0.0
+            };
+            force / normal[k]
+        };
+        points.iter().map(coefficient).fold(0.0, f64::max)
+    }
+
     /// Gap and slip increment `[length]` of all points under contact forces and rigid motions, interleaved, 2n.
     pub fn motion(&self, forces: &DVector<f64>, rigid: &DVector<f64>) -> DVector<f64> {
         let mut motion = self.free_motion.clone();
