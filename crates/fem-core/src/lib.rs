@@ -29,5 +29,5 @@ pub mod support;
 pub mod vtk;
 
 pub use body::{BodyError, BodyStructure, CondensedBody, ElasticBody, LoadCase};
-pub use interface::{InterfaceOperator, RigidBody};
+pub use interface::{GivenBody, GivenBodyError, InterfaceOperator, RigidBody};
 pub use support::{HeldDirection, Platen, Support};

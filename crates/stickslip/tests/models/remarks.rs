@@ -116,3 +116,53 @@ fn a_bushing_without_friction_is_said_to_turn_freely() {
         "{rubbing:?}"
     );
 }
+
+/// A coefficient beyond the estimate of the bound of uniqueness is told once, with the step in which contact is largest.
+#[test]
+fn friction_beyond_its_estimated_bound_is_told() {
+    let part = "the estimate of the coefficient of friction up to which load step 2";
+    let high = [0, 1].map(|pair| format!("contacts.{pair}.friction.coulomb.mu=3"));
+    let changes: Vec<&str> = high.iter().map(String::as_str).collect();
+    let notes = told(&changes, part);
+    assert_eq!(notes.len(), 1, "{notes:?}");
+    assert!(
+        notes[0].contains("Friction of up to 3.000 is beyond"),
+        "{notes:?}"
+    );
+    assert!(notes[0].contains("they were not enumerated"), "{notes:?}");
+    let run = solved(BUSHING, &changes);
+    let estimated: Vec<bool> = run
+        .steps
+        .iter()
+        .map(|step| step.notes.uniqueness.is_some())
+        .collect();
+    assert_eq!(estimated, [false, true, false]);
+    assert!(
+        run.steps
+            .iter()
+            .all(|step| (step.notes.friction - 3.0).abs() < 1e-9)
+    );
+    assert!(told(&[], part).is_empty());
+}
+
+/// The status iteration cycles on this joint; the solver that takes over says so in one line.
+#[test]
+fn solvers_that_failed_on_the_way_are_told() {
+    let changes = ["analysis.solver=status", "mesh.spacing=3 deg"];
+    let notes = told(
+        &changes,
+        "More than the first solver was needed in load step",
+    );
+    assert_eq!(notes.len(), 1, "{notes:?}");
+    assert!(
+        notes[0].contains("status iteration: cycled (×"),
+        "{notes:?}"
+    );
+    assert!(notes[0].contains("repeated with period"), "{notes:?}");
+    let run = solved(BUSHING, &changes);
+    let mut cycles = run.steps.iter().filter_map(|step| {
+        let cycle = step.notes.recovery.first_cycle.as_ref()?;
+        Some((cycle.points.len(), step.notes.cycle_places.len()))
+    });
+    assert!(cycles.all(|(points, places)| points == places && points > 0));
+}
