@@ -59,8 +59,8 @@ struct Fact {
     wedged: usize,
 }
 
-/// The cases at each μ.
-type Facts = Vec<(&'static str, f64, Fact)>;
+/// A case at a μ.
+type Entry = (&'static str, f64, Fact);
 
 fn run(context: &Context) -> Result<Findings, Trouble> {
     let count = context.sized(6, 30);
@@ -75,7 +75,7 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
         Ok(discrete::flat_punch(COARSE, mu)?.problem)
     };
     let stuck_punch = stuck(&punch, &[vec![1.0, 0.0], vec![1.0, 1.0]])?;
-    let facts = Mutex::new(Facts::new());
+    let facts = Mutex::new(Vec::<Entry>::new());
     let mut rows = context.rows_of(&values, |&mu| {
         let methods = methods();
         let mut found = Vec::new();
@@ -127,7 +127,7 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
     findings(rows, &facts)
 }
 
-fn findings(rows: Vec<Row>, facts: &Facts) -> Result<Findings, Trouble> {
+fn findings(rows: Vec<Row>, facts: &[Entry]) -> Result<Findings, Trouble> {
     let dividers = dividers(facts);
     let picture = map(
         &rows,
@@ -162,7 +162,7 @@ fn findings(rows: Vec<Row>, facts: &Facts) -> Result<Findings, Trouble> {
 }
 
 /// For each case the first μ that reaches the bound at that μ, with the bound.
-fn dividers(facts: &Facts) -> Vec<(String, f64, String)> {
+fn dividers(facts: &[Entry]) -> Vec<(String, f64, String)> {
     let of_case = |case: &'static str| {
         let mut own: Vec<(f64, f64)> = facts
             .iter()

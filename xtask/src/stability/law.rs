@@ -106,13 +106,7 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
          default chain's {others} times. All solutions of so many points are not known.",
         rows.iter().filter(|row| row.method == CHAIN).count()
     )];
-    let mut shares = enumerated::Shares::default();
-    for &column in &columns {
-        for case in [DROP, LAGGED, SOFTENING] {
-            shares.add(&law(case, column)?.1)?;
-        }
-    }
-    remarks.push(shares.text());
+    remarks.push(on_a_punch(&columns)?);
     if !unanswered.is_empty() {
         remarks.push(format!(
             "The default chain ends without an answer in {} histories.",
@@ -137,6 +131,17 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
         rows,
         ..Findings::default()
     })
+}
+
+/// What enumeration says of the laws of `columns` on a punch of few points.
+fn on_a_punch(columns: &[usize]) -> Result<String, Trouble> {
+    let mut shares = enumerated::Shares::default();
+    for &column in columns {
+        for case in [DROP, LAGGED, SOFTENING] {
+            shares.add(&law(case, column)?.1)?;
+        }
+    }
+    Ok(shares.text())
 }
 
 /// Slip over which the softening law falls `[mm]`.

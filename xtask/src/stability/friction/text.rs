@@ -1,13 +1,13 @@
 //! What the study of friction says in words.
 
-use super::{CASES, Fact, Facts, PIN, PUNCH, PUSHED, STUCK_PIN, STUCK_PUNCH, WEDGED};
+use super::{CASES, Entry, Fact, PIN, PUNCH, PUSHED, STUCK_PIN, STUCK_PUNCH, WEDGED};
 use crate::stability::methods::CHAIN;
 use crate::stability::outcome::Outcome;
 use crate::stability::row::Row;
 
 pub(super) fn remarks(
     rows: &[Row],
-    facts: &Facts,
+    facts: &[Entry],
     dividers: &[(String, f64, String)],
 ) -> Vec<String> {
     let mut remarks = vec![bounds(facts, dividers)];
@@ -37,7 +37,7 @@ pub(super) fn remarks(
 }
 
 /// The bounds that no μ reaches, and how far the estimates vary with μ.
-fn bounds(facts: &Facts, dividers: &[(String, f64, String)]) -> String {
+fn bounds(facts: &[Entry], dividers: &[(String, f64, String)]) -> String {
     let range = |case: &str| {
         let own = facts.iter().filter(|(of, _, _)| *of == case);
         let bounds: Vec<f64> = own.filter_map(|(_, _, fact)| fact.bound).collect();
@@ -62,7 +62,7 @@ fn bounds(facts: &Facts, dividers: &[(String, f64, String)]) -> String {
 }
 
 /// From which μ on a case holds without load: by all solutions where these are known, else by the default chain's answer.
-fn wedged(rows: &[Row], facts: &Facts, case: &str) -> String {
+fn wedged(rows: &[Row], facts: &[Entry], case: &str) -> String {
     let least = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::min);
     let own = |fact: &&(&str, f64, Fact)| fact.0 == case;
     let enumerated = facts
@@ -100,7 +100,7 @@ fn wedged(rows: &[Row], facts: &Facts, case: &str) -> String {
 }
 
 /// How often each method takes the solution nearest to the committed state, where all are known and there are several.
-fn nearest(rows: &[Row], facts: &Facts) -> String {
+fn nearest(rows: &[Row], facts: &[Entry]) -> String {
     let several = |row: &&Row| {
         let mut own = facts.iter();
         own.any(|(case, mu, fact)| *case == row.case && *mu == row.value && fact.solutions > 1)
