@@ -144,6 +144,7 @@ fn charts(options: &Options) -> Result<String, Trouble> {
     let path = folder.join("README.md");
     std::fs::write(&path, &page).map_err(|cause| Trouble::File { path, cause })?;
     unsolved(&charts.bench)?;
+    eprintln!("charts, data and page are in {}", folder.display());
     Ok(text::short(&charts))
 }
 

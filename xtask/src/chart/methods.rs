@@ -174,24 +174,22 @@ pub(super) fn projections(element: ElementKind) -> Group {
 }
 
 /// Solvers of the table that end with the exact answer of the discrete problem, beside the default.
-const DIRECT: [&str; 4] = [
+const DIRECT: &[&str] = &[
     "status iteration",
     "Lemke pivoting",
     "principal pivoting",
     "continuation",
 ];
 /// Those that the charts leave out: the default's first member, and one for a handful of points.
-const LEFT_OUT: [&str; 2] = ["semismooth Newton", "enumeration"];
+const LEFT_OUT: &[&str] = &["semismooth Newton", "enumeration"];
 
 /// Solvers that end with the exact answer of the discrete problem, and the conventional path.
 pub(super) fn direct_solvers() -> Group {
-    let condensed = DIRECT.map(Enforcement::Condensed);
+    let condensed = DIRECT.iter().copied().map(Enforcement::Condensed);
     solvers(
         "solvers-direct",
         "Solvers that end with the discrete problem's exact answer",
-        condensed
-            .into_iter()
-            .chain(std::iter::once(Enforcement::Conventional)),
+        condensed.chain(std::iter::once(Enforcement::Conventional)),
     )
 }
 

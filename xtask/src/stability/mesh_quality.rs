@@ -35,11 +35,11 @@ const MID_SIDE: &str = "mid-side position";
 const END: &str = "end of contact";
 const OSCILLATION: &str = "oscillation";
 const ELEMENTS: [ElementKind; 5] = [
+    ElementKind::T3,
     ElementKind::Q4,
+    ElementKind::T6,
     ElementKind::Q8,
     ElementKind::Q9,
-    ElementKind::T3,
-    ElementKind::T6,
 ];
 /// Meshes of the map of solvers, with their labels.
 const MESHES: [(&str, Defect); 6] = [

@@ -33,11 +33,11 @@ const RADIUS: f64 = 50.0;
 /// Half-width of contact by Hertz `[mm]`.
 const HALF_WIDTH: f64 = 0.88;
 const ELEMENTS: [ElementKind; 5] = [
+    ElementKind::T3,
     ElementKind::Q4,
+    ElementKind::T6,
     ElementKind::Q8,
     ElementKind::Q9,
-    ElementKind::T3,
-    ElementKind::T6,
 ];
 
 /// Two materials: Young's moduli `[MPa]` and Poisson's ratios of cylinder and block.
