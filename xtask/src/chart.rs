@@ -5,6 +5,7 @@
 //! the pictures as SVG and PNG, and a page that says in numbers who wins where.
 
 mod bench;
+mod contact_cost;
 mod curve;
 mod data;
 mod factors;
@@ -20,12 +21,14 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use clap::Args;
+use stickslip_fem_core::mesh::ElementKind;
 use stickslip_laboratory::LaboratoryError;
 use stickslip_laboratory::problems::Problem;
 use stickslip_report::FigureError;
 use thiserror::Error;
 
 use bench::{Bench, Cost, Quantity};
+use contact_cost::ContactCost;
 use factors::{PathFactor, path_factors};
 use figures::save;
 use methods::Method;
@@ -79,8 +82,11 @@ pub(crate) enum Trouble {
 struct Charts {
     bench: Bench,
     factors: Vec<PathFactor>,
+    contact: Vec<ContactCost>,
     yardstick: Yardstick,
     peers: Vec<PeerRun>,
+    /// Seconds that everything but the other programs took, by the wall clock.
+    elapsed: f64,
 }
 
 /// Runs the task: progress on stderr, a summary on stdout.
@@ -115,7 +121,9 @@ fn charts(options: &Options) -> Result<String, Trouble> {
     })?;
     // One thread, as the other programs were measured.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
-    let (bench, yardstick) = pool.install(|| measure(options.quick))?;
+    let start = Instant::now();
+    let (bench, contact, yardstick) = pool.install(|| measure(options.quick))?;
+    let elapsed = start.elapsed().as_secs_f64();
     let mut peers = peers::read(&committed.join("peers.csv"))?;
     if options.peers {
         let machine = data::machine();
@@ -124,8 +132,10 @@ fn charts(options: &Options) -> Result<String, Trouble> {
     let charts = Charts {
         factors: path_factors(&bench),
         bench,
+        contact,
         yardstick,
         peers,
+        elapsed,
     };
     data::write(&folder, charts.bench.samples())?;
     peers::write(&folder.join("peers.csv"), &charts.peers)?;
@@ -134,15 +144,18 @@ fn charts(options: &Options) -> Result<String, Trouble> {
     let path = folder.join("README.md");
     std::fs::write(&path, &page).map_err(|cause| Trouble::File { path, cause })?;
     unsolved(&charts.bench)?;
+    eprintln!("charts, data and page are in {}", folder.display());
     Ok(text::short(&charts))
 }
 
 /// Runs every method on every problem, and the yardstick.
-fn measure(quick: bool) -> Result<(Bench, Yardstick), Trouble> {
+fn measure(quick: bool) -> Result<(Bench, Vec<ContactCost>, Yardstick), Trouble> {
     let mut bench = Bench::new(quick);
     let groups = [
         methods::elements(),
         methods::gaps(),
+        methods::projections(ElementKind::Q8),
+        methods::projections(ElementKind::Q4),
         methods::direct_solvers(),
         methods::iterative_solvers(),
     ];
@@ -152,7 +165,8 @@ fn measure(quick: bool) -> Result<(Bench, Yardstick), Trouble> {
             bench.measure(problem, group);
         }
     }
-    Ok((bench, Yardstick::measure()?))
+    bench.share_matrices();
+    Ok((bench, contact_cost::measure(quick)?, Yardstick::measure()?))
 }
 
 /// The default has to solve everything.
@@ -184,16 +198,25 @@ fn draw(folder: &Path, charts: &Charts) -> Result<(), Trouble> {
             )?;
         }
     }
-    for (quantity, name) in [
-        (Quantity::PeakPressure, "gaps-peak-pressure"),
-        (Quantity::Extent, "gaps-extent"),
-    ] {
-        let picture = figures::overview(bench, &methods::gaps(), Cost::Whole, quantity)?;
-        save(folder, name, &picture)?;
+    let discretisations = [
+        methods::gaps(),
+        methods::projections(ElementKind::Q8),
+        methods::projections(ElementKind::Q4),
+    ];
+    for group in &discretisations {
+        for (quantity, ending) in [
+            (Quantity::PeakPressure, "peak-pressure"),
+            (Quantity::Extent, "extent"),
+        ] {
+            let picture = figures::overview(bench, group, Cost::Whole, quantity)?;
+            save(folder, &format!("{}-{ending}", group.key), &picture)?;
+        }
     }
-    for group in [methods::direct_solvers(), methods::iterative_solvers()] {
-        let picture = figures::overview(bench, &group, Cost::Solve, Quantity::PeakPressure)?;
-        save(folder, group.key, &picture)?;
+    // Solvers that end with the same answer differ in cost alone.
+    let approaching = methods::iterative_solvers();
+    let picture = figures::overview(bench, &approaching, Cost::Solve, Quantity::PeakPressure)?;
+    save(folder, approaching.key, &picture)?;
+    for group in [methods::direct_solvers(), approaching] {
         let picture = figures::contact_cost(bench, &group)?;
         save(folder, &format!("{}-contact", group.key), &picture)?;
     }

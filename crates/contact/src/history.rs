@@ -2,6 +2,7 @@
 
 mod frictionless;
 mod increment;
+mod recovery;
 
 use nalgebra::DVector;
 
@@ -10,8 +11,10 @@ use crate::error::ContactError;
 use crate::problem::InterfaceProblem;
 use crate::solver::{InterfaceSolver, Residuals, Step, Work};
 use crate::state::ContactState;
+use crate::uniqueness::uniqueness_bound;
 
 pub use increment::Increment;
+pub use recovery::{Cycle, FailedAttempts, Recovery};
 
 /// How the load grows within the first load step, from nothing; later steps are always linear.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -102,6 +105,7 @@ impl LoadHistory {
             measure(records.iter_mut().map(|record| &mut record.audit));
             records.last().into_iter().for_each(&mut observe);
         }
+        estimate_uniqueness(problem, &mut records);
         Ok(records)
     }
 
@@ -152,6 +156,7 @@ impl LoadHistory {
                     // Also where a balance is proved impossible: the history then ends at the largest load that has one.
                     Err(cause) if part > whole * SMALLEST_PART => {
                         walk.work += cause.work;
+                        walk.recovery.add(&cause.attempts);
                         walk.cutbacks += 1;
                         part *= 0.5;
                     }
@@ -169,6 +174,18 @@ impl LoadHistory {
     }
 }
 
+/// Estimates the bound of uniqueness at the end of the step in which most points touch, the last of equal ones: it costs more
+/// than an interface solve, and tells nothing new of fewer points under the same law.
+fn estimate_uniqueness(problem: &InterfaceProblem, records: &mut [StepRecord]) {
+    let touching = |record: &&mut StepRecord| {
+        let status = record.state.status.iter();
+        status.filter(|status| status.touches()).count()
+    };
+    if let Some(record) = records.iter_mut().max_by_key(touching) {
+        record.uniqueness = uniqueness_bound(problem, &record.state.status);
+    }
+}
+
 /// The increments of one load step as they are accepted.
 struct Walk {
     state: ContactState,
@@ -176,6 +193,9 @@ struct Walk {
     residuals: Residuals,
     doubtful: usize,
     solvers: Vec<&'static str>,
+    recovery: Recovery,
+    solutions: Option<usize>,
+    coefficient: f64,
     increments: usize,
     cutbacks: usize,
     dissipation: f64,
@@ -191,6 +211,9 @@ impl Walk {
             residuals: Residuals::default(),
             doubtful: 0,
             solvers: Vec::new(),
+            recovery: Recovery::default(),
+            solutions: None,
+            coefficient: 0.0,
             increments: 0,
             cutbacks: 0,
             dissipation: 0.0,
@@ -225,6 +248,9 @@ impl Walk {
         if !self.solvers.contains(&solution.solver) {
             self.solvers.push(solution.solver);
         }
+        self.recovery.add(&solution.attempts);
+        self.solutions = self.solutions.max(solution.solutions);
+        self.coefficient = step.largest_coefficient(&solution.trial);
         self.increments += 1;
         self.dissipation += increment.dissipation;
         self.slip += increment.slip;
@@ -235,15 +261,19 @@ impl Walk {
     fn finish(self, problem: &InterfaceProblem) -> StepRecord {
         StepRecord {
             audit: Audit::of(problem, &self.state),
-            state: self.state,
             work: self.work,
             residuals: self.residuals,
             doubtful: self.doubtful,
             solvers: self.solvers,
+            recovery: self.recovery,
+            solutions: self.solutions,
+            coefficient: self.coefficient,
+            uniqueness: None,
             increments: self.increments,
             cutbacks: self.cutbacks,
             dissipation: self.dissipation,
             slip: self.slip,
+            state: self.state,
         }
     }
 }
@@ -261,6 +291,15 @@ pub struct StepRecord {
     pub doubtful: usize,
     /// Solvers that found its increments.
     pub solvers: Vec<&'static str>,
+    /// What failed before these were found.
+    pub recovery: Recovery,
+    /// Largest number of solutions of an increment, where they were enumerated.
+    pub solutions: Option<usize>,
+    /// Largest coefficient of friction of the points in contact at its end (dimensionless).
+    pub coefficient: f64,
+    /// Estimate of the coefficient up to which its end has one solution, as by [`uniqueness_bound`]; made once in a history,
+    /// when all steps are done, for the step in which most points touch.
+    pub uniqueness: Option<f64>,
     /// Increments accepted.
     pub increments: usize,
     /// Increments that failed and were halved.

@@ -16,7 +16,7 @@
 //! | [`state`] | what is known at the end of a step |
 //! | [`solver`] | the family of one-step solvers and their fallback chain |
 //! | [`history`] | load steps, sub-steps, cut-back, dissipation |
-//! | [`uniqueness`] | the friction coefficient up to which a step has one solution |
+//! | [`uniqueness`] | an estimate of the friction coefficient up to which a step has one solution |
 //! | [`zones`] | where contact is open, sticks and slips, with interpolated ends |
 //! | [`audit`] | equilibrium of every step |
 //! | [`freedom`] | rigid motions that no contact resists |

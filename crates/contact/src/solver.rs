@@ -8,7 +8,7 @@
 //! | solver | idea | ends |
 //! | --- | --- | --- |
 //! | [`StatusIteration`] | guess open/stick/slip, solve, correct all at once (Post & Reddy 1988, II 2.1) | may cycle, and says so |
-//! | [`SemismoothNewton`] | the same solves, corrected by the projection's own sign rules (Alart & Curnier 1991) | may cycle, and says so |
+//! | [`SemismoothNewton`] | the same solves, corrected by the projection (Alart & Curnier 1991), with rules against repetition | may cycle, and says so |
 //! | [`TrescaFixedPoint`] | a convex problem with given bounds, then new bounds (Panagiotopoulos 1975) | at its tolerance for small μ; may stall for large |
 //! | [`Pivoting`] | Lemke's complementary pivoting (Cottle, Pang & Stone 1992) | after finitely many pivots; with a solution where all bodies are supported |
 //! | [`PrincipalPivoting`] | exchange of single complementary pairs, least index first (Murty 1974) | for small μ; detects repetition |
@@ -116,9 +116,11 @@ pub struct StepSolution {
     pub solver: &'static str,
     /// Why it stopped. Solvers that are members of a [`Chain`] return verified solutions only.
     pub stop: Stop,
-    /// Number of distinct solutions of the step, where the solver knows all of them; this one is the nearest to the last
-    /// accepted state.
+    /// Number of distinct solutions of the step, where the statuses of the points that touch in it were enumerated (of all
+    /// points, where these are few enough); this one is the nearest to the last accepted state.
     pub solutions: Option<usize>,
+    /// Solvers that were tried before it, each with its reason.
+    pub attempts: Vec<(&'static str, FailureCause)>,
 }
 
 /// Why a solver did not solve a step.
@@ -153,7 +155,8 @@ pub enum FailureCause {
     NoSolution {
         /// Number of combinations.
         combinations: usize,
-        /// Whether that is a proof: the law is linear within the step, and no combination leaves its solution undetermined.
+        /// Whether that is a proof: a body floats, the law is linear within the step, and every combination has one solution
+        /// that misses the conditions by far more than rounding.
         proved: bool,
     },
     /// The problem is too large for enumeration.
@@ -170,9 +173,26 @@ pub enum FailureCause {
     Unbalanced {
         /// The rigid motion α, one number per mode.
         motion: Vec<f64>,
-        /// Whether that motion is a proof (Farkas): no admissible contact force works against it.
+        /// Whether that motion is a proof (Farkas): no admissible contact force works against it, whatever the points remember
+        /// of slip.
         proved: bool,
     },
+}
+
+impl FailureCause {
+    /// What kind of failure it is, in a word or two.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Cycled { .. } => "cycled",
+            Self::Limit(_) => "iteration limit",
+            Self::Singular => "singular matrix",
+            Self::Ray => "ray",
+            Self::Inaccurate { .. } => "inaccurate",
+            Self::NoSolution { .. } => "no solution among all statuses",
+            Self::TooManyPoints { .. } => "too many points",
+            Self::Unbalanced { .. } => "no balance",
+        }
+    }
 }
 
 /// A step that was not solved: what each solver said, the work spent, and the state that came closest.
@@ -244,7 +264,8 @@ impl StepFailure {
         })
     }
 
-    /// Whether the load was proved to have no balance in any history, so that smaller increments cannot help.
+    /// Whether the load at the end of the step was proved to have no balance, whatever the contact points remember of slip, so
+    /// that no smaller increments reach it.
     pub fn is_proved_impossible(&self) -> bool {
         self.attempts
             .iter()

@@ -1,4 +1,4 @@
-//! Up to which friction coefficient a step has only one solution.
+//! An estimate of the friction coefficient up to which a step has only one solution.
 //!
 //! Where points touch and none of them lifts off, normal forces follow the tangential ones,
 //!
@@ -22,9 +22,12 @@ use stickslip_fem_core::linalg::DenseLu;
 use crate::problem::InterfaceProblem;
 use crate::state::Status;
 
-/// Friction coefficient (dimensionless) below which the step with touching points as in `status` (one per point; open points
-/// carry nothing) is expected to have one solution. Infinite if normal and tangential directions are not coupled; `None` if no
-/// point touches, or if the touching points do not hold the bodies.
+/// Part of the bound from which friction is near it: the bound is an estimate.
+pub const NEAR_BOUND: f64 = 0.8;
+
+/// Estimate of the friction coefficient (dimensionless) up to which the step with touching points as in `status` (one per
+/// point; open points carry nothing) has one solution. Infinite if normal and tangential directions are not coupled; `None` if
+/// no point touches, or if the touching points do not hold the bodies.
 pub fn uniqueness_bound(problem: &InterfaceProblem, status: &[Status]) -> Option<f64> {
     let touching: Vec<usize> = (0..problem.points().len())
         .filter(|&k| status.get(k).is_some_and(|status| status.touches()))

@@ -16,6 +16,7 @@
 use std::fmt::Debug;
 
 use nalgebra::{DMatrix, DVector};
+use thiserror::Error;
 
 use crate::mesh::Point;
 
@@ -113,5 +114,204 @@ impl InterfaceOperator for RigidBody {
 
     fn mode_load(&self, case: usize) -> &DVector<f64> {
         &self.mode_loads[case]
+    }
+}
+
+/// Why numbers make no operator.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum GivenBodyError {
+    /// A matrix or a vector does not fit the others.
+    #[error("{what} is {rows} × {columns}, where {expected_rows} × {expected_columns} is needed")]
+    Shape {
+        /// What it is.
+        what: String,
+        /// Its rows.
+        rows: usize,
+        /// Its columns.
+        columns: usize,
+        /// The rows that fit.
+        expected_rows: usize,
+        /// The columns that fit.
+        expected_columns: usize,
+    },
+    /// The numbers of load cases differ.
+    #[error("{responses} responses and {mode_loads} resultants of load cases")]
+    LoadCases {
+        /// Number of responses.
+        responses: usize,
+        /// Number of resultants.
+        mode_loads: usize,
+    },
+    /// A number is infinite or none.
+    #[error("{what} is not finite")]
+    NotFinite {
+        /// Where it stands.
+        what: String,
+    },
+}
+
+/// A body given by the numbers of its operator. Its points lie on the y axis, one apart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GivenBody {
+    points: Vec<Point>,
+    compliance: DMatrix<f64>,
+    modes: DMatrix<f64>,
+    responses: Vec<DVector<f64>>,
+    mode_loads: Vec<DVector<f64>>,
+}
+
+impl GivenBody {
+    /// A held body with compliance `compliance` `[length/force]`, 2n × 2n, and `responses[k]` `[length]` the motion of its
+    /// points by load case `k`, 2n.
+    ///
+    /// # Errors
+    /// [`GivenBodyError`] if a shape does not fit or a number is not finite.
+    pub fn held(
+        compliance: DMatrix<f64>,
+        responses: Vec<DVector<f64>>,
+    ) -> Result<Self, GivenBodyError> {
+        let modes = DMatrix::zeros(compliance.nrows(), 0);
+        let mode_loads = vec![DVector::zeros(0); responses.len()];
+        Self::floating(compliance, modes, responses, mode_loads)
+    }
+
+    /// A body that floats along `modes`, 2n × f, with `mode_loads[k]` `[force]` the resultants of load case `k` in them, f.
+    ///
+    /// # Errors
+    /// As [`GivenBody::held`], and if responses and resultants differ in number.
+    pub fn floating(
+        compliance: DMatrix<f64>,
+        modes: DMatrix<f64>,
+        responses: Vec<DVector<f64>>,
+        mode_loads: Vec<DVector<f64>>,
+    ) -> Result<Self, GivenBodyError> {
+        let count = compliance.nrows() / 2;
+        let (size, free) = (2 * count, modes.ncols());
+        fits("the compliance", &compliance, [size, size])?;
+        fits("the matrix of rigid motions", &modes, [size, free])?;
+        if responses.len() != mode_loads.len() {
+            return Err(GivenBodyError::LoadCases {
+                responses: responses.len(),
+                mode_loads: mode_loads.len(),
+            });
+        }
+        for (case, (response, load)) in responses.iter().zip(&mode_loads).enumerate() {
+            let case = case + 1;
+            fits(
+                &format!("the response to load case {case}"),
+                response,
+                [size, 1],
+            )?;
+            fits(
+                &format!("the resultant of load case {case}"),
+                load,
+                [free, 1],
+            )?;
+        }
+        Ok(Self {
+            points: (0..count).map(|k| [0.0, k as f64]).collect(),
+            compliance,
+            modes,
+            responses,
+            mode_loads,
+        })
+    }
+}
+
+fn fits<C, S>(
+    what: &str,
+    values: &nalgebra::Matrix<f64, nalgebra::Dyn, C, S>,
+    [expected_rows, expected_columns]: [usize; 2],
+) -> Result<(), GivenBodyError>
+where
+    C: nalgebra::Dim,
+    S: nalgebra::RawStorage<f64, nalgebra::Dyn, C>,
+{
+    let (rows, columns) = values.shape();
+    let what = what.to_owned();
+    if [rows, columns] != [expected_rows, expected_columns] {
+        return Err(GivenBodyError::Shape {
+            what,
+            rows,
+            columns,
+            expected_rows,
+            expected_columns,
+        });
+    }
+    if values.iter().all(|value| value.is_finite()) {
+        Ok(())
+    } else {
+        Err(GivenBodyError::NotFinite { what })
+    }
+}
+
+impl InterfaceOperator for GivenBody {
+    fn points(&self) -> &[Point] {
+        &self.points
+    }
+
+    fn compliance(&self) -> Option<&DMatrix<f64>> {
+        Some(&self.compliance)
+    }
+
+    fn modes(&self) -> &DMatrix<f64> {
+        &self.modes
+    }
+
+    fn load_cases(&self) -> usize {
+        self.responses.len()
+    }
+
+    fn load_response(&self, case: usize) -> Option<&DVector<f64>> {
+        Some(&self.responses[case])
+    }
+
+    fn mode_load(&self, case: usize) -> &DVector<f64> {
+        &self.mode_loads[case]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_that_do_not_fit_are_refused() {
+        let square = |size| DMatrix::<f64>::identity(size, size);
+        let response = |size| vec![DVector::zeros(size)];
+        assert!(GivenBody::held(square(4), response(4)).is_ok());
+        let text = |found: Result<GivenBody, GivenBodyError>| found.unwrap_err().to_string();
+        assert_eq!(
+            text(GivenBody::held(square(3), response(3))),
+            "the compliance is 3 × 3, where 2 × 2 is needed"
+        );
+        assert_eq!(
+            text(GivenBody::held(square(4), response(2))),
+            "the response to load case 1 is 2 × 1, where 4 × 1 is needed"
+        );
+        let modes = DMatrix::zeros(4, 1);
+        assert_eq!(
+            text(GivenBody::floating(
+                square(4),
+                modes.clone(),
+                response(4),
+                response(2)
+            )),
+            "the resultant of load case 1 is 2 × 1, where 1 × 1 is needed"
+        );
+        assert_eq!(
+            text(GivenBody::floating(
+                square(4),
+                modes,
+                response(4),
+                Vec::new()
+            )),
+            "1 responses and 0 resultants of load cases"
+        );
+        assert_eq!(
+            text(GivenBody::held(square(2) * f64::NAN, Vec::new())),
+            "the compliance is not finite"
+        );
     }
 }

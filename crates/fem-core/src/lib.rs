@@ -33,6 +33,6 @@ pub mod vtk;
 pub use body::{
     BodyError, BodyStructure, CondensedBody, ElasticBody, Linearised, LoadCase, TangentBody,
 };
-pub use interface::{InterfaceOperator, RigidBody};
+pub use interface::{GivenBody, GivenBodyError, InterfaceOperator, RigidBody};
 pub use points::QuadraturePoints;
 pub use support::{HeldDirection, Platen, Support};

@@ -9,7 +9,7 @@ use std::error::Error;
 use stickslip_contact::Chain;
 use stickslip_fem_core::mesh::ElementKind;
 use stickslip_laboratory::references::aluminium::STEPS;
-use stickslip_laboratory::{Gap, Path, Problem, run};
+use stickslip_laboratory::{Pairing, Path, Problem, run};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -28,7 +28,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .into_iter()
         .find(|kind| format!("{kind:?}") == *element)
         .ok_or("no such element")?;
-    let scene = problem.build(spacing.parse()?, kind, Gap::Exact)?;
+    let scene = problem.build(spacing.parse()?, kind, Pairing::NodePairs)?;
     let run = run(&scene, Path::Condensed(&Chain::default()))?;
     println!("# {}: {} unknowns.", problem.title(), run.unknowns);
     println!(

@@ -8,7 +8,6 @@
 //! against everything there is. Nothing in here uses a contact solver.
 
 mod conditions;
-mod given;
 mod one_node;
 mod published;
 mod punch;
@@ -21,14 +20,13 @@ use stickslip_contact::state::TrialState;
 use stickslip_contact::{
     ContactError, ContactPair, ContactPoint, ContactState, InterfaceProblem, Status,
 };
-use stickslip_fem_core::{InterfaceOperator, RigidBody};
+use stickslip_fem_core::{GivenBody, InterfaceOperator, RigidBody};
 use stickslip_friction::FrictionLaw;
 
 pub use conditions::Enumeration;
-pub use given::GivenBody;
 pub use one_node::{one_node, one_node_bound, wedged};
 pub use published::{Published, published};
-pub use punch::flat_punch;
+pub use punch::{flat_punch, flat_punch_under};
 pub use random::random;
 
 use conditions::Conditions;
@@ -70,6 +68,29 @@ impl Discrete {
     /// finite.
     pub fn check(&self, trial: &TrialState) -> f64 {
         self.conditions().violation(trial)
+    }
+
+    /// Of `states` the nearest to the last accepted state: that whose statuses differ from it at the fewest points, and of equal
+    /// ones that which has moved least.
+    pub fn nearest<'s>(&self, states: &'s [TrialState]) -> Option<&'s TrialState> {
+        let distance = |state: &TrialState| {
+            let pairs = state.status.iter().zip(&self.committed.status);
+            let changes = pairs.filter(|(new, old)| new != old).count();
+            (changes, (&state.motion - &self.committed.motion).amax())
+        };
+        states.iter().min_by(|a, b| {
+            let (a, b) = (distance(a), distance(b));
+            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+        })
+    }
+
+    /// Whether no load is left at the end of the increment.
+    pub fn is_unloaded(&self) -> bool {
+        let (motion, force) = (
+            self.problem.load_motion(&self.multipliers),
+            self.problem.mode_load(&self.multipliers),
+        );
+        motion.iter().chain(force.iter()).all(|&load| load == 0.0)
     }
 
     fn conditions(&self) -> Conditions<'_> {

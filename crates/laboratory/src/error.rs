@@ -3,6 +3,7 @@
 use stickslip::diagnostic::SceneError;
 use stickslip::run::RunError;
 use stickslip_contact::ContactError;
+use stickslip_fem_core::GivenBodyError;
 use thiserror::Error;
 
 use crate::conventional::ConventionalError;
@@ -29,6 +30,9 @@ pub enum LaboratoryError {
     /// A discrete problem cannot be made.
     #[error(transparent)]
     Discrete(#[from] ContactError),
+    /// The numbers of a discrete problem do not fit together.
+    #[error(transparent)]
+    Given(#[from] GivenBodyError),
     /// Results or reference data lack something that an error measure needs.
     #[error("{0}")]
     Missing(String),

@@ -24,5 +24,5 @@ pub use conventional::{ConventionalError, ConventionalNewton};
 pub use discrete::Discrete;
 pub use error::LaboratoryError;
 pub use measure::{Repeat, Timing};
-pub use problems::{Errors, Gap, Problem};
+pub use problems::{Errors, Pairing, Problem};
 pub use run::{Path, Run, Seconds, run};

@@ -5,7 +5,7 @@ use stickslip::scene::Scene;
 use stickslip_contact::SemismoothNewton;
 use stickslip_fem_core::mesh::ElementKind;
 use stickslip_laboratory::conventional::Settings;
-use stickslip_laboratory::{Gap, Path, Problem, run};
+use stickslip_laboratory::{Pairing, Path, Problem, run};
 
 /// Allowed difference, of the largest value: residuals are accepted at 1e-10, and the compliance of a refined mesh amplifies
 /// them a hundredfold.
@@ -46,7 +46,7 @@ fn difference([a, b]: &[Results; 2]) -> f64 {
 
 fn check(problem: Problem, spacing: f64, element: ElementKind, overrides: &[String]) {
     let scene = problem
-        .build_with(spacing, element, Gap::Exact, overrides)
+        .build_with(spacing, element, Pairing::NodePairs, overrides)
         .unwrap();
     let results = both(&scene);
     let found = difference(&results);
@@ -85,7 +85,7 @@ fn on_a_rigid_pin() {
 #[test]
 fn the_same_input_gives_the_same_bits() {
     let scene = Problem::AluminiumFrictional
-        .build(9.0, ElementKind::Q8, Gap::Exact)
+        .build(9.0, ElementKind::Q8, Pairing::NodePairs)
         .unwrap();
     let twice = [(); 2].map(|()| run(&scene, Path::Conventional(&Settings::default())).unwrap());
     let bits = |k: usize| {

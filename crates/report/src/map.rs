@@ -55,7 +55,7 @@ pub struct OutcomeMap {
     pub columns: Vec<String>,
     /// Groups from top to bottom.
     pub groups: Vec<Group>,
-    /// Categories; the legend shows those that occur.
+    /// Categories; the legend shows those that occur, and of those with one name the first.
     pub categories: Vec<Category>,
     /// Width of the figure \[px\]; more if the columns need it.
     pub width: f64,
@@ -185,10 +185,12 @@ impl OutcomeMap {
         let style = TextStyle::new(TICK_SIZE, INK, Anchor::Start);
         let edge = Stroke::solid(MUTED, 0.5);
         let [mut left, mut line] = [OUTER, top];
+        let mut named: Vec<&str> = Vec::new();
         for (index, category) in self.categories.iter().enumerate() {
-            if !met.contains(&index) {
+            if !met.contains(&index) || named.contains(&category.label.as_str()) {
                 continue;
             }
+            named.push(&category.label);
             let needed = SWATCH + 6.0 + text::width(&category.label, TICK_SIZE, Weight::Regular);
             if left > OUTER && left + needed > width - OUTER {
                 [left, line] = [OUTER, line + LEGEND_ROW];

@@ -11,6 +11,7 @@ pub use failure::{
 };
 
 use stickslip_contact::Status;
+use stickslip_contact::history::Recovery;
 use stickslip_contact::solver::{Residuals, Work};
 use stickslip_contact::zones::Zone;
 use stickslip_fem_core::body::BodyBalance;
@@ -212,6 +213,8 @@ pub struct StepResults {
     pub cutbacks: usize,
     /// Points that stick although slip at once would be admissible too.
     pub doubtful: usize,
+    /// What failed on the way, and what is known of further solutions.
+    pub notes: StepNotes,
     /// Residuals of the contact conditions.
     pub residuals: Residuals,
     /// Largest unbalanced force or moment, of the floating bodies in the interface problem, and of each elastic body's nodes,
@@ -226,6 +229,22 @@ pub struct StepResults {
     pub fields: Vec<BodyFields>,
     /// Wall time of the step's contact solution `[s]`.
     pub seconds: f64,
+}
+
+/// What a load step leaves to say of its solvers and of the number of its solutions.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct StepNotes {
+    /// Attempts that failed before its increments were solved.
+    pub recovery: Recovery,
+    /// Places x, y `[mm]` of the points of the first cycle.
+    pub cycle_places: Vec<[f64; 2]>,
+    /// Largest number of solutions of an increment, where they were enumerated.
+    pub solutions: Option<usize>,
+    /// Largest coefficient of friction of the points in contact (dimensionless).
+    pub friction: f64,
+    /// Estimate of the coefficient up to which the step has one solution (dimensionless); in the step of the history in which most
+    /// points touch.
+    pub uniqueness: Option<f64>,
 }
 
 /// Fields of a body at the end of a load step.

@@ -20,7 +20,7 @@ use thiserror::Error;
 
 use crate::model::{Model, ModelBodyKind, ModelError};
 use crate::output::LoadScale;
-use crate::results::{BodySummary, Choice, LoadValue, Results, StepResults};
+use crate::results::{BodySummary, Choice, LoadValue, Results, StepNotes, StepResults};
 use crate::scene::Scene;
 use crate::scene::schema::{FieldOutput, LoadKind, SolverChoice};
 
@@ -253,6 +253,7 @@ pub fn results(
             increments: record.increments,
             cutbacks: record.cutbacks,
             doubtful: record.doubtful,
+            notes: step_notes(record, &solved.problem),
             residuals: record.residuals,
             balance_residual: record.audit.balance().max(recovered[index].imbalance()),
             balance: recovered[index].balance.clone(),
@@ -302,6 +303,20 @@ pub fn results(
         .push(("stresses", start.elapsed().as_secs_f64()));
     results.phases = solved.phases;
     Ok(results)
+}
+
+fn step_notes(record: &StepRecord, problem: &InterfaceProblem) -> StepNotes {
+    let cycle = record.recovery.first_cycle.iter();
+    let points = cycle.flat_map(|cycle| &cycle.points);
+    StepNotes {
+        cycle_places: points
+            .map(|&point| problem.points()[point].place.position)
+            .collect(),
+        recovery: record.recovery.clone(),
+        solutions: record.solutions,
+        friction: record.coefficient,
+        uniqueness: record.uniqueness,
+    }
 }
 
 fn steps_with_fields(output: FieldOutput, scale: &LoadScale, count: usize) -> Vec<usize> {

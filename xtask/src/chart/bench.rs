@@ -11,16 +11,16 @@ use stickslip_laboratory::problems::{Errors, Problem};
 use stickslip_laboratory::run::{Path, Run, run};
 
 use super::curve::Point;
-use super::methods::{Group, Method};
+use super::methods::{Enforcement, Group, Method};
 
 /// A method whose run took longer `[s]` is not tried on finer meshes.
 const PATIENCE: f64 = 3.0;
-/// A run that took longer `[s]` is not repeated.
-const REPEATED: f64 = 1.0;
+/// A run that took longer `[s]` is not repeated, unless it is the default's.
+const REPEATED: f64 = 0.4;
 /// Repetitions go on until they have taken this long together `[s]`, but there are at least and at most so many.
-const LONG_ENOUGH: f64 = 0.8;
+const LONG_ENOUGH: f64 = 0.4;
 const LEAST: usize = 3;
-const MOST: usize = 9;
+const MOST: usize = 7;
 
 /// What one method did on one mesh.
 #[derive(Clone, Debug)]
@@ -33,14 +33,32 @@ pub(super) struct Sample {
     pub(super) outcome: Result<Measured, String>,
 }
 
+impl Sample {
+    /// Whether the matrices of `other` are these.
+    fn shares(&self, other: &Self) -> bool {
+        let conventional = |sample: &Self| sample.method.enforcement == Enforcement::Conventional;
+        self.problem == other.problem
+            && self.spacing == other.spacing
+            && self.method.element == other.method.element
+            && self.method.pairing == other.method.pairing
+            && conventional(self) == conventional(other)
+    }
+}
+
 /// Errors and costs of a solved history.
 #[derive(Clone, Debug)]
 pub(super) struct Measured {
     pub(super) unknowns: usize,
+    /// The largest over the load steps with a known answer.
     pub(super) errors: Errors,
+    /// Of the peak pressure in the first of these.
+    pub(super) first_peak: f64,
     /// Everything but files: meshes, matrices, contact, edge stresses.
     pub(super) whole: Timing,
-    /// Without meshes and stresses: what solution methods differ in.
+    /// The same by the wall clock.
+    pub(super) wall: Timing,
+    /// Without meshes and stresses. The matrices of one mesh are the same for all solvers of the condensed problem, and so is
+    /// their time here ([`Bench::share_matrices`]).
     pub(super) solve: Timing,
     /// Contact alone.
     pub(super) contact: Timing,
@@ -151,8 +169,36 @@ impl Bench {
 
     /// Measures all methods of `group` on all meshes of `problem`.
     pub(super) fn measure(&mut self, problem: Problem, group: &Group) {
-        for (_, method) in &group.methods {
+        for (_, method) in group.methods.iter().filter(|(_, m)| m.suits(problem)) {
             self.measure_method(problem, *method);
+        }
+    }
+
+    /// Gives all condensed runs on one mesh the same time for the matrices, the median over the solvers: runs that follow one
+    /// another differ by more than the solvers do.
+    pub(super) fn share_matrices(&mut self) {
+        let shares: Vec<Option<f64>> = self
+            .samples
+            .iter()
+            .map(|sample| {
+                let alike = self.samples.iter().filter(|other| sample.shares(other));
+                let times: Vec<f64> = alike
+                    .filter_map(|other| other.outcome.as_ref().ok())
+                    .map(|measured| measured.solve.median - measured.contact.median)
+                    .collect();
+                (sample.method.enforcement != Enforcement::Conventional)
+                    .then(|| summary(&times).median)
+            })
+            .collect();
+        for (sample, matrices) in self.samples.iter_mut().zip(shares) {
+            if let (Ok(measured), Some(matrices)) = (&mut sample.outcome, matrices) {
+                measured.solve = Timing {
+                    median: matrices + measured.contact.median,
+                    lower: matrices + measured.contact.lower,
+                    upper: matrices + measured.contact.upper,
+                    runs: measured.solve.runs,
+                };
+            }
         }
     }
 
@@ -163,6 +209,17 @@ impl Bench {
             .filter(|sample| sample.problem == problem && sample.method == method)
             .filter_map(|sample| Some((sample.spacing, sample.outcome.as_ref().ok()?)))
             .collect()
+    }
+
+    /// An error on the finest mesh of `problem` that `method` solved.
+    pub(super) fn finest(
+        &self,
+        problem: Problem,
+        method: Method,
+        quantity: Quantity,
+    ) -> Option<f64> {
+        let (_, measured) = self.curve(problem, method).pop()?;
+        quantity.of(&measured.errors)
     }
 
     /// That curve as points of one cost and one error.
@@ -226,7 +283,7 @@ impl Bench {
         method: Method,
         spacing: f64,
     ) -> Result<Measured, LaboratoryError> {
-        let scene = problem.build(spacing, method.element, method.gap)?;
+        let scene = problem.build(spacing, method.element, method.pairing)?;
         let solver = method.enforcement.solver();
         let settings = Settings::default();
         let once = || {
@@ -238,7 +295,7 @@ impl Bench {
         };
         let mut runs = vec![once()?];
         let first = runs[0].processor.total();
-        if !self.quick && first < REPEATED {
+        if !self.quick && (first < REPEATED || method == Method::DEFAULT) {
             // The first run warmed up caches and memory.
             runs.clear();
             let wanted = (LONG_ENOUGH / first).ceil() as usize;
@@ -263,9 +320,19 @@ fn measured(problem: Problem, runs: &[Run]) -> Result<Measured, LaboratoryError>
     for step in &last.results.steps {
         work += step.work;
     }
+    let steps = problem.measure_each(&last.results)?;
     Ok(Measured {
         unknowns: last.unknowns,
         errors: problem.measure(&last.results)?,
+        first_peak: steps
+            .first()
+            .map_or(f64::NAN, |errors| errors.peak_pressure),
+        wall: summary(
+            &runs
+                .iter()
+                .map(|run| run.seconds.total())
+                .collect::<Vec<f64>>(),
+        ),
         whole: timing(|run| run.processor.total()),
         solve: timing(|run| run.processor.solve()),
         contact: timing(|run| run.processor.contact),
@@ -279,7 +346,7 @@ fn tell(
     spacing: f64,
     outcome: &Result<Measured, LaboratoryError>,
 ) {
-    let [element, gap, solver] = method.columns();
+    let [element, pairing, solver] = method.columns();
     let what = match outcome {
         Ok(measured) => format!(
             "{:.4} s, peak pressure {:.1e}",
@@ -289,7 +356,7 @@ fn tell(
     };
     let unit = problem.unit();
     eprintln!(
-        "  {} {spacing} {unit}, {element}, {gap}, {solver}: {what}",
+        "  {} {spacing} {unit}, {element}, {pairing}, {solver}: {what}",
         problem.name()
     );
 }

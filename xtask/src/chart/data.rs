@@ -8,7 +8,7 @@ use stickslip_laboratory::measure::Timing;
 use super::Trouble;
 use super::bench::{Measured, Sample};
 
-const COLUMNS: [&str; 27] = [
+const COLUMNS: [&str; 28] = [
     "problem",
     "element",
     "discretisation",
@@ -25,6 +25,7 @@ const COLUMNS: [&str; 27] = [
     "whole_s",
     "whole_lower_quartile_s",
     "whole_upper_quartile_s",
+    "wall_s",
     "solve_s",
     "solve_lower_quartile_s",
     "solve_upper_quartile_s",
@@ -86,15 +87,12 @@ fn numbers(measured: &Measured) -> Vec<String> {
         errors.hoop,
     ];
     cells.extend(all.map(|error| error.map_or_else(String::new, |error| format!("{error:.4e}"))));
-    for Timing {
-        median,
-        lower,
-        upper,
-        ..
-    } in [measured.whole, measured.solve, measured.contact]
-    {
-        cells.extend([median, lower, upper].map(|seconds| format!("{seconds:.4e}")));
-    }
+    let seconds = |time: f64| format!("{time:.4e}");
+    let timing = |t: Timing| [t.median, t.lower, t.upper].map(seconds);
+    cells.extend(timing(measured.whole));
+    cells.push(seconds(measured.wall.median));
+    cells.extend(timing(measured.solve));
+    cells.extend(timing(measured.contact));
     let work = &measured.work;
     cells.push(measured.whole.runs.to_string());
     cells.push(work.solves.to_string());

@@ -79,12 +79,15 @@ pub(super) fn chart(
                 .style(SeriesStyle::Step)
                 .color(FRONT_COLOR)
                 .width(FRONT_WIDTH),
-        )
-        .with(
-            Series::new(KNOWN_LABEL, known_line(curves, known))
+        );
+    let line = known_line(curves, known);
+    if !line.is_empty() {
+        chart = chart.with(
+            Series::new(KNOWN_LABEL, line)
                 .color(KNOWN_COLOR)
                 .dash(Dash::Dotted),
         );
+    }
     for curve in curves {
         chart = chart.with(
             Series::new(curve.label.clone(), pairs(&curve.points))

@@ -2,7 +2,7 @@
 
 use stickslip_contact::InterfaceSolver;
 use stickslip_fem_core::mesh::ElementKind;
-use stickslip_laboratory::problems::Gap;
+use stickslip_laboratory::problems::{Pairing, Problem};
 
 use crate::stability::methods as table;
 
@@ -42,7 +42,7 @@ impl Enforcement {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Method {
     pub(super) element: ElementKind,
-    pub(super) gap: Gap,
+    pub(super) pairing: Pairing,
     pub(super) enforcement: Enforcement,
 }
 
@@ -50,21 +50,25 @@ impl Method {
     /// What a user gets who chooses nothing.
     pub(super) const DEFAULT: Self = Self {
         element: ElementKind::Q8,
-        gap: Gap::Exact,
+        pairing: Pairing::NodePairs,
         enforcement: Enforcement::DEFAULT,
     };
 
     /// Element and contact discretisation, and enforcement, for the data.
     pub(super) fn columns(self) -> [String; 3] {
-        let gap = match self.gap {
-            Gap::Exact => "node pairs, true gap",
-            Gap::Faceted => "node pairs, faceted gap",
-        };
         [
             format!("{:?}", self.element),
-            gap.to_owned(),
+            self.pairing.name().to_owned(),
             self.enforcement.name().to_owned(),
         ]
+    }
+
+    /// Element and contact discretisation, for a reader.
+    pub(super) fn discretisation(self) -> String {
+        match self.pairing {
+            Pairing::NodePairs => format!("{:?}", self.element),
+            pairing => format!("{:?}, {}", self.element, pairing.name()),
+        }
     }
 
     fn element(element: ElementKind) -> Self {
@@ -72,6 +76,18 @@ impl Method {
             element,
             ..Self::DEFAULT
         }
+    }
+
+    fn paired(element: ElementKind, pairing: Pairing) -> Self {
+        Self {
+            pairing,
+            ..Self::element(element)
+        }
+    }
+
+    /// Whether `problem` can be discretised so: a body without a mesh has nothing to be apart from.
+    pub(super) fn suits(self, problem: Problem) -> bool {
+        problem.two_meshes() || !self.pairing.apart()
     }
 
     fn enforced(enforcement: Enforcement) -> Self {
@@ -105,47 +121,75 @@ pub(super) fn elements() -> Group {
     }
 }
 
-/// Contact discretisations, for a linear and a quadratic element.
+/// The gap of the true shapes against that between facets, for a linear and a quadratic element.
 pub(super) fn gaps() -> Group {
     let mut methods = Vec::new();
     for element in [ElementKind::Q8, ElementKind::Q4] {
-        for (name, gap) in [
-            ("true gap", Gap::Exact),
-            ("gap between facets", Gap::Faceted),
+        for (name, pairing) in [
+            ("true gap", Pairing::NodePairs),
+            ("gap between facets", Pairing::FacetedNodePairs),
+            (
+                "meshes apart, true gap",
+                Pairing::DualMortar { apart: true },
+            ),
+            ("meshes apart, gap between facets", Pairing::FacetedApart),
         ] {
-            let method = Method {
-                gap,
-                ..Method::element(element)
-            };
-            methods.push((format!("{element:?}, {name}"), method));
+            methods.push((
+                format!("{element:?}, {name}"),
+                Method::paired(element, pairing),
+            ));
         }
     }
     Group {
         key: "gaps",
-        title: "Contact discretisation",
+        title: "Initial gap",
         methods,
     }
 }
 
+/// Node pairs against mortar projections, on matching meshes and on meshes apart.
+pub(super) fn projections(element: ElementKind) -> Group {
+    let (key, title) = if element == ElementKind::Q4 {
+        ("mortar-linear", "Node pairs and mortar, linear edges (Q4)")
+    } else {
+        ("mortar", "Node pairs and mortar, quadratic edges (Q8)")
+    };
+    let pairings = [
+        Pairing::NodePairs,
+        Pairing::Mortar { apart: false },
+        Pairing::DualMortar { apart: false },
+        Pairing::Mortar { apart: true },
+        Pairing::DualMortar { apart: true },
+    ];
+    Group {
+        key,
+        title,
+        methods: pairings
+            .map(|pairing| {
+                let label = pairing.name().to_owned();
+                (label, Method::paired(element, pairing))
+            })
+            .into(),
+    }
+}
+
 /// Solvers of the table that end with the exact answer of the discrete problem, beside the default.
-const DIRECT: [&str; 4] = [
+const DIRECT: &[&str] = &[
     "status iteration",
     "Lemke pivoting",
     "principal pivoting",
     "continuation",
 ];
 /// Those that the charts leave out: the default's first member, and one for a handful of points.
-const LEFT_OUT: [&str; 2] = ["semismooth Newton", "enumeration"];
+const LEFT_OUT: &[&str] = &["semismooth Newton", "enumeration"];
 
 /// Solvers that end with the exact answer of the discrete problem, and the conventional path.
 pub(super) fn direct_solvers() -> Group {
-    let condensed = DIRECT.map(Enforcement::Condensed);
+    let condensed = DIRECT.iter().copied().map(Enforcement::Condensed);
     solvers(
         "solvers-direct",
         "Solvers that end with the discrete problem's exact answer",
-        condensed
-            .into_iter()
-            .chain(std::iter::once(Enforcement::Conventional)),
+        condensed.chain(std::iter::once(Enforcement::Conventional)),
     )
 }
 

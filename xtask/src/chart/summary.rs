@@ -1,19 +1,18 @@
 //! stickslip beside the conventional path and beside other programs: one chart for a reader in a hurry.
 
+use stickslip_fem_core::mesh::ElementKind;
 use stickslip_laboratory::problems::Problem;
 use stickslip_report::FigureError;
 use stickslip_report::chart::{Dash, Panels};
 use stickslip_report::svg::Svg;
 
 use super::Charts;
-use super::bench::{Cost, Quantity};
+use super::bench::Cost;
 use super::curve::{Point, cost_of};
 use super::figures::{Curve, chart};
-use super::methods::{Enforcement, Method};
-use super::peers::{PeerRun, finest_error};
+use super::methods::{self, Enforcement, Method};
+use super::peers::{PeerRun, WRONG, finest_error};
 
-/// A run that claims convergence with an error beyond this is a wrong answer, and off the chart.
-pub(super) const WRONG: f64 = 0.2;
 /// The two jobs.
 pub(super) const JOBS: [(f64, Problem); 2] = [
     (0.0, Problem::AluminiumFrictionless),
@@ -58,7 +57,7 @@ fn panels(
         } else {
             format!("Friction, μ = {mu}")
         };
-        let mut curves: Vec<Curve> = OWN
+        let mut curves: Vec<Curve> = own_methods()
             .into_iter()
             .enumerate()
             .map(|(index, own)| own_curve(charts, (mu, problem), own, own_unit, index))
@@ -89,26 +88,31 @@ fn panels(
     Panels::new(title, 2, parts.into()).common_legend().render()
 }
 
-const OWN: [(&str, Enforcement); 2] = [
-    ("stickslip, Q8 (condensed, default)", Enforcement::DEFAULT),
-    (
-        "stickslip, Q8 (conventional Newton)",
-        Enforcement::Conventional,
-    ),
-];
+/// This program's curves: the default, the element that is often faster, and the conventional path.
+fn own_methods() -> [(&'static str, Method); 3] {
+    let linear = Method {
+        element: ElementKind::Q4,
+        ..Method::DEFAULT
+    };
+    let conventional = Method {
+        enforcement: Enforcement::Conventional,
+        ..Method::DEFAULT
+    };
+    [
+        ("stickslip, Q8 (condensed, default)", Method::DEFAULT),
+        ("stickslip, Q4 (condensed)", linear),
+        ("stickslip, Q8 (conventional Newton)", conventional),
+    ]
+}
 
 /// This program's curve, with errors no smaller than the reference is known.
 fn own_curve(
     charts: &Charts,
     (mu, problem): (f64, Problem),
-    (label, enforcement): (&str, Enforcement),
+    (label, method): (&str, Method),
     unit: f64,
     index: usize,
 ) -> Curve {
-    let method = Method {
-        enforcement,
-        ..Method::DEFAULT
-    };
     let scaled = |point: Point| Point {
         cost: point.cost / unit,
         ..point
@@ -126,19 +130,34 @@ fn own_curve(
             .collect(),
         color: index,
         dash: Dash::Solid,
-        width: if index == 0 { 3.0 } else { 2.0 },
+        width: if index < 2 { 3.0 } else { 2.0 },
     }
 }
 
+/// Time of the whole history over the error of the peak pressure while loading, which the other programs are judged by.
 fn own_points(charts: &Charts, mu: f64, problem: Problem, method: Method) -> Vec<Point> {
-    let points = charts
-        .bench
-        .points(problem, method, Cost::Whole, Quantity::PeakPressure);
-    let known = |point: Point| Point {
-        error: point.error.max(finest_error(mu)),
-        ..point
-    };
-    points.into_iter().map(known).collect()
+    let curve = charts.bench.curve(problem, method).into_iter();
+    curve
+        .map(|(_, measured)| Point {
+            cost: Cost::Whole.of(measured),
+            error: measured.first_peak.max(finest_error(mu)),
+        })
+        .collect()
+}
+
+/// The element and contact discretisation that reach `error` soonest, and their seconds; the solver is the default.
+fn fastest_own(charts: &Charts, mu: f64, problem: Problem, error: f64) -> Option<(String, f64)> {
+    let groups = [
+        methods::elements(),
+        methods::projections(ElementKind::Q8),
+        methods::projections(ElementKind::Q4),
+    ];
+    let all = groups.into_iter().flat_map(|group| group.methods);
+    all.filter_map(|(_, method)| {
+        let points = own_points(charts, mu, problem, method);
+        Some((method.discretisation(), cost_of(&points, error)?))
+    })
+    .min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
 /// The other programs' curves: one colour for a program's contact method, dashes for quadratic elements.
@@ -164,7 +183,7 @@ fn families(runs: &[PeerRun]) -> Vec<Family> {
         }
         let method = (run.program.as_str(), run.contact.as_str());
         let known = methods.iter().position(|other| *other == method);
-        let color = OWN.len()
+        let color = own_methods().len()
             + known.unwrap_or_else(|| {
                 methods.push(method);
                 methods.len() - 1
@@ -182,7 +201,7 @@ fn families(runs: &[PeerRun]) -> Vec<Family> {
     families
 }
 
-/// The fastest other program at one error, beside the default here.
+/// The fastest other program at one error, beside the fastest discretisation here.
 #[derive(Clone, Debug)]
 pub(super) struct Duel {
     pub(super) mu: f64,
@@ -191,12 +210,16 @@ pub(super) struct Duel {
     pub(super) label: String,
     /// Its seconds, on its machine.
     pub(super) other: f64,
-    /// Seconds of the default, here.
+    /// Fastest element and contact discretisation here.
+    pub(super) discretisation: String,
+    /// Its seconds.
     pub(super) own: f64,
-    /// Time of the other over that of the default.
+    /// Time of the other over that.
     pub(super) factor: f64,
     /// The same with either time in units of the factorisation on its machine.
     pub(super) scaled: f64,
+    /// Time of the other over that of the default, if it reaches the error.
+    pub(super) default: Option<f64>,
 }
 
 /// One duel for each of `errors` that both sides reach, by the same rule for both: settled errors, costs interpolated between
@@ -204,14 +227,13 @@ pub(super) struct Duel {
 pub(super) fn duels(charts: &Charts, errors: &[f64]) -> Vec<Duel> {
     let mut duels = Vec::new();
     for (mu, problem) in JOBS {
-        let own = own_points(charts, mu, problem, Method::DEFAULT);
         let curves = peer_curves(&charts.peers, mu);
         for &error in errors {
             let fastest = curves
                 .iter()
                 .filter_map(|(run, points)| Some((*run, cost_of(points, error)?)))
                 .min_by(|a, b| a.1.total_cmp(&b.1));
-            duels.extend(fastest.and_then(|(run, cost)| duel(charts, run, cost, error, &own)));
+            duels.extend(fastest.and_then(|(run, cost)| duel(charts, problem, run, cost, error)));
         }
     }
     duels
@@ -221,10 +243,9 @@ pub(super) fn duels(charts: &Charts, errors: &[f64]) -> Vec<Duel> {
 pub(super) fn single_duels(charts: &Charts) -> Vec<Duel> {
     let mut duels = Vec::new();
     for (mu, problem) in JOBS {
-        let own = own_points(charts, mu, problem, Method::DEFAULT);
         for run in charts.peers.iter().filter(|run| run.mu == mu) {
             let error = run.error().filter(|&error| error < WRONG);
-            duels.extend(error.and_then(|error| duel(charts, run, run.seconds(), error, &own)));
+            duels.extend(error.and_then(|error| duel(charts, problem, run, run.seconds(), error)));
         }
     }
     duels
@@ -234,7 +255,7 @@ pub(super) fn single_duels(charts: &Charts) -> Vec<Duel> {
 fn peer_curves(runs: &[PeerRun], mu: f64) -> Vec<(&PeerRun, Vec<Point>)> {
     let mut curves: Vec<(&PeerRun, Vec<Point>)> = Vec::new();
     for run in runs.iter().filter(|run| run.mu == mu) {
-        let Some(point) = run.point() else {
+        let Some(point) = run.point().filter(|point| point.error < WRONG) else {
             continue;
         };
         match curves
@@ -248,16 +269,19 @@ fn peer_curves(runs: &[PeerRun], mu: f64) -> Vec<(&PeerRun, Vec<Point>)> {
     curves
 }
 
-fn duel(charts: &Charts, run: &PeerRun, other: f64, error: f64, own: &[Point]) -> Option<Duel> {
-    let own = cost_of(own, error)?;
+fn duel(charts: &Charts, problem: Problem, run: &PeerRun, other: f64, error: f64) -> Option<Duel> {
+    let (discretisation, own) = fastest_own(charts, run.mu, problem, error)?;
+    let default = own_points(charts, run.mu, problem, Method::DEFAULT);
     let factor = other / own;
     Some(Duel {
         mu: run.mu,
         error,
         label: run.label(),
         other,
+        discretisation,
         own,
         factor,
         scaled: factor * charts.yardstick.seconds / run.yardstick_s,
+        default: cost_of(&default, error).map(|seconds| other / seconds),
     })
 }

@@ -6,7 +6,7 @@ use stickslip::model::{Model, ModelBodyKind};
 use stickslip_fem_core::linalg::{LowerMatrix, reference_factorisation};
 use stickslip_fem_core::mesh::ElementKind;
 use stickslip_laboratory::measure::{summary, thread_seconds};
-use stickslip_laboratory::problems::{Gap, Problem};
+use stickslip_laboratory::problems::{Pairing, Problem};
 
 use super::Trouble;
 
@@ -27,33 +27,44 @@ pub(super) struct Yardstick {
 
 impl Yardstick {
     pub(super) fn measure() -> Result<Self, Trouble> {
-        let scene = Problem::AluminiumFrictional.build(SPACING, ElementKind::Q4, Gap::Exact)?;
-        let fail = |cause: &dyn std::fmt::Display| Trouble::Peer(cause.to_string());
-        let model = Model::build(&scene).map_err(|cause| fail(&cause))?;
-        let mut matrix = LowerMatrix {
-            column_start: vec![0],
-            ..LowerMatrix::default()
-        };
-        for body in &model.bodies {
-            if let ModelBodyKind::Elastic(elastic) = &body.kind {
-                let structure = elastic
-                    .analyse(&body.interface)
-                    .map_err(|cause| fail(&cause))?;
-                append(&mut matrix, &structure.stiffness(elastic));
-            }
-        }
-        let mut samples = Vec::new();
-        for _ in 0..RUNS {
-            let (wall, before) = (Instant::now(), thread_seconds());
-            reference_factorisation(&matrix, 1).map_err(|cause| fail(&cause))?;
-            let used = before.zip(thread_seconds()).map(|(start, end)| end - start);
-            samples.push(used.unwrap_or_else(|| wall.elapsed().as_secs_f64()));
-        }
+        let scene =
+            Problem::AluminiumFrictional.build(SPACING, ElementKind::Q4, Pairing::NodePairs)?;
+        let model = Model::build(&scene).map_err(|cause| Trouble::Peer(cause.to_string()))?;
+        let matrix = stiffness(&model)?;
         Ok(Self {
             unknowns: matrix.order(),
-            seconds: summary(&samples).median,
+            seconds: factorisation(&matrix)?,
         })
     }
+}
+
+/// The stiffness matrix of all elastic bodies, one diagonal block for each.
+pub(super) fn stiffness(model: &Model) -> Result<LowerMatrix, Trouble> {
+    let mut matrix = LowerMatrix {
+        column_start: vec![0],
+        ..LowerMatrix::default()
+    };
+    for body in &model.bodies {
+        if let ModelBodyKind::Elastic(elastic) = &body.kind {
+            let structure = elastic
+                .analyse(&body.interface)
+                .map_err(|cause| Trouble::Peer(cause.to_string()))?;
+            append(&mut matrix, &structure.stiffness(elastic));
+        }
+    }
+    Ok(matrix)
+}
+
+/// Processor time of one Cholesky factorisation of `matrix`, symbolic and numeric, minimum degree, one thread: median `[s]`.
+pub(super) fn factorisation(matrix: &LowerMatrix) -> Result<f64, Trouble> {
+    let mut samples = Vec::new();
+    for _ in 0..RUNS {
+        let (wall, before) = (Instant::now(), thread_seconds());
+        reference_factorisation(matrix, 1).map_err(|cause| Trouble::Peer(cause.to_string()))?;
+        let used = before.zip(thread_seconds()).map(|(start, end)| end - start);
+        samples.push(used.unwrap_or_else(|| wall.elapsed().as_secs_f64()));
+    }
+    Ok(summary(&samples).median)
 }
 
 /// Adds `block` as a further diagonal block.

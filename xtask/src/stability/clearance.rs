@@ -52,6 +52,7 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
                 value: clearance,
                 method: name,
                 outcome: error.map_or(Outcome::Unresolved, |error| regularised(Some(error), error)),
+                solved: usize::from(error.is_some()),
                 error,
                 ..Row::default()
             });

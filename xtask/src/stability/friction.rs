@@ -1,39 +1,66 @@
-//! Study 1: the coefficient of friction, through the bound up to which a step has one solution.
+//! Study 1: the coefficient of friction, through the estimated bound up to which a step has one solution.
 
-use stickslip_contact::uniqueness_bound;
-use stickslip_laboratory::discrete::{self, Discrete};
+mod starts;
+mod text;
 
+use std::sync::Mutex;
+
+use stickslip_contact::{InterfaceProblem, uniqueness_bound};
+use stickslip_laboratory::discrete::{self, Discrete, Known};
 use stickslip_report::svg::Svg;
 
 use super::history::Stages;
 use super::joint::{Joint, coulomb, set};
 use super::methods::{CHAIN, Method, methods};
-use super::outcome::{Outcome, judge};
+use super::outcome::judge;
 use super::picture::{Legend, map};
 use super::row::Row;
 use super::{Context, Findings, Study, Trouble};
+use starts::stuck;
+use text::remarks;
 
 pub(super) const STUDY: Study = Study {
     name: "01-friction",
     title: "Coefficient of friction",
     varied: "μ from 0 to 3: one node with known answers, pushed and with its load removed; a flat punch; a pin in a plate, \
-             loaded and unloaded",
+             loaded and unloaded; punch and pin with their load removed at once from a state in which all touching points stick",
     expectation: "Below the bound μ_c a step has one solution and every method may find it. From there on there can be several, \
-                  and states that hold without any load: the answer must be one of them. A supported body always has one.",
+                  and states that hold without any load: the answer must be one of them, the one nearest to the last state where \
+                  all are known. A supported body always has one. The bound is exact for one node and an estimate for more.",
     run,
 };
 
 const VARIED: &str = "coefficient of friction μ [1]";
 const PUSHED: &str = "one node, pushed";
 const WEDGED: &str = "one node, load removed";
+const STUCK_PUNCH: &str = "punch of 5 nodes, load removed from full stick";
 const PUNCH: &str = "flat punch, pressed and pushed to and fro";
 const PIN: &str = "pin in a plate, 14 steps and unloaded";
+const STUCK_PIN: &str = "pin in a plate, load removed from full stick";
+const CASES: [&str; 6] = [PUSHED, WEDGED, STUCK_PUNCH, PUNCH, PIN, STUCK_PIN];
 /// Stiffness [[k_t, k_c], [k_c, k_n]] and load (t, n) of the node that is pushed: μ_c = 1, and beyond it stick, slip and open
 /// are all admissible.
 const STIFFNESS: [[f64; 2]; 2] = [[1.0, -1.0], [-1.0, 2.0]];
 const LOAD: [f64; 2] = [1.25, -1.0];
+/// Bound of the node whose load is removed.
+const WEDGE_BOUND: f64 = 1.5;
 /// Contact force without load, over the largest of the history, from which a state counts as wedged.
 const HELD: f64 = 1e-6;
+/// Nodes of the punch whose statuses are all enumerated.
+const COARSE: usize = 5;
+
+/// What is known of a case at one μ besides its rows.
+#[derive(Clone, Copy, Debug, Default)]
+struct Fact {
+    /// Bound of uniqueness, least of all steps.
+    bound: Option<f64>,
+    /// Number of all solutions, where they are enumerated, and of those that hold without load.
+    solutions: usize,
+    wedged: usize,
+}
+
+/// A case at a μ.
+type Entry = (&'static str, f64, Fact);
 
 fn run(context: &Context) -> Result<Findings, Trouble> {
     let count = context.sized(6, 30);
@@ -43,19 +70,36 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
     let spacing = context.sized("18 deg", "9 deg");
     let pin = Joint::of_scene("pin-benchmark", &set(&[("mesh.spacing", spacing.into())]))?;
     let nodes = context.sized(5, 13);
+    let stuck_pin = stuck(&|mu| pin.problem_with(&coulomb(mu)?), &pin.loads[..4])?;
+    let punch = |mu: f64| -> Result<InterfaceProblem, Trouble> {
+        Ok(discrete::flat_punch(COARSE, mu)?.problem)
+    };
+    let stuck_punch = stuck(&punch, &[vec![1.0, 0.0], vec![1.0, 1.0]])?;
+    let facts = Mutex::new(Vec::<Entry>::new());
     let mut rows = context.rows_of(&values, |&mu| {
         let methods = methods();
-        let mut rows = Vec::new();
+        let mut found = Vec::new();
         let node = discrete::one_node(mu, STIFFNESS, LOAD, 0.0, 0.0)?;
-        rows.extend(alone(PUSHED, mu, &node, &methods));
-        rows.extend(alone(WEDGED, mu, &discrete::wedged(mu)?, &methods));
+        let bound = Some(discrete::one_node_bound(STIFFNESS));
+        found.push((
+            PUSHED,
+            alone(PUSHED, mu, &node, &methods),
+            facts_of(&node, bound),
+        ));
+        let node = discrete::wedged(mu)?;
+        let known = facts_of(&node, Some(WEDGE_BOUND));
+        found.push((WEDGED, alone(WEDGED, mu, &node, &methods), known));
+        let given = enumerated(stuck_punch.without_load(punch(mu)?));
+        let bound = uniqueness_bound(&given.problem, &given.committed.status);
+        let rows = alone(STUCK_PUNCH, mu, &given, &methods);
+        found.push((STUCK_PUNCH, rows, facts_of(&given, bound)));
         let punch = discrete::flat_punch(nodes, mu)?;
         let push = punch.multipliers[1];
         let loads: Vec<Vec<f64>> = [0.0, 1.0, -1.0]
             .map(|share| vec![1.0, share * push])
             .to_vec();
         let loads = [loads, vec![vec![0.0, 0.0]]].concat();
-        rows.extend(followed(
+        found.push(history(
             PUNCH,
             mu,
             &Stages::follow(&punch.problem, &loads),
@@ -63,48 +107,47 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
         ));
         let problem = pin.problem_with(&coulomb(mu)?)?;
         let loads = [pin.loads.clone(), vec![vec![0.0; problem.load_cases()]]].concat();
-        rows.extend(followed(
+        found.push(history(
             PIN,
             mu,
             &Stages::follow(&problem, &loads),
             &methods,
         ));
-        Ok(rows)
+        let given = stuck_pin.without_load(problem);
+        let bound = uniqueness_bound(&given.problem, &given.committed.status);
+        let rows = alone(STUCK_PIN, mu, &given, &methods);
+        found.push((STUCK_PIN, rows, facts_of(&given, bound)));
+        let mut facts = facts.lock().map_err(|_| "a problem panicked")?;
+        facts.extend(found.iter().map(|(case, _, known)| (*case, mu, *known)));
+        Ok(found.into_iter().flat_map(|(_, rows, _)| rows).collect())
     })?;
+    let facts = facts.into_inner().map_err(|_| "a problem panicked")?;
     // Case by case, for the table.
-    rows.sort_by_key(|row| {
-        [PUSHED, WEDGED, PUNCH, PIN]
-            .iter()
-            .position(|case| *case == row.case)
-    });
-    let bounds = bounds(nodes, &pin)?;
-    let name = |bound: f64, exact: bool| {
-        let sign = if exact { "=" } else { "≈" };
-        format!("one solution below μ_c {sign} {bound:.2}")
-    };
-    let dividers: Vec<(String, f64, String)> = bounds
-        .iter()
-        .map(|&(case, bound, exact)| (case.to_owned(), bound, name(bound, exact)))
-        .collect();
+    rows.sort_by_key(|row| CASES.iter().position(|case| *case == row.case));
+    findings(rows, &facts)
+}
+
+fn findings(rows: Vec<Row>, facts: &[Entry]) -> Result<Findings, Trouble> {
+    let dividers = dividers(facts);
     let picture = map(
         &rows,
         &Legend {
             title: "Which method can be trusted at which coefficient of friction",
-            subtitle: "Left of the line a step has one solution; right of it there may be several. The worst step of a history counts.",
+            subtitle: "Left of the line a step has one solution (exact for one node, an estimate elsewhere); right of it there may be several. The worst step of a history counts.",
             varied: VARIED,
             label: &|mu| format!("{mu:.1}"),
             dividers: &dividers,
         },
     )?;
-    let summary = summary(&rows, &bounds)?;
+    let summary = summary(&rows, &dividers)?;
     Ok(Findings {
-        remarks: remarks(&rows, &dividers),
+        remarks: remarks(&rows, facts, &dividers),
         tables: vec![("", super::row::csv("mu", &rows))],
         pictures: vec![
             (
                 "-summary",
                 summary,
-                "Worst outcome of each method in four problems over the coefficient of friction"
+                "Worst outcome of each method in six problems over the coefficient of friction"
                     .into(),
             ),
             (
@@ -118,9 +161,29 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
     })
 }
 
+/// For each case the first μ that reaches the bound at that μ, with the bound.
+fn dividers(facts: &[Entry]) -> Vec<(String, f64, String)> {
+    let of_case = |case: &'static str| {
+        let mut own: Vec<(f64, f64)> = facts
+            .iter()
+            .filter(|(of, _, _)| *of == case)
+            .filter_map(|(_, mu, known)| Some((*mu, known.bound?)))
+            .collect();
+        own.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let (mu, bound) = own.into_iter().find(|(mu, bound)| mu >= bound)?;
+        let name = if [PUSHED, WEDGED].contains(&case) {
+            format!("one solution below μ_c = {bound:.2}")
+        } else {
+            format!("estimate: one solution below μ_c ≈ {bound:.2}")
+        };
+        Some((case.to_owned(), mu, name))
+    };
+    CASES.into_iter().filter_map(of_case).collect()
+}
+
 /// The worst outcome of each method in any of the problems.
-fn summary(rows: &[Row], bounds: &[(&str, f64, bool)]) -> Result<Svg, Trouble> {
-    const WORST: &str = "worst of the four problems";
+fn summary(rows: &[Row], dividers: &[(String, f64, String)]) -> Result<Svg, Trouble> {
+    const WORST: &str = "worst of the six problems";
     let mut worst: Vec<Row> = Vec::new();
     for row in rows {
         let same = |other: &&mut Row| other.method == row.method && other.value == row.value;
@@ -132,64 +195,71 @@ fn summary(rows: &[Row], bounds: &[(&str, f64, bool)]) -> Result<Svg, Trouble> {
             }),
         }
     }
-    let least = bounds
+    let least = dividers
         .iter()
-        .map(|&(_, bound, _)| bound)
+        .map(|(_, mu, _)| *mu)
         .fold(f64::INFINITY, f64::min);
     Ok(map(
         &worst,
         &Legend {
             title: "Which solver can be trusted at which coefficient of friction",
-            subtitle: "One node pushed, and with its load removed; a flat punch, pushed to and fro; a pin in a plate, loaded and unloaded.",
+            subtitle: "One node, a flat punch and a pin in a plate: pushed, loaded and unloaded, and with their load removed at once.",
             varied: VARIED,
             label: &|mu| format!("{mu:.1}"),
             dividers: &[(
                 WORST.to_owned(),
                 least,
-                "several solutions possible →".into(),
+                "several solutions possible (estimate) →".into(),
             )],
         },
     )?)
 }
 
-/// Bounds of uniqueness: exact for one node, estimated where all points touch or did touch.
-fn bounds(nodes: usize, pin: &Joint) -> Result<Vec<(&'static str, f64, bool)>, Trouble> {
-    let mut bounds = vec![
-        (PUSHED, discrete::one_node_bound(STIFFNESS), true),
-        (WEDGED, 1.5, true),
-    ];
-    let punch = discrete::flat_punch(nodes, 0.3)?;
-    let pressed = Stages::follow(&punch.problem, &[vec![1.0, 0.0]]);
-    let problem = pin.problem_with(&coulomb(0.3)?)?;
-    let pulled = Stages::follow(&problem, &pin.loads[..4]);
-    for (case, problem, stages) in [(PUNCH, &punch.problem, &pressed), (PIN, &problem, &pulled)] {
-        let bound = stages
-            .last()
-            .and_then(|answer| uniqueness_bound(problem, &answer.status));
-        bounds.extend(
-            bound
-                .filter(|bound| bound.is_finite())
-                .map(|bound| (case, bound, false)),
-        );
-    }
-    Ok(bounds)
+/// `given` with all its solutions.
+fn enumerated(mut given: Discrete) -> Discrete {
+    let all = discrete::enumerate(&given);
+    given.solutions = Some(Known {
+        complete: !all.singular && !all.borderline,
+        states: all.states,
+    });
+    given
 }
 
-/// One increment, against its known answers.
+fn facts_of(given: &Discrete, bound: Option<f64>) -> Fact {
+    let floor = HELD * given.committed.forces.amax();
+    let states = given
+        .solutions
+        .as_ref()
+        .map_or(&[][..], |known| &known.states);
+    let unloaded = given.is_unloaded();
+    let held = states
+        .iter()
+        .filter(|state| unloaded && state.forces.amax() > floor);
+    Fact {
+        bound,
+        solutions: states.len(),
+        wedged: held.count(),
+    }
+}
+
+/// One increment, against its known answers: of several the one nearest to the committed state.
 fn alone(case: &str, mu: f64, given: &Discrete, methods: &[Method]) -> Vec<Row> {
     let taken = methods
         .iter()
         .find(|method| method.is_chain())
         .and_then(|chain| chain.solver.solve(&given.step()).ok())
         .map(|solution| solution.trial);
-    let held = case == WEDGED
+    let floor = HELD * given.committed.forces.amax();
+    let held = case != PUSHED
         && taken
             .as_ref()
-            .is_some_and(|trial| trial.forces.amax() > 0.0);
+            .is_some_and(|trial| trial.forces.amax() > floor);
+    let known = given.solutions.as_ref();
+    let nearest = known.and_then(|known| given.nearest(&known.states));
     methods
         .iter()
         .map(|method| {
-            let mut row = judge(method, given, taken.as_ref());
+            let mut row = judge(method, given, nearest.or(taken.as_ref()));
             if held && method.is_chain() {
                 row.note = "wedged: contact forces are left without load".into();
             }
@@ -199,19 +269,17 @@ fn alone(case: &str, mu: f64, given: &Discrete, methods: &[Method]) -> Vec<Row> 
 }
 
 /// A history that ends without load; what still presses there is noted with the default chain.
-fn followed(case: &str, mu: f64, stages: &Stages, methods: &[Method]) -> Vec<Row> {
+fn history(
+    case: &'static str,
+    mu: f64,
+    stages: &Stages,
+    methods: &[Method],
+) -> (&'static str, Vec<Row>, Fact) {
     let mut rows = stages.rows(case, mu, methods);
     let forces = |trial: &stickslip_contact::state::TrialState| trial.forces.amax();
-    let largest = stages
-        .list
-        .iter()
-        .filter_map(|stage| stage.answer.as_ref())
-        .map(forces)
-        .fold(0.0, f64::max);
-    let unloaded = stages
-        .list
-        .last()
-        .filter(|stage| stage.given.multipliers.iter().all(|&load| load == 0.0));
+    let answers = || stages.list.iter().filter_map(|stage| stage.answer.as_ref());
+    let largest = answers().map(forces).fold(0.0, f64::max);
+    let unloaded = stages.list.last().filter(|stage| stage.given.is_unloaded());
     let left = unloaded
         .and_then(|stage| stage.answer.as_ref())
         .map_or(0.0, forces);
@@ -223,74 +291,13 @@ fn followed(case: &str, mu: f64, stages: &Stages, methods: &[Method]) -> Vec<Row
             );
         }
     }
-    rows
-}
-
-fn remarks(rows: &[Row], dividers: &[(String, f64, String)]) -> Vec<String> {
-    let mut remarks = Vec::new();
-    let wedged = |case: &str| {
-        rows.iter()
-            .filter(|row| row.case == case && row.note.contains("wedged"))
-            .map(|row| row.value)
-            .reduce(f64::min)
+    let bounds = stages.list.iter().filter_map(|stage| {
+        let answer = stage.answer.as_ref()?;
+        uniqueness_bound(&stage.given.problem, &answer.status)
+    });
+    let known = Fact {
+        bound: bounds.reduce(f64::min),
+        ..Fact::default()
     };
-    for case in [WEDGED, PUNCH, PIN] {
-        remarks.push(match wedged(case) {
-            Some(mu) => format!(
-                "{}: the default chain's answer stays wedged from μ = {mu:.1} on.",
-                capital(case)
-            ),
-            None => format!(
-                "{}: the default chain's answer is free of force at every μ.",
-                capital(case)
-            ),
-        });
-    }
-    let mut others: Vec<&str> = Vec::new();
-    for row in rows
-        .iter()
-        .filter(|row| row.case == WEDGED && row.outcome == Outcome::Other)
-    {
-        if !others.contains(&row.method) {
-            others.push(row.method);
-        }
-    }
-    if !others.is_empty() {
-        remarks.push(format!(
-            "In the other state of that node end: {}.",
-            others.join(", ")
-        ));
-    }
-    let bound = |case: &str| {
-        dividers
-            .iter()
-            .find(|(of, _, _)| of == case)
-            .map_or(f64::INFINITY, |(_, bound, _)| *bound)
-    };
-    let first = |failing: &dyn Fn(&Row) -> bool| {
-        rows.iter()
-            .filter(|row| failing(row))
-            .map(|row| row.value)
-            .reduce(f64::min)
-    };
-    for method in ["status iteration", "Tresca fixed point"] {
-        let failing =
-            |row: &Row| row.method == method && row.case == PIN && !row.outcome.is_answer();
-        if let Some(mu) = first(&failing) {
-            remarks.push(format!(
-                "On the pin the {method} first fails at μ = {mu:.1}."
-            ));
-        }
-    }
-    let several = |row: &Row| row.outcome == Outcome::Other && row.value < bound(&row.case);
-    let below = rows.iter().filter(|row| several(row)).count();
-    remarks.push(format!("Second solutions below the bound: {below}."));
-    remarks
-}
-
-fn capital(text: &str) -> String {
-    let mut characters = text.chars();
-    characters.next().map_or_else(String::new, |first| {
-        first.to_uppercase().chain(characters).collect()
-    })
+    (case, rows, known)
 }

@@ -68,12 +68,4 @@ impl Stages {
             })
             .collect()
     }
-
-    /// The last answer.
-    pub(crate) fn last(&self) -> Option<&TrialState> {
-        self.list
-            .iter()
-            .rev()
-            .find_map(|stage| stage.answer.as_ref())
-    }
 }

@@ -1,5 +1,7 @@
 //! Study 8: laws under which a step has several answers: traction that drops when slip begins, and traction that softens with slip.
 
+mod enumerated;
+
 use std::sync::Arc;
 
 use stickslip_contact::Chain;
@@ -100,9 +102,11 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
         .filter(|row| row.outcome == Outcome::Other)
         .count();
     let mut remarks = vec![format!(
-        "In {several} of {} histories some points could as well slip; other methods then end in another valid answer {others} times.",
+        "In {several} of {} histories of the pin some points could as well slip; other methods end in another valid answer than the \
+         default chain's {others} times. All solutions of so many points are not known.",
         rows.iter().filter(|row| row.method == CHAIN).count()
     )];
+    remarks.push(on_a_punch(&columns)?);
     if !unanswered.is_empty() {
         remarks.push(format!(
             "The default chain ends without an answer in {} histories.",
@@ -127,6 +131,17 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
         rows,
         ..Findings::default()
     })
+}
+
+/// What enumeration says of the laws of `columns` on a punch of few points.
+fn on_a_punch(columns: &[usize]) -> Result<String, Trouble> {
+    let mut shares = enumerated::Shares::default();
+    for &column in columns {
+        for case in [DROP, LAGGED, SOFTENING] {
+            shares.add(&law(case, column)?.1)?;
+        }
+    }
+    Ok(shares.text())
 }
 
 /// Slip over which the softening law falls `[mm]`.

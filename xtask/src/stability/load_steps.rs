@@ -1,5 +1,7 @@
 //! Study 2: the size of load steps. Friction remembers its path, so the steps are part of the answer.
 
+mod limit;
+
 use std::sync::Arc;
 
 use stickslip_contact::state::TrialState;
@@ -7,7 +9,8 @@ use stickslip_contact::{ContactState, InterfaceProblem};
 use stickslip_friction::{FrictionLaw, StaticDynamic, Transition};
 use stickslip_laboratory::discrete::{Discrete, commit};
 use stickslip_report::axis::Axis;
-use stickslip_report::chart::{LineChart, Series, SeriesStyle};
+use stickslip_report::chart::{Dash, LineChart, Series, SeriesStyle};
+use stickslip_report::svg::Svg;
 
 use super::joint::{Joint, coulomb, set};
 use super::methods::{CHAIN, Method, methods};
@@ -21,8 +24,8 @@ pub(super) const STUDY: Study = Study {
     title: "Size of load steps",
     varied: "number of equal load steps from 1 to 10 000 up to 1240 lbf, and up to 1980 lbf and back to 535 lbf, on the pin; \
              each method follows its own history and no step is cut back",
-    expectation: "Every step is solved, and the answer tends to a limit as the steps get smaller: in proportion to their size for \
-                  Coulomb's law, not smoothly for a law whose traction drops when slip begins. One giant step is not the limit.",
+    expectation: "Every step is solved. Under Coulomb's law the answer tends to a limit as the steps get smaller, in proportion to \
+                  their size; for a law whose traction drops when slip begins nothing promises one. One giant step is not the limit.",
     run,
 };
 
@@ -130,7 +133,7 @@ fn follow(case: &Case, number: usize, unit: &[f64], method: &Method) -> (Row, Op
         problem: case.problem.clone(),
         committed: ContactState::unloaded(&case.problem),
         multipliers: Vec::new(),
-        coercive: false,
+        coercive: case.problem.modes().ncols() == 0,
         solutions: None,
     };
     let mut steps = Vec::new();
@@ -154,7 +157,7 @@ fn follow(case: &Case, number: usize, unit: &[f64], method: &Method) -> (Row, Op
         }
         from = to;
     }
-    let mut row = Row::of_steps(case.name, number as f64, false, &steps);
+    let mut row = Row::of_steps(case.name, number as f64, given.coercive, &steps);
     row.method = method.name;
     row.steps = number * case.corners.len();
     (row, end)
@@ -171,43 +174,11 @@ fn findings(rows: Vec<Row>, cases: &[Case]) -> Result<Findings, Trouble> {
             dividers: &[],
         },
     )?;
-    let curve = |case: &str| {
-        let own = rows
-            .iter()
-            .filter(|row| row.case == case && row.method == CHAIN);
-        let points: Vec<[f64; 2]> = own
-            .filter_map(|row| Some([row.value, row.error?]))
-            .filter(|point| point[1] > 0.0)
-            .collect();
-        Series::new(case, points).style(SeriesStyle::Both)
-    };
-    let mut chart = LineChart::new(
-        "What a history loses by large load steps",
-        Axis::log("load steps per leg of the history [1]"),
-        Axis::log("difference of contact forces from the finest history, over the largest [1]"),
-    )
-    .subtitle("Default chain. The answer of one giant step is not the limit of many.");
-    for case in cases {
-        chart = chart.with(curve(case.name));
-    }
-    let error = |case: &str, number: f64| {
-        let mut own = rows.iter();
-        own.find(|row| row.case == case && row.method == CHAIN && row.value == number)
-            .and_then(|row| row.error)
-            .unwrap_or(f64::NAN)
-    };
+    let chart = curves(&rows, cases)?;
     let remarks = cases
         .iter()
-        .map(|case| {
-            format!(
-                "{}: one step per leg is off by {:.1} % of the largest contact force, ten by {:.2} %, a hundred by {:.3} %.",
-                case.name,
-                100.0 * error(case.name, 1.0),
-                100.0 * error(case.name, 10.0),
-                100.0 * error(case.name, 100.0)
-            )
-        })
-        .collect();
+        .map(|case| limit::remark(case.name, &curve(&rows, case.name)));
+    let remarks = remarks.collect();
     Ok(Findings {
         tables: vec![("", csv("steps_per_leg", &rows))],
         pictures: vec![
@@ -218,7 +189,7 @@ fn findings(rows: Vec<Row>, cases: &[Case]) -> Result<Findings, Trouble> {
             ),
             (
                 "-limit",
-                chart.render()?,
+                chart,
                 "Error of a history over the number of its load steps".into(),
             ),
         ],
@@ -226,4 +197,38 @@ fn findings(rows: Vec<Row>, cases: &[Case]) -> Result<Findings, Trouble> {
         rows,
         ..Findings::default()
     })
+}
+
+/// Errors of the default chain's histories over their numbers of steps, the finest one excepted, from which they are counted.
+fn curve(rows: &[Row], case: &str) -> Vec<[f64; 2]> {
+    let own = rows
+        .iter()
+        .filter(|row| row.case == case && row.method == CHAIN);
+    own.filter_map(|row| Some([row.value, row.error?]))
+        .filter(|point| point[1] > 0.0)
+        .collect()
+}
+
+/// One curve per case; later ones are dashed, so that curves that coincide are all seen.
+fn curves(rows: &[Row], cases: &[Case]) -> Result<Svg, Trouble> {
+    const STYLES: [(Dash, f64); 4] = [
+        (Dash::Solid, 5.0),
+        (Dash::Solid, 2.0),
+        (Dash::Dashed, 2.0),
+        (Dash::Dotted, 2.5),
+    ];
+    let mut chart = LineChart::new(
+        "What a history loses by large load steps",
+        Axis::log("load steps per leg of the history [1]"),
+        Axis::log("difference of contact forces from the finest history, over the largest [1]"),
+    )
+    .subtitle("Default chain. The answer of one giant step is not the limit of many. Broken lines lie over unbroken ones.");
+    for (case, (dash, width)) in cases.iter().zip(STYLES) {
+        let series = Series::new(case.name, curve(rows, case.name))
+            .style(SeriesStyle::Line)
+            .dash(dash)
+            .width(width);
+        chart = chart.with(series);
+    }
+    Ok(chart.render()?)
 }

@@ -1,12 +1,9 @@
 //! Study 6: bad meshes, and where in an element contact ends.
 
 mod block;
+mod curves;
 
 use stickslip_fem_core::mesh::ElementKind;
-use stickslip_report::axis::Axis;
-use stickslip_report::chart::{LineChart, Panels, Series, SeriesStyle};
-use stickslip_report::color::Color;
-use stickslip_report::svg::Svg;
 
 use super::history::Stages;
 use super::methods::{CHAIN, methods};
@@ -38,11 +35,11 @@ const MID_SIDE: &str = "mid-side position";
 const END: &str = "end of contact";
 const OSCILLATION: &str = "oscillation";
 const ELEMENTS: [ElementKind; 5] = [
+    ElementKind::T3,
     ElementKind::Q4,
+    ElementKind::T6,
     ElementKind::Q8,
     ElementKind::Q9,
-    ElementKind::T3,
-    ElementKind::T6,
 ];
 /// Meshes of the map of solvers, with their labels.
 const MESHES: [(&str, Defect); 6] = [
@@ -191,6 +188,7 @@ fn row(case: String, value: f64, kind: ElementKind, found: Result<f64, Trouble>)
         value,
         method: element_name(kind),
         outcome,
+        solved: usize::from(error.is_some()),
         error,
         note,
         ..Row::default()
@@ -238,15 +236,21 @@ fn findings(rows: &[Row], solvers: Vec<Row>) -> Result<Findings, Trouble> {
     if chain.clone().all(|row| row.outcome.is_answer()) {
         remarks.push("The default chain solves every step on every one of these meshes.".into());
     }
-    let chart = curves(rows)?;
+    let cells = curves::over_cells(rows)?;
+    let edges = curves::over_edges(rows)?;
     let table = csv("value", rows);
     Ok(Findings {
         tables: vec![("", table), ("-solvers", csv("mesh", &solvers))],
         pictures: vec![
             (
-                "",
-                chart,
-                "Errors of each element over the quality of its mesh".into(),
+                "-cells",
+                cells,
+                "Errors of each element over the shape of its cells".into(),
+            ),
+            (
+                "-edge",
+                edges,
+                "Errors of each element over mid-side nodes and the end of contact".into(),
             ),
             (
                 "-solvers",
@@ -258,86 +262,4 @@ fn findings(rows: &[Row], solvers: Vec<Row>) -> Result<Findings, Trouble> {
         rows: solvers,
         ..Findings::default()
     })
-}
-
-fn curves(rows: &[Row]) -> Result<Svg, Trouble> {
-    let aspect = || Axis::log("width over depth of the surface cells [1]");
-    let share = || Axis::linear("largest move of inner nodes, in cells [1]");
-    let middle = || Axis::linear("place of mid-side nodes along the edge [1]");
-    let end = || Axis::linear("half-width of contact, in cells [1]");
-    let error = |what: &str| Axis::log(format!("error of the {what} [1]"));
-    let charts = vec![
-        chart(
-            rows,
-            "Thin surface cells",
-            &format!("{ASPECT}: {PLATE}"),
-            aspect(),
-            error("uniform pressure"),
-        ),
-        chart(
-            rows,
-            "Thin surface cells",
-            &format!("{ASPECT}: {CYLINDER}"),
-            aspect(),
-            error("peak pressure"),
-        ),
-        chart(
-            rows,
-            "Distorted cells",
-            &format!("{DISTORTION}: {PLATE}"),
-            share(),
-            error("uniform pressure"),
-        ),
-        chart(
-            rows,
-            "Distorted cells",
-            &format!("{DISTORTION}: {CYLINDER}"),
-            share(),
-            error("peak pressure"),
-        ),
-        chart(
-            rows,
-            "Mid-side nodes towards quarter points",
-            &format!("{MID_SIDE}: {CYLINDER}"),
-            middle(),
-            error("peak pressure"),
-        ),
-        chart(
-            rows,
-            "Contact ends within an element",
-            &format!("{END}: {CYLINDER}"),
-            end(),
-            error("peak pressure"),
-        ),
-        chart(
-            rows,
-            "Oscillation of quadratic edges",
-            &format!("{OSCILLATION}: {CYLINDER}"),
-            end(),
-            Axis::linear("jump at mid-side nodes over the peak [1]"),
-        ),
-    ];
-    Ok(Panels::new("What bad meshes cost", 2, charts)
-        .common_legend()
-        .render()?)
-}
-
-fn chart(rows: &[Row], title: &str, case: &str, x: Axis, y: Axis) -> LineChart {
-    let mut chart = LineChart::new(title, x, y);
-    for (index, kind) in ELEMENTS.into_iter().enumerate() {
-        let own = rows
-            .iter()
-            .filter(|row| row.case == case && row.method == element_name(kind));
-        let points: Vec<[f64; 2]> = own
-            .filter_map(|row| Some([row.value, row.error?]))
-            .collect();
-        // Also without points, so that all charts have the same legend.
-        let color = Color::category(index);
-        chart = chart.with(
-            Series::new(element_name(kind), points)
-                .style(SeriesStyle::Both)
-                .color(color),
-        );
-    }
-    chart
 }

@@ -28,7 +28,8 @@ const USEFUL: f64 = 1e-2;
 pub(crate) enum Outcome {
     /// An answer that meets all conditions.
     Solved,
-    /// An answer that meets all conditions, and is not the one that the default chain takes.
+    /// An answer that meets all conditions, and is not the one that it is compared with: the nearest to the last state, or where
+    /// not all solutions are known the default chain's.
     Other,
     /// A proof that there is no solution.
     Certified,

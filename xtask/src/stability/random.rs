@@ -36,6 +36,9 @@ const BINS: usize = 10;
 /// Share of the problems without supports that may stay unresolved.
 const UNRESOLVED: f64 = 1e-3;
 
+/// Index of the cells with wrong answers, after those of 0 to 100 %.
+const WRONG: usize = 101;
+
 /// What is known of a problem before any method sees it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Class {
@@ -71,7 +74,10 @@ struct Trial {
     /// Index of the method.
     method: usize,
     outcome: Outcome,
-    several: bool,
+    /// Number of all solutions.
+    solutions: usize,
+    /// Whether all solutions are known: statuses on a border, or with a family of solutions, leave that open.
+    complete: bool,
     seed: u64,
     note: String,
 }
@@ -116,8 +122,9 @@ fn tried(seed: u64, methods: &[Method]) -> Vec<Trial> {
         (false, true) if complete => Class::Unsolvable,
         (false, true) => Class::Undetermined,
     };
-    let several = all.states.len() > 1;
-    let answer = all.states.first().cloned();
+    let solutions = all.states.len();
+    // Of several solutions the one to be taken.
+    let answer = given.nearest(&all.states).cloned();
     given.solutions = Some(Known {
         complete,
         states: all.states,
@@ -138,7 +145,8 @@ fn tried(seed: u64, methods: &[Method]) -> Vec<Trial> {
                 bin,
                 method,
                 outcome: row.outcome,
-                several,
+                solutions,
+                complete,
                 seed,
                 note: row.note,
             }
@@ -188,10 +196,10 @@ fn findings(trials: &[Trial], problems: u64) -> Result<Findings, Trouble> {
         }
     }
     let picture = OutcomeMap {
-        title: "Random problems of 1 to 3 points: share that is solved or proved impossible".into(),
-        subtitle:
-            "Against enumeration of all statuses. Regularised answers count if they are within 1 %."
-                .into(),
+        title: "Random problems of 1 to 3 points: percentage that is solved or proved impossible"
+            .into(),
+        subtitle: "Against enumeration of all statuses; percentages are rounded down. Regularised answers count if they are within 1 %."
+            .into(),
         x_label: "coefficient of friction μ, middle of the bin [1]".into(),
         columns: (0..BINS)
             .map(|bin| format!("{:.2}", BIN * (bin as f64 + 0.5)))
@@ -218,21 +226,28 @@ fn findings(trials: &[Trial], problems: u64) -> Result<Findings, Trouble> {
     })
 }
 
-/// Grounds of the cells by the share that is answered; the first is for wrong answers.
+/// Cells by the percentage that is answered, from 0 to 100 in their order; the last is for wrong answers.
 fn levels() -> Vec<Category> {
-    let level = |label: &str, mark: &str, color| Category {
-        label: label.into(),
-        mark: mark.into(),
-        color,
+    let level = |percent: usize| {
+        let (label, color) = match percent {
+            100 => ("all", Color::rgb(0x8c, 0xc5, 0xe3)),
+            99 => ("99 % and more", Color::rgb(0xc9, 0xe5, 0xc0)),
+            90..99 => ("90 % and more", Color::rgb(0xf2, 0xd9, 0x6b)),
+            50..90 => ("50 % and more", Color::rgb(0xe8, 0x8b, 0x3a)),
+            _ => ("less", Color::rgb(0xc6, 0x58, 0x3c)),
+        };
+        Category {
+            label: label.into(),
+            mark: percent.to_string(),
+            color,
+        }
     };
-    vec![
-        level("wrong answers", "!", Color::rgb(0x11, 0x11, 0x11)),
-        level("all", "", Color::rgb(0x8c, 0xc5, 0xe3)),
-        level("99 % and more", "99", Color::rgb(0xc9, 0xe5, 0xc0)),
-        level("90 % and more", "90", Color::rgb(0xf2, 0xd9, 0x6b)),
-        level("50 % and more", "50", Color::rgb(0xe8, 0x8b, 0x3a)),
-        level("less", "·", Color::rgb(0xc6, 0x58, 0x3c)),
-    ]
+    let wrong = Category {
+        label: "wrong answers".into(),
+        mark: "!".into(),
+        color: Color::rgb(0x11, 0x11, 0x11),
+    };
+    (0..=100).map(level).chain([wrong]).collect()
 }
 
 /// The level of each method in each bin of μ.
@@ -248,13 +263,7 @@ fn shares(trials: &[Trial], names: &[&str], class: Class) -> Group {
             answered += usize::from(useful || trial.outcome.is_answer());
             wrong |= trial.outcome == Outcome::Wrong;
         }
-        let share = answered as f64 / all as f64;
-        let steps = [1.0, 0.99, 0.9, 0.5];
-        let index = steps
-            .iter()
-            .position(|&step| share >= step)
-            .unwrap_or(steps.len());
-        (all > 0).then_some(if wrong { 0 } else { index + 1 })
+        (all > 0).then(|| if wrong { WRONG } else { 100 * answered / all })
     };
     let rows = names.iter().enumerate().map(|(method, name)| {
         let cells: Vec<_> = (0..BINS).map(|bin| level(method, bin)).collect();
@@ -274,6 +283,9 @@ fn remarks(trials: &[Trial], names: &[&str], problems: u64) -> Vec<String> {
     let mut remarks = vec![format!("Of {problems} problems the default chain:")];
     for class in Class::ALL {
         let own: Vec<&Trial> = chain().filter(|trial| trial.class == class).collect();
+        if own.is_empty() {
+            continue;
+        }
         let counts: Vec<String> = Outcome::ALL
             .iter()
             .filter_map(|&outcome| {
@@ -281,7 +293,7 @@ fn remarks(trials: &[Trial], names: &[&str], problems: u64) -> Vec<String> {
                 (count > 0).then(|| format!("{count} {}", outcome.name()))
             })
             .collect();
-        let several = own.iter().filter(|trial| trial.several).count();
+        let several = own.iter().filter(|trial| trial.solutions > 1).count();
         remarks.push(format!(
             "{} ({}, {several} with several solutions): {}.",
             class.name(),
@@ -289,6 +301,12 @@ fn remarks(trials: &[Trial], names: &[&str], problems: u64) -> Vec<String> {
             counts.join(", ")
         ));
     }
+    let open = chain().filter(|trial| !trial.complete).count();
+    remarks.push(format!(
+        "Statuses on a border or with a family of solutions leave the list of solutions open in {open} problems; there answers are checked \
+         by their conditions alone, and no absence of solutions is counted as known. No problem is left out."
+    ));
+    remarks.push(nearest(trials, names));
     let wrong: Vec<String> = names
         .iter()
         .enumerate()
@@ -306,6 +324,32 @@ fn remarks(trials: &[Trial], names: &[&str], problems: u64) -> Vec<String> {
         format!("Wrong answers: {}.", wrong.join(", "))
     });
     remarks
+}
+
+/// How often each method's answer is the solution nearest to the last accepted state, where there are several.
+fn nearest(trials: &[Trial], names: &[&str]) -> String {
+    let share = |method: usize| {
+        let own = trials
+            .iter()
+            .filter(|trial| trial.method == method && trial.solutions > 1);
+        let answers = own.filter(|trial| trial.outcome.is_answer());
+        let taken = answers
+            .clone()
+            .filter(|trial| trial.outcome == Outcome::Solved);
+        (taken.count(), answers.count())
+    };
+    let percent = |(taken, all): (usize, usize)| 100.0 * taken as f64 / (all as f64).max(1.0);
+    let others: Vec<String> = (1..names.len())
+        .filter(|&method| share(method).1 > 0)
+        .map(|method| format!("{} {:.0} %", names[method], percent(share(method))))
+        .collect();
+    let (taken, all) = share(0);
+    format!(
+        "Where there are several solutions the default chain takes the one nearest to the last accepted state in {taken} of {all} problems \
+         ({:.1} %); the others in these shares of the ones that they solve: {}.",
+        percent((taken, all)),
+        others.join(", ")
+    )
 }
 
 /// Failures of the default chain, with the seeds that repeat them.

@@ -33,11 +33,11 @@ const RADIUS: f64 = 50.0;
 /// Half-width of contact by Hertz `[mm]`.
 const HALF_WIDTH: f64 = 0.88;
 const ELEMENTS: [ElementKind; 5] = [
+    ElementKind::T3,
     ElementKind::Q4,
+    ElementKind::T6,
     ElementKind::Q8,
     ElementKind::Q9,
-    ElementKind::T3,
-    ElementKind::T6,
 ];
 
 /// Two materials: Young's moduli `[MPa]` and Poisson's ratios of cylinder and block.
@@ -190,15 +190,20 @@ fn row(case: &str, value: f64, element: ElementKind, error: Option<f64>) -> Row 
         value,
         method: element_name(element),
         outcome: error.map_or(Outcome::Unresolved, |error| regularised(Some(error), error)),
+        solved: usize::from(error.is_some()),
         error,
         ..Row::default()
     }
 }
 
+/// Width of a panel [px], and its aspect.
+const PANEL: f64 = 480.0;
+const ASPECT: f64 = 0.8;
+
 fn curves(rows: &[Row]) -> Result<stickslip_report::svg::Svg, Trouble> {
     let error = || Axis::log("error of the peak pressure against Hertz [1]");
     let chart = |title: &str, case: &str, x: Axis| {
-        let mut chart = LineChart::new(title, x, error());
+        let mut chart = LineChart::new(title, x, error()).size(PANEL, ASPECT);
         for element in ELEMENTS {
             let own = rows
                 .iter()

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::accept::ROUNDING;
 use super::attempt::Attempt;
 use super::complementarity::Candidate;
-use super::frozen::{Condensed, Frozen, FrozenSystem, SlipLine, solve};
+use super::frozen::{self, Condensed, Frozen, FrozenSystem, SlipLine, solve};
 use super::hold::hold;
 use super::residual::Scales;
 use super::rules::{Change, Rules};
@@ -28,10 +28,22 @@ impl Default for StatusIteration {
     }
 }
 
-/// Semismooth Newton method on the projection form of the conditions (Alart & Curnier 1991), as an active-set iteration:
-/// the next status of a point follows from the sign of λ_n − c g_n and the size of λ_t − c Δs against the bound, c being the
-/// inverse of the point's own compliance. Where statuses repeat, the worse half of the changes is made, later the worst only,
-/// and points that slip once are held by their slip traction: of a law that drops, which leaves several answers, it takes one.
+/// Semismooth Newton method on the projection form of the conditions (Alart & Curnier 1991), written as an active-set
+/// iteration: each solve with frozen statuses is a Newton step, and the next statuses follow from its result. A pressed point
+/// that penetrates closes, a pulled one opens, a sticking one beyond its bound slips. A point that closes, or slips along its
+/// force, sticks if the force that would stop its motion lies within the bound, that force being estimated by the compliance of
+/// all touching points together; otherwise it slips (the other way).
+///
+/// Steps are whole ones: there is no merit function and no line search, and nothing decreases from step to step. What stands
+/// in their place are rules against repetition, which may still fail, and then say so:
+///
+/// - where statuses would repeat, only the changes at least half as bad as the worst are made, up to twelve times; from then on
+///   one change at a time, the worst, until statuses repeat once more ([`FailureCause::Cycled`]);
+/// - from the first repetition, or from the 30th solve, points that have slipped are held by their slip traction only, not by a
+///   larger bound of sticking: of a law that drops, which leaves several answers, that takes one;
+/// - a floating body that its statuses leave free is stopped by the open point that its motion closes first, else by the
+///   slipping points that it would turn first;
+/// - the law is linearised at a normal force that falls by at most a factor of ten per solve.
 #[derive(Clone, Copy, Debug)]
 pub struct SemismoothNewton {
     /// Largest number of solves.
@@ -295,6 +307,16 @@ pub(super) fn examine(
     attempt.accept(trial)
 }
 
+/// Whether rounding may move the solution with these statuses by `f64::EPSILON / tolerance` of itself, under laws that are
+/// linear.
+pub(super) fn undetermined(step: &Step<'_>, status: &[Status], tolerance: f64) -> bool {
+    let normal = step.starting_forces();
+    let lines: Vec<SlipLine> = (0..step.count())
+        .map(|k| slip_line(step, k, normal[k], 0.0))
+        .collect();
+    frozen::undetermined(step, status, &lines, tolerance)
+}
+
 /// Solves with these statuses, changing only where the law is linearised.
 pub(super) fn settle(
     status: &[Status],
@@ -304,16 +326,16 @@ pub(super) fn settle(
     let step = attempt.step;
     let mut iteration = Iteration::new(step, Rules::Projection);
     iteration.status = status.to_vec();
+    let linear = (0..step.count()).all(|k| step.problem.law(k).is_linear());
     for _ in 0..LIMIT {
         let frozen = solve(step, &iteration.status, &iteration.lines, &mut attempt.work)?;
         if let Some(direction) = &frozen.unbalanced {
-            return Err(FailureCause::Unbalanced {
-                motion: direction.as_slice().to_vec(),
-                proved: false,
-            });
+            let forces = step.mode_load.amax().max(frozen.forces.amax());
+            let violation = direction.amax() / forces.max(f64::MIN_POSITIVE);
+            return Err(FailureCause::Inaccurate { violation });
         }
         let scales = Scales::of(step, &frozen.forces, &frozen.motion);
-        if iteration.relinearise(&frozen, scales) {
+        if linear || iteration.relinearise(&frozen, scales) {
             return attempt.accept(attempt.trial(&frozen, &iteration.status));
         }
     }

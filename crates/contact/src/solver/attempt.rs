@@ -149,6 +149,7 @@ impl<'a> Attempt<'a> {
             solver: self.name,
             stop,
             solutions: None,
+            attempts: Vec::new(),
         }
     }
 

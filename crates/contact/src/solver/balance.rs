@@ -4,21 +4,27 @@
 //! the edges G_n ± μ G_t of the cones. The load r has no balance if and only if the nearest point of the cone {A z} to −r
 //! leaves a remainder ρ = r + A z ≠ 0: then ρ·a ≥ 0 for every column and ρ·r > 0, so along the rigid motion ρ the load does
 //! work and no admissible contact force works against it.
+//!
+//! μ is the largest that the law gives a point whatever it remembers: untouched, as now, or having slipped far. So the proof
+//! holds for every way to the load, as far as a law's coefficient lies between those of these three pasts. Of a law that does
+//! not say that its bound is proportional to pressure, μ is the largest at some pressures about that of the load, which is a
+//! reason and no proof.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::step::Step;
+use stickslip_friction::{History, PointStatus};
 
 /// Relative size of a remainder that counts.
 const NEGLIGIBLE: f64 = 1e-9;
 
-/// The rigid motion that proves that the load of `step` cannot be balanced; `None` where there is no such proof, or where a
-/// law's bound is not proportional to pressure.
-pub(super) fn impossible(step: &Step<'_>) -> Option<DVector<f64>> {
+/// A rigid motion along which the load of `step` does work against no friction cone, and whether that is a proof that the load
+/// cannot be balanced; `None` where there is no such motion.
+pub(super) fn impossible(step: &Step<'_>) -> Option<(DVector<f64>, bool)> {
     if step.mode_load.amax() == 0.0 {
         return None;
     }
-    let mut edges = cone_edges(step)?;
+    let mut edges = cone_edges(step);
     // Translations and rotations have different units: all are measured by the largest motion of a point.
     let modes = step.problem.modes();
     let units = DVector::from_fn(modes.ncols(), |mode, _| match modes.column(mode).amax() {
@@ -30,7 +36,8 @@ pub(super) fn impossible(step: &Step<'_>) -> Option<DVector<f64>> {
     }
     let load = step.mode_load.component_mul(&units);
     let remainder = nearest(&edges, &load);
-    proves(&edges, &load, &remainder).then(|| remainder.component_mul(&units))
+    let proved = (0..step.count()).all(|k| step.problem.law(k).is_linear());
+    proves(&edges, &load, &remainder).then(|| (remainder.component_mul(&units), proved))
 }
 
 /// Whether along `remainder` the load does work and no edge of the cones works against it: checked, because the search for
@@ -45,24 +52,45 @@ fn proves(edges: &DMatrix<f64>, load: &DVector<f64>, remainder: &DVector<f64>) -
 }
 
 /// Columns G_n ± μ G_t, m × 2n.
-fn cone_edges(step: &Step<'_>) -> Option<DMatrix<f64>> {
+fn cone_edges(step: &Step<'_>) -> DMatrix<f64> {
     let modes = step.problem.modes();
     let mut edges = DMatrix::zeros(modes.ncols(), 2 * step.count());
     for (k, point) in step.problem.points().iter().enumerate() {
-        let bound = |pressure: f64| {
-            step.bound(k, pressure * point.area, 0.0).stick / (pressure * point.area)
+        let coefficient = if point.slides {
+            largest_coefficient(step, k)
+        } else {
+            0.0
         };
-        let coefficient = if point.slides { bound(1.0) } else { 0.0 };
-        if point.slides && (bound(2.0) - coefficient).abs() > 1e-12 * coefficient {
-            return None;
-        }
         let (normal, tangential) = (modes.row(2 * k), modes.row(2 * k + 1));
         for (side, sign) in [1.0, -1.0].into_iter().enumerate() {
             let edge = normal + tangential * (sign * coefficient);
             edges.column_mut(2 * k + side).copy_from(&edge.transpose());
         }
     }
-    Some(edges)
+    edges
+}
+
+/// The largest μ of `point` in any past: exact where the law's bound is proportional to pressure, else at pressures up to a
+/// thousand times larger and smaller than that of the load.
+fn largest_coefficient(step: &Step<'_>, point: usize) -> f64 {
+    let (law, at) = (step.problem.law(point), &step.problem.points()[point]);
+    let untouched = History::default();
+    let worn = untouched.commit(PointStatus::Slip, f64::MAX);
+    let pasts = [&untouched, &step.committed.history[point], &worn];
+    let shares: &[f64] = if law.is_linear() {
+        &[1.0]
+    } else {
+        &[1e-3, 1.0, 1e3]
+    };
+    let load = step.mode_load.amax() / at.area;
+    let coefficients = shares.iter().flat_map(|share| {
+        let pressure = share * load;
+        pasts.map(|past| {
+            let bound = law.bound(pressure, 0.0, &at.place, past);
+            step.friction * bound.stick.max(bound.slip) / pressure
+        })
+    });
+    coefficients.fold(0.0, f64::max)
 }
 
 /// Remainder r + A z of the z ≥ 0 that makes it smallest (Lawson & Hanson 1974, NNLS).

@@ -7,8 +7,12 @@ use super::{
     StatusIteration, Step, StepFailure, StepSolution, Work,
 };
 
+use crate::state::Status;
+use crate::uniqueness::{NEAR_BOUND, uniqueness_bound};
+
 /// Tries its members in order until one solves the step, or until the step is proved to have no solution. On ordinary steps it
-/// costs what its first member costs.
+/// costs what its first member costs. Where at most six points touch, under friction near or beyond the estimated bound of
+/// uniqueness, the statuses of these are enumerated, and the solution nearest to the last accepted state is taken.
 #[derive(Debug)]
 pub struct Chain {
     members: Vec<Box<dyn InterfaceSolver>>,
@@ -76,20 +80,22 @@ impl Chain {
             work: Work::default(),
             best: None,
         };
-        if let Some(motion) = impossible(step) {
-            let motion = motion.as_slice().to_vec();
-            let proof = FailureCause::Unbalanced {
-                motion,
-                proved: true,
-            };
-            failure.attempts.push(("force balance", proof));
-            return Err(failure);
+        let unbalanced = impossible(step).map(|(motion, proved)| FailureCause::Unbalanced {
+            motion: motion.as_slice().to_vec(),
+            proved,
+        });
+        if let Some(cause) = unbalanced {
+            failure.attempts.push(("force balance", cause));
+            if !failure.is_unresolved() {
+                return Err(failure);
+            }
         }
         for member in members {
             match member.solve(step) {
                 Ok(mut solution) => {
                     solution.work += failure.work;
-                    return Ok(solution);
+                    solution.attempts = failure.attempts;
+                    return Ok(among_several(step, solution));
                 }
                 Err(next) => {
                     failure.attempts.extend(next.attempts);
@@ -101,8 +107,46 @@ impl Chain {
                 }
             }
         }
-        released(step).ok_or(failure)
+        match released(step) {
+            Some(mut solution) => {
+                solution.work += failure.work;
+                solution.attempts = failure.attempts;
+                Ok(solution)
+            }
+            None => Err(failure),
+        }
     }
+}
+
+/// The solution nearest to the last accepted state where there may be several and few points touch; `solution` elsewhere, at
+/// the cost of looking at its statuses.
+fn among_several(step: &Step<'_>, solution: StepSolution) -> StepSolution {
+    let enumeration = Enumeration::default();
+    if solution.solutions.is_some() {
+        return solution;
+    }
+    let Some(points) = enumeration.candidates(&solution) else {
+        return solution;
+    };
+    let coefficient = step.coefficient_of(&points);
+    let mut together = vec![Status::Open; step.count()];
+    for &point in &points {
+        together[point] = Status::Stick;
+    }
+    let unique = |status: &[Status]| {
+        uniqueness_bound(step.problem, status).is_some_and(|bound| coefficient < NEAR_BOUND * bound)
+    };
+    let few = |status: &&&Vec<Status>| {
+        let touching = status.iter().filter(|status| status.touches()).count();
+        (1..=enumeration.points).contains(&touching)
+    };
+    // Another solution may touch at all of them, or where the last state did.
+    let touches = [&solution.trial.status, &step.committed.status, &together];
+    let alone = coefficient == 0.0 || touches.iter().filter(few).all(|status| unique(status));
+    if alone {
+        return solution;
+    }
+    enumeration.nearest_to_last(step, &points, solution)
 }
 
 /// The last accepted state as the solution of a step without change of load: what has been reached stays.

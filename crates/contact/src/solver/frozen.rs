@@ -88,6 +88,28 @@ struct Layout {
     tangential: Vec<usize>,
 }
 
+impl Layout {
+    fn of(step: &Step<'_>, status: &[Status], lines: &[SlipLine]) -> Self {
+        let points = step.problem.points();
+        let sticks =
+            |k: usize| status[k] == Status::Stick || (status[k].touches() && lines[k].slip != 0.0);
+        Self {
+            normal: (0..points.len()).filter(|&k| status[k].touches()).collect(),
+            tangential: (0..points.len())
+                .filter(|&k| points[k].slides && sticks(k))
+                .collect(),
+        }
+    }
+
+    /// The conditions of (g, Δs) that are equations.
+    fn rows(&self) -> Vec<usize> {
+        let normal = self.normal.iter().map(|k| 2 * k);
+        normal
+            .chain(self.tangential.iter().map(|k| 2 * k + 1))
+            .collect()
+    }
+}
+
 /// Solves with statuses `status` and slip tractions `lines`, and counts what that costs.
 pub(super) fn solve(
     step: &Step<'_>,
@@ -96,15 +118,7 @@ pub(super) fn solve(
     work: &mut Work,
 ) -> Result<Frozen, FailureCause> {
     let points = step.problem.points();
-    let layout = Layout {
-        normal: (0..points.len()).filter(|&k| status[k].touches()).collect(),
-        tangential: (0..points.len())
-            .filter(|&k| {
-                points[k].slides
-                    && (status[k] == Status::Stick || (status[k].touches() && lines[k].slip != 0.0))
-            })
-            .collect(),
-    };
+    let layout = Layout::of(step, status, lines);
     let (matrix, side, free) = reduced_system(step, status, lines, &layout);
     let mut solution = side;
     let (order, count) = (solution.len() as u64, points.len() as u64);
@@ -199,12 +213,7 @@ fn reduced_system(
     layout: &Layout,
 ) -> (DMatrix<f64>, DVector<f64>, Option<FreeMotions>) {
     let (compliance, modes) = (step.problem.compliance(), step.problem.modes());
-    let rows: Vec<usize> = layout
-        .normal
-        .iter()
-        .map(|k| 2 * k)
-        .chain(layout.tangential.iter().map(|k| 2 * k + 1))
-        .collect();
+    let rows = layout.rows();
     let (touching, contact, rigid) = (layout.normal.len(), rows.len(), modes.ncols());
     let size = contact + rigid;
     let mut matrix = DMatrix::zeros(size, size);
@@ -281,6 +290,45 @@ fn soften_slip_rows(
             matrix[(row, j)] += sign * lines[k].normal;
         }
     }
+}
+
+/// Whether the solve with statuses `status` may be off by `f64::EPSILON / tolerance` of its solution: the reduced matrix, rows
+/// and columns scaled to one, has a condition number beyond 1/`tolerance`, or a rigid motion is neither free nor resisted.
+pub(super) fn undetermined(
+    step: &Step<'_>,
+    status: &[Status],
+    lines: &[SlipLine],
+    tolerance: f64,
+) -> bool {
+    const RESISTED: f64 = 1e-5;
+    let layout = Layout::of(step, status, lines);
+    let (mut matrix, _, _) = reduced_system(step, status, lines, &layout);
+    for _ in 0..3 {
+        for mut row in matrix.row_iter_mut() {
+            row /= positive(row.amax());
+        }
+        for mut column in matrix.column_iter_mut() {
+            column /= positive(column.amax());
+        }
+    }
+    let ratio = |values: &DVector<f64>| values.min() / positive(values.max());
+    if !matrix.is_empty() && ratio(&matrix.singular_values()) < tolerance {
+        return true;
+    }
+    let rows = layout.rows();
+    let held = step.problem.modes().select_rows(&rows);
+    if held.is_empty() {
+        return false;
+    }
+    let values = held.singular_values();
+    let largest = positive(values.max());
+    values
+        .iter()
+        .any(|value| (NEGLIGIBLE * largest..RESISTED * largest).contains(value) && *value > 0.0)
+}
+
+fn positive(value: f64) -> f64 {
+    if value > 0.0 { value } else { 1.0 }
 }
 
 /// Keeps rigid motions that no row of `rows` resists at their committed amount, and returns them.

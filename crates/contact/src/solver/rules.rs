@@ -1,4 +1,14 @@
 //! How an active-set iteration corrects the status of a point after a solve with frozen statuses.
+//!
+//! ```text
+//! closed:  λ_n ≥ 0, else open;      open:  g_n ≥ 0, else closed
+//! stick:   |λ_t| ≤ F_stick, else slip against λ_t
+//! slip:    −σ Δs ≤ 0, else stick or turn:  |λ_t − Δs/c| ≤ F(λ_n − g_n/c)  sticks,  else slip against it
+//! ```
+//!
+//! A point that closes is told the same way. c is the sum of magnitudes of the compliances by which all touching points move
+//! this one, so that the projection is that of Alart & Curnier with 1/c for its parameter, applied where a status changes to
+//! contact or turns; elsewhere signs alone decide, as in the report's rules.
 
 use super::accept::ROUNDING;
 use super::frozen::Frozen;
@@ -11,7 +21,8 @@ use crate::state::Status;
 pub(super) enum Rules {
     /// Post & Reddy (1988, II 2.1): a closing or turning point sticks.
     Report,
-    /// The projection's (Alart & Curnier 1991): it sticks if the force that this takes lies within the bound.
+    /// The projection's (Alart & Curnier 1991): a closing or turning point sticks if the force that this takes lies within the
+    /// bound, and slips against that force if it does not.
     Projection,
 }
 

@@ -166,6 +166,41 @@ impl<'a> Step<'a> {
         }
     }
 
+    /// The largest coefficient of friction (dimensionless) of the points that touch in `trial`: the larger one of the bounds of
+    /// sticking and of slipping over the normal force. Points that carry less than a hundredth of the largest normal force do not
+    /// count: a law may be as steep as it likes at vanishing pressure.
+    pub fn largest_coefficient(&self, trial: &TrialState) -> f64 {
+        const CARRIES: f64 = 1e-2;
+        let normal = |k: usize| trial.forces[2 * k];
+        let largest = (0..self.count()).map(normal).fold(0.0, f64::max);
+        let coefficient = |k: usize| {
+            let slip = trial.motion[2 * k + 1] - self.committed.tangential_displacement(k);
+            let bound = self.bound(k, normal(k), slip);
+            bound.stick.max(bound.slip) / normal(k)
+        };
+        (0..self.count())
+            .filter(|&k| trial.status[k].touches() && self.problem.points()[k].slides)
+            .filter(|&k| normal(k) > CARRIES * largest)
+            .map(coefficient)
+            .fold(0.0, f64::max)
+    }
+
+    /// The largest coefficient of friction (dimensionless) of `points`, at the last normal forces or such as the loads make.
+    pub(crate) fn coefficient_of(&self, points: &[usize]) -> f64 {
+        let normal = self.starting_forces();
+        let coefficient = |&k: &usize| {
+            let bound = self.bound(k, normal[k], 0.0);
+            let slides = self.problem.points()[k].slides;
+            let force = if slides {
+                bound.stick.max(bound.slip)
+            } else {
+                0.0
+            };
+            force / normal[k]
+        };
+        points.iter().map(coefficient).fold(0.0, f64::max)
+    }
+
     /// Gap and slip increment `[length]` of all points under contact forces and rigid motions, interleaved, 2n.
     pub fn motion(&self, forces: &DVector<f64>, rigid: &DVector<f64>) -> DVector<f64> {
         let mut motion = self.free_motion.clone();

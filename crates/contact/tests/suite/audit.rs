@@ -5,10 +5,9 @@ use stickslip_contact::solver::{InterfaceSolver, Residuals, Step, StepFailure, S
 use stickslip_contact::{
     Chain, ContactPair, ContactPoint, InterfaceProblem, LoadHistory, Ramp, StepRecord,
 };
-use stickslip_fem_core::{InterfaceOperator, RigidBody};
+use stickslip_fem_core::{GivenBody, InterfaceOperator, RigidBody};
 
 use crate::coulomb;
-use crate::given_body::GivenBody;
 
 /// Solves as the chain does, then changes force `row` by the factor 1 + `error` or, where it is zero, by `error`.
 #[derive(Debug)]
@@ -33,7 +32,8 @@ impl InterfaceSolver for Wrong {
 /// Two rigid blocks on held elastic points that know nothing of each other; load cases push each against its point along x.
 fn blocks(mu: f64) -> InterfaceProblem {
     let compliance = DMatrix::from_diagonal(&DVector::from_vec(vec![2.0, 0.5]));
-    let grounds = [0, 1].map(|_| GivenBody::held(compliance.clone(), vec![DVector::zeros(2); 2]));
+    let grounds =
+        [0, 1].map(|_| GivenBody::held(compliance.clone(), vec![DVector::zeros(2); 2]).unwrap());
     let block = |forces| RigidBody::sliding(vec![[0.0, 0.0]], [true, false], forces);
     let first = block(&[[1.0, 0.0], [0.0, 0.0]]);
     let second = block(&[[0.0, 0.0], [1.0, 0.0]]);

@@ -9,9 +9,9 @@ use stickslip_contact::{
     Ramp, SemismoothNewton, Status, StatusIteration,
 };
 
-use crate::given_body::GivenBody;
 use crate::oracle::{Conditions, STATUSES};
 use crate::{Ground, coulomb, solve};
+use stickslip_fem_core::GivenBody;
 
 /// The numbers have one or two digits and the matrices condition numbers below 100: rounding stays far below this.
 const ROUNDING: f64 = 1e-12;
@@ -71,7 +71,7 @@ pub(crate) fn problem(case: &Value) -> InterfaceProblem {
         .map(|i| compliance.column(i).into_owned())
         .collect();
     let mode_loads = (0..size).map(|i| modes.row(i).transpose()).collect();
-    let body = GivenBody::floating(compliance, modes, responses, mode_loads);
+    let body = GivenBody::floating(compliance, modes, responses, mode_loads).unwrap();
     let gaps = case
         .get("g0_mm")
         .map_or_else(|| vec![0.0; size / 2], fractions);
@@ -370,7 +370,7 @@ fn pivoting_meets_no_ray_at_large_friction() {
         .try_inverse()
         .unwrap();
     let response = &compliance * DVector::from_vec(vec![-2.0, -2.0]);
-    let body = GivenBody::held(compliance, vec![response]);
+    let body = GivenBody::held(compliance, vec![response]).unwrap();
     let problem = Ground::along_x(vec![0.3], coulomb(2.25)).under(&body);
     let mut committed = ContactState::unloaded(&problem);
     committed.motion[1] = -0.5;

@@ -13,10 +13,10 @@ use stickslip_contact::{
 };
 
 use crate::discrete::{cases, check_increment, committed, data, load, starts};
-use crate::given_body::GivenBody;
 use crate::random::{RandomStep, generator};
 use crate::scene::Scene;
 use crate::{Ground, coulomb, discrete, solve};
+use stickslip_fem_core::GivenBody;
 
 /// Largest residual of a verified solution.
 const VERIFIED: f64 = 1e-10;
@@ -208,7 +208,7 @@ fn punch(count: usize, mu: f64) -> InterfaceProblem {
         }
     });
     let all = |n: f64, t: f64| DVector::from_fn(2 * count, |i, _| if i % 2 == 0 { n } else { t });
-    let body = GivenBody::held(compliance, vec![all(-1.0, 0.0), all(0.0, 1.0)]);
+    let body = GivenBody::held(compliance, vec![all(-1.0, 0.0), all(0.0, 1.0)]).unwrap();
     Ground::along_x(vec![0.0; count], coulomb(mu)).under(&body)
 }
 
@@ -355,7 +355,8 @@ fn a_floating_body_is_let_go_by_all() {
     });
     let modes = DMatrix::from_fn(6, 1, |i, _| if i % 2 == 0 { 1.0 } else { 0.0 });
     let press = DVector::from_element(1, -1.0);
-    let body = GivenBody::floating(compliance, modes, vec![DVector::zeros(6)], vec![press]);
+    let body =
+        GivenBody::floating(compliance, modes, vec![DVector::zeros(6)], vec![press]).unwrap();
     for mu in [0.0, 0.3, 1.0] {
         let problem = Ground::along_x(vec![0.0, 0.1, 0.0], coulomb(mu)).under(&body);
         let start = ContactState::unloaded(&problem);

@@ -3,10 +3,9 @@
 use nalgebra::{DMatrix, DVector};
 use stickslip_contact::freedom::{FreeBody, free_bodies};
 use stickslip_contact::{ContactPair, ContactPoint, InterfaceProblem};
-use stickslip_fem_core::{InterfaceOperator, RigidBody};
+use stickslip_fem_core::{GivenBody, InterfaceOperator, RigidBody};
 
 use crate::coulomb;
-use crate::given_body::GivenBody;
 
 /// A rigid disk that floats in a held hole, eight points around the circle.
 fn disk(mu: f64) -> InterfaceProblem {
@@ -25,7 +24,8 @@ fn disk(mu: f64) -> InterfaceProblem {
         motions,
         vec![DVector::zeros(16)],
         vec![load],
-    );
+    )
+    .unwrap();
     pair([&hole, &disk], &normals, mu)
 }
 

@@ -12,9 +12,9 @@ use stickslip_contact::{
 };
 use stickslip_friction::{FrictionLaw, SlipPath, SlipPower, StaticDynamic, Transition};
 
-use crate::given_body::GivenBody;
 use crate::scene::{ROUNDING, Scene, assert_close, follow};
 use crate::{Ground, coulomb, solve};
+use stickslip_fem_core::GivenBody;
 
 proptest! {
     #[test]
@@ -151,8 +151,8 @@ fn a_failing_step_leaves_the_steps_before_it_untouched() {
         DVector::from_vec(vec![-1.0, 0.3]),
         DVector::from_vec(vec![0.1, 1.0]),
     ];
-    let problem =
-        Ground::along_x(vec![0.1], coulomb(0.3)).under(&GivenBody::held(compliance, responses));
+    let problem = Ground::along_x(vec![0.1], coulomb(0.3))
+        .under(&GivenBody::held(compliance, responses).unwrap());
     let steps = vec![vec![1.0, 0.0], vec![1.0, 0.5], vec![0.5, -0.5]];
     let mut seen = Vec::new();
     let tiring = Tiring {
@@ -186,7 +186,8 @@ fn dissipation_of_a_closed_loop_is_its_area() {
             DVector::from_vec(vec![-1.0, 0.0]),
             DVector::from_vec(vec![0.0, 1.0]),
         ],
-    );
+    )
+    .unwrap();
     let problem = Ground::along_x(vec![0.0], coulomb(0.5)).under(&body);
     let steps: Vec<Vec<f64>> = [0.0, 1.0, -1.0, 1.0]
         .iter()
@@ -222,7 +223,8 @@ fn without_friction_points_slip_the_way_they_move() {
             motion([-1.0, 0.0, -1.0, 0.0]),
             motion([0.0, -1.0, 0.0, 1.0]),
         ],
-    );
+    )
+    .unwrap();
     let problem = Ground::along_x(vec![0.0; 2], coulomb(0.0)).under(&body);
     let steps = vec![vec![1.0, 1.0], vec![1.0, 1.0 + 1e-14], vec![1.0, -1.0]];
     let records = follow(&problem, &steps, 1);

@@ -4,9 +4,8 @@ use nalgebra::{DMatrix, DVector, Matrix2, Rotation2};
 use proptest::prelude::*;
 use stickslip_contact::state::TrialState;
 use stickslip_contact::{ContactPair, ContactPoint, ContactState, InterfaceProblem};
-use stickslip_fem_core::{InterfaceOperator, RigidBody};
+use stickslip_fem_core::{GivenBody, InterfaceOperator, RigidBody};
 
-use crate::given_body::GivenBody;
 use crate::oracle::Conditions;
 use crate::scene::{ROUNDING, Scene, assert_close, follow};
 use crate::{coulomb, positive_definite};
@@ -20,7 +19,7 @@ fn wedge(
     mu: f64,
 ) -> (InterfaceProblem, Vec<[f64; 2]>) {
     let compliance = positive_definite(2 * count, &entries[..4 * count * count], 0.5);
-    let elastic = GivenBody::held(compliance, vec![DVector::zeros(2 * count); 2]);
+    let elastic = GivenBody::held(compliance, vec![DVector::zeros(2 * count); 2]).unwrap();
     let places = elastic.points().to_vec();
     let rigid = RigidBody::sliding(places.clone(), [true, true], &[[1.0, 0.0], [0.0, 1.0]]);
     let points = (0..count)
@@ -174,11 +173,11 @@ proptest! {
         let first = GivenBody::held(
             &scene.compliance * share,
             scene.responses.iter().map(|response| response * share).collect(),
-        );
+        ).unwrap();
         let second = GivenBody::held(
             DMatrix::from_fn(size, size, |i, j| scene.compliance[(backwards(i), backwards(j))] * (1.0 - share)),
             scene.responses.iter().map(|all| DVector::from_fn(size, |i, _| (share - 1.0) * all[backwards(i)])).collect(),
-        );
+        ).unwrap();
         let points = (0..count)
             .map(|k| ContactPoint {
                 first: k.into(),

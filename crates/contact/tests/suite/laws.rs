@@ -14,9 +14,9 @@ use stickslip_friction::{
     FrictionLaw, PressurePower, SlipPath, SlipPower, StaticDynamic, Transition,
 };
 
-use crate::given_body::GivenBody;
 use crate::oracle::Conditions;
 use crate::{Ground, commit, solve};
+use stickslip_fem_core::GivenBody;
 
 /// A few operations on numbers of order one.
 const EXACT: f64 = 1e-13;
@@ -32,7 +32,8 @@ fn problem(stiffness: &[&[f64]], law: Arc<dyn FrictionLaw>) -> InterfaceProblem 
     let responses = (0..size)
         .map(|i| compliance.column(i).into_owned())
         .collect();
-    Ground::along_x(vec![0.0; size / 2], law).under(&GivenBody::held(compliance, responses))
+    Ground::along_x(vec![0.0; size / 2], law)
+        .under(&GivenBody::held(compliance, responses).unwrap())
 }
 
 fn follow(

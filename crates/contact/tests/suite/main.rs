@@ -4,12 +4,13 @@ mod audit;
 mod discrete;
 mod family;
 mod freedom;
-mod given_body;
 mod histories;
 mod invariants;
 mod laws;
 mod oracle;
+mod proofs;
 mod random;
+mod recovery;
 mod rigid;
 mod scene;
 mod unique;
@@ -23,10 +24,8 @@ use stickslip_contact::{
     solver::{Step, StepFailure, StepSolution},
     state::TrialState,
 };
-use stickslip_fem_core::{InterfaceOperator, RigidBody};
+use stickslip_fem_core::{GivenBody, InterfaceOperator, RigidBody};
 use stickslip_friction::{Coulomb, FrictionLaw};
-
-use crate::given_body::GivenBody;
 
 /// Points against a rigid ground that cannot move, all of unit area.
 struct Ground {

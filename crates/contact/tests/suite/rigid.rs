@@ -7,9 +7,8 @@ use stickslip_contact::{
     Chain, ContactError, ContactPair, ContactPoint, ContactState, InterfaceProblem,
     InterfaceSolver, LoadHistory, Pivoting, Ramp, SemismoothNewton, Status, StatusIteration,
 };
-use stickslip_fem_core::{InterfaceOperator, RigidBody};
+use stickslip_fem_core::{GivenBody, InterfaceOperator, RigidBody};
 
-use crate::given_body::GivenBody;
 use crate::{coulomb, solve};
 
 /// A few operations on numbers of order one.
@@ -19,7 +18,7 @@ const EXACT: f64 = 1e-13;
 /// where `free` says so; load cases push it along x and along y. The block's normals point along +x, into the body.
 fn block(free: [bool; 2], gaps: [f64; 2], mu: f64) -> InterfaceProblem {
     let compliance = DMatrix::from_diagonal(&DVector::from_vec(vec![2.0, 0.5, 1.0, 0.5]));
-    let elastic = GivenBody::held(compliance, vec![DVector::zeros(4); 2]);
+    let elastic = GivenBody::held(compliance, vec![DVector::zeros(4); 2]).unwrap();
     let places = elastic.points().to_vec();
     let rigid = RigidBody::sliding(places, free, &[[1.0, 0.0], [0.0, 1.0]]);
     let points = (0..2).map(|k| point(k, [1.0, 0.0], gaps[k])).collect();
@@ -215,7 +214,7 @@ fn a_frictionless_block_slides_off_along_the_contact() {
 /// lost altogether and made on the other.
 #[test]
 fn a_pin_between_walls_changes_sides() {
-    let elastic = GivenBody::held(DMatrix::identity(4, 4), vec![DVector::zeros(4)]);
+    let elastic = GivenBody::held(DMatrix::identity(4, 4), vec![DVector::zeros(4)]).unwrap();
     let places = elastic.points().to_vec();
     let pin = RigidBody::sliding(places, [true, false], &[[1.0, 0.0]]);
     let points = vec![point(0, [1.0, 0.0], 0.5), point(1, [-1.0, 0.0], 0.5)];
@@ -259,7 +258,8 @@ fn contact_is_lost_altogether_and_made_again() {
             DVector::from_vec(vec![-1.0, 0.0, -1.0, 0.0]),
             DVector::from_vec(vec![0.0, 1.0, 0.0, 1.0]),
         ],
-    );
+    )
+    .unwrap();
     let problem = crate::Ground::along_x(vec![0.2; 2], coulomb(0.5)).under(&body);
     // (press, pull): down; slide to 1.5 − 0.5 = 1; up; across in the air; down at 4; a pull back that sticks.
     let loads = [

@@ -7,8 +7,8 @@ use proptest::prelude::*;
 use stickslip_contact::{Chain, InterfaceProblem, LoadHistory, Ramp, StepRecord};
 use stickslip_friction::FrictionLaw;
 
-use crate::given_body::GivenBody;
 use crate::{Ground, coulomb};
+use stickslip_fem_core::GivenBody;
 
 /// Matrices of order 8 at most and condition numbers below 100: two ways to one answer agree to this.
 pub(crate) const ROUNDING: f64 = 1e-10;
@@ -62,7 +62,7 @@ impl Scene {
     }
 
     pub(crate) fn problem_with(&self, law: Arc<dyn FrictionLaw>) -> InterfaceProblem {
-        let body = GivenBody::held(self.compliance.clone(), self.responses.clone());
+        let body = GivenBody::held(self.compliance.clone(), self.responses.clone()).unwrap();
         let normals = self
             .angles
             .iter()

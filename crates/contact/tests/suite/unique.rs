@@ -2,14 +2,14 @@
 
 use nalgebra::{DMatrix, DVector};
 use stickslip_contact::{
-    ContactState, Enumeration, InterfaceProblem, InterfaceSolver, Status, solver::Step,
-    uniqueness_bound,
+    Chain, ContactState, Enumeration, InterfaceProblem, InterfaceSolver, SemismoothNewton, Status,
+    solver::Step, uniqueness_bound,
 };
 
 use crate::discrete::{cases, data, problem};
-use crate::given_body::GivenBody;
 use crate::random::generator;
 use crate::{Ground, coulomb};
+use stickslip_fem_core::GivenBody;
 
 /// One point with K = [[k_t, k_c], [k_c, k_n]]: k_t/|k_c| (Klarbring 1990).
 #[test]
@@ -47,7 +47,8 @@ fn flat(mu: f64) -> InterfaceProblem {
     });
     let compliance = stiffness.try_inverse().unwrap();
     let responses = (0..6).map(|i| compliance.column(i).into_owned()).collect();
-    Ground::along_x(vec![0.0; 3], coulomb(mu)).under(&GivenBody::held(compliance, responses))
+    Ground::along_x(vec![0.0; 3], coulomb(mu))
+        .under(&GivenBody::held(compliance, responses).unwrap())
 }
 
 /// Largest number of solutions over random loads and pasts.
@@ -79,6 +80,39 @@ fn several_points_are_unique_below_the_estimate() {
     assert!(most_solutions(2.0 * bound) > 1);
 }
 
+/// Far below the estimate the chain does what its first member does, and nothing more; beyond it, it counts the solutions and
+/// takes the nearest to the last state.
+#[test]
+fn the_chain_counts_solutions_where_there_may_be_several() {
+    let bound = uniqueness_bound(&flat(0.3), &[Status::Stick; 3]).unwrap();
+    let (mut several, mut changed) = (0, 0);
+    for (mu, counted) in [(0.5 * bound, false), (2.0 * bound, true)] {
+        let problem = flat(mu);
+        let mut draw = generator(7);
+        for _ in 0..200 {
+            let mut state = ContactState::unloaded(&problem);
+            state.motion = DVector::from_fn(6, |i, _| if i % 2 == 1 { draw() } else { 0.0 });
+            let loads: Vec<f64> = (0..6).map(|_| 2.0 * draw()).collect();
+            let step = Step::new(&problem, &state, &loads);
+            let found = Chain::default().solve(&step).unwrap();
+            let all = Enumeration::default().solve(&step).unwrap();
+            if counted && found.trial.status.iter().all(|status| status.touches()) {
+                assert_eq!(found.solutions, all.solutions);
+            }
+            if found.solutions.is_some() {
+                assert!((&found.trial.forces - &all.trial.forces).amax() < 1e-10);
+                several += usize::from(found.solutions > Some(1));
+                changed += usize::from(found.solver == "enumeration");
+            }
+            if !counted && let Ok(first) = SemismoothNewton::default().solve(&step) {
+                assert_eq!((found.solutions, found.work), (None, first.work));
+                assert!(found.attempts.is_empty());
+            }
+        }
+    }
+    assert!(several > 10 && changed > 0, "{several}, {changed}");
+}
+
 /// A body that floats along its normal spreads the tangential coupling by its balance.
 #[test]
 fn floating_bodies_are_bounded_by_their_balance() {
@@ -95,7 +129,8 @@ fn floating_bodies_are_bounded_by_their_balance() {
         modes,
         vec![DVector::zeros(4)],
         vec![DVector::from_element(1, -1.0)],
-    );
+    )
+    .unwrap();
     let problem = Ground::along_x(vec![0.0; 2], coulomb(0.3)).under(&body);
     // λ_n = (x, −x) with 1.7·2x = −(0.4 t₀ + 0.6 t₁)... by hand: A_nn λ_n + A_nt λ_t + α = 0 in both rows; their difference is
     // 2 (2 − 0.3) x + (0.5 − 0.1) t₀ + (0.1 + 0.5) t₁ = 0.

@@ -7,8 +7,8 @@ use stickslip_contact::Status::{Open, SlipNegative, SlipPositive, Stick};
 use stickslip_contact::zones::{Zone, ends_of_contact, half_extent, mirrored, zones};
 use stickslip_contact::{ContactState, Status};
 
-use crate::given_body::GivenBody;
 use crate::{Ground, coulomb};
+use stickslip_fem_core::GivenBody;
 
 /// Zones of points at `parameter` with these statuses, all touching ones under the same pressure; the first and last cannot slide
 /// unless `slides` says so.
@@ -19,7 +19,7 @@ fn zones_of(status: &[Status], slides: bool, parameter: &[f64], closed: Option<f
         compliance[(1, 1)] = 0.0;
         compliance[(2 * count - 1, 2 * count - 1)] = 0.0;
     }
-    let body = GivenBody::held(compliance, vec![DVector::zeros(2 * count)]);
+    let body = GivenBody::held(compliance, vec![DVector::zeros(2 * count)]).unwrap();
     let problem = Ground::along_x(vec![0.0; count], coulomb(0.3)).under(&body);
     let mut state = ContactState::unloaded(&problem);
     for (k, &status) in status.iter().enumerate() {

@@ -14,9 +14,10 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector};
 use stickslip_contact::state::TrialState;
 use stickslip_contact::{ContactState, Status};
+use stickslip_fem_core::GivenBody;
 use stickslip_friction::Coulomb;
 
-use super::{Discrete, GivenBody, GroundPoint, Known, on_ground};
+use super::{Discrete, GroundPoint, Known, on_ground};
 use crate::error::LaboratoryError;
 
 /// Relative rounding of an admissibility condition.
@@ -50,7 +51,7 @@ pub fn one_node(
         .try_inverse()
         .ok_or_else(|| refuse(&format!("the stiffness {stiffness:?} is singular")))?;
     let response = &compliance * DVector::from_vec(vec![force[1], force[0]]);
-    let body = GivenBody::held(compliance, vec![response]);
+    let body = GivenBody::held(compliance, vec![response])?;
     let law = Coulomb::new(mu).map_err(|cause| refuse(&cause))?;
     let problem = on_ground(&body, &[GroundPoint::along_x(gap)], Arc::new(law))?;
     let mut committed = ContactState::unloaded(&problem);

@@ -9,9 +9,10 @@ use nalgebra::{DMatrix, DVector};
 use serde::Deserialize;
 use stickslip_contact::state::TrialState;
 use stickslip_contact::{ContactState, InterfaceProblem, Status};
+use stickslip_fem_core::GivenBody;
 use stickslip_friction::Coulomb;
 
-use super::{Discrete, GivenBody, GroundPoint, Known, commit, on_ground};
+use super::{Discrete, GroundPoint, Known, commit, on_ground};
 use crate::error::LaboratoryError;
 
 /// A problem and the statuses of its solutions.
@@ -190,7 +191,7 @@ fn problem(
         .map(|i| compliance.column(i).into_owned())
         .collect();
     let mode_loads = (0..size).map(|i| modes.row(i).transpose()).collect();
-    let body = GivenBody::floating(compliance, modes, responses, mode_loads);
+    let body = GivenBody::floating(compliance, modes, responses, mode_loads)?;
     let points: Vec<GroundPoint> = gaps.iter().copied().map(GroundPoint::along_x).collect();
     let law = Coulomb::new(mu).map_err(|cause| broken(&cause.to_string()))?;
     Ok(on_ground(&body, &points, Arc::new(law))?)

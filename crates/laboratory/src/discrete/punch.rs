@@ -17,10 +17,10 @@ use stickslip_contact::ContactState;
 use stickslip_fem_core::generate::{Generate, Rectangle};
 use stickslip_fem_core::material::{Isotropic, PlaneState};
 use stickslip_fem_core::mesh::ElementKind;
-use stickslip_fem_core::{ElasticBody, HeldDirection, InterfaceOperator, Support};
-use stickslip_friction::Coulomb;
+use stickslip_fem_core::{ElasticBody, GivenBody, HeldDirection, InterfaceOperator, Support};
+use stickslip_friction::{Coulomb, FrictionLaw};
 
-use super::{Discrete, GivenBody, GroundPoint, on_ground};
+use super::{Discrete, GroundPoint, on_ground};
 use crate::error::LaboratoryError;
 
 /// Width and height of the block `[length]`, its thickness being 1.
@@ -38,9 +38,25 @@ const POISSON: f64 = 0.3;
 /// # Errors
 /// [`LaboratoryError::Missing`] with the reason if there are too few nodes or `mu` is negative.
 pub fn flat_punch(nodes: usize, mu: f64) -> Result<Discrete, LaboratoryError> {
-    let refuse = |cause: &dyn std::fmt::Display| {
-        LaboratoryError::Missing(format!("flat punch of {nodes} nodes, μ = {mu}: {cause}"))
-    };
+    let name = format!("flat punch of {nodes} nodes, μ = {mu}");
+    let law =
+        Coulomb::new(mu).map_err(|cause| LaboratoryError::Missing(format!("{name}: {cause}")))?;
+    let mut punch = flat_punch_under(nodes, Arc::new(law))?;
+    punch.name = name;
+    Ok(punch)
+}
+
+/// The same under any friction law.
+///
+/// # Errors
+/// [`LaboratoryError::Missing`] with the reason if there are too few nodes.
+pub fn flat_punch_under(
+    nodes: usize,
+    law: Arc<dyn FrictionLaw>,
+) -> Result<Discrete, LaboratoryError> {
+    let name = format!("flat punch of {nodes} nodes, {}", law.name());
+    let refuse =
+        |cause: &dyn std::fmt::Display| LaboratoryError::Missing(format!("{name}: {cause}"));
     let cells = nodes.saturating_sub(1);
     let mesh = Rectangle::uniform(
         [0.0, WIDTH],
@@ -71,7 +87,7 @@ pub fn flat_punch(nodes: usize, mu: f64) -> Result<Discrete, LaboratoryError> {
     // A condensed body has a compliance.
     let compliance = block.compliance().cloned().unwrap_or_default();
     let moved = |motion: [f64; 2]| DVector::from_fn(2 * base.len(), |i, _| UNIT * motion[i % 2]);
-    let body = GivenBody::held(compliance, vec![moved([0.0, -1.0]), moved([1.0, 0.0])]);
+    let body = GivenBody::held(compliance, vec![moved([0.0, -1.0]), moved([1.0, 0.0])])?;
     let length = WIDTH / cells as f64;
     let points: Vec<GroundPoint> = (0..base.len())
         .map(|k| GroundPoint {
@@ -84,10 +100,9 @@ pub fn flat_punch(nodes: usize, mu: f64) -> Result<Discrete, LaboratoryError> {
             },
         })
         .collect();
-    let law = Coulomb::new(mu).map_err(|cause| refuse(&cause))?;
-    let problem = on_ground(&body, &points, Arc::new(law))?;
+    let problem = on_ground(&body, &points, law)?;
     Ok(Discrete {
-        name: format!("flat punch of {nodes} nodes, μ = {mu}"),
+        name,
         committed: ContactState::unloaded(&problem),
         problem,
         multipliers: vec![1.0, PUSH],

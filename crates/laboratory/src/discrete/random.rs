@@ -8,9 +8,10 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 use stickslip_contact::{ContactState, InterfaceProblem};
+use stickslip_fem_core::GivenBody;
 use stickslip_friction::Coulomb;
 
-use super::{Discrete, GivenBody, GroundPoint, enumerate, on_ground};
+use super::{Discrete, GroundPoint, enumerate, on_ground};
 
 /// Largest number of points.
 const POINTS: usize = 3;
@@ -60,7 +61,9 @@ fn problem(draw: &mut Draw, count: usize, floating: usize) -> InterfaceProblem {
     };
     let (responses, mode_loads) = (vectors(size, 2.0), vectors(floating, 1.0));
     let modes = DMatrix::from_fn(size, floating, |_, _| draw.sign());
-    let body = GivenBody::floating(compliance, modes, responses, mode_loads);
+    // All of them are made of `size` and `floating` here, and all numbers are finite.
+    let body =
+        GivenBody::floating(compliance, modes, responses, mode_loads).expect("the shapes fit");
     let points: Vec<GroundPoint> = (0..count)
         .map(|_| {
             let angle = PI * draw.sign();

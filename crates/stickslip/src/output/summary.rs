@@ -10,11 +10,11 @@ use super::display::{EdgeView, tidy};
 use super::failure::{self, FailureView};
 use super::loads::LoadScale;
 use super::zones::{contact_ranges, zone_ranges};
-use crate::results::{EdgeKind, LoadValue, Results};
+use crate::results::{EdgeKind, LoadValue, Results, StepNotes};
 use crate::scene::schema::DisplayUnits;
 use keys::{
-    Body, Choice, ContactZone, Edge, EdgeStep, FORMAT_VERSION, Load, Places, Program, Quantity,
-    Resultant, SlipZone, Step, Summary, Units,
+    Body, Choice, ContactZone, Cycle, Edge, EdgeStep, FORMAT_VERSION, Failed, Load, Place, Places,
+    Program, Quantity, Resultant, SlipZone, SolverNotes, Step, Summary, Units,
 };
 
 /// The summary of `results`, which are consistent.
@@ -144,6 +144,10 @@ fn step_entry(results: &Results, index: usize) -> Step<'_> {
         increments: step.increments,
         cutbacks: step.cutbacks,
         points_in_doubt: step.doubtful,
+        solver_notes: solver_notes(&step.notes, units),
+        solutions_counted: step.notes.solutions,
+        friction_coefficient: tidy(step.notes.friction),
+        uniqueness_estimate: step.notes.uniqueness.and_then(tidy),
         balance_residual: tidy(step.balance_residual),
         complementarity_residual: tidy(step.residuals.complementarity),
         cone_violation: tidy(step.residuals.cone),
@@ -156,6 +160,29 @@ fn step_entry(results: &Results, index: usize) -> Step<'_> {
             unit: energy_unit(units),
         },
         wall_time_s: microseconds(step.seconds),
+    }
+}
+
+fn solver_notes(notes: &StepNotes, units: DisplayUnits) -> SolverNotes {
+    let place = |&[x, y]: &[f64; 2]| Place {
+        x: tidy(units.length.from_base(x)),
+        y: tidy(units.length.from_base(y)),
+        unit: units.length.name,
+    };
+    let recovery = &notes.recovery;
+    SolverNotes {
+        failed: (recovery.failures.iter())
+            .map(|entry| Failed {
+                solver: entry.solver,
+                reason: entry.kind,
+                count: entry.count,
+            })
+            .collect(),
+        first_cycle: recovery.first_cycle.as_ref().map(|cycle| Cycle {
+            solver: cycle.solver,
+            period: cycle.period,
+            nodes: notes.cycle_places.iter().map(place).collect(),
+        }),
     }
 }
 

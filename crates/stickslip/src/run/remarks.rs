@@ -2,6 +2,8 @@
 
 use stickslip_contact::InterfaceProblem;
 use stickslip_contact::freedom::{FreeBody, free_bodies};
+use stickslip_contact::history::FailedAttempts;
+use stickslip_contact::uniqueness::NEAR_BOUND;
 use stickslip_contact::zones::Zone;
 
 use crate::model::{Model, ModelEdge, beyond_fine_zone};
@@ -13,7 +15,13 @@ const ROUNDING: f64 = 1e-9;
 
 /// Remarks on the load steps.
 pub(super) fn of_steps(scene: &Scene, model: &Model, steps: &[StepResults]) -> Vec<String> {
-    let mut notes: Vec<String> = doubtful(steps).into_iter().chain(cut_back(steps)).collect();
+    let mut notes: Vec<String> = doubtful(steps)
+        .into_iter()
+        .chain(cut_back(steps))
+        .chain(recovered(steps))
+        .chain(several(steps))
+        .chain(near_bound(steps))
+        .collect();
     for (index, edge) in model.edges.iter().enumerate() {
         if edge.pair.is_some() {
             let zones: Vec<&[Zone]> = steps.iter().map(|step| &*step.edges[index].zones).collect();
@@ -37,6 +45,70 @@ fn doubtful(steps: &[StepResults]) -> Option<String> {
 fn cut_back(steps: &[StepResults]) -> Option<String> {
     let which = steps_where(steps, |step| step.cutbacks > 0)?;
     Some(format!("The increment was cut back in load step {which}."))
+}
+
+/// One line on the solvers that failed before a step was solved.
+fn recovered(steps: &[StepResults]) -> Option<String> {
+    let which = steps_where(steps, |step| !step.notes.recovery.is_empty())?;
+    let mut failures: Vec<FailedAttempts> = Vec::new();
+    for entry in steps.iter().flat_map(|step| &step.notes.recovery.failures) {
+        let same =
+            |other: &&mut FailedAttempts| (other.solver, other.kind) == (entry.solver, entry.kind);
+        match failures.iter_mut().find(same) {
+            Some(other) => other.count += entry.count,
+            None => failures.push(*entry),
+        }
+    }
+    let counted =
+        |entry: &FailedAttempts| format!("{}: {} (×{})", entry.solver, entry.kind, entry.count);
+    let list: Vec<String> = failures.iter().map(counted).collect();
+    let cycle = steps
+        .iter()
+        .find_map(|step| step.notes.recovery.first_cycle.as_ref());
+    let cycle = cycle.map_or_else(String::new, |cycle| {
+        let (period, points) = (cycle.period, cycle.points.len());
+        format!(
+            " In the first cycle the statuses of {points} points repeated with period {period}."
+        )
+    });
+    Some(format!(
+        "More than the first solver was needed in load step {which}: {}.{cycle}",
+        list.join(", ")
+    ))
+}
+
+fn several(steps: &[StepResults]) -> Option<String> {
+    let which = steps_where(steps, |step| step.notes.solutions > Some(1))?;
+    let most = steps.iter().filter_map(|step| step.notes.solutions).max()?;
+    Some(format!(
+        "The answer is not unique in load step {which}: an increment has up to {most} solutions with the same loads. That was taken \
+         whose statuses differ least from the last accepted ones, and of equal ones that which moves least."
+    ))
+}
+
+/// Says where friction comes near the estimated bound of uniqueness.
+fn near_bound(steps: &[StepResults]) -> Option<String> {
+    let (index, estimate) = steps
+        .iter()
+        .enumerate()
+        .find_map(|(index, step)| Some((index, step.notes.uniqueness?)))?;
+    let notes = &steps[index].notes;
+    if notes.friction <= NEAR_BOUND * estimate {
+        return None;
+    }
+    let beyond = notes.friction > estimate;
+    let relation = if beyond { "beyond" } else { "near" };
+    let counted = match notes.solutions {
+        Some(count) => format!("{count} were found by enumeration"),
+        None if beyond => "they were not enumerated, because too many points touch".into(),
+        None => "none was looked for".into(),
+    };
+    Some(format!(
+        "Friction of up to {:.3} is {relation} {estimate:.3}, the estimate of the coefficient of friction up to which load step {} \
+         (where contact is largest) is unique. There may be further solutions; {counted}.",
+        notes.friction,
+        index + 1
+    ))
 }
 
 /// Says where two circles touch around θ = 180° in place of θ = 0; `steps` holds their zones for each step.

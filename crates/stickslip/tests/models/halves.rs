@@ -153,13 +153,16 @@ fn a_table_of_half_the_circle_is_mirrored_exactly() {
 }
 
 /// Keys that say how a scene was modelled and not what it does.
-const OF_THE_MODEL: [&str; 9] = [
+const OF_THE_MODEL: [&str; 12] = [
     "wall_time_s",
     "solvers",
     "iterations",
     "pivots",
     "increments",
     "cutbacks",
+    "solver_notes",
+    "solutions_counted",
+    "uniqueness_estimate",
     "balance_residual",
     "complementarity_residual",
     "cone_violation",

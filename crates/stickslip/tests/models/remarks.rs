@@ -1,6 +1,10 @@
 //! Remarks on scenes that are right but surprise.
 
-use super::{BUSHING, model, solved};
+use std::path::Path;
+
+use stickslip::scene::Scene;
+
+use super::{BUSHING, model, results, solved};
 
 /// The notes on a run that have this part.
 fn told(changes: &[&str], part: &str) -> Vec<String> {
@@ -115,4 +119,62 @@ fn a_bushing_without_friction_is_said_to_turn_freely() {
         rubbing[0].starts_with("Nothing holds 'bushing', 'pin' and 'plate' against moving as one"),
         "{rubbing:?}"
     );
+}
+
+/// A coefficient beyond the estimate of the bound of uniqueness is told once, with the step in which contact is largest.
+#[test]
+fn friction_beyond_its_estimated_bound_is_told() {
+    let part = "the estimate of the coefficient of friction up to which load step 2";
+    let high = [0, 1].map(|pair| format!("contacts.{pair}.friction.coulomb.mu=3"));
+    let changes: Vec<&str> = high.iter().map(String::as_str).collect();
+    let notes = told(&changes, part);
+    assert_eq!(notes.len(), 1, "{notes:?}");
+    assert!(
+        notes[0].contains("Friction of up to 3.000 is beyond"),
+        "{notes:?}"
+    );
+    assert!(notes[0].contains("they were not enumerated"), "{notes:?}");
+    let run = solved(BUSHING, &changes);
+    let estimated: Vec<bool> = run
+        .steps
+        .iter()
+        .map(|step| step.notes.uniqueness.is_some())
+        .collect();
+    assert_eq!(estimated, [false, true, false]);
+    assert!(
+        run.steps
+            .iter()
+            .all(|step| (step.notes.friction - 3.0).abs() < 1e-9)
+    );
+    assert!(told(&[], part).is_empty());
+}
+
+/// The status iteration cycles on a pin with friction of 0.2; the solver that takes over says so in one line.
+#[test]
+fn solvers_that_failed_on_the_way_are_told() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/pin-benchmark.toml");
+    let changes = [
+        "analysis.solver=status",
+        "mesh.spacing=9 deg",
+        "contacts.0.friction.coulomb.mu=0.2",
+        "output.fields=none",
+    ];
+    let run = results(&Scene::from_file(&path, &changes).unwrap());
+    let part = "More than the first solver was needed in load step";
+    let notes: Vec<&String> = run
+        .notes
+        .iter()
+        .filter(|note| note.contains(part))
+        .collect();
+    assert_eq!(notes.len(), 1, "{:?}", run.notes);
+    assert!(
+        notes[0].contains("status iteration: cycled (×"),
+        "{notes:?}"
+    );
+    assert!(notes[0].contains("repeated with period"), "{notes:?}");
+    let mut cycles = run.steps.iter().filter_map(|step| {
+        let cycle = step.notes.recovery.first_cycle.as_ref()?;
+        Some((cycle.points.len(), step.notes.cycle_places.len()))
+    });
+    assert!(cycles.all(|(points, places)| points == places && points > 0));
 }

@@ -4,11 +4,12 @@ use std::sync::Arc;
 
 use stickslip::results::{
     BodyFields, BodySummary, Choice, EdgeGeometry, EdgeKind, EdgeResults, EdgeRow, LoadValue,
-    Results, StepResults,
+    Results, StepNotes, StepResults,
 };
 use stickslip::scene::schema::DisplayUnits;
 use stickslip::units::{Dimension, Unit};
 use stickslip_contact::Status;
+use stickslip_contact::history::{Cycle, FailedAttempts, Recovery};
 use stickslip_contact::solver::{Residuals, Work};
 use stickslip_contact::zones::Zone;
 use stickslip_fem_core::generate::{
@@ -170,6 +171,11 @@ fn step(index: usize, edges: &[EdgeGeometry], mesh: &Mesh) -> StepResults {
         increments: 1,
         cutbacks: 0,
         doubtful: usize::from(index == 2),
+        notes: if index == 2 {
+            notes()
+        } else {
+            StepNotes::default()
+        },
         residuals: Residuals {
             complementarity: 1e-14,
             cone: 2e-15,
@@ -184,6 +190,29 @@ fn step(index: usize, edges: &[EdgeGeometry], mesh: &Mesh) -> StepResults {
             Vec::new()
         },
         seconds: 0.001,
+    }
+}
+
+/// A cycle of one point at (25.4, 0) mm, three solutions, and friction beyond the estimate.
+fn notes() -> StepNotes {
+    let (solver, period) = ("semismooth Newton", 2);
+    StepNotes {
+        recovery: Recovery {
+            failures: vec![FailedAttempts {
+                solver,
+                kind: "cycled",
+                count: 4,
+            }],
+            first_cycle: Some(Cycle {
+                solver,
+                period,
+                points: vec![3],
+            }),
+        },
+        cycle_places: vec![[25.4, 0.0]],
+        solutions: Some(3),
+        friction: 0.5,
+        uniqueness: Some(0.4),
     }
 }
 

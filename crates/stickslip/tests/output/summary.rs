@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use serde_json::Value;
+use serde_json::{Value, json};
 use stickslip::output::summary_json;
 
 use super::files::written;
@@ -52,6 +52,23 @@ fn the_first_contact_edge_stands_in_each_step() {
     assert_eq!(summary["steps"][3]["unloading"], true);
     assert_eq!(step["iterations"], 5);
     assert_eq!(step["points_in_doubt"], 1);
+    assert_eq!(
+        step["solver_notes"],
+        json!({
+            "failed": [{ "solver": "semismooth Newton", "reason": "cycled", "count": 4 }],
+            "first_cycle": {
+                "solver": "semismooth Newton",
+                "period": 2,
+                "nodes": [{ "x": 1.0, "y": 0.0, "unit": "in" }],
+            },
+        })
+    );
+    assert_eq!(step["solutions_counted"], 3);
+    assert_eq!(step["friction_coefficient"], 0.5);
+    assert_eq!(step["uniqueness_estimate"], 0.4);
+    let quiet = json!({ "failed": [], "first_cycle": null });
+    assert_eq!(summary["steps"][1]["solver_notes"], quiet);
+    assert_eq!(summary["steps"][1]["uniqueness_estimate"], Value::Null);
     assert_eq!(
         step["edges"]["pin"]["contact_half_angle_deg"],
         step["contact_half_angle_deg"]

@@ -8,7 +8,7 @@ use stickslip::model::{Model, ModelBodyKind};
 use stickslip_fem_core::ElasticBody;
 use stickslip_fem_core::body::internal_forces;
 use stickslip_fem_core::mesh::{EdgeRef, ElementKind, Point};
-use stickslip_laboratory::problems::{Gap, Problem};
+use stickslip_laboratory::problems::{Pairing, Problem};
 
 use super::{LOAD_STEPS, PeerRun};
 use crate::chart::Trouble;
@@ -50,7 +50,7 @@ impl Job {
         } else {
             Problem::AluminiumFrictional
         };
-        let scene = problem.build(spacing, element, Gap::Exact)?;
+        let scene = problem.build(spacing, element, Pairing::NodePairs)?;
         let model = Model::build(&scene).map_err(|cause| Trouble::Peer(cause.to_string()))?;
         let body = |name: &str| {
             let found = model.bodies.iter().find(|body| body.name == name);
@@ -167,9 +167,9 @@ impl Job {
             spacing_deg: self.spacing,
             unknowns: self.unknowns(),
             steps_converged: steps.len(),
-            peak_pressure_psi: peak,
-            wall_s: cost.wall,
-            cpu_s: cost.cpu,
+            peak_pressure_psi: peak.map(|psi| rounded(psi, 1)),
+            wall_s: rounded(cost.wall, 3),
+            cpu_s: cost.cpu.map(|seconds| rounded(seconds, 3)),
             ..PeerRun::default()
         };
         eprintln!(
@@ -258,6 +258,12 @@ fn children_seconds() -> Option<f64> {
     Some(0.01 * (ticks(13)? + ticks(14)?))
 }
 
+/// `value` with so many decimals, as it is kept in the file.
+pub(super) fn rounded(value: f64, decimals: i32) -> f64 {
+    let scale = 10_f64.powi(decimals);
+    (scale * value).round() / scale
+}
+
 #[cfg(test)]
 mod tests {
     use stickslip::run::run;
@@ -269,7 +275,7 @@ mod tests {
     #[test]
     fn the_peak_of_our_own_displacements_is_our_own_peak() {
         let mut scene = Problem::AluminiumFrictional
-            .build(9.0, ElementKind::Q8, Gap::Exact)
+            .build(9.0, ElementKind::Q8, Pairing::NodePairs)
             .unwrap();
         scene.output.fields = FieldOutput::All;
         let results = run(&scene, &mut |_| {}).unwrap();

@@ -108,11 +108,44 @@ pub(super) struct Step<'a> {
     pub(super) increments: usize,
     pub(super) cutbacks: usize,
     pub(super) points_in_doubt: usize,
+    pub(super) solver_notes: SolverNotes,
+    pub(super) solutions_counted: Option<usize>,
+    pub(super) friction_coefficient: Option<f64>,
+    /// Estimate of the friction coefficient up to which the step is unique.
+    pub(super) uniqueness_estimate: Option<f64>,
     pub(super) balance_residual: Option<f64>,
     pub(super) complementarity_residual: Option<f64>,
     pub(super) cone_violation: Option<f64>,
     pub(super) dissipation: Quantity,
     pub(super) wall_time_s: f64,
+}
+
+/// What failed before a step was solved.
+#[derive(Debug, Serialize)]
+pub(super) struct SolverNotes {
+    pub(super) failed: Vec<Failed>,
+    pub(super) first_cycle: Option<Cycle>,
+}
+
+#[derive(Debug, Serialize)]
+pub(super) struct Failed {
+    pub(super) solver: &'static str,
+    pub(super) reason: &'static str,
+    pub(super) count: usize,
+}
+
+#[derive(Debug, Serialize)]
+pub(super) struct Cycle {
+    pub(super) solver: &'static str,
+    pub(super) period: usize,
+    pub(super) nodes: Vec<Place>,
+}
+
+#[derive(Debug, Serialize)]
+pub(super) struct Place {
+    pub(super) x: Option<f64>,
+    pub(super) y: Option<f64>,
+    pub(super) unit: &'static str,
 }
 
 /// Quantities of one edge at the end of a step.
