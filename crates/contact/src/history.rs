@@ -233,6 +233,7 @@ impl Walk {
         } else {
             solver.solve(&step)?
         };
+        self.coefficient = step.largest_coefficient(&solution.trial);
         let increment = Increment::accept(&step, solution.trial);
         self.work += solution.work;
         let residuals = increment.residuals;
@@ -250,7 +251,6 @@ impl Walk {
         }
         self.recovery.add(&solution.attempts);
         self.solutions = self.solutions.max(solution.solutions);
-        self.coefficient = step.largest_coefficient(&solution.trial);
         self.increments += 1;
         self.dissipation += increment.dissipation;
         self.slip += increment.slip;

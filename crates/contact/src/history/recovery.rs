@@ -39,6 +39,13 @@ impl Recovery {
         self.failures.is_empty()
     }
 
+    /// The failed attempts at one increment.
+    pub fn of(attempts: &[(&'static str, FailureCause)]) -> Self {
+        let mut recovery = Self::default();
+        recovery.add(attempts);
+        recovery
+    }
+
     /// Takes over the failed attempts at one increment.
     pub(super) fn add(&mut self, attempts: &[(&'static str, FailureCause)]) {
         for (solver, cause) in attempts {

@@ -1,6 +1,7 @@
 //! What stays of a solved linearisation: the loss of plies that fail, or the state that is accepted.
 
 use stickslip_contact::audit::Audit;
+use stickslip_contact::history::Recovery;
 use stickslip_contact::solver::Step;
 use stickslip_contact::{Increment, StepRecord};
 use stickslip_fem_core::body::internal_forces;
@@ -142,6 +143,7 @@ impl Solving<'_> {
         let multipliers = with_correction(self.multipliers);
         let step = Step::new(&linear.problem, &self.start.contact, &multipliers);
         let solution = linear.solution;
+        let coefficient = step.largest_coefficient(&solution.trial);
         let increment = Increment::accept(&step, solution.trial);
         let contact = StepRecord {
             audit: Audit::of(&linear.problem, &increment.state),
@@ -150,6 +152,10 @@ impl Solving<'_> {
             residuals: increment.residuals,
             doubtful: solution.doubtful,
             solvers: vec![solution.solver],
+            recovery: Recovery::of(&solution.attempts),
+            solutions: solution.solutions,
+            coefficient,
+            uniqueness: None,
             increments: 1,
             cutbacks: 0,
             dissipation: increment.dissipation,
