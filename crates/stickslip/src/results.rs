@@ -1,6 +1,7 @@
 //! What a run yields, in base units (mm, N, MPa, rad): the source of every table, file and figure.
 
 mod failure;
+mod progressive;
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -9,6 +10,8 @@ pub use failure::{
     BodyFailure, CharacteristicFailure, EdgePlies, EdgePly, Envelope, EnvelopePoint, FailurePoint,
     FirstPly, JointFailure, JointMode, PlyGroup, PlyMap,
 };
+
+pub use progressive::{CurvePoint, PlyLoss, ProgressiveEnd, ProgressiveFailure};
 
 use stickslip_contact::Status;
 use stickslip_contact::history::Recovery;

@@ -3,6 +3,7 @@
 mod edges;
 mod failure;
 mod fields;
+mod progressive;
 mod remarks;
 mod reported;
 
@@ -17,6 +18,8 @@ use stickslip_fem_core::stress::StressError;
 use stickslip_fem_core::{CondensedBody, InterfaceOperator};
 use stickslip_laminate::FailureError;
 use thiserror::Error;
+
+pub use progressive::ProgressiveRunError;
 
 use crate::model::{Model, ModelBodyKind, ModelError};
 use crate::output::LoadScale;
@@ -54,6 +57,15 @@ pub enum RunError {
         /// Its reason.
         #[source]
         cause: FailureError,
+    },
+    /// Plies could not be followed beyond their failure.
+    #[error("progressive failure of body '{body}': {cause}")]
+    Progressive {
+        /// The body.
+        body: String,
+        /// Its reason.
+        #[source]
+        cause: ProgressiveRunError,
     },
 }
 
@@ -232,7 +244,7 @@ pub fn condense(model: &Model) -> Result<Vec<Operator>, RunError> {
 /// What is reported of the history `solved` of `scene`: edges, balances and, where asked for, fields.
 ///
 /// # Errors
-/// [`RunError::Stress`], [`RunError::Failure`], and [`RunError::Model`] if characteristic distances lead out of their body.
+/// [`RunError::Stress`], [`RunError::Failure`], [`RunError::Progressive`], and [`RunError::Model`] if characteristic distances lead out of their body.
 pub fn results(
     scene: &Scene,
     model: &Model,
@@ -294,7 +306,15 @@ pub fn results(
         step.unloading = unloading;
     }
     let with_fields = steps_with_fields(scene.output.fields, &scale, results.steps.len());
-    results.failure = failure::all(scene, model, &recovered, &results, &scale, &with_fields)?;
+    results.failure = failure::all(
+        scene,
+        model,
+        solver,
+        &recovered,
+        &results,
+        &scale,
+        &with_fields,
+    )?;
     for index in with_fields {
         results.steps[index].fields = fields::with_stresses(scene, model, &recovered[index])?;
     }

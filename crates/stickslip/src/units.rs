@@ -25,7 +25,7 @@ use std::fmt;
 
 pub use parse::{Expected, UnitError, parse, unit_of};
 pub use quantity::{
-    Angle, AngleOrLength, Force, Length, Measure, PerTemperature, Quantity, Stress, Temperature,
+    Angle, AngleOrLength, Force, FractureEnergy, Length, Measure, PerTemperature, Quantity, Stress, Temperature,
     UnitName,
 };
 pub(crate) use quantity::{QUANTITY_TAG, UNIT_TAG, dimensions_of_tag};
@@ -45,17 +45,20 @@ pub enum Dimension {
     Temperature,
     /// Thermal expansion, base unit 1/K.
     PerTemperature,
+    /// Energy per area of a crack, base unit N/mm.
+    FractureEnergy,
 }
 
 impl Dimension {
     /// All dimensions.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::Length,
         Self::Force,
         Self::Stress,
         Self::Angle,
         Self::Temperature,
         Self::PerTemperature,
+        Self::FractureEnergy,
     ];
 
     /// The dimension with its article: "a length".
@@ -67,6 +70,7 @@ impl Dimension {
             Self::Angle => "an angle",
             Self::Temperature => "a temperature difference",
             Self::PerTemperature => "a thermal expansion",
+            Self::FractureEnergy => "a fracture energy",
         }
     }
 
@@ -79,6 +83,7 @@ impl Dimension {
             Self::Angle => "rad",
             Self::Temperature => "K",
             Self::PerTemperature => "1/K",
+            Self::FractureEnergy => "N/mm",
         }
     }
 
@@ -90,6 +95,7 @@ impl Dimension {
             Self::Angle => "angle",
             Self::Temperature => "temperature",
             Self::PerTemperature => "per temperature",
+            Self::FractureEnergy => "fracture energy",
         }
     }
 
@@ -168,7 +174,7 @@ const fn unit(name: &'static str, dimension: Dimension, in_base: f64) -> Unit {
 }
 
 /// Every unit that a scene may use. Within a dimension the first is the base unit.
-pub const UNITS: [Unit; 36] = [
+pub const UNITS: [Unit; 42] = [
     unit("mm", Dimension::Length, 1.0),
     unit("cm", Dimension::Length, 10.0),
     unit("m", Dimension::Length, 1000.0),
@@ -205,6 +211,12 @@ pub const UNITS: [Unit; 36] = [
     unit("/degC", Dimension::PerTemperature, 1.0),
     unit("1/degF", Dimension::PerTemperature, 9.0 / 5.0),
     unit("/degF", Dimension::PerTemperature, 9.0 / 5.0),
+    unit("N/mm", Dimension::FractureEnergy, 1.0),
+    unit("kJ/m2", Dimension::FractureEnergy, 1.0),
+    unit("kJ/m²", Dimension::FractureEnergy, 1.0),
+    unit("J/m2", Dimension::FractureEnergy, 1e-3),
+    unit("J/m²", Dimension::FractureEnergy, 1e-3),
+    unit("lbf/in", Dimension::FractureEnergy, POUND_FORCE / 25.4),
 ];
 
 #[cfg(test)]

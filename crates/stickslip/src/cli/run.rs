@@ -145,6 +145,10 @@ fn located(scene: &Scene, error: &RunError) -> SceneError {
             "failure".to_owned(),
             "ask with other criteria or without failure.envelopes, or check the strengths of the plies",
         ),
+        RunError::Progressive { .. } => (
+            "failure.progressive".to_owned(),
+            "take smaller increments, a coarser mesh, or hold the bodies so that no load moves them freely",
+        ),
         _ => ("mesh".to_owned(), "change the mesh settings"),
     };
     let problem = SceneProblem::Model {

@@ -5,6 +5,7 @@ use stickslip_laminate::degradation::DegradationError;
 use stickslip_laminate::laminate::LaminateError;
 use stickslip_laminate::layup::LayupError;
 use stickslip_laminate::ply::PlyError;
+use stickslip_laminate::progressive::ProgressiveError;
 use stickslip_laminate::{FailureError, Strength};
 use thiserror::Error;
 
@@ -109,6 +110,25 @@ pub enum LaminateProblem {
         help("give a body a material with [materials.NAME.laminate], or remove [failure]")
     )]
     NoLaminates,
+    /// A model of progressive failure that the plies do not allow.
+    #[error("{cause}")]
+    #[diagnostic(code(scene::progressive), help("{}", progressive_remedy(cause)))]
+    Progressive {
+        /// What is missing.
+        cause: ProgressiveError,
+    },
+    /// Progressive failure without a pin, or with several.
+    #[error("progressive failure of '{body}' follows the load of one pin in its hole, and {contacts} contacts touch it")]
+    #[diagnostic(
+        code(scene::progressive_pin),
+        help("give one contact with first = \"{body}.hole\"")
+    )]
+    NoPin {
+        /// The body.
+        body: String,
+        /// Contacts at its hole.
+        contacts: usize,
+    },
     /// Characteristic distances without a hole.
     #[error("characteristic distances are measured from a hole, which body '{body}' does not have")]
     #[diagnostic(
@@ -142,6 +162,16 @@ fn laminate_remedy(cause: &LaminateError) -> String {
             "give it as [plies.NAME], or correct the name after the colon".to_owned()
         }
         _ => "`stickslip list layups` shows how lay-ups are written".to_owned(),
+    }
+}
+
+fn progressive_remedy(cause: &ProgressiveError) -> String {
+    match cause {
+        ProgressiveError::Failure(cause) => failure_remedy(cause),
+        ProgressiveError::OpenYieldSurface { ply, limit, .. } => {
+            format!("give [plies.{ply}.strengths] yt and yc below {limit}, or choose model.ply_discount")
+        }
+        _ => "choose another model: model.ply_discount = { fibre = 0.01, matrix = 0.1 }".to_owned(),
     }
 }
 

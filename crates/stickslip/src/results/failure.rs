@@ -4,7 +4,7 @@ use std::fmt;
 
 use stickslip_laminate::FailureMode;
 
-use super::LoadValue;
+use super::{LoadValue, ProgressiveFailure};
 use crate::scene::schema::EnvelopePlane;
 
 /// Failure of one laminated body.
@@ -34,6 +34,8 @@ pub struct BodyFailure {
     pub characteristic: Option<CharacteristicFailure>,
     /// Failure envelopes of the laminate.
     pub envelopes: Vec<Envelope>,
+    /// Its failure followed until the load path is lost.
+    pub progressive: Option<ProgressiveFailure>,
 }
 
 /// Plies of one material and angle.

@@ -7,12 +7,13 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use rayon::prelude::*;
+use stickslip_contact::InterfaceSolver;
 use stickslip_fem_core::material::Material;
 use stickslip_fem_core::mesh::{Curve, Mesh, Point};
 use stickslip_fem_core::stress::{ElasticField, StressError, cartesian};
 use stickslip_laminate::{FailureCriterion, FailureError};
 
-use super::RunError;
+use super::{RunError, progressive};
 use super::fields::{Recovered, heating};
 use crate::failure::{PlyStresses, Region, Sites, Tracker, mirror_axis};
 use crate::model::{Model, ModelBodyKind};
@@ -27,6 +28,7 @@ use crate::scene::schema::{Failure, LaminateSheet, Substance};
 pub(super) fn all(
     scene: &Scene,
     model: &Model,
+    solver: &dyn InterfaceSolver,
     recovered: &[Recovered],
     results: &Results,
     scale: &LoadScale,
@@ -42,6 +44,12 @@ pub(super) fn all(
         .map(|subject| {
             let mut found = subject.assess(recovered, results, fields)?;
             name_loads(&mut found, scale);
+            if let Some(asked) = &failure.progressive
+                && asked.body == subject.name
+            {
+                let joint = progressive::Subject::new(subject.sheet, asked, &found);
+                found.progressive = Some(joint.follow(scene, model, solver)?);
+            }
             Ok(found)
         })
         .collect()
@@ -210,6 +218,7 @@ impl<'a> Subject<'a> {
             maps: Vec::new(),
             characteristic: None,
             envelopes: Vec::new(),
+            progressive: None,
         })
     }
 

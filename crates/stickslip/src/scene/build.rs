@@ -10,12 +10,14 @@ mod holds;
 mod laminates;
 mod loads;
 mod mesh;
+mod progressive;
 
 use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde_json::Value;
 
+use self::progressive::Surroundings;
 use super::document::{Document, Part, child};
 use super::format::SceneFormat;
 use super::schema::{
@@ -78,7 +80,13 @@ pub(super) fn build(
     let platens = builder.platens(format, &contacts);
     let loads = builder.loads(format, &materials, base);
     let edges = builder.edges(format);
-    let failure = builder.failure(format, &materials);
+    let surroundings = Surroundings {
+        contacts: &contacts,
+        supports: &supports,
+        platens: &platens,
+        loads: &loads,
+    };
+    let failure = builder.failure(format, &materials, &surroundings);
     builder.everything_is_held(&contacts, &supports, &platens);
     builder.something_happens(&contacts, &supports, &loads);
     let Builder {

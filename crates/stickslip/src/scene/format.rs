@@ -4,6 +4,7 @@
 //! (`shape.disk = { … }`). Serialising gives the scene with all defaults filled in.
 
 mod laminate;
+mod progressive;
 
 use std::collections::BTreeMap;
 
@@ -19,6 +20,10 @@ use crate::units::{
     Angle, AngleOrLength, Force, Length, PerTemperature, Quantity, Stress, Temperature, UnitName,
 };
 pub(super) use laminate::{FailureFormat, LaminateFormat, PlyFormat, StrengthsFormat};
+pub(super) use progressive::{
+    ControlFormat, CrackBandFormat, DisplacementFormat, ModelFormat, PlyDiscountFormat,
+    ProgressiveFormat,
+};
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
 #[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]

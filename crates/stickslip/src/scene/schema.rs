@@ -4,6 +4,7 @@
 //! sets refer to things that exist.
 
 mod failure;
+mod progressive;
 mod shape;
 
 use std::fmt;
@@ -17,6 +18,7 @@ use stickslip_friction::FrictionLaw;
 pub use super::material::{LaminateSheet, Material, OutOfPlane};
 use crate::units::Unit;
 pub use failure::{Characteristic, EnvelopePlane, Envelopes, Failure};
+pub use progressive::{Control, Progressive, ProgressiveModel};
 pub use shape::{Outline, Shape};
 
 /// Units that results are shown in.

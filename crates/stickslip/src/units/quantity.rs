@@ -61,6 +61,8 @@ measures! {
     Temperature = "temperature": Temperature;
     /// Coefficients of thermal expansion.
     PerTemperature = "per temperature": PerTemperature;
+    /// Energies per area of a crack.
+    FractureEnergy = "fracture energy": FractureEnergy;
     /// Spacings: angles on circles, else lengths.
     AngleOrLength = "angle|length": Angle, Length;
 }

@@ -7,6 +7,7 @@ use stickslip_laminate::failure::{Hashin, Interaction, PlyLoading, TsaiWu};
 use stickslip_laminate::{Degradation, FailureCriterion, FailureError};
 
 use super::Builder;
+use super::progressive::Surroundings;
 use crate::diagnostic::{LaminateProblem, SceneProblem, nearest};
 use crate::failure::criterion_named;
 use crate::scene::document::{Part, child};
@@ -18,13 +19,14 @@ use crate::scene::schema::{
 /// Directions of an envelope.
 const DIRECTIONS: std::ops::RangeInclusive<usize> = 3..=100_000;
 
-type Materials = BTreeMap<String, Material>;
+pub(super) type Materials = BTreeMap<String, Material>;
 
 impl Builder<'_> {
     pub(super) fn failure(
         &mut self,
         format: &SceneFormat,
         materials: &Materials,
+        surroundings: &Surroundings<'_>,
     ) -> Option<Failure> {
         let given = format.failure.as_ref()?;
         let criteria = self.criteria(given);
@@ -42,11 +44,13 @@ impl Builder<'_> {
             }
         });
         let envelopes = self.envelopes(given);
+        let progressive = self.progressive(given, &bodies, materials, surroundings);
         Some(Failure {
             criteria,
             bodies,
             characteristic,
             envelopes,
+            progressive,
         })
     }
 
@@ -125,7 +129,7 @@ impl Builder<'_> {
         bodies
     }
 
-    fn sheet<'m>(&self, body: &str, materials: &'m Materials) -> Option<&'m Arc<LaminateSheet>> {
+    pub(super) fn sheet<'m>(&self, body: &str, materials: &'m Materials) -> Option<&'m Arc<LaminateSheet>> {
         match &self.bodies.get(body)?.substance {
             Substance::Elastic { material, .. } => materials.get(material)?.laminate(),
             Substance::Rigid => None,
@@ -215,7 +219,10 @@ impl Builder<'_> {
 }
 
 /// The criterion `name` with the scene's parameters.
-fn criterion(name: &str, given: &FailureFormat) -> Result<Arc<dyn FailureCriterion>, FailureError> {
+pub(super) fn criterion(
+    name: &str,
+    given: &FailureFormat,
+) -> Result<Arc<dyn FailureCriterion>, FailureError> {
     Ok(match name {
         "tsai_wu" => Arc::new(TsaiWu {
             interaction: Interaction::Normalised(given.tsai_wu_interaction),

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::is_false;
+use super::{ProgressiveFormat, is_false};
 use crate::scene::schema::EnvelopePlane;
 use crate::units::{Angle, Length, PerTemperature, Quantity, Stress, Temperature};
 
@@ -89,6 +89,8 @@ pub(in crate::scene) struct FailureFormat {
     pub(in crate::scene) characteristic: Option<CharacteristicFormat>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(in crate::scene) envelopes: Option<EnvelopesFormat>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(in crate::scene) progressive: Option<ProgressiveFormat>,
 }
 
 /// `[failure.characteristic]`.

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
+use super::Progressive;
 use stickslip_laminate::{Degradation, FailureCriterion};
 
 /// The question of `[failure]`.
@@ -16,6 +17,8 @@ pub struct Failure {
     pub characteristic: Option<Characteristic>,
     /// Failure envelopes of the bodies' laminates.
     pub envelopes: Option<Envelopes>,
+    /// Failure of a joint, followed until its load path is lost.
+    pub progressive: Option<Progressive>,
 }
 
 /// Characteristic distances from the edge of a hole.

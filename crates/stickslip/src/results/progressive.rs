@@ -1,0 +1,97 @@
+//! A joint followed beyond the failure of its plies.
+
+use stickslip_joint::ModeCall;
+use stickslip_laminate::FailureMode;
+
+/// Progressive failure of a body.
+#[derive(Clone, Debug)]
+pub struct ProgressiveFailure {
+    /// How plies lose stiffness, in words.
+    pub model: String,
+    /// What was raised, in words.
+    pub control: String,
+    /// The load–displacement curve, from the first increment on; never empty.
+    pub curve: Vec<CurvePoint>,
+    /// Index of its largest load.
+    pub peak: usize,
+    /// The largest load `[N]`, if the history shows that the joint cannot bear more.
+    pub strength: Option<f64>,
+    /// Why the history ended.
+    pub end: ProgressiveEnd,
+    /// All that failed or began to flow, in order.
+    pub losses: Vec<PlyLoss>,
+    /// The mode of failure and its reasons; `None` where no ply failed.
+    pub mode: Option<ModeCall>,
+    /// Number of cells of its mesh.
+    pub cells: usize,
+    /// Whether half of a symmetric joint was followed.
+    pub half: bool,
+}
+
+/// The joint at the end of an increment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CurvePoint {
+    /// Load step, from 0.
+    pub step: usize,
+    /// Part of it that was reached.
+    pub reached: f64,
+    /// Displacement of the pin against the far end of the plate `[mm]`.
+    pub displacement: f64,
+    /// Force of the pin on the plate `[N]`.
+    pub load: f64,
+    /// Work of the loads since the start `[N mm]`.
+    pub work: f64,
+    /// Energy dissipated by the plies and set free by their failure, since the start `[N mm]`.
+    pub dissipated: f64,
+}
+
+/// A ply that fails or begins to flow at a quadrature point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlyLoss {
+    /// Index of the increment in [`ProgressiveFailure::curve`].
+    pub increment: usize,
+    /// Index in [`BodyFailure::plies`](super::BodyFailure::plies).
+    pub ply: usize,
+    /// Layer, from the bottom, from 0.
+    pub layer: usize,
+    /// How it failed; `None` where it began to flow.
+    pub mode: Option<FailureMode>,
+    /// Place `[mm]`.
+    pub position: [f64; 2],
+    /// Cell of the mesh.
+    pub cell: usize,
+    /// Load `[N]` at which it failed, before stress was redistributed.
+    pub load: f64,
+    /// Displacement `[mm]` then.
+    pub displacement: f64,
+}
+
+/// Why a history ended.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ProgressiveEnd {
+    /// Everything asked for was followed.
+    Completed,
+    /// The load fell as far as the scene asks.
+    Dropped,
+    /// No equilibrium near was found beyond; the reason.
+    NoEquilibrium(String),
+}
+
+impl ProgressiveFailure {
+    /// The first ply that failed, or began to flow where none failed.
+    pub fn first(&self) -> Option<&PlyLoss> {
+        let failed = self.losses.iter().find(|loss| loss.mode.is_some());
+        failed.or(self.losses.first())
+    }
+
+    /// The first failure of fibres.
+    pub fn first_fibre(&self) -> Option<&PlyLoss> {
+        let fibre = |loss: &&PlyLoss| loss.mode.is_some_and(FailureMode::is_fibre);
+        self.losses.iter().find(fibre)
+    }
+
+    /// The largest load `[N]` on the curve.
+    pub fn peak_load(&self) -> f64 {
+        self.curve.get(self.peak).map_or(0.0, |point| point.load)
+    }
+}

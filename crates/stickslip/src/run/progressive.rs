@@ -1,0 +1,387 @@
+//! A joint followed beyond the failure of its plies: the scene's model with a history at every point of one body.
+//!
+//! Under displacement control the scene's loads are left out, and the driven edge or point is held along the driven axis at a
+//! displacement that grows. The load is the force of the pin on the plate, positive towards +x, the bearing point; the displacement is
+//! that of the pin's centre against the far end of the plate.
+
+use std::borrow::Cow;
+use std::sync::Arc;
+
+use stickslip_contact::InterfaceSolver;
+use stickslip_fem_core::mesh::{Mesh, Point};
+use stickslip_fem_core::{ElasticBody, QuadraturePoints};
+use stickslip_joint::{
+    CrackBand, CrackBandError, Ending, Gauge, Hole, Joint, JointBody, JointError, JointHistory,
+    Mark, Options, PlyEventKind, ProgressiveBody, Pull,
+};
+use stickslip_laminate::progressive::{PointModel, ProgressiveError};
+use thiserror::Error;
+
+use super::RunError;
+use crate::model::{Model, ModelBodyKind};
+use crate::results::{BodyFailure, CurvePoint, PlyLoss, ProgressiveEnd, ProgressiveFailure};
+use crate::scene::Scene;
+use crate::scene::schema::{
+    Axes, Axis, Control, Hold, LaminateSheet, Progressive, ProgressiveModel, Support,
+};
+
+/// Why a joint could not be followed beyond the failure of its plies.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum ProgressiveRunError {
+    /// Strengths could not be scaled by fracture energies.
+    #[error(transparent)]
+    CrackBand(#[from] CrackBandError),
+    /// The plies' model refused the laminate.
+    #[error(transparent)]
+    Model(#[from] ProgressiveError),
+    /// The joint cannot be built or followed at all.
+    #[error(transparent)]
+    Joint(#[from] JointError),
+    /// Nothing of the model touches the hole.
+    #[error("no contact touches the hole of '{body}'")]
+    NoPin {
+        /// The body.
+        body: String,
+    },
+}
+
+/// A body whose failure is followed.
+pub(super) struct Subject<'a> {
+    sheet: &'a LaminateSheet,
+    asked: &'a Progressive,
+    found: &'a BodyFailure,
+}
+
+/// Where the joint is read.
+struct Reading {
+    gauge: Gauge,
+    hole: Hole,
+}
+
+impl<'a> Subject<'a> {
+    pub(super) fn new(
+        sheet: &'a LaminateSheet,
+        asked: &'a Progressive,
+        found: &'a BodyFailure,
+    ) -> Self {
+        Self {
+            sheet,
+            asked,
+            found,
+        }
+    }
+
+    /// Follows the joint of `scene`, whose model under its own loads is `model`.
+    pub(super) fn follow(
+        &self,
+        scene: &Scene,
+        model: &Model,
+        solver: &dyn InterfaceSolver,
+    ) -> Result<ProgressiveFailure, RunError> {
+        let model = match &self.asked.control {
+            Control::Loads { .. } => Cow::Borrowed(model),
+            Control::Displacement { on, axis, end, .. } => {
+                let mut driven = scene.clone();
+                driven.loads.clear();
+                drive(&mut driven, on, *axis, *end);
+                Cow::Owned(Model::build(&driven)?)
+            }
+        };
+        let bodies = self.bodies(&model)?;
+        let refused = |cause: ProgressiveRunError| RunError::Progressive {
+            body: self.asked.body.clone(),
+            cause,
+        };
+        let reading = self.reading(&model).ok_or_else(|| {
+            refused(ProgressiveRunError::NoPin {
+                body: self.asked.body.clone(),
+            })
+        })?;
+        let history = Joint::new(bodies, model.pairs.clone(), reading.gauge)
+            .and_then(|joint| joint.with_options(self.options()))
+            .and_then(|joint| joint.follow(model.history.steps(), solver, |_, _| {}))
+            .map_err(|cause| refused(cause.into()))?;
+        Ok(self.told(scene, &model, &history, &reading.hole))
+    }
+
+    fn options(&self) -> Options {
+        match self.asked.control {
+            Control::Loads { increments } => Options {
+                increments,
+                ..Options::default()
+            },
+            Control::Displacement {
+                increments, drop, ..
+            } => Options {
+                increments,
+                residual_load: 1.0 - drop,
+                ..Options::default()
+            },
+        }
+    }
+
+    fn bodies(&self, model: &Model) -> Result<Vec<JointBody>, RunError> {
+        let bodies = model.bodies.iter().enumerate();
+        bodies
+            .map(|(index, body)| match &body.kind {
+                ModelBodyKind::Rigid(rigid) => Ok(JointBody::Rigid(rigid.clone())),
+                ModelBodyKind::Elastic(elastic) if index == self.found.body => self
+                    .progressive(elastic, &body.interface)
+                    .map(|body| JointBody::Progressive(Arc::new(body)))
+                    .map_err(|cause| RunError::Progressive {
+                        body: body.name.clone(),
+                        cause,
+                    }),
+                ModelBodyKind::Elastic(elastic) => elastic
+                    .condense(&body.interface)
+                    .map(|condensed| JointBody::Elastic(Arc::new(condensed)))
+                    .map_err(|cause| RunError::Body {
+                        body: body.name.clone(),
+                        cause,
+                    }),
+            })
+            .collect()
+    }
+
+    fn progressive(
+        &self,
+        elastic: &Arc<ElasticBody>,
+        interface: &[usize],
+    ) -> Result<ProgressiveBody, ProgressiveRunError> {
+        let laminate = &self.sheet.laminate;
+        let models = match (&self.asked.model, self.asked.crack_band) {
+            (ProgressiveModel::PlyDiscount { degradation, .. }, Some(energies)) => {
+                let band = CrackBand::new(energies, *degradation)?;
+                let points = QuadraturePoints::of(elastic.mesh());
+                let build = |scaled| Ok(self.asked.model.point(scaled)?);
+                band.models::<ProgressiveRunError>(&points, laminate, build)?
+            }
+            (model, _) => {
+                let point: Arc<dyn PointModel> = model.point(laminate.clone())?;
+                vec![point; elastic.mesh().element_count()]
+            }
+        };
+        let body = ProgressiveBody::with_models(Arc::clone(elastic), interface, models)?;
+        Ok(body.at_temperature(self.sheet.cure)?)
+    }
+
+    /// `None` if no pin touches the hole.
+    fn reading(&self, model: &Model) -> Option<Reading> {
+        let centre = self.found.centre?;
+        let own = self.found.body;
+        let ModelBodyKind::Elastic(plate) = &model.bodies[own].kind else {
+            return None;
+        };
+        let mesh = plate.mesh();
+        let touches = |pair: &&stickslip_contact::ContactPair| pair.first == own || pair.second == own;
+        let pair = (model.edges.iter())
+            .filter(|edge| edge.body == own)
+            .find_map(|edge| edge.pair)
+            .or_else(|| {
+                let found = model.pairs.iter().find(touches)?;
+                model.pairs.iter().position(|pair| std::ptr::eq(pair, found))
+            })?;
+        let first = model.pairs[pair].first == own;
+        let pin = if first {
+            model.pairs[pair].second
+        } else {
+            model.pairs[pair].first
+        };
+        let nodes = mesh.nodes();
+        let distance = |node: &Point| (node[0] - centre[0]).hypot(node[1] - centre[1]);
+        let largest = |value: &dyn Fn(&Point) -> f64| nodes.iter().map(value).fold(0.0, f64::max);
+        let far = largest(&|node| centre[0] - node[0]);
+        Some(Reading {
+            gauge: Gauge {
+                pull: Pull::Contact {
+                    pair,
+                    direction: [if first { 1.0 } else { -1.0 }, 0.0],
+                },
+                multiple: if model.half { 2.0 } else { 1.0 },
+                direction: [1.0, 0.0],
+                first: pin_mark(model, pin, centre),
+                second: Mark::Node {
+                    body: own,
+                    node: nearest(mesh, [centre[0] - far, centre[1]]),
+                },
+            },
+            hole: Hole {
+                centre,
+                radius: nodes.iter().map(distance).fold(f64::INFINITY, f64::min),
+                bearing: [1.0, 0.0],
+                side_distance: largest(&|node| (node[1] - centre[1]).abs()),
+                end_distance: largest(&|node| node[0] - centre[0]),
+            },
+        })
+    }
+
+    fn told(
+        &self,
+        scene: &Scene,
+        model: &Model,
+        history: &JointHistory,
+        hole: &Hole,
+    ) -> ProgressiveFailure {
+        let curve = history.records.iter().map(|record| CurvePoint {
+            step: record.step,
+            reached: record.reached,
+            displacement: record.displacement,
+            load: record.load,
+            work: record.energy.external,
+            dissipated: record.energy.dissipated + record.energy.released,
+        });
+        let cells = match &model.bodies[self.found.body].kind {
+            ModelBodyKind::Elastic(body) => body.mesh().element_count(),
+            ModelBodyKind::Rigid(_) => 0,
+        };
+        ProgressiveFailure {
+            model: self.model_in_words(scene),
+            control: self.control_in_words(scene),
+            curve: curve.collect(),
+            peak: history.peak(),
+            strength: history.strength(),
+            end: match &history.ending {
+                Ending::Completed => ProgressiveEnd::Completed,
+                Ending::LoadDropped { .. } => ProgressiveEnd::Dropped,
+                Ending::NoEquilibrium { cause, .. } => {
+                    ProgressiveEnd::NoEquilibrium(cause.to_string())
+                }
+            },
+            losses: self.losses(history),
+            mode: history.mode(self.found.body, hole),
+            cells,
+            half: model.half,
+        }
+    }
+
+    fn losses(&self, history: &JointHistory) -> Vec<PlyLoss> {
+        let group = |layer: usize| {
+            let mut groups = self.found.plies.iter();
+            // Every layer belongs to one group.
+            groups
+                .position(|group| group.layers.contains(&layer))
+                .unwrap_or(0)
+        };
+        let records = history.records.iter().enumerate();
+        let events = records.flat_map(|(increment, record)| {
+            let own = record.events.iter();
+            own.filter(|event| event.body == self.found.body)
+                .map(move |event| (increment, event))
+        });
+        events
+            .map(|(increment, event)| PlyLoss {
+                increment,
+                ply: group(event.layer),
+                layer: event.layer,
+                mode: match event.kind {
+                    PlyEventKind::Failure(mode) => Some(mode),
+                    PlyEventKind::Yield => None,
+                },
+                position: event.position,
+                cell: event.cell,
+                load: event.load,
+                displacement: event.displacement,
+            })
+            .collect()
+    }
+
+    fn model_in_words(&self, scene: &Scene) -> String {
+        match &self.asked.model {
+            ProgressiveModel::PlyDiscount {
+                criterion,
+                degradation,
+            } => {
+                let band = match self.asked.crack_band {
+                    Some(_) => ", strengths by fracture energies",
+                    None => "",
+                };
+                format!(
+                    "ply discount by {}, failed plies keep {} (fibre) and {} (matrix){band}",
+                    criterion.name(),
+                    degradation.fibre(),
+                    degradation.matrix()
+                )
+            }
+            ProgressiveModel::Plasticity { hardening } => {
+                let layers = self.sheet.laminate.layers();
+                let shear = layers.first().and_then(|layer| layer.ply().strengths().s12);
+                let modulus = hardening * shear.map_or(0.0, |shear| shear * shear);
+                format!(
+                    "Tsai–Hill plasticity, plastic shear modulus {}",
+                    scene.display.stress.show(modulus)
+                )
+            }
+        }
+    }
+
+    fn control_in_words(&self, scene: &Scene) -> String {
+        match &self.asked.control {
+            Control::Loads { .. } => "the scene's loads".to_owned(),
+            Control::Displacement { on, axis, end, .. } => {
+                let axis = match axis {
+                    Axis::X => "x",
+                    Axis::Y => "y",
+                };
+                format!(
+                    "{on} driven along {axis} to {}",
+                    scene.display.length.show(*end)
+                )
+            }
+        }
+    }
+}
+
+/// Holds `on` along `axis` at the displacement `end`, instead of whatever held or loaded it there.
+fn drive(scene: &mut Scene, on: &crate::scene::schema::SetRef, axis: Axis, end: f64) {
+    let along = Axes {
+        x: axis == Axis::X,
+        y: axis == Axis::Y,
+    };
+    let across = Axes {
+        x: along.y,
+        y: along.x,
+    };
+    let mut held_across = scene.platens.iter().any(|platen| platen.on == *on);
+    scene.platens.retain(|platen| platen.on != *on);
+    let mut kept = Vec::new();
+    for support in scene.supports.drain(..) {
+        if support.on != *on {
+            kept.push(support);
+        } else if let Hold::Axes(axes) = support.hold {
+            held_across |= (axes.x && across.x) || (axes.y && across.y);
+        }
+    }
+    scene.supports = kept;
+    let mut hold = |axes, displacement| {
+        scene.supports.push(Support {
+            on: on.clone(),
+            hold: Hold::Axes(axes),
+            displacement,
+        });
+    };
+    hold(along, end);
+    if held_across {
+        hold(across, 0.0);
+    }
+}
+
+fn nearest(mesh: &Mesh, place: Point) -> usize {
+    let distance = |node: &Point| (node[0] - place[0]).hypot(node[1] - place[1]);
+    let nodes = mesh.nodes().iter().enumerate();
+    nodes
+        .min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)))
+        .map_or(0, |(node, _)| node)
+}
+
+/// The pin's centre.
+fn pin_mark(model: &Model, pin: usize, centre: Point) -> Mark {
+    match &model.bodies[pin].kind {
+        ModelBodyKind::Elastic(body) => Mark::Node {
+            body: pin,
+            node: nearest(body.mesh(), centre),
+        },
+        // A rigid body does not turn, so any of its points moves as its centre does.
+        ModelBodyKind::Rigid(_) => Mark::Node { body: pin, node: 0 },
+    }
+}

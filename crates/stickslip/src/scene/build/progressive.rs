@@ -1,0 +1,307 @@
+//! What is asked about the progressive failure of a joint.
+
+use std::sync::Arc;
+
+use stickslip_joint::FractureEnergies;
+use stickslip_laminate::{Degradation, Strength};
+
+use super::failure::{Materials, criterion};
+use super::{Builder, Fits};
+use crate::diagnostic::{LaminateProblem, SceneProblem, nearest};
+use crate::scene::document::{Part, child};
+use crate::scene::format::{
+    ControlFormat, CrackBandFormat, DisplacementFormat, FailureFormat, ModelFormat,
+    PlyDiscountFormat, ProgressiveFormat,
+};
+use crate::scene::schema::{
+    Axis, Contact, Control, Hold, LaminateSheet, Load, LoadKind, Platen, Progressive,
+    ProgressiveModel, SetRef, Substance, Support,
+};
+use crate::units::Quantity;
+
+const TABLE: &str = "failure.progressive";
+
+/// Increments of a history.
+const INCREMENTS: std::ops::RangeInclusive<usize> = 1..=10_000;
+
+/// What surrounds the body that fails.
+pub(super) struct Surroundings<'a> {
+    pub(super) contacts: &'a [Contact],
+    pub(super) supports: &'a [Support],
+    pub(super) platens: &'a [Platen],
+    pub(super) loads: &'a [Load],
+}
+
+impl Builder<'_> {
+    pub(super) fn progressive(
+        &mut self,
+        failure: &FailureFormat,
+        bodies: &[String],
+        materials: &Materials,
+        around: &Surroundings<'_>,
+    ) -> Option<Progressive> {
+        let given = failure.progressive.as_ref()?;
+        let body = self.progressive_body(given, bodies)?;
+        self.one_pin(&body, around);
+        self.no_heating(around);
+        // A body of `bodies` has plies.
+        let sheet = Arc::clone(self.sheet(&body, materials)?);
+        let model = self.progressive_model(given, failure, &sheet);
+        let crack_band = self.crack_band(given);
+        let control = self.control(given, around);
+        Some(Progressive {
+            body,
+            model: model?,
+            crack_band,
+            control: control?,
+        })
+    }
+
+    fn progressive_body(&mut self, given: &ProgressiveFormat, bodies: &[String]) -> Option<String> {
+        let key = child(TABLE, "body");
+        match (&given.body, bodies) {
+            (Some(name), _) if bodies.contains(name) => Some(name.clone()),
+            (Some(name), _) => {
+                self.undefined(&key, "body of [failure]", name, bodies.to_vec());
+                None
+            }
+            (None, [only]) => Some(only.clone()),
+            (None, []) => None,
+            (None, _) => {
+                self.missing(TABLE, "body");
+                None
+            }
+        }
+    }
+
+    /// Load and place of failure are read at a pin.
+    fn one_pin(&mut self, body: &str, around: &Surroundings<'_>) {
+        let hole = |set: &SetRef| set.body == body && set.set == "hole";
+        let pins = around.contacts.iter();
+        let count = pins.filter(|pair| hole(&pair.first) || hole(&pair.second));
+        let contacts = count.count();
+        if contacts != 1 && self.findings.is_empty() {
+            let body = body.to_owned();
+            let problem = LaminateProblem::NoPin { body, contacts };
+            self.report(TABLE, Part::Key, problem.into());
+        }
+    }
+
+    fn no_heating(&mut self, around: &Surroundings<'_>) {
+        let heats = |load: &&Load| matches!(load.kind, LoadKind::Temperature { .. });
+        if let Some(load) = around.loads.iter().find(heats) {
+            let message = format!(
+                "load '{}' changes the temperature, which a progressive history holds",
+                load.name
+            );
+            let remedy = "give the laminate its cure: materials.NAME.laminate.cure = \"-150 K\"";
+            self.conflict(TABLE, message, remedy);
+        }
+    }
+
+    fn progressive_model(
+        &mut self,
+        given: &ProgressiveFormat,
+        failure: &FailureFormat,
+        sheet: &LaminateSheet,
+    ) -> Option<ProgressiveModel> {
+        let key = child(TABLE, "model");
+        let model = match &given.model {
+            ModelFormat::PlyDiscount(discount) => self.ply_discount(&key, discount, failure)?,
+            ModelFormat::Plasticity(plasticity) => {
+                let key = child(&child(&key, "plasticity"), "hardening");
+                let hardening = &plasticity.hardening;
+                if hardening.value() < 0.0 {
+                    self.out_of_range(&key, hardening.text(), "0 or more");
+                    return None;
+                }
+                // Without a shear strength the model refuses below.
+                let shear = sheet.laminate.layers().first().and_then(|layer| {
+                    let strengths = layer.ply().strengths();
+                    strengths.get(Strength::S12)
+                });
+                let hardening = shear.map_or(0.0, |shear| hardening.value() / (shear * shear));
+                ProgressiveModel::Plasticity { hardening }
+            }
+        };
+        match model.point(sheet.laminate.clone()) {
+            Ok(_) => Some(model),
+            Err(cause) => {
+                let problem = LaminateProblem::Progressive { cause };
+                self.report(&key, Part::Value, problem.into());
+                None
+            }
+        }
+    }
+
+    fn ply_discount(
+        &mut self,
+        key: &str,
+        given: &PlyDiscountFormat,
+        failure: &FailureFormat,
+    ) -> Option<ProgressiveModel> {
+        let table = child(key, "ply_discount");
+        let name = given.criterion.as_ref().or(failure.criteria.first())?;
+        let criterion = match criterion(name, failure) {
+            Ok(criterion) => criterion,
+            Err(stickslip_laminate::FailureError::UnknownCriterion { name, known }) => {
+                let problem = SceneProblem::UnknownName {
+                    what: "a failure criterion".to_owned(),
+                    nearest: nearest(&name, known.iter().copied()).map(str::to_owned),
+                    found: name,
+                    known: known.into_iter().map(str::to_owned).collect(),
+                };
+                self.report(&child(&table, "criterion"), Part::Value, problem);
+                return None;
+            }
+            Err(cause) => {
+                let problem = LaminateProblem::Failure { cause };
+                self.report(&child(&table, "criterion"), Part::Value, problem.into());
+                return None;
+            }
+        };
+        match Degradation::new(given.fibre, given.matrix) {
+            Ok(degradation) => Some(ProgressiveModel::PlyDiscount {
+                criterion,
+                degradation,
+            }),
+            Err(cause) => {
+                let key = child(&table, cause.name);
+                self.report(
+                    &key,
+                    Part::Value,
+                    LaminateProblem::Degradation { cause }.into(),
+                );
+                None
+            }
+        }
+    }
+
+    fn crack_band(&mut self, given: &ProgressiveFormat) -> Option<FractureEnergies> {
+        let table = child(TABLE, "crack_band");
+        let energies = given.crack_band.as_ref()?;
+        let ModelFormat::PlyDiscount(discount) = &given.model else {
+            self.conflict(
+                &table,
+                "fracture energies scale the strengths of ply discount, but the model is plasticity".to_owned(),
+                "remove crack_band, or choose model.ply_discount",
+            );
+            return None;
+        };
+        let CrackBandFormat {
+            fibre_tension,
+            fibre_compression,
+            matrix_tension,
+            matrix_compression,
+            shear,
+        } = energies;
+        let mut energy = |name: &str, quantity: &Option<Quantity<_>>, kept: f64| {
+            let quantity = quantity.as_ref()?;
+            if kept >= 1.0 {
+                let message = format!("{name} takes energy, but its failure keeps all stiffness");
+                self.conflict(
+                    &child(&table, name),
+                    message,
+                    "0.01 to 0.1 are usual for what failed plies keep",
+                );
+            }
+            Some(self.positive(&table, name, quantity))
+        };
+        let (fibre, matrix) = (discount.fibre, discount.matrix);
+        Some(FractureEnergies {
+            fibre_tension: energy("fibre_tension", fibre_tension, fibre),
+            fibre_compression: energy("fibre_compression", fibre_compression, fibre),
+            matrix_tension: energy("matrix_tension", matrix_tension, matrix),
+            matrix_compression: energy("matrix_compression", matrix_compression, matrix),
+            shear: energy("shear", shear, matrix),
+        })
+    }
+
+    fn control(
+        &mut self,
+        given: &ProgressiveFormat,
+        around: &Surroundings<'_>,
+    ) -> Option<Control> {
+        let table = child(TABLE, "control");
+        match &given.control {
+            ControlFormat::Loads(loads) => {
+                self.increments(&child(&table, "loads"), loads.increments);
+                Some(Control::Loads {
+                    increments: loads.increments,
+                })
+            }
+            ControlFormat::Displacement(displacement) => {
+                self.driven(&child(&table, "displacement"), displacement, around)
+            }
+        }
+    }
+
+    fn increments(&mut self, table: &str, increments: usize) {
+        if !INCREMENTS.contains(&increments) {
+            let allowed = format!("from {} to {}", INCREMENTS.start(), INCREMENTS.end());
+            let key = child(table, "increments");
+            self.out_of_range(&key, &increments.to_string(), allowed);
+        }
+    }
+
+    fn driven(
+        &mut self,
+        table: &str,
+        given: &DisplacementFormat,
+        around: &Surroundings<'_>,
+    ) -> Option<Control> {
+        self.increments(table, given.increments);
+        if !(given.drop > 0.0 && given.drop <= 1.0) {
+            let value = given.drop.to_string();
+            self.out_of_range(&child(table, "drop"), &value, "greater than 0, at most 1");
+        }
+        if given.end.value() == 0.0 {
+            let key = child(table, "end");
+            self.out_of_range(&key, given.end.text(), "not 0; its sign is the direction");
+        }
+        let key = child(table, "on");
+        let on = self.set(&key, &given.on, Fits::EdgesAndPoints)?;
+        self.can_be_driven(&key, &on, given.axis, around);
+        Some(Control::Displacement {
+            on,
+            axis: given.axis,
+            end: given.end.value(),
+            increments: given.increments,
+            drop: given.drop,
+        })
+    }
+
+    fn can_be_driven(&mut self, key: &str, on: &SetRef, axis: Axis, around: &Surroundings<'_>) {
+        let substance = self.bodies.get(&on.body).map(|body| &body.substance);
+        if matches!(substance, Some(Substance::Rigid)) {
+            let message = format!("'{}' is rigid, and rigid bodies are not driven", on.body);
+            self.conflict(key, message, "drive an edge of the other body, as plate.left");
+        }
+        let touches = |contact: &&Contact| contact.first == *on || contact.second == *on;
+        if let Some(contact) = around.contacts.iter().find(touches) {
+            let message = format!("{on} is an edge of the contact '{}'", contact.name);
+            self.conflict(key, message, "drive an edge that does not touch anything");
+        }
+        let platen = around.platens.iter().find(|platen| platen.on == *on);
+        let across = |platen: &Platen| match axis {
+            Axis::X => platen.free.y,
+            Axis::Y => platen.free.x,
+        };
+        if platen.is_some_and(across) {
+            let message = format!("the platen on {on} would be free across the drive");
+            self.conflict(key, message, "free it along the driven axis alone");
+        }
+        let skew = |support: &&Support| {
+            support.on == *on && matches!(support.hold, Hold::Direction(_))
+        };
+        if around.supports.iter().any(|support| skew(&support)) {
+            let message = format!("a skew support holds {on}");
+            self.conflict(key, message, "hold it along axes: fix = [\"y\"]");
+        }
+        let moved = |support: &&Support| support.displacement != 0.0 && support.on != *on;
+        if let Some(support) = around.supports.iter().find(moved) {
+            let message = format!("the support on {} moves too", support.on);
+            self.conflict(key, message, "drive one edge, and hold the others in place");
+        }
+    }
+}
