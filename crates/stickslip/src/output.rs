@@ -7,6 +7,7 @@
 //! | `steps.csv` | one row per load step |
 //! | `edge-NAME-step-NN.csv` | tractions, gaps, slip, status and stresses along an edge |
 //! | `failure-BODY.csv`, `first-ply-BODY.csv`, `plies-NAME-step-NN.csv`, … | failure of laminates, where the scene asks for it |
+//! | `load-displacement-BODY.csv`, `damage-BODY-PLY.csv` | progressive failure of a joint, where the scene asks for it |
 //! | `results.pvd`, `fields/*.vtu` | displacement and stress fields for ParaView |
 //! | `figures/*.svg`, `figures/*.png` | the page's figures |
 //!
@@ -21,6 +22,7 @@ mod loads;
 pub(crate) use loads::LoadScale;
 mod names;
 mod page;
+mod progressive;
 mod summary;
 mod tables;
 pub(crate) use tables::SIGNS;

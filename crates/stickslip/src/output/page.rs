@@ -8,6 +8,7 @@ use super::display::{EdgeView, decimals, short, significant};
 use super::failure::{self, FailureView};
 use super::figures::{Drawing, Group};
 use super::loads::LoadScale;
+use super::progressive::{self, ProgressiveView};
 use super::tables::{self, Detail};
 use crate::results::{Results, StepResults};
 
@@ -229,6 +230,12 @@ fn failure_section(results: &Results) -> Option<Section> {
         section = section.with(Block::Table(failure::tables::first_ply(view)));
         for sentence in failure::tables::joint_modes(view) {
             section = section.with(Block::Text(sentence));
+        }
+        if let Some(joint) = ProgressiveView::of(*view) {
+            section = section.with(Block::Table(progressive::tables::milestones(&joint)));
+            for sentence in progressive::tables::verdict(&joint) {
+                section = section.with(Block::Text(sentence));
+            }
         }
         section = section
             .with(Block::Table(failure::tables::steps(view)))

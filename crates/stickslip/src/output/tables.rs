@@ -6,6 +6,7 @@ use stickslip_report::table::{Column, Table};
 
 use super::display::{EdgeView, decimals, short, significant};
 use super::failure::{self, FailureView};
+use super::progressive::{self, ProgressiveView};
 use super::loads::LoadScale;
 use crate::results::Results;
 use fit::fitted;
@@ -31,6 +32,14 @@ pub(super) fn terminal(results: &Results, width: usize) -> String {
         for sentence in failure::tables::joint_modes(&view) {
             text += &sentence;
             text.push('\n');
+        }
+        if let Some(joint) = ProgressiveView::of(view) {
+            text.push('\n');
+            text += &fitted(progressive::tables::milestones(&joint), width);
+            for sentence in progressive::tables::verdict(&joint) {
+                text += &sentence;
+                text.push('\n');
+            }
         }
     }
     text

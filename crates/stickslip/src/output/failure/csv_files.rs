@@ -6,6 +6,7 @@ use crate::output::csv_files::{File, number, write};
 use crate::output::display::EdgeView;
 use crate::output::loads::LoadScale;
 use crate::output::names::{FileNames, step_name};
+use crate::output::progressive::{self, ProgressiveView};
 use crate::output::{FileNote, OutputError};
 use crate::results::{EdgePlies, FailurePoint, Results};
 
@@ -43,6 +44,11 @@ pub(crate) fn files(results: &Results) -> Result<(Vec<File>, Vec<FileNote>), Out
                 "mean stresses at which the first or last ply of the laminate fails",
                 envelope_rows(&view),
             )?;
+        }
+        if let Some(joint) = ProgressiveView::of(view) {
+            let (own, about) = progressive::csv_files::files(&joint, &stem)?;
+            files.extend(own);
+            notes.extend(about);
         }
         for edge in &view.failure.edges {
             let shown = EdgeView::all(results)[edge.edge];

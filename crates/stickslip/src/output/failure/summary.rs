@@ -5,6 +5,8 @@ use serde::Serialize;
 use super::FailureView;
 use super::tables::hypotheses;
 use crate::output::display::tidy;
+use crate::output::progressive::ProgressiveView;
+use crate::output::progressive::summary::{Progressive, progressive};
 use crate::results::{FailurePoint, FirstPly, PlyGroup};
 
 #[derive(Debug, Serialize)]
@@ -17,6 +19,8 @@ pub(crate) struct Failure<'a> {
     first_ply: Vec<First<'a>>,
     characteristic: Option<Characteristic<'a>>,
     steps: Vec<Vec<Point<'a>>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    progressive: Option<Progressive<'a>>,
 }
 
 #[derive(Debug, Serialize)]
@@ -119,6 +123,7 @@ pub(crate) fn failure<'a>(view: &FailureView<'a>) -> Failure<'a> {
             .iter()
             .map(|points| points.iter().map(|at| point(view, at)).collect())
             .collect(),
+        progressive: ProgressiveView::of(*view).map(|view| progressive(&view)),
     }
 }
 
