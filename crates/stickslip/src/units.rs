@@ -25,8 +25,8 @@ use std::fmt;
 
 pub use parse::{Expected, UnitError, parse, unit_of};
 pub use quantity::{
-    Angle, AngleOrLength, Force, FractureEnergy, Length, Measure, PerTemperature, Quantity, Stress, Temperature,
-    UnitName,
+    Angle, AngleOrLength, Force, FractureEnergy, Length, Measure, PerTemperature, Quantity, Stress,
+    Temperature, UnitName,
 };
 pub(crate) use quantity::{QUANTITY_TAG, UNIT_TAG, dimensions_of_tag};
 

@@ -33,6 +33,10 @@ ply = "carbon"
 [bodies.coupon]
 material = "composite"
 shape.plate_with_hole = { hole_radius = "5 mm", outline.ring = { radius = "25 mm" } }
+[bodies.coupon-pin]
+material = "aluminium"
+thickness = "0.5 mm"
+shape.disk = { radius = "5 mm" }
 [failure]
 criteria = ["max_stress"]
 [bodies.plate]
@@ -51,6 +55,10 @@ fine_to = "100 deg"
 [[contacts]]
 first = "plate.hole"
 second = "pin.rim"
+friction.coulomb = { mu = 0.2 }
+[[contacts]]
+first = "coupon.hole"
+second = "coupon-pin.rim"
 friction.coulomb = { mu = 0.2 }
 [[supports]]
 on = "pin.centre"

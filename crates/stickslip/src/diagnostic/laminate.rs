@@ -118,7 +118,9 @@ pub enum LaminateProblem {
         cause: ProgressiveError,
     },
     /// Progressive failure without a pin, or with several.
-    #[error("progressive failure of '{body}' follows the load of one pin in its hole, and {contacts} contacts touch it")]
+    #[error(
+        "progressive failure of '{body}' follows the load of one pin in its hole, and {contacts} contacts touch it"
+    )]
     #[diagnostic(
         code(scene::progressive_pin),
         help("give one contact with first = \"{body}.hole\"")
@@ -169,7 +171,9 @@ fn progressive_remedy(cause: &ProgressiveError) -> String {
     match cause {
         ProgressiveError::Failure(cause) => failure_remedy(cause),
         ProgressiveError::OpenYieldSurface { ply, limit, .. } => {
-            format!("give [plies.{ply}.strengths] yt and yc below {limit}, or choose model.ply_discount")
+            format!(
+                "give [plies.{ply}.strengths] yt and yc below {limit}, or choose model.ply_discount"
+            )
         }
         _ => "choose another model: model.ply_discount = { fibre = 0.01, matrix = 0.1 }".to_owned(),
     }

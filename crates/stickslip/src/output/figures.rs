@@ -18,6 +18,7 @@ use stickslip_report::svg::Svg;
 use super::display::EdgeView;
 use super::failure::{self, FailureView};
 use super::names::FileNames;
+use super::progressive::{self, ProgressiveView};
 use super::zones::shown_ranges;
 use crate::results::Results;
 use crate::scene::schema::EnvelopePlane;
@@ -113,6 +114,10 @@ fn add_failure(gallery: &mut Gallery, view: &FailureView<'_>) {
     ] {
         let picture = failure::figures::envelopes(view, plane);
         gallery.add(group, &format!("{stem}-{body}"), picture);
+    }
+    if let Some(joint) = ProgressiveView::of(*view) {
+        let stem = format!("load-displacement-{body}");
+        gallery.add(group, &stem, progressive::figures::curve(&joint));
     }
     for map in &view.failure.maps {
         let stem = format!("ply-map-{body}-step-{:02}", map.step + 1);

@@ -1,6 +1,7 @@
 //! Progressive failure of a joint as a reader wants it: what failed first, what the joint bore, how it failed and why.
 
 pub(super) mod csv_files;
+pub(super) mod figures;
 pub(super) mod summary;
 pub(super) mod tables;
 

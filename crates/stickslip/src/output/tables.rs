@@ -6,8 +6,8 @@ use stickslip_report::table::{Column, Table};
 
 use super::display::{EdgeView, decimals, short, significant};
 use super::failure::{self, FailureView};
-use super::progressive::{self, ProgressiveView};
 use super::loads::LoadScale;
+use super::progressive::{self, ProgressiveView};
 use crate::results::Results;
 use fit::fitted;
 

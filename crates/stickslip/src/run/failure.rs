@@ -13,8 +13,8 @@ use stickslip_fem_core::mesh::{Curve, Mesh, Point};
 use stickslip_fem_core::stress::{ElasticField, StressError, cartesian};
 use stickslip_laminate::{FailureCriterion, FailureError};
 
-use super::{RunError, progressive};
 use super::fields::{Recovered, heating};
+use super::{RunError, progressive};
 use crate::failure::{PlyStresses, Region, Sites, Tracker, mirror_axis};
 use crate::model::{Model, ModelBodyKind};
 use crate::output::LoadScale;

@@ -174,13 +174,17 @@ impl<'a> Subject<'a> {
             return None;
         };
         let mesh = plate.mesh();
-        let touches = |pair: &&stickslip_contact::ContactPair| pair.first == own || pair.second == own;
+        let touches =
+            |pair: &&stickslip_contact::ContactPair| pair.first == own || pair.second == own;
         let pair = (model.edges.iter())
             .filter(|edge| edge.body == own)
             .find_map(|edge| edge.pair)
             .or_else(|| {
                 let found = model.pairs.iter().find(touches)?;
-                model.pairs.iter().position(|pair| std::ptr::eq(pair, found))
+                model
+                    .pairs
+                    .iter()
+                    .position(|pair| std::ptr::eq(pair, found))
             })?;
         let first = model.pairs[pair].first == own;
         let pin = if first {

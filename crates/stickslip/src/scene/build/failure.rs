@@ -129,7 +129,11 @@ impl Builder<'_> {
         bodies
     }
 
-    pub(super) fn sheet<'m>(&self, body: &str, materials: &'m Materials) -> Option<&'m Arc<LaminateSheet>> {
+    pub(super) fn sheet<'m>(
+        &self,
+        body: &str,
+        materials: &'m Materials,
+    ) -> Option<&'m Arc<LaminateSheet>> {
         match &self.bodies.get(body)?.substance {
             Substance::Elastic { material, .. } => materials.get(material)?.laminate(),
             Substance::Rigid => None,

@@ -125,12 +125,13 @@ impl Builder<'_> {
             }
         };
         match model.point(sheet.laminate.clone()) {
-            Ok(_) => Some(model),
-            Err(cause) => {
+            // What the criteria of [failure] lack has been said.
+            Err(cause) if self.findings.is_empty() => {
                 let problem = LaminateProblem::Progressive { cause };
                 self.report(&key, Part::Value, problem.into());
                 None
             }
+            _ => Some(model),
         }
     }
 
@@ -217,11 +218,7 @@ impl Builder<'_> {
         })
     }
 
-    fn control(
-        &mut self,
-        given: &ProgressiveFormat,
-        around: &Surroundings<'_>,
-    ) -> Option<Control> {
+    fn control(&mut self, given: &ProgressiveFormat, around: &Surroundings<'_>) -> Option<Control> {
         let table = child(TABLE, "control");
         match &given.control {
             ControlFormat::Loads(loads) => {
@@ -275,7 +272,11 @@ impl Builder<'_> {
         let substance = self.bodies.get(&on.body).map(|body| &body.substance);
         if matches!(substance, Some(Substance::Rigid)) {
             let message = format!("'{}' is rigid, and rigid bodies are not driven", on.body);
-            self.conflict(key, message, "drive an edge of the other body, as plate.left");
+            self.conflict(
+                key,
+                message,
+                "drive an edge of the other body, as plate.left",
+            );
         }
         let touches = |contact: &&Contact| contact.first == *on || contact.second == *on;
         if let Some(contact) = around.contacts.iter().find(touches) {
@@ -291,9 +292,8 @@ impl Builder<'_> {
             let message = format!("the platen on {on} would be free across the drive");
             self.conflict(key, message, "free it along the driven axis alone");
         }
-        let skew = |support: &&Support| {
-            support.on == *on && matches!(support.hold, Hold::Direction(_))
-        };
+        let skew =
+            |support: &&Support| support.on == *on && matches!(support.hold, Hold::Direction(_));
         if around.supports.iter().any(|support| skew(&support)) {
             let message = format!("a skew support holds {on}");
             self.conflict(key, message, "hold it along axes: fix = [\"y\"]");

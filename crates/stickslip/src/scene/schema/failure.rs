@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use serde::{Deserialize, Serialize};
 use super::Progressive;
+use serde::{Deserialize, Serialize};
 use stickslip_laminate::{Degradation, FailureCriterion};
 
 /// The question of `[failure]`.
