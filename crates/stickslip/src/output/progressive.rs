@@ -2,8 +2,11 @@
 
 pub(super) mod csv_files;
 pub(super) mod figures;
+mod maps;
 pub(super) mod summary;
 pub(super) mod tables;
+
+pub(super) use maps::damage_map;
 
 use super::failure::FailureView;
 use crate::results::{PlyLoss, ProgressiveFailure};

@@ -3,6 +3,7 @@
 mod characteristic;
 mod failure;
 mod files;
+mod progressive;
 mod refusals;
 mod stiffness;
 
