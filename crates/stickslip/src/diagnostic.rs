@@ -4,6 +4,7 @@
 //! the span of the scene file or of the `--set` argument that it stands in. A [`SceneError`] is everything that was found in
 //! one scene.
 
+mod laminate;
 mod nearest;
 mod problem;
 mod remedy;
@@ -16,6 +17,7 @@ use miette::{
 };
 use serde::Serialize;
 
+pub use laminate::LaminateProblem;
 pub(crate) use nearest::nearest;
 pub use problem::SceneProblem;
 

@@ -17,6 +17,7 @@
 
 pub mod cli;
 pub mod diagnostic;
+mod failure;
 pub mod model;
 pub mod output;
 pub mod results;

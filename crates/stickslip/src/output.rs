@@ -6,6 +6,7 @@
 //! | `report.html` | everything for a reader, in one self-contained page |
 //! | `steps.csv` | one row per load step |
 //! | `edge-NAME-step-NN.csv` | tractions, gaps, slip, status and stresses along an edge |
+//! | `failure-BODY.csv`, `first-ply-BODY.csv`, `plies-NAME-step-NN.csv`, … | failure of laminates, where the scene asks for it |
 //! | `results.pvd`, `fields/*.vtu` | displacement and stress fields for ParaView |
 //! | `figures/*.svg`, `figures/*.png` | the page's figures |
 //!
@@ -14,6 +15,7 @@
 
 mod csv_files;
 mod display;
+mod failure;
 mod figures;
 mod loads;
 pub(crate) use loads::LoadScale;

@@ -1,7 +1,14 @@
 //! What a run yields, in base units (mm, N, MPa, rad): the source of every table, file and figure.
 
+mod failure;
+
 use std::f64::consts::TAU;
 use std::sync::Arc;
+
+pub use failure::{
+    BodyFailure, CharacteristicFailure, EdgePlies, EdgePly, Envelope, EnvelopePoint, FailurePoint,
+    FirstPly, JointFailure, JointMode, PlyGroup, PlyMap,
+};
 
 use stickslip_contact::Status;
 use stickslip_contact::solver::{Residuals, Work};
@@ -34,6 +41,8 @@ pub struct Results {
     pub edges: Vec<EdgeGeometry>,
     /// Load steps.
     pub steps: Vec<StepResults>,
+    /// Failure of the laminated bodies that the scene asks about.
+    pub failure: Vec<BodyFailure>,
     /// Wall time of each phase `[s]`.
     pub phases: Vec<(&'static str, f64)>,
 }

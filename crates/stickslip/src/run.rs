@@ -1,6 +1,7 @@
 //! Solves a scene: condense the bodies, follow the load history, recover what is reported.
 
 mod edges;
+mod failure;
 mod fields;
 mod remarks;
 mod reported;
@@ -14,6 +15,7 @@ use stickslip_contact::{
 use stickslip_fem_core::body::BodyError;
 use stickslip_fem_core::stress::StressError;
 use stickslip_fem_core::{CondensedBody, InterfaceOperator};
+use stickslip_laminate::FailureError;
 use thiserror::Error;
 
 use crate::model::{Model, ModelBodyKind, ModelError};
@@ -44,6 +46,15 @@ pub enum RunError {
     /// Stresses could not be recovered.
     #[error("stresses: {0}")]
     Stress(#[from] StressError),
+    /// Plies could not be asked for failure.
+    #[error("failure of body '{body}': {cause}")]
+    Failure {
+        /// The body.
+        body: String,
+        /// Its reason.
+        #[source]
+        cause: FailureError,
+    },
 }
 
 /// What a run tells while it goes on.
@@ -221,7 +232,7 @@ pub fn condense(model: &Model) -> Result<Vec<Operator>, RunError> {
 /// What is reported of the history `solved` of `scene`: edges, balances and, where asked for, fields.
 ///
 /// # Errors
-/// [`RunError::Stress`].
+/// [`RunError::Stress`], [`RunError::Failure`], and [`RunError::Model`] if characteristic distances lead out of their body.
 pub fn results(
     scene: &Scene,
     model: &Model,
@@ -274,13 +285,16 @@ pub fn results(
             .map(|edge| edge.geometry.clone())
             .collect(),
         steps,
+        failure: Vec::new(),
         phases: Vec::new(),
     };
     let scale = LoadScale::of(&results);
     for (step, unloading) in results.steps.iter_mut().zip(scale.unloading()) {
         step.unloading = unloading;
     }
-    for index in steps_with_fields(scene.output.fields, &scale, results.steps.len()) {
+    let with_fields = steps_with_fields(scene.output.fields, &scale, results.steps.len());
+    results.failure = failure::all(scene, model, &recovered, &results, &scale, &with_fields)?;
+    for index in with_fields {
         results.steps[index].fields = fields::with_stresses(scene, model, &recovered[index])?;
     }
     solved

@@ -59,8 +59,8 @@ use document::{Document, Part};
 use format::SceneFormat;
 use read::Reader;
 use schema::{
-    Analysis, Body, Contact, DisplayUnits, Load, LoadKind, Material, MeshSettings, Output, Platen,
-    SetRef, Support,
+    Analysis, Body, Contact, DisplayUnits, Failure, Load, LoadKind, Material, MeshSettings, Output,
+    Platen, SetRef, Support,
 };
 
 /// Version of the scene format that this program reads.
@@ -93,6 +93,8 @@ pub struct Scene {
     pub loads: Vec<Load>,
     /// Edges to report besides those in contact.
     pub edges: Vec<SetRef>,
+    /// What is asked about the failure of laminates.
+    pub failure: Option<Failure>,
     /// What is written beside tables.
     pub output: Output,
     /// Path of the scene file as given.
@@ -186,6 +188,7 @@ impl Scene {
             hash: hash(&spelled, &parts.loads),
             loads: parts.loads,
             edges: parts.edges,
+            failure: parts.failure,
             output: parts.output,
             source_name: name.to_owned(),
             base_dir: base_dir.to_owned(),

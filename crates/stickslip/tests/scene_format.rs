@@ -12,14 +12,29 @@ use stickslip::scene::{Format, Scene};
 
 const DOCUMENT: &str = include_str!("../../../docs/scene-format.md");
 
-/// A scene that leaves out whatever it may, so that any key can be set in it; `expansion` and `fine_to` are there for keys that
-/// need them.
+/// A scene that leaves out whatever it may, so that any key can be set in it; `expansion`, `fine_to` and a laminate with a hole are
+/// there for keys that need them.
 const BASE: &str = r#"
 version = 1
 [materials.aluminium.isotropic]
 young = "70 GPa"
 poisson = 0.33
 expansion = "2.3e-5 1/K"
+[plies.carbon]
+e1 = "140 GPa"
+e2 = "9 GPa"
+g12 = "5 GPa"
+nu12 = 0.3
+thickness = "0.125 mm"
+strengths = { xt = "1500 MPa", xc = "1200 MPa", yt = "50 MPa", yc = "200 MPa", s12 = "70 MPa", s23 = "100 MPa" }
+[materials.composite.laminate]
+layup = "[0/90]s"
+ply = "carbon"
+[bodies.coupon]
+material = "composite"
+shape.plate_with_hole = { hole_radius = "5 mm", outline.ring = { radius = "25 mm" } }
+[failure]
+criteria = ["max_stress"]
 [bodies.plate]
 material = "aluminium"
 thickness = "1 mm"
@@ -39,6 +54,9 @@ second = "pin.rim"
 friction.coulomb = { mu = 0.2 }
 [[supports]]
 on = "pin.centre"
+fix = ["x", "y"]
+[[supports]]
+on = "coupon.outer"
 fix = ["x", "y"]
 [[loads]]
 on = "plate.hole"
@@ -106,6 +124,7 @@ fn place(section: &str) -> String {
     let (first, rest) = section.split_once('.').unwrap_or((section, ""));
     let rest = match first {
         "materials" => rest.replacen("NAME", "aluminium", 1),
+        "plies" => rest.replacen("NAME", "carbon", 1),
         "bodies" => rest.replacen("NAME", "plate", 1),
         "contacts" | "supports" | "platens" | "loads" | "edges" => {
             format!("0.{rest}").trim_end_matches('.').to_owned()
@@ -146,7 +165,7 @@ fn compare(
     assert_eq!(Some(documented), known(&place(section)), "[{section}]");
     for (key, row) in rows {
         let mut below = child(section, key);
-        if section.is_empty() && ["materials", "bodies"].contains(&key.as_str()) {
+        if section.is_empty() && ["plies", "materials", "bodies"].contains(&key.as_str()) {
             below.push_str(".NAME");
         }
         if sections.contains_key(&below) {
@@ -182,7 +201,7 @@ fn covered(value: &Value, section: &str, sections: &BTreeMap<String, BTreeMap<St
             .for_each(|entry| covered(entry, section, sections)),
         Value::Object(map) => {
             for (key, value) in map {
-                if ["materials", "bodies"].contains(&section) {
+                if ["plies", "materials", "bodies"].contains(&section) {
                     covered(value, &child(section, "NAME"), sections);
                     continue;
                 }

@@ -1,6 +1,7 @@
 //! `stickslip check`: the scene as it will be understood and modelled.
 
 use serde_json::{Value, json};
+use stickslip_laminate::Curvature;
 
 use super::SceneArguments;
 use super::console::Console;
@@ -53,6 +54,7 @@ fn outline(scene: &Scene, model: &Model) -> Vec<(&'static str, String)> {
     for (name, body) in &scene.bodies {
         lines.push(("body", format!("{name}: {}", body_line(scene, body))));
     }
+    lines.extend(laminates(scene));
     lines.push(("mesh", mesh_line(scene, &scene.mesh)));
     for body in &model.bodies {
         if let ModelBodyKind::Elastic(elastic) = &body.kind {
@@ -87,6 +89,7 @@ fn outline(scene: &Scene, model: &Model) -> Vec<(&'static str, String)> {
             ),
         ));
     }
+    lines.extend(failure_line(scene).map(|line| ("failure", line)));
     for load in &scene.loads {
         lines.push((
             "load",
@@ -179,6 +182,80 @@ fn mesh_line(scene: &Scene, settings: &MeshSettings) -> String {
             format!("{element:?}, corner nodes every {spacing} at the contact point")
         }
     }
+}
+
+/// Thickness, moduli and coupling of every laminate, and what its cure leaves.
+fn laminates(scene: &Scene) -> Vec<(&'static str, String)> {
+    let mut lines = Vec::new();
+    for (name, material) in &scene.materials {
+        let Some(sheet) = material.laminate() else {
+            continue;
+        };
+        let laminate = &sheet.laminate;
+        let stress = |value: f64| scene.display.stress.show(value);
+        let moduli = laminate.membrane_moduli(Curvature::Suppressed);
+        let coupling = laminate.coupling();
+        lines.push((
+            "laminate",
+            format!(
+                "{name}: {}, {} plies, {} thick",
+                sheet.layup,
+                laminate.layers().len(),
+                scene.display.length.show(laminate.thickness())
+            ),
+        ));
+        lines.push((
+            "laminate",
+            format!(
+                "{name}: Ex {}, Ey {}, Gxy {}, νxy {:.4}; coupling of stretching with bending {:.2e}, with shear {:.2e}",
+                stress(moduli.ex),
+                stress(moduli.ey),
+                stress(moduli.gxy),
+                moduli.nuxy,
+                coupling.bending_extension,
+                coupling.extension_shear
+            ),
+        ));
+        if sheet.cure != 0.0 {
+            let states = laminate.residual_states(sheet.cure);
+            let largest = states
+                .iter()
+                .map(|state| state.stress[1])
+                .fold(0.0, f64::max);
+            lines.push((
+                "laminate",
+                format!(
+                    "{name}: {} K since the cure leave up to {} across the fibres",
+                    sheet.cure,
+                    stress(largest)
+                ),
+            ));
+        }
+    }
+    lines
+}
+
+fn failure_line(scene: &Scene) -> Option<String> {
+    let failure = scene.failure.as_ref()?;
+    let names: Vec<_> = failure
+        .criteria
+        .iter()
+        .map(|criterion| criterion.name())
+        .collect();
+    let mut line = format!(
+        "{} in the plies of {}",
+        names.join(", "),
+        failure.bodies.join(", ")
+    );
+    if let Some(distances) = failure.characteristic {
+        let show = |value: f64| scene.display.length.show(value);
+        line += &format!(
+            "; characteristic distances {} (tension) and {} (compression)",
+            show(distances.tension),
+            show(distances.compression)
+        );
+    }
+    Some(line)
 }
 
 /// Four digits after the point, without minus zero.

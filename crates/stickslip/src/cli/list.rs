@@ -1,5 +1,7 @@
 //! `stickslip list`: what can be written in a scene.
 
+mod laminates;
+
 use std::fmt::Write as _;
 
 use clap::{Args, ValueEnum};
@@ -22,6 +24,8 @@ pub(super) struct ListArguments {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Topic {
     Laws,
+    Layups,
+    Criteria,
     Templates,
     Elements,
     Solvers,
@@ -81,6 +85,8 @@ pub(super) fn list(arguments: &ListArguments, console: Console) -> Result<(), Fa
 fn name(topic: Topic) -> &'static str {
     match topic {
         Topic::Laws => "laws",
+        Topic::Layups => "layups",
+        Topic::Criteria => "criteria",
         Topic::Templates => "templates",
         Topic::Elements => "elements",
         Topic::Solvers => "solvers",
@@ -102,6 +108,8 @@ fn element_summary(kind: ElementKind) -> &'static str {
 fn text(topic: Topic) -> String {
     match topic {
         Topic::Laws => laws_text(),
+        Topic::Layups => laminates::layups_text(),
+        Topic::Criteria => laminates::criteria_text(),
         Topic::Templates => {
             let rows = TEMPLATES
                 .iter()
@@ -188,6 +196,8 @@ fn default_of(parameter: &ParameterInfo) -> String {
 
 fn value(topic: Topic) -> Value {
     match topic {
+        Topic::Layups => laminates::layups_value(),
+        Topic::Criteria => laminates::criteria_value(),
         Topic::Laws => laws()
             .map(|law| {
                 let parameters: Vec<_> = law

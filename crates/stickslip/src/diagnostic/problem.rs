@@ -4,6 +4,7 @@ use miette::Diagnostic;
 use stickslip_fem_core::material::MaterialError;
 use thiserror::Error;
 
+use super::laminate::LaminateProblem;
 use super::remedy::{counted, listed, material_remedy, meant, on_lines};
 use crate::units::UnitError;
 
@@ -205,6 +206,10 @@ pub enum SceneProblem {
         /// What is wrong.
         cause: MaterialError,
     },
+    /// A laminate, or what is asked about its failure.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Laminate(#[from] LaminateProblem),
     /// Parameters that a friction law refuses.
     #[error("{message}")]
     #[diagnostic(

@@ -1,5 +1,7 @@
 //! Half or whole: no more than the scene needs.
 
+use stickslip_fem_core::material::Material as _;
+
 use super::ModelError;
 use crate::results::Choice;
 use crate::scene::Scene;
@@ -118,6 +120,10 @@ fn is_missing(edge: &SetRef, across: usize) -> bool {
 }
 
 fn mirrors(material: &Material) -> bool {
+    if let Material::Laminate(sheet) = material {
+        let [x, y, shear] = sheet.membrane.thermal_strain(1.0);
+        return sheet.membrane.symmetric_about_x() && shear.abs() <= 1e-12 * x.abs().max(y.abs());
+    }
     let quarter_turns = material.angle() / std::f64::consts::FRAC_PI_2;
     matches!(material, Material::Isotropic { .. })
         || (quarter_turns - quarter_turns.round()).abs() < 1e-12

@@ -4,7 +4,7 @@ use stickslip_contact::Status;
 
 use super::display::{EdgeView, tidy};
 use super::names::{FileNames, step_name};
-use super::{FileNote, OutputError};
+use super::{FileNote, OutputError, failure};
 use crate::results::{EdgeRow, Results};
 
 /// A file's name and bytes.
@@ -34,10 +34,16 @@ pub(super) fn files(results: &Results) -> Result<(Vec<File>, Vec<FileNote>), Out
         };
         notes.push(FileNote::new(pattern, what));
     }
+    let (tables, about) = failure::csv_files::files(results)?;
+    files.extend(tables);
+    notes.extend(about);
     Ok((files, notes))
 }
 
-fn write(file: &str, rows: impl IntoIterator<Item = Vec<String>>) -> Result<Vec<u8>, OutputError> {
+pub(super) fn write(
+    file: &str,
+    rows: impl IntoIterator<Item = Vec<String>>,
+) -> Result<Vec<u8>, OutputError> {
     let fail = |cause: csv::Error| OutputError::Csv {
         file: file.to_owned(),
         cause,
@@ -52,7 +58,7 @@ fn write(file: &str, rows: impl IntoIterator<Item = Vec<String>>) -> Result<Vec<
 }
 
 /// A number for a program: up to twelve significant digits, empty where there is none.
-fn number(value: f64) -> String {
+pub(super) fn number(value: f64) -> String {
     match tidy(value) {
         None => String::new(),
         Some(0.0) => "0".into(),
@@ -148,6 +154,7 @@ fn steps(results: &Results) -> Result<Vec<u8>, OutputError> {
         };
         columns.extend(edge_quantities(edge, &prefix));
     }
+    columns.extend(reserve_factors(results));
     columns.extend(work_quantities(results));
     let header = columns.iter().map(|(name, _)| name.clone()).collect();
     let rows =
@@ -245,6 +252,20 @@ fn edge_quantities<'a>(edge: EdgeView<'a>, prefix: &str) -> Vec<StepColumn<'a>> 
             force.name,
             Box::new(move |k| in_force(edge.step(k).resultant[1])),
         );
+    }
+    columns
+}
+
+/// The reserve factor of every laminated body by each criterion.
+fn reserve_factors(results: &Results) -> Vec<StepColumn<'_>> {
+    let mut columns: Vec<StepColumn<'_>> = Vec::new();
+    for failure in &results.failure {
+        let name = &results.bodies[failure.body].name;
+        for (k, criterion) in failure.criteria.iter().enumerate() {
+            let heading = format!("{name}: reserve_factor {criterion} [-]");
+            let cell = move |step: usize| number(failure.steps[step][k].reserve_factor);
+            columns.push((heading, Box::new(cell)));
+        }
     }
     columns
 }

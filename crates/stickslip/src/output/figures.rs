@@ -6,6 +6,9 @@ mod fields;
 mod history;
 mod map;
 
+pub(super) use edge::{TICK_INTERVALS, place_axis};
+pub(super) use fields::border;
+
 use stickslip_contact::Status;
 use stickslip_report::FigureError;
 use stickslip_report::chart::Band;
@@ -13,9 +16,11 @@ use stickslip_report::color::Color;
 use stickslip_report::svg::Svg;
 
 use super::display::EdgeView;
+use super::failure::{self, FailureView};
 use super::names::FileNames;
 use super::zones::shown_ranges;
 use crate::results::Results;
+use crate::scene::schema::EnvelopePlane;
 
 /// A finished figure.
 #[derive(Debug)]
@@ -32,11 +37,12 @@ pub(super) struct Drawing {
 pub(super) enum Group {
     Edge,
     History,
+    Failure,
     Field,
 }
 
 /// A figure before it has a file name; `None` where it does not apply.
-type Attempt = Result<Option<(Svg, String)>, FigureError>;
+pub(super) type Attempt = Result<Option<(Svg, String)>, FigureError>;
 
 /// All figures that apply, and a line for each that could not be drawn: a picture is not worth losing a result.
 pub(super) fn draw(results: &Results) -> (Vec<Drawing>, Vec<String>) {
@@ -71,10 +77,47 @@ pub(super) fn draw(results: &Results) -> (Vec<Drawing>, Vec<String>) {
             );
         }
     }
+    for view in FailureView::all(results) {
+        add_failure(&mut gallery, &view);
+    }
     for (stem, attempt) in fields::all(results) {
         gallery.add(Group::Field, &stem, attempt);
     }
     (gallery.drawings, gallery.failures)
+}
+
+/// Figures of a laminated body.
+fn add_failure(gallery: &mut Gallery, view: &FailureView<'_>) {
+    let (group, body) = (Group::Failure, view.body());
+    for edge in &view.failure.edges {
+        let name = &view.results.edges[edge.edge].name;
+        gallery.add(
+            group,
+            &format!("ply-index-{name}"),
+            failure::figures::index_along(view, edge),
+        );
+        gallery.add(
+            group,
+            &format!("ply-stresses-{name}"),
+            failure::figures::stresses_along(view, edge),
+        );
+    }
+    gallery.add(
+        group,
+        &format!("characteristic-{body}"),
+        failure::figures::characteristic(view),
+    );
+    for (plane, stem) in [
+        (EnvelopePlane::Normal, "envelope-normal"),
+        (EnvelopePlane::Shear, "envelope-shear"),
+    ] {
+        let picture = failure::figures::envelopes(view, plane);
+        gallery.add(group, &format!("{stem}-{body}"), picture);
+    }
+    for map in &view.failure.maps {
+        let stem = format!("ply-map-{body}-step-{:02}", map.step + 1);
+        gallery.add(group, &stem, failure::index_map(view, map));
+    }
 }
 
 #[derive(Debug, Default)]

@@ -4,7 +4,7 @@
 //! where there is neither.
 
 use super::display::{EdgeView, short};
-use crate::results::Results;
+use crate::results::{LoadValue, Results};
 
 /// One number per load step that says how much load there is.
 #[derive(Clone, Debug, PartialEq)]
@@ -80,6 +80,25 @@ impl LoadScale {
         }
     }
 
+    /// The load of a ply failure: a part `factor` of the way to `step`, or beyond it that multiple of its load. Only loads and forces
+    /// have one.
+    pub(crate) fn at_failure(&self, step: usize, factor: f64, reached: bool) -> Option<LoadValue> {
+        let end = self.values.get(step).filter(|_| self.is_load())?;
+        let value = if reached {
+            let before = step
+                .checked_sub(1)
+                .map_or(0.0, |before| self.values[before]);
+            before + factor * (end - before)
+        } else {
+            factor * end
+        };
+        Some(LoadValue {
+            name: self.name.clone(),
+            value,
+            unit: self.unit.clone(),
+        })
+    }
+
     /// Whether each step's value is smaller in magnitude than the one before.
     pub(crate) fn unloading(&self) -> Vec<bool> {
         let values = &self.values;
@@ -102,7 +121,7 @@ const CONTACT_FORCE: &str = "contact force";
 /// The loads of the scene.
 fn histories(results: &Results) -> Vec<LoadScale> {
     let loads = results.steps.first().map_or(&[][..], |step| &step.loads);
-    let history = |(index, load): (usize, &crate::results::LoadValue)| LoadScale {
+    let history = |(index, load): (usize, &LoadValue)| LoadScale {
         name: load.name.clone(),
         unit: load.unit.clone(),
         values: results

@@ -5,6 +5,7 @@ use stickslip_report::table::{Column, Table};
 
 use super::FileNote;
 use super::display::{EdgeView, decimals, short, significant};
+use super::failure::{self, FailureView};
 use super::figures::{Drawing, Group};
 use super::loads::LoadScale;
 use super::tables::{self, Detail};
@@ -22,9 +23,11 @@ pub(super) fn page(
     page.summary = summary(results);
     page.notes = notes(results);
     page.sections = vec![steps_section(results)];
+    page.sections.extend(failure_section(results));
     let groups = [
         (Group::Edge, "Along the edges"),
         (Group::History, "Through the load history"),
+        (Group::Failure, "Plies"),
         (Group::Field, "Fields"),
     ];
     let mut drawings = drawings;
@@ -216,6 +219,22 @@ fn steps_section(results: &Results) -> Section {
         section = section.with(Block::Text(text));
     }
     section
+}
+
+/// What fails first in every laminated body, and how far each step is from it.
+fn failure_section(results: &Results) -> Option<Section> {
+    let views = FailureView::all(results);
+    let mut section = Section::new("Failure of plies");
+    for view in &views {
+        section = section.with(Block::Table(failure::tables::first_ply(view)));
+        for sentence in failure::tables::joint_modes(view) {
+            section = section.with(Block::Text(sentence));
+        }
+        section = section
+            .with(Block::Table(failure::tables::steps(view)))
+            .with(Block::Table(failure::tables::plies(view)));
+    }
+    (!views.is_empty()).then_some(section)
 }
 
 fn file_table(files: &[FileNote]) -> Table {

@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use stickslip_contact::Status;
 
 use super::display::{EdgeView, tidy};
+use super::failure::{self, FailureView};
 use super::loads::LoadScale;
 use super::zones::{contact_ranges, zone_ranges};
 use crate::results::{EdgeKind, LoadValue, Results};
@@ -55,6 +56,10 @@ pub(super) fn summary(results: &Results) -> Summary<'_> {
         edges: EdgeView::all(results).iter().map(edge).collect(),
         steps: (0..results.steps.len())
             .map(|step| step_entry(results, step))
+            .collect(),
+        failure: FailureView::all(results)
+            .iter()
+            .map(failure::summary::failure)
             .collect(),
     }
 }

@@ -5,6 +5,7 @@ mod fit;
 use stickslip_report::table::{Column, Table};
 
 use super::display::{EdgeView, decimals, short, significant};
+use super::failure::{self, FailureView};
 use super::loads::LoadScale;
 use crate::results::Results;
 use fit::fitted;
@@ -23,6 +24,13 @@ pub(super) fn terminal(results: &Results, width: usize) -> String {
         let mut table = contact_table(edge, Detail::Brief);
         table.caption = format!("Contact '{}'", edge.geometry.name);
         text += &fitted(table, width);
+    }
+    for view in FailureView::all(results) {
+        text += "\n";
+        text += &fitted(failure::tables::first_ply(&view), width);
+        for sentence in failure::tables::joint_modes(&view) {
+            text += &format!("{sentence}\n");
+        }
     }
     text
 }

@@ -9,6 +9,7 @@ use stickslip_fem_core::stress::polar;
 use stickslip_fem_core::vtk::{Field, PvdEntry, write_pvd, write_vtu};
 
 use super::csv_files::File;
+use super::failure::plain_name;
 use super::names::{FileNames, step_name};
 use super::{FileNote, OutputError};
 use crate::results::{BodyFields, EdgeKind, Results};
@@ -42,10 +43,12 @@ pub(super) fn files(results: &Results) -> Result<(Vec<File>, Vec<FileNote>), Out
                 "fields/{}.vtu",
                 step_name(&stems[fields.body], index, results)
             );
-            let bytes = grid(results, mesh, shown, fields).map_err(|cause| OutputError::Vtk {
-                file: file.clone(),
-                cause,
-            })?;
+            let indices = failure_indices(results, index, fields.body, mesh.nodes().len());
+            let bytes =
+                grid(results, mesh, shown, fields, indices).map_err(|cause| OutputError::Vtk {
+                    file: file.clone(),
+                    cause,
+                })?;
             entries.push(PvdEntry {
                 time: (index + 1) as f64,
                 part: fields.body,
@@ -89,6 +92,7 @@ fn grid(
     mesh: &Mesh,
     shown: &Mesh,
     fields: &BodyFields,
+    indices: Vec<(String, Vec<f64>)>,
 ) -> Result<Vec<u8>, stickslip_fem_core::vtk::VtkError> {
     let units = results.units;
     let displacement: Vec<f64> = (fields.displacement.chunks(2))
@@ -107,6 +111,11 @@ fn grid(
             .collect();
         data.push((format!("{name} [{stress}]").into(), 1, values));
     }
+    data.extend(
+        indices
+            .into_iter()
+            .map(|(name, values)| (name.into(), 1, values)),
+    );
     let fields: Vec<Field<'_>> = data
         .iter()
         .map(|(name, components, values)| Field {
@@ -118,6 +127,31 @@ fn grid(
     let mut bytes = Vec::new();
     write_vtu(shown, &fields, &[], &mut bytes)?;
     Ok(bytes)
+}
+
+/// Failure index of the first criterion in every ply of a laminated body, by name, at the mesh's own nodes.
+fn failure_indices(
+    results: &Results,
+    step: usize,
+    body: usize,
+    nodes: usize,
+) -> Vec<(String, Vec<f64>)> {
+    let mut named = Vec::new();
+    for failure in results
+        .failure
+        .iter()
+        .filter(|failure| failure.body == body)
+    {
+        let criterion = failure.criteria.first().copied().unwrap_or_default();
+        for map in failure.maps.iter().filter(|map| map.step == step) {
+            for (group, values) in map.index.iter().enumerate() {
+                let ply = plain_name(&failure.ply_name(group));
+                let own = values.iter().take(nodes).copied().collect();
+                named.push((format!("index {criterion} {ply} [-]"), own));
+            }
+        }
+    }
+    named
 }
 
 /// Nodal stresses by name `[MPa]`: Cartesian, across the thickness, von Mises, and polar if an edge is a circle.

@@ -111,7 +111,7 @@ pub(super) fn with_stresses(
 }
 
 /// Temperature rise `[K]` of body `name`; the first load cases are the scene's loads.
-fn heating(scene: &Scene, name: &str, multipliers: &[f64]) -> f64 {
+pub(super) fn heating(scene: &Scene, name: &str, multipliers: &[f64]) -> f64 {
     let loads = scene.loads.iter().zip(multipliers);
     let heats = loads.filter(
         |(load, _)| matches!(&load.kind, LoadKind::Temperature { body, .. } if body == name),

@@ -5,7 +5,9 @@
 
 mod bodies;
 mod contacts;
+mod failure;
 mod holds;
+mod laminates;
 mod loads;
 mod mesh;
 
@@ -17,8 +19,8 @@ use serde_json::Value;
 use super::document::{Document, Part, child};
 use super::format::SceneFormat;
 use super::schema::{
-    Analysis, Body, Contact, DisplayUnits, Load, Material, MeshSettings, Output, Platen, SetRef,
-    Support,
+    Analysis, Body, Contact, DisplayUnits, Failure, Load, Material, MeshSettings, Output, Platen,
+    SetRef, Support,
 };
 use crate::diagnostic::{Finding, SceneError, SceneProblem, nearest};
 use crate::units::{Measure, Quantity};
@@ -50,6 +52,7 @@ pub(super) struct Parts {
     pub(super) platens: Vec<Platen>,
     pub(super) loads: Vec<Load>,
     pub(super) edges: Vec<SetRef>,
+    pub(super) failure: Option<Failure>,
     pub(super) output: Output,
 }
 
@@ -65,15 +68,17 @@ pub(super) fn build(
         bodies: BTreeMap::new(),
     };
     let analysis = builder.analysis(format);
-    let materials = builder.materials(format, analysis.plane);
+    let plies = builder.plies(format);
+    let materials = builder.materials(format, &plies, analysis.plane);
     builder.bodies(format, &materials);
     let mesh = builder.mesh(format);
     builder.body_meshes(format, &mesh);
-    let contacts = builder.contacts(format);
+    let contacts = builder.contacts(format, &materials);
     let supports = builder.supports(format);
     let platens = builder.platens(format, &contacts);
     let loads = builder.loads(format, &materials, base);
     let edges = builder.edges(format);
+    let failure = builder.failure(format, &materials);
     builder.everything_is_held(&contacts, &supports, &platens);
     builder.something_happens(&contacts, &supports, &loads);
     let Builder {
@@ -101,6 +106,7 @@ pub(super) fn build(
         platens,
         loads,
         edges,
+        failure,
         output: Output {
             fields: format.output.fields,
             figures: format.output.figures,

@@ -3,6 +3,8 @@
 //! Field names are the keys. Unknown keys are refused, every quantity carries its unit, and choices are externally tagged
 //! (`shape.disk = { … }`). Serialising gives the scene with all defaults filled in.
 
+mod laminate;
+
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
@@ -16,6 +18,7 @@ use super::schema::{
 use crate::units::{
     Angle, AngleOrLength, Force, Length, PerTemperature, Quantity, Stress, Temperature, UnitName,
 };
+pub(super) use laminate::{FailureFormat, LaminateFormat, PlyFormat, StrengthsFormat};
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
 #[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
@@ -29,6 +32,8 @@ pub(super) struct SceneFormat {
     pub(super) units: UnitsFormat,
     #[serde(default)]
     pub(super) analysis: AnalysisFormat,
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub(super) plies: BTreeMap<String, PlyFormat>,
     #[serde(default)]
     pub(super) materials: BTreeMap<String, MaterialFormat>,
     pub(super) bodies: BTreeMap<String, BodyFormat>,
@@ -43,6 +48,8 @@ pub(super) struct SceneFormat {
     pub(super) loads: Vec<LoadFormat>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) edges: Vec<EdgeFormat>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) failure: Option<FailureFormat>,
     #[serde(default)]
     pub(super) output: OutputFormat,
 }
@@ -95,12 +102,13 @@ impl Default for AnalysisFormat {
     }
 }
 
-/// `[materials.NAME.isotropic]` or `[materials.NAME.orthotropic]`.
+/// `[materials.NAME.isotropic]`, `[materials.NAME.orthotropic]` or `[materials.NAME.laminate]`.
 #[derive(Debug, Clone, Deserialize, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum MaterialFormat {
     Isotropic(IsotropicFormat),
     Orthotropic(Box<OrthotropicFormat>),
+    Laminate(Box<LaminateFormat>),
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]

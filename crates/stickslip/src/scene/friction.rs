@@ -4,8 +4,14 @@
 //! checked against the registry, its quantity becomes a number in base units, and the law reads the rest. A law of another
 //! crate needs nothing else to be used in a scene.
 
+mod registered;
+
 use serde_json::{Map, Value};
-use stickslip_friction::{Dimension as Kind, FrictionLaw, LawInfo, ParameterInfo, laws};
+use stickslip_friction::{
+    Dimension as Kind, FrictionLaw, LawInfo, ParameterInfo, PlyFraction, laws,
+};
+
+use registered::{below, has_parameter, holds_one, names_below};
 
 use super::document::{Document, Part, child};
 use super::read::described;
@@ -28,9 +34,16 @@ fn find(name: &str) -> Option<&'static LawInfo> {
     laws().find(|law| law.name == name)
 }
 
-/// Reads the table `friction` that stands at `key`.
-pub(super) fn read(document: &Document, key: &str, table: &Value) -> Result<ReadLaw, Box<Finding>> {
-    let reader = LawReader { document };
+/// Reads the table `friction` that stands at `key`; `plies` are those of the laminate that it acts on, if it is one.
+pub(super) fn read(
+    document: &Document,
+    key: &str,
+    table: &Value,
+    plies: Option<Vec<PlyFraction>>,
+) -> Result<ReadLaw, Box<Finding>> {
+    // A list of two plain numbers per ply is what the law itself reads.
+    let plies = plies.and_then(|plies| serde_json::to_value(plies).ok());
+    let reader = LawReader { document, plies };
     let Converted { plain, shown } = reader.law(key, table)?;
     serde_json::from_value(plain)
         .map(|law| ReadLaw { law, shown })
@@ -46,6 +59,8 @@ pub(super) fn read(document: &Document, key: &str, table: &Value) -> Result<Read
 
 struct LawReader<'a> {
     document: &'a Document,
+    /// Ply fractions for a law that asks for `plies` and is not told.
+    plies: Option<Value>,
 }
 
 impl LawReader<'_> {
@@ -155,6 +170,10 @@ impl LawReader<'_> {
             }
         } else {
             for name in names.iter().filter(|name| !map.contains_key(**name)) {
+                if let Some(plies) = self.plies_for(info, prefix, name) {
+                    plain.insert((*name).to_owned(), plies.clone());
+                    continue;
+                }
                 let default = self.default_of(info, &child(prefix, name), key, name)?;
                 shown.extend(default.map(|value| ((*name).to_owned(), value)));
             }
@@ -163,6 +182,12 @@ impl LawReader<'_> {
             plain: Value::Object(plain),
             shown: Value::Object(shown),
         })
+    }
+
+    /// The laminate's plies, where the law `info` asks for them under this name.
+    fn plies_for(&self, info: &LawInfo, prefix: &str, name: &str) -> Option<&Value> {
+        let asks = prefix.is_empty() && name == "plies" && has_parameter(info, "plies[].fraction");
+        self.plies.as_ref().filter(|_| asks)
     }
 
     /// What stands for the parameter that `table` lacks; an error if nothing does.
@@ -286,45 +311,6 @@ impl LawReader<'_> {
             Err(error) => Err(self.finding(key, Part::Value, error.into())),
         }
     }
-}
-
-/// The parameters at or below a registered path.
-fn below<'a>(info: &'a LawInfo, path: &'a str) -> impl Iterator<Item = &'a ParameterInfo> {
-    info.parameters.iter().filter(move |parameter| {
-        parameter
-            .path
-            .strip_prefix(path)
-            .is_some_and(|rest| path.is_empty() || rest.is_empty() || rest.starts_with(['.', '[']))
-    })
-}
-
-/// The rest of a parameter's path below `prefix`.
-fn rest<'a>(parameter: &'a ParameterInfo, prefix: &str) -> &'a str {
-    let rest = parameter.path.strip_prefix(prefix).unwrap_or_default();
-    rest.strip_prefix('.').unwrap_or(rest)
-}
-
-/// The keys that may stand in the table at `prefix`.
-fn names_below<'a>(info: &'a LawInfo, prefix: &'a str) -> Vec<&'a str> {
-    let mut names: Vec<&str> = Vec::new();
-    for parameter in below(info, prefix) {
-        let name = rest(parameter, prefix)
-            .split(['.', '['])
-            .next()
-            .unwrap_or_default();
-        if !name.is_empty() && !names.contains(&name) {
-            names.push(name);
-        }
-    }
-    names
-}
-
-/// Whether the table at `prefix` is a choice: below the law's own table, one that holds only tables, as `kernel` does.
-fn holds_one(info: &LawInfo, prefix: &str) -> bool {
-    !prefix.is_empty()
-        && below(info, prefix).next().is_some()
-        && below(info, prefix).all(|parameter| rest(parameter, prefix).contains('.'))
-        && !below(info, prefix).any(|parameter| rest(parameter, prefix).starts_with('['))
 }
 
 /// Whether the key names a table inside a friction law that holds exactly one entry: a nested law, or a choice such as `kernel`.

@@ -3,6 +3,7 @@
 //! Base units throughout: mm, N, MPa, rad, K. Angles are counter-clockwise from +x, the load axis; names of bodies, materials and
 //! sets refer to things that exist.
 
+mod failure;
 mod shape;
 
 use std::fmt;
@@ -13,8 +14,9 @@ use stickslip_fem_core::material::PlaneState;
 use stickslip_fem_core::mesh::ElementKind;
 use stickslip_friction::FrictionLaw;
 
-pub use super::material::{Material, OutOfPlane};
+pub use super::material::{LaminateSheet, Material, OutOfPlane};
 use crate::units::Unit;
+pub use failure::{Characteristic, EnvelopePlane, Envelopes, Failure};
 pub use shape::{Outline, Shape};
 
 /// Units that results are shown in.

@@ -12,7 +12,7 @@ use crate::results::EdgeRow;
 /// Part of a contact line that is shown, in half-widths of the widest contact.
 const CONTACT_WIDTHS: f64 = 2.5;
 /// Intervals between ticks over the width of a page.
-pub(super) const TICK_INTERVALS: f64 = 13.0;
+pub(in crate::output) const TICK_INTERVALS: f64 = 13.0;
 /// Rounding of an angle, in tick spacings.
 const ROUNDING: f64 = 1e-6;
 
@@ -153,7 +153,11 @@ fn caption(view: &EdgeView<'_>, step: usize) -> String {
 
 /// The place axis with ticks where a reader of angles expects them, in at most `intervals`; `window` is the part to show
 /// `[rad or mm]`.
-pub(super) fn place_axis(view: &EdgeView<'_>, window: Option<[f64; 2]>, intervals: f64) -> Axis {
+pub(in crate::output) fn place_axis(
+    view: &EdgeView<'_>,
+    window: Option<[f64; 2]>,
+    intervals: f64,
+) -> Axis {
     let unit = view.place_unit();
     let name = if view.is_circle() {
         "Angle θ from the bearing point"

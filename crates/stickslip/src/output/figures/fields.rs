@@ -242,7 +242,7 @@ impl<'a> Scene<'a> {
 }
 
 /// The loop of a cell's border nodes: corner, mid-side, corner, …; `first` is the number of the mesh's first node.
-fn border(mesh: &Mesh, cell: usize, first: usize) -> Vec<usize> {
+pub(in crate::output) fn border(mesh: &Mesh, cell: usize, first: usize) -> Vec<usize> {
     let (kind, nodes, _) = mesh.element(cell);
     let corners = kind.corners();
     if kind.order() == 1 {

@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
+use crate::output::failure::summary::Failure;
+
 /// Version of the format; a change that could break a reader raises it.
 pub(super) const FORMAT_VERSION: u32 = 1;
 
@@ -27,6 +29,9 @@ pub(in crate::output) struct Summary<'a> {
     pub(super) edge: Option<&'a str>,
     pub(super) edges: Vec<Edge<'a>>,
     pub(super) steps: Vec<Step<'a>>,
+    /// Failure of the laminated bodies that the scene asks about.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) failure: Vec<Failure<'a>>,
 }
 
 #[derive(Debug, Serialize)]

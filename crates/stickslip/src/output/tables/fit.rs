@@ -3,8 +3,9 @@
 use stickslip_report::table::Table;
 
 /// What can be left out, first things first; of two columns of one name the last goes first, and the parts of one thing together.
-const DISPENSABLE: [&[&str]; 8] = [
+const DISPENSABLE: [&[&str]; 9] = [
     &["time"],
+    &["σ_1", "σ_2", "τ_12"],
     &["solves"],
     &["±"],
     &["at θ"],

@@ -1,8 +1,10 @@
 //! Materials and bodies.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use stickslip_fem_core::material::{MaterialError, OrthotropicConstants, OutOfPlane, PlaneState};
+use stickslip_laminate::Ply;
 
 use super::Builder;
 use crate::diagnostic::SceneProblem;
@@ -22,6 +24,7 @@ impl Builder<'_> {
     pub(super) fn materials(
         &mut self,
         format: &SceneFormat,
+        plies: &BTreeMap<String, Ply>,
         plane: PlaneState,
     ) -> BTreeMap<String, Material> {
         let mut materials = BTreeMap::new();
@@ -33,6 +36,13 @@ impl Builder<'_> {
                 MaterialFormat::Isotropic(given) => ("isotropic", self.isotropic(&table, given)),
                 MaterialFormat::Orthotropic(given) => {
                     ("orthotropic", self.orthotropic(&table, given, plane))
+                }
+                MaterialFormat::Laminate(given) => {
+                    if let Some(sheet) = self.laminate(&table, name, given, plies, plane) {
+                        let material = Material::Laminate(Arc::new(sheet));
+                        materials.insert(name.clone(), material);
+                    }
+                    continue;
                 }
             };
             // Constants that are wrong each for itself need no second message.
@@ -158,16 +168,26 @@ impl Builder<'_> {
                 return Substance::Rigid;
             }
         };
-        if !materials.contains_key(material) {
+        // A laminate that was refused for itself needs no second message.
+        let written = self.document.get(&child("materials", material)).is_some();
+        if !materials.contains_key(material) && !written {
             let known = materials.keys().cloned().collect();
             self.undefined(&child(table, "material"), "material", material, known);
         }
-        if thickness.is_none() {
-            self.missing(table, "thickness");
-        }
+        let thickness = match materials.get(material) {
+            Some(Material::Laminate(sheet)) => {
+                self.laminate_thickness(table, material, body.thickness.as_ref(), sheet)
+            }
+            found => {
+                if thickness.is_none() && (found.is_some() || !written) {
+                    self.missing(table, "thickness");
+                }
+                thickness.unwrap_or(1.0)
+            }
+        };
         Substance::Elastic {
             material: material.clone(),
-            thickness: thickness.unwrap_or(1.0),
+            thickness,
         }
     }
 

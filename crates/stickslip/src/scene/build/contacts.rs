@@ -1,11 +1,15 @@
 //! Pairs of edges in contact.
 
+use std::collections::BTreeMap;
+
+use stickslip_friction::PlyFraction;
+
 use super::{Builder, Fits, LONGEST_NAME};
 use crate::diagnostic::SceneProblem;
 use crate::scene::document::Part;
 use crate::scene::format::{ContactFormat, SceneFormat};
 use crate::scene::friction;
-use crate::scene::schema::{Contact, Outline, SetRef, Shape};
+use crate::scene::schema::{Contact, Material, Outline, SetRef, Shape, Substance};
 
 /// Largest overlap of two circles, as a part of the hole's radius: small displacements hold far below it.
 const LARGEST_OVERLAP: f64 = 0.1;
@@ -13,7 +17,11 @@ const LARGEST_OVERLAP: f64 = 0.1;
 const SMALLEST_INNER: f64 = 0.5;
 
 impl Builder<'_> {
-    pub(super) fn contacts(&mut self, format: &mut SceneFormat) -> Vec<Contact> {
+    pub(super) fn contacts(
+        &mut self,
+        format: &mut SceneFormat,
+        materials: &BTreeMap<String, Material>,
+    ) -> Vec<Contact> {
         let mut contacts: Vec<Contact> = Vec::new();
         for (index, given) in format.contacts.iter_mut().enumerate() {
             // The second edge is that of the pin or of the block.
@@ -34,7 +42,7 @@ impl Builder<'_> {
                     "give each contact a name of its own",
                 );
             }
-            if let Some(contact) = self.contact(&key, name, given) {
+            if let Some(contact) = self.contact(&key, name, given, materials) {
                 self.edges_are_free(&key, &contacts, &contact);
                 match closed_chain(&contacts, &contact) {
                     Some(chain) => self.circular(&key, &chain),
@@ -86,7 +94,13 @@ impl Builder<'_> {
         );
     }
 
-    fn contact(&mut self, key: &str, name: String, given: &mut ContactFormat) -> Option<Contact> {
+    fn contact(
+        &mut self,
+        key: &str,
+        name: String,
+        given: &mut ContactFormat,
+        materials: &BTreeMap<String, Material>,
+    ) -> Option<Contact> {
         let first = self.set(&format!("{key}.first"), &given.first, Fits::Edges);
         let second = self.set(&format!("{key}.second"), &given.second, Fits::Edges);
         let law_key = format!("{key}.friction");
@@ -101,7 +115,14 @@ impl Builder<'_> {
                 );
                 None
             }
-            Some(table) => match friction::read(self.document, &law_key, table) {
+            Some(table) => match friction::read(
+                self.document,
+                &law_key,
+                table,
+                first
+                    .as_ref()
+                    .and_then(|first| self.ply_fractions(first, materials)),
+            ) {
                 Ok(read) => {
                     given.friction = Some(read.shown);
                     Some(read.law)
@@ -127,6 +148,19 @@ impl Builder<'_> {
             interference,
             law: law?,
         })
+    }
+
+    /// What the plies of the first body's laminate have of its thickness.
+    fn ply_fractions(
+        &self,
+        first: &SetRef,
+        materials: &BTreeMap<String, Material>,
+    ) -> Option<Vec<PlyFraction>> {
+        let Substance::Elastic { material, .. } = &self.bodies.get(&first.body)?.substance else {
+            return None;
+        };
+        let sheet = materials.get(material)?.laminate()?;
+        Some(sheet.ply_fractions())
     }
 
     fn pair(&mut self, key: &str, given: &ContactFormat, first: &SetRef, second: &SetRef) {

@@ -10,7 +10,7 @@ fn read_law(friction: &str) -> Result<ReadLaw, Box<Finding>> {
     };
     let document = Document::parse(source, Format::Toml).unwrap();
     let table = document.get("contacts.0.friction").unwrap().clone();
-    read(&document, "contacts.0.friction", &table)
+    read(&document, "contacts.0.friction", &table, None)
 }
 
 fn refused(friction: &str) -> (String, String, String) {

@@ -1,0 +1,285 @@
+//! Charts of ply stresses and indices along an edge, of the characteristic curve, and of failure envelopes.
+
+use stickslip_report::axis::Axis;
+use stickslip_report::chart::{Band, Dash, Legend, LineChart, Panels, ReferenceLine, Series};
+use stickslip_report::color::Color;
+
+use super::{FailureView, criterion_name, plane_symbols};
+use crate::output::display::{EdgeView, short, significant};
+use crate::output::figures::{Attempt, TICK_INTERVALS, place_axis};
+use crate::output::loads::LoadScale;
+use crate::results::{EdgePlies, EdgePly};
+use crate::scene::schema::EnvelopePlane;
+
+/// Dashes of plies, so that curves are told apart without colour.
+const DASHES: [Dash; 4] = [Dash::Solid, Dash::Dashed, Dash::DashDotted, Dash::Dotted];
+
+/// The step of the largest load.
+fn peak(view: &FailureView<'_>) -> Option<usize> {
+    LoadScale::of(view.results).peak_step()
+}
+
+fn at_load(view: &FailureView<'_>, step: usize) -> String {
+    format!("At {}", LoadScale::of(view.results).step_text(step))
+}
+
+/// A quantity of every ply along the edge.
+fn curves(
+    view: &FailureView<'_>,
+    shown: &EdgeView<'_>,
+    edge: &EdgePlies,
+    step: usize,
+    value: impl Fn(&EdgePly) -> f64,
+) -> Vec<Series> {
+    let groups = edge.steps[step].iter().enumerate();
+    let curve = |(group, plies): (usize, &Vec<EdgePly>)| {
+        let mut points: Vec<[f64; 2]> = (edge.parameter.iter().zip(plies))
+            .map(|(&at, ply)| [shown.place(at), value(ply)])
+            .collect();
+        // A closed edge that starts at −180° ends at 180°.
+        if let (true, Some(&[start, first])) = (shown.is_circle(), points.first())
+            && start < -179.999
+        {
+            points.push([start + 360.0, first]);
+        }
+        Series::new(view.failure.ply_name(group), points).dash(DASHES[group % DASHES.len()])
+    };
+    groups.map(curve).collect()
+}
+
+/// The axis of the whole edge.
+fn whole_axis(shown: &EdgeView<'_>, intervals: f64) -> Axis {
+    let ends = if shown.is_circle() {
+        Some([-std::f64::consts::PI, std::f64::consts::PI])
+    } else {
+        None
+    };
+    place_axis(shown, ends, intervals)
+}
+
+/// Index of the first criterion along an edge, one curve per ply.
+pub(crate) fn index_along(view: &FailureView<'_>, edge: &EdgePlies) -> Attempt {
+    let shown = EdgeView::all(view.results)[edge.edge];
+    let (Some(step), Some(criterion)) = (peak(view), view.failure.criteria.first()) else {
+        return Ok(None);
+    };
+    let name = criterion_name(criterion);
+    let title = format!("Ply failure index along '{}'", shown.geometry.name);
+    let mut chart = LineChart::new(
+        title,
+        whole_axis(&shown, TICK_INTERVALS),
+        Axis::linear(format!("Failure index, {name} [–]")),
+    )
+    .subtitle(format!(
+        "{} · lay-up {}",
+        at_load(view, step),
+        view.failure.layup
+    ))
+    .legend(Legend::Right)
+    .size(760.0, 0.5)
+    .reference(ReferenceLine::horizontal("fails", 1.0));
+    for series in curves(view, &shown, edge, step, |ply| {
+        ply.index.first().copied().unwrap_or(f64::NAN)
+    }) {
+        chart = chart.with(series);
+    }
+    let largest = edge.steps[step]
+        .iter()
+        .enumerate()
+        .flat_map(|(group, plies)| {
+            plies
+                .iter()
+                .zip(&edge.parameter)
+                .map(move |(ply, &at)| (group, ply, at))
+        });
+    let first = |ply: &EdgePly| ply.index.first().copied().unwrap_or(0.0);
+    let caption = largest
+        .max_by(|a, b| first(a.1).total_cmp(&first(b.1)))
+        .map_or(String::new(), |(group, ply, at)| {
+            format!(
+                "Index by {name} in each ply, at {}; a ply fails where it is 1. The largest is {} in the {} ply at {}.",
+                LoadScale::of(view.results).step_text(step),
+                significant(first(ply), 4),
+                view.failure.ply_name(group),
+                shown.at(at),
+            )
+        });
+    Ok(Some((chart.render()?, caption)))
+}
+
+/// σ_1, σ_2 and τ_12 of every ply along an edge.
+pub(crate) fn stresses_along(view: &FailureView<'_>, edge: &EdgePlies) -> Attempt {
+    let shown = EdgeView::all(view.results)[edge.edge];
+    let Some(step) = peak(view) else {
+        return Ok(None);
+    };
+    let unit = view.stress_unit();
+    let parts = [
+        ("(a) along the fibres", "σ_1"),
+        ("(b) across the fibres", "σ_2"),
+        ("(c) shear", "τ_12"),
+    ];
+    let chart = |(k, (title, symbol)): (usize, (&str, &str))| {
+        let mut chart = LineChart::new(
+            title,
+            whole_axis(&shown, 6.0),
+            Axis::linear(format!("{symbol} [{unit}]")),
+        )
+        .size(400.0, 0.85);
+        for series in curves(view, &shown, edge, step, |ply| view.stress(ply.stress[k])) {
+            chart = chart.with(series.width(1.5));
+        }
+        chart
+    };
+    let charts = parts.into_iter().enumerate().map(chart).collect();
+    let title = format!(
+        "Ply stresses along '{}' at {}",
+        shown.geometry.name,
+        LoadScale::of(view.results).text(step)
+    );
+    let picture = Panels::new(title, 3, charts).common_legend().render()?;
+    let transverse = edge.steps[step]
+        .iter()
+        .enumerate()
+        .flat_map(|(group, plies)| {
+            plies
+                .iter()
+                .zip(&edge.parameter)
+                .map(move |(ply, &at)| (group, ply.stress[1], at))
+        });
+    let caption = transverse
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+        .map_or(String::new(), |(group, stress, at)| {
+            format!(
+                "Stresses in the material axes of each ply, the stress of the cure included. The largest tension across fibres is {} {unit} in \
+                 the {} ply at {}.",
+                significant(view.stress(stress), 4),
+                view.failure.ply_name(group),
+                shown.at(at),
+            )
+        });
+    Ok(Some((picture, caption)))
+}
+
+/// Largest index over the plies along the characteristic curve, for every load step, with the zones of the modes.
+pub(crate) fn characteristic(view: &FailureView<'_>) -> Attempt {
+    let (Some(given), Some(criterion), Some(step)) = (
+        &view.failure.characteristic,
+        view.failure.criteria.first(),
+        peak(view),
+    ) else {
+        return Ok(None);
+    };
+    let name = criterion_name(criterion);
+    let load = LoadScale::of(view.results);
+    let x = Axis::linear("Angle θ from the bearing point [deg]")
+        .between(-90.0, 90.0)
+        .every(15.0);
+    let y = Axis::linear(format!("Largest ply index, {name} [–]"));
+    let title = format!("Characteristic curve of '{}'", view.body());
+    let mut chart = LineChart::new(title, x, y)
+        .subtitle(format!(
+            "R_t = {}, R_c = {}",
+            view.results.units.length.show(given.tension),
+            view.results.units.length.show(given.compression)
+        ))
+        .legend(Legend::Right)
+        .size(760.0, 0.55)
+        .reference(ReferenceLine::horizontal("fails", 1.0));
+    chart.bands = mode_bands();
+    let rising = (0..=step).filter(|&k| k == step || k % step.div_ceil(6).max(1) == 0);
+    let rising: Vec<usize> = rising.collect();
+    let colors = stickslip_report::color::sequence(rising.len());
+    for (&k, color) in rising.iter().zip(colors) {
+        let points = given.angles.iter().zip(&given.index[k]);
+        let points = points
+            .map(|(angle, index)| [angle.to_degrees(), *index])
+            .collect();
+        chart = chart.with(Series::new(load.text(k), points).color(color));
+    }
+    let mut sentences = vec![format!(
+        "Index by {name} on r_c(θ) = R + R_t + (R_c − R_t) cos θ (Chang, Scott & Springer 1982) up to the largest load; the place where it \
+         first is 1 names the mode."
+    )];
+    sentences.extend(super::tables::joint_modes(view));
+    Ok(Some((chart.render()?, sentences.join(" "))))
+}
+
+fn mode_bands() -> Vec<Band> {
+    let zones = [
+        ("net tension", 75.0, 90.0, Color::rgb(0x2a, 0x93, 0x5c)),
+        ("shear-out", 30.0, 60.0, Color::rgb(0xe0, 0x7b, 0x1a)),
+    ];
+    let bearing = Band::new("bearing", -15.0, 15.0, Color::rgb(0x1f, 0x6f, 0xb4));
+    let both = |(name, low, high, color): (&str, f64, f64, Color)| {
+        [
+            Band::new(name, -high, -low, color),
+            Band::new(name, low, high, color),
+        ]
+    };
+    zones.into_iter().flat_map(both).chain([bearing]).collect()
+}
+
+/// Envelopes of all criteria in one plane.
+pub(crate) fn envelopes(view: &FailureView<'_>, plane: EnvelopePlane) -> Attempt {
+    let unit = view.stress_unit();
+    let [first, second] = plane_symbols(plane);
+    let title = format!("Failure envelope of {}", view.failure.layup);
+    let axis = |symbol: &str| Axis::linear(format!("Mean stress {symbol} [{unit}]"));
+    let mut chart = LineChart::new(title, axis(first), axis(second))
+        .legend(Legend::Right)
+        .size(720.0, 0.85);
+    if view.failure.cure != 0.0 {
+        let cure = short(view.failure.cure);
+        chart = chart.subtitle(format!(
+            "With the residual stress of {cure} K since the cure"
+        ));
+    }
+    let mut sentences = Vec::new();
+    for envelope in view
+        .failure
+        .envelopes
+        .iter()
+        .filter(|own| own.plane == plane)
+    {
+        let at = |stress: &[f64; 3]| match plane {
+            EnvelopePlane::Normal => [stress[0], stress[1]],
+            EnvelopePlane::Shear => [stress[0], stress[2]],
+        };
+        let shown = |stress: &[f64; 3]| at(stress).map(|value| view.stress(value));
+        let mut points: Vec<[f64; 2]> = envelope
+            .points
+            .iter()
+            .map(|point| shown(&point.stress))
+            .collect();
+        points.extend(points.first().copied());
+        let criterion = view
+            .failure
+            .criteria
+            .iter()
+            .position(|name| *name == envelope.criterion);
+        let (bound, dash) = if envelope.last_ply {
+            ("last ply", Dash::Dashed)
+        } else {
+            ("first ply", Dash::Solid)
+        };
+        let name = criterion_name(envelope.criterion);
+        if let Some(tension) = envelope.points.first() {
+            sentences.push(format!(
+                "{name}, {bound}: {} {unit} in tension along x, by {} in the {} ply.",
+                significant(view.stress(tension.stress[0]), 4),
+                tension.mode,
+                view.failure.ply_name(tension.ply),
+            ));
+        }
+        chart = chart.with(
+            Series::new(format!("{name}, {bound}"), points)
+                .dash(dash)
+                .color(Color::category(criterion.unwrap_or(0))),
+        );
+    }
+    if sentences.is_empty() {
+        return Ok(None);
+    }
+    Ok(Some((chart.render()?, sentences.join(" "))))
+}
