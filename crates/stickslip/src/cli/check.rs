@@ -242,20 +242,20 @@ fn failure_line(scene: &Scene) -> Option<String> {
         .iter()
         .map(|criterion| criterion.name())
         .collect();
-    let mut line = format!(
+    let line = format!(
         "{} in the plies of {}",
         names.join(", "),
         failure.bodies.join(", ")
     );
-    if let Some(distances) = failure.characteristic {
-        let show = |value: f64| scene.display.length.show(value);
-        line += &format!(
-            "; characteristic distances {} (tension) and {} (compression)",
+    let show = |value: f64| scene.display.length.show(value);
+    Some(match failure.characteristic {
+        None => line,
+        Some(distances) => format!(
+            "{line}; characteristic distances {} (tension) and {} (compression)",
             show(distances.tension),
             show(distances.compression)
-        );
-    }
-    Some(line)
+        ),
+    })
 }
 
 /// Four digits after the point, without minus zero.

@@ -99,7 +99,7 @@ impl KindVisitor for Inverse<'_> {
                 (j[0][0] * miss[1] - j[1][0] * miss[0]) / det,
             ];
             // A place far outside may send the iteration anywhere; it is not in this cell.
-            let far = |value: f64| !(value.abs() <= 4.0);
+            let far = |value: f64| value.is_nan() || value.abs() > 4.0;
             xi = [xi[0] + step[0], xi[1] + step[1]];
             if far(xi[0]) || far(xi[1]) {
                 return None;

@@ -58,14 +58,14 @@ impl<'a> FailureView<'a> {
             None => point.position.map(|x| self.length(x)),
         }
     }
+}
 
-    /// "812 lbf", or "1.35 × step 3" where steps have no load of their own.
-    pub(super) fn load_text(&self, first: &FirstPly) -> String {
-        match &first.load {
-            Some(load) if load.unit == "1" => format!("factor {}", significant(load.value, 4)),
-            Some(load) => format!("{} {}", significant(load.value, 4), load.unit),
-            None => how(first),
-        }
+/// "812 lbf", or "1.35 × step 3" where steps have no load of their own.
+pub(super) fn load_text(first: &FirstPly) -> String {
+    match &first.load {
+        Some(load) if load.unit == "1" => format!("factor {}", significant(load.value, 4)),
+        Some(load) => format!("{} {}", significant(load.value, 4), load.unit),
+        None => how(first),
     }
 }
 

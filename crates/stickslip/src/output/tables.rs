@@ -29,7 +29,8 @@ pub(super) fn terminal(results: &Results, width: usize) -> String {
         text += "\n";
         text += &fitted(failure::tables::first_ply(&view), width);
         for sentence in failure::tables::joint_modes(&view) {
-            text += &format!("{sentence}\n");
+            text += &sentence;
+            text.push('\n');
         }
     }
     text

@@ -47,6 +47,9 @@ pub(super) fn all(
         .collect()
 }
 
+/// The weakest point of every load step by one criterion, and first-ply failure.
+type Followed = (Vec<FailurePoint>, Option<FirstPly>);
+
 /// A laminated body about which the scene asks.
 struct Subject<'a> {
     scene: &'a Scene,
@@ -172,11 +175,7 @@ impl<'a> Subject<'a> {
     }
 
     /// Weakest points and first-ply failure by all criteria, at these places.
-    fn tracked(
-        &self,
-        sites: &[Sites],
-        positions: &[Point],
-    ) -> Result<Vec<(Vec<FailurePoint>, Option<FirstPly>)>, RunError> {
+    fn tracked(&self, sites: &[Sites], positions: &[Point]) -> Result<Vec<Followed>, RunError> {
         let by_criterion = |criterion: &Arc<dyn FailureCriterion>| {
             let mut tracker = Tracker::new(&self.plies, Arc::clone(criterion), positions);
             sites.iter().try_for_each(|sites| tracker.follow(sites))?;

@@ -77,7 +77,12 @@ pub(super) fn apply(document: &mut Document, argument: &str) -> Result<(), Scene
     {
         return Err(form());
     }
-    let value = read_value(right.trim(), &source, left.len() + 1)?;
+    let right = right.trim();
+    let value = if is_layup(key) && right.starts_with(['[', '(']) {
+        Value::String(right.to_owned())
+    } else {
+        read_value(right, &source, left.len() + 1)?
+    };
     let place = Place {
         source: Arc::clone(&source),
         key: Some(0..left.len()),
@@ -94,6 +99,11 @@ pub(super) fn apply(document: &mut Document, argument: &str) -> Result<(), Scene
         document.places.insert(made, place.clone());
     }
     Ok(())
+}
+
+/// Whether the value is a lay-up, whose brackets are not those of a list.
+fn is_layup(key: &str) -> bool {
+    key.starts_with("materials.") && key.ends_with(".laminate.layup")
 }
 
 /// The right-hand side: TOML, or else a text.

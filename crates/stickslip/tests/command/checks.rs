@@ -117,3 +117,49 @@ fn overrides() {
         "{message}"
     );
 }
+
+#[test]
+fn check_shows_the_moduli_of_a_laminate_and_run_prints_its_failure() {
+    let laminate = SCENE
+        .replace(
+            "[materials.steel.isotropic]",
+            "[plies.carbon]\ne1 = \"135 GPa\"\ne2 = \"10 GPa\"\ng12 = \"5.8 GPa\"\nnu12 = 0.28\nthickness = \"0.25 mm\"\n\
+             strengths = { xt = \"1500 MPa\", xc = \"1200 MPa\", yt = \"50 MPa\", yc = \"200 MPa\", s12 = \"70 MPa\" }\n\
+             [failure]\ncriteria = [\"max_stress\"]\n[failure.characteristic]\ntension = \"1 mm\"\ncompression = \"2 mm\"\n\
+             [output]\nfigures = false\n\
+             [materials.skin.laminate]\nlayup = \"[0/±45/90]s\"\nply = \"carbon\"\n[materials.steel.isotropic]",
+        )
+        .replacen("material = \"steel\"\nthickness = \"2 mm\"", "material = \"skin\"", 1);
+    let folder = folder_with("pin.toml", &laminate);
+    let printed = succeeds(folder.path(), &["check", "pin.toml"]);
+    for part in [
+        "# laminate skin: [0/±45/90]s, 8 plies, 2 mm thick",
+        "# laminate skin: Ex ",
+        "coupling of stretching with bending",
+        "# failure  max_stress in the plies of plate",
+    ] {
+        assert!(printed.contains(part), "'{part}' is missing in:\n{printed}");
+    }
+    let printed = succeeds(folder.path(), &["run", "pin.toml", "--output", "out"]);
+    for part in [
+        "Failure of 'plate', lay-up [0/±45/90]s",
+        "first ply",
+        "characteristic curve",
+        "maximum stress: on the characteristic curve the joint 'plate' fails by ",
+    ] {
+        assert!(printed.contains(part), "'{part}' is missing in:\n{printed}");
+    }
+    // What check prints is a scene again.
+    let turned = succeeds(
+        folder.path(),
+        &[
+            "check",
+            "pin.toml",
+            "--set",
+            "materials.skin.laminate.layup=[0/90_2/0]s",
+        ],
+    );
+    fs::write(folder.path().join("again.toml"), &turned).unwrap();
+    let again = succeeds(folder.path(), &["check", "again.toml"]);
+    assert!(again.contains("[0/90_2/0]s, 8 plies"), "{again}");
+}

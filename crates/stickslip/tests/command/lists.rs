@@ -44,6 +44,27 @@ fn list_names_laws_with_their_parameters() {
 }
 
 #[test]
+fn list_shows_layups_and_criteria_with_their_strengths() {
+    let printed = succeeds(Path::new("."), &["list", "layups"]);
+    assert!(printed.contains("[0/±45/90]s") && printed.contains("0, 45, -45, 90, 90, -45, 45, 0"));
+    let criteria: Value =
+        serde_json::from_str(&succeeds(Path::new("."), &["list", "criteria", "--json"])).unwrap();
+    let criteria = criteria["criteria"].as_array().unwrap();
+    let hashin = criteria
+        .iter()
+        .find(|entry| entry["name"] == "hashin")
+        .unwrap();
+    assert_eq!(
+        hashin["strengths"],
+        serde_json::json!(["xt", "xc", "yt", "yc", "s12", "s23"])
+    );
+    for entry in criteria {
+        assert!(!entry["summary"].as_str().unwrap().is_empty(), "{entry}");
+    }
+    assert!(succeeds(Path::new("."), &["list", "criteria"]).contains("yamada_sun"));
+}
+
+#[test]
 fn senseless_arguments_exit_with_two() {
     for arguments in [&["solve"][..], &["check"], &["list", "everything"], &[]] {
         let output = stickslip(Path::new("."), arguments);

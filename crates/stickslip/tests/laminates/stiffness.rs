@@ -108,5 +108,7 @@ fn fibre_coverage_knows_the_plies_of_the_laminate() {
             "materials.laminate.laminate.layup=[90_2/-30_2/30_2]s",
         ],
     );
-    assert!(apart(&turned, &written) < 1e-12);
+    let difference = apart(&turned, &written);
+    // 150° and −30° round differently, and friction passes that on with the condition of the contact problem.
+    assert!(difference < 1e-11, "{difference:.1e}");
 }

@@ -8,7 +8,7 @@ use super::{FailureView, criterion_name, plane_symbols};
 use crate::output::display::{EdgeView, short, significant};
 use crate::output::figures::{Attempt, TICK_INTERVALS, place_axis};
 use crate::output::loads::LoadScale;
-use crate::results::{EdgePlies, EdgePly};
+use crate::results::{EdgePlies, EdgePly, Envelope};
 use crate::scene::schema::EnvelopePlane;
 
 /// Dashes of plies, so that curves are told apart without colour.
@@ -220,66 +220,95 @@ fn mode_bands() -> Vec<Band> {
     zones.into_iter().flat_map(both).chain([bearing]).collect()
 }
 
-/// Envelopes of all criteria in one plane.
+/// Envelopes of all criteria in one plane: of the first ply and, beside them, of the last.
 pub(crate) fn envelopes(view: &FailureView<'_>, plane: EnvelopePlane) -> Attempt {
-    let unit = view.stress_unit();
-    let [first, second] = plane_symbols(plane);
-    let title = format!("Failure envelope of {}", view.failure.layup);
-    let axis = |symbol: &str| Axis::linear(format!("Mean stress {symbol} [{unit}]"));
-    let mut chart = LineChart::new(title, axis(first), axis(second))
-        .legend(Legend::Right)
-        .size(720.0, 0.85);
-    if view.failure.cure != 0.0 {
-        let cure = short(view.failure.cure);
-        chart = chart.subtitle(format!(
-            "With the residual stress of {cure} K since the cure"
-        ));
-    }
-    let mut sentences = Vec::new();
-    for envelope in view
-        .failure
-        .envelopes
-        .iter()
-        .filter(|own| own.plane == plane)
-    {
-        let at = |stress: &[f64; 3]| match plane {
-            EnvelopePlane::Normal => [stress[0], stress[1]],
-            EnvelopePlane::Shear => [stress[0], stress[2]],
-        };
-        let shown = |stress: &[f64; 3]| at(stress).map(|value| view.stress(value));
-        let mut points: Vec<[f64; 2]> = envelope
-            .points
+    let here = || {
+        view.failure
+            .envelopes
             .iter()
-            .map(|point| shown(&point.stress))
-            .collect();
-        points.extend(points.first().copied());
-        let criterion = view
-            .failure
-            .criteria
-            .iter()
-            .position(|name| *name == envelope.criterion);
-        let (bound, dash) = if envelope.last_ply {
-            ("last ply", Dash::Dashed)
-        } else {
-            ("first ply", Dash::Solid)
-        };
-        let name = criterion_name(envelope.criterion);
-        if let Some(tension) = envelope.points.first() {
-            sentences.push(format!(
-                "{name}, {bound}: {} {unit} in tension along x, by {} in the {} ply.",
-                significant(view.stress(tension.stress[0]), 4),
-                tension.mode,
-                view.failure.ply_name(tension.ply),
-            ));
-        }
-        chart = chart.with(
-            Series::new(format!("{name}, {bound}"), points)
-                .dash(dash)
-                .color(Color::category(criterion.unwrap_or(0))),
-        );
-    }
-    if sentences.is_empty() {
+            .filter(|own| own.plane == plane)
+    };
+    let bounds: Vec<bool> = [false, true]
+        .into_iter()
+        .filter(|last| here().any(|own| own.last_ply == *last))
+        .collect();
+    if bounds.is_empty() {
         return Ok(None);
     }
-    Ok(Some((chart.render()?, sentences.join(" "))))
+    let layup = &view.failure.layup;
+    let charts = bounds.iter().map(|&last| {
+        let own: Vec<&Envelope> = here().filter(|own| own.last_ply == last).collect();
+        envelope_chart(view, plane, last, &own)
+    });
+    let title = match view.failure.cure {
+        0.0 => format!("Failure envelopes of {layup}"),
+        cure => format!(
+            "Failure envelopes of {layup}, {} K since the cure",
+            short(cure)
+        ),
+    };
+    let picture = Panels::new(title, 2, charts.collect())
+        .common_legend()
+        .render()?;
+    let sentences: Vec<String> = here().filter_map(|own| tension(view, own)).collect();
+    Ok(Some((picture, sentences.join(" "))))
+}
+
+fn envelope_chart(
+    view: &FailureView<'_>,
+    plane: EnvelopePlane,
+    last: bool,
+    envelopes: &[&Envelope],
+) -> LineChart {
+    let [first, second] = plane_symbols(plane);
+    let second_part = match plane {
+        EnvelopePlane::Normal => 1,
+        EnvelopePlane::Shear => 2,
+    };
+    let shown =
+        |stress: &[f64; 3]| [stress[0], stress[second_part]].map(|value| view.stress(value));
+    let closed = |own: &&Envelope| {
+        let mut points: Vec<[f64; 2]> = own.points.iter().map(|at| shown(&at.stress)).collect();
+        points.extend(points.first().copied());
+        points
+    };
+    let curves: Vec<Vec<[f64; 2]>> = envelopes.iter().map(closed).collect();
+    let unit = view.stress_unit();
+    let axis = |k: usize, symbol: &str| {
+        let axis = Axis::linear(format!("Mean stress {symbol} [{unit}]"));
+        let values = || curves.iter().flatten().map(|point| point[k]);
+        let low = values().fold(f64::INFINITY, f64::min);
+        let high = values().fold(f64::NEG_INFINITY, f64::max);
+        let room = 0.05 * (high - low);
+        if room > 0.0 {
+            axis.between(low - room, high + room)
+        } else {
+            axis
+        }
+    };
+    let title = if last {
+        "(b) last ply"
+    } else {
+        "(a) first ply"
+    };
+    let mut chart = LineChart::new(title, axis(0, first), axis(1, second)).size(540.0, 0.85);
+    for (k, (own, points)) in envelopes.iter().zip(&curves).enumerate() {
+        let series = Series::new(criterion_name(own.criterion), points.clone());
+        chart = chart.with(series.dash(DASHES[k % DASHES.len()]));
+    }
+    chart
+}
+
+/// What an envelope says of tension along x, where it begins.
+fn tension(view: &FailureView<'_>, envelope: &Envelope) -> Option<String> {
+    let tension = envelope.points.first()?;
+    let bound = if envelope.last_ply { "last" } else { "first" };
+    Some(format!(
+        "{}: in tension along x the {bound} ply fails at {} {}, by {} in the {} ply.",
+        criterion_name(envelope.criterion),
+        significant(view.stress(tension.stress[0]), 4),
+        view.stress_unit(),
+        tension.mode,
+        view.failure.ply_name(tension.ply),
+    ))
 }

@@ -35,7 +35,8 @@ struct Stress {
 
 #[derive(Debug, Serialize)]
 struct Ply<'a> {
-    ply: &'a str,
+    #[serde(rename = "ply")]
+    name: &'a str,
     angle_deg: Option<f64>,
     layers: Vec<usize>,
     residual_stress: Stress,
@@ -140,7 +141,7 @@ fn stress(view: &FailureView<'_>, stress: [f64; 3]) -> Stress {
 
 fn ply<'a>(view: &FailureView<'a>, group: &'a PlyGroup) -> Ply<'a> {
     Ply {
-        ply: &group.ply,
+        name: &group.ply,
         angle_deg: tidy(group.angle),
         layers: group.layers.iter().map(|layer| layer + 1).collect(),
         residual_stress: stress(view, group.residual),

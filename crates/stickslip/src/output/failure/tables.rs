@@ -2,7 +2,7 @@
 
 use stickslip_report::table::{Column, Table};
 
-use super::{FailureView, criterion_name, how, layers};
+use super::{FailureView, criterion_name, how, layers, load_text};
 use crate::output::display::{decimals, significant};
 use crate::output::loads::LoadScale;
 use crate::results::{FirstPly, JointFailure};
@@ -105,7 +105,7 @@ pub(crate) fn joint_modes(view: &FailureView<'_>) -> Vec<String> {
             criterion_name(criterion),
             view.body(),
             joint.mode,
-            view.load_text(&joint.first),
+            load_text(&joint.first),
             decimals(Some(joint.angle.to_degrees()), 0),
             view.failure.ply_name(joint.first.at.ply),
             joint.first.at.mode,

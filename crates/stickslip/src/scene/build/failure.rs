@@ -27,11 +27,10 @@ impl Builder<'_> {
         materials: &Materials,
     ) -> Option<Failure> {
         let given = format.failure.as_ref()?;
-        let before = self.findings.len();
         let criteria = self.criteria(given);
         let bodies = self.failing_bodies(given, materials);
-        // Materials that are wrong have been told; strengths are asked for when everything else is right.
-        if self.findings.len() == before {
+        // Strengths are asked for when everything else is right.
+        if self.findings.is_empty() {
             self.strengths(&criteria, &bodies, materials);
         }
         let characteristic = given.characteristic.as_ref().map(|distances| {

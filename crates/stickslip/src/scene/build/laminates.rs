@@ -73,7 +73,7 @@ impl Builder<'_> {
         if plane == PlaneState::Strain {
             let material = material();
             let problem = LaminateProblem::PlaneStrain { material };
-            self.report("analysis.plane", Part::Value, problem.into());
+            self.report(&table, Part::Key, problem.into());
         }
         let layup: Layup = match given.layup.parse() {
             Ok(layup) => layup,
@@ -108,18 +108,15 @@ impl Builder<'_> {
     ) -> Option<Ply> {
         let unnamed = layup.stack().iter().any(|stacked| stacked.ply.is_none());
         match &given.ply {
-            Some(name) => match plies.get(name) {
-                Some(ply) => Some(ply.clone()),
-                None => {
-                    // A ply that is refused for itself needs no second message.
-                    let written = self.document.get(&child("plies", name)).is_some();
-                    if !written {
-                        let known = plies.keys().cloned().collect();
-                        self.undefined(&child(table, "ply"), "ply", name, known);
-                    }
-                    None
+            Some(name) => {
+                let found = plies.get(name);
+                // A ply that is refused for itself needs no second message.
+                if found.is_none() && self.document.get(&child("plies", name)).is_none() {
+                    let known = plies.keys().cloned().collect();
+                    self.undefined(&child(table, "ply"), "ply", name, known);
                 }
-            },
+                found.cloned()
+            }
             None if unnamed => {
                 self.missing(table, "ply");
                 None
@@ -198,11 +195,11 @@ fn sheet(
 /// The key that a ply's error is about.
 fn ply_key(table: &str, cause: &PlyError) -> String {
     let name = match cause {
-        PlyError::Constant { cause, .. } => match cause {
-            MaterialError::Modulus { name, .. }
-            | MaterialError::OrthotropicPoisson { name, .. } => (*name).to_owned(),
-            _ => return table.to_owned(),
-        },
+        PlyError::Constant {
+            cause:
+                MaterialError::Modulus { name, .. } | MaterialError::OrthotropicPoisson { name, .. },
+            ..
+        } => (*name).to_owned(),
         PlyError::Thickness { .. } => "thickness".to_owned(),
         PlyError::Strength { strength, .. } => child("strengths", strength),
         _ => return table.to_owned(),
