@@ -163,8 +163,7 @@ fn ratios(study: &Study, varied: Varied) -> Result<Svg, FigureError> {
         Varied::Clearance => format!("over clearance, μ = {FRICTION}"),
         Varied::Friction => format!("over friction, c/R = {} %", 100.0 * CLEARANCE),
     };
-    let title =
-        format!("Computed contact over assumed cosine {held}; stresses at P/(D t) = {MEAN} MPa");
+    let title = format!("Computed contact / assumed cosine {held}; P/(D t) = {MEAN} MPa");
     Panels::new(title, 2, charts).common_legend().render()
 }
 

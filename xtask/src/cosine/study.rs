@@ -25,8 +25,8 @@ pub(super) struct Plan {
 impl Plan {
     pub(super) const FULL: Self = Self {
         layups: &["[0/±45/90]s", "[0_2/60_2/-60_2]s", "[0_4/90]s", "[±45]_2s"],
-        clearances: &[0.0, 0.001, CLEARANCE, 0.005, 0.0075, 0.01],
-        frictions: &[0.0, 0.1, FRICTION, 0.3, 0.4, 0.5],
+        clearances: &[0.0, 0.001, CLEARANCE, 0.005, 0.01],
+        frictions: &[0.0, 0.1, FRICTION, 0.35, 0.5],
         spacing: 1.5,
     };
     pub(super) const QUICK: Self = Self {
@@ -42,6 +42,8 @@ pub(super) struct Study {
     pub(super) plan: Plan,
     /// For each lay-up the cosine first, then contact by clearance and friction.
     pub(super) rows: Vec<Row>,
+    /// The joint for which the assumed load is worst, on a mesh of half the spacing.
+    pub(super) refined: Option<Row>,
 }
 
 impl Study {
@@ -74,7 +76,25 @@ impl Study {
             })
             .collect::<Result<Vec<Row>, Trouble>>()?;
         progress.finish_and_clear();
-        Ok(Self { plan, rows })
+        let mut study = Self {
+            plan,
+            rows,
+            refined: None,
+        };
+        if let Some(worst) = study.worst() {
+            study.refined = Some(solve(worst.layup, worst.load, 0.5 * plan.spacing)?);
+        }
+        Ok(study)
+    }
+
+    /// The joint whose first-ply load the assumption overstates most.
+    pub(super) fn worst(&self) -> Option<&Row> {
+        let ratio = |(row, assumed): &(&Row, &Row)| {
+            let strengths = row.strength(CRITERION).zip(assumed.strength(CRITERION));
+            strengths.map_or(f64::INFINITY, |(computed, assumed)| computed / assumed)
+        };
+        let least = self.pairs().min_by(|a, b| ratio(a).total_cmp(&ratio(b)));
+        least.map(|(row, _)| row)
     }
 
     /// The row of a lay-up with the assumed load.

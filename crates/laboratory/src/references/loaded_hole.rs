@@ -57,7 +57,8 @@ impl LoadedHole {
     pub fn new(plate: Plate) -> Option<Self> {
         let Plate { e1, e2, g12, nu12 } = plate;
         let positive = [e1, e2, g12].iter().all(|m| m.is_finite() && *m > 0.0);
-        if !positive || !(nu12 * nu12 < e1 / e2) {
+        let stable = nu12 * nu12 < e1 / e2;
+        if !(positive && stable) {
             return None;
         }
         // Halves of the coefficients over 1/E₁: μ⁴ + 2b μ² + c = 0.
