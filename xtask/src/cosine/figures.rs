@@ -167,10 +167,13 @@ fn ratios(study: &Study, varied: Varied) -> Result<Svg, FigureError> {
     Panels::new(title, 2, charts).common_legend().render()
 }
 
+/// Every other curve is dashed, so that equal ones are both seen: lay-ups with the same moduli have the same stresses.
 fn curve(name: &str, points: Vec<[f64; 2]>, index: usize) -> Series {
+    let dash = [Dash::Solid, Dash::Dashed][index % 2];
     Series::new(name, points)
         .style(SeriesStyle::Both)
         .color(Color::category(index))
+        .dash(dash)
 }
 
 /// What friction adds and the assumed load does not have.

@@ -92,11 +92,11 @@ struct Extreme<'a> {
 }
 
 /// Smallest and largest ratio of a quantity over the joints that `wanted` takes.
-fn range<'a>(
-    study: &'a Study,
+fn range(
+    study: &Study,
     of: impl Fn(&Row) -> Option<f64>,
     wanted: impl Fn(&Row) -> bool,
-) -> Option<[Extreme<'a>; 2]> {
+) -> Option<[Extreme<'_>; 2]> {
     let mut all: Vec<Extreme<'_>> = study
         .pairs()
         .filter(|(row, _)| wanted(row))
@@ -208,8 +208,8 @@ fn advice(study: &Study) -> String {
         .collect();
     format!(
         "**What to do.** To cover every clearance and friction studied, multiply the first-ply load that an assumed cosine gives for {}. \
-         Where the factor is below 1, compute contact with the joint's own clearance and friction instead: the plies fail at the end of \
-         contact, where friction adds hoop stress and shear, and the cosine has neither.",
+         Where the factor is below 1, compute contact with the joint's own clearance and friction instead: the first ply fails near the \
+         end of contact or inside it, under a hoop stress and a shear that the cosine does not have.",
         parts.join("; for ")
     )
 }
@@ -228,7 +228,8 @@ fn governing(row: &Row) -> Option<String> {
 fn mesh_dependence(study: &Study) -> Option<String> {
     let fine = study.refined.as_ref()?;
     let row = study.worst()?;
-    let change = |fine: f64, coarse: f64| 100.0 * (fine / coarse - 1.0);
+    // One decimal, without minus zero.
+    let change = |fine: f64, coarse: f64| (1e3 * (fine / coarse - 1.0)).round() / 10.0 + 0.0;
     Some(format!(
         "**Mesh.** At half the spacing the worst joint ({}) has {:+.1} % peak hoop stress, {:+.1} % hoop stress at 90°, {:+.1} % peak \
          pressure and {:+.1} % load of first-ply failure: at the end of contact stresses with friction are cusps, which \

@@ -19,7 +19,7 @@ const SCENE: &str = "validation/cosine-load";
 /// Spacing `[deg]` at 90° and far from it, and the growth between the two.
 const NEAR: f64 = 0.1;
 const FAR: f64 = 1.25;
-const GROWTH: f64 = 1.3;
+const GROWTH: f64 = 1.1;
 /// Layers of cells between hole and ring; the cells' depth beside their width does not matter here.
 const LAYERS: usize = 160;
 const POISSON: f64 = 0.3;
@@ -41,8 +41,8 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
     let mut checks = Checks::against("Fourier series, closed form");
     let with = |material: String| {
         let changes = [
-            format!("mesh.angles=[{}]", angles()),
-            format!("mesh.layers={LAYERS}"),
+            format!("bodies.plate.mesh.angles=[{}]", angles()),
+            format!("bodies.plate.mesh.layers={LAYERS}"),
             material,
         ];
         laboratory.run(SCENE, &changes)

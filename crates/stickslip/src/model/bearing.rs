@@ -60,6 +60,7 @@ pub(super) fn unit_forces(
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::FRAC_1_PI;
     use std::path::Path;
     use std::sync::Arc;
 
@@ -140,7 +141,7 @@ bearing = {{ direction = [1, 0], law = "cosine", steps = ["1 kN"] }}
                 let [x, y, _] = resultant(&half, &forces);
                 assert!((x - 0.5 * side).abs() < 1e-14, "{element} {side}: {x}");
                 // The other half balances what acts across: P/π of a cosine.
-                assert!((y - 0.318).abs() < 0.01, "{element} {side}: {y}");
+                assert!((y - FRAC_1_PI).abs() < 0.01, "{element} {side}: {y}");
             }
         }
     }

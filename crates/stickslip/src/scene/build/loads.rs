@@ -153,7 +153,7 @@ impl Builder<'_> {
         let direction = self.direction(&child(&key, "direction"), &bearing.direction)?;
         for (index, step) in bearing.steps.iter().enumerate() {
             if step.value() < 0.0 {
-                let key = child(&key, &format!("steps.{index}"));
+                let key = child(&key, format!("steps.{index}"));
                 let allowed = "0 or more: a pin pushes; turn the direction to push the other way";
                 self.out_of_range(&key, step.text(), allowed);
             }
