@@ -223,7 +223,8 @@ fn first_ply(study: &Study) -> Result<Svg, FigureError> {
                     Some([100.0 * c, row.strength(CRITERION)?])
                 })
                 .collect();
-            chart = chart.with(curve(&format!("contact, μ = {friction}"), points, index));
+            let series = curve(&format!("contact, μ = {friction}"), points, index);
+            chart = chart.with(series.dash(Dash::Solid));
         }
         charts.push(chart);
     }
