@@ -1,5 +1,6 @@
 //! From a checked scene to condensed bodies and one interface problem: the choices are made here, and said.
 
+mod bearing;
 mod contacts;
 mod extent;
 mod limits;

@@ -374,7 +374,9 @@ fn loads(scene: &Scene, step: usize) -> Vec<LoadValue> {
         .map(|load| {
             let value = load.kind.steps().get(step).copied().unwrap_or(0.0);
             let (value, unit) = match load.kind {
-                LoadKind::Force { .. } => (display.force.from_base(value), display.force.name),
+                LoadKind::Force { .. } | LoadKind::Bearing { .. } => {
+                    (display.force.from_base(value), display.force.name)
+                }
                 LoadKind::Pressure { .. } => (display.stress.from_base(value), display.stress.name),
                 LoadKind::PolarTraction { .. } => (value, "1"),
                 LoadKind::Temperature { .. } => (value, "K"),
