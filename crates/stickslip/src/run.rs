@@ -6,6 +6,7 @@ mod fields;
 mod remarks;
 mod reported;
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use rayon::prelude::*;
@@ -75,7 +76,7 @@ pub enum Progress {
 #[derive(Debug)]
 pub enum Operator {
     /// Condensed finite elements.
-    Elastic(Box<CondensedBody>),
+    Elastic(Arc<CondensedBody>),
     /// Rigid.
     Rigid(stickslip_fem_core::RigidBody),
 }
@@ -220,7 +221,7 @@ pub fn condense(model: &Model) -> Result<Vec<Operator>, RunError> {
             ModelBodyKind::Rigid(rigid) => Ok(Operator::Rigid(rigid.clone())),
             ModelBodyKind::Elastic(elastic) => elastic
                 .condense(&body.interface)
-                .map(|condensed| Operator::Elastic(Box::new(condensed)))
+                .map(|condensed| Operator::Elastic(Arc::new(condensed)))
                 .map_err(|cause| RunError::Body {
                     body: body.name.clone(),
                     cause,
@@ -237,11 +238,43 @@ pub fn results(
     scene: &Scene,
     model: &Model,
     solver: &dyn InterfaceSolver,
-    mut solved: Solved,
+    solved: Solved,
 ) -> Result<Results, RunError> {
     let start = Instant::now();
     let recovered = fields::recover(&solved);
-    let edges = edges::all(model, &solved, &recovered)?;
+    let recovery = start.elapsed().as_secs_f64();
+    let mut results = reported(scene, model, solver, solved, &recovered)?;
+    if let Some((_, seconds)) = results.phases.last_mut() {
+        *seconds += recovery;
+    }
+    Ok(results)
+}
+
+/// As [`results`], but displacements are recovered only of the bodies with the indices `bodies`, and no balance is audited but that
+/// of the interface problem. Enough for edges in contact, and for the failure of these bodies; fields are not to be asked for.
+///
+/// # Errors
+/// As [`results`].
+pub(crate) fn results_without_audit(
+    scene: &Scene,
+    model: &Model,
+    solver: &dyn InterfaceSolver,
+    solved: Solved,
+    bodies: &[usize],
+) -> Result<Results, RunError> {
+    let recovered = fields::recover_some(&solved, bodies);
+    reported(scene, model, solver, solved, &recovered)
+}
+
+fn reported(
+    scene: &Scene,
+    model: &Model,
+    solver: &dyn InterfaceSolver,
+    mut solved: Solved,
+    recovered: &[fields::Recovered],
+) -> Result<Results, RunError> {
+    let start = Instant::now();
+    let edges = edges::all(model, &solved, recovered)?;
     let mut steps = Vec::with_capacity(solved.records.len());
     for (index, (record, edges)) in solved.records.iter().zip(edges).enumerate() {
         steps.push(StepResults {
@@ -293,7 +326,7 @@ pub fn results(
         step.unloading = unloading;
     }
     let with_fields = steps_with_fields(scene.output.fields, &scale, results.steps.len());
-    results.failure = failure::all(scene, model, &recovered, &results, &scale, &with_fields)?;
+    results.failure = failure::all(scene, model, recovered, &results, &scale, &with_fields)?;
     for index in with_fields {
         results.steps[index].fields = fields::with_stresses(scene, model, &recovered[index])?;
     }
