@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use sha2::{Digest as _, Sha256};
 
 use crate::scene::Scene;
-use crate::scene::schema::{Body, LoadKind, Shape, Substance};
+use crate::scene::schema::{Body, LoadKind, Material, Shape, Substance};
 
 /// The key of the elastic body `name`; `None` for a rigid one, and for one whose material cannot be modelled.
 pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
@@ -52,11 +52,45 @@ pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
             }
         }
     }
-    let digest = Sha256::digest(text.as_bytes());
-    Some(digest.iter().fold(String::new(), |mut text, byte| {
+    Some(digest(&text))
+}
+
+/// What a model depends on beside friction laws and the sizes of loads.
+pub(super) fn model_key(scene: &Scene) -> String {
+    let mut text = format!(
+        "{:?} {:?} {:?} {:?}",
+        scene.analysis, scene.supports, scene.platens, scene.edges
+    );
+    // Writing into a string does not fail.
+    for (name, body) in &scene.bodies {
+        let angle = match &body.substance {
+            Substance::Elastic { material, .. } => {
+                scene.materials.get(material).map(Material::angle)
+            }
+            Substance::Rigid => None,
+        };
+        let _ = write!(text, "\n{name} {body:?} {angle:?} {:?}", key(scene, name));
+        for load in &scene.loads {
+            let _ = write!(text, " {}", acting(&load.kind, name));
+        }
+    }
+    for contact in &scene.contacts {
+        let _ = write!(
+            text,
+            "\n{} {} {} {:?} {:?}",
+            contact.name, contact.first, contact.second, contact.gap, contact.projection
+        );
+    }
+    digest(&text)
+}
+
+fn digest(text: &str) -> String {
+    let bytes = Sha256::digest(text.as_bytes());
+    bytes.iter().fold(String::new(), |mut text, byte| {
+        // Writing into a string does not fail.
         let _ = write!(text, "{byte:02x}");
         text
-    }))
+    })
 }
 
 /// Nothing but contact forces acts on the body, and nothing moves its supports: then its compliance is that of any size.

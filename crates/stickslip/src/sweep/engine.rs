@@ -18,7 +18,7 @@ use super::queue::Queue;
 use super::row::{Measures, Outcome, Row};
 use super::store::Store;
 use super::{Sweep, SweepError, bodies};
-use crate::model::{Model, ModelBodyKind};
+use crate::model::{Model, ModelBody, ModelBodyKind, ModelError};
 use crate::results::Results;
 use crate::run::{Operator, follow, results_without_audit, solver};
 use crate::scene::Scene;
@@ -50,14 +50,7 @@ pub fn run(
         .iter()
         .map(|&case| (case, keys(sweep, case)))
         .collect();
-    let shop = Shop {
-        sweep,
-        store: Store::for_uses(plans.values().flatten()),
-        queue: Mutex::new(Queue::new(groups(&plans))),
-        plans,
-        condensed: AtomicUsize::new(0),
-        stop,
-    };
+    let shop = Shop::new(sweep, plans, stop);
     let outcome = std::thread::scope(|scope| {
         let (sender, receiver) = channel();
         for pool in &pools {
@@ -109,9 +102,24 @@ struct Shop<'a> {
     stop: &'a AtomicBool,
 }
 
-impl Shop<'_> {
+/// The model of a worker's last case, which the next one may differ from in laws and loads only.
+type LastModel = Option<(String, Model)>;
+
+impl<'a> Shop<'a> {
+    fn new(sweep: &'a Sweep, plans: BTreeMap<usize, Vec<String>>, stop: &'a AtomicBool) -> Self {
+        Self {
+            sweep,
+            store: Store::for_uses(plans.values().flatten()),
+            queue: Mutex::new(Queue::new(groups(&plans))),
+            plans,
+            condensed: AtomicUsize::new(0),
+            stop,
+        }
+    }
+
     fn work(&self, pool: &ThreadPool, rows: &Sender<Row>) {
         let mut own = None;
+        let mut last = None;
         while !self.stop.load(Ordering::Relaxed) {
             let next = {
                 // A queue is only ever popped, which no panic interrupts.
@@ -122,7 +130,7 @@ impl Shop<'_> {
                 return;
             };
             own = Some(group);
-            let row = pool.install(|| self.row(case));
+            let row = pool.install(|| self.row(case, &mut last));
             for key in self.plans.get(&case).into_iter().flatten() {
                 self.store.release(key);
             }
@@ -132,9 +140,9 @@ impl Shop<'_> {
         }
     }
 
-    fn row(&self, case: usize) -> Row {
+    fn row(&self, case: usize, last: &mut LastModel) -> Row {
         let start = Instant::now();
-        let outcome = match self.solved(case) {
+        let outcome = match self.solved(case, last) {
             Ok(measures) => Outcome::Solved(measures),
             Err(reason) => Outcome::Unresolved(reason),
         };
@@ -146,17 +154,17 @@ impl Shop<'_> {
     }
 
     /// The numbers of a case, or in words why there are none.
-    fn solved(&self, case: usize) -> Result<Measures, String> {
+    fn solved(&self, case: usize, last: &mut LastModel) -> Result<Measures, String> {
         let scene = self
             .sweep
             .scene_of(case)
             .map_err(|error| error.to_string())?;
-        let results = self.results(&scene)?;
+        let results = self.results(&scene, last)?;
         Ok(Measures::of(&results, self.sweep))
     }
 
-    fn results(&self, scene: &Scene) -> Result<Results, String> {
-        let model = Model::build(scene).map_err(|error| error.to_string())?;
+    fn results(&self, scene: &Scene, last: &mut LastModel) -> Result<Results, String> {
+        let model = modelled(scene, last).map_err(|error| error.to_string())?;
         let operators = self.operators(scene, &model)?;
         let faces: Vec<&dyn InterfaceOperator> =
             operators.iter().map(Operator::interface).collect();
@@ -172,7 +180,7 @@ impl Shop<'_> {
     }
 
     fn operators(&self, scene: &Scene, model: &Model) -> Result<Vec<Operator>, String> {
-        let operator = |body: &crate::model::ModelBody| {
+        let operator = |body: &ModelBody| {
             let elastic = match &body.kind {
                 ModelBodyKind::Rigid(rigid) => return Ok(Operator::Rigid(rigid.clone())),
                 ModelBodyKind::Elastic(elastic) => elastic,
@@ -194,6 +202,19 @@ impl Shop<'_> {
     }
 }
 
+/// The model of `scene`, from the last one where it differs in laws and loads only.
+fn modelled(scene: &Scene, last: &mut LastModel) -> Result<Model, ModelError> {
+    let key = bodies::model_key(scene);
+    match last {
+        Some((known, model)) if *known == key => model.with_laws_and_history(scene),
+        _ => {
+            let model = Model::build(scene)?;
+            *last = Some((key, model.clone()));
+            Ok(model)
+        }
+    }
+}
+
 /// Bodies whose inner displacements are needed: those asked for failure, and those with a reported edge that does not touch.
 fn needed(scene: &Scene, model: &Model) -> Vec<usize> {
     let fails = |index: usize| {
@@ -207,3 +228,6 @@ fn needed(scene: &Scene, model: &Model) -> Vec<usize> {
     let all = 0..model.bodies.len();
     all.filter(|&index| fails(index) || shows(index)).collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -112,6 +112,16 @@ struct View<'a> {
     slice: &'a Slice,
 }
 
+/// Name of the axis of the rows, short where they are few.
+fn row_title(axis: &Axis) -> String {
+    const LOW: usize = 5;
+    match axis.unit {
+        _ if axis.values.len() >= LOW => axis.title(),
+        Some(unit) => format!("{} [{}]", axis.symbol(), unit.name),
+        None => axis.symbol().to_owned(),
+    }
+}
+
 type Picture = Option<Result<(Svg, String), FigureError>>;
 
 impl View<'_> {
@@ -198,7 +208,7 @@ impl View<'_> {
                 self.sweep.title
             ),
             x_label: x_axis.title(),
-            y_label: self.axis(1).map_or_else(String::new, Axis::title),
+            y_label: self.axis(1).map_or_else(String::new, row_title),
             columns: columns.iter().map(|&x| self.label(0, x)).collect(),
             rows: rows.collect(),
             categories,

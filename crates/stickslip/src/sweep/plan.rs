@@ -165,12 +165,20 @@ impl Sweep {
                 _ => derived.push((axis, value)),
             }
         }
-        let scene = self.base.scene(&overrides)?;
         if derived.is_empty() {
-            return Ok(scene);
+            return self.base.scene(&overrides);
         }
+        // Only other bodies have other holes.
+        let reshaped =
+            |key: &AxisKey| matches!(key, AxisKey::Scene(key) if key.starts_with("bodies"));
+        let other = if self.axes.iter().any(|axis| reshaped(&axis.key)) {
+            Some(self.base.scene(&overrides)?)
+        } else {
+            None
+        };
+        let scene = other.as_ref().unwrap_or(&self.scene);
         for (axis, value) in derived {
-            overrides.push(self.derived(&scene, axis, value)?);
+            overrides.push(self.derived(scene, axis, value)?);
         }
         self.base.scene(&overrides)
     }
