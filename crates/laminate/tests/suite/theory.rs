@@ -69,6 +69,26 @@ fn cross_ply_coupling_in_closed_form() {
 }
 
 #[test]
+fn couplings_with_shear_and_twist_in_closed_form() {
+    let q = *ply().stiffness();
+    // At 45°: Q̄₁₆ = Q̄₂₆ = (Q₁₁ − Q₂₂)/4, Q̄₁₁ = (Q₁₁ + Q₂₂ + 2 Q₁₂ + 4 Q₆₆)/4, Q̄₆₆ = (Q₁₁ + Q₂₂ − 2 Q₁₂)/4.
+    let sum = q[0][0] + q[1][1];
+    let square = (sum + 2.0 * q[0][1] + 4.0 * q[2][2]) * (sum - 2.0 * q[0][1]);
+    let expected = (q[0][0] - q[1][1]) / square.sqrt();
+    let single = laminate("[45]").coupling();
+    assert_relative_eq!(single.extension_shear, expected, max_relative = 1e-13);
+    assert_relative_eq!(single.bending_twisting, expected, max_relative = 1e-13);
+    // Exchanging x and y exchanges the two candidates for the largest.
+    let [a, b] = ["[30]", "[60]"].map(|layup| laminate(layup).coupling().extension_shear);
+    assert_relative_eq!(a, b, max_relative = 1e-13);
+    // Balanced and symmetric: no shear, but twist. Antisymmetric: the other way round, and it twists when stretched.
+    let symmetric = laminate("[±45]s").coupling();
+    assert!(symmetric.extension_shear < 1e-15 && symmetric.bending_twisting > 0.3 * expected);
+    let antisymmetric = laminate("[±45]").coupling();
+    assert!(antisymmetric.bending_twisting < 1e-15 && antisymmetric.bending_extension > 0.3);
+}
+
+#[test]
 fn residual_stress_of_a_cross_ply_in_closed_form() {
     let cross = laminate("[0/90]s");
     let q = *ply().stiffness();

@@ -141,6 +141,10 @@ fn located(scene: &Scene, error: &RunError) -> SceneError {
             "loads".to_owned(),
             "take smaller steps (--set analysis.substeps=4) or another solver (--set analysis.solver=pivoting)",
         ),
+        RunError::Failure { .. } => (
+            "failure".to_owned(),
+            "ask with other criteria or without failure.envelopes, or check the strengths of the plies",
+        ),
         _ => ("mesh".to_owned(), "change the mesh settings"),
     };
     let problem = SceneProblem::Model {
