@@ -242,16 +242,11 @@ pub fn results(
 ) -> Result<Results, RunError> {
     let start = Instant::now();
     let recovered = fields::recover(&solved);
-    let recovery = start.elapsed().as_secs_f64();
-    let mut results = reported(scene, model, solver, solved, &recovered)?;
-    if let Some((_, seconds)) = results.phases.last_mut() {
-        *seconds += recovery;
-    }
-    Ok(results)
+    reported(scene, model, solver, solved, &recovered, start)
 }
 
-/// As [`results`], but displacements are recovered only of the bodies with the indices `bodies`, and no balance is audited but that
-/// of the interface problem. Enough for edges in contact, and for the failure of these bodies; fields are not to be asked for.
+/// As [`results`], but displacements are recovered of `bodies` alone and no balance is audited but that of the interface problem:
+/// enough for edges in contact and for the failure of these bodies, not for fields.
 ///
 /// # Errors
 /// As [`results`].
@@ -262,8 +257,9 @@ pub(crate) fn results_without_audit(
     solved: Solved,
     bodies: &[usize],
 ) -> Result<Results, RunError> {
+    let start = Instant::now();
     let recovered = fields::recover_some(&solved, bodies);
-    reported(scene, model, solver, solved, &recovered)
+    reported(scene, model, solver, solved, &recovered, start)
 }
 
 fn reported(
@@ -272,8 +268,8 @@ fn reported(
     solver: &dyn InterfaceSolver,
     mut solved: Solved,
     recovered: &[fields::Recovered],
+    start: Instant,
 ) -> Result<Results, RunError> {
-    let start = Instant::now();
     let edges = edges::all(model, &solved, recovered)?;
     let mut steps = Vec::with_capacity(solved.records.len());
     for (index, (record, edges)) in solved.records.iter().zip(edges).enumerate() {
@@ -366,10 +362,8 @@ fn solver_choice(choice: SolverChoice, solver: &dyn InterfaceSolver) -> Choice {
 }
 
 fn bodies(model: &Model, solved: &Solved) -> Vec<BodySummary> {
-    model
-        .bodies
-        .iter()
-        .zip(&solved.operators)
+    let bodies = model.bodies.iter().zip(&solved.operators);
+    bodies
         .map(|(body, operator)| {
             let elastic = operator.elastic();
             BodySummary {

@@ -59,7 +59,7 @@ pub fn draw(sweep: &Sweep, rows: &[Row]) -> (Vec<Drawing>, Vec<String>) {
                     picture,
                     caption,
                 }),
-                Some(Err(cause)) => remarks.push(format!("{what}{}: {cause}", view.where_())),
+                Some(Err(cause)) => remarks.push(format!("{what}{}: {cause}", view.conditions())),
                 None => {}
             }
         }
@@ -126,7 +126,7 @@ type Picture = Option<Result<(Svg, String), FigureError>>;
 
 impl View<'_> {
     /// " at μ = 0.2", or nothing.
-    fn where_(&self) -> String {
+    fn conditions(&self) -> String {
         let fixed: Vec<String> = (self.slice.iter())
             .map(|&(axis, value)| self.sweep.axes[axis].assignment(value))
             .collect();
@@ -201,7 +201,7 @@ impl View<'_> {
         let map = CellMap {
             title: format!(
                 "Failure mode and load [{unit}] of the joint{}",
-                self.where_()
+                self.conditions()
             ),
             subtitle: format!(
                 "{}; characteristic curve, criterion {criterion}",
@@ -217,7 +217,7 @@ impl View<'_> {
         let caption = format!(
             "Failure mode by the place on the characteristic curve where a ply fails first (|θ| ≤ 15° bearing, 30° to 60° \
              shear-out, 75° to 90° net tension, mixed between them), and the load in {unit} at which it does{}.",
-            self.where_()
+            self.conditions()
         );
         Some(map.render().map(|picture| (picture, caption)))
     }
@@ -231,7 +231,7 @@ impl View<'_> {
             .filter(|numbers| numbers.len() > 1)?;
         let unit = load_unit(&self.sweep.scene);
         let mut chart = LineChart::new(
-            format!("Failure loads{}", self.where_()),
+            format!("Failure loads{}", self.conditions()),
             FigureAxis::linear(x_axis.title()),
             FigureAxis::linear(format!("Load [{unit}]")),
         )
@@ -278,7 +278,7 @@ impl View<'_> {
             "Load at which the joint fails on its characteristic curve (solid) and at which its first ply fails anywhere (dashed), over \
              {}{}.",
             x_axis.symbol(),
-            self.where_()
+            self.conditions()
         );
         Some(chart.render().map(|picture| (picture, caption)))
     }

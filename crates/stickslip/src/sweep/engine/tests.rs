@@ -131,6 +131,7 @@ fn a_rigid_pin_has_none() {
 fn a_pin_that_is_loaded_is_condensed_for_each_size() {
     let loaded = [
         "mesh.spacing=6 deg",
+        "loads.0.force.steps=[\"1 kN\", \"2 kN\"]",
         "loads.1.on=pin.rim",
         "loads.1.pressure.steps=[\"1 MPa\", \"2 MPa\"]",
     ];
