@@ -295,6 +295,7 @@ fn reported(
     notes.extend(remarks::of_freedom(model, &solved.problem));
     let mut choices = model.choices.clone();
     choices.push(solver_choice(scene.analysis.solver, solver));
+    let operators = solved.operators.iter();
     let mut results = Results {
         title: scene.title.clone(),
         source: scene.source_name.clone(),
@@ -303,11 +304,7 @@ fn reported(
         choices,
         notes,
         bodies: bodies(model, &solved),
-        factorisations: solved
-            .operators
-            .iter()
-            .filter(|operator| operator.elastic().is_some())
-            .count(),
+        factorisations: operators.filter_map(Operator::elastic).count(),
         edges: model
             .edges
             .iter()
