@@ -95,7 +95,7 @@ impl CellMap {
         let needed = text::widest(texts, TICK_SIZE) + 8.0;
         let count = self.columns.len() as f64;
         let room = (self.width - left - OUTER) / count;
-        let cell = room.min(WIDEST).max(NARROWEST).max(needed);
+        let cell = room.clamp(NARROWEST, WIDEST).max(needed);
         let width = (left + cell * count + OUTER).max(self.width);
         let heading = Heading::new(
             &self.title,
