@@ -143,7 +143,7 @@ impl<'a> Shop<'a> {
     fn row(&self, case: usize, last: &mut LastModel) -> Row {
         let start = Instant::now();
         let outcome = match self.solved(case, last) {
-            Ok(measures) => Outcome::Solved(measures),
+            Ok(measures) => Outcome::Solved(Box::new(measures)),
             Err(reason) => Outcome::Unresolved(reason),
         };
         Row {

@@ -199,13 +199,11 @@ impl View<'_> {
             (self.label(1, y), cells)
         });
         let map = CellMap {
-            title: format!(
-                "Failure mode and load [{unit}] of the joint{}",
-                self.conditions()
-            ),
+            title: format!("Failure mode and load [{unit}] of the joint"),
             subtitle: format!(
-                "{}; characteristic curve, criterion {criterion}",
-                self.sweep.title
+                "{}{}; characteristic curve, criterion {criterion}",
+                self.sweep.title,
+                self.conditions()
             ),
             x_label: x_axis.title(),
             y_label: self.axis(1).map_or_else(String::new, row_title),
@@ -231,13 +229,14 @@ impl View<'_> {
             .filter(|numbers| numbers.len() > 1)?;
         let unit = load_unit(&self.sweep.scene);
         let mut chart = LineChart::new(
-            format!("Failure loads{}", self.conditions()),
+            "Failure loads",
             FigureAxis::linear(x_axis.title()),
             FigureAxis::linear(format!("Load [{unit}]")),
         )
         .subtitle(format!(
-            "{}; solid: joint, dashed: first ply",
-            self.sweep.title
+            "{}{}; solid: joint, dashed: first ply",
+            self.sweep.title,
+            self.conditions()
         ));
         let curve = |y, load: &dyn Fn(&Row) -> Option<f64>| -> Vec<[f64; 2]> {
             let points = numbers
@@ -272,7 +271,7 @@ impl View<'_> {
             return None;
         }
         if !first_plies {
-            chart.subtitle = Some(self.sweep.title.clone());
+            chart.subtitle = Some(format!("{}{}", self.sweep.title, self.conditions()));
         }
         let caption = format!(
             "Load at which the joint fails on its characteristic curve (solid) and at which its first ply fails anywhere (dashed), over \

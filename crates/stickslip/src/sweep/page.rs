@@ -6,6 +6,7 @@ use stickslip_report::table::{Column, Table};
 use super::engine::Effort;
 use super::figures::Drawing;
 use super::row::{Measures, Outcome, Row, load_unit};
+use super::verdict::ORDER;
 use super::{Sweep, verdict};
 use crate::output::short;
 
@@ -46,7 +47,7 @@ pub fn page(
             ),
         );
     }
-    page.summary = summary(sweep, rows, account);
+    page.summary = summary(rows, account);
     page.notes = notes(sweep);
     let figures = drawings.iter().map(|drawing| {
         Block::Figure(Figure::new(
@@ -56,12 +57,9 @@ pub fn page(
         ))
     });
     let figures: Vec<Block> = figures.collect();
-    if !figures.is_empty() {
-        let section = figures
-            .into_iter()
-            .fold(Section::new("What governs"), Section::with);
-        page.sections.push(section);
-    }
+    let governs = Section::new("What governs").with(Block::Text(verdict(sweep, rows)));
+    page.sections
+        .push(figures.into_iter().fold(governs, Section::with));
     page.sections
         .push(Section::new("Axes").with(Block::Table(axes(sweep))));
     page.sections
@@ -81,18 +79,38 @@ pub fn page(
     page
 }
 
-fn summary(sweep: &Sweep, rows: &[Row], account: &Account) -> Vec<(String, String)> {
+fn summary(rows: &[Row], account: &Account) -> Vec<(String, String)> {
     let workers = match account.jobs {
         1 => "1 worker".to_owned(),
         jobs => format!("{jobs} workers"),
     };
-    let mut summary = vec![("What governs".to_owned(), verdict(sweep, rows))];
+    let mut summary = Vec::new();
+    for mode in ORDER {
+        let own = rows
+            .iter()
+            .filter_map(Row::joint)
+            .filter(|joint| joint.mode == mode);
+        let count = own.count();
+        if count > 0 {
+            summary.push((
+                capitalised(mode.name()),
+                format!("{count} of {}", rows.len()),
+            ));
+        }
+    }
+    let unresolved = rows.iter().filter(|row| row.measures().is_none()).count();
+    if unresolved > 0 {
+        summary.push((
+            "No answer".to_owned(),
+            format!("{unresolved} of {}", rows.len()),
+        ));
+    }
     if account.solved_now > 0 {
         let each = short(account.seconds / account.solved_now as f64);
         summary.push((
             "Wall time".to_owned(),
             format!(
-                "{} s for {} cases, {each} s per case, {workers}, {} bodies condensed",
+                "{} s: {} cases, {each} s each, {workers}, {} bodies condensed",
                 short(account.seconds),
                 account.solved_now,
                 account.effort.condensed
@@ -100,6 +118,14 @@ fn summary(sweep: &Sweep, rows: &[Row], account: &Account) -> Vec<(String, Strin
         ));
     }
     summary
+}
+
+fn capitalised(words: &str) -> String {
+    let mut letters = words.chars();
+    let first = letters
+        .next()
+        .map(|letter| letter.to_uppercase().to_string());
+    first.unwrap_or_default() + letters.as_str()
 }
 
 fn notes(sweep: &Sweep) -> Vec<String> {

@@ -37,7 +37,7 @@ impl Row {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
     /// Its numbers.
-    Solved(Measures),
+    Solved(Box<Measures>),
     /// Why it has none.
     Unresolved(String),
 }

@@ -278,7 +278,7 @@ fn row(sweep: &Sweep, cells: &[&str]) -> Result<Row, String> {
     };
     let seconds = number(next())?.unwrap_or_default();
     let outcome = match next() {
-        SOLVED => Outcome::Solved(measures),
+        SOLVED => Outcome::Solved(Box::new(measures)),
         "" => return Err("there is no outcome".to_owned()),
         reason => Outcome::Unresolved(reason.to_owned()),
     };

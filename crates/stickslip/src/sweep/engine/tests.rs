@@ -52,7 +52,10 @@ fn apart(found: &[f64], expected: &[f64]) -> f64 {
     }
 }
 
-fn values(results: &Results, of: fn(&EdgeRow) -> f64) -> Vec<f64> {
+/// A number of a point of an edge.
+type Quantity = fn(&EdgeRow) -> f64;
+
+fn values(results: &Results, of: Quantity) -> Vec<f64> {
     let edges = results.steps.iter().flat_map(|step| &step.edges);
     edges.flat_map(|edge| &edge.rows).map(of).collect()
 }
@@ -85,7 +88,7 @@ fn agrees(axes: &str, overrides: &[&str], condensed: usize) {
         let scene = sweep.scene_of(case).unwrap();
         let reused = shop.results(&scene, &mut last).unwrap();
         let alone = whole_run(&scene, &mut |_| {}).unwrap();
-        let fields: [(&str, fn(&EdgeRow) -> f64); 5] = [
+        let fields: [(&str, Quantity); 5] = [
             ("pressure", |row| row.pressure),
             ("shear", |row| row.shear),
             ("gap", |row| row.gap),

@@ -16,12 +16,11 @@ pub(super) fn contact(
         return match scene.contacts.len() {
             1 => Ok(0),
             count => {
-                let remedy = match count {
-                    0 => "take a scene in which a pin touches the hole of a plate".to_owned(),
-                    _ => {
-                        let names: Vec<String> = known().collect();
-                        format!("add [joint] with contact = one of {}", names.join(", "))
-                    }
+                let remedy = if count == 0 {
+                    "take a scene in which a pin touches the hole of a plate".to_owned()
+                } else {
+                    let names: Vec<String> = known().collect();
+                    format!("add [joint] with contact = one of {}", names.join(", "))
                 };
                 let problem = SceneProblem::Conflict {
                     message: format!("the scene has {count} contacts, and a joint is one"),

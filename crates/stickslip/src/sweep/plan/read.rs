@@ -290,9 +290,8 @@ fn map(
 fn check(sweep: &Sweep) -> Result<(), SceneError> {
     for (index, axis) in sweep.axes.iter().enumerate() {
         for value in 0..axis.values.len() {
-            let alone = match sweep.scene_with(&[(index, value)]) {
-                Ok(_) => continue,
-                Err(error) => error,
+            let Err(alone) = sweep.scene_with(&[(index, value)]) else {
+                continue;
             };
             let with = |others: fn(usize) -> usize| {
                 let chosen = sweep.axes.iter().enumerate().map(|(other, axis)| {
