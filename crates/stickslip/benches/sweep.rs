@@ -90,7 +90,7 @@ fn main() {
         let one = &all[..LIGHT];
         let scene = scene_time(&sweep);
         let heavy = per_case(&sweep, &outlines) / scene;
-        let first = seconds(|| drop(black_box(per_case(&sweep, &one[..1]))));
+        let first = per_case(&sweep, &one[..1]);
         let light = (per_case(&sweep, one) * LIGHT as f64 - first) / (LIGHT - 1) as f64 / scene;
         let mixed = per_case(&sweep, &all) / scene;
         println!("{name:8} {scene:>14.4} {heavy:>17.3} {light:>34.3} {mixed:>10.3}");
