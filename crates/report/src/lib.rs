@@ -4,6 +4,7 @@
 //! |------------|--------------------------------------------------------------------------|
 //! | [`chart`]  | line charts with bands, reference lines and legends; panels of charts    |
 //! | [`map`]    | maps of outcomes: a coloured cell for each row and column                |
+//! | [`cells`]  | maps over two variables: a coloured cell with a number for each pair        |
 //! | [`field`]  | fields on finite-element meshes with a colour bar                        |
 //! | [`axis`]   | what the two have in common: labels, scales, ranges and ticks            |
 //! | [`color`]  | categorical, sequential and diverging colours                            |
@@ -17,6 +18,7 @@
 //! labels carry their units. Equal input gives equal bytes.
 
 pub mod axis;
+pub mod cells;
 pub mod chart;
 pub mod color;
 mod error;
