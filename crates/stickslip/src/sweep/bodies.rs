@@ -122,6 +122,11 @@ fn acting(kind: &LoadKind, name: &str) -> String {
         LoadKind::Force { on, direction, .. } if on.body == name => {
             format!("force {on} {direction:?}")
         }
+        LoadKind::Bearing {
+            on, direction, law, ..
+        } if on.body == name => {
+            format!("bearing {on} {direction:?} {law:?}")
+        }
         LoadKind::Pressure { on, .. } if on.body == name => format!("pressure {on}"),
         LoadKind::PolarTraction { on, table, .. } if on.body == name => {
             format!("traction {on} {table:?}")

@@ -94,7 +94,7 @@ pub struct JointLoad {
 /// Unit of the loads of a sweep's scene: that of its first load.
 pub fn load_unit(scene: &Scene) -> &'static str {
     match scene.loads.first().map(|load| &load.kind) {
-        None | Some(LoadKind::Force { .. }) => scene.display.force.name,
+        None | Some(LoadKind::Force { .. } | LoadKind::Bearing { .. }) => scene.display.force.name,
         Some(LoadKind::Pressure { .. }) => scene.display.stress.name,
         Some(LoadKind::PolarTraction { .. }) => "1",
         Some(LoadKind::Temperature { .. }) => "K",
