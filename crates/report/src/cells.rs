@@ -5,21 +5,18 @@
 
 use crate::color::Color;
 use crate::error::FigureError;
-use crate::frame::{Heading, INK, LABEL_SIZE, LINE_HEIGHT, MUTED, OUTER, TICK_SIZE, TITLE_SIZE};
+use crate::frame::{Heading, INK, LABEL_SIZE, LINE_HEIGHT, OUTER, TICK_SIZE, TITLE_SIZE};
+use crate::legend::{self, MARK_SIZE, ink_on};
 use crate::map::Category;
 use crate::svg::{Anchor, Area, Canvas, Stroke, Svg, TextStyle};
-use crate::text::{self, Weight};
+use crate::text;
 
 /// Smallest width of a cell, and its height \[px\].
 const NARROWEST: f64 = 34.0;
 const HEIGHT: f64 = 38.0;
 /// Widest cell \[px\]: a map of few columns need not fill the figure.
 const WIDEST: f64 = 110.0;
-const MARK_SIZE: f64 = 9.5;
 const NAME_GAP: f64 = 8.0;
-const SWATCH: f64 = 18.0;
-const LEGEND_ROW: f64 = 24.0;
-const LEGEND_GAP: f64 = 20.0;
 
 /// One cell.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -77,7 +74,15 @@ impl CellMap {
         self.draw_rows(&mut canvas, &layout);
         let top = layout.top + HEIGHT * self.rows.len() as f64;
         let bottom = self.draw_columns(&mut canvas, &layout, top);
-        let bottom = self.draw_legend(&mut canvas, layout.width, bottom + 10.0);
+        let cells = self.rows.iter().flat_map(|(_, cells)| cells);
+        let met: Vec<usize> = cells.filter_map(|cell| cell.category).collect();
+        let bottom = legend::draw(
+            &mut canvas,
+            &self.categories,
+            &met,
+            layout.width,
+            bottom + 10.0,
+        );
         Ok(canvas.finish(layout.width, bottom + OUTER, &self.title))
     }
 
@@ -149,39 +154,6 @@ impl CellMap {
         canvas.text(at, &self.x_label, &style);
         at[1] + 6.0
     }
-
-    /// The categories that occur, in lines; returns where they end.
-    fn draw_legend(&self, canvas: &mut Canvas, width: f64, top: f64) -> f64 {
-        let cells = self.rows.iter().flat_map(|(_, cells)| cells);
-        let met: Vec<usize> = cells.filter_map(|cell| cell.category).collect();
-        let style = TextStyle::new(TICK_SIZE, INK, Anchor::Start);
-        let [mut left, mut line] = [OUTER, top];
-        for (index, category) in self.categories.iter().enumerate() {
-            if !met.contains(&index) {
-                continue;
-            }
-            let swatch_width =
-                SWATCH.max(text::width(&category.mark, MARK_SIZE, Weight::Regular) + 8.0);
-            let named = text::width(&category.label, TICK_SIZE, Weight::Regular);
-            let needed = swatch_width + 6.0 + named;
-            if left > OUTER && left + needed > width - OUTER {
-                [left, line] = [OUTER, line + LEGEND_ROW];
-            }
-            let swatch = Area {
-                left,
-                top: line,
-                width: swatch_width,
-                height: SWATCH,
-            };
-            canvas.rectangle(&swatch, category.color, Some(&Stroke::solid(MUTED, 0.5)));
-            let mark = TextStyle::new(MARK_SIZE, ink_on(category.color), Anchor::Middle);
-            canvas.centred_text(swatch.middle(), &category.mark, &mark);
-            let at = [left + swatch_width + 6.0, line + SWATCH / 2.0];
-            canvas.centred_text(at, &category.label, &style);
-            left += needed + LEGEND_GAP;
-        }
-        line + SWATCH
-    }
 }
 
 /// The number above the mark.
@@ -199,18 +171,6 @@ fn draw_cell(canvas: &mut Canvas, area: &Area, category: Option<&Category>, text
     canvas.centred_text([x, y - 6.0], text, &number);
     let small = TextStyle::new(MARK_SIZE, ink_on(ground), Anchor::Middle);
     canvas.centred_text([x, y + 9.0], mark, &small);
-}
-
-/// Dark ink on light grounds, white on dark ones.
-fn ink_on(ground: Color) -> Color {
-    let light = 0.299 * f64::from(ground.red)
-        + 0.587 * f64::from(ground.green)
-        + 0.114 * f64::from(ground.blue);
-    if light > 140.0 {
-        INK
-    } else {
-        Color::rgb(255, 255, 255)
-    }
 }
 
 #[cfg(test)]

@@ -25,6 +25,7 @@ mod error;
 pub mod field;
 pub mod folder;
 mod frame;
+mod legend;
 pub mod map;
 pub mod page;
 pub mod raster;
