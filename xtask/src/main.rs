@@ -1,7 +1,8 @@
 //! Tasks on the whole workspace: `cargo xtask validate` compares the library with known solutions, `cargo xtask chart` shows
-//! what accuracy costs, `cargo xtask stability` where methods fail.
+//! what accuracy costs, `cargo xtask stability` where methods fail, `cargo xtask cosine` how wrong an assumed bearing load is.
 
 mod chart;
+mod cosine;
 mod stability;
 mod validate;
 
@@ -25,6 +26,8 @@ enum Task {
     Chart(chart::Options),
     /// Draws the atlas of failures: what each method does where methods fail.
     Stability(stability::Options),
+    /// Compares the assumed cosine bearing load with computed contact.
+    Cosine(cosine::Options),
 }
 
 fn main() -> ExitCode {
@@ -32,5 +35,6 @@ fn main() -> ExitCode {
         Task::Validate(options) => validate::main(&options),
         Task::Chart(options) => chart::main(&options),
         Task::Stability(options) => stability::main(&options),
+        Task::Cosine(options) => cosine::main(&options),
     }
 }

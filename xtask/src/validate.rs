@@ -8,8 +8,10 @@
 mod aluminium;
 mod benchmark;
 mod check;
+mod cosine_load;
 mod elements;
 mod laboratory;
+mod laminates;
 mod line_contact;
 mod mutants;
 mod mutation;
@@ -59,7 +61,7 @@ struct Case {
     checks: fn(&Laboratory) -> Result<Vec<Check>, Trouble>,
 }
 
-const CASES: [Case; 14] = [
+const CASES: [Case; 16] = [
     Case {
         name: "elements",
         title: "Elements",
@@ -71,6 +73,18 @@ const CASES: [Case; 14] = [
         title: "Open holes",
         friction: false,
         checks: open_hole::checks,
+    },
+    Case {
+        name: "cosine-load",
+        title: "Holes with an assumed cosine pressure",
+        friction: false,
+        checks: cosine_load::checks,
+    },
+    Case {
+        name: "laminates",
+        title: "Laminates",
+        friction: false,
+        checks: laminates::checks,
     },
     Case {
         name: "persson",

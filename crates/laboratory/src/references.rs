@@ -2,5 +2,6 @@
 
 pub mod aluminium;
 pub mod line_contact;
+pub mod loaded_hole;
 pub mod persson;
 pub mod rigid_pin;

@@ -1,168 +1,241 @@
-//! Cells of a mesh in the colours of categories, such as modes of failure, with a legend.
+//! Maps over two variables: one coloured cell with a number for each pair of values.
+//!
+//! The colour and a mark say what kind of outcome a cell is, the number how much; the first row stands at the bottom, as values do
+//! along an axis.
 
-use crate::axis::{Axis, Padding};
 use crate::color::Color;
 use crate::error::FigureError;
-use crate::frame::{Frame, Heading, INK, MUTED, OUTER, TICK_SIZE, TITLE_SIZE};
+use crate::frame::{Heading, INK, LABEL_SIZE, LINE_HEIGHT, OUTER, TICK_SIZE, TITLE_SIZE};
+use crate::legend::{self, MARK_SIZE, ink_on};
 use crate::map::Category;
-use crate::svg::{Anchor, Area, Canvas, Stroke, Svg, TextStyle, push_point};
-use crate::text::{self, Weight};
+use crate::svg::{Anchor, Area, Canvas, Stroke, Svg, TextStyle};
+use crate::text;
 
-const SWATCH: f64 = 14.0;
-const LEGEND_ROW: f64 = 20.0;
-const LEGEND_GAP: f64 = 18.0;
-const MESH: Color = Color::rgb(0xc4, 0xc4, 0xc4);
-const GROUND: Color = Color::rgb(0xf4, 0xf4, 0xf4);
+/// Smallest width of a cell, and its height \[px\].
+const NARROWEST: f64 = 34.0;
+const HEIGHT: f64 = 38.0;
+/// Widest cell \[px\]: a map of few columns need not fill the figure.
+const WIDEST: f64 = 110.0;
+const NAME_GAP: f64 = 8.0;
 
-/// Cells by category.
+/// One cell.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Cell {
+    /// Index of its category; `None` leaves it grey.
+    pub category: Option<usize>,
+    /// What it says, such as a number; may be empty.
+    pub text: String,
+}
+
+/// A map over two variables.
 #[derive(Debug, Clone, PartialEq)]
-pub struct CellMap<'a> {
-    /// What the picture shows.
+pub struct CellMap {
+    /// What the map shows.
     pub title: String,
-    /// Names and units of the x and y axes.
-    pub axes: [String; 2],
-    /// Coordinates of the nodes \[length\].
-    pub nodes: &'a [[f64; 2]],
-    /// Node indices around each cell, mid-side nodes included, and the index of its category; `None` leaves it pale.
-    pub cells: &'a [(Vec<usize>, Option<usize>)],
-    /// Categories; the legend shows all of them, so that pictures compare.
-    pub categories: &'a [Category],
-    /// The part to show, `[x_low, x_high, y_low, y_high]` \[length\].
-    pub window: [f64; 4],
-    /// Width of the figure \[px\].
+    /// A second, smaller line; may be empty.
+    pub subtitle: String,
+    /// Name, symbol and unit of what the columns vary.
+    pub x_label: String,
+    /// The same of the rows; may be empty.
+    pub y_label: String,
+    /// Label of each column.
+    pub columns: Vec<String>,
+    /// Label and cells of each row, from the bottom.
+    pub rows: Vec<(String, Vec<Cell>)>,
+    /// Categories; the legend shows those that occur.
+    pub categories: Vec<Category>,
+    /// Width of the figure \[px\]; more if the columns need it.
     pub width: f64,
 }
 
-impl CellMap<'_> {
-    /// Draws the map, with equal scales on both axes.
+#[derive(Debug)]
+struct Layout {
+    left: f64,
+    top: f64,
+    cell: f64,
+    width: f64,
+    heading: Heading,
+}
+
+impl CellMap {
+    /// Draws the map.
     ///
     /// # Errors
-    /// [`FigureError::Cell`] for a cell with fewer than three nodes or nodes that do not exist, [`FigureError::Range`] and
-    /// [`FigureError::Size`] for a window or width that cannot be drawn.
+    /// [`FigureError::NoData`] without a row or a column.
     pub fn render(&self) -> Result<Svg, FigureError> {
-        self.check()?;
-        let [x_low, x_high, y_low, y_high] = self.window;
-        let mut axes = self.axes.clone().map(Axis::linear);
-        axes[0].range = Some([x_low, x_high]);
-        axes[1].range = Some([y_low, y_high]);
-        let heading = Heading::new(&self.title, TITLE_SIZE, &[], self.width - 2.0 * OUTER);
-        let aspect = (y_high - y_low) / (x_high - x_low);
-        let mut area = Area {
-            left: 62.0,
-            top: OUTER + heading.height(),
-            width: self.width - 62.0 - OUTER - 12.0,
-            height: 0.0,
-        };
-        area.height = area.width * aspect;
-        if !(area.width > 20.0 && area.height > 20.0 && area.height < 1e5) {
-            return Err(FigureError::Size {
-                title: self.title.clone(),
-                width: self.width,
-                aspect,
+        if self.columns.is_empty() || self.rows.is_empty() {
+            return Err(FigureError::NoData {
+                axis: self.x_label.clone(),
             });
         }
-        let spans = [
-            axes[0].span(std::iter::empty(), Padding::Tight)?,
-            axes[1].span(std::iter::empty(), Padding::Tight)?,
-        ];
-        let frame = Frame::new([&axes[0], &axes[1]], spans, area)?;
+        let layout = self.layout();
         let mut canvas = Canvas::default();
-        heading.draw(&mut canvas, [OUTER, OUTER]);
-        canvas.clipped(&frame.area, |canvas| self.draw_cells(canvas, &frame));
-        frame.draw_axes(&mut canvas);
-        let top = frame.area.bottom() + frame.bottom_margin() + 8.0;
-        let bottom = self.draw_legend(&mut canvas, top);
-        Ok(canvas.finish(self.width, bottom + OUTER, &self.title))
+        layout.heading.draw(&mut canvas, [OUTER, OUTER]);
+        self.draw_rows(&mut canvas, &layout);
+        let top = layout.top + HEIGHT * self.rows.len() as f64;
+        let bottom = self.draw_columns(&mut canvas, &layout, top);
+        let cells = self.rows.iter().flat_map(|(_, cells)| cells);
+        let met: Vec<usize> = cells.filter_map(|cell| cell.category).collect();
+        let bottom = legend::draw(
+            &mut canvas,
+            &self.categories,
+            &met,
+            layout.width,
+            bottom + 10.0,
+        );
+        Ok(canvas.finish(layout.width, bottom + OUTER, &self.title))
     }
 
-    fn check(&self) -> Result<(), FigureError> {
-        let nodes = self.nodes.len();
-        let bad = |(cell, _): &(Vec<usize>, Option<usize>)| {
-            cell.len() < 3 || cell.iter().any(|&node| node >= nodes)
+    fn layout(&self) -> Layout {
+        let names = self.rows.iter().map(|(name, _)| name.as_str());
+        let label = if self.y_label.is_empty() {
+            0.0
+        } else {
+            LABEL_SIZE * LINE_HEIGHT
         };
-        match self.cells.iter().position(bad) {
-            Some(cell) => Err(FigureError::Cell {
-                title: self.title.clone(),
-                cell,
-                corners: self.cells[cell].0.clone(),
-                nodes,
-            }),
-            None => Ok(()),
+        let left = OUTER + label + text::widest(names, TICK_SIZE) + NAME_GAP;
+        let cells = self.rows.iter().flat_map(|(_, cells)| cells);
+        let texts = cells.map(|cell| cell.text.as_str());
+        let texts = texts.chain(self.columns.iter().map(String::as_str));
+        let needed = text::widest(texts, TICK_SIZE) + 8.0;
+        let count = self.columns.len() as f64;
+        let room = (self.width - left - OUTER) / count;
+        let cell = room.clamp(NARROWEST, WIDEST).max(needed);
+        let width = (left + cell * count + OUTER).max(self.width);
+        let heading = Heading::new(
+            &self.title,
+            TITLE_SIZE,
+            &[&self.subtitle],
+            width - 2.0 * OUTER,
+        );
+        Layout {
+            left,
+            top: OUTER + heading.height() + 4.0,
+            cell,
+            width,
+            heading,
         }
     }
 
-    fn draw_cells(&self, canvas: &mut Canvas, frame: &Frame) {
-        let edge = Stroke::solid(MESH, 0.5);
-        for (cell, category) in self.cells {
-            let mut path = String::new();
-            for (k, &node) in cell.iter().enumerate() {
-                if let Some(pixel) = frame.pixel(self.nodes[node]) {
-                    push_point(&mut path, if k == 0 { 'M' } else { 'L' }, pixel);
-                }
+    fn draw_rows(&self, canvas: &mut Canvas, layout: &Layout) {
+        let style = TextStyle::new(TICK_SIZE, INK, Anchor::End);
+        for (index, (name, cells)) in self.rows.iter().rev().enumerate() {
+            let top = layout.top + HEIGHT * index as f64;
+            canvas.centred_text([layout.left - NAME_GAP, top + HEIGHT / 2.0], name, &style);
+            for (column, cell) in cells.iter().enumerate().take(self.columns.len()) {
+                let area = Area {
+                    left: layout.left + layout.cell * column as f64,
+                    top,
+                    width: layout.cell,
+                    height: HEIGHT,
+                };
+                let category = cell.category.and_then(|index| self.categories.get(index));
+                draw_cell(canvas, &area, category, &cell.text);
             }
-            path.push('Z');
-            let known = category.and_then(|index| self.categories.get(index));
-            let fill = known.map_or(GROUND, |category| category.color);
-            canvas.filled_path(&path, fill, &edge);
+        }
+        if !self.y_label.is_empty() {
+            let middle = layout.top + HEIGHT * self.rows.len() as f64 / 2.0;
+            let style = TextStyle::new(LABEL_SIZE, INK, Anchor::Middle).upwards();
+            canvas.text([OUTER + LABEL_SIZE, middle], &self.y_label, &style);
         }
     }
 
-    /// Draws the legend below `top` and returns where it ends.
-    fn draw_legend(&self, canvas: &mut Canvas, top: f64) -> f64 {
-        let style = TextStyle::new(TICK_SIZE, INK, Anchor::Start);
-        let edge = Stroke::solid(MUTED, 0.5);
-        let [mut left, mut line] = [OUTER, top];
-        for category in self.categories {
-            let needed = SWATCH + 6.0 + text::width(&category.label, TICK_SIZE, Weight::Regular);
-            if left > OUTER && left + needed > self.width - OUTER {
-                [left, line] = [OUTER, line + LEGEND_ROW];
-            }
-            let swatch = Area {
-                left,
-                top: line,
-                width: SWATCH,
-                height: SWATCH,
-            };
-            canvas.rectangle(&swatch, category.color, Some(&edge));
-            let at = [left + SWATCH + 6.0, line + SWATCH / 2.0];
-            canvas.centred_text(at, &category.label, &style);
-            left += needed + LEGEND_GAP;
+    /// Column labels and what they mean; returns where they end.
+    fn draw_columns(&self, canvas: &mut Canvas, layout: &Layout, top: f64) -> f64 {
+        let style = TextStyle::new(TICK_SIZE, INK, Anchor::Middle);
+        let baseline = top + TICK_SIZE * 1.4;
+        for (index, label) in self.columns.iter().enumerate() {
+            let x = layout.left + layout.cell * (index as f64 + 0.5);
+            canvas.text([x, baseline], label, &style);
         }
-        line + SWATCH
+        let middle = layout.left + layout.cell * self.columns.len() as f64 / 2.0;
+        let at = [middle, baseline + LABEL_SIZE * LINE_HEIGHT + 4.0];
+        let style = TextStyle::new(LABEL_SIZE, INK, Anchor::Middle);
+        canvas.text(at, &self.x_label, &style);
+        at[1] + 6.0
     }
+}
+
+/// The number above the mark.
+fn draw_cell(canvas: &mut Canvas, area: &Area, category: Option<&Category>, text: &str) {
+    let ground = category.map_or(Color::rgb(0xee, 0xee, 0xee), |category| category.color);
+    let edge = Stroke::solid(Color::rgb(255, 255, 255), 1.0);
+    canvas.rectangle(area, ground, Some(&edge));
+    let [x, y] = area.middle();
+    let mark = category.map_or("", |category| category.mark.as_str());
+    let number = TextStyle::new(TICK_SIZE, ink_on(ground), Anchor::Middle);
+    if mark.is_empty() {
+        canvas.centred_text([x, y], text, &number);
+        return;
+    }
+    canvas.centred_text([x, y - 6.0], text, &number);
+    let small = TextStyle::new(MARK_SIZE, ink_on(ground), Anchor::Middle);
+    canvas.centred_text([x, y + 9.0], mark, &small);
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    #[test]
-    fn cells_have_the_colours_of_their_categories() {
-        let nodes = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-        let cells = [(vec![0, 1, 2], Some(0)), (vec![0, 2, 3], None)];
-        let categories = [Category {
-            label: "fibre, tension".into(),
-            mark: String::new(),
-            color: Color::rgb(0x12, 0x34, 0x56),
-        }];
-        let mut map = CellMap {
-            title: "0° ply".into(),
-            axes: ["x [mm]".into(), "y [mm]".into()],
-            nodes: &nodes,
-            cells: &cells,
-            categories: &categories,
-            window: [0.0, 1.0, 0.0, 1.0],
-            width: 300.0,
+    fn map() -> CellMap {
+        let category = |label: &str, mark: &str, index| Category {
+            label: label.into(),
+            mark: mark.into(),
+            color: Color::category(index),
         };
-        let svg = map.render().unwrap();
-        // One cell and one swatch.
-        assert_eq!(svg.as_str().matches("#123456").count(), 2);
-        assert!(svg.as_str().contains("fibre, tension"));
-        let broken = [(vec![0, 9, 1], None)];
-        map.cells = &broken;
-        assert!(matches!(
-            map.render(),
-            Err(FigureError::Cell { cell: 0, .. })
-        ));
+        let cell = |category, text: &str| Cell {
+            category,
+            text: text.into(),
+        };
+        CellMap {
+            title: "Modes".into(),
+            subtitle: "loads in kN".into(),
+            x_label: "e/D".into(),
+            y_label: "W/D".into(),
+            columns: vec!["1".into(), "2".into()],
+            rows: vec![
+                ("3".into(), vec![cell(Some(0), "1.5"), cell(Some(1), "2.5")]),
+                ("4".into(), vec![cell(Some(1), "3.5"), cell(None, "")]),
+            ],
+            categories: vec![
+                category("bearing", "B", 0),
+                category("shear-out", "S", 1),
+                category("net tension", "T", 2),
+            ],
+            width: 400.0,
+        }
+    }
+
+    #[test]
+    fn a_map_shows_numbers_marks_and_the_categories_that_occur() {
+        let svg = map().render().unwrap();
+        let document = roxmltree::Document::parse(svg.as_str()).unwrap();
+        let texts: Vec<(&str, f64)> = document
+            .descendants()
+            .filter(|node| node.has_tag_name("text"))
+            .filter_map(|node| Some((node.text()?, node.attribute("y")?.parse().ok()?)))
+            .collect();
+        let height = |wanted: &str| {
+            texts
+                .iter()
+                .find(|(text, _)| *text == wanted)
+                .map(|at| at.1)
+        };
+        for expected in ["Modes", "e/D", "W/D", "1.5", "2.5", "3.5", "bearing", "S"] {
+            assert!(height(expected).is_some(), "{expected}: {texts:?}");
+        }
+        assert_eq!(height("net tension"), None);
+        // The first row is the lowest.
+        assert!(height("1.5") > height("3.5"));
+        assert_eq!(svg, map().render().unwrap());
+    }
+
+    #[test]
+    fn a_map_without_cells_is_refused() {
+        let empty = CellMap {
+            rows: Vec::new(),
+            ..map()
+        };
+        assert!(matches!(empty.render(), Err(FigureError::NoData { .. })));
     }
 }

@@ -4,7 +4,8 @@
 //! |------------|--------------------------------------------------------------------------|
 //! | [`chart`]  | line charts with bands, reference lines and legends; panels of charts    |
 //! | [`map`]    | maps of outcomes: a coloured cell for each row and column                |
-//! | [`cells`]  | cells of a mesh in the colours of categories, with a legend               |
+//! | [`cells`]  | maps over two variables: a coloured cell with a number for each pair        |
+//! | [`mesh_map`] | cells of a mesh in the colours of categories                              |
 //! | [`field`]  | fields on finite-element meshes with a colour bar                        |
 //! | [`axis`]   | what the two have in common: labels, scales, ranges and ticks            |
 //! | [`color`]  | categorical, sequential and diverging colours                            |
@@ -25,7 +26,9 @@ mod error;
 pub mod field;
 pub mod folder;
 mod frame;
+mod legend;
 pub mod map;
+pub mod mesh_map;
 pub mod page;
 pub mod raster;
 pub mod svg;

@@ -5,7 +5,8 @@
 
 use crate::color::Color;
 use crate::error::FigureError;
-use crate::frame::{Heading, INK, LABEL_SIZE, LINE_HEIGHT, MUTED, OUTER, TICK_SIZE, TITLE_SIZE};
+use crate::frame::{Heading, INK, LABEL_SIZE, LINE_HEIGHT, OUTER, TICK_SIZE, TITLE_SIZE};
+use crate::legend;
 use crate::svg::{Anchor, Area, Canvas, Stroke, Svg, TextStyle};
 use crate::text::{self, Weight};
 
@@ -14,9 +15,6 @@ const NARROWEST: f64 = 11.0;
 const CELL_HEIGHT: f64 = 19.0;
 const GROUP_HEIGHT: f64 = 25.0;
 const NAME_GAP: f64 = 8.0;
-const SWATCH: f64 = 16.0;
-const LEGEND_ROW: f64 = 22.0;
-const LEGEND_GAP: f64 = 20.0;
 /// Room between column labels \[px\].
 const LABEL_ROOM: f64 = 5.0;
 
@@ -80,7 +78,16 @@ impl OutcomeMap {
             top = self.draw_group(&mut canvas, &layout, group, top);
         }
         top = self.draw_columns(&mut canvas, &layout, top);
-        let bottom = self.draw_legend(&mut canvas, layout.width, top + 10.0);
+        let rows = self.groups.iter().flat_map(|group| &group.rows);
+        let cells = rows.flat_map(|(_, cells)| cells);
+        let met: Vec<usize> = cells.flatten().copied().collect();
+        let bottom = legend::draw(
+            &mut canvas,
+            &self.categories,
+            &met,
+            layout.width,
+            top + 10.0,
+        );
         Ok(canvas.finish(layout.width, bottom + OUTER, &self.title))
     }
 
@@ -127,7 +134,7 @@ impl OutcomeMap {
                     height: CELL_HEIGHT,
                 };
                 match cell.and_then(|category| self.categories.get(category)) {
-                    Some(category) => draw_cell(canvas, &area, category, &edge),
+                    Some(category) => legend::draw_marked(canvas, &area, category, &edge),
                     None => canvas.rectangle(&area, Color::rgb(0xf6, 0xf6, 0xf6), Some(&edge)),
                 }
             }
@@ -173,41 +180,6 @@ impl OutcomeMap {
         canvas.text(at, &self.x_label, &style);
         at[1] + 6.0
     }
-
-    /// The categories that occur, in lines; returns where they end.
-    fn draw_legend(&self, canvas: &mut Canvas, width: f64, top: f64) -> f64 {
-        let rows = self.groups.iter().flat_map(|group| &group.rows);
-        let met: Vec<usize> = rows
-            .flat_map(|(_, cells)| cells)
-            .flatten()
-            .copied()
-            .collect();
-        let style = TextStyle::new(TICK_SIZE, INK, Anchor::Start);
-        let edge = Stroke::solid(MUTED, 0.5);
-        let [mut left, mut line] = [OUTER, top];
-        let mut named: Vec<&str> = Vec::new();
-        for (index, category) in self.categories.iter().enumerate() {
-            if !met.contains(&index) || named.contains(&category.label.as_str()) {
-                continue;
-            }
-            named.push(&category.label);
-            let needed = SWATCH + 6.0 + text::width(&category.label, TICK_SIZE, Weight::Regular);
-            if left > OUTER && left + needed > width - OUTER {
-                [left, line] = [OUTER, line + LEGEND_ROW];
-            }
-            let swatch = Area {
-                left,
-                top: line,
-                width: SWATCH,
-                height: SWATCH,
-            };
-            draw_cell(canvas, &swatch, category, &edge);
-            let at = [left + SWATCH + 6.0, line + SWATCH / 2.0];
-            canvas.centred_text(at, &category.label, &style);
-            left += needed + LEGEND_GAP;
-        }
-        line + SWATCH
-    }
 }
 
 #[derive(Debug)]
@@ -216,21 +188,6 @@ struct Layout {
     cell: f64,
     width: f64,
     heading: Heading,
-}
-
-fn draw_cell(canvas: &mut Canvas, area: &Area, category: &Category, edge: &Stroke) {
-    canvas.rectangle(area, category.color, Some(edge));
-    let color = category.color;
-    let light = 0.299 * f64::from(color.red)
-        + 0.587 * f64::from(color.green)
-        + 0.114 * f64::from(color.blue);
-    let ink = if light > 140.0 {
-        INK
-    } else {
-        Color::rgb(255, 255, 255)
-    };
-    let style = TextStyle::new(9.5, ink, Anchor::Middle);
-    canvas.centred_text(area.middle(), &category.mark, &style);
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! stickslip run SCENE [--output DIR] [--force]   solve a scene and write a folder of results
+//! stickslip joint SWEEP [--output DIR] [--resume] sweep over joints: a table, maps of failure modes and a page
 //! stickslip check SCENE                          check a scene and print it with all defaults
 //! stickslip init TEMPLATE [FILE]                 write a commented scene to start from
 //! stickslip list [TOPIC]                         laws and their parameters, templates, elements, solvers, units, signs
@@ -28,6 +29,7 @@ mod console;
 mod failure;
 mod init;
 mod interrupt;
+mod joint;
 mod list;
 mod located;
 mod run;
@@ -60,6 +62,8 @@ struct Arguments {
 enum Command {
     /// Solve a scene and write tables, figures, fields and a page
     Run(run::RunArguments),
+    /// Sweep over joints: a table, maps of failure modes and a page
+    Joint(joint::JointArguments),
     /// Check a scene, and print it with overrides applied and defaults filled in
     Check(SceneArguments),
     /// Write a commented scene to start from; never overwrites
@@ -111,6 +115,7 @@ pub fn main() -> ExitCode {
     let console = Console::new(arguments.quiet, arguments.json);
     let outcome = match arguments.command {
         Command::Run(scene) => run::run(&scene, console),
+        Command::Joint(sweep) => joint::joint(&sweep, console),
         Command::Check(scene) => check::check(&scene, console),
         Command::Init(template) => init::init(&template, console),
         Command::List(topic) => list::list(&topic, console),

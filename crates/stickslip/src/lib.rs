@@ -11,6 +11,7 @@
 //! | [`scene`], [`units`], [`diagnostic`] | scene files, quantities with units, errors that point at a line |
 //! | [`model`] | meshes, bodies, contact pairs, load history; the choices made |
 //! | [`run`](mod@run), [`results`] | the solution and what is reported of it |
+//! | [`sweep`] | many joints: the axes of a sweep, its engine, its table and pictures |
 //! | [`output`] | results as files, figures, a page and a table |
 //!
 //! A program with friction laws of its own links them and calls [`cli::main`].
@@ -23,4 +24,5 @@ pub mod output;
 pub mod results;
 pub mod run;
 pub mod scene;
+pub mod sweep;
 pub mod units;

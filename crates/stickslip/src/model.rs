@@ -1,5 +1,6 @@
 //! From a checked scene to condensed bodies and one interface problem: the choices are made here, and said.
 
+mod bearing;
 mod contacts;
 mod extent;
 mod limits;
@@ -227,6 +228,27 @@ impl Model {
             choices,
             notes: remarks::of_scene(scene),
         })
+    }
+}
+
+impl Model {
+    /// The same bodies and pairs with the friction laws and the load history of `scene`, which differs from the model's own scene in
+    /// nothing else that a model depends on.
+    ///
+    /// # Errors
+    /// As [`Model::build`].
+    pub(crate) fn with_laws_and_history(&self, scene: &Scene) -> Result<Self, ModelError> {
+        let mut model = self.clone();
+        for (contact, pair) in scene.contacts.iter().zip(&mut model.pairs) {
+            pair.law = Arc::from(contact.law.clone());
+        }
+        for edge in &mut model.edges {
+            if let Some(contact) = edge.pair.and_then(|pair| scene.contacts.get(pair)) {
+                contact.law.name().clone_into(&mut edge.geometry.law);
+            }
+        }
+        model.history = loads::history(scene)?;
+        Ok(model)
     }
 }
 

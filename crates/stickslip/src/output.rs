@@ -16,6 +16,7 @@
 
 mod csv_files;
 mod display;
+pub(crate) use display::short;
 mod failure;
 mod figures;
 mod loads;

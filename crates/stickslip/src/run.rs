@@ -7,6 +7,7 @@ mod progressive;
 mod remarks;
 mod reported;
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use rayon::prelude::*;
@@ -87,7 +88,7 @@ pub enum Progress {
 #[derive(Debug)]
 pub enum Operator {
     /// Condensed finite elements.
-    Elastic(Box<CondensedBody>),
+    Elastic(Arc<CondensedBody>),
     /// Rigid.
     Rigid(stickslip_fem_core::RigidBody),
 }
@@ -232,7 +233,7 @@ pub fn condense(model: &Model) -> Result<Vec<Operator>, RunError> {
             ModelBodyKind::Rigid(rigid) => Ok(Operator::Rigid(rigid.clone())),
             ModelBodyKind::Elastic(elastic) => elastic
                 .condense(&body.interface)
-                .map(|condensed| Operator::Elastic(Box::new(condensed)))
+                .map(|condensed| Operator::Elastic(Arc::new(condensed)))
                 .map_err(|cause| RunError::Body {
                     body: body.name.clone(),
                     cause,
@@ -249,11 +250,39 @@ pub fn results(
     scene: &Scene,
     model: &Model,
     solver: &dyn InterfaceSolver,
-    mut solved: Solved,
+    solved: Solved,
 ) -> Result<Results, RunError> {
     let start = Instant::now();
     let recovered = fields::recover(&solved);
-    let edges = edges::all(model, &solved, &recovered)?;
+    reported(scene, model, solver, solved, &recovered, start)
+}
+
+/// As [`results`], but displacements are recovered of `bodies` alone and no balance is audited but that of the interface problem:
+/// enough for edges in contact and for the failure of these bodies, not for fields.
+///
+/// # Errors
+/// As [`results`].
+pub(crate) fn results_without_audit(
+    scene: &Scene,
+    model: &Model,
+    solver: &dyn InterfaceSolver,
+    solved: Solved,
+    bodies: &[usize],
+) -> Result<Results, RunError> {
+    let start = Instant::now();
+    let recovered = fields::recover_some(&solved, bodies);
+    reported(scene, model, solver, solved, &recovered, start)
+}
+
+fn reported(
+    scene: &Scene,
+    model: &Model,
+    solver: &dyn InterfaceSolver,
+    mut solved: Solved,
+    recovered: &[fields::Recovered],
+    start: Instant,
+) -> Result<Results, RunError> {
+    let edges = edges::all(model, &solved, recovered)?;
     let mut steps = Vec::with_capacity(solved.records.len());
     for (index, (record, edges)) in solved.records.iter().zip(edges).enumerate() {
         steps.push(StepResults {
@@ -279,6 +308,7 @@ pub fn results(
     notes.extend(remarks::of_freedom(model, &solved.problem));
     let mut choices = model.choices.clone();
     choices.push(solver_choice(scene.analysis.solver, solver));
+    let operators = solved.operators.iter();
     let mut results = Results {
         title: scene.title.clone(),
         source: scene.source_name.clone(),
@@ -287,11 +317,7 @@ pub fn results(
         choices,
         notes,
         bodies: bodies(model, &solved),
-        factorisations: solved
-            .operators
-            .iter()
-            .filter(|operator| operator.elastic().is_some())
-            .count(),
+        factorisations: operators.filter_map(Operator::elastic).count(),
         edges: model
             .edges
             .iter()
@@ -310,7 +336,7 @@ pub fn results(
         scene,
         model,
         solver,
-        &recovered,
+        recovered,
         &results,
         &scale,
         &with_fields,
@@ -368,10 +394,8 @@ fn solver_choice(choice: SolverChoice, solver: &dyn InterfaceSolver) -> Choice {
 }
 
 fn bodies(model: &Model, solved: &Solved) -> Vec<BodySummary> {
-    model
-        .bodies
-        .iter()
-        .zip(&solved.operators)
+    let bodies = model.bodies.iter().zip(&solved.operators);
+    bodies
         .map(|(body, operator)| {
             let elastic = operator.elastic();
             BodySummary {
@@ -394,7 +418,9 @@ fn loads(scene: &Scene, step: usize) -> Vec<LoadValue> {
         .map(|load| {
             let value = load.kind.steps().get(step).copied().unwrap_or(0.0);
             let (value, unit) = match load.kind {
-                LoadKind::Force { .. } => (display.force.from_base(value), display.force.name),
+                LoadKind::Force { .. } | LoadKind::Bearing { .. } => {
+                    (display.force.from_base(value), display.force.name)
+                }
                 LoadKind::Pressure { .. } => (display.stress.from_base(value), display.stress.name),
                 LoadKind::PolarTraction { .. } => (value, "1"),
                 LoadKind::Temperature { .. } => (value, "K"),

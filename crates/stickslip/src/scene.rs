@@ -32,14 +32,14 @@
 //! ```
 
 mod build;
-mod document;
+pub(crate) mod document;
 mod examples;
 mod format;
 mod friction;
 mod json;
 mod material;
 mod overrides;
-mod read;
+pub(crate) mod read;
 pub mod schema;
 mod table;
 

@@ -20,7 +20,7 @@ const REPEATED: f64 = 0.4;
 /// Repetitions go on until they have taken this long together `[s]`, but there are at least and at most so many.
 const LONG_ENOUGH: f64 = 0.4;
 const LEAST: usize = 3;
-const MOST: usize = 7;
+const MOST: usize = 5;
 
 /// What one method did on one mesh.
 #[derive(Clone, Debug)]

@@ -80,14 +80,6 @@ pub(super) fn chart(
                 .color(FRONT_COLOR)
                 .width(FRONT_WIDTH),
         );
-    let line = known_line(curves, known);
-    if !line.is_empty() {
-        chart = chart.with(
-            Series::new(KNOWN_LABEL, line)
-                .color(KNOWN_COLOR)
-                .dash(Dash::Dotted),
-        );
-    }
     for curve in curves {
         chart = chart.with(
             Series::new(curve.label.clone(), pairs(&curve.points))
@@ -96,6 +88,15 @@ pub(super) fn chart(
                 .color(Color::category(curve.color))
                 .dash(curve.dash)
                 .width(curve.width),
+        );
+    }
+    // Last, so that markers of curves are the same with and without it.
+    let line = known_line(curves, known);
+    if !line.is_empty() {
+        chart = chart.with(
+            Series::new(KNOWN_LABEL, line)
+                .color(KNOWN_COLOR)
+                .dash(Dash::Dotted),
         );
     }
     chart

@@ -34,7 +34,7 @@ impl Joint {
                 ModelBodyKind::Rigid(rigid) => Ok(Operator::Rigid(rigid.clone())),
                 ModelBodyKind::Elastic(elastic) => elastic
                     .condense(&body.interface)
-                    .map(|condensed| Operator::Elastic(Box::new(condensed))),
+                    .map(|condensed| Operator::Elastic(Arc::new(condensed))),
             })
             .collect::<Result<Vec<_>, _>>()?;
         Ok(Self {

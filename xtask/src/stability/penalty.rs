@@ -30,7 +30,7 @@ const AUGMENTED: &str = "augmented Lagrangian";
 const STIFFNESS_SIDE: &str = "penalty added to the stiffness, statuses given";
 const METHODS: [&str; 3] = [PENALTY, AUGMENTED, STIFFNESS_SIDE];
 
-/// Width of a panel [px], and its aspect.
+/// Width of a panel `[px]`, and its aspect.
 const PANEL: f64 = 720.0;
 const ASPECT: f64 = 0.5;
 

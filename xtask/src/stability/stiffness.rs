@@ -196,7 +196,7 @@ fn row(case: &str, value: f64, element: ElementKind, error: Option<f64>) -> Row 
     }
 }
 
-/// Width of a panel [px], and its aspect.
+/// Width of a panel `[px]`, and its aspect.
 const PANEL: f64 = 480.0;
 const ASPECT: f64 = 0.8;
 

@@ -287,6 +287,20 @@ fn load_line(scene: &Scene, kind: &LoadKind) -> String {
                 rounded(*y)
             )
         }
+        LoadKind::Bearing {
+            on,
+            direction: [x, y],
+            law,
+            steps,
+        } => {
+            let force = range(steps, &|value| scene.display.force.show(value));
+            format!(
+                "{} bearing pressure on {on} along [{}, {}], {force}",
+                law.name(),
+                rounded(*x),
+                rounded(*y)
+            )
+        }
         LoadKind::Pressure { on, steps } => {
             format!(
                 "pressure on {on}, {}",

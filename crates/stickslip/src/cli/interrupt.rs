@@ -1,6 +1,7 @@
-//! Ctrl-C, SIGTERM and SIGHUP during a run: what was written so far goes, old results stay.
+//! Ctrl-C, SIGTERM and SIGHUP: of a run what was written so far goes and old results stay, a sweep ends with what is finished.
 
 use std::process::exit;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use stickslip_report::folder::{Abandoned, FolderError, FolderHandle, ResultFolder};
@@ -9,7 +10,7 @@ use super::console::Console;
 use super::failure::CommandError;
 
 /// What shells report for a process that SIGINT ended, 128 + 2; also for the other signals, which the handler cannot tell apart.
-const INTERRUPTED: i32 = 130;
+pub(super) const INTERRUPTED: i32 = 130;
 
 /// The folder that `create` makes, which an interrupt of the process deletes as long as it is not complete.
 pub(super) fn guarded(
@@ -36,4 +37,17 @@ pub(super) fn guarded(
     *place = Some(folder.handle());
     drop(place);
     Ok(folder)
+}
+
+/// A flag that an interrupt of the process sets; a second one ends the process at once.
+pub(super) fn flag() -> Arc<AtomicBool> {
+    let flag = Arc::new(AtomicBool::new(false));
+    let set = Arc::clone(&flag);
+    // Without a handler an interrupt ends the process, and rows that were written stay.
+    let _ = ctrlc::set_handler(move || {
+        if set.swap(true, Ordering::Relaxed) {
+            exit(INTERRUPTED);
+        }
+    });
+    flag
 }

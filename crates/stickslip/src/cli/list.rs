@@ -24,6 +24,7 @@ pub(super) struct ListArguments {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Topic {
     Laws,
+    Loads,
     Layups,
     Criteria,
     Templates,
@@ -32,6 +33,17 @@ enum Topic {
     Units,
     Signs,
 }
+
+const LOADS: [(&str, &str); 5] = [
+    ("force", "a total force, spread evenly over an edge"),
+    (
+        "bearing",
+        "a force on a hole without a pin, as pressure by an assumed law: cosine, uniform",
+    ),
+    ("pressure", "a pressure on an edge"),
+    ("polar_traction", "stresses on a circle, from a file"),
+    ("temperature", "a temperature change of a body"),
+];
 
 const SOLVERS: [(&str, &str); 4] = [
     (
@@ -85,6 +97,7 @@ pub(super) fn list(arguments: &ListArguments, console: Console) -> Result<(), Fa
 fn name(topic: Topic) -> &'static str {
     match topic {
         Topic::Laws => "laws",
+        Topic::Loads => "loads",
         Topic::Layups => "layups",
         Topic::Criteria => "criteria",
         Topic::Templates => "templates",
@@ -108,6 +121,10 @@ fn element_summary(kind: ElementKind) -> &'static str {
 fn text(topic: Topic) -> String {
     match topic {
         Topic::Laws => laws_text(),
+        Topic::Loads => {
+            let row = |(name, summary): (&str, &str)| (name.to_owned(), summary.to_owned());
+            table("Loads, for loads.N.NAME", LOADS.into_iter().map(row))
+        }
         Topic::Layups => laminates::layups_text(),
         Topic::Criteria => laminates::criteria_text(),
         Topic::Templates => {
@@ -196,6 +213,10 @@ fn default_of(parameter: &ParameterInfo) -> String {
 
 fn value(topic: Topic) -> Value {
     match topic {
+        Topic::Loads => LOADS
+            .iter()
+            .map(|(name, summary)| json!({ "name": name, "summary": summary }))
+            .collect(),
         Topic::Layups => laminates::layups_value(),
         Topic::Criteria => laminates::criteria_value(),
         Topic::Laws => laws()

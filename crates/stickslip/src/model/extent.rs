@@ -92,7 +92,9 @@ fn obstacle(scene: &Scene) -> Option<String> {
     scene.loads.iter().find_map(|load| {
         let why = |what: &str| Some(format!("load '{}' {what}", load.name));
         match &load.kind {
-            LoadKind::Force { direction, .. } if direction[across].abs() > 1e-12 => {
+            LoadKind::Force { direction, .. } | LoadKind::Bearing { direction, .. }
+                if direction[across].abs() > 1e-12 =>
+            {
                 why("acts across the line of symmetry")
             }
             LoadKind::Force { on, .. } | LoadKind::Pressure { on, .. } => {
@@ -103,7 +105,9 @@ fn obstacle(scene: &Scene) -> Option<String> {
                 }
             }
             LoadKind::PolarTraction { table, .. } if !table.is_half() => why("is not symmetric"),
-            LoadKind::PolarTraction { .. } | LoadKind::Temperature { .. } => None,
+            LoadKind::Bearing { .. }
+            | LoadKind::PolarTraction { .. }
+            | LoadKind::Temperature { .. } => None,
         }
     })
 }

@@ -7,6 +7,7 @@ use crate::scene::schema::{Hold, LoadKind, SetRef, Substance};
 /// Refuses what the model would otherwise ignore.
 pub(super) fn check(scene: &Scene) -> Result<(), ModelError> {
     rigid_bodies(scene)?;
+    held_holes(scene)?;
     scene
         .edges
         .iter()
@@ -39,7 +40,9 @@ fn rigid_bodies(scene: &Scene) -> Result<(), ModelError> {
     for (index, load) in scene.loads.iter().enumerate() {
         let body = match &load.kind {
             LoadKind::Force { .. } => continue,
-            LoadKind::Pressure { on, .. } | LoadKind::PolarTraction { on, .. } => &on.body,
+            LoadKind::Bearing { on, .. }
+            | LoadKind::Pressure { on, .. }
+            | LoadKind::PolarTraction { on, .. } => &on.body,
             LoadKind::Temperature { body, .. } => body,
         };
         if is_rigid(scene, body) {
@@ -61,6 +64,24 @@ fn rigid_bodies(scene: &Scene) -> Result<(), ModelError> {
         ),
         None => Ok(()),
     }
+}
+
+/// An assumed pressure and a pin do not share a hole.
+fn held_holes(scene: &Scene) -> Result<(), ModelError> {
+    for (index, load) in scene.loads.iter().enumerate() {
+        let LoadKind::Bearing { on, .. } = &load.kind else {
+            continue;
+        };
+        let mut contacts = scene.contacts.iter();
+        if let Some(contact) = contacts.find(|contact| contact.first == *on) {
+            let what = format!(
+                "{on} is held by {} in contact '{}', and the bearing load '{}' stands for a pin; keep one of the two",
+                contact.second, contact.name, load.name
+            );
+            return refuse(format!("loads.{index}"), what);
+        }
+    }
+    Ok(())
 }
 
 fn reported(scene: &Scene, index: usize, edge: &SetRef) -> Result<(), ModelError> {

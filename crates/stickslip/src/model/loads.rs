@@ -9,6 +9,7 @@ use stickslip_fem_core::material::Material;
 use stickslip_fem_core::mesh::{Curve, Mesh, Point};
 use stickslip_fem_core::{ElasticBody, HeldDirection, LoadCase, Platen, RigidBody, Support};
 
+use super::bearing::unit_forces;
 use super::polar_table::PolarField;
 use super::{Meshes, ModelBodyKind, ModelEdge, ModelError};
 use crate::scene::Scene;
@@ -156,6 +157,9 @@ fn unit_load(
                 direction.map(|component| component / whole)
             })
         }
+        LoadKind::Bearing {
+            on, direction, law, ..
+        } if on.body == name => unit_forces(mesh, mesh.edge_set(&on.set)?, *law, *direction, half),
         LoadKind::Pressure { on, .. } if on.body == name => {
             edge_load(mesh, &mesh.edge_set(&on.set)?.edges, thickness, |at| {
                 at.normal.map(|component| -component)
@@ -216,6 +220,21 @@ pub(super) fn edge_tractions(
     for (case, load) in scene.loads.iter().enumerate() {
         let at_node: Box<dyn Fn(usize) -> [f64; 2]> = match &load.kind {
             LoadKind::Pressure { on: loaded, .. } if loaded == on => Box::new(|_| [-1.0, 0.0]),
+            LoadKind::Bearing {
+                on: loaded,
+                direction: [x, y],
+                law,
+                ..
+            } if loaded == on => {
+                let middle = y.atan2(*x);
+                let mean = 1.0 / edge.geometry.bearing_area.unwrap_or(area);
+                Box::new(move |k| {
+                    [
+                        -mean * law.pressure(edge.geometry.parameter[k] - middle),
+                        0.0,
+                    ]
+                })
+            }
             LoadKind::PolarTraction {
                 on: loaded, table, ..
             } if loaded == on => {

@@ -154,7 +154,7 @@ impl<'a> EdgeView<'a> {
 }
 
 /// Four significant digits, without an exponent where the number is of ordinary size.
-pub(super) fn short(value: f64) -> String {
+pub(crate) fn short(value: f64) -> String {
     significant(value, 4)
 }
 

@@ -1,10 +1,11 @@
 //! Displacements inside the bodies, by which every step's balance is audited, and stresses for the steps that ask for them.
 
+use stickslip_contact::StepRecord;
 use stickslip_fem_core::body::{BodyBalance, BodyLoad};
 use stickslip_fem_core::material::Material;
 use stickslip_fem_core::stress::{ElasticField, StressError};
 
-use super::Solved;
+use super::{Operator, Solved};
 use crate::model::Model;
 use crate::results::BodyFields;
 use crate::scene::Scene;
@@ -49,25 +50,8 @@ pub(super) fn recover(solved: &Solved) -> Vec<Recovered> {
             }
             continue;
         };
-        let count = body.interface_nodes().len();
-        let modes = solved.problem.body_modes(index);
-        let forces: Vec<Vec<f64>> = records
-            .iter()
-            .map(|record| {
-                solved
-                    .problem
-                    .forces_on_body(index, count, &record.state.forces)
-            })
-            .collect();
-        let states: Vec<BodyLoad<'_>> = records
-            .iter()
-            .zip(&forces)
-            .map(|(record, forces)| BodyLoad {
-                forces,
-                multipliers: &record.state.multipliers,
-                motions: &record.state.rigid.as_slice()[modes.clone()],
-            })
-            .collect();
+        let forces = forces_on(solved, index, body.interface_nodes().len());
+        let states = loads_on(solved, index, &forces);
         let displacements = body.displacements_of(&states);
         let residuals = body.residual_forces_of(&displacements, &states);
         let balances = body.balances_of(&residuals, &states);
@@ -77,6 +61,48 @@ pub(super) fn recover(solved: &Solved) -> Vec<Recovered> {
         }
     }
     all
+}
+
+/// Recovers the displacements of the bodies with the indices `wanted` alone, without an audit.
+pub(super) fn recover_some(solved: &Solved, wanted: &[usize]) -> Vec<Recovered> {
+    let records = &solved.records;
+    let mut all: Vec<Recovered> = records
+        .iter()
+        .map(|record| Recovered {
+            multipliers: record.state.multipliers.clone(),
+            displacement: vec![Vec::new(); solved.operators.len()],
+            balance: vec![None; solved.operators.len()],
+        })
+        .collect();
+    for &index in wanted {
+        let Some(body) = solved.operators.get(index).and_then(Operator::elastic) else {
+            continue;
+        };
+        let forces = forces_on(solved, index, body.interface_nodes().len());
+        let displacements = body.displacements_of(&loads_on(solved, index, &forces));
+        for (step, u) in all.iter_mut().zip(displacements) {
+            step.displacement[index] = u;
+        }
+    }
+    all
+}
+
+/// Contact forces on the body `index` with `count` contact points, for each load step.
+fn forces_on(solved: &Solved, index: usize, count: usize) -> Vec<Vec<f64>> {
+    let problem = &solved.problem;
+    let of_step = |record: &StepRecord| problem.forces_on_body(index, count, &record.state.forces);
+    solved.records.iter().map(of_step).collect()
+}
+
+/// Everything that acts on the body `index`, for each load step.
+fn loads_on<'a>(solved: &'a Solved, index: usize, forces: &'a [Vec<f64>]) -> Vec<BodyLoad<'a>> {
+    let modes = solved.problem.body_modes(index);
+    let of_step = |(record, forces): (&'a StepRecord, &'a Vec<f64>)| BodyLoad {
+        forces,
+        multipliers: &record.state.multipliers,
+        motions: &record.state.rigid.as_slice()[modes.clone()],
+    };
+    solved.records.iter().zip(forces).map(of_step).collect()
 }
 
 /// Fields of all bodies that were recovered, with stresses by patch recovery.

@@ -4,6 +4,7 @@
 //! (`shape.disk = { … }`). Serialising gives the scene with all defaults filled in.
 
 mod laminate;
+mod loads;
 mod progressive;
 
 use std::collections::BTreeMap;
@@ -17,9 +18,10 @@ use super::schema::{
     Axis, FieldOutput, GapKind, ModelChoice, ProjectionChoice, Ramp, SolverChoice,
 };
 use crate::units::{
-    Angle, AngleOrLength, Force, Length, PerTemperature, Quantity, Stress, Temperature, UnitName,
+    Angle, AngleOrLength, Force, Length, PerTemperature, Quantity, Stress, UnitName,
 };
 pub(super) use laminate::{FailureFormat, LaminateFormat, PlyFormat, StrengthsFormat};
+pub(super) use loads::{BearingFormat, ForceFormat, LoadFormat, PolarTractionFormat};
 pub(super) use progressive::{
     ControlFormat, CrackBandFormat, DisplacementFormat, ModelFormat, PlyDiscountFormat,
     ProgressiveFormat,
@@ -297,55 +299,6 @@ pub(super) struct PlatenFormat {
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
 #[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
-pub(super) struct LoadFormat {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) name: Option<String>,
-    pub(super) on: String,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) force: Option<ForceFormat>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) pressure: Option<PressureFormat>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) polar_traction: Option<PolarTractionFormat>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) temperature: Option<TemperatureFormat>,
-}
-
-#[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
-pub(super) struct ForceFormat {
-    pub(super) direction: Vec<f64>,
-    pub(super) steps: Vec<Quantity<Force>>,
-}
-
-#[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
-pub(super) struct PressureFormat {
-    pub(super) steps: Vec<Quantity<Stress>>,
-}
-
-#[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
-pub(super) struct PolarTractionFormat {
-    pub(super) file: String,
-    pub(super) stress: UnitName<Stress>,
-    #[serde(default = "default_theta")]
-    pub(super) theta: String,
-    #[serde(default = "default_radial")]
-    pub(super) radial: String,
-    #[serde(default = "default_shear")]
-    pub(super) shear: String,
-    pub(super) steps: Vec<f64>,
-}
-
-#[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
-pub(super) struct TemperatureFormat {
-    pub(super) steps: Vec<Quantity<Temperature>>,
-}
-
-#[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
 pub(super) struct EdgeFormat {
     pub(super) on: String,
 }
@@ -372,18 +325,6 @@ impl Default for OutputFormat {
 
 const fn default_element() -> ElementKind {
     ElementKind::Q8
-}
-
-fn default_theta() -> String {
-    "theta_deg".to_owned()
-}
-
-fn default_radial() -> String {
-    "sigma_r".to_owned()
-}
-
-fn default_shear() -> String {
-    "tau_rtheta".to_owned()
 }
 
 // Serde hands over a reference.

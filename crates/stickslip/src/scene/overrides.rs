@@ -33,6 +33,7 @@ const RIVALS: [(&str, &[&[&str]]); 5] = [
         "loads.*",
         &[
             &["force"],
+            &["bearing"],
             &["pressure"],
             &["polar_traction"],
             &["temperature"],

@@ -16,17 +16,18 @@ use super::document::{Part, child};
 use crate::diagnostic::SceneProblem;
 use crate::units::{QUANTITY_TAG, UNIT_TAG, Unit, dimensions_of_tag, parse};
 
-pub(super) use error::{ReadError, described};
+pub(crate) use error::ReadError;
+pub(super) use error::described;
 
 /// A value and the key under which it stands.
 #[derive(Clone, Copy)]
-pub(super) struct Reader<'a> {
+pub(crate) struct Reader<'a> {
     value: &'a Value,
     key: &'a str,
 }
 
 impl<'a> Reader<'a> {
-    pub(super) fn new(value: &'a Value, key: &'a str) -> Self {
+    pub(crate) fn new(value: &'a Value, key: &'a str) -> Self {
         Self { value, key }
     }
 

@@ -3,6 +3,7 @@
 //! Base units throughout: mm, N, MPa, rad, K. Angles are counter-clockwise from +x, the load axis; names of bodies, materials and
 //! sets refer to things that exist.
 
+mod bearing;
 mod failure;
 mod progressive;
 mod shape;
@@ -17,6 +18,7 @@ use stickslip_friction::FrictionLaw;
 
 pub use super::material::{LaminateSheet, Material, OutOfPlane};
 use crate::units::Unit;
+pub use bearing::BearingLaw;
 pub use failure::{Characteristic, EnvelopePlane, Envelopes, Failure};
 pub use progressive::{Control, Progressive, ProgressiveModel};
 pub use shape::{Outline, Shape};
@@ -272,6 +274,17 @@ pub enum LoadKind {
         /// Magnitudes `[N]`.
         steps: Vec<f64>,
     },
+    /// An assumed pressure on half of a hole, in the place of a pin.
+    Bearing {
+        /// The hole.
+        on: SetRef,
+        /// Unit vector of the force on the body; the pressure's middle lies there.
+        direction: [f64; 2],
+        /// How the pressure is spread.
+        law: BearingLaw,
+        /// Magnitudes of the force on the whole hole `[N]`, at least 0.
+        steps: Vec<f64>,
+    },
     /// A pressure on an edge; positive pushes on the body, negative pulls.
     Pressure {
         /// The edge.
@@ -302,6 +315,7 @@ impl LoadKind {
     pub fn steps(&self) -> &[f64] {
         match self {
             Self::Force { steps, .. }
+            | Self::Bearing { steps, .. }
             | Self::Pressure { steps, .. }
             | Self::PolarTraction { steps, .. }
             | Self::Temperature { steps, .. } => steps,

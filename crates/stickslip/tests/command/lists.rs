@@ -19,6 +19,7 @@ fn list_names_laws_with_their_parameters() {
         "pivoting",
         "ksi",
         "CSHEAR1",
+        "bearing",
     ] {
         assert!(printed.contains(part), "'{part}' is missing in:\n{printed}");
     }

@@ -1,5 +1,6 @@
 //! Scenes as they are modelled: chains of round bodies, several contacts, halves and wholes, remarks.
 
+mod bearing;
 mod chains;
 mod halves;
 mod mortar;

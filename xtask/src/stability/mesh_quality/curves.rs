@@ -10,7 +10,7 @@ use crate::stability::Trouble;
 use crate::stability::outcome::Outcome;
 use crate::stability::row::{Row, element_name};
 
-/// Width of a panel [px], and its aspect.
+/// Width of a panel `[px]`, and its aspect.
 const PANEL: f64 = 480.0;
 const SHAPE: f64 = 0.8;
 const REFUSED: &str = "refused";

@@ -2,10 +2,10 @@
 
 use stickslip_fem_core::mesh::Point;
 use stickslip_laminate::FailureMode;
-use stickslip_report::cells::CellMap;
 use stickslip_report::chart::tile;
 use stickslip_report::color::Color;
 use stickslip_report::map::Category;
+use stickslip_report::mesh_map::MeshMap;
 
 use super::ProgressiveView;
 use crate::output::display::significant;
@@ -91,7 +91,7 @@ pub(crate) fn damage_map(view: &ProgressiveView<'_>) -> Attempt {
                 .map(|cell| cell.iter().map(|node| node + count).collect());
             all.extend(turned.zip(images));
         }
-        CellMap {
+        MeshMap {
             title: format!("{} plies", failure.ply_name(group)),
             axes: ["x", "y"].map(|name| format!("{name} [{unit}]")),
             nodes: &nodes,

@@ -6,7 +6,9 @@ use std::path::Path;
 use super::{Builder, Fits};
 use crate::diagnostic::SceneProblem;
 use crate::scene::document::{Part, child};
-use crate::scene::format::{ForceFormat, LoadFormat, PolarTractionFormat, SceneFormat};
+use crate::scene::format::{
+    BearingFormat, ForceFormat, LoadFormat, PolarTractionFormat, SceneFormat,
+};
 use crate::scene::schema::{Load, LoadKind, Material, PolarTable, SetRef, Substance};
 use crate::scene::table;
 use crate::units::{Measure, Quantity};
@@ -66,6 +68,7 @@ impl Builder<'_> {
     ) -> Option<LoadKind> {
         let present = [
             ("force", given.force.is_some()),
+            ("bearing", given.bearing.is_some()),
             ("pressure", given.pressure.is_some()),
             ("polar_traction", given.polar_traction.is_some()),
             ("temperature", given.temperature.is_some()),
@@ -99,6 +102,9 @@ impl Builder<'_> {
         if let Some(force) = &given.force {
             return self.force(key, on, force);
         }
+        if let Some(bearing) = &given.bearing {
+            return self.bearing(key, on, bearing);
+        }
         if let Some(pressure) = &given.pressure {
             return Some(LoadKind::Pressure {
                 on,
@@ -109,26 +115,54 @@ impl Builder<'_> {
         self.polar(key, on, traction, base)
     }
 
-    fn force(&mut self, key: &str, on: SetRef, force: &ForceFormat) -> Option<LoadKind> {
-        let direction_key = child(key, "force.direction");
-        let numbers: Vec<_> = force.direction.iter().map(f64::to_string).collect();
+    /// The unit vector of a direction given at `key`.
+    fn direction(&mut self, key: &str, given: &[f64]) -> Option<[f64; 2]> {
+        let numbers: Vec<_> = given.iter().map(f64::to_string).collect();
         let shown = format!("[{}]", numbers.join(", "));
-        let &[x, y] = force.direction.as_slice() else {
+        let &[x, y] = given else {
             let allowed = "two numbers, x and y, such as [-1, 0]";
-            self.out_of_range(&direction_key, &shown, allowed);
+            self.out_of_range(key, &shown, allowed);
             return None;
         };
         let length = x.hypot(y);
         if !(length.is_finite() && length > 0.0) {
             let allowed = "a vector other than zero, such as [-1, 0]";
-            self.out_of_range(&direction_key, &shown, allowed);
+            self.out_of_range(key, &shown, allowed);
             return None;
         }
-        let direction = [x / length, y / length];
+        Some([x / length, y / length])
+    }
+
+    fn force(&mut self, key: &str, on: SetRef, force: &ForceFormat) -> Option<LoadKind> {
+        let direction = self.direction(&child(key, "force.direction"), &force.direction)?;
         Some(LoadKind::Force {
             on,
             direction,
             steps: values(&force.steps),
+        })
+    }
+
+    fn bearing(&mut self, key: &str, on: SetRef, bearing: &BearingFormat) -> Option<LoadKind> {
+        if on.set != "hole" {
+            let message = format!("'{on}' is no hole, and a bearing load stands for a pin in one");
+            let remedy = "put it on the hole of a plate_with_hole, such as plate.hole; other edges take a force or a pressure";
+            self.conflict(&child(key, "on"), message, remedy);
+            return None;
+        }
+        let key = child(key, "bearing");
+        let direction = self.direction(&child(&key, "direction"), &bearing.direction)?;
+        for (index, step) in bearing.steps.iter().enumerate() {
+            if step.value() < 0.0 {
+                let key = child(&key, format!("steps.{index}"));
+                let allowed = "0 or more: a pin pushes; turn the direction to push the other way";
+                self.out_of_range(&key, step.text(), allowed);
+            }
+        }
+        Some(LoadKind::Bearing {
+            on,
+            direction,
+            law: bearing.law,
+            steps: values(&bearing.steps),
         })
     }
 
@@ -241,6 +275,7 @@ impl Builder<'_> {
 fn key_of(kind: &LoadKind) -> &'static str {
     match kind {
         LoadKind::Force { .. } => "force",
+        LoadKind::Bearing { .. } => "bearing",
         LoadKind::Pressure { .. } => "pressure",
         LoadKind::PolarTraction { .. } => "polar_traction",
         LoadKind::Temperature { .. } => "temperature",

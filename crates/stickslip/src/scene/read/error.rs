@@ -11,10 +11,10 @@ use crate::scene::examples::example;
 
 /// A problem, and the key where it arose once a table around it has told.
 #[derive(Debug)]
-pub(in crate::scene) struct ReadError {
-    pub(in crate::scene) problem: Box<SceneProblem>,
-    pub(in crate::scene) key: Option<String>,
-    pub(in crate::scene) part: Part,
+pub(crate) struct ReadError {
+    pub(crate) problem: Box<SceneProblem>,
+    pub(crate) key: Option<String>,
+    pub(crate) part: Part,
 }
 
 impl ReadError {

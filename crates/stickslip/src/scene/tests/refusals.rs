@@ -215,7 +215,7 @@ fn supports_and_loads() {
     assert_eq!(line, 27);
     let (message, ..) = refused("force = {", "temperature = { steps = [] }\nforce = {");
     assert!(
-        message.contains("exactly one of force, pressure, polar_traction, temperature"),
+        message.contains("exactly one of force, bearing, pressure, polar_traction, temperature"),
         "{message}"
     );
     let heat = "on = \"plate\"\ntemperature = { steps = [\"10 K\", \"20 K\"] }\n";
@@ -233,6 +233,47 @@ fn supports_and_loads() {
         error.to_string().contains("nothing happens in this scene"),
         "{error}"
     );
+}
+
+#[test]
+fn bearing_loads() {
+    use miette::Diagnostic as _;
+
+    let start = SCENE.find("on = \"plate.left\"").unwrap();
+    let refusal = |load: &str| {
+        let error = read(&format!("{}{load}", &SCENE[..start])).unwrap_err();
+        let help = error.findings()[0]
+            .problem
+            .help()
+            .map(|help| help.to_string());
+        (error.to_string(), help.unwrap_or_default())
+    };
+    let bearing = |on: &str, what: &str| {
+        refusal(&format!(
+            "on = \"{on}\"\nbearing = {{ {what}, steps = [\"1 kN\", \"2 kN\"] }}\n"
+        ))
+    };
+    let (message, help) = bearing("plate.left", "direction = [1, 0], law = \"cosine\"");
+    assert!(message.contains("'plate.left' is no hole"), "{message}");
+    assert!(help.contains("plate.hole"), "{help}");
+    let (message, help) = bearing("plate.hole", "direction = [1, 0], law = \"cosinus\"");
+    assert!(
+        message.contains("'cosinus' is not one of the choices"),
+        "{message}"
+    );
+    assert!(help.contains("cosine, uniform"), "{help}");
+    let (message, _) = bearing("plate.hole", "direction = [1, 0]");
+    assert!(message.contains("'law' is missing"), "{message}");
+    let (message, _) = bearing("plate.hole", "direction = [0, 0], law = \"cosine\"");
+    assert!(
+        message.contains("direction = [0, 0] is outside its range"),
+        "{message}"
+    );
+    let (message, help) = refusal(
+        "on = \"plate.hole\"\nbearing = { direction = [1, 0], law = \"cosine\", steps = [\"1 kN\", \"-2 kN\"] }\n",
+    );
+    assert!(message.contains("-2 kN is outside its range"), "{message}");
+    assert!(help.contains("turn the direction"), "{help}");
 }
 
 #[test]

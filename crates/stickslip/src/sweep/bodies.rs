@@ -1,0 +1,137 @@
+//! What a condensed body depends on, as a text: equal texts are equal bodies.
+
+use std::fmt::Write as _;
+
+use sha2::{Digest as _, Sha256};
+
+use crate::scene::Scene;
+use crate::scene::schema::{Body, LoadKind, Material, Shape, Substance};
+
+/// The key of the elastic body `name`; `None` for a rigid one, and for one whose material cannot be modelled.
+pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
+    let body = scene.bodies.get(name)?;
+    let Substance::Elastic {
+        material,
+        thickness,
+    } = &body.substance
+    else {
+        return None;
+    };
+    let constants = scene.materials.get(material)?;
+    let elastic = constants.in_plane(scene.analysis.plane).ok()?;
+    let mut text = format!(
+        "{name} {thickness} {:?} {:?} {:?}",
+        elastic.stiffness(),
+        elastic.thermal_strain(1.0),
+        scene.mesh_of(name)
+    );
+    // Writing into a string does not fail.
+    let _ = write!(text, " {:?}", scene.analysis.model);
+    let _ = match body.shape {
+        Shape::Disk { .. } if size_does_not_matter(scene, name) => write!(text, " disk"),
+        shape => write!(text, " {shape:?} {:?}", holders(scene, name)),
+    };
+    for support in scene
+        .supports
+        .iter()
+        .filter(|support| support.on.body == name)
+    {
+        let _ = write!(text, " {support:?}");
+    }
+    for platen in scene.platens.iter().filter(|platen| platen.on.body == name) {
+        let _ = write!(text, " {platen:?}");
+    }
+    // The number of load cases counts, and which of them act here.
+    for load in &scene.loads {
+        let _ = write!(text, " {}", acting(&load.kind, name));
+    }
+    for contact in &scene.contacts {
+        for side in [&contact.first, &contact.second] {
+            if side.body == name {
+                let _ = write!(text, " {side}");
+            }
+        }
+    }
+    Some(digest(&text))
+}
+
+/// What a model depends on beside friction laws and the sizes of loads.
+pub(super) fn model_key(scene: &Scene) -> String {
+    let mut text = format!(
+        "{:?} {:?} {:?} {:?}",
+        scene.analysis, scene.supports, scene.platens, scene.edges
+    );
+    // Writing into a string does not fail.
+    for (name, body) in &scene.bodies {
+        let angle = match &body.substance {
+            Substance::Elastic { material, .. } => {
+                scene.materials.get(material).map(Material::angle)
+            }
+            Substance::Rigid => None,
+        };
+        let _ = write!(text, "\n{name} {body:?} {angle:?} {:?}", key(scene, name));
+        for load in &scene.loads {
+            let _ = write!(text, " {}", acting(&load.kind, name));
+        }
+    }
+    for contact in &scene.contacts {
+        let _ = write!(
+            text,
+            "\n{} {} {} {:?} {:?}",
+            contact.name, contact.first, contact.second, contact.gap, contact.projection
+        );
+    }
+    digest(&text)
+}
+
+fn digest(text: &str) -> String {
+    let bytes = Sha256::digest(text.as_bytes());
+    bytes.iter().fold(String::new(), |mut text, byte| {
+        // Writing into a string does not fail.
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
+}
+
+/// Nothing but contact forces acts on the body, and nothing moves its supports: then its compliance is that of any size.
+fn size_does_not_matter(scene: &Scene, name: &str) -> bool {
+    let free_of_loads = scene
+        .loads
+        .iter()
+        .all(|load| acting(&load.kind, name) == "-");
+    let mut supports = scene
+        .supports
+        .iter()
+        .filter(|support| support.on.body == name);
+    free_of_loads && supports.all(|support| support.displacement == 0.0)
+}
+
+/// Shapes of the bodies that hold `name`, on which its place depends.
+fn holders<'a>(scene: &'a Scene, name: &str) -> Vec<Option<&'a Body>> {
+    let held = scene
+        .contacts
+        .iter()
+        .filter(|contact| contact.second.body == name);
+    held.map(|contact| scene.bodies.get(&contact.first.body))
+        .collect()
+}
+
+/// A load without its history; "-" where it acts on another body.
+fn acting(kind: &LoadKind, name: &str) -> String {
+    match kind {
+        LoadKind::Force { on, direction, .. } if on.body == name => {
+            format!("force {on} {direction:?}")
+        }
+        LoadKind::Bearing {
+            on, direction, law, ..
+        } if on.body == name => {
+            format!("bearing {on} {direction:?} {law:?}")
+        }
+        LoadKind::Pressure { on, .. } if on.body == name => format!("pressure {on}"),
+        LoadKind::PolarTraction { on, table, .. } if on.body == name => {
+            format!("traction {on} {table:?}")
+        }
+        LoadKind::Temperature { body, .. } if body == name => "temperature".to_owned(),
+        _ => "-".to_owned(),
+    }
+}

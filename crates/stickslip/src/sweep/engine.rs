@@ -1,0 +1,233 @@
+//! Solves the cases of a sweep on several cores.
+//!
+//! Every worker computes on a pool of one thread, so that a case uses one core and its result does not depend on how many there are.
+//! Cases that share bodies are solved one after the other by the same worker, see [`sweep`](crate::sweep) for what they share.
+
+use std::collections::BTreeMap;
+use std::num::NonZeroUsize;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{Sender, channel};
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
+
+use rayon::ThreadPool;
+use stickslip_contact::InterfaceProblem;
+use stickslip_fem_core::InterfaceOperator;
+
+use super::queue::Queue;
+use super::row::{Measures, Outcome, Row};
+use super::store::Store;
+use super::{Sweep, SweepError, bodies};
+use crate::model::{Model, ModelBody, ModelBodyKind, ModelError};
+use crate::results::Results;
+use crate::run::{Operator, follow, results_without_audit, solver};
+use crate::scene::Scene;
+
+/// What a sweep took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Effort {
+    /// Bodies condensed.
+    pub condensed: usize,
+}
+
+/// Solves the `cases` of `sweep` with `jobs` workers and hands every row to `each`, in the order in which they are done, until
+/// `stop` is set; then the cases that are running are finished.
+///
+/// # Errors
+/// [`SweepError::Workers`], and what `each` returns. A case that cannot be solved is a row.
+pub fn run(
+    sweep: &Sweep,
+    cases: &[usize],
+    jobs: NonZeroUsize,
+    stop: &AtomicBool,
+    each: &mut dyn FnMut(Row) -> Result<(), SweepError>,
+) -> Result<Effort, SweepError> {
+    let pools = (0..jobs.get())
+        .map(|_| rayon::ThreadPoolBuilder::new().num_threads(1).build())
+        .collect::<Result<Vec<ThreadPool>, _>>()
+        .map_err(|cause| SweepError::Workers { cause })?;
+    let plans: BTreeMap<usize, Vec<String>> = cases
+        .iter()
+        .map(|&case| (case, keys(sweep, case)))
+        .collect();
+    let shop = Shop::new(sweep, plans, stop);
+    let outcome = std::thread::scope(|scope| {
+        let (sender, receiver) = channel();
+        for pool in &pools {
+            let (sender, shop) = (sender.clone(), &shop);
+            scope.spawn(move || shop.work(pool, &sender));
+        }
+        drop(sender);
+        let handed = receiver.iter().try_for_each(&mut *each);
+        if handed.is_err() {
+            stop.store(true, Ordering::Relaxed);
+        }
+        handed
+    });
+    outcome.map(|()| Effort {
+        condensed: shop.condensed.into_inner(),
+    })
+}
+
+/// Keys of the bodies of a case; none where its values make no scene.
+fn keys(sweep: &Sweep, case: usize) -> Vec<String> {
+    let Ok(scene) = sweep.scene_of(case) else {
+        return Vec::new();
+    };
+    let names = scene.bodies.keys();
+    names.filter_map(|name| bodies::key(&scene, name)).collect()
+}
+
+/// Cases with equal bodies together, in the order of their first cases.
+fn groups(plans: &BTreeMap<usize, Vec<String>>) -> Vec<Vec<usize>> {
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    let mut known: BTreeMap<&Vec<String>, usize> = BTreeMap::new();
+    for (&case, keys) in plans {
+        let group = *known.entry(keys).or_insert_with(|| {
+            groups.push(Vec::new());
+            groups.len() - 1
+        });
+        groups[group].push(case);
+    }
+    groups
+}
+
+/// Everything that workers share.
+struct Shop<'a> {
+    sweep: &'a Sweep,
+    store: Store,
+    queue: Mutex<Queue>,
+    plans: BTreeMap<usize, Vec<String>>,
+    condensed: AtomicUsize,
+    stop: &'a AtomicBool,
+}
+
+/// The model of a worker's last case, which the next one may differ from in laws and loads only.
+type LastModel = Option<(String, Model)>;
+
+impl<'a> Shop<'a> {
+    fn new(sweep: &'a Sweep, plans: BTreeMap<usize, Vec<String>>, stop: &'a AtomicBool) -> Self {
+        Self {
+            sweep,
+            store: Store::for_uses(plans.values().flatten()),
+            queue: Mutex::new(Queue::new(groups(&plans))),
+            plans,
+            condensed: AtomicUsize::new(0),
+            stop,
+        }
+    }
+
+    fn work(&self, pool: &ThreadPool, rows: &Sender<Row>) {
+        let mut own = None;
+        let mut last = None;
+        while !self.stop.load(Ordering::Relaxed) {
+            let next = {
+                // A queue is only ever popped, which no panic interrupts.
+                let mut queue = self.queue.lock().unwrap_or_else(PoisonError::into_inner);
+                queue.next(own)
+            };
+            let Some((group, case)) = next else {
+                return;
+            };
+            own = Some(group);
+            let row = pool.install(|| self.row(case, &mut last));
+            for key in self.plans.get(&case).into_iter().flatten() {
+                self.store.release(key);
+            }
+            if rows.send(row).is_err() {
+                return;
+            }
+        }
+    }
+
+    fn row(&self, case: usize, last: &mut LastModel) -> Row {
+        let start = Instant::now();
+        let outcome = match self.solved(case, last) {
+            Ok(measures) => Outcome::Solved(Box::new(measures)),
+            Err(reason) => Outcome::Unresolved(reason),
+        };
+        Row {
+            case,
+            seconds: start.elapsed().as_secs_f64(),
+            outcome,
+        }
+    }
+
+    /// The numbers of a case, or in words why there are none.
+    fn solved(&self, case: usize, last: &mut LastModel) -> Result<Measures, String> {
+        let scene = self
+            .sweep
+            .scene_of(case)
+            .map_err(|error| error.to_string())?;
+        let results = self.results(&scene, last)?;
+        Ok(Measures::of(&results, self.sweep))
+    }
+
+    fn results(&self, scene: &Scene, last: &mut LastModel) -> Result<Results, String> {
+        let model = modelled(scene, last).map_err(|error| error.to_string())?;
+        let operators = self.operators(scene, &model)?;
+        let faces: Vec<&dyn InterfaceOperator> =
+            operators.iter().map(Operator::interface).collect();
+        let problem = InterfaceProblem::new(&faces, model.pairs.clone())
+            .map_err(|error| error.to_string())?;
+        drop(faces);
+        let solver = solver(scene.analysis.solver);
+        let solved = follow(&model, operators, problem, solver.as_ref(), &mut |_| {})
+            .map_err(|error| error.to_string())?;
+        let wanted = needed(scene, &model);
+        results_without_audit(scene, &model, solver.as_ref(), solved, &wanted)
+            .map_err(|error| error.to_string())
+    }
+
+    fn operators(&self, scene: &Scene, model: &Model) -> Result<Vec<Operator>, String> {
+        let operator = |body: &ModelBody| {
+            let elastic = match &body.kind {
+                ModelBodyKind::Rigid(rigid) => return Ok(Operator::Rigid(rigid.clone())),
+                ModelBodyKind::Elastic(elastic) => elastic,
+            };
+            let condense = || {
+                elastic
+                    .condense(&body.interface)
+                    .map_err(|cause| format!("body '{}': {cause}", body.name))
+            };
+            let Some(key) = bodies::key(scene, &body.name) else {
+                return Err(format!("body '{}' has no elastic material", body.name));
+            };
+            let (condensed, made) = self.store.get(&key, model.half, condense);
+            self.condensed
+                .fetch_add(usize::from(made), Ordering::Relaxed);
+            condensed.map(Operator::Elastic)
+        };
+        model.bodies.iter().map(operator).collect()
+    }
+}
+
+/// The model of `scene`, from the last one where it differs in laws and loads only.
+fn modelled(scene: &Scene, last: &mut LastModel) -> Result<Model, ModelError> {
+    let key = bodies::model_key(scene);
+    match last {
+        Some((known, model)) if *known == key => model.with_laws_and_history(scene),
+        _ => {
+            let model = Model::build(scene)?;
+            *last = Some((key, model.clone()));
+            Ok(model)
+        }
+    }
+}
+
+/// Bodies whose inner displacements are needed: those asked for failure, and those with a reported edge that does not touch.
+fn needed(scene: &Scene, model: &Model) -> Vec<usize> {
+    let fails = |index: usize| {
+        let failure = scene.failure.as_ref();
+        failure.is_some_and(|failure| failure.bodies.contains(&model.bodies[index].name))
+    };
+    let shows = |index: usize| {
+        let mut free = model.edges.iter().filter(|edge| edge.pair.is_none());
+        free.any(|edge| edge.body == index)
+    };
+    let all = 0..model.bodies.len();
+    all.filter(|&index| fails(index) || shows(index)).collect()
+}
+
+#[cfg(test)]
+mod tests;

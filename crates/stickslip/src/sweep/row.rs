@@ -1,0 +1,191 @@
+//! What is kept of a case: numbers in the display units of the sweep's scene, angles in degrees from the bearing point.
+
+use super::Sweep;
+use super::axis::tidy;
+use crate::output::LoadScale;
+use crate::results::{BodyFailure, FirstPly, JointMode, LoadValue, Results};
+use crate::scene::Scene;
+use crate::scene::schema::LoadKind;
+
+/// A case.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// Its number, from 0.
+    pub case: usize,
+    /// Time that it took `[s]`.
+    pub seconds: f64,
+    /// What came of it.
+    pub outcome: Outcome,
+}
+
+impl Row {
+    /// Its numbers, if it was solved.
+    pub fn measures(&self) -> Option<&Measures> {
+        match &self.outcome {
+            Outcome::Solved(measures) => Some(measures),
+            Outcome::Unresolved(_) => None,
+        }
+    }
+
+    /// The failure on the characteristic curve, if there is one.
+    pub fn joint(&self) -> Option<&JointLoad> {
+        self.measures().and_then(|measures| measures.joint.as_ref())
+    }
+}
+
+/// What came of a case.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Outcome {
+    /// Its numbers.
+    Solved(Box<Measures>),
+    /// Why it has none.
+    Unresolved(String),
+}
+
+/// The numbers of a case. Contact and stresses are those of the load step with the largest load.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Measures {
+    /// The load of that step, in [`load_unit`].
+    pub load: Option<f64>,
+    /// Largest contact pressure of the joint.
+    pub peak_pressure: Option<f64>,
+    /// Half of the angle that contact reaches over `[degree]`.
+    pub contact_half_angle: Option<f64>,
+    /// Largest hoop stress on the hole, and its place `[degree]`.
+    pub peak_hoop: Option<[f64; 2]>,
+    /// The first ply to fail by any criterion.
+    pub first_ply: Option<PlyFailure>,
+    /// Failure on the characteristic curve.
+    pub joint: Option<JointLoad>,
+}
+
+/// The first ply to fail.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlyFailure {
+    /// Its load, in [`load_unit`].
+    pub load: Option<f64>,
+    /// Its direction, with its name where there are several plies.
+    pub ply: String,
+    /// The criterion that fails first.
+    pub criterion: String,
+    /// How it fails.
+    pub mode: String,
+    /// Where, about the hole `[degree]`.
+    pub angle: Option<f64>,
+    /// Whether the load history reaches it; otherwise the largest load was multiplied.
+    pub reached: bool,
+}
+
+/// Failure on the characteristic curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointLoad {
+    /// Its load, in [`load_unit`].
+    pub load: Option<f64>,
+    /// That load over D t; `None` where the load is no force.
+    pub bearing_stress: Option<f64>,
+    /// The mode, by the angle.
+    pub mode: JointMode,
+    /// Where on the curve `[degree]`.
+    pub angle: f64,
+    /// Whether the load history reaches it; otherwise the largest load was multiplied.
+    pub reached: bool,
+}
+
+/// Unit of the loads of a sweep's scene: that of its first load.
+pub fn load_unit(scene: &Scene) -> &'static str {
+    match scene.loads.first().map(|load| &load.kind) {
+        None | Some(LoadKind::Force { .. } | LoadKind::Bearing { .. }) => scene.display.force.name,
+        Some(LoadKind::Pressure { .. }) => scene.display.stress.name,
+        Some(LoadKind::PolarTraction { .. }) => "1",
+        Some(LoadKind::Temperature { .. }) => "K",
+    }
+}
+
+impl Measures {
+    /// The numbers of a solved case of `sweep`; each to twelve digits, as tables have them.
+    pub fn of(results: &Results, sweep: &Sweep) -> Self {
+        let scale = LoadScale::of(results);
+        let Some(step) = scale.peak_step() else {
+            return Self::default();
+        };
+        let unit = load_unit(&sweep.scene);
+        let value = |load: Option<&LoadValue>| {
+            load.filter(|load| load.unit == unit)
+                .map(|load| tidy(load.value))
+        };
+        let stress = |value: f64| tidy(results.units.stress.from_base(value));
+        let degrees = |angle: f64| tidy(angle.to_degrees());
+        let edge = results
+            .steps
+            .get(step)
+            .and_then(|step| step.edges.get(sweep.contact));
+        let named = |failure: &&BodyFailure| {
+            let body = results.bodies.get(failure.body);
+            body.is_some_and(|body| body.name == sweep.plate)
+        };
+        let failure = results.failure.iter().find(named);
+        let reached = scale.at_failure(step, 1.0, true);
+        Self {
+            load: value(reached.as_ref()),
+            peak_pressure: edge
+                .and_then(|edge| edge.peak_pressure)
+                .map(|(most, _)| stress(most)),
+            contact_half_angle: edge.and_then(|edge| edge.contact_half_extent).map(degrees),
+            peak_hoop: edge
+                .and_then(|edge| edge.peak_hoop)
+                .map(|(most, place)| [stress(most), degrees(place)]),
+            first_ply: failure.and_then(|failure| first_ply(failure, &value)),
+            joint: failure.and_then(|failure| joint(failure, results, sweep, &value)),
+        }
+    }
+}
+
+/// The least load of all criteria; where no load is known, the first criterion's.
+fn first_ply(
+    failure: &BodyFailure,
+    value: &dyn Fn(Option<&LoadValue>) -> Option<f64>,
+) -> Option<PlyFailure> {
+    let load = |first: &FirstPly| value(first.load.as_ref());
+    let size = |first: &FirstPly| load(first).map_or(f64::INFINITY, f64::abs);
+    let found = failure.first_ply.iter().flatten();
+    let first = found.min_by(|a, b| size(a).total_cmp(&size(b)))?;
+    Some(PlyFailure {
+        load: load(first),
+        ply: failure.ply_name(first.at.ply),
+        criterion: first.at.criterion.to_owned(),
+        mode: first.at.mode.to_string(),
+        angle: failure
+            .polar(first.at.position)
+            .map(|(angle, _)| tidy(angle.to_degrees())),
+        reached: first.reached,
+    })
+}
+
+fn joint(
+    failure: &BodyFailure,
+    results: &Results,
+    sweep: &Sweep,
+    value: &dyn Fn(Option<&LoadValue>) -> Option<f64>,
+) -> Option<JointLoad> {
+    let wanted = sweep.criterion.as_deref()?;
+    let index = failure.criteria.iter().position(|name| *name == wanted)?;
+    let curve = &failure.characteristic.as_ref()?.curve;
+    let found = curve.get(index)?.as_ref()?;
+    let load = value(found.first.load.as_ref());
+    let units = &results.units;
+    let area = results
+        .edges
+        .get(sweep.contact)
+        .and_then(|edge| edge.bearing_area);
+    let force = load.filter(|_| load_unit(&sweep.scene) == units.force.name);
+    let bearing = force
+        .zip(area)
+        .map(|(load, area)| load * units.force.in_base / area);
+    Some(JointLoad {
+        load,
+        bearing_stress: bearing.map(|stress| tidy(units.stress.from_base(stress))),
+        mode: found.mode,
+        angle: tidy(found.angle.to_degrees()),
+        reached: found.first.reached,
+    })
+}

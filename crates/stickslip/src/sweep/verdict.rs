@@ -1,0 +1,126 @@
+//! What governs, in a sentence or two.
+
+use super::Sweep;
+use super::row::{JointLoad, Row};
+use crate::output::short;
+use crate::results::JointMode;
+use crate::sweep::row::load_unit;
+
+/// The modes from bearing to net tension.
+pub(super) const ORDER: [JointMode; 5] = [
+    JointMode::Bearing,
+    JointMode::BearingAndShearOut,
+    JointMode::ShearOut,
+    JointMode::ShearOutAndNetTension,
+    JointMode::NetTension,
+];
+
+/// Which mode governs how many cases, and between which values of the axes of the map; and the weakest and the strongest case.
+pub fn verdict(sweep: &Sweep, rows: &[Row]) -> String {
+    let unresolved = rows.iter().filter(|row| row.measures().is_none()).count();
+    let failed: Vec<(usize, &JointLoad)> = rows
+        .iter()
+        .filter_map(|row| Some((row.case, row.joint()?)))
+        .collect();
+    let mut sentences = Vec::new();
+    if failed.is_empty() {
+        sentences.push(if sweep.criterion.is_some() {
+            "No case has a failure on its characteristic curve.".to_owned()
+        } else {
+            "The scene asks for no characteristic curve, so no mode is called.".to_owned()
+        });
+    } else {
+        sentences.push(modes(sweep, &failed));
+        sentences.extend(extremes(sweep, &failed));
+    }
+    if unresolved > 0 {
+        let are = if unresolved == 1 {
+            "case has"
+        } else {
+            "cases have"
+        };
+        sentences.push(format!(
+            "{unresolved} of {} {are} no answer; the table gives the reasons.",
+            rows.len()
+        ));
+    }
+    sentences.join(" ")
+}
+
+fn modes(sweep: &Sweep, failed: &[(usize, &JointLoad)]) -> String {
+    let mut parts = Vec::new();
+    for mode in ORDER {
+        let own = failed.iter().filter(|(_, joint)| joint.mode == mode);
+        let cases: Vec<usize> = own.map(|(case, _)| *case).collect();
+        if cases.is_empty() {
+            continue;
+        }
+        let places: Vec<String> = (sweep.map.iter().flatten())
+            .filter_map(|&axis| range(sweep, axis, &cases))
+            .collect();
+        let place = if places.is_empty() {
+            String::new()
+        } else {
+            format!(" ({})", places.join(", "))
+        };
+        parts.push(format!("{} governs {}{place}", called(mode), cases.len()));
+    }
+    let mut text = format!("Of {} joints, {}.", failed.len(), parts.join("; "));
+    if let [only] = parts.as_slice() {
+        let mode = only.split(" governs ").next().unwrap_or_default();
+        text = format!("All {} joints fail by {mode}.", failed.len());
+    }
+    text
+}
+
+/// A mode in a sentence: "mixed shear-out and net tension".
+fn called(mode: JointMode) -> String {
+    mode.name().replace(": ", " ")
+}
+
+/// Between which values of an axis the cases lie, if they do not lie at all of them.
+fn range(sweep: &Sweep, axis: usize, cases: &[usize]) -> Option<String> {
+    let values = cases.iter().map(|&case| sweep.values_of(case)[axis]);
+    let own = &sweep.axes[axis];
+    let (low, high) = (values.clone().min()?, values.max()?);
+    if low == 0 && high + 1 == own.values.len() {
+        return None;
+    }
+    own.numbers.as_ref()?;
+    Some(if low == high {
+        own.assignment(low)
+    } else {
+        format!(
+            "{} from {} to {}",
+            own.symbol(),
+            own.cell(low),
+            own.value_text(high)
+        )
+    })
+}
+
+fn extremes(sweep: &Sweep, failed: &[(usize, &JointLoad)]) -> Option<String> {
+    let loads = failed
+        .iter()
+        .filter_map(|(case, joint)| Some((*case, joint.load?, joint.mode)));
+    let least = loads
+        .clone()
+        .min_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
+    let most = loads.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
+    let unit = load_unit(&sweep.scene);
+    let say = |(case, load, mode): (usize, f64, JointMode)| {
+        format!(
+            "{} {unit} by {} ({})",
+            short(load),
+            called(mode),
+            sweep.name_of(case)
+        )
+    };
+    (least.0 != most.0).then(|| {
+        format!(
+            "The weakest carries {}, the strongest {}.",
+            say(least),
+            say(most)
+        )
+    })
+}

@@ -1,0 +1,146 @@
+//! Cases, rows, and tables that are read again.
+
+use stickslip::sweep::row::Outcome;
+use stickslip::sweep::{Sweep, SweepError, figures, table, verdict};
+
+use super::{COARSE, SWEEP, folder_with, read, scenes, solved};
+
+#[test]
+fn cases_are_the_full_product() {
+    let sweep = read(&folder_with(SWEEP));
+    assert_eq!(sweep.cases(), 6);
+    assert_eq!(sweep.values_of(3), [1, 1]);
+    assert_eq!(sweep.name_of(3), "e/D = 4, μ = 0.3");
+    // D is 6 mm.
+    let resolved = sweep.scene_of(4).unwrap().resolved().to_owned();
+    assert!(resolved.contains("right = \"30 mm\""), "{resolved}");
+    assert!(resolved.contains("mu = 0"), "{resolved}");
+}
+
+#[test]
+fn ratios_are_those_of_the_hole_of_the_case() {
+    let text = SWEEP.replace(
+        "\"mu\"",
+        "\"bodies.plate.shape.plate_with_hole.hole_radius\"",
+    );
+    let text = text.replace("[0, 0.3]", "[\"3 mm\", \"4 mm\"]");
+    let sweep = read(&folder_with(&format!(
+        "{text}[[axes]]\nkey = \"clearance\"\nvalues = [\"0.02 mm\"]\n[[axes]]\nkey = \"w_over_d\"\nvalues = [4]\n"
+    )));
+    let resolved = sweep.scene_of(1).unwrap().resolved().to_owned();
+    assert!(resolved.contains("right = \"16 mm\""), "{resolved}");
+    assert!(resolved.contains("half_width = \"16 mm\""), "{resolved}");
+    assert!(resolved.contains("radius = \"3.98 mm\""), "{resolved}");
+}
+
+#[test]
+fn a_table_is_read_again_as_it_was_written() {
+    let sweep = read(&folder_with(SWEEP));
+    let rows = solved(&sweep, &[0, 1, 2, 3, 4, 5]);
+    let text = String::from_utf8(table::text(&sweep, &rows).unwrap()).unwrap();
+    let again = table::read(&sweep, &text).unwrap();
+    assert_eq!(again.len(), 6);
+    for (row, again) in rows.iter().zip(&again) {
+        assert_eq!((row.case, &row.outcome), (again.case, &again.outcome));
+    }
+    // Killed in the middle of the last row.
+    let torn = &text[..text.len() - 20];
+    assert_eq!(table::read(&sweep, torn).unwrap().len(), 5);
+    assert!(table::read(&sweep, "").unwrap().is_empty());
+}
+
+#[test]
+fn a_table_of_another_sweep_is_refused() {
+    let sweep = read(&folder_with(SWEEP));
+    let rows = solved(&sweep, &[0]);
+    let text = String::from_utf8(table::text(&sweep, &rows).unwrap()).unwrap();
+    let other = read(&folder_with(&SWEEP.replace("[2, 4, 5]", "[3, 4, 5]")));
+    let error = table::read(&other, &text).unwrap_err();
+    assert!(matches!(error, SweepError::Other { .. }), "{error}");
+    assert!(
+        error
+            .to_string()
+            .contains("case 0 has e_over_d = 2, here it is 3"),
+        "{error}"
+    );
+    let other = read(&folder_with(&SWEEP.replace("e_over_d", "w_over_d")));
+    assert!(matches!(
+        table::read(&other, &text),
+        Err(SweepError::Other { .. })
+    ));
+    let broken = text.replace("solved", "");
+    let error = table::read(&sweep, &broken).unwrap_err();
+    assert!(matches!(error, SweepError::Row { line: 2, .. }), "{error}");
+    assert_ne!(other.hash, sweep.hash);
+    assert_eq!(read(&folder_with(SWEEP)).hash, sweep.hash);
+}
+
+#[test]
+fn a_case_without_an_answer_is_a_row_with_its_reason() {
+    // The characteristic curve leaves the plate of the narrowest joint.
+    let text = SWEEP
+        .replace("e_over_d", "w_over_d")
+        .replace("[2, 4, 5]", "[1.15, 4]");
+    let sweep = read(&folder_with(&text));
+    let rows = solved(&sweep, &[0, 1, 2, 3]);
+    for row in &rows[..2] {
+        let Outcome::Unresolved(reason) = &row.outcome else {
+            panic!("{row:?}");
+        };
+        assert!(reason.contains("characteristic curve"), "{reason}");
+    }
+    assert!(rows[2..].iter().all(|row| row.joint().is_some()));
+    let words = verdict(&sweep, &rows);
+    assert!(words.contains("2 of 4 cases have no answer"), "{words}");
+    let text = String::from_utf8(table::text(&sweep, &rows).unwrap()).unwrap();
+    assert_eq!(
+        table::read(&sweep, &text).unwrap()[0].outcome,
+        rows[0].outcome
+    );
+    let (drawings, remarks) = figures::draw(&sweep, &rows);
+    assert_eq!((drawings.len(), remarks.len()), (2, 0));
+}
+
+#[test]
+fn each_mode_governs_where_it_should() {
+    let sweep = Sweep::from_file(&scenes().join("mode-map.toml"), &["mesh.spacing=6 deg"]).unwrap();
+    // Short of end, a little longer, narrow, and neither.
+    let rows = solved(&sweep, &[4, 19, 25, 29]);
+    assert_eq!(sweep.name_of(19), "e/D = 3, W/D = 6");
+    let modes: Vec<&str> = rows
+        .iter()
+        .map(|row| row.joint().unwrap().mode.name())
+        .collect();
+    let expected = [
+        "mixed: shear-out and net tension",
+        "shear-out",
+        "net tension",
+        "bearing",
+    ];
+    assert_eq!(modes, expected);
+    let load = |row: usize| rows[row].joint().unwrap().load.unwrap();
+    assert!(load(0) < 0.9 * load(3) && load(2) < 0.7 * load(3));
+    assert!(rows.iter().all(|row| row.joint().unwrap().reached));
+}
+
+#[test]
+fn a_scene_without_failure_has_contact_alone() {
+    let folder = folder_with(SWEEP);
+    let scene = std::fs::read_to_string(folder.path().join("joint.toml")).unwrap();
+    let (before, after) = scene.split_once("[failure]").unwrap();
+    let (_, rest) = after.split_once("[output]").unwrap();
+    std::fs::write(
+        folder.path().join("joint.toml"),
+        format!("{before}[output]{rest}"),
+    )
+    .unwrap();
+    let sweep = Sweep::from_file(&folder.path().join("sweep.toml"), &[COARSE]).unwrap();
+    assert_eq!(sweep.criterion, None);
+    let rows = solved(&sweep, &[0, 1]);
+    let pressure = |row: usize| rows[row].measures().unwrap().peak_pressure.unwrap();
+    // Friction carries a part of the load.
+    assert!(pressure(1) < pressure(0));
+    assert!(rows[0].measures().unwrap().first_ply.is_none());
+    assert!(verdict(&sweep, &rows).contains("no mode is called"));
+    assert!(figures::draw(&sweep, &rows).0.is_empty());
+}
