@@ -134,6 +134,16 @@ pub enum Halt {
         #[source]
         cause: BodyError,
     },
+    /// The increment steps over a peak of the load.
+    #[error(
+        "the load falls within the increment: {before} was borne before, plies fail at {failing}"
+    )]
+    PastPeak {
+        /// Largest load borne before `[force]`.
+        before: f64,
+        /// Load at which plies fail in the increment `[force]`.
+        failing: f64,
+    },
     /// A point model refused a strain.
     #[error("body {body}, point {point}: {cause}")]
     Material {

@@ -80,6 +80,7 @@ impl Joint {
         let manner = Manner {
             quickly: false,
             burst: usize::MAX,
+            peak: f64::INFINITY,
         };
         let still = vec![0.0; self.load_cases()];
         let starting = starting_responses(self, &rest).map_err(JointError::NoStart)?;
@@ -121,7 +122,7 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
         let start = self.state.multipliers.clone();
         let driven = self.joint.is_driven(&start, target);
         let whole = 1.0 / options.increments as f64;
-        let (mut reached, mut part, mut cutbacks) = (0.0, whole, 0);
+        let (mut reached, mut part, mut cutbacks, mut smooth) = (0.0, whole, 0, true);
         while reached < 1.0 {
             let next = if 1.0 - reached <= part * (1.0 + 1e-9) {
                 1.0
@@ -140,13 +141,19 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
                 } else {
                     usize::MAX
                 },
+                peak: if driven && !smallest {
+                    self.largest_load()
+                } else {
+                    f64::INFINITY
+                },
             };
             match self.attempt(&multipliers, manner, driven) {
                 Ok(accepted) => {
                     reached = next;
-                    if accepted.passes == 0 {
+                    if accepted.passes == 0 || smooth {
                         part = whole.min(2.0 * part);
                     }
+                    smooth = cutbacks == 0;
                     self.record((index, reached), accepted, cutbacks);
                     cutbacks = 0;
                     if driven && self.has_dropped() {
@@ -223,6 +230,11 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
         self.counted = self.factors.factorisations;
         (self.observe)(&record, &self.state);
         self.records.push(record);
+    }
+
+    fn largest_load(&self) -> f64 {
+        let loads = self.records.iter().map(|record| record.load);
+        loads.fold(0.0, f64::max)
     }
 
     /// Whether the load has fallen far below its peak while the displacement went on.

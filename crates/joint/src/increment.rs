@@ -48,6 +48,8 @@ pub(crate) struct Manner {
     pub(crate) quickly: bool,
     /// Largest number of plies times points that the load itself may break.
     pub(crate) burst: usize,
+    /// Largest load before, from which the load may not fall unresolved.
+    pub(crate) peak: f64,
 }
 
 /// Stresses and tangents of all bodies with a history in the state `start`, without trial states; `None` for the others. All
@@ -219,6 +221,8 @@ impl<'a> Solving<'a> {
                 self.residuals.push(residual);
                 self.take(responses);
                 if residual <= options.tolerance {
+                    let [load, _] = self.read(&linear);
+                    self.check_peak(load)?;
                     return Ok(self.accept(linear));
                 }
                 if iterations >= options.iterations || !residual.is_finite() {
@@ -232,6 +236,22 @@ impl<'a> Solving<'a> {
                 iterations = 0;
             }
             guess = Some(linear.solution.trial);
+        }
+    }
+
+    /// Refuses to step over a peak of the load: a first failure well above all loads before, and a `load` that has fallen since.
+    fn check_peak(&self, load: f64) -> Result<(), Halt> {
+        let resolution = self.joint.options.peak_resolution;
+        let before = self.manner.peak;
+        match self.events.first() {
+            Some(first)
+                if first.load > before * (1.0 + resolution)
+                    && load < first.load * (1.0 - resolution) =>
+            {
+                let failing = first.load;
+                Err(Halt::PastPeak { before, failing })
+            }
+            _ => Ok(()),
         }
     }
 

@@ -22,6 +22,9 @@ pub struct Options {
     /// Plies times points that may fail by the load itself in one increment; where more do, the increment is cut, as far as a
     /// 32nd, so that the order of failures does not depend on the increment.
     pub burst: usize,
+    /// Where supports are driven and the load falls from a new peak, the increment is cut until the plies that make it fall do so
+    /// within this part of the load before: the strength is known as closely.
+    pub peak_resolution: f64,
     /// A history with driven supports ends where the load has fallen to this part of its peak.
     pub residual_load: f64,
     /// Under given loads, the load path is lost where load per displacement falls to this part of its largest value.
@@ -37,6 +40,7 @@ impl Default for Options {
             iterations: 25,
             passes: 200,
             burst: 16,
+            peak_resolution: 0.005,
             residual_load: 0.5,
             residual_stiffness: 0.1,
         }
@@ -59,6 +63,7 @@ impl Options {
         for (name, value) in [
             ("smallest_part", self.smallest_part),
             ("tolerance", self.tolerance),
+            ("peak_resolution", self.peak_resolution),
         ] {
             if !(value > 0.0 && value <= 1.0) {
                 return refuse(name, value, "greater than 0, at most 1");

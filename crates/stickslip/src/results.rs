@@ -11,7 +11,9 @@ pub use failure::{
     FirstPly, JointFailure, JointMode, PlyGroup, PlyMap,
 };
 
-pub use progressive::{CurvePoint, PlyLoss, ProgressiveEnd, ProgressiveFailure};
+pub use progressive::{
+    CurvePoint, EdgeStrain, LinearJoint, PlyLoss, ProgressiveEnd, ProgressiveFailure,
+};
 
 use stickslip_contact::Status;
 use stickslip_contact::history::Recovery;

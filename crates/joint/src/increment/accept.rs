@@ -36,6 +36,7 @@ impl Solving<'_> {
         let stresses: Vec<&[[f64; 3]]> = predicted.iter().map(Vec::as_slice).collect();
         self.reckon(linear, &stresses);
         let [load, displacement] = self.read(linear);
+        self.check_peak(load)?;
         let found: Vec<PlyEvent> = (self.events_of(&responses, failed))
             .map(|event| PlyEvent {
                 load,
@@ -120,7 +121,7 @@ impl Solving<'_> {
     }
 
     /// Load and displacement at the station.
-    fn read(&self, linear: &Linear) -> [f64; 2] {
+    pub(super) fn read(&self, linear: &Linear) -> [f64; 2] {
         let forces = &linear.solution.trial.forces;
         (self.joint.gauge).read(&linear.problem, forces, &self.station.bodies)
     }

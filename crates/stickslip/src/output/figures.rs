@@ -118,6 +118,8 @@ fn add_failure(gallery: &mut Gallery, view: &FailureView<'_>) {
     if let Some(joint) = ProgressiveView::of(*view) {
         let stem = format!("load-displacement-{body}");
         gallery.add(group, &stem, progressive::figures::curve(&joint));
+        let stem = format!("edge-strains-{body}");
+        gallery.add(group, &stem, progressive::figures::edge_strains(&joint));
         let stem = format!("damage-{body}");
         gallery.add(group, &stem, progressive::damage_map(&joint));
     }

@@ -22,10 +22,32 @@ pub struct ProgressiveFailure {
     pub losses: Vec<PlyLoss>,
     /// The mode of failure and its reasons; `None` where no ply failed.
     pub mode: Option<ModeCall>,
+    /// The same joint without failure, up to the largest load; `None` if it did not get so far.
+    pub linear: Option<LinearJoint>,
+    /// Strains at the hole's edge under the largest load, by angle; empty without `linear`.
+    pub edge: Vec<EdgeStrain>,
     /// Number of cells of its mesh.
     pub cells: usize,
     /// Whether half of a symmetric joint was followed.
     pub half: bool,
+}
+
+/// A joint whose plies never fail.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinearJoint {
+    /// Displacement `[mm]` and load `[N]`, from rest.
+    pub curve: Vec<[f64; 2]>,
+}
+
+/// Strains next to the hole's edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EdgeStrain {
+    /// Angle about the hole's centre `[rad]`.
+    pub angle: f64,
+    /// Radial and circumferential strain of the joint that was followed `[-]`.
+    pub followed: [f64; 2],
+    /// Those of the joint without failure under the same load `[-]`.
+    pub linear: [f64; 2],
 }
 
 /// The joint at the end of an increment.
@@ -88,6 +110,24 @@ impl ProgressiveFailure {
     pub fn first_fibre(&self) -> Option<&PlyLoss> {
         let fibre = |loss: &&PlyLoss| loss.mode.is_some_and(FailureMode::is_fibre);
         self.losses.iter().find(fibre)
+    }
+
+    /// Where strains at the edge differ from the linear ones by more than `part` of the largest linear strain: ranges of the angle from
+    /// the bearing point `[rad]`, both sides together.
+    pub fn departures(&self, part: f64) -> Vec<[f64; 2]> {
+        let strains = || self.edge.iter();
+        let largest = strains().flat_map(|edge| edge.linear).map(f64::abs);
+        let limit = part * largest.fold(0.0, f64::max);
+        let departs =
+            |edge: &EdgeStrain| (0..2).any(|i| (edge.followed[i] - edge.linear[i]).abs() > limit);
+        let mut by_angle: Vec<(f64, bool)> = strains()
+            .map(|edge| (edge.angle.abs(), departs(edge)))
+            .collect();
+        by_angle.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let runs = by_angle.chunk_by(|a, b| a.1 == b.1);
+        runs.filter(|run| run[0].1)
+            .map(|run| [run[0].0, run[run.len() - 1].0])
+            .collect()
     }
 
     /// The largest load `[N]` on the curve.

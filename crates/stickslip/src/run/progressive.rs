@@ -4,6 +4,8 @@
 //! displacement that grows. The load is the force of the pin on the plate, positive towards +x, the bearing point; the displacement is
 //! that of the pin's centre against the far end of the plate.
 
+mod edge;
+
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -88,7 +90,7 @@ impl<'a> Subject<'a> {
                 Cow::Owned(Model::build(&driven)?)
             }
         };
-        let bodies = self.bodies(&model)?;
+        let bodies = self.bodies(&model, true)?;
         let refused = |cause: ProgressiveRunError| RunError::Progressive {
             body: self.asked.body.clone(),
             cause,
@@ -98,11 +100,37 @@ impl<'a> Subject<'a> {
                 body: self.asked.body.clone(),
             })
         })?;
-        let history = Joint::new(bodies, model.pairs.clone(), reading.gauge)
-            .and_then(|joint| joint.with_options(self.options()))
-            .and_then(|joint| joint.follow(model.history.steps(), solver, |_, _| {}))
+        let joint = |bodies| {
+            Joint::new(bodies, model.pairs.clone(), reading.gauge)
+                .and_then(|joint| joint.with_options(self.options()))
+        };
+        let steps = model.history.steps();
+        let mut most = (0.0, Vec::new());
+        let history = joint(bodies)
+            .and_then(|joint| {
+                joint.follow(steps, solver, |record, state| {
+                    if record.load > most.0 {
+                        most = (
+                            record.load,
+                            state.bodies[self.found.body].displacements.clone(),
+                        );
+                    }
+                })
+            })
             .map_err(|cause| refused(cause.into()))?;
-        Ok(self.told(scene, &model, &history, &reading.hole))
+        let sound = self.bodies(&model, false)?;
+        let linear = joint(sound)
+            .and_then(|joint| edge::linear(&joint, self.found.body, steps, solver, most.0))
+            .map_err(|cause| refused(cause.into()))?;
+        let mut told = self.told(scene, &model, &history, &reading.hole);
+        if let (Some((linear, displacements)), ModelBodyKind::Elastic(plate)) =
+            (linear, &model.bodies[self.found.body].kind)
+        {
+            let points = edge::EdgePoints::new(plate.mesh(), &reading.hole);
+            told.edge = points.beside(&most.1, &displacements);
+            told.linear = Some(linear);
+        }
+        Ok(told)
     }
 
     fn options(&self) -> Options {
@@ -121,12 +149,13 @@ impl<'a> Subject<'a> {
         }
     }
 
-    fn bodies(&self, model: &Model) -> Result<Vec<JointBody>, RunError> {
+    /// The bodies; `fail` says whether the plies of the one asked about can.
+    fn bodies(&self, model: &Model, fail: bool) -> Result<Vec<JointBody>, RunError> {
         let bodies = model.bodies.iter().enumerate();
         bodies
             .map(|(index, body)| match &body.kind {
                 ModelBodyKind::Rigid(rigid) => Ok(JointBody::Rigid(rigid.clone())),
-                ModelBodyKind::Elastic(elastic) if index == self.found.body => self
+                ModelBodyKind::Elastic(elastic) if fail && index == self.found.body => self
                     .progressive(elastic, &body.interface)
                     .map(|body| JointBody::Progressive(Arc::new(body)))
                     .map_err(|cause| RunError::Progressive {
@@ -254,6 +283,8 @@ impl<'a> Subject<'a> {
             },
             losses: self.losses(history),
             mode: history.mode(self.found.body, hole),
+            linear: None,
+            edge: Vec::new(),
             cells,
             half: model.half,
         }

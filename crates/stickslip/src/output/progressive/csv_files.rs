@@ -16,6 +16,14 @@ pub(crate) fn files(
         curve,
         "load, displacement, energies and failures, one row per increment",
     )];
+    if !view.progressive.edge.is_empty() {
+        let name = format!("edge-strains-{stem}.csv");
+        files.push((name.clone(), write(&name, strain_rows(view))?));
+        notes.push(FileNote::new(
+            name,
+            "strains at the hole's edge under the largest load, and those of the same joint without failure",
+        ));
+    }
     for group in 0..view.failure.failure.plies.len() {
         let ply = plain_name(&view.failure.failure.ply_name(group)).replace(' ', "-");
         let name = format!("damage-{stem}-{ply}.csv");
@@ -65,6 +73,23 @@ fn curve_rows(view: &ProgressiveView<'_>) -> Vec<Vec<String>> {
             number(energy(point.dissipated)),
         ];
         cells.extend(counts.map(|count| count.to_string()));
+        cells
+    });
+    std::iter::once(heading).chain(rows).collect()
+}
+
+fn strain_rows(view: &ProgressiveView<'_>) -> Vec<Vec<String>> {
+    let heading = [
+        "theta [deg]",
+        "radial strain [-]",
+        "circumferential strain [-]",
+        "linear radial strain [-]",
+        "linear circumferential strain [-]",
+    ];
+    let heading = heading.map(str::to_owned).to_vec();
+    let rows = view.progressive.edge.iter().map(|edge| {
+        let mut cells = vec![number(edge.angle.to_degrees())];
+        cells.extend(edge.followed.into_iter().chain(edge.linear).map(number));
         cells
     });
     std::iter::once(heading).chain(rows).collect()

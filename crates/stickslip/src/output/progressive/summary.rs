@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::tables::DEPARTURE;
 use super::{ProgressiveView, mode_name};
 use crate::output::display::tidy;
 use crate::results::{CurvePoint, PlyLoss, ProgressiveEnd};
@@ -17,6 +18,7 @@ pub(crate) struct Progressive<'a> {
     mode: Option<Mode<'a>>,
     end: &'static str,
     end_reason: Option<&'a str>,
+    edge_departures_deg: Vec<[Option<f64>; 2]>,
     curve: Vec<Point>,
 }
 
@@ -88,6 +90,9 @@ pub(crate) fn progressive<'a>(view: &ProgressiveView<'a>) -> Progressive<'a> {
         }),
         end,
         end_reason,
+        edge_departures_deg: (own.departures(DEPARTURE).into_iter())
+            .map(|range| range.map(|angle| tidy(angle.to_degrees())))
+            .collect(),
         curve: own.curve.iter().map(point).collect(),
     }
 }

@@ -1,10 +1,11 @@
 //! The answer for the terminal and the page.
 
+use stickslip_joint::JointMode;
 use stickslip_report::table::{Column, Table};
 
 use super::{ProgressiveView, mode_name};
 use crate::output::display::{decimals, significant};
-use crate::results::{PlyLoss, ProgressiveEnd};
+use crate::results::{PlyLoss, ProgressiveEnd, ProgressiveFailure};
 
 /// First failure, first broken fibres, peak and end of the curve.
 pub(crate) fn milestones(view: &ProgressiveView<'_>) -> Table {
@@ -82,17 +83,29 @@ pub(crate) fn verdict(view: &ProgressiveView<'_>) -> Vec<String> {
         view.force_unit()
     );
     let mut sentences = vec![match (&own.mode, own.strength) {
+        (Some(call), Some(_)) if call.mode == JointMode::Mixed => {
+            format!("'{body}' fails in a mixed mode at {peak}.")
+        }
         (Some(call), Some(_)) => format!("'{body}' fails by {} at {peak}.", call.mode),
         (Some(call), None) => format!(
             "'{body}' bears {peak}, and may bear more; its damage so far is that of {}.",
-            call.mode
+            match call.mode {
+                JointMode::Mixed => "a mixed mode",
+                pure => pure.name(),
+            }
         ),
         (None, Some(_)) => format!("'{body}' bears no more than {peak}; no ply has failed."),
-        (None, None) => format!("'{body}' bears {peak}; no ply has failed."),
+        (None, None) if own.losses.is_empty() => {
+            format!("'{body}' bears {peak}; no ply has failed.")
+        }
+        (None, None) => format!("'{body}' bears {peak}; plies flow, and none fails."),
     }];
     if let Some(call) = &own.mode {
         let reasons = call.reasons.iter();
         sentences.extend(reasons.map(|reason| format!("– {reason}")));
+    }
+    if !own.edge.is_empty() {
+        sentences.push(departures(own));
     }
     sentences.push(match &own.end {
         ProgressiveEnd::Completed => {
@@ -111,4 +124,29 @@ pub(crate) fn verdict(view: &ProgressiveView<'_>) -> Vec<String> {
         );
     }
     sentences
+}
+
+/// Part of the largest linear strain by which strains at the edge differ where they are said to.
+pub(super) const DEPARTURE: f64 = 0.1;
+
+/// Where the strains at the hole's edge are not those of the linear joint.
+pub(super) fn departures(own: &ProgressiveFailure) -> String {
+    let ranges = own.departures(DEPARTURE);
+    let told: Vec<String> = (ranges.iter())
+        .map(|range| {
+            let [from, to] = range.map(|angle| decimals(Some(angle.to_degrees()), 0));
+            if from == to {
+                format!("{from}°")
+            } else {
+                format!("{from}–{to}°")
+            }
+        })
+        .collect();
+    if told.is_empty() {
+        return "Under the largest load no strain at the hole's edge differs from the linear one by a tenth of the largest.".to_owned();
+    }
+    format!(
+        "Under the largest load the strains at the hole's edge leave the linear ones, by more than a tenth of the largest, at θ = {}.",
+        told.join(", ")
+    )
 }
