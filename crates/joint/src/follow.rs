@@ -193,17 +193,27 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
         }
         let solving = Solving::new(self.joint, &self.state, &self.starting, multipliers, manner);
         let accepted = solving.run(self.solver, &mut self.factors)?;
-        // That of the increment itself, before plies failed, where it is the first.
-        let before = accepted.events.first();
-        let before = before.map_or(0.0, |event| event.load / event.displacement);
-        let stiffness = accepted.load / accepted.displacement / self.stiffest.max(before);
-        let lost = stiffness < self.joint.options.residual_stiffness && accepted.passes > 0;
-        let last = self.records.last();
-        let further = last.is_none_or(|last| accepted.displacement > last.displacement);
-        if !driven && lost && further {
-            return Err(Halt::LoadPathLost { stiffness });
+        if !driven && accepted.passes > 0 {
+            self.check_path(&accepted)?;
         }
         Ok(accepted)
+    }
+
+    /// Refuses an increment whose failures cost the joint its load path.
+    fn check_path(&self, accepted: &Accepted) -> Result<(), Halt> {
+        let options = self.joint.options;
+        // That of the increment itself, before plies failed.
+        let before = accepted.events.first();
+        let before = before.map_or(0.0, |event| event.load / event.displacement);
+        let after = accepted.load / accepted.displacement;
+        let stiffness = after / self.stiffest.max(before);
+        let lost = stiffness < options.residual_stiffness || after < options.jump * before;
+        let last = self.records.last();
+        let further = last.is_none_or(|last| accepted.displacement > last.displacement);
+        if lost && further {
+            return Err(Halt::LoadPathLost { stiffness });
+        }
+        Ok(())
     }
 
     fn record(&mut self, (step, reached): (usize, f64), accepted: Accepted, cutbacks: usize) {

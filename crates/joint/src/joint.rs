@@ -29,6 +29,9 @@ pub struct Options {
     pub residual_load: f64,
     /// Under given loads, the load path is lost where load per displacement falls to this part of its largest value.
     pub residual_stiffness: f64,
+    /// Likewise where it falls to this part within one increment: the plate would jump apart, and what is found beyond the jump is
+    /// borne by the stiffness that failed plies are left with.
+    pub jump: f64,
 }
 
 impl Default for Options {
@@ -43,6 +46,7 @@ impl Default for Options {
             peak_resolution: 0.005,
             residual_load: 0.5,
             residual_stiffness: 0.1,
+            jump: 0.5,
         }
     }
 }
@@ -72,6 +76,7 @@ impl Options {
         for (name, value) in [
             ("residual_load", self.residual_load),
             ("residual_stiffness", self.residual_stiffness),
+            ("jump", self.jump),
         ] {
             if !(0.0..1.0).contains(&value) {
                 return refuse(name, value, "at least 0, less than 1");

@@ -47,13 +47,12 @@ fn each_ready_joint_fails_in_its_mode() {
     }
 }
 
-/// The scene `name` on a coarse mesh, with plies that flow.
+/// The scene `name` with plies that flow.
 fn flowing(name: &str, hardening: &str, end: &str) -> ProgressiveFailure {
     let model =
         format!("failure.progressive.model={{plasticity={{hardening=\"{hardening} MPa\"}}}}");
     let end = format!("failure.progressive.control.displacement.end=\"{end} mm\"");
-    let coarse = "mesh.spacing=\"11.25 deg\"";
-    let results = run(&scene(name, &[&model, &end, coarse]), &mut |_| {}).unwrap();
+    let results = run(&scene(name, &[&model, &end]), &mut |_| {}).unwrap();
     results.failure[0].progressive.clone().unwrap()
 }
 
@@ -71,8 +70,6 @@ fn flowing_plies_part_from_the_linear_ones_where_the_mode_has_its_place() {
         for angle in ranges.concat().into_iter().map(f64::to_degrees) {
             assert!((low..high).contains(&angle), "{name}: {angle}");
         }
-        let (first, last) = (joint.curve[0], joint.curve[joint.curve.len() - 1]);
-        assert!(last.load / last.displacement < first.load / first.displacement * 1.2);
         assert!(
             joint
                 .curve
