@@ -10,6 +10,7 @@ mod benchmark;
 mod check;
 mod cosine_load;
 mod elements;
+mod joint_modes;
 mod laboratory;
 mod laminates;
 mod line_contact;
@@ -61,7 +62,7 @@ struct Case {
     checks: fn(&Laboratory) -> Result<Vec<Check>, Trouble>,
 }
 
-const CASES: [Case; 16] = [
+const CASES: [Case; 17] = [
     Case {
         name: "elements",
         title: "Elements",
@@ -85,6 +86,12 @@ const CASES: [Case; 16] = [
         title: "Laminates",
         friction: false,
         checks: laminates::checks,
+    },
+    Case {
+        name: "joint-modes",
+        title: "Laminated joints to their end",
+        friction: false,
+        checks: joint_modes::checks,
     },
     Case {
         name: "persson",

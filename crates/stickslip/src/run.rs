@@ -66,7 +66,7 @@ pub enum RunError {
         body: String,
         /// Its reason.
         #[source]
-        cause: ProgressiveRunError,
+        cause: Box<ProgressiveRunError>,
     },
 }
 

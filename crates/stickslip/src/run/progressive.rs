@@ -93,7 +93,7 @@ impl<'a> Subject<'a> {
         let bodies = self.bodies(&model, true)?;
         let refused = |cause: ProgressiveRunError| RunError::Progressive {
             body: self.asked.body.clone(),
-            cause,
+            cause: Box::new(cause),
         };
         let reading = self.reading(&model).ok_or_else(|| {
             refused(ProgressiveRunError::NoPin {
@@ -160,7 +160,7 @@ impl<'a> Subject<'a> {
                     .map(|body| JointBody::Progressive(Arc::new(body)))
                     .map_err(|cause| RunError::Progressive {
                         body: body.name.clone(),
-                        cause,
+                        cause: Box::new(cause),
                     }),
                 ModelBodyKind::Elastic(elastic) => elastic
                     .condense(&body.interface)

@@ -115,9 +115,10 @@ fn shown(own: &ProgressiveFailure, component: usize) -> [f64; 2] {
     let [low, high] = ends(own.edge.iter().map(|edge| edge.linear[component]));
     let room = 0.5 * (high - low);
     let [least, most] = ends(own.edge.iter().map(|edge| edge.followed[component]));
+    let margin = 0.1 * room;
     [
-        least.clamp(low - room, low - 0.05 * room),
-        most.clamp(high + 0.05 * room, high + room),
+        (least - margin).clamp(low - room, low - margin),
+        (most + margin).clamp(high + margin, high + room),
     ]
 }
 

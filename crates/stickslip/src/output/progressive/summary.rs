@@ -15,7 +15,7 @@ pub(crate) struct Progressive<'a> {
     first_fibre: Option<Loss<'a>>,
     peak: Option<Point>,
     strength: Option<Quantity>,
-    mode: Option<Mode<'a>>,
+    mode: Option<Call<'a>>,
     end: &'static str,
     end_reason: Option<&'a str>,
     edge_departures_deg: Vec<[Option<f64>; 2]>,
@@ -50,7 +50,7 @@ struct Loss<'a> {
 }
 
 #[derive(Debug, Serialize)]
-struct Mode<'a> {
+struct Call<'a> {
     mode: &'static str,
     bearing: Option<f64>,
     shear_out: Option<f64>,
@@ -80,7 +80,7 @@ pub(crate) fn progressive<'a>(view: &ProgressiveView<'a>) -> Progressive<'a> {
         strength: own.strength.map(|value| force(view, value)),
         mode: own.mode.as_ref().map(|call| {
             let [bearing, shear_out, net_tension] = call.shares.map(tidy);
-            Mode {
+            Call {
                 mode: call.mode.name(),
                 bearing,
                 shear_out,
