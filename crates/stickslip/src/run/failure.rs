@@ -106,13 +106,13 @@ impl<'a> Subject<'a> {
             None => None,
         };
         let edges = self.edges(&steps)?;
+        let maps = fields.iter().map(|&step| self.map(step, &steps[step]));
+        let maps = maps.collect::<Result<_, _>>()?;
         let (sites, positions) = self.both_halves(steps, nodes);
         let mut found = self.followed(&sites, &positions)?;
         found.edges = edges;
         found.characteristic = characteristic;
-        for &step in fields {
-            found.maps.push(self.map(step, &sites[step])?);
-        }
+        found.maps = maps;
         if let Some(envelopes) = &self.failure.envelopes {
             found.envelopes = self.envelopes(envelopes)?;
         }
@@ -156,13 +156,13 @@ impl<'a> Subject<'a> {
         Ok(Sites { stress, heating })
     }
 
-    /// The places of a half model and their mirror images; of a whole one the places.
+    /// The places of a half model and, if the plies are not alike there, their mirror images; of a whole one the places.
     fn both_halves(
         &self,
         steps: Vec<Sites>,
         mut positions: Vec<Point>,
     ) -> (Vec<Sites>, Vec<Point>) {
-        if !self.model.half {
+        if !self.model.half || self.plies.are_their_mirror_image() {
             return (steps, positions);
         }
         let mut images = positions.clone();
@@ -260,7 +260,7 @@ impl<'a> Subject<'a> {
             .collect()
     }
 
-    /// Indices of the first criterion at all places.
+    /// Indices of the first criterion at all places, and of a half model at their mirror images.
     fn map(&self, step: usize, sites: &Sites) -> Result<PlyMap, RunError> {
         let Some(criterion) = self.failure.criteria.first() else {
             return Ok(PlyMap {
@@ -268,6 +268,10 @@ impl<'a> Subject<'a> {
                 index: Vec::new(),
             });
         };
+        let mut sites = sites.clone();
+        if self.model.half {
+            sites = sites.with_mirror_images();
+        }
         let of_group = |group: usize| {
             let index = |&mean: &[f64; 3]| {
                 let loading = self.plies.loading(group, mean, sites.heating);
