@@ -30,6 +30,14 @@ pub(crate) struct Sites {
 }
 
 impl Sites {
+    /// Some of the places.
+    pub(crate) fn chosen(&self, places: &[usize]) -> Self {
+        Self {
+            stress: places.iter().map(|&place| self.stress[place]).collect(),
+            heating: self.heating,
+        }
+    }
+
     /// The same places and, behind them, their mirror images across the line of symmetry.
     pub(crate) fn with_mirror_images(mut self) -> Self {
         let images: Vec<[f64; 3]> = self.stress.iter().map(|&[x, y, t]| [x, y, -t]).collect();
@@ -91,9 +99,8 @@ impl PlyStresses {
     pub(crate) fn are_their_mirror_image(&self) -> bool {
         self.shown.iter().zip(&self.groups).all(|(own, group)| {
             let opposite = direction(-own.angle);
-            let alike = |other: &PlyGroup| {
-                other.ply == own.ply && (other.angle - opposite).abs() < 1e-9
-            };
+            let alike =
+                |other: &PlyGroup| other.ply == own.ply && (other.angle - opposite).abs() < 1e-9;
             let other = self.shown.iter().position(alike);
             other.is_some_and(|other| group.mirrors(&self.groups[other]))
         })
@@ -138,7 +145,9 @@ const ROUNDING: f64 = 1e-12;
 impl Group {
     fn mirrors(&self, other: &Self) -> bool {
         let alike = |own: &[f64], other: &[f64], signs: &[f64]| {
-            let largest = own.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+            let largest = own
+                .iter()
+                .fold(0.0_f64, |most, value| most.max(value.abs()));
             let mut pairs = own.iter().zip(other).zip(signs);
             pairs.all(|((a, b), sign)| (a - sign * b).abs() <= ROUNDING * largest)
         };
@@ -195,6 +204,9 @@ spacing = "10 mm"
 [[supports]]
 on = "coupon.left"
 fix = ["x"]
+[[loads]]
+on = "coupon.right"
+pressure.steps = ["-1 MPa"]
 "#
         );
         let changes: [&str; 0] = [];
@@ -205,7 +217,12 @@ fix = ["x"]
 
     #[test]
     fn balanced_plies_alone_are_their_mirror_image() {
-        for layup in ["[0/±45/90]s", "[0_2/60_2/-60_2]s", "[90]", "[30/-30/-30/30]"] {
+        for layup in [
+            "[0/±45/90]s",
+            "[0_2/60_2/-60_2]s",
+            "[90]",
+            "[30/-30/-30/30]",
+        ] {
             assert!(plies(layup).are_their_mirror_image(), "{layup}");
         }
         // Without a counterpart, and with one that is outnumbered: the sheet shears under tension.
@@ -221,7 +238,9 @@ fix = ["x"]
             let opposite = direction(-own.angle);
             let other = (plies.shown().iter()).position(|ply| (ply.angle - opposite).abs() < 1e-9);
             let here = plies.loading(group, [30.0, -20.0, 7.0], 5.0).at(1.0);
-            let there = plies.loading(other.unwrap(), [30.0, -20.0, -7.0], 5.0).at(1.0);
+            let there = plies
+                .loading(other.unwrap(), [30.0, -20.0, -7.0], 5.0)
+                .at(1.0);
             for ((one, other), sign) in here.iter().zip(there).zip(MIRRORED) {
                 // Rounding of stresses up to 100 MPa.
                 assert!((one - sign * other).abs() < 1e-10, "{own:?}");

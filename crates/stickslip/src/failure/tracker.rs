@@ -54,9 +54,7 @@ fn shortlist(candidates: &[Candidate]) -> Vec<Candidate> {
             .filter(|candidate| factor(candidate) == least);
         let index = |candidate: &&Candidate| candidate.assessment.index;
         // The first of equal ones, which `max_by` would not give.
-        let largest = equal
-            .rev()
-            .max_by(|a, b| index(a).total_cmp(&index(b)));
+        let largest = equal.rev().max_by(|a, b| index(a).total_cmp(&index(b)));
         return largest.into_iter().copied().collect();
     }
     let near = |candidate: &&Candidate| factor(candidate) <= least * (1.0 + TIE);
@@ -161,8 +159,7 @@ impl<'a> Tracker<'a> {
                 ..*candidate
             });
         }
-        let first = weakest(self.positions, &crossing)
-            .filter(|first| first.assessment.fails());
+        let first = weakest(self.positions, &crossing).filter(|first| first.assessment.fails());
         Ok(first.map(|first| {
             let mut at = self.point(sites, first);
             let part = first.assessment.reserve_factor;

@@ -2,6 +2,7 @@
 
 mod characteristic;
 mod envelopes;
+mod supports;
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -100,7 +101,6 @@ impl<'a> Subject<'a> {
             .into_par_iter()
             .map(|step| self.stresses(&recovered[step], &results.steps[step].edges))
             .collect::<Result<Vec<Sites>, _>>()?;
-        let nodes = self.mesh.nodes().to_vec();
         let characteristic = match self.failure.characteristic {
             Some(distances) => Some(self.characteristic(distances, &steps)?),
             None => None,
@@ -108,8 +108,15 @@ impl<'a> Subject<'a> {
         let edges = self.edges(&steps)?;
         let maps = fields.iter().map(|&step| self.map(step, &steps[step]));
         let maps = maps.collect::<Result<_, _>>()?;
-        let (sites, positions) = self.both_halves(steps, nodes);
+        let search = self.search()?;
+        let mut beside = self.beside_supports(&search, &steps)?;
+        let (sites, positions) = search.kept(steps, self.mesh.nodes());
+        let (sites, positions) = self.both_halves(sites, positions);
         let mut found = self.followed(&sites, &positions)?;
+        if let Some(beside) = &mut beside {
+            beside.keep_sooner_than(&found.first_ply);
+        }
+        found.beside_supports = beside;
         found.edges = edges;
         found.characteristic = characteristic;
         found.maps = maps;
@@ -206,6 +213,7 @@ impl<'a> Subject<'a> {
             centre: self.hole().map(|hole| hole.centre),
             steps,
             first_ply,
+            beside_supports: None,
             edges: Vec::new(),
             maps: Vec::new(),
             characteristic: None,
@@ -325,6 +333,9 @@ fn name_loads(found: &mut BodyFailure, scale: &LoadScale) {
         }
     };
     found.first_ply.iter_mut().for_each(name);
+    if let Some(beside) = &mut found.beside_supports {
+        beside.sooner.iter_mut().for_each(name);
+    }
     if let Some(characteristic) = &mut found.characteristic {
         characteristic.net_section.iter_mut().for_each(name);
         characteristic.bearing_point.iter_mut().for_each(name);

@@ -5,6 +5,7 @@ mod failure;
 mod files;
 mod refusals;
 mod stiffness;
+mod supports;
 
 use std::path::Path;
 
