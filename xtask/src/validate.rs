@@ -9,6 +9,7 @@ mod aluminium;
 mod benchmark;
 mod check;
 mod cosine_load;
+mod criteria;
 mod elements;
 mod laboratory;
 mod laminates;
@@ -61,7 +62,7 @@ struct Case {
     checks: fn(&Laboratory) -> Result<Vec<Check>, Trouble>,
 }
 
-const CASES: [Case; 16] = [
+const CASES: [Case; 17] = [
     Case {
         name: "elements",
         title: "Elements",
@@ -85,6 +86,12 @@ const CASES: [Case; 16] = [
         title: "Laminates",
         friction: false,
         checks: laminates::checks,
+    },
+    Case {
+        name: "criteria",
+        title: "Failure criteria",
+        friction: false,
+        checks: criteria::checks,
     },
     Case {
         name: "persson",
