@@ -1,8 +1,10 @@
 //! Tasks on the whole workspace: `cargo xtask validate` compares the library with known solutions, `cargo xtask chart` shows
-//! what accuracy costs, `cargo xtask stability` where methods fail, `cargo xtask cosine` how wrong an assumed bearing load is.
+//! what accuracy costs, `cargo xtask stability` where methods fail, `cargo xtask cosine` how wrong an assumed bearing load is,
+//! `cargo xtask mesh-dependence` what ply discount makes of a finer mesh.
 
 mod chart;
 mod cosine;
+mod mesh_dependence;
 mod stability;
 mod validate;
 
@@ -28,6 +30,8 @@ enum Task {
     Stability(stability::Options),
     /// Compares the assumed cosine bearing load with computed contact.
     Cosine(cosine::Options),
+    /// Shows how the strength by ply discount depends on the mesh, and what crack bands mend.
+    MeshDependence(mesh_dependence::Options),
 }
 
 fn main() -> ExitCode {
@@ -36,5 +40,6 @@ fn main() -> ExitCode {
         Task::Chart(options) => chart::main(&options),
         Task::Stability(options) => stability::main(&options),
         Task::Cosine(options) => cosine::main(&options),
+        Task::MeshDependence(options) => mesh_dependence::main(&options),
     }
 }

@@ -9,6 +9,7 @@ mod aluminium;
 mod benchmark;
 mod check;
 mod cosine_load;
+mod criteria;
 mod elements;
 mod joint_modes;
 mod laboratory;
@@ -62,7 +63,7 @@ struct Case {
     checks: fn(&Laboratory) -> Result<Vec<Check>, Trouble>,
 }
 
-const CASES: [Case; 17] = [
+const CASES: [Case; 18] = [
     Case {
         name: "elements",
         title: "Elements",
@@ -86,6 +87,12 @@ const CASES: [Case; 17] = [
         title: "Laminates",
         friction: false,
         checks: laminates::checks,
+    },
+    Case {
+        name: "criteria",
+        title: "Failure criteria",
+        friction: false,
+        checks: criteria::checks,
     },
     Case {
         name: "joint-modes",

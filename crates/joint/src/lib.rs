@@ -30,8 +30,11 @@
 //! A body's linearisation costs one sparse factorisation. Factors are kept by their tangents, so the elastic part of a history costs
 //! one in all, as a linear body does.
 //!
-//! Limits. Displacements are small, contact is found on the undeformed geometry. Temperature does not change in a history; the
-//! residual stresses of the cure are a state of rest ([`ProgressiveBody::at_temperature`]). A model may flow or fail at once; one that
+//! Limits. Displacements are small, contact is found on the undeformed geometry. Temperature does not change in a history: the
+//! residual stresses of the cure are a state of rest ([`ProgressiveBody::at_temperature`]), so a joint that is loaded hot or cold is one
+//! history at that temperature, and heating under load is none. Point models would take a temperature per increment, but the energies that
+//! every increment is checked by are those of constant temperature, and bodies of given materials would need its strain as a load case,
+//! which is refused ([`JointError::InitialStrain`]). A model may flow or fail at once; one that
 //! does both has its failures taken at the end of a linear solve. A plate in plane stress knows no delamination and no clamping.
 
 mod body;

@@ -95,7 +95,8 @@ impl Assessment {
     }
 }
 
-/// A failure criterion of a ply in plane stress. Another crate's criterion implements [`assess`](Self::assess).
+/// A failure criterion of a ply in plane stress. Another crate's criterion implements [`assess`](Self::assess). A ply is its own
+/// mirror image across its fibres, so no criterion may tell τ₁₂ from −τ₁₂.
 pub trait FailureCriterion: Debug + Send + Sync {
     /// Short name, as in the table of the [module](self).
     fn name(&self) -> &'static str;

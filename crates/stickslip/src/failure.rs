@@ -13,7 +13,8 @@
 //! between two steps stresses are taken to change in proportion, which small steps make exact.
 //!
 //! A half model stands for both halves: at the mirror image of a place the shear stress has the other sign, and every ply is asked
-//! at both.
+//! at both. Where every ply has a counterpart of the opposite angle that asks nothing new, because no criterion knows the sign of τ₁₂,
+//! and one half is enough.
 
 mod characteristic;
 mod plies;

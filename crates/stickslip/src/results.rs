@@ -7,8 +7,8 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 pub use failure::{
-    BodyFailure, CharacteristicFailure, EdgePlies, EdgePly, Envelope, EnvelopePoint, FailurePoint,
-    FirstPly, JointFailure, JointMode, PlyGroup, PlyMap,
+    BesideSupports, BodyFailure, CharacteristicFailure, EdgePlies, EdgePly, Envelope,
+    EnvelopePoint, FailurePoint, FirstPly, JointFailure, JointMode, PlyGroup, PlyMap,
 };
 
 pub use progressive::{

@@ -3,6 +3,7 @@
 mod edges;
 mod failure;
 mod fields;
+mod loads;
 mod progressive;
 mod remarks;
 mod reported;
@@ -20,13 +21,14 @@ use stickslip_fem_core::{CondensedBody, InterfaceOperator};
 use stickslip_laminate::FailureError;
 use thiserror::Error;
 
+pub(crate) use loads::loads_reached;
 pub use progressive::ProgressiveRunError;
 
 use crate::model::{Model, ModelBodyKind, ModelError};
 use crate::output::LoadScale;
-use crate::results::{BodySummary, Choice, LoadValue, Results, StepNotes, StepResults};
+use crate::results::{BodySummary, Choice, Results, StepNotes, StepResults};
 use crate::scene::Scene;
-use crate::scene::schema::{FieldOutput, LoadKind, SolverChoice};
+use crate::scene::schema::{FieldOutput, SolverChoice};
 
 /// Why a run stopped.
 #[derive(Debug, Error)]
@@ -287,7 +289,7 @@ fn reported(
     for (index, (record, edges)) in solved.records.iter().zip(edges).enumerate() {
         steps.push(StepResults {
             unloading: false,
-            loads: loads(scene, index),
+            loads: loads::at_step(scene, index),
             edges,
             work: record.work,
             solvers: record.solvers.clone(),
@@ -405,30 +407,6 @@ fn bodies(model: &Model, solved: &Solved) -> Vec<BodySummary> {
                 factor_entries: elastic
                     .map_or(0, |condensed| condensed.structure().factor_entries()),
                 free_motions: operator.interface().modes().ncols(),
-            }
-        })
-        .collect()
-}
-
-fn loads(scene: &Scene, step: usize) -> Vec<LoadValue> {
-    let display = &scene.display;
-    scene
-        .loads
-        .iter()
-        .map(|load| {
-            let value = load.kind.steps().get(step).copied().unwrap_or(0.0);
-            let (value, unit) = match load.kind {
-                LoadKind::Force { .. } | LoadKind::Bearing { .. } => {
-                    (display.force.from_base(value), display.force.name)
-                }
-                LoadKind::Pressure { .. } => (display.stress.from_base(value), display.stress.name),
-                LoadKind::PolarTraction { .. } => (value, "1"),
-                LoadKind::Temperature { .. } => (value, "K"),
-            };
-            LoadValue {
-                name: load.name.clone(),
-                value,
-                unit: unit.to_owned(),
             }
         })
         .collect()

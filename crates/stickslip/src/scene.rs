@@ -164,11 +164,9 @@ impl Scene {
         check_version(&document)?;
         let mut spelled =
             SceneFormat::deserialize(Reader::new(&document.root, "")).map_err(|error| {
-                document.error(
-                    error.key.as_deref().unwrap_or_default(),
-                    error.part,
-                    *error.problem,
-                )
+                let key = error.key.as_deref().unwrap_or_default();
+                let problem = overrides::mistyped(&document, key, *error.problem);
+                document.error(key, error.part, problem)
             })?;
         let parts = build::build(&document, &mut spelled, base_dir)?;
         let stem = Path::new(name)

@@ -67,6 +67,8 @@ struct Topology {
     cells: Vec<usize>,
     /// Corner nodes that are not on the block's boundary, ascending.
     interior: Vec<usize>,
+    /// Position in `interior` of every node that is there.
+    fit: Vec<Option<usize>>,
 }
 
 impl Topology {
@@ -85,10 +87,16 @@ impl Topology {
             cells[next[node]] = k / size;
             next[node] += 1;
         }
+        let interior = interior_corners(block, node_count);
+        let mut fit = vec![None; node_count];
+        for (k, &corner) in interior.iter().enumerate() {
+            fit[corner] = Some(k);
+        }
         Self {
             first,
             cells,
-            interior: interior_corners(block, node_count),
+            interior,
+            fit,
         }
     }
 
@@ -98,9 +106,7 @@ impl Topology {
 
     /// Positions in `interior` of those of `corners` that are there.
     fn fits_at<'s>(&'s self, corners: &'s [usize]) -> impl Iterator<Item = usize> + 's {
-        corners
-            .iter()
-            .filter_map(|corner| self.interior.binary_search(corner).ok())
+        corners.iter().filter_map(|&corner| self.fit[corner])
     }
 
     fn evaluate(&self, block: &ElementBlock, nodes: &[Point], fits: &[Fit]) -> BlockStresses {
@@ -108,7 +114,8 @@ impl Topology {
         let mut mean = Mean::new(nodes.len());
         for cell in block.connectivity.chunks_exact(size) {
             for (local, &node) in cell.iter().enumerate() {
-                for fit in self.fits_at(&supports(cell, local, corners)) {
+                let mut ends = [0; 2];
+                for fit in self.fits_at(supports(cell, local, corners, &mut ends)) {
                     mean.add(node, fits[fit].at(nodes[node]));
                 }
             }
@@ -147,14 +154,20 @@ impl Topology {
     }
 }
 
-/// The corner nodes between which local node `local` of `cell` lies: itself, two edge ends, or all corners.
-fn supports(cell: &[usize], local: usize, corners: usize) -> Vec<usize> {
+/// The corner nodes between which local node `local` of `cell` lies: itself, two edge ends, which are put into `ends`, or all corners.
+fn supports<'a>(
+    cell: &'a [usize],
+    local: usize,
+    corners: usize,
+    ends: &'a mut [usize; 2],
+) -> &'a [usize] {
     if local < corners {
-        vec![cell[local]]
+        &cell[local..=local]
     } else if local < 2 * corners {
-        vec![cell[local - corners], cell[(local - corners + 1) % corners]]
+        *ends = [cell[local - corners], cell[(local - corners + 1) % corners]];
+        ends
     } else {
-        cell[..corners].to_vec()
+        &cell[..corners]
     }
 }
 

@@ -9,7 +9,8 @@
 
 use stickslip_fem_core::material::apply;
 
-use super::ray::{Branch, Branches, Surface};
+use super::error::finite;
+use super::ray::{Branch, Surface};
 use super::{
     Assessment, FailureCriterion, FailureError, FailureMode, IN_PLANE, PlyLoading, in_plane, needed,
 };
@@ -103,43 +104,66 @@ struct Limits {
     shear: f64,
 }
 
+/// Modes by variable and side.
+const MODES: [[FailureMode; 2]; 3] = [
+    [FailureMode::FibreTension, FailureMode::FibreCompression],
+    [FailureMode::MatrixTension, FailureMode::MatrixCompression],
+    [FailureMode::Shear, FailureMode::Shear],
+];
+
 impl Limits {
+    /// Without interaction every variable goes its own way: the reserve factor is the least (limit − held)/applied.
     fn assess(
         &self,
         criterion: &'static str,
         held: &[f64; 3],
         applied: &[f64; 3],
     ) -> Result<Assessment, FailureError> {
-        let surface = Surface {
+        finite("stress", held)?;
+        finite("stress", applied)?;
+        let mut index = (f64::NEG_INFINITY, FailureMode::Shear);
+        let mut crossing = (f64::INFINITY, None);
+        for i in 0..3 {
+            let sides = [self.limit(i, 0), self.limit(i, 1)];
+            let there = held[i] + applied[i];
+            let side = usize::from(there < 0.0);
+            let ratio = there.abs() / sides[side];
+            if ratio > index.0 {
+                index = (ratio, MODES[i][side]);
+            }
+            let (factor, side) = first_reached(held[i], applied[i], sides);
+            if factor < crossing.0 {
+                crossing = (factor, Some(MODES[i][side]));
+            }
+        }
+        Ok(Assessment {
             criterion,
-            branches: |signs| self.branches(signs),
-            dominant: |_: &[f64; 3]| FailureMode::Shear,
-        };
-        surface.assess(held, applied)
+            index: index.0,
+            reserve_factor: crossing.0,
+            mode: crossing.1.unwrap_or(index.1),
+        })
     }
 
-    fn branches(&self, [along, across, shear]: [bool; 3]) -> Branches<3> {
-        let fibre = if along {
-            Branch::linear(FailureMode::FibreTension, [1.0 / self.tension[0], 0.0, 0.0])
-        } else {
-            Branch::linear(
-                FailureMode::FibreCompression,
-                [-1.0 / self.compression[0], 0.0, 0.0],
-            )
-        };
-        let matrix = if across {
-            Branch::linear(
-                FailureMode::MatrixTension,
-                [0.0, 1.0 / self.tension[1], 0.0],
-            )
-        } else {
-            Branch::linear(
-                FailureMode::MatrixCompression,
-                [0.0, -1.0 / self.compression[1], 0.0],
-            )
-        };
-        let sign = if shear { 1.0 } else { -1.0 };
-        let shear = Branch::linear(FailureMode::Shear, [0.0, 0.0, sign / self.shear]);
-        [Some(fibre), Some(matrix), Some(shear)]
+    fn limit(&self, variable: usize, side: usize) -> f64 {
+        match variable {
+            2 => self.shear,
+            _ if side == 0 => self.tension[variable],
+            _ => self.compression[variable],
+        }
+    }
+}
+
+/// The smallest r ≥ 0 at which held + r applied is at one of the limits, upper and lower, or beyond; and which one it is.
+fn first_reached(held: f64, applied: f64, [upper, lower]: [f64; 2]) -> (f64, usize) {
+    if held >= upper {
+        (0.0, 0)
+    } else if held <= -lower {
+        (0.0, 1)
+    } else if applied > 0.0 {
+        ((upper - held) / applied, 0)
+    } else if applied < 0.0 {
+        ((lower + held) / -applied, 1)
+    } else {
+        (f64::INFINITY, 0)
     }
 }

@@ -20,7 +20,7 @@ pub(super) struct Template {
     data: &'static [(&'static str, &'static str)],
 }
 
-pub(super) const TEMPLATES: [Template; 4] = [
+pub(super) const TEMPLATES: [Template; 5] = [
     Template {
         name: "pin-loaded-plate",
         summary: "elastic pin in a plate of finite width, loaded and unloaded, static and dynamic friction",
@@ -35,6 +35,12 @@ pub(super) const TEMPLATES: [Template; 4] = [
             "persson-ring5R-65deg.csv",
             include_str!("../templates/persson-ring5R-65deg.csv"),
         )],
+    },
+    Template {
+        name: "laminate-joint",
+        summary: "pinned joint of a laminate: first ply, characteristic curve and the mode that governs",
+        scene: include_str!("../templates/laminate-joint.toml"),
+        data: &[],
     },
     Template {
         name: "hertz",

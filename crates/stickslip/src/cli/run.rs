@@ -17,7 +17,8 @@ use super::interrupt::guarded;
 use super::located::locate;
 use crate::diagnostic::{SceneError, SceneProblem};
 use crate::output;
-use crate::run::{Progress, RunError, run as solve};
+use crate::results::LoadValue;
+use crate::run::{Progress, RunError, loads_reached, run as solve};
 use crate::scene::Scene;
 
 /// Histories with fewer steps are over before a bar helps.
@@ -121,6 +122,38 @@ fn show(bar: &ProgressBar, progress: Progress) {
     }
 }
 
+/// The error in words, with the load that a history reached.
+fn message(scene: &Scene, error: &RunError) -> String {
+    let RunError::Contact(ContactError::StepFailed {
+        step,
+        reached,
+        cause,
+    }) = error
+    else {
+        return error.to_string();
+    };
+    let loads = loads_reached(scene, *step, *reached);
+    if loads.is_empty() {
+        return error.to_string();
+    }
+    let value = |load: &LoadValue| {
+        let unit = if load.unit == "1" { "" } else { &load.unit };
+        let text = format!("{} {} {unit}", load.name, output::short(load.value));
+        text.trim_end().to_owned()
+    };
+    let loads: Vec<String> = loads.iter().map(value).collect();
+    format!(
+        "load step {} was not solved beyond {}, {reached:.4} of its increment{}: {cause}",
+        step + 1,
+        loads.join(", "),
+        if cause.is_unresolved() {
+            " and is unresolved"
+        } else {
+            ""
+        }
+    )
+}
+
 /// The error at the key of the scene that it is about.
 fn located(scene: &Scene, error: &RunError) -> SceneError {
     let (key, remedy) = match error {
@@ -152,7 +185,7 @@ fn located(scene: &Scene, error: &RunError) -> SceneError {
         _ => ("mesh".to_owned(), "change the mesh settings"),
     };
     let problem = SceneProblem::Model {
-        message: error.to_string(),
+        message: message(scene, error),
         remedy: remedy.to_owned(),
     };
     scene.error_at(&key, problem)

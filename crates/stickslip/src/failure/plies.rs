@@ -21,7 +21,7 @@ struct Group {
 }
 
 /// Places of a body with the stresses that a step puts there.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Sites {
     /// Mean stress over the thickness (xx, yy, xy) `[MPa]`.
     pub(crate) stress: Vec<[f64; 3]>,
@@ -30,6 +30,14 @@ pub(crate) struct Sites {
 }
 
 impl Sites {
+    /// Some of the places.
+    pub(crate) fn chosen(&self, places: &[usize]) -> Self {
+        Self {
+            stress: places.iter().map(|&place| self.stress[place]).collect(),
+            heating: self.heating,
+        }
+    }
+
     /// The same places and, behind them, their mirror images across the line of symmetry.
     pub(crate) fn with_mirror_images(mut self) -> Self {
         let images: Vec<[f64; 3]> = self.stress.iter().map(|&[x, y, t]| [x, y, -t]).collect();
@@ -86,6 +94,18 @@ impl PlyStresses {
         plies
     }
 
+    /// Whether the plies at a mirror image carry the stresses of those here but for the sign of τ₁₂: whether every ply has its
+    /// counterpart of the opposite angle, and the sheet does not couple tension with shear.
+    pub(crate) fn are_their_mirror_image(&self) -> bool {
+        self.shown.iter().zip(&self.groups).all(|(own, group)| {
+            let opposite = direction(-own.angle);
+            let alike =
+                |other: &PlyGroup| other.ply == own.ply && (other.angle - opposite).abs() < 1e-9;
+            let other = self.shown.iter().position(alike);
+            other.is_some_and(|other| group.mirrors(&self.groups[other]))
+        })
+    }
+
     /// The groups as results show them.
     pub(crate) fn shown(&self) -> &[PlyGroup] {
         &self.shown
@@ -117,7 +137,26 @@ impl PlyStresses {
     }
 }
 
+/// How components (xx, yy, xy) change sign at a mirror image.
+const MIRRORED: [f64; 3] = [1.0, 1.0, -1.0];
+/// Rounding of ply stresses, relative to the largest of their kind.
+const ROUNDING: f64 = 1e-12;
+
 impl Group {
+    fn mirrors(&self, other: &Self) -> bool {
+        let alike = |own: &[f64], other: &[f64], signs: &[f64]| {
+            let largest = own
+                .iter()
+                .fold(0.0_f64, |most, value| most.max(value.abs()));
+            let mut pairs = own.iter().zip(other).zip(signs);
+            pairs.all(|((a, b), sign)| (a - sign * b).abs() <= ROUNDING * largest)
+        };
+        let signs = MIRRORED.map(|row| MIRRORED.map(|column| row * column));
+        let [stress, image] = [self, other].map(|group| group.per_stress.as_flattened());
+        alike(stress, image, signs.as_flattened())
+            && alike(&self.per_degree, &other.per_degree, &MIRRORED)
+    }
+
     fn new(layer: &Layer, sheet: &LaminateSheet) -> Self {
         let compliance = sheet.membrane.compliance();
         let columns = [0, 1, 2].map(|j| {
@@ -130,6 +169,82 @@ impl Group {
             per_stress: [0, 1, 2].map(|i| [0, 1, 2].map(|j: usize| columns[j][i])),
             per_degree,
             held: per_degree.map(|stress| stress * sheet.cure),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::scene::{Format, Scene};
+
+    fn plies(layup: &str) -> PlyStresses {
+        let text = format!(
+            r#"
+version = 1
+[plies.carbon]
+e1 = "135 GPa"
+e2 = "10 GPa"
+g12 = "5.8 GPa"
+nu12 = 0.28
+expansion1 = "0.02e-6 1/K"
+expansion2 = "22.5e-6 1/K"
+thickness = "0.125 mm"
+[materials.laminate.laminate]
+layup = "{layup}"
+ply = "carbon"
+cure = "-100 K"
+[bodies.coupon]
+material = "laminate"
+shape.rectangle = {{ width = "60 mm", height = "20 mm" }}
+[mesh]
+spacing = "10 mm"
+[[supports]]
+on = "coupon.left"
+fix = ["x"]
+[[loads]]
+on = "coupon.right"
+pressure.steps = ["-1 MPa"]
+"#
+        );
+        let changes: [&str; 0] = [];
+        let scene =
+            Scene::from_text(&text, Format::Toml, "scene.toml", Path::new(""), &changes).unwrap();
+        PlyStresses::new(scene.materials["laminate"].laminate().unwrap())
+    }
+
+    #[test]
+    fn balanced_plies_alone_are_their_mirror_image() {
+        for layup in [
+            "[0/±45/90]s",
+            "[0_2/60_2/-60_2]s",
+            "[90]",
+            "[30/-30/-30/30]",
+        ] {
+            assert!(plies(layup).are_their_mirror_image(), "{layup}");
+        }
+        // Without a counterpart, and with one that is outnumbered: the sheet shears under tension.
+        for layup in ["[30]", "[0/30/90]s", "[30/-30/30]s"] {
+            assert!(!plies(layup).are_their_mirror_image(), "{layup}");
+        }
+    }
+
+    #[test]
+    fn the_mirror_image_of_a_balanced_laminate_asks_the_same_but_for_the_sign_of_shear() {
+        let plies = plies("[0/±45/90]s");
+        for (group, own) in plies.shown().iter().enumerate() {
+            let opposite = direction(-own.angle);
+            let other = (plies.shown().iter()).position(|ply| (ply.angle - opposite).abs() < 1e-9);
+            let here = plies.loading(group, [30.0, -20.0, 7.0], 5.0).at(1.0);
+            let there = plies
+                .loading(other.unwrap(), [30.0, -20.0, -7.0], 5.0)
+                .at(1.0);
+            for ((one, other), sign) in here.iter().zip(there).zip(MIRRORED) {
+                // Rounding of stresses up to 100 MPa.
+                assert!((one - sign * other).abs() < 1e-10, "{own:?}");
+            }
         }
     }
 }

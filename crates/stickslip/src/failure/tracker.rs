@@ -31,6 +31,45 @@ struct Candidate {
     assessment: Assessment,
 }
 
+/// Sites that are asked one after the other.
+const PART: usize = 256;
+
+/// What [`PART`] sites leave.
+struct Part {
+    /// Those of which one may be the weakest.
+    least: Vec<Candidate>,
+    failing: Vec<Candidate>,
+}
+
+/// The candidates of which [`weakest`] chooses: those with the smallest reserve factor, to within [`TIE`]. Where that is 0 or infinite,
+/// all have failed without load or none fails at any, and the first one with the largest index stands for them.
+fn shortlist(candidates: &[Candidate]) -> Vec<Candidate> {
+    let factor = |candidate: &Candidate| candidate.assessment.reserve_factor;
+    let Some(least) = candidates.iter().map(factor).reduce(f64::min) else {
+        return Vec::new();
+    };
+    if least == 0.0 || least.is_infinite() {
+        let equal = candidates
+            .iter()
+            .filter(|candidate| factor(candidate) == least);
+        let index = |candidate: &&Candidate| candidate.assessment.index;
+        // The first of equal ones, which `max_by` would not give.
+        let largest = equal.rev().max_by(|a, b| index(a).total_cmp(&index(b)));
+        return largest.into_iter().copied().collect();
+    }
+    let near = |candidate: &&Candidate| factor(candidate) <= least * (1.0 + TIE);
+    candidates.iter().filter(near).copied().collect()
+}
+
+/// The weakest of candidates: of equal ones the place on the positive side and the lowest ply.
+fn weakest(positions: &[[f64; 2]], candidates: &[Candidate]) -> Option<Candidate> {
+    let key = |candidate: &Candidate| {
+        let [x, y] = positions[candidate.site];
+        (y < 0.0, x < 0.0, candidate.group, candidate.site)
+    };
+    shortlist(candidates).into_iter().min_by_key(key)
+}
+
 impl<'a> Tracker<'a> {
     pub(crate) fn new(
         plies: &'a PlyStresses,
@@ -52,50 +91,57 @@ impl<'a> Tracker<'a> {
     /// # Errors
     /// As [`FailureCriterion::assess`].
     pub(crate) fn follow(&mut self, sites: &'a Sites) -> Result<(), FailureError> {
-        let of_site = |(site, &mean): (usize, &[f64; 3])| {
-            self.assessed(site, |group| self.plies.loading(group, mean, sites.heating))
-        };
-        let assessed: Vec<Vec<Candidate>> = sites
-            .stress
-            .par_iter()
-            .enumerate()
-            .map(of_site)
+        let seek = self.reached.is_none();
+        let parts = (0..sites.stress.len()).into_par_iter().step_by(PART);
+        let parts: Vec<Part> = parts
+            .map(|first| self.part(sites, first, seek))
             .collect::<Result<_, _>>()?;
-        let all: Vec<Candidate> = assessed.into_iter().flatten().collect();
-        let Some(weakest) = self.weakest(&all) else {
+        let mut least = Vec::new();
+        let mut failing = Vec::new();
+        for part in parts {
+            least.extend(part.least);
+            failing.extend(part.failing);
+        }
+        let Some(weakest) = weakest(self.positions, &least) else {
             return Ok(());
         };
-        if self.reached.is_none() && weakest.assessment.fails() {
-            self.reached = self.crossing(sites, &all)?;
+        if seek && weakest.assessment.fails() {
+            self.reached = self.crossing(sites, &failing)?;
         }
         self.steps.push(self.point(sites, weakest));
         self.previous = Some(sites);
         Ok(())
     }
 
-    fn assessed(
-        &self,
-        site: usize,
-        loading: impl Fn(usize) -> PlyLoading,
-    ) -> Result<Vec<Candidate>, FailureError> {
-        (0..self.plies.shown().len())
-            .map(|group| {
-                let assessment = self
-                    .criterion
-                    .assess(self.plies.ply(group), &loading(group))?;
-                Ok(Candidate {
+    /// All plies at the [`PART`] sites from `first` on.
+    fn part(&self, sites: &Sites, first: usize, seek: bool) -> Result<Part, FailureError> {
+        let mut all = Vec::with_capacity(PART * self.plies.shown().len());
+        let means = sites.stress.iter().enumerate().skip(first).take(PART);
+        for (site, &mean) in means {
+            for group in 0..self.plies.shown().len() {
+                let loading = self.plies.loading(group, mean, sites.heating);
+                all.push(Candidate {
                     site,
                     group,
-                    assessment,
-                })
-            })
-            .collect()
+                    assessment: self.criterion.assess(self.plies.ply(group), &loading)?,
+                });
+            }
+        }
+        let fails = |candidate: &&Candidate| seek && candidate.assessment.fails();
+        Ok(Part {
+            failing: all.iter().filter(fails).copied().collect(),
+            least: shortlist(&all),
+        })
     }
 
     /// Where the surface is crossed on the straight way from the last step to this one.
-    fn crossing(&self, sites: &Sites, all: &[Candidate]) -> Result<Option<FirstPly>, FailureError> {
+    fn crossing(
+        &self,
+        sites: &Sites,
+        failing: &[Candidate],
+    ) -> Result<Option<FirstPly>, FailureError> {
         let mut crossing = Vec::new();
-        for candidate in all.iter().filter(|candidate| candidate.assessment.fails()) {
+        for candidate in failing {
             let (site, group) = (candidate.site, candidate.group);
             let before = self.previous.map_or([0.0; 3], |previous| {
                 self.plies
@@ -113,9 +159,7 @@ impl<'a> Tracker<'a> {
                 ..*candidate
             });
         }
-        let first = self
-            .weakest(&crossing)
-            .filter(|first| first.assessment.fails());
+        let first = weakest(self.positions, &crossing).filter(|first| first.assessment.fails());
         Ok(first.map(|first| {
             let mut at = self.point(sites, first);
             let part = first.assessment.reserve_factor;
@@ -136,32 +180,6 @@ impl<'a> Tracker<'a> {
                 at,
             }
         }))
-    }
-
-    /// The smallest reserve factor; of equal ones the place on the positive side and the lowest ply. Where nothing fails at any
-    /// load, or everything without one, the largest index.
-    fn weakest(&self, candidates: &[Candidate]) -> Option<Candidate> {
-        let factor = |candidate: &Candidate| candidate.assessment.reserve_factor;
-        let least = candidates.iter().map(factor).reduce(f64::min)?;
-        if least == 0.0 || least.is_infinite() {
-            let equal = candidates
-                .iter()
-                .filter(|candidate| factor(candidate) == least);
-            let index = |candidate: &&Candidate| candidate.assessment.index;
-            // The first of equal ones, which `max_by` would not give.
-            return equal
-                .rev()
-                .max_by(|a, b| index(a).total_cmp(&index(b)))
-                .copied();
-        }
-        let key = |candidate: &&Candidate| {
-            let [x, y] = self.positions[candidate.site];
-            (y < 0.0, x < 0.0, candidate.group, candidate.site)
-        };
-        let equal = candidates
-            .iter()
-            .filter(|candidate| factor(candidate) <= least * (1.0 + TIE));
-        equal.min_by_key(key).copied()
     }
 
     fn point(&self, sites: &Sites, candidate: Candidate) -> FailurePoint {

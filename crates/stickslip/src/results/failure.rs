@@ -26,6 +26,9 @@ pub struct BodyFailure {
     pub steps: Vec<Vec<FailurePoint>>,
     /// First-ply failure by each criterion; `None` where no load of any step fails a ply.
     pub first_ply: Vec<Option<FirstPly>>,
+    /// What its supports' ends, beside which no ply is asked for [`steps`](Self::steps) and [`first_ply`](Self::first_ply), hide; `None`
+    /// where it has no such ends.
+    pub beside_supports: Option<BesideSupports>,
     /// Ply stresses along its reported edges.
     pub edges: Vec<EdgePlies>,
     /// Indices over the whole body for the steps with fields.
@@ -83,6 +86,40 @@ pub struct FirstPly {
     pub load: Option<LoadValue>,
     /// The ply and its place, with the stress at that load.
     pub at: FailurePoint,
+}
+
+impl FirstPly {
+    /// Whether the history comes to this failure first; of failures beyond the history, whether the smaller multiple of loads does.
+    pub fn is_before(&self, other: &Self) -> bool {
+        match (self.reached, other.reached) {
+            (true, true) => (self.step, self.factor) < (other.step, other.factor),
+            (false, false) => self.factor < other.factor,
+            (reached, _) => reached,
+        }
+    }
+}
+
+/// Plies beside the ends of supported edges and beside points that are held, where stresses grow without bound as the mesh is
+/// refined.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BesideSupports {
+    /// Within this distance of them no ply is asked `[mm]`.
+    pub distance: f64,
+    /// First-ply failure there by each criterion, where it comes before that elsewhere.
+    pub sooner: Vec<Option<FirstPly>>,
+}
+
+impl BesideSupports {
+    /// Leaves the failures that come before those `elsewhere`, by criterion.
+    pub(crate) fn keep_sooner_than(&mut self, elsewhere: &[Option<FirstPly>]) {
+        for (there, elsewhere) in self.sooner.iter_mut().zip(elsewhere) {
+            if let (Some(own), Some(other)) = (&*there, elsewhere)
+                && !own.is_before(other)
+            {
+                *there = None;
+            }
+        }
+    }
 }
 
 /// Ply stresses along an edge.
@@ -167,9 +204,9 @@ impl JointMode {
     pub const fn name(self) -> &'static str {
         match self {
             Self::Bearing => "bearing",
-            Self::BearingAndShearOut => "mixed: bearing and shear-out",
+            Self::BearingAndShearOut => "bearing and shear-out",
             Self::ShearOut => "shear-out",
-            Self::ShearOutAndNetTension => "mixed: shear-out and net tension",
+            Self::ShearOutAndNetTension => "shear-out and net tension",
             Self::NetTension => "net tension",
         }
     }

@@ -2,6 +2,7 @@
 
 mod characteristic;
 mod envelopes;
+mod supports;
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -108,19 +109,25 @@ impl<'a> Subject<'a> {
             .into_par_iter()
             .map(|step| self.stresses(&recovered[step], &results.steps[step].edges))
             .collect::<Result<Vec<Sites>, _>>()?;
-        let nodes = self.mesh.nodes().to_vec();
         let characteristic = match self.failure.characteristic {
             Some(distances) => Some(self.characteristic(distances, &steps)?),
             None => None,
         };
         let edges = self.edges(&steps)?;
-        let (sites, positions) = self.both_halves(steps, nodes);
+        let maps = fields.iter().map(|&step| self.map(step, &steps[step]));
+        let maps = maps.collect::<Result<_, _>>()?;
+        let search = self.search()?;
+        let mut beside = self.beside_supports(&search, &steps)?;
+        let (sites, positions) = search.kept(steps, self.mesh.nodes());
+        let (sites, positions) = self.both_halves(sites, positions);
         let mut found = self.followed(&sites, &positions)?;
+        if let Some(beside) = &mut beside {
+            beside.keep_sooner_than(&found.first_ply);
+        }
+        found.beside_supports = beside;
         found.edges = edges;
         found.characteristic = characteristic;
-        for &step in fields {
-            found.maps.push(self.map(step, &sites[step])?);
-        }
+        found.maps = maps;
         if let Some(envelopes) = &self.failure.envelopes {
             found.envelopes = self.envelopes(envelopes)?;
         }
@@ -164,13 +171,13 @@ impl<'a> Subject<'a> {
         Ok(Sites { stress, heating })
     }
 
-    /// The places of a half model and their mirror images; of a whole one the places.
+    /// The places of a half model and, if the plies are not alike there, their mirror images; of a whole one the places.
     fn both_halves(
         &self,
         steps: Vec<Sites>,
         mut positions: Vec<Point>,
     ) -> (Vec<Sites>, Vec<Point>) {
-        if !self.model.half {
+        if !self.model.half || self.plies.are_their_mirror_image() {
             return (steps, positions);
         }
         let mut images = positions.clone();
@@ -214,6 +221,7 @@ impl<'a> Subject<'a> {
             centre: self.hole().map(|hole| hole.centre),
             steps,
             first_ply,
+            beside_supports: None,
             edges: Vec::new(),
             maps: Vec::new(),
             characteristic: None,
@@ -269,7 +277,7 @@ impl<'a> Subject<'a> {
             .collect()
     }
 
-    /// Indices of the first criterion at all places.
+    /// Indices of the first criterion at all places, and of a half model at their mirror images.
     fn map(&self, step: usize, sites: &Sites) -> Result<PlyMap, RunError> {
         let Some(criterion) = self.failure.criteria.first() else {
             return Ok(PlyMap {
@@ -277,6 +285,10 @@ impl<'a> Subject<'a> {
                 index: Vec::new(),
             });
         };
+        let mut sites = sites.clone();
+        if self.model.half {
+            sites = sites.with_mirror_images();
+        }
         let of_group = |group: usize| {
             let index = |&mean: &[f64; 3]| {
                 let loading = self.plies.loading(group, mean, sites.heating);
@@ -330,6 +342,9 @@ fn name_loads(found: &mut BodyFailure, scale: &LoadScale) {
         }
     };
     found.first_ply.iter_mut().for_each(name);
+    if let Some(beside) = &mut found.beside_supports {
+        beside.sooner.iter_mut().for_each(name);
+    }
     if let Some(characteristic) = &mut found.characteristic {
         characteristic.net_section.iter_mut().for_each(name);
         characteristic.bearing_point.iter_mut().for_each(name);

@@ -20,6 +20,7 @@ use serde_json::Value;
 use self::progressive::Surroundings;
 use super::document::{Document, Part, child};
 use super::format::SceneFormat;
+use super::overrides::mistyped;
 use super::schema::{
     Analysis, Body, Contact, DisplayUnits, Failure, Load, Material, MeshSettings, Output, Platen,
     SetRef, Support,
@@ -140,6 +141,7 @@ struct Builder<'a> {
 
 impl Builder<'_> {
     fn report(&mut self, key: &str, part: Part, problem: SceneProblem) {
+        let problem = mistyped(self.document, key, problem);
         self.findings
             .push(self.document.finding(key, part, problem));
     }

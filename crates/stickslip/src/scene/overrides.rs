@@ -4,6 +4,8 @@
 //! as `2.25 deg`, is a text. Missing tables are made. Where a scene holds one of several alternatives, as one law under
 //! `friction`, setting another one replaces it.
 
+mod mistyped;
+
 use std::sync::Arc;
 
 use serde_json::{Map, Value};
@@ -12,6 +14,8 @@ use super::document::{Document, Format, Place, child};
 use super::friction::is_choice;
 use super::read::described;
 use crate::diagnostic::{Finding, SceneError, SceneProblem, SourceText};
+
+pub(super) use mistyped::mistyped;
 
 /// Name of the source that errors in an override are shown in.
 const SOURCE: &str = "--set";

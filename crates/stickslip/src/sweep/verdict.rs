@@ -63,7 +63,7 @@ fn modes(sweep: &Sweep, failed: &[(usize, &JointLoad)]) -> String {
         } else {
             format!(" ({})", places.join(", "))
         };
-        parts.push(format!("{} governs {}{place}", called(mode), cases.len()));
+        parts.push(format!("{} governs {}{place}", mode.name(), cases.len()));
     }
     let mut text = format!("Of {} joints, {}.", failed.len(), parts.join("; "));
     if let [only] = parts.as_slice() {
@@ -71,11 +71,6 @@ fn modes(sweep: &Sweep, failed: &[(usize, &JointLoad)]) -> String {
         text = format!("All {} joints fail by {mode}.", failed.len());
     }
     text
-}
-
-/// A mode in a sentence: "mixed shear-out and net tension".
-fn called(mode: JointMode) -> String {
-    mode.name().replace(": ", " ")
 }
 
 /// Between which values of an axis the cases lie, if they do not lie at all of them.
@@ -112,7 +107,7 @@ fn extremes(sweep: &Sweep, failed: &[(usize, &JointLoad)]) -> Option<String> {
         format!(
             "{} {unit} by {} ({})",
             short(load),
-            called(mode),
+            mode.name(),
             sweep.name_of(case)
         )
     };

@@ -82,6 +82,7 @@ fn init_writes_scenes_that_check_and_never_overwrites() {
     for template in [
         "pin-loaded-plate",
         "pin-infinite-plate",
+        "laminate-joint",
         "hertz",
         "open-hole",
     ] {
@@ -112,4 +113,21 @@ fn init_writes_scenes_that_check_and_never_overwrites() {
         message.contains("'nowhere/mine.toml' cannot be written"),
         "{message}"
     );
+}
+
+#[test]
+fn the_template_of_a_laminate_tells_load_ply_and_mode() {
+    let folder = TempDir::new().unwrap();
+    succeeds(folder.path(), &["init", "laminate-joint"]);
+    let run = ["run", "laminate-joint.toml", "--output", "out", "--set"];
+    let coarse = ["mesh.spacing=6 deg", "--set", "output.figures=false"];
+    let printed = succeeds(folder.path(), &[&run[..], &coarse].concat());
+    for part in [
+        "Failure of 'plate', lay-up [0/±45/90]s",
+        "first ply",
+        "Yamada–Sun: on the characteristic curve the joint 'plate' fails by ",
+    ] {
+        assert!(printed.contains(part), "'{part}' is missing in:\n{printed}");
+    }
+    assert!(!printed.contains("mixed:"), "{printed}");
 }

@@ -15,6 +15,7 @@ fn list_names_laws_with_their_parameters() {
         "slip_scale",
         "default \"committed\"",
         "pin-infinite-plate",
+        "laminate-joint",
         "Q9",
         "pivoting",
         "ksi",

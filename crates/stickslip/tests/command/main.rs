@@ -4,6 +4,7 @@ mod checks;
 mod conflicts;
 mod files;
 mod lists;
+mod particular;
 mod refusals;
 
 use std::fs;

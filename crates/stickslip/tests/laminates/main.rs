@@ -6,6 +6,7 @@ mod files;
 mod progressive;
 mod refusals;
 mod stiffness;
+mod supports;
 
 use std::path::Path;
 

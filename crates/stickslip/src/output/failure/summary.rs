@@ -17,6 +17,8 @@ pub(crate) struct Failure<'a> {
     plies: Vec<Ply<'a>>,
     criteria: &'a [&'static str],
     first_ply: Vec<First<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    beside_supports: Option<BesideSupports<'a>>,
     characteristic: Option<Characteristic<'a>>,
     steps: Vec<Vec<Point<'a>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -76,6 +78,12 @@ struct First<'a> {
 }
 
 #[derive(Debug, Serialize)]
+struct BesideSupports<'a> {
+    distance: Quantity,
+    sooner: Vec<First<'a>>,
+}
+
+#[derive(Debug, Serialize)]
 struct Characteristic<'a> {
     tension: Quantity,
     compression: Quantity,
@@ -107,6 +115,16 @@ pub(crate) fn failure<'a>(view: &FailureView<'a>) -> Failure<'a> {
             bearing_point: next(),
         }
     });
+    let beside_supports = own.beside_supports.as_ref().map(|beside| {
+        let criteria = own.criteria.iter().zip(&beside.sooner);
+        let found = criteria.filter(|(_, at)| at.is_some());
+        BesideSupports {
+            distance: length(view, beside.distance),
+            sooner: found
+                .map(|(name, at)| first(view, name, at.as_ref()))
+                .collect(),
+        }
+    });
     Failure {
         body: view.body(),
         layup: &own.layup,
@@ -117,6 +135,7 @@ pub(crate) fn failure<'a>(view: &FailureView<'a>) -> Failure<'a> {
         plies: own.plies.iter().map(|group| ply(view, group)).collect(),
         criteria: &own.criteria,
         first_ply,
+        beside_supports,
         characteristic,
         steps: own
             .steps

@@ -35,7 +35,30 @@ pub(crate) fn first_ply(view: &FailureView<'_>) -> Table {
             table.push(row(view, &hypothesis, criterion, first, load.is_load()));
         }
     }
-    table
+    beside_supports(view).into_iter().fold(table, Table::note)
+}
+
+/// Where no ply was asked, and which criteria would have found the first one there.
+fn beside_supports(view: &FailureView<'_>) -> Vec<String> {
+    let Some(beside) = &view.failure.beside_supports else {
+        return Vec::new();
+    };
+    let distance = significant(view.length(beside.distance), 3);
+    let unit = view.results.units.length.name;
+    let mut notes = vec![format!(
+        "First ply: not within {distance} {unit} of the ends of supports, where stresses grow without bound as the mesh is refined."
+    )];
+    let criteria = view.failure.criteria.iter().zip(&beside.sooner);
+    notes.extend(criteria.filter_map(|(name, first)| {
+        let first = first.as_ref()?;
+        Some(format!(
+            "By {} the {} ply would fail there before, at {} on this mesh.",
+            criterion_name(name),
+            view.failure.ply_name(first.at.ply),
+            load_text(first),
+        ))
+    }));
+    notes
 }
 
 /// Every hypothesis with what it says by each criterion.

@@ -82,18 +82,15 @@ impl Subject<'_> {
     }
 
     /// First-ply failure by all criteria at some of the places.
-    fn at_places(
+    pub(super) fn at_places(
         &self,
         sites: &[Sites],
         places: &[Point],
         chosen: &[usize],
     ) -> Result<Vec<Option<FirstPly>>, RunError> {
-        let some = |sites: &Sites| Sites {
-            stress: chosen.iter().map(|&k| sites.stress[k]).collect(),
-            heating: sites.heating,
-        };
+        let some = sites.iter().map(|sites| sites.chosen(chosen)).collect();
         let chosen_places = chosen.iter().map(|&k| places[k]).collect();
-        let (sites, positions) = self.both_halves(sites.iter().map(some).collect(), chosen_places);
+        let (sites, positions) = self.both_halves(some, chosen_places);
         let tracked = self.tracked(&sites, &positions)?;
         Ok(tracked.into_iter().map(|(_, first)| first).collect())
     }

@@ -48,10 +48,20 @@ impl Builder<'_> {
         Some(Failure {
             criteria,
             bodies,
+            clear_of_supports: self.clear_of_supports(given),
             characteristic,
             envelopes,
             progressive,
         })
+    }
+
+    fn clear_of_supports(&mut self, given: &FailureFormat) -> Option<f64> {
+        let distance = given.clear_of_supports.as_ref()?;
+        if distance.value() < 0.0 {
+            let key = "failure.clear_of_supports";
+            self.out_of_range(key, distance.text(), "at least 0 mm");
+        }
+        Some(distance.value())
     }
 
     fn criteria(&mut self, given: &FailureFormat) -> Vec<Arc<dyn FailureCriterion>> {

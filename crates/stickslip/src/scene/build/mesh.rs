@@ -178,8 +178,7 @@ impl Builder<'_> {
                 };
                 self.report(&scope.key(name), Part::Value, problem.into());
             } else if value < fine {
-                let allowed = format!("at least {}, {}", scope.key("spacing"), spacing.text());
-                self.out_of_range(&scope.key(name), other.text(), allowed);
+                self.below_spacing(scope, spacing.text(), name, other.text());
             }
             Some(value)
         });
@@ -200,6 +199,27 @@ impl Builder<'_> {
             Division::Angular(grading)
         } else {
             Division::Linear(grading)
+        }
+    }
+
+    /// `name` is less than the spacing. Of two keys that do not fit the more particular one is shown: that of a body before that of the
+    /// scene, an override before the file, otherwise `name`. What the scene's table says by itself is reported there alone.
+    fn below_spacing(&mut self, scope: &Scope<'_>, spacing: &str, name: &str, other: &str) {
+        let written = |name: &str| {
+            let own = scope.key(name);
+            let is_own = self.document.get(&own).is_some();
+            let key = if is_own { own } else { child("mesh", name) };
+            let particular = (is_own, self.document.is_overridden(&key));
+            (key, particular)
+        };
+        let ((fine, first), (key, second)) = (written("spacing"), written(name));
+        if scope.table != "mesh" && !first.0 && !second.0 {
+            return;
+        }
+        if first > second {
+            self.out_of_range(&fine, spacing, format!("at most {key}, {other}"));
+        } else {
+            self.out_of_range(&key, other, format!("at least {fine}, {spacing}"));
         }
     }
 

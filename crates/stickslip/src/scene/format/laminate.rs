@@ -81,6 +81,8 @@ pub(in crate::scene) struct FailureFormat {
     pub(in crate::scene) criteria: Vec<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(in crate::scene) bodies: Option<Vec<String>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(in crate::scene) clear_of_supports: Option<Quantity<Length>>,
     #[serde(default = "default_interaction")]
     pub(in crate::scene) tsai_wu_interaction: f64,
     #[serde(default = "default_shear_weight")]

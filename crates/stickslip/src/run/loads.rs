@@ -1,0 +1,52 @@
+//! The loads of a history in display units.
+
+use crate::results::LoadValue;
+use crate::scene::Scene;
+use crate::scene::schema::{Load, LoadKind, Ramp};
+
+/// The loads at the end of the step `step`.
+pub(super) fn at_step(scene: &Scene, step: usize) -> Vec<LoadValue> {
+    scene
+        .loads
+        .iter()
+        .map(|load| {
+            let value = load.kind.steps().get(step).copied().unwrap_or(0.0);
+            shown_load(scene, load, value)
+        })
+        .collect()
+}
+
+/// The value of a load in display units.
+fn shown_load(scene: &Scene, load: &Load, value: f64) -> LoadValue {
+    let display = &scene.display;
+    let (value, unit) = match load.kind {
+        LoadKind::Force { .. } | LoadKind::Bearing { .. } => {
+            (display.force.from_base(value), display.force.name)
+        }
+        LoadKind::Pressure { .. } => (display.stress.from_base(value), display.stress.name),
+        LoadKind::PolarTraction { .. } => (value, "1"),
+        LoadKind::Temperature { .. } => (value, "K"),
+    };
+    LoadValue {
+        name: load.name.clone(),
+        value,
+        unit: unit.to_owned(),
+    }
+}
+
+/// The loads where the history of `scene` came to an end, at the part `reached` of its step `step`.
+pub(crate) fn loads_reached(scene: &Scene, step: usize, reached: f64) -> Vec<LoadValue> {
+    let quadratic = step == 0 && scene.analysis.ramp == Ramp::Quadratic;
+    let part = if quadratic {
+        reached * reached
+    } else {
+        reached
+    };
+    let value = |load: &Load| {
+        let at = |step: Option<usize>| step.and_then(|step| load.kind.steps().get(step).copied());
+        let from = at(step.checked_sub(1)).unwrap_or(0.0);
+        let to = at(Some(step)).unwrap_or(0.0);
+        shown_load(scene, load, from + part * (to - from))
+    };
+    scene.loads.iter().map(value).collect()
+}

@@ -1,0 +1,149 @@
+//! A pinned joint: half of a strip whose end is driven, its hole on a rigid pin that is held.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use stickslip_contact::{Chain, ContactPair, ContactPoint, Stencil};
+use stickslip_fem_core::generate::{
+    Extent, Generate, Growth, Outline, PlateWithHole, uniform_angles,
+};
+use stickslip_fem_core::mesh::{ElementKind, Mesh};
+use stickslip_fem_core::{ElasticBody, HeldDirection, LoadCase, RigidBody, Support};
+use stickslip_friction::Coulomb;
+use stickslip_joint::{Ending, Gauge, Joint, JointBody, Mark, Options, ProgressiveBody, Pull};
+
+use super::plies::{Kept, laminate, models};
+use super::{Strengths, Trouble};
+
+/// `[mm]`
+pub(super) const RADIUS: f64 = 3.0;
+const HALF_WIDTH: f64 = 6.0;
+const LEFT: f64 = 18.0;
+const RIGHT: f64 = 12.0;
+pub(super) const LAYUP: &str = "[0/45/-45/90]s";
+const FRICTION: f64 = 0.2;
+const KEPT: Kept = Kept {
+    fibre: 0.01,
+    matrix: 0.1,
+};
+/// Width of a row whose strengths are the plies' own `[mm]`: half a cell where 16 go along the half circle.
+pub(super) const OWN: f64 = 0.5 * PI * RADIUS / 16.0;
+
+/// Size of the cells on the hole `[mm]`, and largest load over D t `[MPa]`; on quadratic cells.
+pub(super) fn strength(
+    kind: ElementKind,
+    cells: usize,
+    strengths: Strengths,
+) -> Result<(f64, f64), Trouble> {
+    let plate = PlateWithHole {
+        hole_radius: RADIUS,
+        outline: Outline::Strip {
+            half_width: HALF_WIDTH,
+            left: LEFT,
+            right: RIGHT,
+        },
+        extent: Extent::Half,
+        angles: uniform_angles(Extent::Half, cells),
+        layers: 3 * cells / 8,
+        growth: Growth::Geometric { aspect: 1.0 },
+        far_cells: (3 * cells).div_ceil(16),
+        kind,
+    };
+    let mesh: Arc<Mesh> = Arc::new(plate.generate()?);
+    let whole = laminate(LAYUP)?;
+    let thickness = whole.thickness();
+    let nodes = mesh
+        .counter_clockwise(&mesh.edge_path("hole")?, [0.0; 2])
+        .nodes;
+    let models = models(&mesh, kind, &whole, KEPT, (strengths, OWN))?;
+    let body = ProgressiveBody::with_models(Arc::new(driven(&mesh)?), &nodes, models)?;
+    let (pair, pin) = contact(&mesh, &nodes, thickness)?;
+    let gauge = Gauge {
+        pull: Pull::Contact {
+            pair: 0,
+            direction: [1.0, 0.0],
+        },
+        multiple: 2.0 / (2.0 * RADIUS * thickness),
+        direction: [1.0, 0.0],
+        first: Mark::Fixed,
+        second: Mark::Node {
+            body: 0,
+            node: mesh.node_set("left")?[0],
+        },
+    };
+    let options = Options {
+        increments: 64,
+        ..Options::default()
+    };
+    let bodies = vec![
+        JointBody::Progressive(Arc::new(body)),
+        JointBody::Rigid(pin),
+    ];
+    let joint = Joint::new(bodies, vec![pair], gauge)?.with_options(options)?;
+    let history = joint.follow(&[vec![0.4]], &Chain::newton_first(), |_, _| {})?;
+    if matches!(history.ending, Ending::Completed) {
+        return Err("the joint bears more than its end is driven to".into());
+    }
+    let strength = history.strength().ok_or("the joint carries no load")?;
+    Ok((PI * RADIUS / cells as f64, strength))
+}
+
+/// The half strip, its left end driven by 1 mm for a multiplier of one.
+fn driven(mesh: &Arc<Mesh>) -> Result<ElasticBody, Trouble> {
+    let hold = |set: &str, direction, displacement| -> Result<Support, Trouble> {
+        Ok(Support {
+            nodes: mesh.node_set(set)?.to_vec(),
+            direction,
+            displacement,
+        })
+    };
+    let supports = [
+        hold("symmetry", HeldDirection::Y, 0.0)?,
+        hold("left", HeldDirection::X, -1.0)?,
+    ];
+    let case = LoadCase {
+        moves_supports: true,
+        ..LoadCase::default()
+    };
+    let whole = laminate(LAYUP)?;
+    let material: Arc<dyn stickslip_fem_core::material::Material> =
+        Arc::new(whole.membrane_material()?);
+    let materials = vec![material; mesh.blocks().len()];
+    let body = ElasticBody::new(Arc::clone(mesh), materials, whole.thickness())?;
+    Ok(body.with_supports(supports).with_load_cases(vec![case])?)
+}
+
+/// The pair of plate (body 0) and fitting pin (body 1) at the hole's nodes, of quadratic edges, and the pin.
+fn contact(
+    mesh: &Mesh,
+    nodes: &[usize],
+    thickness: f64,
+) -> Result<(ContactPair, RigidBody), Trouble> {
+    let positions: Vec<[f64; 2]> = nodes.iter().map(|&node| mesh.nodes()[node]).collect();
+    let edge = 2.0 * PI * RADIUS / (nodes.len() - 1) as f64;
+    let share = |k: usize| match (k % 2, k == 0 || k + 1 == nodes.len()) {
+        (1, _) => 4.0 / 6.0,
+        (_, true) => 1.0 / 6.0,
+        _ => 2.0 / 6.0,
+    };
+    let points = positions.iter().enumerate().map(|(k, [x, y])| {
+        let radius = x.hypot(*y);
+        ContactPoint {
+            first: Stencil::from(k),
+            second: Stencil::from(k),
+            normal: [x / radius, y / radius],
+            gap: 0.0,
+            area: thickness * edge * share(k),
+            material_angle: 0.0,
+        }
+    });
+    let pair = ContactPair {
+        name: "pin".into(),
+        first: 0,
+        second: 1,
+        points: points.collect(),
+        law: Arc::new(Coulomb::new(FRICTION)?),
+    };
+    let pin = RigidBody::held(positions, 1);
+    Ok((pair, pin))
+}
