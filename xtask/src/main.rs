@@ -1,8 +1,11 @@
 //! Tasks on the whole workspace: `cargo xtask validate` compares the library with known solutions, `cargo xtask chart` shows
-//! what accuracy costs, `cargo xtask stability` where methods fail, `cargo xtask cosine` how wrong an assumed bearing load is.
+//! what accuracy costs, `cargo xtask stability` where methods fail, `cargo xtask cosine` how wrong an assumed bearing load is,
+//! `cargo xtask shear-sign` which way friction points along a loaded hole.
 
 mod chart;
 mod cosine;
+mod publish;
+mod shear_sign;
 mod stability;
 mod validate;
 
@@ -27,7 +30,9 @@ enum Task {
     /// Draws the atlas of failures: what each method does where methods fail.
     Stability(stability::Options),
     /// Compares the assumed cosine bearing load with computed contact.
-    Cosine(cosine::Options),
+    Cosine(publish::Options),
+    /// Asks which friction laws reverse the shear on the edge of a pin-loaded hole, and where matrix cracks are to be expected.
+    ShearSign(publish::Options),
 }
 
 fn main() -> ExitCode {
@@ -36,5 +41,6 @@ fn main() -> ExitCode {
         Task::Chart(options) => chart::main(&options),
         Task::Stability(options) => stability::main(&options),
         Task::Cosine(options) => cosine::main(&options),
+        Task::ShearSign(options) => shear_sign::main(&options),
     }
 }

@@ -2,9 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::Trouble;
+use super::{Picture, Trouble};
 use super::case::{Failure, Load, MEAN, Row};
-use super::figures::Picture;
 use super::study::{CLEARANCE, CRITERION, FRICTION, Study};
 
 const COLUMNS: [&str; 11] = [
