@@ -1,15 +1,45 @@
-//! `cargo xtask shear-sign`: which way friction points along a pin-loaded hole.
-mod case; mod curve; mod depth; mod plan; mod plies;
+//! `cargo xtask shear-sign`: which way friction points along a pin-loaded hole, and where matrix cracks are to be expected.
+//!
+//! Post and Reddy (1988, part I, 6.3) saw the shear on the edge of a (0/60/−60) plate change its sign at about 30° from the net section.
+//! Their joint is solved with all friction laws over their parameters, with moduli of the plies and smeared ones, and over lay-up,
+//! clearance and pin, loading and unloading; every load step is asked where the shear is reversed. The plies' transverse stresses along
+//! the edge are compared with the matrix cracks of 6.4. The task writes tables, charts and a page.
+
+pub(crate) mod case;
+mod crack;
+pub(crate) mod curve;
+mod depth;
+mod figures;
+mod maps;
+mod page;
+mod plan;
+mod plies;
+mod study;
+mod tables;
+
 use std::process::ExitCode;
+
 use crate::publish::{self, Options, Publication, Trouble};
-pub(crate) fn main(options: &Options) -> ExitCode { publish::main("shear-sign", options, compare) }
+use plan::Plan;
+use study::Study;
+
+/// Runs the task.
+pub(crate) fn main(options: &Options) -> ExitCode {
+    publish::main("shear-sign", options, compare)
+}
+
 fn compare(quick: bool) -> Result<Publication, Trouble> {
-    let plan = if quick { plan::Plan::quick() } else { plan::Plan::full() };
-    let rows = publish::side_by_side(&plan.cases, |c| case::solve(c, plan.spacing))?;
-    for r in &rows { for s in &r.steps { println!("{:?}|{}|{:?}|{:.0}|{:?}|{:?}|{:?}|{:.1}|{:?}", r.case.family, r.case.name, r.case.plate, s.load, s.phase, s.reading.pattern, s.reading.crossings, s.reading.end, s.reading.reversal); } }
-    for f in [0.05,0.2] { for c in [0.0005,0.0015] { for a in depth::look(depth::Joint{friction:f,clearance:c}, plan.spacing)? { println!("D {f} {c} {} {} {:?}", a.load, a.depth, a.signs()); } } }
-    for (n,l) in [("Coulomb",plan::coulomb(0.2)),("coverage",plan::usual_coverage())] { for cure in [0.0,-150.0] {
-      for clearance in [0.0005, 0.001, 0.0015,0.002] {
-      for c in plies::ask(&plies::Question{name:n,law:l.clone(),cure,clearance}, plan.spacing)? { println!("P {n} {cure} {clearance} {} {} peak {:?} at20 {:.2} at30 {:.2} at150 {:.2} {:?} {}", c.load,c.ply,c.peak(),c.at(20.0),c.at(30.0),c.at(150.0),c.cracked(),c.residual); } } } }
-    Ok(Publication{tables:vec![],pictures:vec![],page:String::new(),findings:String::new()})
+    let study = Study::of(if quick { Plan::quick() } else { Plan::full() })?;
+    let pictures = figures::all(&study)?;
+    let findings = [page::findings(&study), crack::findings(&study)].concat();
+    Ok(Publication {
+        tables: vec![
+            ("shear-sign.csv", tables::cases(&study)?),
+            ("beneath.csv", tables::beneath(&study)?),
+            ("plies.csv", tables::plies(&study)?),
+        ],
+        page: page::page(&study, &pictures),
+        pictures,
+        findings: findings.join("\n\n") + "\n",
+    })
 }

@@ -92,7 +92,11 @@ impl Case {
 
     /// Keys of the scene that differ.
     pub(crate) fn changes(&self, spacing: f64) -> Vec<String> {
-        let steps: Vec<String> = self.loads.iter().map(|load| format!("\"{load} lbf\"")).collect();
+        let steps: Vec<String> = self
+            .loads
+            .iter()
+            .map(|load| format!("\"{load} lbf\""))
+            .collect();
         let radius = RADIUS - self.clearance;
         let mut changes = vec![
             format!("contacts.0.friction={{ {} }}", self.law),
@@ -156,7 +160,11 @@ fn steps(case: &Case, results: &Results, law: &dyn FrictionLaw) -> Result<Vec<St
         return Err("the edge is no circle".into());
     };
     let mut steps = Vec::with_capacity(results.steps.len());
-    for (step, (&load, phase)) in results.steps.iter().zip(case.loads.iter().zip(phases(&case.loads))) {
+    for (step, (&load, phase)) in results
+        .steps
+        .iter()
+        .zip(case.loads.iter().zip(phases(&case.loads)))
+    {
         let edge = &step.edges[0];
         let mean = edge.bearing_stress(geometry).ok_or("no bearing stress")?;
         let touching = geometry.parameter.iter().zip(&edge.rows);
@@ -173,7 +181,10 @@ fn steps(case: &Case, results: &Results, law: &dyn FrictionLaw) -> Result<Vec<St
             load,
             phase,
             reading: read(&points),
-            profile: points.iter().map(|point| [point.angle, point.shear / mean]).collect(),
+            profile: points
+                .iter()
+                .map(|point| [point.angle, point.shear / mean])
+                .collect(),
         });
     }
     Ok(steps)
@@ -217,23 +228,37 @@ mod tests {
     fn phases_follow_the_largest_load_so_far() {
         use Phase::{Loading, Reloading, Unloading};
         let phases = phases(&[20.0, 100.0, 50.0, 60.0, 100.0, 120.0]);
-        assert_eq!(phases, [Loading, Loading, Unloading, Reloading, Loading, Loading]);
+        assert_eq!(
+            phases,
+            [Loading, Loading, Unloading, Reloading, Loading, Loading]
+        );
     }
 
     /// Coulomb friction on the report's joint: forward at 400 lb and 900 lb, reversed outside while unloading, and at 20 lb reversed
     /// near the bearing point.
     #[test]
     fn coulomb_friction_reverses_the_outside_and_that_only_while_unloading() {
-        let case = Case::new("test", "Coulomb", "coulomb = { mu = 0.2 }", &[20.0, 400.0, 900.0, 400.0]);
+        let case = Case::new(
+            "test",
+            "Coulomb",
+            "coulomb = { mu = 0.2 }",
+            &[20.0, 400.0, 900.0, 400.0],
+        );
         let row = solve(&case, 4.5).expect("it is solved");
         let patterns: Vec<Pattern> = row.steps.iter().map(|step| step.reading.pattern).collect();
         use Pattern::{Forward, ReversedInside, ReversedOutside};
-        assert_eq!(patterns, [ReversedInside, Forward, Forward, ReversedOutside]);
+        assert_eq!(
+            patterns,
+            [ReversedInside, Forward, Forward, ReversedOutside]
+        );
         // Half of 26°, to which contact reaches at that load.
         let reach = row.steps[0].reading.reach().expect("it is inside");
         assert!(reach < 18.0, "{reach}");
         for step in &row.steps {
-            let carried = step.reading.reversal.map_or(0.0, |reversal| reversal.of_limit);
+            let carried = step
+                .reading
+                .reversal
+                .map_or(0.0, |reversal| reversal.of_limit);
             assert!(carried < 1.0 + 1e-9, "{carried}");
         }
     }

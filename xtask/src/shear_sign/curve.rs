@@ -80,7 +80,9 @@ impl Reading {
 
 /// Reads the sign off the nodes in contact of one half, by ascending angle; the bearing point itself has no sign.
 pub(crate) fn read(points: &[Point]) -> Reading {
-    let peak = points.iter().fold(0.0_f64, |most, p| most.max(p.shear.abs()));
+    let peak = points
+        .iter()
+        .fold(0.0_f64, |most, p| most.max(p.shear.abs()));
     let signed: Vec<&Point> = points
         .iter()
         .filter(|point| peak > 0.0 && point.shear.abs() > NEGLIGIBLE * peak)
@@ -143,7 +145,9 @@ mod tests {
 
     #[test]
     fn the_report_s_reversal_is_inside_and_its_place_and_size_are_found() {
-        let reading = read(&curve(|a| -0.5 * (6.0 * a).to_radians().sin() * f64::from(a > 30.0)));
+        let reading = read(&curve(|a| {
+            -0.5 * (6.0 * a).to_radians().sin() * f64::from(a > 30.0)
+        }));
         assert_eq!(reading.pattern, Pattern::ReversedInside);
         let reach = reading.reach().expect("it has an outer end");
         // sin 6a passes through zero at 60°, which is a node.

@@ -46,10 +46,16 @@ pub(crate) struct Arc {
 impl Arc {
     /// |θ| where the shear changes its sign `[degree]`, and whether it is forward before the first of these places.
     pub(crate) fn signs(&self) -> (bool, Vec<f64>) {
-        let largest = self.profile.iter().fold(0.0_f64, |most, row| row[1].abs().max(most));
-        let mut signed = self.profile.iter().filter(|row| row[1].abs() > 1e-2 * largest).peekable();
-        let forward = signed.peek().is_some_and(|row| row[1] > 0.0);
+        let largest = self
+            .profile
+            .iter()
+            .fold(0.0_f64, |most, row| row[1].abs().max(most));
+        let signed = self
+            .profile
+            .iter()
+            .filter(|row| row[1].abs() > 1e-2 * largest);
         let rows: Vec<&[f64; 2]> = signed.collect();
+        let forward = rows.first().is_some_and(|row| row[1] > 0.0);
         let changes = rows.windows(2).filter(|pair| pair[0][1] * pair[1][1] < 0.0);
         let places = changes.map(|pair| {
             let part = pair[0][1] / (pair[0][1] - pair[1][1]);
@@ -71,14 +77,22 @@ pub(crate) fn look(joint: Joint, spacing: f64) -> Result<Vec<Arc>, Trouble> {
     let results = run(&scene, &mut |_| {})?;
     let mut arcs = Vec::new();
     for load in LOADS {
-        let step = STEPS.iter().position(|&own| own == load).ok_or("no such load")?;
+        let step = STEPS
+            .iter()
+            .position(|&own| own == load)
+            .ok_or("no such load")?;
         for depth in DEPTHS {
             let profile = if depth == 0.0 {
                 on_edge(&results, step)?
             } else {
                 inside(&results, step, depth)?
             };
-            arcs.push(Arc { joint, load, depth, profile });
+            arcs.push(Arc {
+                joint,
+                load,
+                depth,
+                profile,
+            });
         }
     }
     Ok(arcs)
@@ -91,17 +105,28 @@ fn mean(results: &Results, step: usize) -> Result<f64, Trouble> {
 
 fn on_edge(results: &Results, step: usize) -> Result<Vec<[f64; 2]>, Trouble> {
     let mean = mean(results, step)?;
-    let rows = results.edges[0].parameter.iter().zip(&results.steps[step].edges[0].rows);
+    let rows = results.edges[0]
+        .parameter
+        .iter()
+        .zip(&results.steps[step].edges[0].rows);
     let rows = rows.map(|(theta, row)| [theta.to_degrees(), row.tau / mean]);
-    Ok(rows.filter(|row| (0.5..=90.0 + 1e-9).contains(&row[0])).collect())
+    Ok(rows
+        .filter(|row| (0.5..=90.0 + 1e-9).contains(&row[0]))
+        .collect())
 }
 
 fn inside(results: &Results, step: usize, depth: f64) -> Result<Vec<[f64; 2]>, Trouble> {
     let mean = mean(results, step)?;
-    let index = results.bodies.iter().position(|body| body.name == "plate").ok_or("no plate")?;
+    let index = results
+        .bodies
+        .iter()
+        .position(|body| body.name == "plate")
+        .ok_or("no plate")?;
     let mesh = results.bodies[index].mesh.as_ref().ok_or("no mesh")?;
     let mut fields = results.steps[step].fields.iter();
-    let fields = fields.find(|fields| fields.body == index).ok_or("no fields")?;
+    let fields = fields
+        .find(|fields| fields.body == index)
+        .ok_or("no fields")?;
     let display = |length: f64| results.units.length.from_base(length);
     let near: Vec<([f64; 2], [f64; 3])> = mesh
         .nodes()
@@ -123,18 +148,26 @@ fn inside(results: &Results, step: usize, depth: f64) -> Result<Vec<[f64; 2]>, T
 /// The plane through the values of the nearest nodes, at `place`; `None` if they do not span one.
 fn fitted(nodes: &[([f64; 2], [f64; 3])], place: [f64; 2]) -> Option<[f64; 3]> {
     let squared = |node: &[f64; 2]| (node[0] - place[0]).powi(2) + (node[1] - place[1]).powi(2);
-    let mut nearest: Vec<(f64, &([f64; 2], [f64; 3]))> = nodes.iter().map(|own| (squared(&own.0), own)).collect();
+    let mut nearest: Vec<(f64, &([f64; 2], [f64; 3]))> =
+        nodes.iter().map(|own| (squared(&own.0), own)).collect();
     if nearest.len() < NEIGHBOURS {
         return None;
     }
     nearest.select_nth_unstable_by(NEIGHBOURS - 1, |a, b| a.0.total_cmp(&b.0));
     nearest.truncate(NEIGHBOURS);
-    let scale = nearest.iter().fold(0.0_f64, |most, own| most.max(own.0)).sqrt();
+    let scale = nearest
+        .iter()
+        .fold(0.0_f64, |most, own| most.max(own.0))
+        .sqrt();
     let mut matrix = Matrix3::zeros();
     let mut right = [Vector3::zeros(); 3];
     for (squared, (node, value)) in nearest {
         let weight = (-2.0 * squared / (scale * scale)).exp();
-        let basis = Vector3::new(1.0, (node[0] - place[0]) / scale, (node[1] - place[1]) / scale);
+        let basis = Vector3::new(
+            1.0,
+            (node[0] - place[0]) / scale,
+            (node[1] - place[1]) / scale,
+        );
         matrix += weight * basis * basis.transpose();
         for (right, value) in right.iter_mut().zip(value) {
             *right += weight * *value * basis;

@@ -4,13 +4,14 @@ use super::case::{ALUMINIUM, CLEARANCE, Case, Plate};
 
 /// Loading to 1500 lb and unloading, finer than the report's steps: shear that sticks keeps the marks of long steps.
 const LOADING: [f64; 18] = [
-    20.0, 40.0, 70.0, 100.0, 150.0, 200.0, 250.0, 300.0, 400.0, 500.0, 600.0, 700.0, 800.0, 900.0, 1050.0,
-    1200.0, 1350.0, 1500.0,
+    20.0, 40.0, 70.0, 100.0, 150.0, 200.0, 250.0, 300.0, 400.0, 500.0, 600.0, 700.0, 800.0, 900.0,
+    1050.0, 1200.0, 1350.0, 1500.0,
 ];
 const UNLOADING: [f64; 8] = [1350.0, 1200.0, 900.0, 700.0, 400.0, 200.0, 100.0, 20.0];
 /// Unloading to 300 lb and loading again.
 const AGAIN: [f64; 15] = [
-    1300.0, 1100.0, 900.0, 700.0, 500.0, 300.0, 350.0, 400.0, 450.0, 500.0, 600.0, 750.0, 900.0, 1200.0, 1500.0,
+    1300.0, 1100.0, 900.0, 700.0, 500.0, 300.0, 350.0, 400.0, 450.0, 500.0, 600.0, 750.0, 900.0,
+    1200.0, 1500.0,
 ];
 /// The law that charts show first: the scene's.
 pub(crate) const USUAL: &str = "coulomb = { mu = 0.2 }";
@@ -60,7 +61,14 @@ impl Plan {
                 fractions: &[0.4, 0.6, 0.8],
                 kappas: &[0.3, 1.0, 3.0],
                 widths: &[5.0, 15.0, 30.0],
-                layups: &["[0_12]", "[90_12]", "[0_5/90]s", "[0/90_5]s", "[±45]_3s", "[±30]_3s"],
+                layups: &[
+                    "[0_12]",
+                    "[90_12]",
+                    "[0_5/90]s",
+                    "[0/90_5]s",
+                    "[±45]_3s",
+                    "[±30]_3s",
+                ],
                 plates: &[Plate::Plies, Plate::Smeared],
             },
             &[0.0, 0.0002, CLEARANCE, 0.001, 0.002, 0.005],
@@ -97,7 +105,11 @@ impl Plan {
     ) -> Self {
         let mut cases = Vec::new();
         for &plate in values.plates {
-            cases.extend(laws(values, plate).into_iter().map(|case| Case { plate, ..case }));
+            cases.extend(
+                laws(values, plate)
+                    .into_iter()
+                    .map(|case| Case { plate, ..case }),
+            );
         }
         cases.extend(layups(values.layups));
         for &mu in frictions {
@@ -106,7 +118,12 @@ impl Plan {
                     cases.push(Case {
                         clearance,
                         pin,
-                        ..Case::new(FITS, &fit_name(mu, pin, clearance), &coulomb(mu), &history())
+                        ..Case::new(
+                            FITS,
+                            &fit_name(mu, pin, clearance),
+                            &coulomb(mu),
+                            &history(),
+                        )
                     });
                 }
             }
@@ -132,8 +149,14 @@ fn laws(values: &Values, plate: Plate) -> Vec<Case> {
     }
     for (high, low) in [(0.2, 0.1), (0.35, 0.25), (0.4, 0.2), (0.6, 0.3), (0.6, 0.1)] {
         for transition in ["drop", "lagged"] {
-            let law = format!("static_dynamic = {{ static = {high}, dynamic = {low}, transition = \"{transition}\" }}");
-            cases.push(case(DROPPING, &format!("{high} and {low}, {transition}"), &law));
+            let law = format!(
+                "static_dynamic = {{ static = {high}, dynamic = {low}, transition = \"{transition}\" }}"
+            );
+            cases.push(case(
+                DROPPING,
+                &format!("{high} and {low}, {transition}"),
+                &law,
+            ));
         }
     }
     for scale in ["1e-5", "1e-4", "1e-3"] {
@@ -141,22 +164,43 @@ fn laws(values: &Values, plate: Plate) -> Vec<Case> {
             let law = format!(
                 "slip_power = {{ static = 0.4, dynamic = 0.1, slip_scale = \"{scale} in\", exponent = 1.0, path = \"{path}\" }}"
             );
-            cases.push(case(POWER, &format!("of slip, 0.4 to 0.1 over {scale} in, {path}"), &law));
+            cases.push(case(
+                POWER,
+                &format!("of slip, 0.4 to 0.1 over {scale} in, {path}"),
+                &law,
+            ));
         }
     }
     for exponent in [0.5, 0.8] {
-        let law = format!("pressure_power = {{ mu = 0.2, reference_pressure = \"10 ksi\", exponent = {exponent} }}");
-        cases.push(case(POWER, &format!("of pressure, exponent {exponent}"), &law));
+        let law = format!(
+            "pressure_power = {{ mu = 0.2, reference_pressure = \"10 ksi\", exponent = {exponent} }}"
+        );
+        cases.push(case(
+            POWER,
+            &format!("of pressure, exponent {exponent}"),
+            &law,
+        ));
     }
     for &[fibre, matrix] in values.fibre_and_matrix {
         for &fraction in values.fractions {
-            let named = |kernel: String| format!("{kernel}, V = {fraction}, μ = {fibre} | {matrix}");
+            let named =
+                |kernel: String| format!("{kernel}, V = {fraction}, μ = {fibre} | {matrix}");
             for &kappa in values.kappas {
-                let law = coverage(fraction, &format!("swept = {{ kappa = {kappa} }}"), [fibre, matrix], plate);
+                let law = coverage(
+                    fraction,
+                    &format!("swept = {{ kappa = {kappa} }}"),
+                    [fibre, matrix],
+                    plate,
+                );
                 cases.push(case(SWEPT, &named(format!("κ = {kappa}")), &law));
             }
             for &width in values.widths {
-                let law = coverage(fraction, &format!("tangent = {{ width = \"{width} deg\" }}"), [fibre, matrix], plate);
+                let law = coverage(
+                    fraction,
+                    &format!("tangent = {{ width = \"{width} deg\" }}"),
+                    [fibre, matrix],
+                    plate,
+                );
                 cases.push(case(TANGENT, &named(format!("ψ = {width}°")), &law));
             }
         }
@@ -170,7 +214,9 @@ fn layups(layups: &[&'static str]) -> Vec<Case> {
         ("Coulomb, μ = 0.4", coulomb(0.4)),
         ("tangent, ψ = 15°, V = 0.6, μ = 0.1 | 0.4", usual_coverage()),
     ];
-    let all = layups.iter().flat_map(|&layup| laws.iter().map(move |law| (layup, law)));
+    let all = layups
+        .iter()
+        .flat_map(|&layup| laws.iter().map(move |law| (layup, law)));
     all.map(|(layup, (name, law))| Case {
         plate: Plate::Layup(layup),
         ..Case::new(LAYUPS, &format!("{layup}, {name}"), law, &history())
@@ -182,7 +228,14 @@ fn reloaded() -> Vec<Case> {
     let history: Vec<f64> = LOADING.into_iter().chain(AGAIN).collect();
     let mut cases: Vec<Case> = [0.1, 0.2, 0.4]
         .into_iter()
-        .map(|mu| Case::new(RELOADED, &format!("Coulomb, μ = {mu}"), &coulomb(mu), &history))
+        .map(|mu| {
+            Case::new(
+                RELOADED,
+                &format!("Coulomb, μ = {mu}"),
+                &coulomb(mu),
+                &history,
+            )
+        })
         .collect();
     let name = "tangent, ψ = 15°, V = 0.6, μ = 0.1 | 0.4";
     cases.push(Case::new(RELOADED, name, &usual_coverage(), &history));
@@ -204,7 +257,12 @@ pub(crate) fn coulomb(mu: f64) -> String {
 
 /// The law of fibre coverage of the scene.
 pub(crate) fn usual_coverage() -> String {
-    coverage(0.6, "tangent = { width = \"15 deg\" }", [0.1, 0.4], Plate::Plies)
+    coverage(
+        0.6,
+        "tangent = { width = \"15 deg\" }",
+        [0.1, 0.4],
+        Plate::Plies,
+    )
 }
 
 fn coverage(fraction: f64, kernel: &str, [fibre, matrix]: [f64; 2], plate: Plate) -> String {

@@ -9,7 +9,9 @@ use crate::publish::Trouble;
 pub(crate) const STRENGTH: f64 = 10.1;
 /// Loads that are looked at `[lbf]`.
 pub(crate) const LOADS: [f64; 4] = [400.0, 900.0, 1200.0, 1500.0];
-const STEPS: [f64; 10] = [20.0, 100.0, 200.0, 300.0, 400.0, 500.0, 700.0, 900.0, 1200.0, 1500.0];
+const STEPS: [f64; 10] = [
+    20.0, 100.0, 200.0, 300.0, 400.0, 500.0, 700.0, 900.0, 1200.0, 1500.0,
+];
 
 /// A plate whose plies are asked.
 #[derive(Clone, Debug)]
@@ -60,15 +62,24 @@ impl Curve {
     /// Value at an angle of the report `[degree]`, from the nearest node.
     pub(crate) fn at(&self, angle: f64) -> f64 {
         let away = |row: &&[f64; 2]| (row[0] - angle).abs();
-        let nearest = self.profile.iter().min_by(|a, b| away(a).total_cmp(&away(b)));
+        let nearest = self
+            .profile
+            .iter()
+            .min_by(|a, b| away(a).total_cmp(&away(b)));
         nearest.map_or(f64::NAN, |row| row[1])
     }
 
-    /// Smallest and largest angle of the report at which the strength is reached.
+    /// Smallest and largest angle of the report of the stretch around the peak in which the strength is reached.
     pub(crate) fn cracked(&self) -> Option<[f64; 2]> {
-        let mut cracked = self.profile.iter().filter(|row| row[1] >= STRENGTH);
-        let first = cracked.next()?;
-        Some([first[0], cracked.next_back().unwrap_or(first)[0]])
+        let [peak, largest] = self.peak();
+        if largest < STRENGTH {
+            return None;
+        }
+        let top = self.profile.partition_point(|row| row[0] < peak);
+        let weak = |row: &&[f64; 2]| row[1] >= STRENGTH;
+        let from = self.profile.get(..=top)?.iter().rev().take_while(weak).last()?;
+        let to = self.profile.get(top..)?.iter().take_while(weak).last()?;
+        Some([from[0], to[0]])
     }
 }
 
@@ -80,20 +91,31 @@ pub(crate) fn ask(question: &Question, spacing: f64) -> Result<Vec<Curve>, Troub
         ..Case::new("plies", question.name, &question.law, &STEPS)
     };
     let cure = format!("materials.laminate.laminate.cure=\"{} K\"", question.cure);
-    let more = [cure.as_str(), "output.fields=\"none\"", "failure.criteria=[\"max_stress\"]"];
+    let more = [
+        cure.as_str(),
+        "output.fields=\"none\"",
+        "failure.criteria=[\"max_stress\"]",
+    ];
     let results = run(&case.scene(spacing, &more)?, &mut |_| {})?;
-    let failure = results.failure.first().ok_or("nothing is asked of the plies")?;
+    let failure = results
+        .failure
+        .first()
+        .ok_or("nothing is asked of the plies")?;
     let edge = failure.edges.first().ok_or("no edge")?;
     let stress = |value: f64| results.units.stress.from_base(value);
     let mut curves = Vec::new();
-    for (load, own) in STEPS.iter().zip(&edge.steps).filter(|(load, _)| LOADS.contains(load)) {
+    for (load, own) in STEPS
+        .iter()
+        .zip(&edge.steps)
+        .filter(|(load, _)| LOADS.contains(load))
+    {
         for (group, points) in failure.plies.iter().zip(own) {
             let mut profile: Vec<[f64; 2]> = edge
                 .parameter
                 .iter()
                 .zip(points)
                 .map(|(theta, point)| [90.0 - theta.to_degrees(), stress(point.stress[1])])
-                .filter(|row| (-15.0..=195.0).contains(&row[0]))
+                .filter(|row| (-10.0..=190.0).contains(&row[0]))
                 .collect();
             profile.sort_by(|a, b| a[0].total_cmp(&b[0]));
             curves.push(Curve {
