@@ -10,6 +10,7 @@ mod crack;
 pub(crate) mod curve;
 mod depth;
 mod figures;
+mod findings;
 mod maps;
 mod page;
 mod plan;
@@ -31,7 +32,7 @@ pub(crate) fn main(options: &Options) -> ExitCode {
 fn compare(quick: bool) -> Result<Publication, Trouble> {
     let study = Study::of(if quick { Plan::quick() } else { Plan::full() })?;
     let pictures = figures::all(&study)?;
-    let findings = [page::findings(&study), crack::findings(&study)].concat();
+    let findings = [findings::all(&study), crack::findings(&study)].concat();
     Ok(Publication {
         tables: vec![
             ("shear-sign.csv", tables::cases(&study)?),

@@ -21,6 +21,7 @@ mod pins;
 mod press_fit;
 mod render;
 mod rigid_pin;
+mod shear_sign;
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -61,7 +62,7 @@ struct Case {
     checks: fn(&Laboratory) -> Result<Vec<Check>, Trouble>,
 }
 
-const CASES: [Case; 16] = [
+const CASES: [Case; 17] = [
     Case {
         name: "elements",
         title: "Elements",
@@ -145,6 +146,12 @@ const CASES: [Case; 16] = [
         title: "Aluminium plate, friction",
         friction: true,
         checks: aluminium::frictional,
+    },
+    Case {
+        name: "shear-sign",
+        title: "Pin in a quasi-isotropic laminate: sign of the shear, matrix cracks",
+        friction: true,
+        checks: shear_sign::checks,
     },
     Case {
         name: "benchmark-frictionless",

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use stickslip::results::{EdgeKind, Results};
+use stickslip::results::{EdgeGeometry, EdgeKind, EdgeResults, Results};
 use stickslip::run::run;
 use stickslip::scene::Scene;
 use stickslip_contact::Status;
@@ -160,23 +160,13 @@ fn steps(case: &Case, results: &Results, law: &dyn FrictionLaw) -> Result<Vec<St
         return Err("the edge is no circle".into());
     };
     let mut steps = Vec::with_capacity(results.steps.len());
-    for (step, (&load, phase)) in results
-        .steps
-        .iter()
-        .zip(case.loads.iter().zip(phases(&case.loads)))
-    {
+    let histories = case.loads.iter().zip(phases(&case.loads));
+    for (step, (&load, phase)) in results.steps.iter().zip(histories) {
         let edge = &step.edges[0];
         let mean = edge.bearing_stress(geometry).ok_or("no bearing stress")?;
-        let touching = geometry.parameter.iter().zip(&edge.rows);
-        let touching = touching.filter(|(theta, row)| **theta >= 0.0 && row.status != Status::Open);
-        let points: Vec<Point> = touching
-            .map(|(&theta, row)| Point {
-                angle: theta.to_degrees(),
-                shear: row.tau,
-                limit: limit(law, row.pressure, theta, radius),
-                sticks: row.status == Status::Stick,
-            })
-            .collect();
+        let points = points(geometry, edge, |pressure, theta| {
+            limit(law, pressure, theta, radius)
+        });
         steps.push(Step {
             load,
             phase,
@@ -188,6 +178,24 @@ fn steps(case: &Case, results: &Results, law: &dyn FrictionLaw) -> Result<Vec<St
         });
     }
     Ok(steps)
+}
+
+/// The nodes in contact on one half, with friction's `limit` by pressure and θ.
+pub(crate) fn points(
+    geometry: &EdgeGeometry,
+    edge: &EdgeResults,
+    limit: impl Fn(f64, f64) -> f64,
+) -> Vec<Point> {
+    let nodes = geometry.parameter.iter().zip(&edge.rows);
+    nodes
+        .filter(|(theta, row)| **theta >= 0.0 && row.status != Status::Open)
+        .map(|(&theta, row)| Point {
+            angle: theta.to_degrees(),
+            shear: row.tau,
+            limit: limit(row.pressure, theta),
+            sticks: row.status == Status::Stick,
+        })
+        .collect()
 }
 
 /// Largest shear at a point that has not slipped; the fibres of all these plates are counted from x.
@@ -238,6 +246,7 @@ mod tests {
     /// near the bearing point.
     #[test]
     fn coulomb_friction_reverses_the_outside_and_that_only_while_unloading() {
+        use Pattern::{Forward, ReversedInside, ReversedOutside};
         let case = Case::new(
             "test",
             "Coulomb",
@@ -246,7 +255,6 @@ mod tests {
         );
         let row = solve(&case, 4.5).expect("it is solved");
         let patterns: Vec<Pattern> = row.steps.iter().map(|step| step.reading.pattern).collect();
-        use Pattern::{Forward, ReversedInside, ReversedOutside};
         assert_eq!(
             patterns,
             [ReversedInside, Forward, Forward, ReversedOutside]

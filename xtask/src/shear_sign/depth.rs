@@ -8,15 +8,15 @@ use stickslip::run::run;
 use stickslip_fem_core::stress::polar;
 
 use super::case::Case;
-use super::plan::coulomb;
+use super::plan::{LOADING, coulomb};
 use crate::publish::Trouble;
 
 /// Depth beneath the edge over the thickness; the last is that of the arc on which the report shows its stresses.
 pub(crate) const DEPTHS: [f64; 6] = [0.0, 0.1, 0.25, 0.5, 1.0, 1.55];
 /// Loads that are looked at `[lbf]`.
 pub(crate) const LOADS: [f64; 2] = [400.0, 900.0];
-/// Steps on the way.
-const STEPS: [f64; 8] = [20.0, 100.0, 200.0, 300.0, 400.0, 500.0, 700.0, 900.0];
+/// Load steps: those of loading up to here `[lbf]`.
+const LAST: f64 = 900.0;
 /// `[in]`
 const RADIUS: f64 = 0.375;
 const THICKNESS: f64 = 0.06;
@@ -67,17 +67,22 @@ impl Arc {
 
 /// Solves a joint and reads the shear along arcs beneath its edge.
 pub(crate) fn look(joint: Joint, spacing: f64) -> Result<Vec<Arc>, Trouble> {
-    let name = format!("beneath the edge, {joint:?}");
+    let loads: Vec<f64> = LOADING.into_iter().filter(|&load| load <= LAST).collect();
     let case = Case {
         clearance: joint.clearance,
-        ..Case::new("depth", &name, &coulomb(joint.friction), &STEPS)
+        ..Case::new(
+            "depth",
+            "beneath the edge",
+            &coulomb(joint.friction),
+            &loads,
+        )
     };
     let mut scene = case.scene(spacing, &["output.fields=\"all\""])?;
     scene.failure = None;
     let results = run(&scene, &mut |_| {})?;
     let mut arcs = Vec::new();
     for load in LOADS {
-        let step = STEPS
+        let step = loads
             .iter()
             .position(|&own| own == load)
             .ok_or("no such load")?;
@@ -128,7 +133,7 @@ fn inside(results: &Results, step: usize, depth: f64) -> Result<Vec<[f64; 2]>, T
         .find(|fields| fields.body == index)
         .ok_or("no fields")?;
     let display = |length: f64| results.units.length.from_base(length);
-    let near: Vec<([f64; 2], [f64; 3])> = mesh
+    let near: Vec<Node> = mesh
         .nodes()
         .iter()
         .zip(&fields.stress)
@@ -145,11 +150,13 @@ fn inside(results: &Results, step: usize, depth: f64) -> Result<Vec<[f64; 2]>, T
     (1..=90).map(at).collect()
 }
 
+/// A place `[in]`, and the stress (xx, yy, xy) there.
+type Node = ([f64; 2], [f64; 3]);
+
 /// The plane through the values of the nearest nodes, at `place`; `None` if they do not span one.
-fn fitted(nodes: &[([f64; 2], [f64; 3])], place: [f64; 2]) -> Option<[f64; 3]> {
+fn fitted(nodes: &[Node], place: [f64; 2]) -> Option<[f64; 3]> {
     let squared = |node: &[f64; 2]| (node[0] - place[0]).powi(2) + (node[1] - place[1]).powi(2);
-    let mut nearest: Vec<(f64, &([f64; 2], [f64; 3]))> =
-        nodes.iter().map(|own| (squared(&own.0), own)).collect();
+    let mut nearest: Vec<(f64, &Node)> = nodes.iter().map(|own| (squared(&own.0), own)).collect();
     if nearest.len() < NEIGHBOURS {
         return None;
     }
@@ -184,7 +191,7 @@ mod tests {
     #[test]
     fn a_plane_is_fitted_exactly() {
         let of = |[x, y]: [f64; 2]| [1.0 + 2.0 * x - y, x, 3.0];
-        let nodes: Vec<([f64; 2], [f64; 3])> = (0..25_u32)
+        let nodes: Vec<Node> = (0..25_u32)
             .map(|k| [f64::from(k % 5) + 0.1 * f64::from(k / 5), f64::from(k / 5)])
             .map(|node| (node, of(node)))
             .collect();

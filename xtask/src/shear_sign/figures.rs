@@ -27,17 +27,17 @@ const SHOWN: [(&str, &str, &str); 6] = [
         "of slip, 0.4 to 0.1 over 1e-4 in, current",
     ),
     (
-        "coverage, swept, κ = 1, fibre 0.1, matrix 0.4",
+        "swept, κ = 1, μ = 0.1 | 0.4",
         SWEPT,
         "κ = 1, V = 0.6, μ = 0.1 | 0.4",
     ),
     (
-        "coverage, tangent, 15°, fibre 0.1, matrix 0.4",
+        "tangent, 15°, μ = 0.1 | 0.4",
         TANGENT,
         "ψ = 15°, V = 0.6, μ = 0.1 | 0.4",
     ),
     (
-        "coverage, tangent, 5°, fibre 0, matrix 0.6",
+        "tangent, 5°, μ = 0 | 0.6",
         TANGENT,
         "ψ = 5°, V = 0.6, μ = 0 | 0.6",
     ),
@@ -136,7 +136,7 @@ fn shear(study: &Study) -> Result<Svg, FigureError> {
         }
         charts.push(chart);
     }
-    let title = "Shear on the edge; positive where friction pulls the plate's edge towards the bearing point";
+    let title = "Shear on the edge; positive: towards the bearing point";
     Panels::new(title, 2, charts).common_legend().render()
 }
 
@@ -247,16 +247,13 @@ fn plies(study: &Study) -> Result<Svg, FigureError> {
                     ply if ply < 0.0 => Color::category(1),
                     _ => Color::category(2),
                 };
-                let label = format!(
-                    "{ply} plies, {}, clearance {} in",
-                    curve.name, curve.clearance
-                );
+                let label = format!("{ply}, {}, {} in", curve.name, curve.clearance);
                 let series = Series::new(label, curve.profile.clone());
                 chart = chart.with(series.color(color).dash(dash).width(width));
             }
             charts.push(chart);
         }
     }
-    let title = "Stress across the fibres along the edge, loading";
+    let title = "Stress across the fibres of each ply along the edge, by law and clearance";
     Panels::new(title, 2, charts).common_legend().render()
 }

@@ -7,7 +7,7 @@ use stickslip_report::svg::Svg;
 
 use super::case::{Phase, Plate, Row, Step};
 use super::curve::Pattern;
-use super::plan::{COULOMB, DROPPING, FITS, LAYUPS, POWER, SWEPT, TANGENT, fit_name};
+use super::plan::{COULOMB, DROPPING, FITS, LAYUPS, POWER, SWEPT, TANGENT, fit_name, pin_name};
 use super::study::{SEEN, Study, of_report};
 
 fn category(label: &str, mark: &str, color: Color) -> Category {
@@ -98,20 +98,20 @@ pub(crate) fn laws(study: &Study) -> Result<Svg, FigureError> {
         columns: steps.iter().map(|step| step.load.to_string()).collect(),
         groups: SHOWN.iter().map(group).filter(|group| !group.rows.is_empty()).collect(),
         categories: patterns(),
-        width: 1080.0,
+        width: 1240.0,
     }
     .render()
 }
 
-/// How far from the bearing point the shear can be reversed while the load grows.
+/// How far from the bearing point, 90° of the report, the shear can be reversed while the load grows.
 fn reaches() -> Vec<Category> {
     vec![
         category("nowhere", "", Color::rgb(0xd6, 0xe6, 0xf4)),
-        category("beyond 75°", "75", Color::rgb(0xfe, 0xee, 0xd0)),
-        category("beyond 60°", "60", Color::rgb(0xfd, 0xd0, 0x8c)),
-        category("beyond 40° or more", "40", Color::rgb(0xf4, 0x9d, 0x50)),
+        category("down to 75°", "75", Color::rgb(0xfe, 0xee, 0xd0)),
+        category("down to 60°", "60", Color::rgb(0xfd, 0xd0, 0x8c)),
+        category("down to 40°", "40", Color::rgb(0xf4, 0x9d, 0x50)),
         category(
-            "beyond 20° to 40°, as the report saw it",
+            "down to less, as the report saw it",
             "R",
             Color::rgb(0xd7, 0x30, 0x27),
         ),
@@ -148,14 +148,14 @@ pub(crate) fn fits(study: &Study) -> Result<Svg, FigureError> {
                     .clearances
                     .iter()
                     .map(|&clearance| cell(mu, pin, clearance));
-                (format!("pin of {pin} ksi"), cells.collect())
+                (format!("pin: {}", pin_name(pin)), cells.collect())
             })
             .collect(),
         divider: None,
     };
     OutcomeMap {
         title: "How far the shear is reversed while the load grows".into(),
-        subtitle: "largest extent over loads to 1500 lb, as angle of the report (90°: bearing point); Coulomb friction, (0₂/60₂/−60₂)s".into(),
+        subtitle: "from the bearing point, 90° of the report, at any load to 1500 lb; Coulomb, (0₂/60₂/−60₂)s".into(),
         x_label: "Radial clearance [in] (hole radius 0.375 in)".into(),
         columns: plan.clearances.iter().map(ToString::to_string).collect(),
         groups: plan.frictions.iter().map(group).collect(),

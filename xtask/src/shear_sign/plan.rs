@@ -3,7 +3,7 @@
 use super::case::{ALUMINIUM, CLEARANCE, Case, Plate};
 
 /// Loading to 1500 lb and unloading, finer than the report's steps: shear that sticks keeps the marks of long steps.
-const LOADING: [f64; 18] = [
+pub(crate) const LOADING: [f64; 18] = [
     20.0, 40.0, 70.0, 100.0, 150.0, 200.0, 250.0, 300.0, 400.0, 500.0, 600.0, 700.0, 800.0, 900.0,
     1050.0, 1200.0, 1350.0, 1500.0,
 ];
@@ -18,6 +18,9 @@ pub(crate) const USUAL: &str = "coulomb = { mu = 0.2 }";
 /// Equal parts of 0°, 60° and −60°, for a plate that has no plies of its own.
 const THIRDS: &str = "plies = [{ angle = \"0 deg\", fraction = 0.3333333333333333 }, { angle = \"60 deg\", fraction = 0.3333333333333333 }, \
                       { angle = \"-60 deg\", fraction = 0.3333333333333334 }]";
+
+/// Young's modulus of a pin that hardly yields `[ksi]`.
+const RIGID: f64 = 1e7;
 
 /// Names of the families, in the order of tables.
 pub(crate) const COULOMB: &str = "Coulomb";
@@ -72,7 +75,7 @@ impl Plan {
                 plates: &[Plate::Plies, Plate::Smeared],
             },
             &[0.0, 0.0002, CLEARANCE, 0.001, 0.002, 0.005],
-            &[2_000.0, ALUMINIUM, 30_000.0, 100_000.0, 1e7],
+            &[2_000.0, ALUMINIUM, 30_000.0, 100_000.0, RIGID],
             &[0.05, 0.2, 0.4],
             1.125,
         )
@@ -90,7 +93,7 @@ impl Plan {
                 plates: &[Plate::Plies],
             },
             &[0.0, CLEARANCE, 0.002],
-            &[ALUMINIUM, 1e7],
+            &[ALUMINIUM, RIGID],
             &[0.2],
             4.5,
         )
@@ -212,7 +215,10 @@ fn layups(layups: &[&'static str]) -> Vec<Case> {
     let laws = [
         ("Coulomb, μ = 0.2", USUAL.to_owned()),
         ("Coulomb, μ = 0.4", coulomb(0.4)),
-        ("tangent, ψ = 15°, V = 0.6, μ = 0.1 | 0.4", usual_coverage()),
+        (
+            "coverage, tangent, ψ = 15°, V = 0.6, μ = 0.1 | 0.4",
+            usual_coverage(),
+        ),
     ];
     let all = layups
         .iter()
@@ -237,7 +243,7 @@ fn reloaded() -> Vec<Case> {
             )
         })
         .collect();
-    let name = "tangent, ψ = 15°, V = 0.6, μ = 0.1 | 0.4";
+    let name = "coverage, tangent, ψ = 15°, V = 0.6, μ = 0.1 | 0.4";
     cases.push(Case::new(RELOADED, name, &usual_coverage(), &history));
     cases
 }
@@ -248,7 +254,18 @@ fn history() -> Vec<f64> {
 
 /// Name of a case of [`FITS`].
 pub(crate) fn fit_name(mu: f64, pin: f64, clearance: f64) -> String {
-    format!("μ = {mu}, pin {pin:.0} ksi, clearance {clearance} in")
+    format!("μ = {mu}, pin {}, clearance {clearance} in", pin_name(pin))
+}
+
+/// A pin by its Young's modulus `[ksi]`.
+pub(crate) fn pin_name(pin: f64) -> String {
+    if pin >= RIGID {
+        "practically rigid".to_owned()
+    } else if pin == ALUMINIUM {
+        "aluminium".to_owned()
+    } else {
+        format!("of {pin} ksi")
+    }
 }
 
 pub(crate) fn coulomb(mu: f64) -> String {

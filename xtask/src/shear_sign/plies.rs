@@ -77,7 +77,13 @@ impl Curve {
         }
         let top = self.profile.partition_point(|row| row[0] < peak);
         let weak = |row: &&[f64; 2]| row[1] >= STRENGTH;
-        let from = self.profile.get(..=top)?.iter().rev().take_while(weak).last()?;
+        let from = self
+            .profile
+            .get(..=top)?
+            .iter()
+            .rev()
+            .take_while(weak)
+            .last()?;
         let to = self.profile.get(top..)?.iter().take_while(weak).last()?;
         Some([from[0], to[0]])
     }
