@@ -1,11 +1,14 @@
 //! One joint under one history: its scene with changes, and the sign of the shear in every load step.
 
 use std::path::Path;
+use std::sync::Arc;
 
+use stickslip::model::Model;
 use stickslip::results::{EdgeGeometry, EdgeKind, EdgeResults, Results};
-use stickslip::run::run;
+use stickslip::run::{self, Operator};
 use stickslip::scene::Scene;
-use stickslip_contact::Status;
+use stickslip_contact::{InterfaceProblem, Status};
+use stickslip_fem_core::{CondensedBody, InterfaceOperator};
 use stickslip_friction::{FrictionLaw, History, Place};
 
 use super::curve::{Point, Reading, read};
@@ -90,6 +93,11 @@ impl Case {
         }
     }
 
+    /// Whether plate and pin are those of `other`.
+    pub(crate) fn has_the_bodies_of(&self, other: &Self) -> bool {
+        self.plate == other.plate && self.pin == other.pin && self.clearance == other.clearance
+    }
+
     /// Keys of the scene that differ.
     pub(crate) fn changes(&self, spacing: f64) -> Vec<String> {
         let steps: Vec<String> = self
@@ -139,19 +147,60 @@ impl Case {
     }
 }
 
-/// Solves a case on a mesh with corner nodes every `spacing` degrees.
+/// Solves cases with the same bodies, which are condensed once, on a mesh with corner nodes every `spacing` degrees.
+pub(crate) fn solve_alike(cases: &[Case], spacing: f64) -> Result<Vec<Row>, Trouble> {
+    let mut bodies = None;
+    let solved = cases.iter().map(|case| {
+        let steps = followed(case, spacing, &mut bodies);
+        let named = |trouble: Trouble| format!("{}, {}: {trouble}", case.family, case.name);
+        Ok(Row {
+            case: case.clone(),
+            steps: steps.map_err(named)?,
+        })
+    });
+    solved.collect()
+}
+
+/// Solves one case.
 pub(crate) fn solve(case: &Case, spacing: f64) -> Result<Row, Trouble> {
-    let named = |trouble: Trouble| format!("{}, {}: {trouble}", case.family, case.name);
-    let solved = || {
-        let mut scene = case.scene(spacing, &["output.fields=\"none\""])?;
-        scene.failure = None;
-        let results = run(&scene, &mut |_| {})?;
-        steps(case, &results, scene.contacts[0].law.as_ref())
+    let rows = solve_alike(std::slice::from_ref(case), spacing)?;
+    Ok(rows.into_iter().next().ok_or("no case")?)
+}
+
+/// The history of a case; condenses its `bodies` where that has not been done.
+fn followed(
+    case: &Case,
+    spacing: f64,
+    bodies: &mut Option<Vec<Arc<CondensedBody>>>,
+) -> Result<Vec<Step>, Trouble> {
+    let mut scene = case.scene(spacing, &["output.fields=\"none\""])?;
+    scene.failure = None;
+    let model = Model::build(&scene)?;
+    let condensed = match bodies {
+        Some(condensed) => condensed,
+        None => bodies.insert(elastic(&model)?),
     };
-    Ok(Row {
-        case: case.clone(),
-        steps: solved().map_err(named)?,
-    })
+    let operators: Vec<Operator> = condensed
+        .iter()
+        .map(|body| Operator::Elastic(Arc::clone(body)))
+        .collect();
+    let faces: Vec<&dyn InterfaceOperator> = operators.iter().map(Operator::interface).collect();
+    let problem = InterfaceProblem::new(&faces, model.pairs.clone())?;
+    drop(faces);
+    let solver = run::solver(scene.analysis.solver);
+    let solved = run::follow(&model, operators, problem, solver.as_ref(), &mut |_| {})?;
+    let results = run::results(&scene, &model, solver.as_ref(), solved)?;
+    steps(case, &results, scene.contacts[0].law.as_ref())
+}
+
+fn elastic(model: &Model) -> Result<Vec<Arc<CondensedBody>>, Trouble> {
+    let operators = run::condense(model)?.into_iter();
+    operators
+        .map(|operator| match operator {
+            Operator::Elastic(body) => Ok(body),
+            Operator::Rigid(_) => Err("a body is rigid".into()),
+        })
+        .collect()
 }
 
 fn steps(case: &Case, results: &Results, law: &dyn FrictionLaw) -> Result<Vec<Step>, Trouble> {

@@ -208,8 +208,8 @@ fn why(study: &Study) -> String {
         String::new()
     } else {
         format!(
-            " Smeared moduli or those of the plies make no difference: in a membrane (0/60/−60) is isotropic. Over {pairs} laws and all \
-             their load steps {unlike} signs differ, and places of change by at most {worst:.3}°."
+            " Smeared moduli or those of the plies make no difference: in a membrane (0/60/−60) is isotropic. Over {pairs} laws \
+             {unlike} load steps have another pattern of signs, and places of change differ by at most {worst:.3}°."
         )
     };
     format!(
@@ -298,9 +298,9 @@ fn beneath(study: &Study) -> Option<String> {
             "**And so does distance from the edge**, on first loading and with any law. Friction's shear decays within a thickness t; beneath \
              it is the shear of the hole's own stress field, which inside contact has the opposite sign and outside the same. At 400 lb the \
              shear is forward at small angles and reversed from the following angle to the second, or where there is but one to the bearing \
-             point: t/4 beneath the edge {}; t/2 beneath {}; 1.55 t beneath, the report's arc, {}. The angle is about that of the end of \
-             contact, so it is 30° where clearance makes contact end there. The report extrapolated the stresses on the edge from points up to \
-             0.2 t away, and says that on the edge itself they scattered. This, not a law, is the simplest reading of its Fig. 44.",
+             point: t/4 beneath the edge {}; t/2 beneath {}; 1.55 t beneath, the report's arc, {}. The first angle lies below that at which contact ends and moves with it, so that clearance brings it \
+             towards 30°. The report extrapolated the stresses on the edge from points up to 0.2 t away and says that they scattered there. Of \
+             what this model can do on a first loading it is the only thing that looks like the report's curve.",
             at(0.25),
             at(0.5),
             at(1.55),

@@ -115,9 +115,9 @@ impl Plan {
             );
         }
         cases.extend(layups(values.layups));
-        for &mu in frictions {
-            for &pin in pins {
-                for &clearance in clearances {
+        for &pin in pins {
+            for &clearance in clearances {
+                for &mu in frictions {
                     cases.push(Case {
                         clearance,
                         pin,

@@ -1,6 +1,6 @@
 //! All that was solved.
 
-use super::case::{ALUMINIUM, Case, Phase, Plate, Row, Step, solve};
+use super::case::{ALUMINIUM, CLEARANCE, Case, Phase, Plate, Row, Step, solve, solve_alike};
 use super::curve::Pattern;
 use super::depth::{self, Arc, Joint};
 use super::plan::{COULOMB, FITS, Plan, USUAL, usual_coverage};
@@ -9,6 +9,9 @@ use crate::publish::{Trouble, side_by_side};
 
 /// Angles of the report within which a change of sign counts as the one that it saw at about 30° `[degree]`.
 pub(crate) const SEEN: [f64; 2] = [20.0, 40.0];
+
+/// Most cases that share their bodies: few enough for all cores to have work to the end.
+const TOGETHER: usize = 12;
 
 /// A case solved again with a finer mesh or more load steps.
 pub(crate) struct Refined {
@@ -33,7 +36,9 @@ pub(crate) fn of_report(angle: f64) -> f64 {
 impl Study {
     /// Solves everything in `plan`.
     pub(crate) fn of(plan: Plan) -> Result<Self, Trouble> {
-        let rows = side_by_side(&plan.cases, |case| solve(case, plan.spacing))?;
+        let alike = plan.cases.chunk_by(Case::has_the_bodies_of);
+        let groups: Vec<&[Case]> = alike.flat_map(|alike| alike.chunks(TOGETHER)).collect();
+        let rows = side_by_side(&groups, |group| solve_alike(group, plan.spacing))?.concat();
         let joints = [0.0005, 0.0015].map(|clearance| {
             [0.05, 0.2].map(|friction| Joint {
                 friction,
@@ -125,7 +130,7 @@ impl Row {
     /// Whether plate, pin and clearance are the report's.
     pub(crate) fn is_of_the_report(&self) -> bool {
         let plate = !matches!(self.case.plate, Plate::Layup(_));
-        plate && self.case.pin == ALUMINIUM && self.case.clearance == super::case::CLEARANCE
+        plate && self.case.pin == ALUMINIUM && self.case.clearance == CLEARANCE
     }
 
     /// Load steps of loading.
