@@ -133,7 +133,9 @@ fn laws(study: &Study) -> Option<String> {
 /// All questions: the 60° plies.
 pub(crate) fn table(study: &Study) -> String {
     let mut text = String::from(
-        "σ₂ of the 60° plies, angles of the report; the −60° plies have the same at 180° minus the angle.\n\n\
+        "One half of the joint is modelled: the laminate is balanced, so its mean stresses are symmetric, and on the other half the ply of the \
+         opposite direction takes the place of each. σ₂ of the 60° plies, angles of the report; the −60° plies have the same at 180° minus \
+         the angle.\n\n\
          | law | clearance [in] | cure [K] | load [lb] | largest σ₂ [ksi] | at | σ₂ at 20° | σ₂ at 30° | σ₂ at 150° | at the strength |\n\
          | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
     );

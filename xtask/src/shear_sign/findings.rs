@@ -6,18 +6,14 @@ use super::plan::{COULOMB, DROPPING, FITS, LAYUPS, RELOADED};
 use super::study::{SEEN, Study, of_report};
 use super::tables::changes;
 
-/// "Coulomb, μ = 0.2 at 20 lb".
+/// "Coulomb, μ = 0.2, at 20 lb".
 fn place(row: &Row, step: &Step) -> String {
-    let plate = match row.case.plate {
-        Plate::Smeared => ", smeared moduli",
-        Plate::Plies | Plate::Layup(_) => "",
-    };
     let family = if [COULOMB, DROPPING].contains(&row.case.family) {
         format!("{}, ", row.case.family)
     } else {
         String::new()
     };
-    format!("{family}{}{plate}, at {} lb", row.case.name, step.load)
+    format!("{family}{}, at {} lb", row.case.name, step.load)
 }
 
 /// The largest reversed shear of loading, as part of the peak, among the rows that `wanted` takes.
@@ -78,8 +74,9 @@ fn answer(study: &Study) -> String {
 
 fn near_the_bearing_point(study: &Study) -> Option<String> {
     let own = |row: &Row| row.is_of_the_report();
-    let (far, far_step) = study.furthest(own)?;
-    let (large, large_step, reversal) = largest(study, own)?;
+    let plies = |row: &Row| own(row) && row.case.plate == Plate::Plies;
+    let (far, far_step) = study.furthest(plies)?;
+    let (large, large_step, reversal) = largest(study, plies)?;
     let rows = study.rows.iter().filter(|row| own(row));
     let steps: Vec<&Step> = rows
         .flat_map(Row::loading)
@@ -299,7 +296,7 @@ fn beneath(study: &Study) -> Option<String> {
              it is the shear of the hole's own stress field, which inside contact has the opposite sign and outside the same. At 400 lb the \
              shear is forward at small angles and reversed from the following angle to the second, or where there is but one to the bearing \
              point: t/4 beneath the edge {}; t/2 beneath {}; 1.55 t beneath, the report's arc, {}. The first angle lies below that at which contact ends and moves with it, so that clearance brings it \
-             towards 30°. The report extrapolated the stresses on the edge from points up to 0.2 t away and says that they scattered there. Of \
+             towards 30°. The report extrapolated the stresses on the edge from points up to 0.2 t away and found them to vary widely near the bearing point. Of \
              what this model can do on a first loading it is the only thing that looks like the report's curve.",
             at(0.25),
             at(0.5),

@@ -148,14 +148,14 @@ pub(crate) fn fits(study: &Study) -> Result<Svg, FigureError> {
                     .clearances
                     .iter()
                     .map(|&clearance| cell(mu, pin, clearance));
-                (format!("pin: {}", pin_name(pin)), cells.collect())
+                (pin_name(pin), cells.collect())
             })
             .collect(),
         divider: None,
     };
     OutcomeMap {
-        title: "How far the shear is reversed while the load grows".into(),
-        subtitle: "from the bearing point, 90° of the report, at any load to 1500 lb; Coulomb, (0₂/60₂/−60₂)s".into(),
+        title: "How far the shear is reversed while the load grows, Coulomb friction".into(),
+        subtitle: "from the bearing point, 90° of the report, with unreversed shear beyond, at any load to 1500 lb".into(),
         x_label: "Radial clearance [in] (hole radius 0.375 in)".into(),
         columns: plan.clearances.iter().map(ToString::to_string).collect(),
         groups: plan.frictions.iter().map(group).collect(),

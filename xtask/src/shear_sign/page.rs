@@ -22,7 +22,7 @@ pub(crate) fn page(study: &Study, pictures: &[Picture]) -> String {
          cracks are to be expected (6.4).\n\n\
          **Angles and sign.** The report counts θ from the net section, its bearing point is 90°: θ = 90° − |θ here|. All angles below are \
          the report's unless said otherwise. The shear is τ = τ_rθ sgn θ (θ from the bearing point): positive, *forward*, where friction \
-         pulls the plate's edge towards the bearing point; negative, *reversed*, where it pushes it away. In the report's drawing both \
+         pulls the plate's edge towards the bearing point; negative, *reversed*, where it pushes it away. In the report both \
          plates have negative shear from 0° to 30° on loading; that is *forward* here, because its aluminium plate keeps that sign up to \
          the bearing point. Shear below 0.1 % of its peak has no sign. Corner nodes stand every {}°.\n\n## Does a friction law reverse it?\n\n",
         study.rows.len(),

@@ -19,7 +19,7 @@ pub(crate) const USUAL: &str = "coulomb = { mu = 0.2 }";
 const THIRDS: &str = "plies = [{ angle = \"0 deg\", fraction = 0.3333333333333333 }, { angle = \"60 deg\", fraction = 0.3333333333333333 }, \
                       { angle = \"-60 deg\", fraction = 0.3333333333333334 }]";
 
-/// Young's modulus of a pin that hardly yields `[ksi]`.
+/// Young's modulus of a pin that is practically rigid `[ksi]`.
 const RIGID: f64 = 1e7;
 
 /// Names of the families, in the order of tables.
@@ -254,17 +254,17 @@ fn history() -> Vec<f64> {
 
 /// Name of a case of [`FITS`].
 pub(crate) fn fit_name(mu: f64, pin: f64, clearance: f64) -> String {
-    format!("μ = {mu}, pin {}, clearance {clearance} in", pin_name(pin))
+    format!("μ = {mu}, {}, clearance {clearance} in", pin_name(pin))
 }
 
 /// A pin by its Young's modulus `[ksi]`.
 pub(crate) fn pin_name(pin: f64) -> String {
     if pin >= RIGID {
-        "practically rigid".to_owned()
+        "rigid pin".to_owned()
     } else if pin == ALUMINIUM {
-        "aluminium".to_owned()
+        "aluminium pin".to_owned()
     } else {
-        format!("of {pin} ksi")
+        format!("pin of {pin} ksi")
     }
 }
 
