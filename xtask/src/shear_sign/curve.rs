@@ -145,15 +145,16 @@ mod tests {
 
     #[test]
     fn the_report_s_reversal_is_inside_and_its_place_and_size_are_found() {
-        let reading = read(&curve(|a| {
-            -0.5 * (6.0 * a).to_radians().sin() * f64::from(a > 30.0)
-        }));
+        let reading = read(&curve(|a| (3.0 * (a - 60.2)).to_radians().sin()));
         assert_eq!(reading.pattern, Pattern::ReversedInside);
+        // Interpolation of a sine of 3 a over one degree errs by less than its curvature, and here the passage is nearly straight.
         let reach = reading.reach().expect("it has an outer end");
-        // sin 6a passes through zero at 60°, which is a node.
-        assert!((reach - 60.0).abs() < 1.0, "{reach}");
+        assert!((reach - 60.2).abs() < 1e-3, "{reach}");
         let reversal = reading.reversal.expect("reversed");
-        assert_eq!((reversal.angle, reversal.sticks), (45.0 - 0.0, false));
+        // The sine is −1 at 30.2°; the nearest node is at 30°.
+        assert_eq!((reversal.angle, reversal.sticks), (30.0, false));
+        assert!((reversal.of_peak - 1.0).abs() < 1e-12);
+        assert!((reversal.of_limit - 0.5).abs() < 1e-4);
     }
 
     #[test]
