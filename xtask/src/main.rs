@@ -1,10 +1,13 @@
 //! Tasks on the whole workspace: `cargo xtask validate` compares the library with known solutions, `cargo xtask chart` shows
 //! what accuracy costs, `cargo xtask stability` where methods fail, `cargo xtask cosine` how wrong an assumed bearing load is,
-//! `cargo xtask mesh-dependence` what ply discount makes of a finer mesh.
+//! `cargo xtask shear-sign` which way friction points along a loaded hole, `cargo xtask mesh-dependence` what ply discount makes of a
+//! finer mesh.
 
 mod chart;
 mod cosine;
 mod mesh_dependence;
+mod publish;
+mod shear_sign;
 mod stability;
 mod validate;
 
@@ -29,9 +32,11 @@ enum Task {
     /// Draws the atlas of failures: what each method does where methods fail.
     Stability(stability::Options),
     /// Compares the assumed cosine bearing load with computed contact.
-    Cosine(cosine::Options),
+    Cosine(publish::Options),
+    /// Asks which friction laws reverse the shear on the edge of a pin-loaded hole, and where matrix cracks are to be expected.
+    ShearSign(publish::Options),
     /// Shows how the strength by ply discount depends on the mesh, and what crack bands mend.
-    MeshDependence(mesh_dependence::Options),
+    MeshDependence(publish::Options),
 }
 
 fn main() -> ExitCode {
@@ -40,6 +45,7 @@ fn main() -> ExitCode {
         Task::Chart(options) => chart::main(&options),
         Task::Stability(options) => stability::main(&options),
         Task::Cosine(options) => cosine::main(&options),
+        Task::ShearSign(options) => shear_sign::main(&options),
         Task::MeshDependence(options) => mesh_dependence::main(&options),
     }
 }

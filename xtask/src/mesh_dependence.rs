@@ -11,29 +11,11 @@ mod pin;
 mod plies;
 mod strip;
 
-use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::Instant;
 
-use clap::Args;
-use rayon::prelude::*;
 use stickslip_fem_core::mesh::ElementKind;
-use stickslip_report::folder::write_atomic;
-use stickslip_report::raster::{DEFAULT_SCALE, to_png};
 
-/// Why the study stopped.
-type Trouble = Box<dyn std::error::Error + Send + Sync>;
-
-/// What to compute.
-#[derive(Debug, Args)]
-pub(crate) struct Options {
-    /// The two coarsest meshes only. Nothing is written unless a folder is named.
-    #[arg(long)]
-    quick: bool,
-    /// Folder for table, chart and page; docs/mesh-dependence for a full run.
-    #[arg(long, value_name = "FOLDER")]
-    output: Option<PathBuf>,
-}
+use crate::publish::{self, Options, Picture, Publication, Trouble};
 
 /// What breaks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,20 +53,19 @@ struct Row {
 }
 
 impl Case {
-    fn solve(self) -> Result<Row, Trouble> {
+    fn solve(&self) -> Result<Row, Trouble> {
         let Self {
             specimen,
             kind,
             cells,
             strengths,
-        } = self;
+        } = *self;
         let (size, strength) = match specimen {
             Specimen::Strip => strip::strength(kind, cells, strengths)?,
             Specimen::Pin => pin::strength(kind, cells, strengths)?,
         };
-        eprintln!("{self:?}: {size:.3} mm, {strength:.2} MPa");
         Ok(Row {
-            case: self,
+            case: *self,
             size,
             strength,
         })
@@ -117,40 +98,21 @@ fn cases(quick: bool) -> Vec<Case> {
 
 /// Runs the task: progress on stderr, findings on stdout.
 pub(crate) fn main(options: &Options) -> ExitCode {
-    let start = Instant::now();
-    let outcome = study(options);
-    eprintln!("{:.0} s", start.elapsed().as_secs_f64());
-    match outcome {
-        Ok(text) => {
-            print!("{text}");
-            ExitCode::SUCCESS
-        }
-        Err(trouble) => {
-            eprintln!("{trouble}");
-            ExitCode::FAILURE
-        }
-    }
+    publish::main("mesh-dependence", options, study)
 }
 
-fn study(options: &Options) -> Result<String, Trouble> {
-    let rows = (cases(options.quick).into_par_iter())
-        .map(Case::solve)
-        .collect::<Result<Vec<Row>, Trouble>>()?;
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let folder = match &options.output {
-        Some(folder) => Some(folder.clone()),
-        None => (!options.quick).then(|| root.join("docs/mesh-dependence")),
-    };
-    if let Some(folder) = folder {
-        std::fs::create_dir_all(&folder)?;
-        let chart = page::chart(&rows)?;
-        write_atomic(&folder.join("strength.csv"), page::csv(&rows).as_bytes())?;
-        write_atomic(&folder.join("strength.svg"), chart.as_str().as_bytes())?;
-        let picture = to_png(&chart, DEFAULT_SCALE)?;
-        write_atomic(&folder.join("strength.png"), &picture)?;
-        write_atomic(&folder.join("README.md"), page::page(&rows).as_bytes())?;
-    }
-    Ok(page::findings(&rows) + "\n")
+fn study(quick: bool) -> Result<Publication, Trouble> {
+    let rows = publish::side_by_side(&cases(quick), Case::solve)?;
+    Ok(Publication {
+        tables: vec![("strength.csv", page::csv(&rows).into_bytes())],
+        pictures: vec![Picture {
+            name: "strength",
+            svg: page::chart(&rows)?,
+            alternative: page::ALTERNATIVE,
+        }],
+        page: page::page(&rows),
+        findings: page::findings(&rows) + "\n",
+    })
 }
 
 #[cfg(test)]

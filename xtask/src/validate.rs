@@ -23,6 +23,7 @@ mod pins;
 mod press_fit;
 mod render;
 mod rigid_pin;
+mod shear_sign;
 
 use std::path::Path;
 use std::process::ExitCode;
@@ -63,7 +64,7 @@ struct Case {
     checks: fn(&Laboratory) -> Result<Vec<Check>, Trouble>,
 }
 
-const CASES: [Case; 18] = [
+const CASES: [Case; 19] = [
     Case {
         name: "elements",
         title: "Elements",
@@ -159,6 +160,12 @@ const CASES: [Case; 18] = [
         title: "Aluminium plate, friction",
         friction: true,
         checks: aluminium::frictional,
+    },
+    Case {
+        name: "shear-sign",
+        title: "Pin in a quasi-isotropic laminate: sign of the shear, matrix cracks",
+        friction: true,
+        checks: shear_sign::checks,
     },
     Case {
         name: "benchmark-frictionless",

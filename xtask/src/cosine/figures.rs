@@ -6,19 +6,13 @@ use stickslip_report::chart::{Dash, LineChart, Panels, ReferenceLine, Series, Se
 use stickslip_report::color::Color;
 use stickslip_report::svg::Svg;
 
+use super::Picture;
 use super::case::{MEAN, Row};
 use super::study::{CLEARANCE, CRITERION, FRICTION, Study};
 
 const WIDTH: f64 = 460.0;
 const ASPECT: f64 = 0.72;
 const ASSUMED: Color = Color::rgb(0x22, 0x22, 0x22);
-
-/// A picture, the name of its files, and a text for readers without it.
-pub(super) struct Picture {
-    pub(super) name: &'static str,
-    pub(super) svg: Svg,
-    pub(super) alternative: &'static str,
-}
 
 /// A compared quantity, larger or smaller with contact than with the assumed load.
 struct Quantity {

@@ -2,10 +2,9 @@
 
 use std::fmt::Write as _;
 
-use super::Trouble;
 use super::case::{Failure, Load, MEAN, Row};
-use super::figures::Picture;
 use super::study::{CLEARANCE, CRITERION, FRICTION, Study};
+use super::{Picture, Trouble};
 
 const COLUMNS: [&str; 11] = [
     "layup",

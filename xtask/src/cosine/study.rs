@@ -1,10 +1,8 @@
 //! What is varied, and all results.
 
-use indicatif::{ProgressBar, ProgressStyle};
-use rayon::prelude::*;
-
 use super::Trouble;
 use super::case::{Load, Row, solve};
+use crate::publish::side_by_side;
 
 /// The criterion of charts; it names the mode that governs.
 pub(super) const CRITERION: &str = "max_stress";
@@ -61,21 +59,10 @@ impl Study {
                 joints.extend(own.map(|load| (layup, load)));
             }
         }
-        let progress = ProgressBar::new(joints.len() as u64);
-        // The template is a constant that is known to parse; without a style the bar only looks plainer.
-        if let Ok(style) = ProgressStyle::with_template("{wide_bar} {pos}/{len} {elapsed}") {
-            progress.set_style(style);
-        }
-        let rows = joints
-            .par_iter()
-            .map(|&(layup, load)| {
-                let row = solve(layup, load, plan.spacing)
-                    .map_err(|trouble| format!("{layup}, {load:?}: {trouble}"));
-                progress.inc(1);
-                Ok(row?)
-            })
-            .collect::<Result<Vec<Row>, Trouble>>()?;
-        progress.finish_and_clear();
+        let rows = side_by_side(&joints, |&(layup, load)| {
+            let row = solve(layup, load, plan.spacing);
+            Ok(row.map_err(|trouble| format!("{layup}, {load:?}: {trouble}"))?)
+        })?;
         let mut study = Self {
             plan,
             rows,

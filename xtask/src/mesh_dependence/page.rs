@@ -62,6 +62,10 @@ const CURVES: [(Specimen, ElementKind); 3] = [
     (Specimen::Pin, ElementKind::Q8),
 ];
 
+/// What the chart shows, for readers without it.
+pub(super) const ALTERNATIVE: &str =
+    "Strength over the size of the cells, with the plies' own strengths and with crack bands";
+
 /// Strength over the size of the cells, both on logarithmic axes.
 pub(super) fn chart(rows: &[Row]) -> Result<Svg, FigureError> {
     let panel = |specimen: Specimen| {
@@ -181,7 +185,7 @@ the energy that a crack takes per area goes with the size h of the cells, and th
 a weaker part, and there is no limit. Crack bands (Bažant & Oh 1983) give every cell the strength √(2 E G/((1 − d) h)), with which a
 row dissipates the fracture energy G on any mesh.
 
-![Strength over the size of the cells, with the plies' own strengths and with crack bands](strength.png)
+![{ALTERNATIVE}](strength.png)
 
 {findings}
 
