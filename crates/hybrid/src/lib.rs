@@ -1,17 +1,25 @@
-//! Hybrid analysis of measured displacements.
+//! From measured displacements to edge stresses and friction.
 //!
-//! This crate is the place of everything that starts from measured fields: fringe orders N of moiré gratings of frequency f
-//! and the displacements they mean,
+//! Moiré gratings of frequency f show displacements as fringe orders N; a region of finite elements whose edge moves as measured, and
+//! whose inner forces vanish, has the stresses that cannot be measured:
 //!
 //! ```text
 //! U = N_x / f,   V = N_y / f,   f = (2/λ) sin α,
+//! Δ² = K₂₂⁻¹ (F² − K²¹ Δ¹),   F¹ = (K¹¹ − K¹² K₂₂⁻¹ K²¹) Δ¹ + K¹² K₂₂⁻¹ F².
 //! ```
 //!
-//! localized hybrid analysis, where measured displacements Δ¹ drive a region whose inner forces vanish,
-//!
-//! ```text
-//! Δ² = K₂₂⁻¹ (F² − K²¹ Δ¹),   F¹ = (K¹¹ − K¹² K₂₂⁻¹ K²¹) Δ¹ + K¹² K₂₂⁻¹ F²,
-//! ```
-//!
-//! and the friction coefficients that follow. It will know the results of `stickslip-contact` and never its solvers. Nothing
-//! of it is public yet.
+//! | module | subject |
+//! | --- | --- |
+//! | [`data`] | measured displacements: places, values, what failed, their deviation |
+//! | [`moire`] | gratings: frequency, fringe orders, displacements, strains |
+//! | [`fringe`] | fringe pictures: synthesis, phase, unwrapping, carrier |
+//! | [`reduce`] | displacements of nodes from measured ones, with covariance |
+//! | [`region`] | localized hybrid analysis of a region, with the covariance of all that follows |
+//! | [`identify`] | friction from edge tractions and from displacements, with intervals |
+
+pub mod data;
+pub mod fringe;
+pub mod identify;
+pub mod moire;
+pub mod reduce;
+pub mod region;

@@ -1,0 +1,1 @@
+//! Fringe pictures: synthesis, phase, unwrapping, carrier.

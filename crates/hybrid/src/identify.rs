@@ -1,0 +1,1 @@
+//! Friction from edge tractions and from displacements, with intervals.

@@ -1,0 +1,1 @@
+//! Gratings: frequency, fringe orders, displacements, strains.

@@ -1,0 +1,1 @@
+//! Displacements of nodes from measured ones, with their covariance.

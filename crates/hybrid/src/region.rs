@@ -1,0 +1,1 @@
+//! Localized hybrid analysis of a region, with the covariance of all that follows.
