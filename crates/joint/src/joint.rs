@@ -38,7 +38,7 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             increments: 20,
-            smallest_part: 1.0 / 64.0,
+            smallest_part: 1.0 / 256.0,
             tolerance: 1e-9,
             iterations: 25,
             passes: 200,
