@@ -14,7 +14,8 @@
 //! quadrilaterals rows of points are half a cell wide and fail one by one: their width is half of that.
 //!
 //! On cells smaller than l₀ the equivalent strength exceeds the ply's own, and with it the load of first failure on an edge without a
-//! notch: what becomes independent of the mesh is the running of a crack, not its start. Cells of the size l₀ serve both. The factor d
+//! notch: what becomes independent of the mesh is the running of a crack, not its start. So the own strength is the limit, unless
+//! [`CrackBand::raising`] asks for more, and a crack on such cells takes less than its energy. Cells of the size l₀ serve both. The factor d
 //! must be small beside the ratio of h to the size of the plate, or the failed rows go on bearing the load.
 //!
 //! The width of the row is taken as the size √A of the cell times a factor, 1 unless said otherwise.
@@ -74,6 +75,7 @@ pub struct CrackBand {
     energies: FractureEnergies,
     degradation: Degradation,
     width: f64,
+    raises: bool,
 }
 
 impl CrackBand {
@@ -104,6 +106,7 @@ impl CrackBand {
             energies,
             degradation,
             width: 1.0,
+            raises: false,
         })
     }
 
@@ -114,6 +117,40 @@ impl CrackBand {
     pub fn with_width(self, width: f64) -> Result<Self, CrackBandError> {
         positive("width", width)?;
         Ok(Self { width, ..self })
+    }
+
+    /// Width of a row, in cells.
+    pub fn width(&self) -> f64 {
+        self.width
+    }
+
+    /// The same, with strengths above the plies' own on cells that are small enough. A crack then takes its energy on any mesh, but
+    /// material without a crack bears more than it can.
+    #[must_use]
+    pub fn raising(self) -> Self {
+        Self {
+            raises: true,
+            ..self
+        }
+    }
+
+    /// Width of a row `[length]` below which a strength of `ply` would be raised, the largest of all: there a crack takes less than its
+    /// energy, unless strengths are [raised](Self::raising).
+    pub fn own_length(&self, ply: &Ply) -> f64 {
+        let (constants, own, energies) = (ply.constants(), ply.strengths(), &self.energies);
+        let [fibre, matrix] = [self.degradation.fibre(), self.degradation.matrix()];
+        let length = |own: Option<f64>, energy: Option<f64>, modulus: f64, kept: f64| {
+            let (own, energy) = (own?, energy?);
+            Some(2.0 * modulus * energy / ((1.0 - kept) * own * own))
+        };
+        let lengths = [
+            length(own.xt, energies.fibre_tension, constants.e1, fibre),
+            length(own.xc, energies.fibre_compression, constants.e1, fibre),
+            length(own.yt, energies.matrix_tension, constants.e2, matrix),
+            length(own.yc, energies.matrix_compression, constants.e2, matrix),
+            length(own.s12, energies.shear, constants.g12, matrix),
+        ];
+        lengths.into_iter().flatten().fold(0.0, f64::max)
     }
 
     /// `ply` with equivalent strengths for a row of the width `length` `[length]`.
@@ -127,7 +164,8 @@ impl CrackBand {
         let equivalent = |own: Option<f64>, energy: Option<f64>, modulus: f64, kept: f64| {
             let scaled =
                 energy.map(|energy| (2.0 * modulus * energy / ((1.0 - kept) * length)).sqrt());
-            own.map(|own| scaled.unwrap_or(own))
+            let limit = if self.raises { f64::INFINITY } else { 1.0 };
+            own.map(|own| scaled.map_or(own, |scaled| scaled.min(limit * own)))
         };
         let (own, energies) = (ply.strengths(), &self.energies);
         let strengths = Strengths {

@@ -4,8 +4,9 @@ use stickslip_contact::{ContactState, InterfaceProblem, InterfaceSolver};
 use stickslip_fem_core::InterfaceOperator;
 
 use crate::body::Response;
+use crate::damage::PlyEvent;
 use crate::error::{Halt, JointError};
-use crate::increment::{Accepted, Manner, Solving, starting_responses};
+use crate::increment::{Accepted, Manner, Refused, Solving, starting_responses};
 use crate::joint::Joint;
 use crate::operator::Factors;
 use crate::record::{Ending, JointHistory, JointRecord};
@@ -41,6 +42,7 @@ impl Joint {
             records: Vec::new(),
             observe,
             stiffest: 0.0,
+            failed: false,
             counted: 0,
         };
         for (index, target) in steps.iter().enumerate() {
@@ -81,6 +83,7 @@ impl Joint {
             quickly: false,
             burst: usize::MAX,
             peak: f64::INFINITY,
+            sound: f64::INFINITY,
         };
         let still = vec![0.0; self.load_cases()];
         let starting = starting_responses(self, &rest).map_err(JointError::NoStart)?;
@@ -111,6 +114,8 @@ struct Walk<'a, F> {
     observe: F,
     /// Largest load per displacement so far.
     stiffest: f64,
+    /// Whether a ply has failed.
+    failed: bool,
     /// Factorisations that records have counted.
     counted: usize,
 }
@@ -146,6 +151,11 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
                 } else {
                     f64::INFINITY
                 },
+                sound: if self.failed || smallest {
+                    f64::INFINITY
+                } else {
+                    self.largest_load()
+                },
             };
             match self.attempt(&multipliers, manner, driven) {
                 Ok(accepted) => {
@@ -163,14 +173,15 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
                         }));
                     }
                 }
-                Err(cause) if smallest && self.records.is_empty() => {
-                    return Err(JointError::NoStart(cause));
+                Err(refused) if smallest && self.records.is_empty() => {
+                    return Err(JointError::NoStart(refused.cause));
                 }
-                Err(cause) if smallest => {
+                Err(Refused { cause, events }) if smallest => {
                     return Ok(Some(Ending::NoEquilibrium {
                         step: index,
                         reached,
                         cause,
+                        collapse: events,
                     }));
                 }
                 Err(_) => {
@@ -187,16 +198,26 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
         multipliers: &[f64],
         manner: Manner,
         driven: bool,
-    ) -> Result<Accepted, Halt> {
+    ) -> Result<Accepted, Refused> {
         if self.starting.is_empty() {
-            self.starting = starting_responses(self.joint, &self.state)?;
+            self.starting =
+                starting_responses(self.joint, &self.state).map_err(|cause| Refused {
+                    cause,
+                    events: Vec::new(),
+                })?;
         }
         let solving = Solving::new(self.joint, &self.state, &self.starting, multipliers, manner);
         let accepted = solving.run(self.solver, &mut self.factors)?;
-        if !driven && accepted.passes > 0 {
-            self.check_path(&accepted)?;
+        if driven || accepted.passes == 0 {
+            return Ok(accepted);
         }
-        Ok(accepted)
+        match self.check_path(&accepted) {
+            Ok(()) => Ok(accepted),
+            Err(cause) => Err(Refused {
+                cause,
+                events: accepted.events,
+            }),
+        }
     }
 
     /// Refuses an increment whose failures cost the joint its load path.
@@ -224,6 +245,7 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
         if accepted.displacement > 0.0 {
             self.stiffest = self.stiffest.max(accepted.load / accepted.displacement);
         }
+        self.failed |= accepted.events.iter().any(PlyEvent::is_failure);
         let record = JointRecord {
             step,
             reached,

@@ -41,6 +41,13 @@ pub(crate) struct Accepted {
     pub(crate) residuals: Vec<f64>,
 }
 
+/// An increment without an end, and what failed in it before it was given up.
+#[derive(Debug)]
+pub(crate) struct Refused {
+    pub(crate) cause: Halt,
+    pub(crate) events: Vec<PlyEvent>,
+}
+
 /// How an increment is to be solved.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Manner {
@@ -50,6 +57,8 @@ pub(crate) struct Manner {
     pub(crate) burst: usize,
     /// Largest load before, from which the load may not fall unresolved.
     pub(crate) peak: f64,
+    /// Load before, where no ply has failed yet: the first is to fail close to it.
+    pub(crate) sound: f64,
 }
 
 /// Stresses and tangents of all bodies with a history in the state `start`, without trial states; `None` for the others. All
@@ -203,7 +212,21 @@ impl<'a> Solving<'a> {
         mut self,
         solver: &dyn InterfaceSolver,
         factors: &mut Factors,
-    ) -> Result<Accepted, Halt> {
+    ) -> Result<Accepted, Refused> {
+        match self.iterate(solver, factors) {
+            Ok(linear) => Ok(self.accept(linear)),
+            Err(cause) => Err(Refused {
+                cause,
+                events: self.events,
+            }),
+        }
+    }
+
+    fn iterate(
+        &mut self,
+        solver: &dyn InterfaceSolver,
+        factors: &mut Factors,
+    ) -> Result<Linear, Halt> {
         let options = self.joint.options;
         let mut guess: Option<TrialState> = None;
         let mut iterations = 0;
@@ -223,7 +246,7 @@ impl<'a> Solving<'a> {
                 if residual <= options.tolerance {
                     let [load, _] = self.read(&linear);
                     self.check_peak(load)?;
-                    return Ok(self.accept(linear));
+                    return Ok(linear);
                 }
                 if iterations >= options.iterations || !residual.is_finite() {
                     return Err(Halt::NotConverged {
@@ -253,6 +276,16 @@ impl<'a> Solving<'a> {
             }
             _ => Ok(()),
         }
+    }
+
+    /// Refuses to step over the first failure of a sound joint, which is to happen close to a load that was borne.
+    fn check_first(&self, load: f64) -> Result<(), Halt> {
+        let before = self.manner.sound;
+        if self.passes == 0 && load > before * (1.0 + self.joint.options.peak_resolution) {
+            let failing = load;
+            return Err(Halt::PastPeak { before, failing });
+        }
+        Ok(())
     }
 
     fn take(&mut self, responses: Vec<Response>) {

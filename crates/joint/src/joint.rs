@@ -23,7 +23,7 @@ pub struct Options {
     /// 32nd, so that the order of failures does not depend on the increment.
     pub burst: usize,
     /// Where supports are driven and the load falls from a new peak, the increment is cut until the plies that make it fall do so
-    /// within this part of the load before: the strength is known as closely.
+    /// within this part of the load before, and likewise to the first failure of all: strength and first failure are known as closely.
     pub peak_resolution: f64,
     /// A history with driven supports ends where the load has fallen to this part of its peak.
     pub residual_load: f64,
@@ -38,12 +38,12 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             increments: 20,
-            smallest_part: 1.0 / 64.0,
+            smallest_part: 1.0 / 256.0,
             tolerance: 1e-9,
             iterations: 25,
             passes: 200,
             burst: 16,
-            peak_resolution: 0.005,
+            peak_resolution: 0.001,
             residual_load: 0.5,
             residual_stiffness: 0.1,
             jump: 0.5,

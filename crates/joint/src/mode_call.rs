@@ -23,7 +23,8 @@ use std::fmt;
 
 use stickslip_fem_core::mesh::Point;
 
-use crate::record::JointHistory;
+use crate::damage::PlyEvent;
+use crate::record::{Ending, JointHistory, JointRecord};
 
 /// A mode of failure of a pinned joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -94,7 +95,7 @@ pub struct ModeCall {
     pub mode: JointMode,
     /// Shares of the deciding damage in [`JointMode::PURE`], by volume; they sum to 1 or less, the rest lying elsewhere.
     pub shares: [f64; 3],
-    /// How far the deciding damage has eaten up each mode's path, from 0 at the hole to 1 at the side or end.
+    /// How much of each mode's path, from the hole to the side or end, damage of the deciding kind covers, in fifths.
     pub reach: [f64; 3],
     /// The reasons, one sentence each.
     pub reasons: Vec<String>,
@@ -112,6 +113,8 @@ const SEVERED: f64 = 0.8;
 const CONFINED: f64 = 0.25;
 /// Share ahead of the pin that makes confined damage bearing.
 const CRUSHED: f64 = 0.45;
+/// Parts of a path that are looked at one by one.
+const PARTS: usize = 5;
 /// Radii within which the angle decides.
 const NEAR: f64 = 1.5;
 
@@ -122,17 +125,16 @@ pub fn call_mode(hole: &Hole, sites: &[DamageSite], retained: Option<f64>) -> Op
     let deciding: Vec<&DamageSite> = sites.iter().filter(|site| basis.takes(site)).collect();
     let mut sums = [0.0; 3];
     let mut total = 0.0;
-    let mut reach = [0.0_f64; 3];
     for site in &deciding {
-        let local = hole.local(site.position);
         total += site.volume;
-        for (mode, weight) in zone_weights(local).into_iter().enumerate() {
+        for (mode, weight) in zone_weights(hole.local(site.position))
+            .into_iter()
+            .enumerate()
+        {
             sums[mode] += weight * site.volume;
-            if weight >= 0.5 {
-                reach[mode] = reach[mode].max(hole.reach(mode, local));
-            }
         }
     }
+    let reach = reach(hole, sites.iter().filter(|site| site.fibre || !basis.fibre));
     let shares = sums.map(|sum| if total > 0.0 { sum / total } else { 0.0 });
     let (mode, why) = decide(shares, reach);
     let mut call = ModeCall {
@@ -143,6 +145,21 @@ pub fn call_mode(hole: &Hole, sites: &[DamageSite], retained: Option<f64>) -> Op
     };
     call.reasons = reasons::of(&call, basis, why, retained);
     Some(call)
+}
+
+/// How much of each mode's path `sites` cover: parts of the path in which there is one.
+fn reach<'s>(hole: &Hole, sites: impl Iterator<Item = &'s DamageSite>) -> [f64; 3] {
+    let mut covered = [[false; PARTS]; 3];
+    for site in sites {
+        let local = hole.local(site.position);
+        for (mode, weight) in zone_weights(local).into_iter().enumerate() {
+            if weight >= 0.5 {
+                let part = hole.reach(mode, local) * PARTS as f64;
+                covered[mode][(part as usize).min(PARTS - 1)] = true;
+            }
+        }
+    }
+    covered.map(|path| path.iter().filter(|part| **part).count() as f64 / PARTS as f64)
 }
 
 /// Which rule decided.
@@ -243,26 +260,30 @@ fn zone_weights([ahead, aside]: [f64; 2]) -> [f64; 3] {
 }
 
 impl JointHistory {
-    /// The failures of body `body`, as [`call_mode`] takes them.
+    /// The failures of body `body`, as [`call_mode`] takes them, those of the collapse at the end included.
     pub fn damage_sites(&self, body: usize) -> Vec<DamageSite> {
         let peak = self.peak();
         let enough = LATE * self.records[peak].load;
-        let mut sites = Vec::new();
-        for (index, record) in self.records.iter().enumerate() {
-            let late = index > peak || record.load >= enough;
-            let failures = record.events.iter().filter(|event| event.is_failure());
-            sites.extend(
-                failures
-                    .filter(|event| event.body == body)
-                    .map(|event| DamageSite {
-                        position: event.position,
-                        volume: event.volume,
-                        fibre: event.breaks_fibres(),
-                        late,
-                    }),
-            );
-        }
-        sites
+        let late = |(index, record): (usize, &JointRecord)| index > peak || record.load >= enough;
+        let followed = (self.records.iter().enumerate()).flat_map(|(index, record)| {
+            record
+                .events
+                .iter()
+                .map(move |event| (event, late((index, record))))
+        });
+        let collapse: &[PlyEvent] = match &self.ending {
+            Ending::NoEquilibrium { collapse, .. } => collapse,
+            Ending::Completed | Ending::LoadDropped { .. } => &[],
+        };
+        let all = followed.chain(collapse.iter().map(|event| (event, true)));
+        all.filter(|(event, _)| event.body == body && event.is_failure())
+            .map(|(event, late)| DamageSite {
+                position: event.position,
+                volume: event.volume,
+                fibre: event.breaks_fibres(),
+                late,
+            })
+            .collect()
     }
 
     /// The mode in which body `body` fails around `hole`; `None` without damage.

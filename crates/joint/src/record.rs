@@ -46,6 +46,8 @@ pub enum Ending {
         reached: f64,
         /// Why the smallest increment beyond failed.
         cause: Halt,
+        /// What failed in that increment before it was given up: how the joint comes apart.
+        collapse: Vec<PlyEvent>,
     },
     /// The load has fallen to the part of its peak at which a history ends.
     LoadDropped {
@@ -95,15 +97,11 @@ impl JointHistory {
         None
     }
 
-    /// The largest load `[force]` that the joint bore, if the history shows that it cannot bear more: it ended there, or the load fell
-    /// afterwards at a growing displacement.
+    /// The largest load `[force]` that the joint bore, if the history shows that it cannot bear more: no equilibrium was found beyond, or
+    /// the load has fallen to the part of it at which a history ends. A dip is none: the load may climb again.
     pub fn strength(&self) -> Option<f64> {
-        let peak = &self.records[self.peak()];
-        let beyond = |record: &JointRecord| {
-            record.load < peak.load && record.displacement > peak.displacement
-        };
-        let shown = !matches!(self.ending, Ending::Completed) || self.records.iter().any(beyond);
-        shown.then_some(peak.load)
+        let shown = !matches!(self.ending, Ending::Completed);
+        shown.then(|| self.records[self.peak()].load)
     }
 
     /// All events, in the order in which they happened.

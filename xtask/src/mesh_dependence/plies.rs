@@ -74,7 +74,9 @@ pub(super) fn models(
     }
     // Rows of points of quadratic quadrilaterals are half a cell wide.
     let width = 1.0 / f64::from(u32::try_from(kind.order())?);
-    let band = CrackBand::new(energies(kept, own), degradation)?.with_width(width)?;
+    let band = (CrackBand::new(energies(kept, own), degradation)?)
+        .with_width(width)?
+        .raising();
     let points = QuadraturePoints::of(mesh);
     band.models(&points, laminate, build)
         .map_err(|cause| cause.0)

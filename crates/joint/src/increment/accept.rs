@@ -36,6 +36,7 @@ impl Solving<'_> {
         let stresses: Vec<&[[f64; 3]]> = predicted.iter().map(Vec::as_slice).collect();
         self.reckon(linear, &stresses);
         let [load, displacement] = self.read(linear);
+        self.check_first(load)?;
         self.check_peak(load)?;
         let found: Vec<PlyEvent> = (self.events_of(&responses, failed))
             .map(|event| PlyEvent {

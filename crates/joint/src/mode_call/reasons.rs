@@ -15,24 +15,30 @@ pub(super) fn of(call: &ModeCall, basis: Basis, why: Why, retained: Option<f64>)
         "in the whole history, because nothing failed late"
     };
     let [bearing, shear, tension] = call.shares.map(percent);
+    let rest = percent(1.0 - call.shares.iter().sum::<f64>());
+    let elsewhere = if rest >= 0.5 {
+        format!(", {rest:.0} % elsewhere")
+    } else {
+        String::new()
+    };
     let mut reasons = vec![format!(
-        "{what} {when}: {bearing:.0} % ahead of the pin (0-35 deg), {shear:.0} % where a plug shears out (45-80 deg), {tension:.0} % at the \
-         net section (about 90 deg)"
+        "{what} {when}: {bearing:.0} % ahead of the pin (0–35°), {shear:.0} % where a plug shears out (45–80°), {tension:.0} % at the \
+         net section (about 90°){elsewhere}"
     )];
     let [ahead, plug, ligament] = call.reach.map(percent);
     let parted = percent(SEVERED);
     reasons.push(match (why, call.mode) {
         (Why::Severed, JointMode::NetTension) => format!(
-            "it reaches over {ligament:.0} % of the way from the hole to the side ({parted:.0} % part the net section), over {plug:.0} % of that \
-             to the end"
+            "broken material covers {ligament:.0} % of the way from the hole to the side ({parted:.0} % part the net section), and {plug:.0} % of \
+             that to the end"
         ),
         (Why::Severed, _) => format!(
-            "it reaches over {plug:.0} % of the way from the hole to the end ({parted:.0} % free the plug), over {ligament:.0} % of that to the \
-             side"
+            "broken material covers {plug:.0} % of the way from the hole to the end ({parted:.0} % free the plug), and {ligament:.0} % of that to \
+             the side"
         ),
         (Why::Split, _) => format!(
-            "the end is split ahead of the pin, over {ahead:.0} % of the way to it ({parted:.0} % part it), with {ligament:.0} % of the way to the \
-             side"
+            "the end is split ahead of the pin, over {ahead:.0} % of the way to it ({parted:.0} % part it), and {ligament:.0} % of the way to the \
+             side are broken"
         ),
         (Why::Share, mode) => {
             format!("most of it lies where {mode} begins; neither path to side or end is alone severed")
@@ -47,10 +53,12 @@ pub(super) fn of(call: &ModeCall, basis: Basis, why: Why, retained: Option<f64>)
     });
     if let Some(retained) = retained {
         let kept = percent(retained);
-        reasons.push(if retained >= 0.7 {
+        reasons.push(if retained < 0.7 {
+            format!("the load falls to {kept:.0} % of its peak: the path that bore it is lost")
+        } else if call.mode == JointMode::Bearing {
             format!("the load stays at {kept:.0} % of its peak: the pin goes on crushing material")
         } else {
-            format!("the load falls to {kept:.0} % of its peak: the path that bore it is lost")
+            format!("the load stays at {kept:.0} % of its peak as far as the history goes")
         });
     }
     reasons

@@ -5,6 +5,7 @@
 //! that of the pin's centre against the far end of the plate.
 
 mod edge;
+mod words;
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -13,9 +14,10 @@ use stickslip_contact::InterfaceSolver;
 use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_fem_core::{ElasticBody, QuadraturePoints};
 use stickslip_joint::{
-    CrackBand, CrackBandError, Ending, Gauge, Hole, Joint, JointBody, JointError, JointHistory,
-    Mark, Options, PlyEventKind, ProgressiveBody, Pull,
+    CrackBand, CrackBandError, Ending, FractureEnergies, Gauge, Hole, Joint, JointBody, JointError,
+    JointHistory, Mark, Options, PlyEventKind, ProgressiveBody, Pull,
 };
+use stickslip_laminate::Degradation;
 use stickslip_laminate::progressive::{PointModel, ProgressiveError};
 use thiserror::Error;
 
@@ -40,6 +42,14 @@ pub enum ProgressiveRunError {
     /// The joint cannot be built or followed at all.
     #[error(transparent)]
     Joint(#[from] JointError),
+    /// The pin never presses on the bearing point.
+    #[error(
+        "the pin never presses on the bearing point of '{body}', on the +x side of its hole, where the load of a joint is read: turn the load or the drive round"
+    )]
+    WrongWay {
+        /// The body.
+        body: String,
+    },
     /// Nothing of the model touches the hole.
     #[error("no contact touches the hole of '{body}'")]
     NoPin {
@@ -118,6 +128,11 @@ impl<'a> Subject<'a> {
                 })
             })
             .map_err(|cause| refused(cause.into()))?;
+        if most.1.is_empty() {
+            return Err(refused(ProgressiveRunError::WrongWay {
+                body: self.asked.body.clone(),
+            }));
+        }
         let sound = self.bodies(&model, false)?;
         let linear = joint(sound)
             .and_then(|joint| edge::linear(&joint, self.found.body, steps, solver, most.0))
@@ -181,7 +196,7 @@ impl<'a> Subject<'a> {
         let laminate = &self.sheet.laminate;
         let models = match (&self.asked.model, self.asked.crack_band) {
             (ProgressiveModel::PlyDiscount { degradation, .. }, Some(energies)) => {
-                let band = CrackBand::new(energies, *degradation)?;
+                let band = crack_band(energies, *degradation, elastic.mesh())?;
                 let points = QuadraturePoints::of(elastic.mesh());
                 let build = |scaled| Ok(self.asked.model.point(scaled)?);
                 band.models::<ProgressiveRunError>(&points, laminate, build)?
@@ -264,13 +279,10 @@ impl<'a> Subject<'a> {
             work: record.energy.external,
             dissipated: record.energy.dissipated + record.energy.released,
         });
-        let cells = match &model.bodies[self.found.body].kind {
-            ModelBodyKind::Elastic(body) => body.mesh().element_count(),
-            ModelBodyKind::Rigid(_) => 0,
-        };
+        let cells = self.mesh(model).map_or(0, Mesh::element_count);
         ProgressiveFailure {
-            model: self.model_in_words(scene),
-            control: self.control_in_words(scene),
+            model: words::model(self, scene, model),
+            control: words::control(self.asked, scene),
             curve: curve.collect(),
             peak: history.peak(),
             strength: history.strength(),
@@ -287,6 +299,13 @@ impl<'a> Subject<'a> {
             edge: Vec::new(),
             cells,
             half: model.half,
+        }
+    }
+
+    fn mesh<'m>(&self, model: &'m Model) -> Option<&'m Mesh> {
+        match &model.bodies[self.found.body].kind {
+            ModelBodyKind::Elastic(body) => Some(body.mesh()),
+            ModelBodyKind::Rigid(_) => None,
         }
     }
 
@@ -320,51 +339,16 @@ impl<'a> Subject<'a> {
             })
             .collect()
     }
+}
 
-    fn model_in_words(&self, scene: &Scene) -> String {
-        match &self.asked.model {
-            ProgressiveModel::PlyDiscount {
-                criterion,
-                degradation,
-            } => {
-                let band = match self.asked.crack_band {
-                    Some(_) => ", strengths by fracture energies",
-                    None => "",
-                };
-                format!(
-                    "ply discount by {}, failed plies keep {} (fibre) and {} (matrix){band}",
-                    criterion.name(),
-                    degradation.fibre(),
-                    degradation.matrix()
-                )
-            }
-            ProgressiveModel::Plasticity { hardening } => {
-                let layers = self.sheet.laminate.layers();
-                let shear = layers.first().and_then(|layer| layer.ply().strengths().s12);
-                let modulus = hardening * shear.map_or(0.0, |shear| shear * shear);
-                format!(
-                    "Tsai–Hill plasticity, plastic shear modulus {}",
-                    scene.display.stress.show(modulus)
-                )
-            }
-        }
-    }
-
-    fn control_in_words(&self, scene: &Scene) -> String {
-        match &self.asked.control {
-            Control::Loads { .. } => "the scene's loads".to_owned(),
-            Control::Displacement { on, axis, end, .. } => {
-                let axis = match axis {
-                    Axis::X => "x",
-                    Axis::Y => "y",
-                };
-                format!(
-                    "{on} driven along {axis} to {}",
-                    scene.display.length.show(*end)
-                )
-            }
-        }
-    }
+/// Bands on `mesh`: rows of points of quadratic quadrilaterals are half a cell wide.
+fn crack_band(
+    energies: FractureEnergies,
+    degradation: Degradation,
+    mesh: &Mesh,
+) -> Result<CrackBand, CrackBandError> {
+    let order = mesh.blocks().iter().map(|block| block.kind.order()).max();
+    CrackBand::new(energies, degradation)?.with_width(1.0 / order.unwrap_or(1) as f64)
 }
 
 /// Holds `on` along `axis` at the displacement `end`, instead of whatever held or loaded it there.

@@ -139,6 +139,11 @@ fn notes(sweep: &Sweep) -> Vec<String> {
          longer spreads, an estimate elsewhere. The first-ply load depends on the mesh where its place is the edge of the hole."
             .to_owned(),
     );
+    notes.push(
+        "Failure is asked of the stresses of the undamaged joint. Where damage spreads before a joint breaks, and above all at narrow net \
+         sections, follow single joints by [failure.progressive]; sweeps leave it out."
+            .to_owned(),
+    );
     notes
 }
 

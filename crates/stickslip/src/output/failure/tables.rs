@@ -123,8 +123,15 @@ pub(crate) fn joint_modes(view: &FailureView<'_>) -> Vec<String> {
     };
     let sentence = |(criterion, joint): (&&str, &Option<JointFailure>)| {
         let joint = joint.as_ref()?;
+        // A crack in the matrix of one ply is not the end of a joint.
+        let end = joint.first.at.mode.is_fibre() || *criterion == "yamada_sun";
+        let event = if end {
+            "fails by"
+        } else {
+            "has its first crack in a ply, where it begins to fail by"
+        };
         Some(format!(
-            "{}: on the characteristic curve the joint '{}' fails by {} at {} (at {}°, in the {} ply by {}).",
+            "{}: on the characteristic curve the joint '{}' {event} {} at {} (at {}°, in the {} ply by {}).",
             criterion_name(criterion),
             view.body(),
             joint.mode,

@@ -118,6 +118,10 @@ pub(crate) fn verdict(view: &ProgressiveView<'_>) -> Vec<String> {
             format!("The history ends where no equilibrium near was found: {cause}.")
         }
     });
+    sentences.push(
+        "Plies are asked at the quadrature points here, inside the cells; first-ply failure above is asked at the nodes, on the edge too."
+            .to_owned(),
+    );
     if own.half {
         sentences.push(
             "One half was followed; in the other, plies of opposite angle fail alike.".to_owned(),

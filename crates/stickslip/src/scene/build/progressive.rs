@@ -48,7 +48,7 @@ impl Builder<'_> {
         let sheet = Arc::clone(self.sheet(&body, materials)?);
         let model = self.progressive_model(given, failure, &sheet);
         let crack_band = self.crack_band(given);
-        let control = self.control(given, around);
+        let control = self.control(given, &body, around);
         Some(Progressive {
             body,
             model: model?,
@@ -162,6 +162,15 @@ impl Builder<'_> {
             }
         };
         match Degradation::new(given.fibre, given.matrix) {
+            Ok(_) if given.fibre == 1.0 && given.matrix == 1.0 => {
+                self.conflict(
+                    &table,
+                    "fibre = 1 and matrix = 1: failed plies keep all stiffness, so nothing is lost"
+                        .to_owned(),
+                    "0.01 to 0.1 are usual for what failed plies keep",
+                );
+                None
+            }
             Ok(degradation) => Some(ProgressiveModel::PlyDiscount {
                 criterion,
                 degradation,
@@ -218,7 +227,12 @@ impl Builder<'_> {
         })
     }
 
-    fn control(&mut self, given: &ProgressiveFormat, around: &Surroundings<'_>) -> Option<Control> {
+    fn control(
+        &mut self,
+        given: &ProgressiveFormat,
+        body: &str,
+        around: &Surroundings<'_>,
+    ) -> Option<Control> {
         let table = child(TABLE, "control");
         match &given.control {
             ControlFormat::Loads(loads) => {
@@ -228,7 +242,7 @@ impl Builder<'_> {
                 })
             }
             ControlFormat::Displacement(displacement) => {
-                self.driven(&child(&table, "displacement"), displacement, around)
+                self.driven(&child(&table, "displacement"), displacement, body, around)
             }
         }
     }
@@ -245,6 +259,7 @@ impl Builder<'_> {
         &mut self,
         table: &str,
         given: &DisplacementFormat,
+        body: &str,
         around: &Surroundings<'_>,
     ) -> Option<Control> {
         self.increments(table, given.increments);
@@ -259,6 +274,14 @@ impl Builder<'_> {
         let key = child(table, "on");
         let on = self.set(&key, &given.on, Fits::EdgesAndPoints)?;
         self.can_be_driven(&key, &on, given.axis, around);
+        let away = if on.body == body { 1.0 } else { -1.0 };
+        if given.axis == Axis::X && given.end.value() * away > 0.0 {
+            let message = format!(
+                "end = {} moves {on} so that the pin leaves the bearing point, on the +x side of the hole of '{body}'",
+                given.end.text()
+            );
+            self.conflict(&child(table, "end"), message, "turn its sign");
+        }
         Some(Control::Displacement {
             on,
             axis: given.axis,

@@ -112,5 +112,5 @@ const fn default_axis() -> Axis {
 }
 
 const fn default_drop() -> f64 {
-    0.4
+    0.3
 }
