@@ -103,7 +103,7 @@ impl Grating {
         Ok(sine.asin())
     }
 
-    /// Displacement `[length]` of a fringe `order` [fringes], N/f; standard deviations convert alike.
+    /// Displacement `[length]` of a fringe `order` `[fringes]`, N/f; standard deviations convert alike.
     pub fn displacement(&self, order: f64) -> f64 {
         order / self.frequency
     }
@@ -113,7 +113,7 @@ impl Grating {
         displacement * self.frequency
     }
 
-    /// Strains (ε_x, ε_y, γ_xy) of the gradients `[[∂N_x/∂x, ∂N_x/∂y], [∂N_y/∂x, ∂N_y/∂y]]` [fringes/length].
+    /// Strains (ε_x, ε_y, γ_xy) of the gradients `[[∂N_x/∂x, ∂N_x/∂y], [∂N_y/∂x, ∂N_y/∂y]]` `[fringes/length]`.
     pub fn strains(&self, gradients: [[f64; 2]; 2]) -> [f64; 3] {
         let [[xx, xy], [yx, yy]] = gradients;
         [xx, yy, xy + yx].map(|gradient| gradient / self.frequency)

@@ -34,7 +34,7 @@ pub use cover::{Reason, Uncovered};
 pub use error::ReduceError;
 pub use polynomial::LocalPolynomial;
 
-use crate::data::{FringeLines, Measurement, NodalDisplacements};
+use crate::data::{Field, FringeLine, FringeLines, Measurement, NodalDisplacements};
 use crate::moire::Grating;
 use neighbours::Neighbours;
 use triangles::Triangles;
@@ -205,9 +205,9 @@ impl Reduction {
         })
     }
 
-    /// Data (index and weight) that make component `c` (0 or 1) of the `k`-th of [`Reduction::nodes`].
-    pub fn stencil(&self, k: usize, c: usize) -> &[(usize, f64)] {
-        &self.stencils[c][k]
+    /// Data (index and weight) that make a field's displacement of the `k`-th of [`Reduction::nodes`].
+    pub fn stencil(&self, k: usize, field: Field) -> Option<&[(usize, f64)]> {
+        self.stencils[field.component()].get(k).map(Vec::as_slice)
     }
 
     /// Displacements of the nodes from a measurement at the places this reduction was made for, and their covariance.
@@ -238,7 +238,7 @@ impl Reduction {
     }
 
     /// Displacements of the nodes from fringe lines with the centres this reduction was made for, U field first; `deviation` is
-    /// that of the orders of either field [fringes].
+    /// that of the orders of either field `[fringes]`.
     ///
     /// # Errors
     /// [`ReduceError::Size`] where the lines have another number of centres.
@@ -249,7 +249,7 @@ impl Reduction {
         deviation: [f64; 2],
     ) -> Result<NodalDisplacements, ReduceError> {
         let data = fields.map(|lines| -> Vec<f64> {
-            let orders = lines.lines.iter().flat_map(|line| line.orders());
+            let orders = lines.lines.iter().flat_map(FringeLine::orders);
             orders.map(|&order| grating.displacement(order)).collect()
         });
         let values = self.values([&data[0], &data[1]])?;

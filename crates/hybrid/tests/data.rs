@@ -101,7 +101,7 @@ fn a_table_of_ones_own_is_read_by_column_names_alone() {
         ..Format::plain()
     };
     let m = read("x,y,v\n1,2,4\n", &one_field, &Reading::default()).unwrap();
-    assert_eq!((m.count(0), m.count(1)), (0, 1));
+    assert_eq!((m.count(Field::U), m.count(Field::V)), (0, 1));
 }
 
 #[test]
@@ -173,6 +173,8 @@ fn refusals_name_file_line_column_value_and_remedy() {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
     #[test]
     fn no_text_panics(text in "[-0-9a-zA-Z,;. \t\"\n#*µ]{0,200}", down: bool) {
         let reading = Reading { y_axis: if down { YAxis::Down } else { YAxis::Up }, ..pixels(2.0) };
@@ -187,8 +189,10 @@ proptest! {
         let mut text = String::from("x,y,u,v\n");
         let mut centres = String::from("line,x,y,order\n");
         for (x, y, u, k) in &rows {
-            text += &format!("{x},{y},{u},{}\n", f64::from(*k) - 1.0);
-            centres += &format!("{k},{x},{y},{u}\n");
+            text.push_str(&[*x, *y, *u, f64::from(*k) - 1.0].map(|number| number.to_string()).join(","));
+            text.push('\n');
+            centres.push_str(&[f64::from(*k), *x, *y, *u].map(|number| number.to_string()).join(","));
+            centres.push('\n');
         }
         if let Ok(m) = plain(&text) {
             prop_assert!(m.check().is_ok());
@@ -321,25 +325,25 @@ fn a_null_field_comes_off_at_common_places_or_interpolated() {
         deviation: [4.0, 1.0],
         ..grid(0.0, 1.0)
     };
-    null.mask(1, |k| k == 6);
+    null.mask(Field::V, |k| k == 6);
     let loaded = grid(0.0, 5.0);
     let same = loaded
         .minus(&null, NullField::SamePlaces { tolerance: 1e-9 })
         .unwrap();
     assert_eq!(same.deviation, [5.0, 1.0]);
-    assert_eq!((same.count(0), same.count(1)), (25, 24));
+    assert_eq!((same.count(Field::U), same.count(Field::V)), (25, 24));
     assert!((0..25).all(|k| (same.displacements[0][k] - 4.0 * same.places[k][0]).abs() < 1e-12));
 
     // Shifted by 0.6 of a step: linear fields are exact, and the last row and column lie outside the null field.
     let how = NullField::Interpolated { longest_side: 1.5 };
     let between = grid(0.6, 5.0).minus(&null, how).unwrap();
-    assert_eq!(between.count(0), 16);
+    assert_eq!(between.count(Field::U), 16);
     assert!((0..25).all(|k| {
         let off = between.displacements[0][k] - 4.0 * between.places[k][0];
         !between.valid[0][k] || off.abs() < 1e-12
     }));
     // The place at (1, 1), masked, leaves a gap in the null field's triangles.
-    assert!(between.count(1) < 16);
+    assert!(between.count(Field::V) < 16);
     let far = grid(100.0, 1.0).minus(&null, how).unwrap_err();
     assert!(matches!(far, DataError::AllMasked { rows: 25, .. }));
 }
@@ -409,6 +413,44 @@ fn front_and_back_are_compared_within_a_quarter_fringe() {
     );
     let bad = front.symmetry(&circle(0.0, 0.6, 40), 0.25, true).unwrap();
     assert!(!bad.symmetric && (bad.largest - 0.3).abs() < 1e-12);
+}
+
+#[test]
+fn full_fields_are_compared_along_a_chosen_line() {
+    let grating = Grating::new(2400.0).unwrap();
+    let side = |bump: f64| {
+        let places: Vec<[f64; 2]> = (0..36)
+            .map(|k| [f64::from(k % 6), f64::from(k / 6)])
+            .collect();
+        let v: Vec<f64> = (0..36)
+            .map(|k| if k == 14 { bump } else { 0.01 * f64::from(k) })
+            .collect();
+        Measurement {
+            displacements: [v.clone(), v],
+            valid: [vec![false; 36], vec![true; 36]],
+            deviation: [0.0; 2],
+            places,
+        }
+    };
+    let chosen: Vec<[f64; 2]> = (0..=10).map(|k| [f64::from(k) / 2.0, 2.0]).collect();
+    let along = |m: &Measurement, field| m.along("middle", field, &chosen, 1.5, &grating);
+    let [front, back] = [0.14, 0.14 + 1e-4].map(|bump| along(&side(bump), Field::V).unwrap());
+    let found = front.symmetry(&back, 0.25, false).unwrap();
+    // 1e-4 mm at 2400 lines/mm.
+    assert!(found.symmetric && (found.largest - 0.24).abs() < 1e-9 && found.place == [2.0, 2.0]);
+    assert!(matches!(
+        along(&side(0.0), Field::U),
+        Err(DataError::Triangulation { component: 0, .. })
+    ));
+    let outside = side(0.0)
+        .along("edge", Field::V, &[[0.0, 0.0], [7.0, 0.0]], 1.5, &grating)
+        .unwrap_err();
+    assert!(
+        outside
+            .to_string()
+            .starts_with("line 'edge' leaves the data at (7, 0)"),
+        "{outside}"
+    );
 }
 
 #[test]

@@ -88,7 +88,7 @@ fn polynomials_come_back_to_rounding() {
 fn smooth_fields_converge_at_the_order_of_the_method() {
     let places = nodes();
     let field = |[x, y]: Point| [(3.0 * x + y).sin(), (x - 2.0 * y).exp()];
-    let errors: Vec<Vec<f64>> = [16, 32, 64]
+    let errors: Vec<Vec<f64>> = [24, 48, 96]
         .iter()
         .map(|&n| {
             let m = measured(scattered(n, 2), field);
@@ -174,7 +174,7 @@ fn noise_over_seeds_has_the_propagated_covariance() {
     let places: Vec<Point> = nodes().into_iter().take(20).collect();
     let mut m = measured(scattered(12, 3), |_| [0.0; 2]);
     m.deviation = [1e-4, 2e-4];
-    m.mask(0, |k| k % 17 == 5);
+    m.mask(Field::U, |k| k % 17 == 5);
     for (k, reduction) in methods(&m, &places).iter().enumerate() {
         let found = reduction.displacements(&m).unwrap();
         print!("method {k}: ");
@@ -374,17 +374,13 @@ fn masked_places_take_no_part() {
     let field = |[x, y]: Point| [x + 2.0 * y, x - y];
     let mut m = measured(scattered(12, 6), field);
     let full = methods(&m, &nodes());
-    m.mask(0, |k| k % 3 == 0);
-    m.mask(1, |k| k % 4 == 0);
+    m.mask(Field::U, |k| k % 3 == 0);
+    m.mask(Field::V, |k| k % 4 == 0);
     for reduction in methods(&m, &nodes()) {
         for k in 0..nodes().len() {
-            for c in 0..2 {
-                assert!(
-                    reduction
-                        .stencil(k, c)
-                        .iter()
-                        .all(|&(index, _)| m.valid[c][index])
-                );
+            for field in Field::BOTH {
+                let mut stencil = reduction.stencil(k, field).unwrap().iter();
+                assert!(stencil.all(|&(index, _)| m.valid[field.component()][index]));
             }
         }
         let values = reduction.displacements(&m).unwrap().values;

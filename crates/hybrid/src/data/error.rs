@@ -226,6 +226,18 @@ pub enum DataError {
         /// The other.
         second: String,
     },
+    /// A chosen line leaves the data.
+    #[error(
+        "line '{name}' leaves the data at ({x}, {y}); shorten it, or allow triangles with longer sides"
+    )]
+    NotCovered {
+        /// Name of the line.
+        name: String,
+        /// Where `[length]`.
+        x: f64,
+        /// Where `[length]`.
+        y: f64,
+    },
     /// A measurement has lists of unequal lengths.
     #[error("a measurement has {places} places and {found} {what}; each place needs one")]
     Lengths {

@@ -17,6 +17,9 @@ pub enum Field {
 }
 
 impl Field {
+    /// Both fields, U first.
+    pub const BOTH: [Self; 2] = [Self::U, Self::V];
+
     /// Index of the component, 0 or 1.
     pub fn component(self) -> usize {
         match self {

@@ -3,7 +3,8 @@
 use stickslip_fem_core::mesh::Point;
 
 use super::read::positive;
-use super::{DataError, Field, FringeLine, FringeLines, Measurement};
+use super::{DataError, Field, FringeLine, FringeLines, Measurement, Track};
+use crate::moire::Grating;
 use crate::reduce::neighbours::Neighbours;
 use crate::reduce::triangles::Triangles;
 
@@ -35,9 +36,10 @@ impl Measurement {
         self.check()?;
         null.check()?;
         let mut difference = self.clone();
-        for c in 0..2 {
-            if self.count(c) == 0 || null.count(c) == 0 {
-                difference.mask(c, |_| true);
+        for field in Field::BOTH {
+            let c = field.component();
+            if self.count(field) == 0 || null.count(field) == 0 {
+                difference.mask(field, |_| true);
                 continue;
             }
             let at = null.lookup(c, how)?;
@@ -53,7 +55,7 @@ impl Measurement {
             }
         }
         difference.deviation = std::array::from_fn(|c| self.deviation[c].hypot(null.deviation[c]));
-        if difference.count(0) + difference.count(1) == 0 {
+        if Field::BOTH.map(|field| difference.count(field)) == [0, 0] {
             return Err(DataError::AllMasked {
                 file: "the difference to the null field".into(),
                 rows: self.places.len(),
@@ -63,8 +65,9 @@ impl Measurement {
         Ok(difference)
     }
 
-    /// Masks component `c` (0 or 1) at the places that `bad` names by their index.
-    pub fn mask(&mut self, c: usize, bad: impl Fn(usize) -> bool) {
+    /// Masks a field's displacements at the places that `bad` names by their index.
+    pub fn mask(&mut self, field: Field, bad: impl Fn(usize) -> bool) {
+        let c = field.component();
         let marks = self.valid[c].iter_mut().zip(&mut self.displacements[c]);
         for (k, (valid, value)) in marks.enumerate() {
             if bad(k) {
@@ -74,8 +77,37 @@ impl Measurement {
         }
     }
 
+    /// Orders of a field at `places` `[length]` of a chosen line, interpolated over triangles with sides of at most
+    /// `longest_side` `[length]`: what front and back are compared by where the data are no fringe centres.
+    ///
+    /// # Errors
+    /// [`DataError`]: a place where the component is not known, a side out of range, valid places that cannot be triangulated, and
+    /// as for [`FringeLine::new`] with a drawn track.
+    pub fn along(
+        &self,
+        name: &str,
+        field: Field,
+        places: &[Point],
+        longest_side: f64,
+        grating: &Grating,
+    ) -> Result<FringeLine, DataError> {
+        self.check()?;
+        let at = self.lookup(field.component(), NullField::Interpolated { longest_side })?;
+        let centres = places
+            .iter()
+            .map(|&place| match at(place) {
+                Some(displacement) => Ok((place, grating.order(displacement))),
+                None => Err(DataError::NotCovered {
+                    name: name.into(),
+                    x: place[0],
+                    y: place[1],
+                }),
+            })
+            .collect::<Result<Vec<_>, _>>()?;
+        FringeLine::new("measurement", name, Track::Drawn, &centres, f64::INFINITY)
+    }
+
     /// Component `c` at any place, where it is known.
-    #[expect(clippy::type_complexity, reason = "a boxed closure with its one use")]
     fn lookup(
         &self,
         c: usize,
@@ -175,9 +207,11 @@ impl FringeLines {
             }
             lines.push(line.with_orders(&kept, orders));
         }
-        let field: Field = self.field;
         Ok(Difference {
-            lines: Self { field, lines },
+            lines: Self {
+                field: self.field,
+                lines,
+            },
             left_out,
         })
     }
@@ -186,11 +220,11 @@ impl FringeLines {
 /// How far front and back of a plate differ along a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Symmetry {
-    /// Largest difference of the orders [fringes], without sign.
+    /// Largest difference of the orders `[fringes]`, without sign.
     pub largest: f64,
     /// Where `[length]`.
     pub place: Point,
-    /// Constant that was taken off first [fringes].
+    /// Constant that was taken off first `[fringes]`.
     pub offset: f64,
     /// Fringe centres compared, of both sides.
     pub compared: usize,

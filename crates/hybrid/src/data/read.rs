@@ -6,7 +6,7 @@ use std::io::Read;
 use stickslip_fem_core::mesh::Point;
 
 use super::table::Table;
-use super::{DataError, Format, Measurement, Places, Reading};
+use super::{DataError, Field, Format, Measurement, Places, Reading};
 
 impl Measurement {
     /// Reads a table of displacements; `name` is what errors call it.
@@ -121,9 +121,12 @@ impl Measurement {
         Ok(())
     }
 
-    /// How many places have a valid component `c` (0 or 1).
-    pub fn count(&self, c: usize) -> usize {
-        self.valid[c].iter().filter(|&&valid| valid).count()
+    /// How many places have a valid displacement of a field.
+    pub fn count(&self, field: Field) -> usize {
+        self.valid[field.component()]
+            .iter()
+            .filter(|&&valid| valid)
+            .count()
     }
 }
 
@@ -187,6 +190,9 @@ struct Columns {
     flag: Option<usize>,
 }
 
+/// A place and a displacement in the body's frame.
+type Converted = (Point, [Option<f64>; 2]);
+
 /// Numbers of a row as they are: place, displacement.
 type Raw = ([Option<f64>; 2], [Option<f64>; 2]);
 
@@ -211,7 +217,7 @@ impl Columns {
         (place, displacement): Raw,
         scales: Scales,
         moved: Places,
-    ) -> Result<Option<(Point, [Option<f64>; 2])>, DataError> {
+    ) -> Result<Option<Converted>, DataError> {
         let ([Some(x), Some(y)], known) = (place, displacement) else {
             let column = self.places[usize::from(place[0].is_some())];
             return if displacement == [None; 2] {

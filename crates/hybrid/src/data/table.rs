@@ -25,9 +25,8 @@ impl Table {
             })?;
         let text = std::str::from_utf8(&bytes).map_err(|cause| DataError::Malformed {
             file: file.into(),
-            line: 1 + bytes[..cause.valid_up_to()]
-                .iter()
-                .filter(|&&byte| byte == b'\n')
+            line: bytes[..cause.valid_up_to()]
+                .split(|&byte| byte == b'\n')
                 .count() as u64,
             cause: "it is not UTF-8 text".into(),
         })?;

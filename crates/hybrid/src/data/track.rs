@@ -66,7 +66,7 @@ pub struct Located {
 /// A step between neighbouring fringe centres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
-    /// Orders at its ends [fringes].
+    /// Orders at its ends `[fringes]`.
     pub orders: [f64; 2],
     /// Length along the track `[length]`.
     pub length: f64,
@@ -75,7 +75,7 @@ pub struct Step {
 }
 
 impl FringeLine {
-    /// Puts `centres` (place `[length]`, order [fringes]) in order along a track; `source` and `name` are what errors call them.
+    /// Puts `centres` (place `[length]`, order `[fringes]`) in order along a track; `source` and `name` are what errors call them.
     ///
     /// # Errors
     /// [`DataError`]: fewer than 2 centres, a centre more than `tolerance` `[length]` off a straight or circular track (or not
@@ -163,7 +163,7 @@ impl FringeLine {
         &self.places
     }
 
-    /// Orders of the fringe centres [fringes].
+    /// Orders of the fringe centres `[fringes]`.
     pub fn orders(&self) -> &[f64] {
         &self.orders
     }
@@ -362,7 +362,9 @@ impl Curve {
                 .max_by(|&a, &b| gap(a).total_cmp(&gap(b)))
                 .unwrap_or(0);
             let start = (widest + 1) % count;
-            list[..start].iter_mut().for_each(|centre| centre.0 += TAU);
+            for centre in &mut list[..start] {
+                centre.0 += TAU;
+            }
             list.rotate_left(start);
         }
         list

@@ -44,10 +44,12 @@ pub(super) fn weights(places: &[Point], at: Point, radius: f64, order: usize) ->
             let taken = orthogonalise(&mut column, &columns);
             let left = norm(&column);
             // A column of zeros, or of numbers that are none, fails as well.
-            if !(left > RANK * before) {
+            if left.is_nan() || left <= RANK * before {
                 return None;
             }
-            column.iter_mut().for_each(|entry| *entry /= left);
+            for entry in &mut column {
+                *entry /= left;
+            }
             let known: f64 = taken.iter().zip(&first).map(|(r, z)| r * z).sum();
             let target = if first.is_empty() { 1.0 } else { 0.0 };
             first.push((target - known) / left);
@@ -75,7 +77,9 @@ fn orthogonalise(vector: &mut [f64], columns: &[Vec<f64>]) -> Vec<f64> {
         for (column, taken) in columns.iter().zip(&mut taken) {
             let r: f64 = column.iter().zip(&*vector).map(|(q, v)| q * v).sum();
             *taken += r;
-            vector.iter_mut().zip(column).for_each(|(v, q)| *v -= r * q);
+            for (v, q) in vector.iter_mut().zip(column) {
+                *v -= r * q;
+            }
         }
     }
     taken

@@ -4,7 +4,7 @@ use stickslip_fem_core::mesh::Point;
 
 use super::neighbours::Neighbours;
 use super::{Reason, ReduceError, Stencil, error, fit};
-use crate::data::Measurement;
+use crate::data::{Field, Measurement};
 
 /// The factor by which the radius of a local fit exceeds the distance of its farthest counted neighbour, so that this one, and all
 /// that are as far, have a weight.
@@ -38,11 +38,11 @@ impl LocalPolynomial {
             });
         }
         error::positive("the largest radius", self.largest_radius)?;
-        for c in 0..2 {
-            let valid = measurement.count(c);
+        for field in Field::BOTH {
+            let valid = measurement.count(field);
             if valid < self.neighbours {
                 return Err(ReduceError::TooFew {
-                    component: c,
+                    component: field.component(),
                     valid,
                     needed: self.neighbours,
                 });
