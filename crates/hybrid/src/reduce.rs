@@ -15,6 +15,22 @@
 //! | [`Reduction::linear`] | linear on a Delaunay triangle | O(h²) |
 //! | [`Reduction::polynomial`] | local weighted polynomial of order p | O(hᵖ⁺¹) |
 //!
+//! ```
+//! use stickslip_hybrid::data::{Format, Measurement, Reading};
+//! use stickslip_hybrid::reduce::Reduction;
+//!
+//! let table = "px,py,du,dv\n0,0,0.0,0.1\n10,0,0.2,0.1\n0,10,0.4,0.3\n10,10,0.6,0.3\n";
+//! let format = Format::columns(["px", "py"], ["du", "dv"]);
+//! let reading = Reading { scale: Some(0.5), deviation: [0.01, 0.01], ..Reading::default() };
+//! let measurement = Measurement::read(table.as_bytes(), "camera.csv", &format, &reading)?;
+//!
+//! let nodes = [[2.5, 0.0]];
+//! let reduction = Reduction::linear(&measurement, &nodes, &[0], f64::INFINITY)?.complete()?;
+//! let found = reduction.displacements(&measurement)?;
+//! assert!((found.values[0] - 0.05).abs() < 1e-12 && (found.covariance[0] - 0.5e-4).abs() < 1e-12);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! A node that the data do not cover has no displacement: it is listed with its place and the reason.
 //!
 //! Sources: Post & Reddy (1988), part I, 4.3, interpolation between fringe centres; Lancaster & Salkauskas (1981) and Cleveland
