@@ -1,6 +1,35 @@
 //! Measured displacements: places, values, what failed, and their deviation.
+//!
+//! ```text
+//! place = s X,   displacement = ± d u,       y and v change their sign where y points down,
+//! ΔU = U − U₀                                the initial load subtracted
+//! ```
+//!
+//! with the scales s and d, the table's numbers X and u, and signs that are all stated and never guessed. What failed is masked,
+//! and its value is NaN, so that using it shows.
+//!
+//! | what | where |
+//! | --- | --- |
+//! | displacements at scattered places from a table | [`Measurement::read`] with a [`Format`] and a [`Reading`] |
+//! | digitised fringe centres along lines | [`FringeLines::read`] with a [`LineReading`] |
+//! | the initial load taken off | [`Measurement::minus`], [`FringeLines::minus`] |
+//! | front against back | [`FringeLine::symmetry`] |
+
+mod error;
+mod format;
+mod lines;
+mod null;
+mod read;
+mod table;
+mod track;
 
 use stickslip_fem_core::mesh::Point;
+
+pub use error::DataError;
+pub use format::{Format, Places, Reading, YAxis};
+pub use lines::{Field, FringeLines, LineReading};
+pub use null::{Difference, NullField, Symmetry};
+pub use track::{FringeLine, Located, Step, Track};
 
 /// Displacements measured at scattered places.
 #[derive(Clone, Debug, Default, PartialEq)]

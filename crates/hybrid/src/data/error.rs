@@ -1,0 +1,269 @@
+//! Why measured data cannot be read or combined.
+
+use thiserror::Error;
+
+/// Why measured data cannot be read or combined.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum DataError {
+    /// The reader failed.
+    #[error("{file}: cannot be read: {cause}")]
+    Unreadable {
+        /// Name of the data.
+        file: String,
+        /// What the reader said.
+        cause: String,
+    },
+    /// A line cannot be split into fields.
+    #[error(
+        "{file}: line {line} is no row of a table: {cause}; save the data as UTF-8 text with one point per line"
+    )]
+    Malformed {
+        /// Name of the data.
+        file: String,
+        /// Line, counted from 1.
+        line: u64,
+        /// What is wrong.
+        cause: String,
+    },
+    /// There is no header or no row below it.
+    #[error(
+        "{file}: there are no data; a line of column names and at least one row below it are needed"
+    )]
+    Empty {
+        /// Name of the data.
+        file: String,
+    },
+    /// A column that is asked for does not exist.
+    #[error(
+        "{file}: line {line} names no column '{column}'; it has {available}; state which of them holds it"
+    )]
+    MissingColumn {
+        /// Name of the data.
+        file: String,
+        /// Line of the header.
+        line: u64,
+        /// Name asked for.
+        column: String,
+        /// Names that exist.
+        available: String,
+    },
+    /// A column that is asked for exists more than once.
+    #[error("{file}: line {line} names column '{column}' {times} times; rename all but one")]
+    RepeatedColumn {
+        /// Name of the data.
+        file: String,
+        /// Line of the header.
+        line: u64,
+        /// Name asked for.
+        column: String,
+        /// How often it is there.
+        times: usize,
+    },
+    /// A row is too short or too long.
+    #[error(
+        "{file}: line {line} has {fields} fields, the header has {columns}; complete the row or remove it"
+    )]
+    RowLength {
+        /// Name of the data.
+        file: String,
+        /// Line, counted from 1.
+        line: u64,
+        /// Fields in the row.
+        fields: usize,
+        /// Columns of the header.
+        columns: usize,
+    },
+    /// A field holds no usable number.
+    #[error("{file}: line {line}, column '{column}': '{value}' {what}; {remedy}")]
+    NotANumber {
+        /// Name of the data.
+        file: String,
+        /// Line, counted from 1.
+        line: u64,
+        /// Column.
+        column: String,
+        /// Text of the field.
+        value: String,
+        /// What is wrong with it.
+        what: &'static str,
+        /// What to do.
+        remedy: &'static str,
+    },
+    /// The numbers are in pixels and nothing says how long a pixel is.
+    #[error(
+        "{file}: the numbers are in pixels and no scale is given; state the length of one pixel"
+    )]
+    NoScale {
+        /// Name of the data.
+        file: String,
+    },
+    /// A stated number is out of range.
+    #[error("{what} is {value}; {range}")]
+    Setting {
+        /// What was stated.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it may be.
+        range: &'static str,
+    },
+    /// Two rows are at one place.
+    #[error("{file}: lines {first} and {second} are both at ({x}, {y}); keep one of them")]
+    DuplicatedPoint {
+        /// Name of the data.
+        file: String,
+        /// Line of the first row.
+        first: u64,
+        /// Line of the second.
+        second: u64,
+        /// Place as measured `[length]`.
+        x: f64,
+        /// Place as measured `[length]`.
+        y: f64,
+    },
+    /// No displacement is valid.
+    #[error("{file}: none of {rows} points has a valid displacement; {remedy}")]
+    AllMasked {
+        /// Name of the data.
+        file: String,
+        /// Rows, or points.
+        rows: usize,
+        /// What to look at.
+        remedy: &'static str,
+    },
+    /// A fringe line is too short.
+    #[error("{file}: line '{name}' has {centres} fringe centre(s); 2 are needed to interpolate")]
+    ShortLine {
+        /// Name of the data.
+        file: String,
+        /// Name of the line.
+        name: String,
+        /// Fringe centres on it.
+        centres: usize,
+    },
+    /// A fringe centre lies off its line.
+    #[error(
+        "{file}: fringe centre ({x}, {y}) of order {order} lies {distance} off line '{name}', more than the tolerance \
+         {tolerance}; correct it, or state another track"
+    )]
+    OffLine {
+        /// Name of the data.
+        file: String,
+        /// Name of the line.
+        name: String,
+        /// Place `[length]`.
+        x: f64,
+        /// Place `[length]`.
+        y: f64,
+        /// Its fringe order.
+        order: f64,
+        /// Distance from the line `[length]`.
+        distance: f64,
+        /// What is allowed `[length]`.
+        tolerance: f64,
+    },
+    /// A drawn line turns back, so its centres are not in order along it.
+    #[error(
+        "{file}: line '{name}' turns back by {angle:.0}° at its fringe centre ({x}, {y}); put the centres in order along the \
+         line, or state a straight or circular track, on which they are sorted"
+    )]
+    TurnsBack {
+        /// Name of the data.
+        file: String,
+        /// Name of the line.
+        name: String,
+        /// Place `[length]`.
+        x: f64,
+        /// Place `[length]`.
+        y: f64,
+        /// Angle between the steps before and after it.
+        angle: f64,
+    },
+    /// Two fringe centres are at one place of a line.
+    #[error(
+        "{file}: line '{name}' has orders {first} and {second} at one place ({x}, {y}); keep one of them"
+    )]
+    RepeatedCentre {
+        /// Name of the data.
+        file: String,
+        /// Name of the line.
+        name: String,
+        /// Place `[length]`.
+        x: f64,
+        /// Place `[length]`.
+        y: f64,
+        /// One order.
+        first: f64,
+        /// The other.
+        second: f64,
+    },
+    /// A track is stated for a line that does not exist, or a line is needed that is not there.
+    #[error("{file}: there is no line '{name}'; the lines are {available}")]
+    NoSuchLine {
+        /// Name of the data.
+        file: String,
+        /// Name asked for.
+        name: String,
+        /// Names that exist.
+        available: String,
+    },
+    /// Fields of two directions were combined.
+    #[error(
+        "fringe lines of the {first:?} and of the {second:?} field cannot be subtracted from each other"
+    )]
+    Fields {
+        /// Field of the data.
+        first: super::Field,
+        /// Field subtracted.
+        second: super::Field,
+    },
+    /// Two lines share no stretch.
+    #[error("lines '{first}' and '{second}' share no stretch on which to compare them")]
+    Apart {
+        /// One line.
+        first: String,
+        /// The other.
+        second: String,
+    },
+    /// A chosen line leaves the data.
+    #[error(
+        "line '{name}' leaves the data at ({x}, {y}); shorten it, or allow triangles with longer sides"
+    )]
+    NotCovered {
+        /// Name of the line.
+        name: String,
+        /// Where `[length]`.
+        x: f64,
+        /// Where `[length]`.
+        y: f64,
+    },
+    /// A measurement has lists of unequal lengths.
+    #[error("a measurement has {places} places and {found} {what}; each place needs one")]
+    Lengths {
+        /// What is listed.
+        what: &'static str,
+        /// Places.
+        places: usize,
+        /// Entries.
+        found: usize,
+    },
+    /// A place, or a valid displacement, is not finite.
+    #[error("{what} {index} is ({}, {}); numbers must be finite", .values[0], .values[1])]
+    NotFinite {
+        /// What it is.
+        what: &'static str,
+        /// Its index.
+        index: usize,
+        /// Its numbers.
+        values: [f64; 2],
+    },
+    /// Points do not span a plane, or lie beyond what can be triangulated.
+    #[error("the valid points of component {component} cannot be triangulated: {cause}")]
+    Triangulation {
+        /// Component, 0 for x and 1 for y.
+        component: usize,
+        /// What is wrong.
+        cause: String,
+    },
+}

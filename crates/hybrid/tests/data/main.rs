@@ -1,0 +1,31 @@
+//! Tables of measured displacements and of fringe centres, and gratings: what is read, what is masked, what is refused and in which
+//! words.
+
+mod combine;
+mod gratings;
+mod lines;
+mod tables;
+
+use stickslip_hybrid::data::{DataError, Format, Measurement, Reading, Track};
+
+fn pixels(scale: f64) -> Reading {
+    Reading {
+        scale: Some(scale),
+        ..Reading::default()
+    }
+}
+
+fn read(text: &str, format: &Format, reading: &Reading) -> Result<Measurement, DataError> {
+    Measurement::read(text.as_bytes(), "test.csv", format, reading)
+}
+
+fn plain(text: &str) -> Result<Measurement, DataError> {
+    read(text, &Format::plain(), &Reading::default())
+}
+
+fn hole(closed: bool) -> Track {
+    Track::Circle {
+        centre: [0.0; 2],
+        closed,
+    }
+}

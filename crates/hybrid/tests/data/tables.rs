@@ -1,0 +1,209 @@
+//! Tables of displacements, and no text or number that panics.
+
+use proptest::prelude::*;
+use stickslip_hybrid::data::{
+    DataError, Field, Format, FringeLines, LineReading, Measurement, NullField, Places, Reading,
+    Track, YAxis,
+};
+
+use super::{pixels, plain, read};
+
+/// Head of a DICe file, shortened; the numbers are made up.
+const DICE: &str = "***\n*** Digital Image Correlation Engine (DICe)\n\
+    *** Coordinates given with (0,0) as upper left corner of image, x positive right, y positive down\n***\n\
+    SUBSET_ID,COORDINATE_X,COORDINATE_Y,DISPLACEMENT_X,DISPLACEMENT_Y,SIGMA,GAMMA\n\
+    0,4.0E+01,3.0E+02,-8.0E-02,-6.0E-01,1.1E-02,2.4E-03\n\
+    1,4.0E+01,3.1E+02,0.0E+00,0.0E+00,-1.0E+00,-1.0E+00\n\
+    2,5.0E+01,3.0E+02,nan,-5.0E-01,1.2E-02,2.0E-03\n";
+
+fn refusal(text: &str) -> String {
+    plain(text).unwrap_err().to_string()
+}
+
+#[test]
+fn dice_is_read_in_pixels_with_failed_subsets_masked() {
+    let m = read(DICE, &Format::dice(), &pixels(0.5)).unwrap();
+    assert_eq!(m.places, [[20.0, 150.0], [20.0, 155.0], [25.0, 150.0]]);
+    assert_eq!(
+        m.valid,
+        [[true, false, false], [true, false, true]].map(Vec::from)
+    );
+    assert_eq!(
+        (m.displacements[0][0], m.displacements[1][2]),
+        (-0.04, -0.25)
+    );
+    // What failed is no silent zero.
+    assert!(m.displacements[0][1].is_nan() && m.displacements[0][2].is_nan());
+}
+
+#[test]
+fn y_turns_only_when_told() {
+    let down = Reading {
+        y_axis: YAxis::Down,
+        deviation: [0.01, 0.02],
+        ..pixels(0.5)
+    };
+    let m = read(DICE, &Format::dice(), &down).unwrap();
+    assert_eq!(m.places[0], [20.0, -150.0]);
+    assert_eq!([m.displacements[0][0], m.displacements[1][0]], [-0.04, 0.3]);
+    assert_eq!(m.deviation, [0.01, 0.02]);
+    let turned = Reading {
+        reversed: [true, false],
+        displacement_scale: Some(2.0),
+        ..down
+    };
+    let m = read(DICE, &Format::dice(), &turned).unwrap();
+    assert_eq!([m.displacements[0][0], m.displacements[1][0]], [0.16, 1.2]);
+}
+
+#[test]
+fn mudic_places_go_back_to_the_reference_state() {
+    let text = "id,x,y,ux,uy\n0,11.5,20.25,1.5,0.25\n1,30,20,nan,nan\n2,nan,nan,nan,nan\n";
+    let m = read(text, &Format::mudic(), &pixels(2.0)).unwrap();
+    assert_eq!(m.places, [[20.0, 40.0], [60.0, 40.0]]);
+    assert_eq!(m.valid[0], [true, false]);
+}
+
+#[test]
+fn a_table_of_ones_own_is_read_by_column_names_alone() {
+    let format = Format {
+        flag: Some("ok".into()),
+        ..Format::columns(["Pos X", "pos y"], ["du", "dv"])
+    };
+    for text in [
+        "# camera 2\nPos X;Pos Y;du;dv;ok\n1;2;3;4;0\n",
+        "\u{feff}\"Pos X\"\t\"Pos Y\"\tdu\tdv\tok\r\n1\t2\t3\t4\t0\r\n",
+    ] {
+        let m = read(text, &format, &Reading::default()).unwrap();
+        assert_eq!((m.places[0], m.displacements[1][0]), ([1.0, 2.0], 4.0));
+    }
+    let blanks = plain("  x  y   u v\n\n 1  2 3   4\n").unwrap();
+    assert_eq!(blanks.places, [[1.0, 2.0]]);
+    let one_field = Format {
+        displacements: [None, Some("v".into())],
+        ..Format::plain()
+    };
+    let m = read("x,y,v\n1,2,4\n", &one_field, &Reading::default()).unwrap();
+    assert_eq!((m.count(Field::U), m.count(Field::V)), (0, 1));
+}
+
+#[test]
+fn refusals_name_file_line_column_value_and_remedy() {
+    assert_eq!(
+        refusal("x,y,U,w\n1,2,3,4\n"),
+        "test.csv: line 1 names no column 'v'; it has x, y, U, w; state which of them holds it"
+    );
+    assert_eq!(
+        refusal("*\n\nx,y,u,v\n1,2,3,4\n1,3,a1,4\n"),
+        "test.csv: line 5, column 'u': 'a1' is not a number; write a number with a decimal point, or NaN where nothing was measured"
+    );
+    assert_eq!(
+        refusal("x,y,u,v\n1,2,3,4\n\n# again\n1,2,5,6\n"),
+        "test.csv: lines 2 and 5 are both at (1, 2); keep one of them"
+    );
+    assert_eq!(
+        refusal("x,y,u,v\n,2,3,4\n"),
+        "test.csv: line 2, column 'x': '' is no place for a displacement; give the place, or NaN for the displacement"
+    );
+    assert_eq!(
+        refusal("x,y,u,v\n1,2,3\n"),
+        "test.csv: line 2 has 3 fields, the header has 4; complete the row or remove it"
+    );
+    assert!(refusal("x,y,u,v\n1,2,inf,4\n").contains("'inf' is not finite"));
+    assert!(refusal("x,y,u,v,U\n1,2,3,4,5\n").contains("names column 'u' 2 times"));
+    assert!(
+        refusal("x,y,u,v\n1,2,nan,\n1,3,,NaN\n")
+            .contains("none of 2 points has a valid displacement")
+    );
+    for text in ["", "\n# nothing\n", "x,y,u,v\n"] {
+        assert!(refusal(text).contains("there are no data"));
+    }
+    let no_scale = read(DICE, &Format::dice(), &Reading::default()).unwrap_err();
+    assert_eq!(
+        no_scale.to_string(),
+        "test.csv: the numbers are in pixels and no scale is given; state the length of one pixel"
+    );
+    for scale in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let wrong = read(DICE, &Format::dice(), &pixels(scale)).unwrap_err();
+        assert!(
+            matches!(
+                wrong,
+                DataError::Setting {
+                    what: "the scale",
+                    ..
+                }
+            ),
+            "{wrong}"
+        );
+    }
+    let binary = Measurement::read(
+        &b"x,y,u,v\n1,2,\xff,4\n"[..],
+        "b.csv",
+        &Format::plain(),
+        &Reading::default(),
+    );
+    assert!(
+        binary
+            .unwrap_err()
+            .to_string()
+            .starts_with("b.csv: line 2 is no row of a table: it is not UTF-8")
+    );
+    let overflow = read("x,y,u,v\n1e300,2,3,4\n", &Format::plain(), &pixels(1e300)).unwrap_err();
+    assert!(
+        overflow.to_string().contains("overflows with the scale"),
+        "{overflow}"
+    );
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn no_text_panics(text in "[-0-9a-zA-Z,;. \t\"\n#*µ]{0,200}", down: bool) {
+        let reading = Reading { y_axis: if down { YAxis::Down } else { YAxis::Up }, ..pixels(2.0) };
+        for format in [Format::plain(), Format::dice(), Format::mudic()] {
+            let _ = read(&text, &format, &reading);
+        }
+        let _ = FringeLines::read(text.as_bytes(), "t", Field::U, &LineReading::new(1.0, 1.0));
+    }
+
+    #[test]
+    fn no_numbers_panic(rows in proptest::collection::vec((any::<f64>(), any::<f64>(), any::<f64>(), 0..3_u8), 0..12)) {
+        let mut text = String::from("x,y,u,v\n");
+        let mut centres = String::from("line,x,y,order\n");
+        for (x, y, u, k) in &rows {
+            text.push_str(&[*x, *y, *u, f64::from(*k) - 1.0].map(|number| number.to_string()).join(","));
+            text.push('\n');
+            centres.push_str(&[f64::from(*k), *x, *y, *u].map(|number| number.to_string()).join(","));
+            centres.push('\n');
+        }
+        if let Ok(m) = plain(&text) {
+            prop_assert!(m.check().is_ok());
+            for how in [NullField::SamePlaces { tolerance: 0.0 }, NullField::Interpolated { longest_side: f64::INFINITY }] {
+                if let Ok(zero) = m.minus(&m, how) {
+                    prop_assert!(zero.displacements[0].iter().all(|u| u.is_nan() || u.abs() < 1e300));
+                }
+            }
+        }
+        for track in [Track::Straight, Track::Drawn, Track::Circle { centre: [0.0; 2], closed: true }] {
+            let reading = LineReading { track, ..LineReading::new(1.0, f64::INFINITY) };
+            if let Ok(lines) = FringeLines::read(centres.as_bytes(), "t", Field::V, &reading) {
+                for line in &lines.lines {
+                    prop_assert!(line.steps().all(|step| step.length > 0.0));
+                    let _ = line.symmetry(line, 0.25, true);
+                }
+                let _ = lines.minus(&lines);
+            }
+        }
+    }
+}
+
+#[test]
+fn deformed_places_may_be_stated_for_any_table() {
+    let format = Format {
+        moved: Places::Deformed,
+        ..Format::plain()
+    };
+    let m = read("x,y,u,v\n5,6,1,2\n", &format, &Reading::default()).unwrap();
+    assert_eq!(m.places, [[4.0, 4.0]]);
+}
