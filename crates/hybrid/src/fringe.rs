@@ -19,6 +19,25 @@
 //! | orders without jumps | [`unwrap`] |
 //! | carrier, rigid-body motion, constant | [`Plane`], [`Unwrapped::fixed`] |
 //! | displacements | [`measurement`] |
+//!
+//! Errors of the orders (root mean square, in fringes), measured on Kirsch's displacements around a hole: 31 fringes in U and 11 in V,
+//! 512 × 512 pixels, a carrier of 0.16 fringes per pixel, b = 0.4 of full scale, the default band; 8 bits change nothing:
+//!
+//! | picture | [`fourier`] | of [`FourierPhase::deviation`] | [`four_step`] |
+//! | --- | --- | --- | --- |
+//! | clean, U, up to all edges / 12 pixels away | 0.0029 / 0.0009 | – | rounding |
+//! | clean, V, up to all edges / 12 pixels away | 0.0010 / 0.0002 | – | rounding |
+//! | noise σ/b = 0.05 | 0.0018 | 1.00 | 0.0056 |
+//! | noise σ/b = 0.125 | 0.0044 | 1.00 | 0.0141 |
+//! | noise σ/b = 0.25 | 0.0087 | 1.00 | 0.0286 |
+//! | noise σ/b = 0.5 | 0.0175 | 1.01 | 0.0622 |
+//! | orders uniform in ±0.1 fringe, pixel by pixel | 0.0110 | 1.19 | |
+//! | orders uniform in ±¼ fringe, pixel by pixel | 0.0336 | 1.16 | |
+//! | speckle of contrast ¼, ½, 1 | 0.0117, 0.0237, 0.0495 | 0.94, 0.95, 1.01 | |
+//!
+//! Errors of the orders themselves exceed what the noise of the intensity lets expect, by √1.5 at most, because all of them is
+//! phase. In first order a Fourier phase's deviation is σ/b √(2 ΣH²/n) / 2π with the band's weights H, and that of four pictures
+//! σ/b / (√2 · 2π).
 
 mod fourier;
 mod map;
@@ -100,7 +119,9 @@ pub enum FringeError {
     #[error("picture file: {0}")]
     File(String),
     /// A picture in colour.
-    #[error("picture file in colour ({0}); save it in grey, 8 or 16 bits, from the channel that shows the fringes best")]
+    #[error(
+        "picture file in colour ({0}); save it in grey, 8 or 16 bits, from the channel that shows the fringes best"
+    )]
     Colour(String),
     /// No pixel has fringes.
     #[error("the fringes' amplitude is {greatest} at most, and {least} or less counts as none")]
@@ -150,7 +171,9 @@ pub enum FringeError {
         least: f64,
     },
     /// A region's pixels do not span a plane.
-    #[error("{pixels} pixels of the region do not determine a plane; three that are not in line are needed")]
+    #[error(
+        "{pixels} pixels of the region do not determine a plane; three that are not in line are needed"
+    )]
     NoPlane {
         /// Pixels in the region.
         pixels: usize,

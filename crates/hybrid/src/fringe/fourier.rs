@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use rustfft::num_complex::Complex;
 use stickslip_fem_core::mesh::Point;
 
-use super::sideband::{Sideband, sideband};
+use super::sideband::{Sideband, sideband, white};
 use super::spectrum::{Transform, smooth_length};
 use super::synthesis::parameter;
 use super::{FringeError, Phase, PixelMap};
@@ -42,15 +42,36 @@ pub struct FourierOptions {
 impl FourierOptions {
     /// Band 0.75, least share 0.5, at most 60 passes, settled at 1e-3.
     pub fn new(carrier: Carrier) -> Self {
-        Self { carrier, band: 0.75, least_share: 0.5, passes: 60, settled: 1e-3 }
+        Self {
+            carrier,
+            band: 0.75,
+            least_share: 0.5,
+            passes: 60,
+            settled: 1e-3,
+        }
     }
 
     fn check(&self) -> Result<(), FringeError> {
         let (Carrier::Given(direction) | Carrier::Found { towards: direction }) = self.carrier;
         let size = direction[0].hypot(direction[1]);
-        parameter("carrier", size, size > 0.0 && size.is_finite(), "finite and not zero")?;
-        parameter("band", self.band, self.band > 0.0 && self.band < 1.0, "between 0 and 1")?;
-        parameter("least share", self.least_share, (0.0..=1.0).contains(&self.least_share), "from 0 to 1")?;
+        parameter(
+            "carrier",
+            size,
+            size > 0.0 && size.is_finite(),
+            "finite and not zero",
+        )?;
+        parameter(
+            "band",
+            self.band,
+            self.band > 0.0 && self.band < 1.0,
+            "between 0 and 1",
+        )?;
+        parameter(
+            "least share",
+            self.least_share,
+            (0.0..=1.0).contains(&self.least_share),
+            "from 0 to 1",
+        )?;
         parameter("settled", self.settled, self.settled > 0.0, "positive")
     }
 }
@@ -79,7 +100,8 @@ pub struct FourierPhase {
 impl FourierPhase {
     /// Standard deviation of an order [fringes] that the noise of the picture causes, at the median amplitude of the fringes.
     pub fn deviation(&self) -> f64 {
-        self.phase.deviation(self.noise, self.phase.median_modulation())
+        self.phase
+            .deviation(self.noise, self.phase.median_modulation())
     }
 }
 
@@ -105,7 +127,11 @@ pub fn fourier(picture: &PixelMap, options: &FourierOptions) -> Result<FourierPh
         change = filled.pass();
         passes += 1;
     }
-    let (fringes, energy) = filled.sideband(&band);
+    let Demodulated {
+        fringes,
+        energy,
+        noise,
+    } = filled.demodulated(&band);
     let frame = *picture.frame();
     let mut valid = picture.valid().to_vec();
     let (mut orders, mut modulation) = (vec![f64::NAN; frame.pixels()], vec![0.0; frame.pixels()]);
@@ -116,14 +142,18 @@ pub fn fourier(picture: &PixelMap, options: &FourierOptions) -> Result<FourierPh
         valid[pixel] = modulation[pixel] > 0.0;
     }
     // White noise of variance σ² leaves the variance σ² ΣH²/n in c, half of it across (b/2) exp 2πiN.
-    let phase = Phase::new(PixelMap::new(frame, orders, valid)?, modulation, (2.0 * energy).sqrt() / TAU);
+    let phase = Phase::new(
+        PixelMap::new(frame, orders, valid)?,
+        modulation,
+        (2.0 * energy).sqrt() / TAU,
+    );
     let step = frame.step();
     Ok(FourierPhase {
         phase,
         carrier: [band.centre[0] / step[0], band.centre[1] / step[1]],
         strength: band.strength,
         share: band.share,
-        noise: band.noise,
+        noise,
         resolution: 0.5 / band.radius * step[0].abs().max(step[1].abs()),
         passes,
         change: if passes > 0 { change } else { 0.0 },
@@ -147,15 +177,30 @@ impl Filled {
         let frame = picture.frame();
         // The picture repeats itself beyond the margin, which therefore serves opposite edges at once.
         let margin = (2.0 / band.radius).ceil() as usize;
-        let [width, height] = [frame.columns(), frame.rows()].map(|length| smooth_length(length + margin));
+        let [width, height] =
+            [frame.columns(), frame.rows()].map(|length| smooth_length(length + margin));
         let count = picture.present().count() as f64;
         let mean = picture.present().map(|(_, value)| value).sum::<f64>() / count;
-        let variance = picture.present().map(|(_, value)| (value - mean).powi(2)).sum::<f64>() / count;
+        let variance = picture
+            .present()
+            .map(|(_, value)| (value - mean).powi(2))
+            .sum::<f64>()
+            / count;
         let transform = Transform::new(width, height);
-        let weights = (0..width * height).map(|entry| band.picture_weight(transform.frequency(entry))).collect();
+        let weights = (0..width * height)
+            .map(|entry| band.picture_weight(transform.frequency(entry)))
+            .collect();
         let amplitude = (2.0 * variance).sqrt();
         let values = vec![Complex::default(); width * height];
-        let mut filled = Self { transform, width, columns: frame.columns(), values, missing: Vec::new(), weights, amplitude };
+        let mut filled = Self {
+            transform,
+            width,
+            columns: frame.columns(),
+            values,
+            missing: Vec::new(),
+            weights,
+            amplitude,
+        };
         let mut known = vec![false; width * height];
         for (pixel, value) in picture.present() {
             let entry = filled.entry(pixel);
@@ -173,7 +218,10 @@ impl Filled {
     /// One pass of filling; returns the change over the fringes' amplitude (root mean square).
     fn pass(&mut self) -> f64 {
         let mut spectrum = self.transform.forward(self.values.clone());
-        spectrum.iter_mut().zip(&self.weights).for_each(|(value, weight)| *value *= *weight);
+        spectrum
+            .iter_mut()
+            .zip(&self.weights)
+            .for_each(|(value, weight)| *value *= *weight);
         let limited = self.transform.inverse(spectrum);
         let mut squares = 0.0;
         for &entry in &self.missing {
@@ -181,19 +229,45 @@ impl Filled {
             self.values[entry].re = limited[entry].re;
         }
         let mean = squares / self.missing.len().max(1) as f64;
-        if mean > 0.0 { mean.sqrt() / self.amplitude } else { 0.0 }
+        if mean > 0.0 {
+            mean.sqrt() / self.amplitude
+        } else {
+            0.0
+        }
     }
 
-    /// c at all pixels, and ΣH²/n.
-    fn sideband(&self, band: &Sideband) -> (Vec<Complex<f64>>, f64) {
+    fn demodulated(&self, band: &Sideband) -> Demodulated {
         let mut spectrum = self.transform.forward(self.values.clone());
+        let empty = spectrum
+            .iter()
+            .zip(&self.weights)
+            .filter(|&(_, &weight)| weight == 0.0);
+        let outside: Vec<_> = empty.map(|(value, _)| value.norm_sqr()).collect();
+        let known = (spectrum.len() - self.missing.len()) as f64;
+        let noise = if outside.is_empty() {
+            0.0
+        } else {
+            (white(outside) / known).sqrt()
+        };
         let mut energy = 0.0;
         for (entry, value) in spectrum.iter_mut().enumerate() {
             let weight = band.weight(self.transform.frequency(entry));
             energy += weight * weight;
             *value *= weight;
         }
-        let mean = energy / spectrum.len() as f64;
-        (self.transform.inverse(spectrum), mean)
+        energy /= spectrum.len() as f64;
+        Demodulated {
+            fringes: self.transform.inverse(spectrum),
+            energy,
+            noise,
+        }
     }
+}
+
+/// The fringes' complex amplitude c at all pixels, ΣH²/n, and the noise that the frequencies without background and fringes show:
+/// filled pixels have none there.
+struct Demodulated {
+    fringes: Vec<Complex<f64>>,
+    energy: f64,
+    noise: f64,
 }

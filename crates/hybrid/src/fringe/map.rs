@@ -23,10 +23,31 @@ impl Frame {
     /// # Errors
     ///
     /// No pixels, more than a `usize` can count, a place that is not finite, or a step that is zero or not finite.
-    pub fn new(columns: usize, rows: usize, first: Point, step: [f64; 2]) -> Result<Self, FringeError> {
-        let counted = columns.checked_mul(rows).is_some_and(|pixels| pixels > 0 && pixels <= usize::MAX / 64);
-        let placed = first.iter().chain(&step).all(|value| value.is_finite()) && step.iter().all(|&value| value != 0.0);
-        if counted && placed { Ok(Self { columns, rows, first, step }) } else { Err(FringeError::Frame { columns, rows, step }) }
+    pub fn new(
+        columns: usize,
+        rows: usize,
+        first: Point,
+        step: [f64; 2],
+    ) -> Result<Self, FringeError> {
+        let counted = columns
+            .checked_mul(rows)
+            .is_some_and(|pixels| pixels > 0 && pixels <= usize::MAX / 64);
+        let placed = first.iter().chain(&step).all(|value| value.is_finite())
+            && step.iter().all(|&value| value != 0.0);
+        if counted && placed {
+            Ok(Self {
+                columns,
+                rows,
+                first,
+                step,
+            })
+        } else {
+            Err(FringeError::Frame {
+                columns,
+                rows,
+                step,
+            })
+        }
     }
 
     /// Upright frame of the `window` from its lower left to its upper right corner `[length]`, with square pixels of edge `pixel`
@@ -37,8 +58,17 @@ impl Frame {
     /// As [`Frame::new`]; also where no pixel lies inside.
     pub fn over(window: [Point; 2], pixel: f64) -> Result<Self, FringeError> {
         let [low, high] = window;
-        let count = |axis: usize| ((high[axis] - low[axis]) / pixel * (1.0 + f64::EPSILON)).floor().max(0.0) as usize;
-        Self::new(count(0), count(1), [low[0] + 0.5 * pixel, high[1] - 0.5 * pixel], [pixel, -pixel])
+        let count = |axis: usize| {
+            ((high[axis] - low[axis]) / pixel * (1.0 + f64::EPSILON))
+                .floor()
+                .max(0.0) as usize
+        };
+        Self::new(
+            count(0),
+            count(1),
+            [low[0] + 0.5 * pixel, high[1] - 0.5 * pixel],
+            [pixel, -pixel],
+        )
     }
 
     /// Number of columns.
@@ -64,19 +94,34 @@ impl Frame {
     /// Centre of a pixel `[length]`.
     pub fn place(&self, pixel: usize) -> Point {
         let (column, row) = (pixel % self.columns, pixel / self.columns);
-        [self.first[0] + column as f64 * self.step[0], self.first[1] + row as f64 * self.step[1]]
+        [
+            self.first[0] + column as f64 * self.step[0],
+            self.first[1] + row as f64 * self.step[1],
+        ]
     }
 
     /// Columns and rows, as real numbers, from the first pixel's centre to a place.
     pub(super) fn position(&self, place: Point) -> [f64; 2] {
-        [(place[0] - self.first[0]) / self.step[0], (place[1] - self.first[1]) / self.step[1]]
+        [
+            (place[0] - self.first[0]) / self.step[0],
+            (place[1] - self.first[1]) / self.step[1],
+        ]
     }
 }
 
 impl fmt::Display for Frame {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { columns, rows, first, step } = self;
-        write!(out, "{columns} x {rows} pixels from ({}, {}) by ({}, {})", first[0], first[1], step[0], step[1])
+        let Self {
+            columns,
+            rows,
+            first,
+            step,
+        } = self;
+        write!(
+            out,
+            "{columns} x {rows} pixels from ({}, {}) by ({}, {})",
+            first[0], first[1], step[0], step[1]
+        )
     }
 }
 
@@ -99,17 +144,33 @@ impl PixelMap {
         let pixels = frame.pixels();
         for found in [values.len(), valid.len()] {
             if found != pixels {
-                return Err(FringeError::Size { columns: frame.columns, rows: frame.rows, found });
+                return Err(FringeError::Size {
+                    columns: frame.columns,
+                    rows: frame.rows,
+                    found,
+                });
             }
         }
         for (pixel, (value, &valid)) in values.iter_mut().zip(&valid).enumerate() {
             if !valid {
                 *value = f64::NAN;
             } else if !value.is_finite() {
-                return Err(FringeError::NotFinite { column: pixel % frame.columns, row: pixel / frame.columns, value: *value });
+                return Err(FringeError::NotFinite {
+                    column: pixel % frame.columns,
+                    row: pixel / frame.columns,
+                    value: *value,
+                });
             }
         }
-        if valid.contains(&true) { Ok(Self { frame, values, valid }) } else { Err(FringeError::Masked { pixels }) }
+        if valid.contains(&true) {
+            Ok(Self {
+                frame,
+                values,
+                valid,
+            })
+        } else {
+            Err(FringeError::Masked { pixels })
+        }
     }
 
     /// Map of one value per pixel, row by row, in which NaN stands for a missing one.
@@ -128,8 +189,17 @@ impl PixelMap {
     ///
     /// As [`PixelMap::new`].
     pub fn of(frame: Frame, value: impl Fn(Point) -> Option<f64>) -> Result<Self, FringeError> {
-        let found: Vec<_> = (0..frame.pixels()).map(|pixel| value(frame.place(pixel))).collect();
-        Self::new(frame, found.iter().map(|value| value.unwrap_or(f64::NAN)).collect(), found.iter().map(Option::is_some).collect())
+        let found: Vec<_> = (0..frame.pixels())
+            .map(|pixel| value(frame.place(pixel)))
+            .collect();
+        Self::new(
+            frame,
+            found
+                .iter()
+                .map(|value| value.unwrap_or(f64::NAN))
+                .collect(),
+            found.iter().map(Option::is_some).collect(),
+        )
     }
 
     /// The same map without the pixels that `keep` refuses.
@@ -138,7 +208,9 @@ impl PixelMap {
     ///
     /// No pixel is left.
     pub fn restricted(&self, keep: impl Fn(Point) -> bool) -> Result<Self, FringeError> {
-        let valid = (0..self.values.len()).map(|pixel| self.valid[pixel] && keep(self.frame.place(pixel))).collect();
+        let valid = (0..self.values.len())
+            .map(|pixel| self.valid[pixel] && keep(self.frame.place(pixel)))
+            .collect();
         Self::new(self.frame, self.values.clone(), valid)
     }
 
@@ -159,23 +231,38 @@ impl PixelMap {
 
     /// Value of a pixel, if it is there.
     pub fn get(&self, pixel: usize) -> Option<f64> {
-        self.valid.get(pixel).copied().unwrap_or(false).then(|| self.values[pixel])
+        self.valid
+            .get(pixel)
+            .copied()
+            .unwrap_or(false)
+            .then(|| self.values[pixel])
     }
 
     /// Pixels that are there, with their values.
     pub fn present(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
-        (0..self.values.len()).filter(|&pixel| self.valid[pixel]).map(|pixel| (pixel, self.values[pixel]))
+        (0..self.values.len())
+            .filter(|&pixel| self.valid[pixel])
+            .map(|pixel| (pixel, self.values[pixel]))
     }
 
     /// The same pixels with other values, finite wherever `change` of a finite value is.
     pub(super) fn mapped(&self, change: impl Fn(usize, f64) -> f64) -> Result<Self, FringeError> {
-        let values = self.values.iter().enumerate().map(|(pixel, &value)| change(pixel, value)).collect();
+        let values = self
+            .values
+            .iter()
+            .enumerate()
+            .map(|(pixel, &value)| change(pixel, value))
+            .collect();
         Self::new(self.frame, values, self.valid.clone())
     }
 
     /// Refuses maps of unlike frames.
     pub(super) fn same_frame(&self, other: &Self) -> Result<(), FringeError> {
         let like = self.frame == other.frame;
-        if like { Ok(()) } else { Err(FringeError::Frames(Box::new((self.frame, other.frame)))) }
+        if like {
+            Ok(())
+        } else {
+            Err(FringeError::Frames(Box::new((self.frame, other.frame))))
+        }
     }
 }

@@ -21,7 +21,12 @@ pub fn measurement(
     positive("frequency", frequency)?;
     parameter("stride", stride as f64, stride > 0, "at least 1")?;
     for deviation in deviations {
-        parameter("deviation", deviation, deviation >= 0.0 && deviation.is_finite(), "finite and at least 0")?;
+        parameter(
+            "deviation",
+            deviation,
+            deviation >= 0.0 && deviation.is_finite(),
+            "finite and at least 0",
+        )?;
     }
     let Some(frame) = orders.iter().flatten().map(|map| *map.frame()).next() else {
         return Err(FringeError::Masked { pixels: 0 });
@@ -29,7 +34,10 @@ pub fn measurement(
     if let [Some(first), Some(second)] = orders {
         first.same_frame(second)?;
     }
-    let mut taken = Measurement { deviation: deviations.map(|deviation| deviation / frequency), ..Measurement::default() };
+    let mut taken = Measurement {
+        deviation: deviations.map(|deviation| deviation / frequency),
+        ..Measurement::default()
+    };
     for row in (0..frame.rows()).step_by(stride) {
         for column in (0..frame.columns()).step_by(stride) {
             let pixel = row * frame.columns() + column;
@@ -44,5 +52,11 @@ pub fn measurement(
             }
         }
     }
-    if taken.places.is_empty() { Err(FringeError::Masked { pixels: frame.pixels() }) } else { Ok(taken) }
+    if taken.places.is_empty() {
+        Err(FringeError::Masked {
+            pixels: frame.pixels(),
+        })
+    } else {
+        Ok(taken)
+    }
 }

@@ -4,7 +4,7 @@ use rustfft::num_complex::Complex;
 
 use super::phase::{median, wrap};
 use super::spectrum::Transform;
-use super::{Carrier, FourierOptions, FringeError, Frame, PixelMap};
+use super::{Carrier, FourierOptions, Frame, FringeError, PixelMap};
 
 /// Least number of fringes across the picture that can be told from its background.
 const LEAST_FRINGES: f64 = 4.0;
@@ -24,15 +24,18 @@ pub(super) struct Sideband {
     pub(super) strength: f64,
     /// Part of the power of all fringes that lies in the band, less that of the noise.
     pub(super) share: f64,
-    /// Standard deviation of the noise of a pixel [intensity].
-    pub(super) noise: f64,
 }
 
 impl Sideband {
     fn around(centre: [f64; 2], band: f64) -> Self {
         // The spectrum of a sampled picture is periodic; half way to the mirrored sideband lies the background or the Nyquist line.
         let radius = 0.5 * band * wrap(2.0 * centre[0]).hypot(wrap(2.0 * centre[1]));
-        Self { centre, radius, strength: 0.0, share: 0.0, noise: 0.0 }
+        Self {
+            centre,
+            radius,
+            strength: 0.0,
+            share: 0.0,
+        }
     }
 
     /// Smooth weight of a frequency: 1 around the centre, 0 outside the band.
@@ -43,7 +46,9 @@ impl Sideband {
     /// Weight of everything that a picture of such fringes has: background, band and mirrored band.
     pub(super) fn picture_weight(&self, frequency: [f64; 2]) -> f64 {
         let mirrored = self.weight([-frequency[0], -frequency[1]]);
-        self.weight(frequency) + mirrored + rolled(distance(frequency, [0.0; 2]) / self.background_radius())
+        self.weight(frequency)
+            + mirrored
+            + rolled(distance(frequency, [0.0; 2]) / self.background_radius())
     }
 
     fn background_radius(&self) -> f64 {
@@ -55,10 +60,18 @@ fn rolled(relative: f64) -> f64 {
     if relative <= FLAT {
         1.0
     } else if relative < 1.0 {
-        (std::f64::consts::FRAC_PI_2 * (relative - FLAT) / (1.0 - FLAT)).cos().powi(2)
+        (std::f64::consts::FRAC_PI_2 * (relative - FLAT) / (1.0 - FLAT))
+            .cos()
+            .powi(2)
     } else {
         0.0
     }
+}
+
+/// Mean power of white noise, whose power is exponentially distributed, from the median, which a few frequencies of something else do
+/// not move.
+pub(super) fn white(power: Vec<f64>) -> f64 {
+    median(power) / std::f64::consts::LN_2
 }
 
 fn distance(first: [f64; 2], second: [f64; 2]) -> f64 {
@@ -69,24 +82,29 @@ fn distance(first: [f64; 2], second: [f64; 2]) -> f64 {
 struct Power {
     transform: Transform,
     power: Vec<f64>,
-    /// Mean power of white noise, from the median, which the few frequencies of the fringes do not move.
+    /// Mean power of the noise.
     floor: f64,
     /// Power that is rounding.
     rounding: f64,
-    noise: f64,
 }
 
 impl Power {
     fn new(picture: &PixelMap) -> Self {
         let frame = picture.frame();
-        let hann = |index: usize, length: usize| (std::f64::consts::PI * (index as f64 + 0.5) / length as f64).sin().powi(2);
-        let window = |pixel: usize| hann(pixel % frame.columns(), frame.columns()) * hann(pixel / frame.columns(), frame.rows());
-        let (mut weights, mut weighted, mut squares, mut greatest) = (0.0, 0.0, 0.0, 0.0_f64);
+        let hann = |index: usize, length: usize| {
+            (std::f64::consts::PI * (index as f64 + 0.5) / length as f64)
+                .sin()
+                .powi(2)
+        };
+        let window = |pixel: usize| {
+            hann(pixel % frame.columns(), frame.columns())
+                * hann(pixel / frame.columns(), frame.rows())
+        };
+        let (mut weights, mut weighted, mut greatest) = (0.0, 0.0, 0.0_f64);
         for (pixel, value) in picture.present() {
             let weight = window(pixel);
             weights += weight;
             weighted += weight * value;
-            squares += weight * weight;
             greatest = greatest.max(value.abs());
         }
         let mut seen = vec![Complex::default(); frame.pixels()];
@@ -94,31 +112,53 @@ impl Power {
             seen[pixel].re = window(pixel) * (value - weighted / weights);
         }
         let transform = Transform::new(frame.columns(), frame.rows());
-        let power: Vec<_> = transform.forward(seen).iter().map(Complex::norm_sqr).collect();
-        let floor = median(power.clone()) / std::f64::consts::LN_2;
-        Self { transform, power, floor, rounding: (1e-12 * weights * greatest).powi(2), noise: (floor / squares).sqrt() }
+        let power: Vec<_> = transform
+            .forward(seen)
+            .iter()
+            .map(Complex::norm_sqr)
+            .collect();
+        let floor = white(power.clone());
+        Self {
+            transform,
+            power,
+            floor,
+            rounding: (1e-12 * weights * greatest).powi(2),
+        }
     }
 
     /// Frequencies on the side of `direction` (in cycles per pixel) that are no background.
     fn candidates(&self, frame: &Frame, direction: [f64; 2]) -> Vec<(usize, [f64; 2])> {
         let beyond = |frequency: [f64; 2]| {
-            (frequency[0] * frame.columns() as f64).hypot(frequency[1] * frame.rows() as f64) >= LEAST_FRINGES
+            (frequency[0] * frame.columns() as f64).hypot(frequency[1] * frame.rows() as f64)
+                >= LEAST_FRINGES
         };
-        let towards = |frequency: [f64; 2]| frequency[0] * direction[0] + frequency[1] * direction[1] > 0.0;
+        let towards =
+            |frequency: [f64; 2]| frequency[0] * direction[0] + frequency[1] * direction[1] > 0.0;
         let all = (0..self.power.len()).map(|entry| (entry, self.transform.frequency(entry)));
-        all.filter(|&(_, frequency)| beyond(frequency) && towards(frequency)).collect()
+        all.filter(|&(_, frequency)| beyond(frequency) && towards(frequency))
+            .collect()
     }
 
     /// Power-weighted mean of a band's frequencies; noise has no weight.
     fn centroid(&self, band: &Sideband, candidates: &[(usize, [f64; 2])]) -> [f64; 2] {
         let (mut sum, mut moment) = (0.0, [0.0; 2]);
-        for &(entry, frequency) in candidates.iter().filter(|(_, frequency)| distance(*frequency, band.centre) < band.radius) {
+        for &(entry, frequency) in candidates
+            .iter()
+            .filter(|(_, frequency)| distance(*frequency, band.centre) < band.radius)
+        {
             let weight = (self.power[entry] - 4.0 * self.floor).max(0.0);
             sum += weight;
             moment[0] += weight * (frequency[0] - band.centre[0]);
             moment[1] += weight * (frequency[1] - band.centre[1]);
         }
-        if sum > 0.0 { [band.centre[0] + moment[0] / sum, band.centre[1] + moment[1] / sum] } else { band.centre }
+        if sum > 0.0 {
+            [
+                band.centre[0] + moment[0] / sum,
+                band.centre[1] + moment[1] / sum,
+            ]
+        } else {
+            band.centre
+        }
     }
 
     fn measured(&self, band: &mut Sideband, candidates: &[(usize, [f64; 2])]) {
@@ -134,35 +174,63 @@ impl Power {
                 all += excess;
             }
         }
-        band.strength = if peak > self.rounding { peak / self.floor } else { 0.0 };
-        band.share = if all > 0.0 { (inside / all).clamp(0.0, 1.0) } else { 0.0 };
-        band.noise = self.noise;
+        band.strength = if peak > self.rounding {
+            peak / self.floor
+        } else {
+            0.0
+        };
+        band.share = if all > 0.0 {
+            (inside / all).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
     }
 }
 
 /// The band of the carrier that `options` give or ask to find.
-pub(super) fn sideband(picture: &PixelMap, options: &FourierOptions) -> Result<Sideband, FringeError> {
+pub(super) fn sideband(
+    picture: &PixelMap,
+    options: &FourierOptions,
+) -> Result<Sideband, FringeError> {
     let frame = picture.frame();
     let step = frame.step();
     let spectrum = Power::new(picture);
     let (mut band, candidates) = match options.carrier {
         Carrier::Given(gradient) => {
             let centre = [gradient[0] * step[0], gradient[1] * step[1]];
-            let fringes = (centre[0] * frame.columns() as f64).hypot(centre[1] * frame.rows() as f64);
+            let fringes =
+                (centre[0] * frame.columns() as f64).hypot(centre[1] * frame.rows() as f64);
             let seen = centre.iter().all(|cycles| cycles.abs() < 0.5) && fringes >= LEAST_FRINGES;
             if !seen {
-                return Err(FringeError::CarrierRange { gradient, cycles: centre, fringes, least: LEAST_FRINGES });
+                return Err(FringeError::CarrierRange {
+                    gradient,
+                    cycles: centre,
+                    fringes,
+                    least: LEAST_FRINGES,
+                });
             }
-            (Sideband::around(centre, options.band), spectrum.candidates(frame, centre))
+            (
+                Sideband::around(centre, options.band),
+                spectrum.candidates(frame, centre),
+            )
         }
         Carrier::Found { towards } => {
-            let candidates = spectrum.candidates(frame, [towards[0] / step[0], towards[1] / step[1]]);
-            let greatest = candidates.iter().max_by(|a, b| spectrum.power[a.0].total_cmp(&spectrum.power[b.0]));
+            let candidates =
+                spectrum.candidates(frame, [towards[0] / step[0], towards[1] / step[1]]);
+            let greatest = candidates
+                .iter()
+                .max_by(|a, b| spectrum.power[a.0].total_cmp(&spectrum.power[b.0]));
             let Some(&(_, centre)) = greatest else {
-                return Err(FringeError::NoCarrier { strength: 0.0, least: f64::INFINITY });
+                return Err(FringeError::NoCarrier {
+                    strength: 0.0,
+                    least: f64::INFINITY,
+                });
             };
             let first = Sideband::around(centre, options.band);
-            (Sideband::around(spectrum.centroid(&first, &candidates), options.band), candidates)
+            (
+                Sideband::around(spectrum.centroid(&first, &candidates), options.band),
+                candidates,
+            )
         }
     };
     spectrum.measured(&mut band, &candidates);
@@ -170,10 +238,16 @@ pub(super) fn sideband(picture: &PixelMap, options: &FourierOptions) -> Result<S
     // n exp(−x) at most.
     let least = (candidates.len().max(1) as f64 / FALSE_ALARM).ln();
     if band.strength.is_nan() || band.strength < least {
-        return Err(FringeError::NoCarrier { strength: band.strength, least });
+        return Err(FringeError::NoCarrier {
+            strength: band.strength,
+            least,
+        });
     }
     if band.share < options.least_share {
-        return Err(FringeError::Crowded { share: band.share, least: options.least_share });
+        return Err(FringeError::Crowded {
+            share: band.share,
+            least: options.least_share,
+        });
     }
     Ok(band)
 }

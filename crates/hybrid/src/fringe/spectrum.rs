@@ -17,7 +17,10 @@ pub(super) struct Transform {
 
 impl fmt::Debug for Transform {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.debug_struct("Transform").field("columns", &self.columns).field("rows", &self.rows).finish_non_exhaustive()
+        out.debug_struct("Transform")
+            .field("columns", &self.columns)
+            .field("rows", &self.rows)
+            .finish_non_exhaustive()
     }
 }
 
@@ -26,7 +29,12 @@ impl Transform {
         let mut planner = FftPlanner::new();
         let forward = [columns, rows].map(|length| planner.plan_fft_forward(length));
         let inverse = [columns, rows].map(|length| planner.plan_fft_inverse(length));
-        Self { columns, rows, forward, inverse }
+        Self {
+            columns,
+            rows,
+            forward,
+            inverse,
+        }
     }
 
     /// Spectrum of a picture: frequency m of the columns and n of the rows at `m * rows + n`.
@@ -50,26 +58,38 @@ impl Transform {
     /// Frequencies of an entry of a spectrum, in cycles per pixel between −½ and ½, along columns and rows.
     pub(super) fn frequency(&self, entry: usize) -> [f64; 2] {
         let signed = |index: usize, length: usize| {
-            let cycles = if 2 * index > length { index as f64 - length as f64 } else { index as f64 };
+            let cycles = if 2 * index > length {
+                index as f64 - length as f64
+            } else {
+                index as f64
+            };
             cycles / length as f64
         };
-        [signed(entry / self.rows, self.columns), signed(entry % self.rows, self.rows)]
+        [
+            signed(entry / self.rows, self.columns),
+            signed(entry % self.rows, self.rows),
+        ]
     }
 }
 
 fn lines(values: &mut [Complex<f64>], transform: &Arc<dyn Fft<f64>>) {
-    values.par_chunks_mut(transform.len()).for_each(|line| transform.process(line));
+    values
+        .par_chunks_mut(transform.len())
+        .for_each(|line| transform.process(line));
 }
 
 /// Rows of `width` entries become columns.
 fn transposed(values: &[Complex<f64>], width: usize) -> Vec<Complex<f64>> {
     let height = values.len() / width;
     let mut turned = vec![Complex::default(); values.len()];
-    turned.par_chunks_mut(height).enumerate().for_each(|(column, line)| {
-        for (row, entry) in line.iter_mut().enumerate() {
-            *entry = values[row * width + column];
-        }
-    });
+    turned
+        .par_chunks_mut(height)
+        .enumerate()
+        .for_each(|(column, line)| {
+            for (row, entry) in line.iter_mut().enumerate() {
+                *entry = values[row * width + column];
+            }
+        });
     turned
 }
 
@@ -96,14 +116,17 @@ mod tests {
     #[test]
     fn agrees_with_the_sum_that_defines_it_and_undoes_itself() {
         let (columns, rows) = (12, 7);
-        let picture: Vec<_> = (0..columns * rows).map(|k| Complex::new((1.3 * k as f64).sin(), (0.7 * k as f64 + 0.2).cos())).collect();
+        let picture: Vec<_> = (0..columns * rows)
+            .map(|k| Complex::new((1.3 * k as f64).sin(), (0.7 * k as f64 + 0.2).cos()))
+            .collect();
         let transform = Transform::new(columns, rows);
         let spectrum = transform.forward(picture.clone());
         for m in 0..columns {
             for n in 0..rows {
                 let sum: Complex<f64> = (0..columns * rows)
                     .map(|pixel| {
-                        let turns = m as f64 * (pixel % columns) as f64 / columns as f64 + n as f64 * (pixel / columns) as f64 / rows as f64;
+                        let turns = m as f64 * (pixel % columns) as f64 / columns as f64
+                            + n as f64 * (pixel / columns) as f64 / rows as f64;
                         picture[pixel] * Complex::from_polar(1.0, -std::f64::consts::TAU * turns)
                     })
                     .sum();
@@ -111,12 +134,19 @@ mod tests {
             }
         }
         let back = transform.inverse(spectrum);
-        assert!(back.iter().zip(&picture).all(|(a, b)| (a - b).norm() < 1e-13));
+        assert!(
+            back.iter()
+                .zip(&picture)
+                .all(|(a, b)| (a - b).norm() < 1e-13)
+        );
         assert_eq!(transform.frequency(3 * rows + 5), [0.25, -2.0 / 7.0]);
     }
 
     #[test]
     fn lengths_without_large_factors() {
-        assert_eq!([1, 7, 11, 97, 1001].map(smooth_length), [1, 8, 12, 100, 1024]);
+        assert_eq!(
+            [1, 7, 11, 97, 1001].map(smooth_length),
+            [1, 8, 12, 100, 1024]
+        );
     }
 }

@@ -6,7 +6,7 @@ use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
 use stickslip_fem_core::mesh::Point;
 
-use super::{FringeError, Frame, PixelMap, Plane};
+use super::{Frame, FringeError, PixelMap, Plane};
 
 /// Whole numbers in which a camera counts intensity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,7 +50,14 @@ pub struct Exposure {
 impl Default for Exposure {
     /// Mean 0.5, amplitude 0.4, no errors, no quantisation.
     fn default() -> Self {
-        Self { background: 0.5, modulation: 0.4, order_error: 0.0, speckle_patterns: None, noise: 0.0, depth: None }
+        Self {
+            background: 0.5,
+            modulation: 0.4,
+            order_error: 0.0,
+            speckle_patterns: None,
+            noise: 0.0,
+            depth: None,
+        }
     }
 }
 
@@ -58,19 +65,53 @@ impl Exposure {
     fn check(&self) -> Result<(), FringeError> {
         positive("background", self.background)?;
         let bounded = self.modulation > 0.0 && self.modulation <= self.background;
-        parameter("modulation", self.modulation, bounded, "positive and at most the background")?;
-        parameter("order error", self.order_error, self.order_error >= 0.0 && self.order_error.is_finite(), "finite and at least 0")?;
-        parameter("noise", self.noise, self.noise >= 0.0 && self.noise.is_finite(), "finite and at least 0")?;
-        parameter("speckle patterns", 0.0, self.speckle_patterns != Some(0), "at least 1")
+        parameter(
+            "modulation",
+            self.modulation,
+            bounded,
+            "positive and at most the background",
+        )?;
+        parameter(
+            "order error",
+            self.order_error,
+            self.order_error >= 0.0 && self.order_error.is_finite(),
+            "finite and at least 0",
+        )?;
+        parameter(
+            "noise",
+            self.noise,
+            self.noise >= 0.0 && self.noise.is_finite(),
+            "finite and at least 0",
+        )?;
+        parameter(
+            "speckle patterns",
+            0.0,
+            self.speckle_patterns != Some(0),
+            "at least 1",
+        )
     }
 }
 
-pub(super) fn parameter(name: &'static str, value: f64, fits: bool, range: &'static str) -> Result<(), FringeError> {
-    if fits { Ok(()) } else { Err(FringeError::Parameter { name, value, range }) }
+pub(super) fn parameter(
+    name: &'static str,
+    value: f64,
+    fits: bool,
+    range: &'static str,
+) -> Result<(), FringeError> {
+    if fits {
+        Ok(())
+    } else {
+        Err(FringeError::Parameter { name, value, range })
+    }
 }
 
 pub(super) fn positive(name: &'static str, value: f64) -> Result<(), FringeError> {
-    parameter(name, value, value > 0.0 && value.is_finite(), "finite and positive")
+    parameter(
+        name,
+        value,
+        value > 0.0 && value.is_finite(),
+        "finite and positive",
+    )
 }
 
 /// Fringe orders N = f u + carrier of a displacement component `[length]` that is a function of the place, missing where it has no
@@ -86,7 +127,9 @@ pub fn orders(
     displacement: impl Fn(Point) -> Option<f64>,
 ) -> Result<PixelMap, FringeError> {
     positive("frequency", frequency)?;
-    PixelMap::of(frame, |place| displacement(place).map(|value| frequency * value + carrier.at(place)))
+    PixelMap::of(frame, |place| {
+        displacement(place).map(|value| frequency * value + carrier.at(place))
+    })
 }
 
 /// Fringe orders N = f u + carrier of a displacement component `[length]` given pixel by pixel; `frequency` f is in lines per
@@ -95,9 +138,14 @@ pub fn orders(
 /// # Errors
 ///
 /// A frequency that is not positive; an order that is not finite.
-pub fn orders_of(displacement: &PixelMap, frequency: f64, carrier: &Plane) -> Result<PixelMap, FringeError> {
+pub fn orders_of(
+    displacement: &PixelMap,
+    frequency: f64,
+    carrier: &Plane,
+) -> Result<PixelMap, FringeError> {
     positive("frequency", frequency)?;
-    displacement.mapped(|pixel, value| frequency * value + carrier.at(displacement.frame().place(pixel)))
+    displacement
+        .mapped(|pixel, value| frequency * value + carrier.at(displacement.frame().place(pixel)))
 }
 
 /// Picture a + b cos 2πN of fringe orders. The same `seed` gives the same picture.
@@ -116,7 +164,11 @@ pub fn picture(orders: &PixelMap, exposure: &Exposure, seed: u64) -> Result<Pixe
 /// # Errors
 ///
 /// An exposure out of its range.
-pub fn four_pictures(orders: &PixelMap, exposure: &Exposure, seed: u64) -> Result<[PixelMap; 4], FringeError> {
+pub fn four_pictures(
+    orders: &PixelMap,
+    exposure: &Exposure,
+    seed: u64,
+) -> Result<[PixelMap; 4], FringeError> {
     let mut random = StdRng::seed_from_u64(seed);
     let surface = Surface::new(orders, exposure, &mut random)?;
     let mut step = |quarters: f64| surface.exposed(quarters / 4.0, exposure, &mut random);
@@ -130,7 +182,11 @@ struct Surface {
 }
 
 impl Surface {
-    fn new(orders: &PixelMap, exposure: &Exposure, random: &mut StdRng) -> Result<Self, FringeError> {
+    fn new(
+        orders: &PixelMap,
+        exposure: &Exposure,
+        random: &mut StdRng,
+    ) -> Result<Self, FringeError> {
         exposure.check()?;
         let mut values = orders.values().to_vec();
         if exposure.order_error > 0.0 {
@@ -138,19 +194,40 @@ impl Surface {
                 *value += exposure.order_error * random.random_range(-1.0..=1.0);
             }
         }
-        let speckle = exposure
-            .speckle_patterns
-            .map(|patterns| values.iter().map(|_| (0..patterns).map(|_| exponential(random)).sum::<f64>() / f64::from(patterns)).collect());
-        Ok(Self { orders: PixelMap::new(*orders.frame(), values, orders.valid().to_vec())?, speckle })
+        let speckle = exposure.speckle_patterns.map(|patterns| {
+            values
+                .iter()
+                .map(|_| {
+                    (0..patterns).map(|_| exponential(random)).sum::<f64>() / f64::from(patterns)
+                })
+                .collect()
+        });
+        Ok(Self {
+            orders: PixelMap::new(*orders.frame(), values, orders.valid().to_vec())?,
+            speckle,
+        })
     }
 
-    fn exposed(&self, shift: f64, exposure: &Exposure, random: &mut StdRng) -> Result<PixelMap, FringeError> {
+    fn exposed(
+        &self,
+        shift: f64,
+        exposure: &Exposure,
+        random: &mut StdRng,
+    ) -> Result<PixelMap, FringeError> {
         let mut values = Vec::with_capacity(self.orders.values().len());
         for (pixel, &order) in self.orders.values().iter().enumerate() {
             let fringes = exposure.background + exposure.modulation * (TAU * (order + shift)).cos();
             let clean = fringes * self.speckle.as_ref().map_or(1.0, |factor| factor[pixel]);
-            let noise = if exposure.noise > 0.0 { exposure.noise * normal(random) } else { 0.0 };
-            values.push(exposure.depth.map_or(clean + noise, |depth| quantised(clean + noise, depth)));
+            let noise = if exposure.noise > 0.0 {
+                exposure.noise * normal(random)
+            } else {
+                0.0
+            };
+            values.push(
+                exposure
+                    .depth
+                    .map_or(clean + noise, |depth| quantised(clean + noise, depth)),
+            );
         }
         PixelMap::new(*self.orders.frame(), values, self.orders.valid().to_vec())
     }

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use super::phase::wrap;
-use super::{FringeError, Frame, PixelMap};
+use super::{Frame, FringeError, PixelMap};
 
 /// Pixels that hang together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,7 +54,9 @@ impl Eq for Front {}
 impl Ord for Front {
     fn cmp(&self, other: &Self) -> Ordering {
         let later = |front: &Self| (front.pixel, front.from);
-        self.quality.total_cmp(&other.quality).then_with(|| later(other).cmp(&later(self)))
+        self.quality
+            .total_cmp(&other.quality)
+            .then_with(|| later(other).cmp(&later(self)))
     }
 }
 
@@ -74,15 +76,31 @@ impl PartialOrd for Front {
 pub fn unwrap(wrapped: &PixelMap, quality: &[f64]) -> Result<Unwrapped, FringeError> {
     let frame = *wrapped.frame();
     if quality.len() != frame.pixels() {
-        return Err(FringeError::Size { columns: frame.columns(), rows: frame.rows(), found: quality.len() });
+        return Err(FringeError::Size {
+            columns: frame.columns(),
+            rows: frame.rows(),
+            found: quality.len(),
+        });
     }
-    if let Some((pixel, _)) = wrapped.present().find(|&(pixel, _)| !quality[pixel].is_finite()) {
+    if let Some((pixel, _)) = wrapped
+        .present()
+        .find(|&(pixel, _)| !quality[pixel].is_finite())
+    {
         let (column, row) = (pixel % frame.columns(), pixel / frame.columns());
-        return Err(FringeError::NotFinite { column, row, value: quality[pixel] });
+        return Err(FringeError::NotFinite {
+            column,
+            row,
+            value: quality[pixel],
+        });
     }
     let mut seeds: Vec<_> = wrapped.present().map(|(pixel, _)| pixel).collect();
     seeds.sort_by(|&a, &b| quality[b].total_cmp(&quality[a]).then(a.cmp(&b)));
-    let mut flood = Flood { wrapped, quality, whole: vec![0.0; frame.pixels()], region_of: vec![None; frame.pixels()] };
+    let mut flood = Flood {
+        wrapped,
+        quality,
+        whole: vec![0.0; frame.pixels()],
+        region_of: vec![None; frame.pixels()],
+    };
     let mut regions = Vec::new();
     for seed in seeds {
         if flood.region_of[seed].is_none() {
@@ -90,11 +108,19 @@ pub fn unwrap(wrapped: &PixelMap, quality: &[f64]) -> Result<Unwrapped, FringeEr
             regions.push(Region { seed, pixels });
         }
     }
-    let Flood { whole, region_of, .. } = flood;
+    let Flood {
+        whole, region_of, ..
+    } = flood;
     let orders = wrapped.mapped(|pixel, order| order + whole[pixel])?;
     let residues = residues(wrapped);
     let cuts = cuts(wrapped, &whole);
-    Ok(Unwrapped { orders, regions, region_of, residues, cuts })
+    Ok(Unwrapped {
+        orders,
+        regions,
+        region_of,
+        residues,
+        cuts,
+    })
 }
 
 struct Flood<'a> {
@@ -107,7 +133,11 @@ struct Flood<'a> {
 impl Flood<'_> {
     /// Floods a region from its seed; returns its number of pixels.
     fn run(&mut self, seed: usize, region: u32) -> usize {
-        let mut front = BinaryHeap::from([Front { quality: self.quality[seed], pixel: seed, from: seed }]);
+        let mut front = BinaryHeap::from([Front {
+            quality: self.quality[seed],
+            pixel: seed,
+            from: seed,
+        }]);
         let mut pixels = 0;
         while let Some(Front { pixel, from, .. }) = front.pop() {
             if self.region_of[pixel].is_some() {
@@ -118,7 +148,11 @@ impl Flood<'_> {
             pixels += 1;
             for next in neighbours(self.wrapped.frame(), pixel) {
                 if self.wrapped.valid()[next] && self.region_of[next].is_none() {
-                    front.push(Front { quality: self.quality[next], pixel: next, from: pixel });
+                    front.push(Front {
+                        quality: self.quality[next],
+                        pixel: next,
+                        from: pixel,
+                    });
                 }
             }
         }
@@ -145,12 +179,18 @@ fn residues(wrapped: &PixelMap) -> Vec<Residue> {
     let (frame, values, valid) = (wrapped.frame(), wrapped.values(), wrapped.valid());
     let columns = frame.columns();
     let inner = wrapped.present().map(|(pixel, _)| pixel);
-    let inner = inner.filter(|pixel| pixel % columns + 1 < columns && pixel / columns + 1 < frame.rows());
+    let inner =
+        inner.filter(|pixel| pixel % columns + 1 < columns && pixel / columns + 1 < frame.rows());
     let charged = inner.filter_map(|pixel| {
         let corners = [pixel, pixel + 1, pixel + columns + 1, pixel + columns];
         let whole = corners.iter().all(|&corner| valid[corner]);
-        let sum: f64 = (0..4).map(|k| wrap(values[corners[(k + 1) % 4]] - values[corners[k]])).sum();
-        (whole && sum.round() != 0.0).then(|| Residue { pixel, charge: sum.round() as i8 })
+        let sum: f64 = (0..4)
+            .map(|k| wrap(values[corners[(k + 1) % 4]] - values[corners[k]]))
+            .sum();
+        (whole && sum.round() != 0.0).then(|| Residue {
+            pixel,
+            charge: sum.round() as i8,
+        })
     });
     charged.collect()
 }
@@ -158,7 +198,10 @@ fn residues(wrapped: &PixelMap) -> Vec<Residue> {
 /// Neighbours whose whole numbers do not differ as their wrapped orders ask.
 fn cuts(wrapped: &PixelMap, whole: &[f64]) -> Vec<[usize; 2]> {
     let frame = wrapped.frame();
-    let pairs = wrapped.present().flat_map(|(pixel, _)| neighbours(frame, pixel).map(move |next| [pixel, next]));
+    let pairs = wrapped
+        .present()
+        .flat_map(|(pixel, _)| neighbours(frame, pixel).map(move |next| [pixel, next]));
     let once = pairs.filter(|&[pixel, next]| next > pixel && wrapped.valid()[next]);
-    once.filter(|&[pixel, next]| whole[next] - whole[pixel] != jump(wrapped, pixel, next)).collect()
+    once.filter(|&[pixel, next]| whole[next] - whole[pixel] != jump(wrapped, pixel, next))
+        .collect()
 }
