@@ -7,7 +7,7 @@
 //! N = f u + k_x x + k_y y + k₀,     I = a + b cos 2πN
 //! ```
 //!
-//! with the grating's frequency f [lines/length], the carrier's gradient k [fringes/length], the mean intensity a and the amplitude b.
+//! with the grating's frequency f `[lines/length]`, the carrier's gradient k `[fringes/length]`, the mean intensity a and the amplitude b.
 //! The way back leads from pictures to the phase N modulo 1, to orders without jumps, to orders without carrier, to displacements.
 //! Phases are given in fringes throughout: N, not 2πN.
 //!
@@ -126,9 +126,9 @@ pub enum FringeError {
     /// No pixel has fringes.
     #[error("the fringes' amplitude is {greatest} at most, and {least} or less counts as none")]
     Modulation {
-        /// Greatest amplitude [intensity].
+        /// Greatest amplitude `[intensity]`.
         greatest: f64,
-        /// Amplitude that does not suffice [intensity].
+        /// Amplitude that does not suffice `[intensity]`.
         least: f64,
     },
     /// The pixels cannot show a carrier.
@@ -138,7 +138,7 @@ pub enum FringeError {
         gradient[0], gradient[1], cycles[0], cycles[1]
     )]
     CarrierRange {
-        /// The carrier [fringes/length].
+        /// The carrier `[fringes/length]`.
         gradient: [f64; 2],
         /// Fringes per pixel along columns and rows.
         cycles: [f64; 2],
@@ -194,7 +194,7 @@ pub enum FringeError {
         first: Point,
         /// Place of the second `[length]`.
         second: Point,
-        /// Difference less that of the picture [fringes].
+        /// Difference less that of the picture `[fringes]`.
         difference: f64,
     },
 }

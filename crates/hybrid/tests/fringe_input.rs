@@ -4,8 +4,8 @@ use std::io::Cursor;
 
 use image::{DynamicImage, ImageFormat};
 use stickslip_hybrid::fringe::{
-    Carrier, Constant, Depth, Exposure, Format, FourierOptions, Frame, FringeError, KnownOrder,
-    PixelMap, Plane, decode, encode, four_step, fourier, measurement, orders, picture, unwrap,
+    Carrier, Depth, Exposure, Format, FourierOptions, Frame, FringeError, PixelMap, Plane, decode,
+    encode, four_step, fourier, measurement, orders, picture, unwrap,
 };
 
 fn small() -> Frame {
@@ -158,6 +158,26 @@ fn carriers_that_pixels_cannot_show() {
             Err(FringeError::NoCarrier { .. } | FringeError::Crowded { .. })
         ),
         "{elsewhere:?}"
+    );
+    // So near to the Nyquist frequency that the band has no width, a refusal and no endless margin.
+    assert!(
+        fourier(
+            &shown,
+            &FourierOptions::new(Carrier::Given([0.4999999, 0.0]))
+        )
+        .is_err()
+    );
+    let steep = PixelMap::of(small(), |place| Some(0.4999999 * place[0])).unwrap();
+    let steep = picture(&steep, &Exposure::default(), 1).unwrap();
+    assert!(
+        fourier(
+            &steep,
+            &FourierOptions {
+                least_share: 0.0,
+                ..FourierOptions::new(Carrier::Given([0.4999999, 0.0]))
+            }
+        )
+        .is_err()
     );
     let tiny = PixelMap::of(Frame::new(2, 1, [0.0, 0.0], [1.0, 1.0]).unwrap(), |place| {
         Some(place[0])
@@ -343,58 +363,4 @@ fn pictures_that_do_not_belong_together() {
         unwrap(&first, &vec![f64::NAN; 128 * 96]),
         Err(FringeError::NotFinite { .. })
     ));
-}
-
-#[test]
-fn known_orders_and_planes_without_sense() {
-    let map = straight(small())
-        .restricted(|place| place[0] < 50.0)
-        .unwrap();
-    let found = unwrap(&map, &vec![1.0; 128 * 96]).unwrap();
-    let known = |x: f64, order: f64| KnownOrder {
-        place: [x, -3.0],
-        order,
-    };
-    assert!(matches!(
-        found.fixed(&[known(80.0, 1.0)], Constant::Any),
-        Err(FringeError::NoOrderAt { .. })
-    ));
-    assert!(matches!(
-        found.fixed(&[known(-7.0, 1.0)], Constant::Any),
-        Err(FringeError::NoOrderAt { .. })
-    ));
-    assert!(matches!(
-        found.fixed(&[known(f64::NAN, 1.0)], Constant::Any),
-        Err(FringeError::NoOrderAt { .. })
-    ));
-    assert!(matches!(
-        found.fixed(&[], Constant::Any),
-        Err(FringeError::Masked { .. })
-    ));
-    let contradicting = found
-        .fixed(&[known(0.0, 0.0), known(10.0, 9.0)], Constant::Whole)
-        .unwrap_err();
-    assert!(
-        matches!(contradicting, FringeError::KnownOrders { difference, .. } if (difference - 7.7).abs() < 1e-9),
-        "{contradicting}"
-    );
-    // On rims and corners, where four pixels do not surround a place, the nearest counts.
-    for x in [-0.4, 0.0, 20.3, 49.0, 49.4] {
-        let fixed = found
-            .fixed(&[known(x, 0.13 * x - 0.15)], Constant::Whole)
-            .unwrap();
-        assert!(
-            fixed
-                .present()
-                .all(|(pixel, order)| (order - map.values()[pixel]).abs() < 1e-12)
-        );
-    }
-    assert_eq!(
-        Plane::fit(&map, |place| place[1] == -3.0).unwrap_err(),
-        FringeError::NoPlane { pixels: 50 }
-    );
-    assert_eq!(
-        Plane::fit(&map, |_| false).unwrap_err(),
-        FringeError::NoPlane { pixels: 0 }
-    );
 }

@@ -10,7 +10,7 @@ use super::spectrum::{Transform, smooth_length};
 use super::synthesis::parameter;
 use super::{FringeError, Phase, PixelMap};
 
-/// The carrier's gradient (k_x, k_y) [fringes/length].
+/// The carrier's gradient (k_x, k_y) `[fringes/length]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Carrier {
     /// Known.
@@ -81,15 +81,15 @@ impl FourierOptions {
 pub struct FourierPhase {
     /// Orders with the carrier, up to a whole number.
     pub phase: Phase,
-    /// Centre of the band [fringes/length]: the carrier as given, or carrier and mean displacement gradient as found.
+    /// Centre of the band `[fringes/length]`: the carrier as given, or carrier and mean displacement gradient as found.
     pub carrier: [f64; 2],
     /// Greatest power in the band over the power of the noise.
     pub strength: f64,
     /// Part of the fringes' power that lies in the band.
     pub share: f64,
-    /// Standard deviation of the pixels' noise, taken as white [intensity].
+    /// Standard deviation of the pixels' noise, taken as white `[intensity]`.
     pub noise: f64,
-    /// Length over which errors of the orders depend on each other [length]: half a wave of the band's rim.
+    /// Length over which errors of the orders depend on each other `[length]`: half a wave of the band's rim.
     pub resolution: f64,
     /// Passes that filled missing pixels.
     pub passes: usize,
@@ -98,7 +98,7 @@ pub struct FourierPhase {
 }
 
 impl FourierPhase {
-    /// Standard deviation of an order [fringes] that the noise of the picture causes, at the median amplitude of the fringes.
+    /// Standard deviation of an order `[fringes]` that the noise of the picture causes, at the median amplitude of the fringes.
     pub fn deviation(&self) -> f64 {
         self.phase
             .deviation(self.noise, self.phase.median_modulation())
@@ -106,7 +106,7 @@ impl FourierPhase {
 }
 
 /// Phase of a picture I = a + b cos 2πN, N = f u + k·x, whose background a and amplitude b vary slowly (Takeda, Ina & Kobayashi
-/// 1982; in two dimensions Macy 1983): the transform of the picture, times a band H around the carrier, is that of c below.
+/// 1982; in two dimensions Bone, Bachor & Sandeman 1986): the transform of the picture, times a band H around the carrier, is that of c below.
 ///
 /// ```text
 /// c = F⁻¹ H F I ≈ (b/2) exp 2πiN,     N = arg c / 2π,     |k + f ∂u/∂x − k_c| < β |k_c|
@@ -175,10 +175,11 @@ struct Filled {
 impl Filled {
     fn new(picture: &PixelMap, band: &Sideband) -> Self {
         let frame = picture.frame();
-        // The picture repeats itself beyond the margin, which therefore serves opposite edges at once.
+        // The picture repeats itself beyond the margin, which therefore serves opposite edges at once. Next to the Nyquist frequency
+        // bands are narrow without end.
         let margin = (2.0 / band.radius).ceil() as usize;
-        let [width, height] =
-            [frame.columns(), frame.rows()].map(|length| smooth_length(length + margin));
+        let [width, height] = [frame.columns(), frame.rows()]
+            .map(|length| smooth_length(length + margin.min(length)));
         let count = picture.present().count() as f64;
         let mean = picture.present().map(|(_, value)| value).sum::<f64>() / count;
         let variance = picture

@@ -51,7 +51,7 @@ impl Frame {
     }
 
     /// Upright frame of the `window` from its lower left to its upper right corner `[length]`, with square pixels of edge `pixel`
-    /// `[length]`, as many as lie wholly inside; row 0 is on top.
+    /// `[length]`, as many as lie inside to 1e-9; row 0 is on top.
     ///
     /// # Errors
     ///
@@ -59,7 +59,7 @@ impl Frame {
     pub fn over(window: [Point; 2], pixel: f64) -> Result<Self, FringeError> {
         let [low, high] = window;
         let count = |axis: usize| {
-            ((high[axis] - low[axis]) / pixel * (1.0 + f64::EPSILON))
+            ((high[axis] - low[axis]) / pixel * (1.0 + 1e-9))
                 .floor()
                 .max(0.0) as usize
         };

@@ -27,18 +27,18 @@ impl Phase {
         &self.wrapped
     }
 
-    /// Amplitude b of the fringes at each pixel [intensity], which is the phase's quality; 0 where it is missing.
+    /// Amplitude b of the fringes at each pixel `[intensity]`, which is the phase's quality; 0 where it is missing.
     pub fn modulation(&self) -> &[f64] {
         &self.modulation
     }
 
-    /// Standard deviation of an order [fringes] for additive noise, independent from pixel to pixel, of standard deviation
+    /// Standard deviation of an order `[fringes]` for additive noise, independent from pixel to pixel, of standard deviation
     /// `noise` where the fringes have the amplitude `modulation` (same unit). First order in their ratio.
     pub fn deviation(&self, noise: f64, modulation: f64) -> f64 {
         self.noise_gain * noise / modulation
     }
 
-    /// Median amplitude of the fringes [intensity].
+    /// Median amplitude of the fringes `[intensity]`.
     pub fn median_modulation(&self) -> f64 {
         median(
             self.wrapped
@@ -48,7 +48,7 @@ impl Phase {
         )
     }
 
-    /// The phase without the pixels whose fringes have at most the amplitude `least` [intensity].
+    /// The phase without the pixels whose fringes have at most the amplitude `least` `[intensity]`.
     ///
     /// # Errors
     ///
@@ -123,13 +123,13 @@ pub(super) fn median(mut values: Vec<f64>) -> f64 {
     }
 }
 
-/// Phase of four pictures I_k = a + b cos 2π(N + k/4), k = 0 … 3 (Carré 1966; Creath 1988):
+/// Phase of four pictures I_k = a + b cos 2π(N + k/4), k = 0 … 3 (Creath 1988):
 ///
 /// ```text
 /// 2πN = arg [(I₀ − I₂) + i (I₃ − I₁)],   2b = |(I₀ − I₂) + i (I₃ − I₁)|
 /// ```
 ///
-/// Pixels that one picture lacks, or whose amplitude b is at most `least_modulation` [intensity], are missing.
+/// Pixels that one picture lacks, or whose amplitude b is at most `least_modulation` `[intensity]`, are missing.
 ///
 /// # Errors
 ///

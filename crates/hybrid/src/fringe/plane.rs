@@ -7,9 +7,9 @@ use super::{FringeError, PixelMap, Unwrapped};
 /// Orders linear in the place: a carrier, a rigid-body motion, or both.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Plane {
-    /// Gradient (k_x, k_y) [fringes/length].
+    /// Gradient (k_x, k_y) `[fringes/length]`.
     pub gradient: [f64; 2],
-    /// Order at the origin [fringes].
+    /// Order at the origin `[fringes]`.
     pub constant: f64,
 }
 
@@ -20,12 +20,12 @@ pub struct PlaneFit {
     pub plane: Plane,
     /// Pixels that it was fitted to.
     pub pixels: usize,
-    /// Root mean square of what remains there [fringes].
+    /// Root mean square of what remains there `[fringes]`.
     pub remainder: f64,
 }
 
 impl Plane {
-    /// Order at a place [fringes].
+    /// Order at a place `[fringes]`.
     pub fn at(&self, place: Point) -> f64 {
         self.gradient[0] * place[0] + self.gradient[1] * place[1] + self.constant
     }
@@ -96,7 +96,7 @@ impl Plane {
 pub struct KnownOrder {
     /// The place `[length]`.
     pub place: Point,
-    /// Its order [fringes].
+    /// Its order `[fringes]`.
     pub order: f64,
 }
 

@@ -81,7 +81,7 @@ fn distance(first: [f64; 2], second: [f64; 2]) -> f64 {
 /// Power of the picture's spectrum, seen through a Hann window.
 struct Power {
     transform: Transform,
-    power: Vec<f64>,
+    values: Vec<f64>,
     /// Mean power of the noise.
     floor: f64,
     /// Power that is rounding.
@@ -112,15 +112,15 @@ impl Power {
             seen[pixel].re = window(pixel) * (value - weighted / weights);
         }
         let transform = Transform::new(frame.columns(), frame.rows());
-        let power: Vec<_> = transform
+        let values: Vec<_> = transform
             .forward(seen)
             .iter()
             .map(Complex::norm_sqr)
             .collect();
-        let floor = white(power.clone());
+        let floor = white(values.clone());
         Self {
             transform,
-            power,
+            values,
             floor,
             rounding: (1e-12 * weights * greatest).powi(2),
         }
@@ -134,7 +134,7 @@ impl Power {
         };
         let towards =
             |frequency: [f64; 2]| frequency[0] * direction[0] + frequency[1] * direction[1] > 0.0;
-        let all = (0..self.power.len()).map(|entry| (entry, self.transform.frequency(entry)));
+        let all = (0..self.values.len()).map(|entry| (entry, self.transform.frequency(entry)));
         all.filter(|&(_, frequency)| beyond(frequency) && towards(frequency))
             .collect()
     }
@@ -146,7 +146,7 @@ impl Power {
             .iter()
             .filter(|(_, frequency)| distance(*frequency, band.centre) < band.radius)
         {
-            let weight = (self.power[entry] - 4.0 * self.floor).max(0.0);
+            let weight = (self.values[entry] - 4.0 * self.floor).max(0.0);
             sum += weight;
             moment[0] += weight * (frequency[0] - band.centre[0]);
             moment[1] += weight * (frequency[1] - band.centre[1]);
@@ -165,10 +165,10 @@ impl Power {
         let (mut inside, mut all, mut peak) = (0.0, 0.0, 0.0_f64);
         let background = band.background_radius();
         for &(entry, frequency) in candidates {
-            let excess = self.power[entry] - self.floor;
+            let excess = self.values[entry] - self.floor;
             if distance(frequency, band.centre) < band.radius {
                 inside += excess;
-                peak = peak.max(self.power[entry]);
+                peak = peak.max(self.values[entry]);
             }
             if distance(frequency, [0.0; 2]) >= background {
                 all += excess;
@@ -219,7 +219,7 @@ pub(super) fn sideband(
                 spectrum.candidates(frame, [towards[0] / step[0], towards[1] / step[1]]);
             let greatest = candidates
                 .iter()
-                .max_by(|a, b| spectrum.power[a.0].total_cmp(&spectrum.power[b.0]));
+                .max_by(|a, b| spectrum.values[a.0].total_cmp(&spectrum.values[b.0]));
             let Some(&(_, centre)) = greatest else {
                 return Err(FringeError::NoCarrier {
                     strength: 0.0,

@@ -51,7 +51,9 @@ impl Transform {
         let mut picture = transposed(&spectrum, self.rows);
         lines(&mut picture, &self.inverse[0]);
         let scale = 1.0 / (self.columns * self.rows) as f64;
-        picture.iter_mut().for_each(|value| *value *= scale);
+        for value in &mut picture {
+            *value *= scale;
+        }
         picture
     }
 
@@ -97,15 +99,16 @@ fn transposed(values: &[Complex<f64>], width: usize) -> Vec<Complex<f64>> {
 pub(super) fn smooth_length(least: usize) -> usize {
     let smooth = |length: &usize| {
         let mut rest = *length;
-        for factor in [2, 3, 5] {
-            while rest % factor == 0 {
+        for factor in [2_usize, 3, 5] {
+            while rest.is_multiple_of(factor) {
                 rest /= factor;
             }
         }
         rest == 1
     };
-    // A power of two lies between `least` and its double, so the search ends.
-    (least.max(1)..).find(smooth).unwrap_or(least)
+    let least = least.max(1);
+    // There is a power of two up to twice the length.
+    (least..=2 * least).find(smooth).unwrap_or(least)
 }
 
 #[cfg(test)]

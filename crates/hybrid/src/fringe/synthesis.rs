@@ -34,7 +34,7 @@ pub struct Exposure {
     pub background: f64,
     /// Amplitude b of the fringes, positive and at most the mean.
     pub modulation: f64,
-    /// Greatest error e of the order of a pixel [fringes]: uniform in ±e, independent from pixel to pixel, the same in all
+    /// Greatest error e of the order of a pixel `[fringes]`: uniform in ±e, independent from pixel to pixel, the same in all
     /// pictures of a phase-stepped series.
     pub order_error: f64,
     /// Speckle: number M of independent speckle patterns that add up in a pixel. Intensities are multiplied by a factor of mean 1

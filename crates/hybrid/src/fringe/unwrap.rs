@@ -21,7 +21,7 @@ pub struct Region {
 pub struct Residue {
     /// Pixel of the loop with the smallest column and row.
     pub pixel: usize,
-    /// Sum of the differences: column + 1, then row + 1, and back [fringes].
+    /// Sum of the differences: column + 1, then row + 1, and back `[fringes]`.
     pub charge: i8,
 }
 
@@ -67,7 +67,7 @@ impl PartialOrd for Front {
 }
 
 /// Orders without jumps: the flood starts at the best pixel of a region and goes on at the best pixel that it touches, adding whole
-/// numbers so that neighbours differ by at most ½ (quality-guided path following, Ghiglia & Pritt 1998, 4.3). `quality` has one
+/// numbers so that neighbours differ by at most ½ (quality-guided path following, Ghiglia & Pritt 1998, chapter 4). `quality` has one
 /// number per pixel, greater where the phase is better.
 ///
 /// # Errors
