@@ -219,6 +219,7 @@ fn maps_without_sense() {
         (2, 2, 0.0),
         (2, 2, f64::NAN),
         (usize::MAX, 3, 1.0),
+        (1 << 15, 1 << 14, 1.0),
     ] {
         assert!(matches!(
             Frame::new(columns, rows, [0.0, 0.0], [step, 1.0]),

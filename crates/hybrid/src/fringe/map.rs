@@ -6,6 +6,9 @@ use stickslip_fem_core::mesh::Point;
 
 use super::FringeError;
 
+/// Most pixels of a picture, so that a slip of the pen is an error and no exhausted memory.
+pub(super) const MOST_PIXELS: usize = 1 << 28;
+
 /// Where the pixels of a picture lie in the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
@@ -22,16 +25,15 @@ impl Frame {
     ///
     /// # Errors
     ///
-    /// No pixels, more than a `usize` can count, a place that is not finite, or a step that is zero or not finite.
+    /// No pixels, more than 2²⁸, a place that is not finite, or a step that is zero or not finite.
     pub fn new(
         columns: usize,
         rows: usize,
         first: Point,
         step: [f64; 2],
     ) -> Result<Self, FringeError> {
-        let counted = columns
-            .checked_mul(rows)
-            .is_some_and(|pixels| pixels > 0 && pixels <= usize::MAX / 64);
+        let pixels = columns.checked_mul(rows).unwrap_or(usize::MAX);
+        let counted = (1..=MOST_PIXELS).contains(&pixels);
         let placed = first.iter().chain(&step).all(|value| value.is_finite())
             && step.iter().all(|&value| value != 0.0);
         if counted && placed {

@@ -223,7 +223,7 @@ pub(super) fn sideband(
             let Some(&(_, centre)) = greatest else {
                 return Err(FringeError::NoCarrier {
                     strength: 0.0,
-                    least: f64::INFINITY,
+                    least: -FALSE_ALARM.ln(),
                 });
             };
             let first = Sideband::around(centre, options.band);
