@@ -67,7 +67,11 @@ pub use unwrap::{Region, Residue, Unwrapped, unwrap};
 #[non_exhaustive]
 pub enum FringeError {
     /// A frame without pixels, or whose pixels have no place.
-    #[error("no picture has {columns} x {rows} pixels with steps ({}, {}); 1 to {} pixels and finite steps that are not zero make one", step[0], step[1], map::MOST_PIXELS)]
+    #[error(
+        "no picture has {columns} x {rows} pixels with steps ({}, {}); \
+         1 to {} pixels and finite steps that are not zero make one",
+        step[0], step[1], map::MOST_PIXELS
+    )]
     Frame {
         /// Columns asked for.
         columns: usize,

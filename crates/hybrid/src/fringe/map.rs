@@ -32,7 +32,7 @@ impl Frame {
         first: Point,
         step: [f64; 2],
     ) -> Result<Self, FringeError> {
-        let pixels = columns.checked_mul(rows).unwrap_or(usize::MAX);
+        let pixels = columns.saturating_mul(rows);
         let counted = (1..=MOST_PIXELS).contains(&pixels);
         let placed = first.iter().chain(&step).all(|value| value.is_finite())
             && step.iter().all(|&value| value != 0.0);
