@@ -36,6 +36,8 @@ pub(super) struct Drawing {
 /// Which part of the page a figure belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Group {
+    /// A joint followed to its end.
+    Joint,
     Edge,
     History,
     Failure,
@@ -117,11 +119,15 @@ fn add_failure(gallery: &mut Gallery, view: &FailureView<'_>) {
     }
     if let Some(joint) = ProgressiveView::of(*view) {
         let stem = format!("load-displacement-{body}");
-        gallery.add(group, &stem, progressive::figures::curve(&joint));
+        gallery.add(Group::Joint, &stem, progressive::figures::curve(&joint));
         let stem = format!("edge-strains-{body}");
-        gallery.add(group, &stem, progressive::figures::edge_strains(&joint));
+        gallery.add(
+            Group::Joint,
+            &stem,
+            progressive::figures::edge_strains(&joint),
+        );
         let stem = format!("damage-{body}");
-        gallery.add(group, &stem, progressive::damage_map(&joint));
+        gallery.add(Group::Joint, &stem, progressive::damage_map(&joint));
     }
     for map in &view.failure.maps {
         let stem = format!("ply-map-{body}-step-{:02}", map.step + 1);

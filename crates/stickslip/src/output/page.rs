@@ -23,7 +23,11 @@ pub(super) fn page(
     page.warnings = results.notes.iter().chain(failures).cloned().collect();
     page.summary = summary(results);
     page.notes = notes(results);
-    page.sections = vec![steps_section(results)];
+    let (joint, mut drawings): (Vec<_>, Vec<_>) = drawings
+        .into_iter()
+        .partition(|drawing| drawing.group == Group::Joint);
+    page.sections.extend(joint_section(results, joint));
+    page.sections.push(steps_section(results));
     page.sections.extend(failure_section(results));
     let groups = [
         (Group::Edge, "Along the edges"),
@@ -31,7 +35,6 @@ pub(super) fn page(
         (Group::Failure, "Plies"),
         (Group::Field, "Fields"),
     ];
-    let mut drawings = drawings;
     for (group, title) in groups {
         let (here, rest): (Vec<_>, Vec<_>) = drawings
             .into_iter()
@@ -84,6 +87,13 @@ fn summary(results: &Results) -> Vec<(String, String)> {
     let Some(step) = load.peak_step() else {
         return rows;
     };
+    for joint in FailureView::all(results)
+        .into_iter()
+        .filter_map(ProgressiveView::of)
+    {
+        let (name, value) = progressive::tables::headline(&joint);
+        add(name, value);
+    }
     add(
         "Largest load",
         format!("{}, {}", load.name, load.step_text(step)),
@@ -222,6 +232,26 @@ fn steps_section(results: &Results) -> Section {
     section
 }
 
+/// A joint that was followed to its end: what it bears, how it fails and why, with its figures.
+fn joint_section(results: &Results, drawings: Vec<Drawing>) -> Option<Section> {
+    let views = FailureView::all(results);
+    let joints: Vec<_> = (views.into_iter().filter_map(ProgressiveView::of)).collect();
+    let mut section = figure_section("The joint to its end", drawings);
+    for joint in joints.iter().rev() {
+        let mut blocks = vec![Block::Table(progressive::tables::milestones(joint))];
+        blocks.extend(
+            progressive::tables::verdict(joint)
+                .into_iter()
+                .map(Block::Text),
+        );
+        blocks.push(Block::Text(
+            "All other sections show the joint whose plies do not fail, under the loads of the scene.".to_owned(),
+        ));
+        section.blocks.splice(0..0, blocks);
+    }
+    (!joints.is_empty()).then_some(section)
+}
+
 /// What fails first in every laminated body, and how far each step is from it.
 fn failure_section(results: &Results) -> Option<Section> {
     let views = FailureView::all(results);
@@ -230,12 +260,6 @@ fn failure_section(results: &Results) -> Option<Section> {
         section = section.with(Block::Table(failure::tables::first_ply(view)));
         for sentence in failure::tables::joint_modes(view) {
             section = section.with(Block::Text(sentence));
-        }
-        if let Some(joint) = ProgressiveView::of(*view) {
-            section = section.with(Block::Table(progressive::tables::milestones(&joint)));
-            for sentence in progressive::tables::verdict(&joint) {
-                section = section.with(Block::Text(sentence));
-            }
         }
         section = section
             .with(Block::Table(failure::tables::steps(view)))

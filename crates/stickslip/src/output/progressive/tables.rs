@@ -73,6 +73,22 @@ fn loss_row(view: &ProgressiveView<'_>, name: &str, loss: &PlyLoss) -> Vec<Strin
     cells
 }
 
+/// What the joint bears, in a few words.
+pub(crate) fn headline(view: &ProgressiveView<'_>) -> (&'static str, String) {
+    let own = view.progressive;
+    let load = format!(
+        "{} {}",
+        significant(view.force(own.peak_load()), 4),
+        view.force_unit()
+    );
+    let mode = (own.mode.as_ref()).map_or(String::new(), |call| format!(", {}", call.mode));
+    if own.strength.is_some() {
+        ("Strength and mode", load + &mode)
+    } else {
+        ("Largest load followed", load)
+    }
+}
+
 /// The strength, the mode with its reasons, and how the history ended: one sentence each.
 pub(crate) fn verdict(view: &ProgressiveView<'_>) -> Vec<String> {
     let own = view.progressive;
@@ -119,7 +135,7 @@ pub(crate) fn verdict(view: &ProgressiveView<'_>) -> Vec<String> {
         }
     });
     sentences.push(
-        "Plies are asked at the quadrature points here, inside the cells; first-ply failure above is asked at the nodes, on the edge too."
+        "Plies are asked at the quadrature points here, inside the cells; the table of first-ply failure asks at the nodes, on the edge too."
             .to_owned(),
     );
     if own.half {
