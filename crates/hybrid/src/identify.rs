@@ -1,1 +1,0 @@
-//! Friction from edge tractions and from displacements, with intervals.
