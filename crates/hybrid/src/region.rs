@@ -28,7 +28,10 @@
 //! | [`fit`] | boundary displacements fitted to all data with equilibrium, smoothed as declared |
 //! | [`locate`] | in which cell a place lies |
 
+pub mod checks;
 mod dense;
+pub mod direct;
+pub mod fit;
 pub mod locate;
 pub mod outline;
 pub mod outputs;
