@@ -133,7 +133,9 @@ pub enum RegionError {
     #[error("differences of order {0} cannot be smoothed; 2 and 3 can")]
     SmoothingOrder(usize),
     /// The amount of smoothing is negative or not a number.
-    #[error("the amount {0} of smoothing is not a number of at least 0")]
+    #[error(
+        "{0} is no amount of smoothing, and no share of one: that is a finite number, not negative"
+    )]
     SmoothingAmount(f64),
     /// An eigenvalue decomposition did not converge.
     #[error("the eigenvalues of a {order} × {order} matrix were not found")]
@@ -159,9 +161,11 @@ pub struct RegionSolution {
 }
 
 impl RegionSolution {
-    /// Outputs y = A Δ of the rows A.
+    /// Outputs y = A Δ of the rows A, which are those of the same mesh.
     pub fn outputs(&self, rows: &[SparseRow]) -> Vec<f64> {
-        rows.iter().map(|row| product(row, &self.displacements)).collect()
+        rows.iter()
+            .map(|row| product(row, &self.displacements))
+            .collect()
     }
 }
 
@@ -175,7 +179,10 @@ impl Region {
         nodes.extend_from_slice(interior);
         nodes.sort_unstable();
         nodes.dedup();
-        let dofs: Vec<usize> = nodes.iter().flat_map(|&node| [2 * node, 2 * node + 1]).collect();
+        let dofs: Vec<usize> = nodes
+            .iter()
+            .flat_map(|&node| [2 * node, 2 * node + 1])
+            .collect();
         Self::with_dofs(body, &dofs)
     }
 
@@ -271,10 +278,7 @@ impl Region {
 }
 
 /// The part of the covariance that belongs to the entries `positions` of the values.
-fn submatrix(
-    measured: &NodalDisplacements,
-    positions: &[usize],
-) -> Result<Mat<f64>, RegionError> {
+fn submatrix(measured: &NodalDisplacements, positions: &[usize]) -> Result<Mat<f64>, RegionError> {
     let size = measured.values.len();
     if measured.covariance.is_empty() {
         return Err(RegionError::NoCovariance);
@@ -303,7 +307,11 @@ fn positions(
 ) -> Result<Vec<usize>, RegionError> {
     let expected = 2 * measured.nodes.len();
     if measured.values.len() != expected {
-        return Err(length("the vector of displacements", expected, measured.values.len()));
+        return Err(length(
+            "the vector of displacements",
+            expected,
+            measured.values.len(),
+        ));
     }
     let mut place = vec![usize::MAX; mesh.nodes().len()];
     for (k, &node) in measured.nodes.iter().enumerate() {
@@ -355,7 +363,18 @@ fn all_finite(what: &'static str, values: &[f64]) -> Result<(), RegionError> {
     }
 }
 
+/// Refuses rows over nodes that the mesh does not have.
+fn check_rows(mesh: &Mesh, rows: &[SparseRow]) -> Result<(), RegionError> {
+    let nodes = mesh.nodes().len();
+    match rows.iter().flatten().find(|(dof, _)| dof / 2 >= nodes) {
+        Some((dof, _)) => Err(BodyError::NoSuchNode { node: dof / 2 }.into()),
+        None => Ok(()),
+    }
+}
+
 /// A row of A times all displacements.
 fn product(row: &[(usize, f64)], displacements: &[f64]) -> f64 {
-    row.iter().map(|&(dof, weight)| weight * displacements[dof]).sum()
+    row.iter()
+        .map(|&(dof, weight)| weight * displacements[dof])
+        .sum()
 }

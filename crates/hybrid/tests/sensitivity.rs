@@ -72,19 +72,31 @@ fn case(size: f64, shear: f64) -> Case {
             ..LoadCase::default()
         }])
         .unwrap();
-    let u = Arc::new(driven).condense(&[]).unwrap().displacements(&[], &[1.0], &[]);
+    let u = Arc::new(driven)
+        .condense(&[])
+        .unwrap()
+        .displacements(&[], &[1.0], &[]);
     let region = Region::new(&body, &[]).unwrap();
     let edge = EdgeRows::new(&body, "inner").unwrap();
     let nodes = region.prescribed_nodes();
     let boundary = NodalDisplacements {
-        values: nodes.iter().flat_map(|&node| [u[2 * node], u[2 * node + 1]]).collect(),
+        values: nodes
+            .iter()
+            .flat_map(|&node| [u[2 * node], u[2 * node + 1]])
+            .collect(),
         nodes,
         covariance: Vec::new(),
     };
     let truth = (edge.rows.iter())
         .map(|row| row.iter().map(|&(dof, weight)| weight * u[dof]).sum())
         .collect();
-    Case { region, edge, boundary, truth, forces }
+    Case {
+        region,
+        edge,
+        boundary,
+        truth,
+        forces,
+    }
 }
 
 /// Errors of the edge stresses in `count` draws of uniform displacement errors up to `amplitude`.
@@ -94,7 +106,7 @@ fn errors(case: &Case, amplitude: f64, count: usize) -> Vec<Vec<f64>> {
         .flat_map(|_| case.boundary.values.clone())
         .map(|value| value + random.random_range(-amplitude..=amplitude))
         .collect();
-    let found = case.region.outputs_of(&case.edge.rows, &draws);
+    let found = case.region.outputs_of(&case.edge.rows, &draws).unwrap();
     found
         .chunks_exact(case.truth.len())
         .map(|state| state.iter().zip(&case.truth).map(|(a, b)| a - b).collect())
@@ -105,7 +117,9 @@ fn errors(case: &Case, amplitude: f64, count: usize) -> Vec<Vec<f64>> {
 fn rms(errors: &[Vec<f64>]) -> [f64; 3] {
     let nodes = errors[0].len() / 3;
     [0, 1, 2].map(|component| {
-        let inside = errors.iter().flat_map(|e| (4..nodes - 4).map(move |k| e[3 * k + component]));
+        let inside = errors
+            .iter()
+            .flat_map(|e| (4..nodes - 4).map(move |k| e[3 * k + component]));
         let (sum, count) = inside.fold((0.0, 0.0), |(sum, count), e| (sum + e * e, count + 1.0));
         (sum / count).sqrt()
     })
@@ -126,7 +140,10 @@ fn displacement_driven_is_force_driven() {
     let worst = (stresses.iter().zip(&case.truth))
         .map(|(a, b)| (a - b).abs() / scale)
         .fold(0.0, f64::max);
-    let force = case.forces.iter().fold(0.0_f64, |most, f| f.abs().max(most));
+    let force = case
+        .forces
+        .iter()
+        .fold(0.0_f64, |most, f| f.abs().max(most));
     let edge = case.region.mesh().node_set("inner").unwrap();
     let off = (case.region.prescribed().iter().zip(&solution.reactions))
         .filter(|(dof, _)| {
@@ -143,14 +160,20 @@ fn displacement_driven_is_force_driven() {
 #[test]
 fn quarter_fringe_errors_leave_a_shear_of_5_ksi_clear_and_one_of_1_ksi_visible() {
     println!("shear error in ksi by uniform errors of ±1/4 fringe; inner cells in mm");
-    println!("{:>6} {:>8} {:>8} {:>8} {:>8}", "cell", "radial", "hoop", "shear", "× cell");
+    println!(
+        "{:>6} {:>8} {:>8} {:>8} {:>8}",
+        "cell", "radial", "hoop", "shear", "× cell"
+    );
     let mut products = Vec::new();
     for size in [2.0, 1.5, 0.75, 0.5] {
         let case = case(size, 1.0);
         let around = (case.edge.nodes.len() - 1) / 2;
         let h = 2.0 * HALF * RADIUS / around as f64;
         let [radial, hoop, shear] = rms(&errors(&case, QUARTER, 200));
-        println!("{h:6.3} {radial:8.3} {hoop:8.3} {shear:8.3} {:8.3}", shear * h);
+        println!(
+            "{h:6.3} {radial:8.3} {hoop:8.3} {shear:8.3} {:8.3}",
+            shear * h
+        );
         products.push(shear * h);
     }
     // Noise goes as 1/h: a difference quotient of errors that do not depend on h.
@@ -167,7 +190,9 @@ fn quarter_fringe_errors_leave_a_shear_of_5_ksi_clear_and_one_of_1_ksi_visible()
         let ratio = peak(&case.truth, 2) / rms(&noise)[2];
         println!(
             "peaks: radial {:.1}, hoop {:.1}, shear {:.2} ksi; shear peak over noise {ratio:.1}",
-            peak(&case.truth, 0), peak(&case.truth, 1), peak(&case.truth, 2)
+            peak(&case.truth, 0),
+            peak(&case.truth, 1),
+            peak(&case.truth, 2)
         );
         assert!(ratio > 2.5 * shear);
     }
@@ -181,7 +206,11 @@ fn errors_of_2_and_a_half_fringes_bury_the_shear() {
     let relative = [0, 2].map(|k| large[k] / peak(&case.truth, k));
     println!(
         "±2.5 fringes: radial {:.2}, hoop {:.2}, shear {:.2} ksi; {:.0} % of the radial peak, {:.0} % of the shear peak",
-        large[0], large[1], large[2], 100.0 * relative[0], 100.0 * relative[1]
+        large[0],
+        large[1],
+        large[2],
+        100.0 * relative[0],
+        100.0 * relative[1]
     );
     // The analysis is linear, and both use the same draws.
     assert!((0..3).all(|k| (large[k] / small[k] - 10.0).abs() < 1e-6));
@@ -190,7 +219,9 @@ fn errors_of_2_and_a_half_fringes_bury_the_shear() {
 
 #[test]
 fn one_error_of_5_fringes_stays_where_it_is() {
-    println!("one error of 5 fringes at the middle of the inner edge: shear error in ksi over cells from it");
+    println!(
+        "one error of 5 fringes at the middle of the inner edge: shear error in ksi over cells from it"
+    );
     for size in [2.0, 1.0, 0.5] {
         let case = case(size, 5.0);
         let middle = case.edge.nodes.len() / 4 * 2;
@@ -209,7 +240,10 @@ fn one_error_of_5_fringes_stays_where_it_is() {
         let tail = [0, 1, 2, 3, 4].map(beyond);
         // Cells per e-fold from the first cell to the fourth.
         let decay = 3.0 / (tail[1] / tail[4]).ln();
-        println!("{size:4.1} mm: {tail:8.3?}, e-fold in {decay:.2} cells = {:.2} mm", decay * size);
+        println!(
+            "{size:4.1} mm: {tail:8.3?}, e-fold in {decay:.2} cells = {:.2} mm",
+            decay * size
+        );
         assert!(tail[3] < 0.05 * largest, "{tail:?}");
     }
 }

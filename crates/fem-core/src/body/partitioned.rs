@@ -40,6 +40,7 @@ pub struct PartitionedBody {
 pub struct PartitionedStates<'a> {
     body: &'a PartitionedBody,
     values: &'a [f64],
+    count: usize,
     unknowns: Vec<f64>,
 }
 
@@ -53,23 +54,31 @@ impl PartitionedBody {
         let mut position = vec![usize::MAX; 2 * body.mesh.nodes().len()];
         for (k, &dof) in prescribed.iter().enumerate() {
             let node = dof / 2;
-            let slot = position.get_mut(dof).ok_or(BodyError::NoSuchNode { node })?;
+            let slot = position
+                .get_mut(dof)
+                .ok_or(BodyError::NoSuchNode { node })?;
             if std::mem::replace(slot, k) != usize::MAX {
                 return Err(BodyError::RepeatedNode { node });
             }
         }
         let holds = [HeldDirection::X, HeldDirection::Y].into_iter().enumerate();
-        let held = ElasticBody::clone(body).with_supports(holds.map(|(axis, direction)| Support {
-            nodes: (prescribed.iter().filter(|&dof| dof % 2 == axis)).map(|dof| dof / 2).collect(),
-            direction,
-            displacement: 0.0,
+        let held = ElasticBody::clone(body).with_supports(holds.map(|(axis, direction)| {
+            Support {
+                nodes: (prescribed.iter().filter(|&dof| dof % 2 == axis))
+                    .map(|dof| dof / 2)
+                    .collect(),
+                direction,
+                displacement: 0.0,
+            }
         }));
         let structure = held.analyse(&[])?;
         if structure.motions.count() > 0 {
             let motions = structure.motions.count();
             return Err(BodyError::LoosePart { node: 0, motions });
         }
-        if let Some(dof) = (prescribed.iter()).find(|&dof| structure.constraints[dof / 2].is_turned()) {
+        if let Some(dof) =
+            (prescribed.iter()).find(|&dof| structure.constraints[dof / 2].is_turned())
+        {
             return Err(BodyError::ContradictingSupports { node: dof / 2 });
         }
         let factor = SparseCholesky::factorise(&structure.symbolic, &structure.stiffness(&held))?;
@@ -106,23 +115,28 @@ impl PartitionedBody {
     }
 
     /// Solves for several states in one pass through the factor. `values` `[length]` holds the prescribed displacements of one
-    /// state after the other; `forces` `[force]`, empty or interleaved over all nodes, acts in every state.
+    /// state after the other (nothing, and there is one state, if no displacement is prescribed); `forces` `[force]`, empty or interleaved over all nodes, acts in every state.
     pub fn solve<'a>(&'a self, values: &'a [f64], forces: &[f64]) -> PartitionedStates<'a> {
-        let unknowns = self.unknowns();
+        let own = self.prescribed.len();
+        let count = values.len().checked_div(own).unwrap_or(1);
         let load = self.structure.to_unknowns(forces);
-        let mut sides = Vec::with_capacity(unknowns * values.len() / self.prescribed.len().max(1));
-        for state in values.chunks_exact(self.prescribed.len().max(1)) {
+        let mut sides = Vec::with_capacity(self.unknowns() * count);
+        for state in 0..count {
             let first = sides.len();
             sides.extend_from_slice(&load);
             let side = &mut sides[first..];
-            for (row, value) in self.coupling.iter().zip(state).filter(|(_, value)| **value != 0.0) {
-                row.iter().for_each(|&(k, entry)| side[k] -= entry * value);
+            let values = &values[state * own..(state + 1) * own];
+            for (row, value) in self.coupling.iter().zip(values) {
+                for &(k, entry) in row {
+                    side[k] -= entry * value;
+                }
             }
         }
         self.factor.solve(&mut sides);
         PartitionedStates {
             body: self,
             values,
+            count,
             unknowns: sides,
         }
     }
@@ -143,12 +157,21 @@ impl PartitionedBody {
         let mut direct = vec![0.0; 2 * self.body.mesh.nodes().len()];
         for (k, row) in outputs.iter().enumerate() {
             let adjoint = &sides[k * unknowns..(k + 1) * unknowns];
-            row.iter().for_each(|&(dof, weight)| direct[dof] += weight);
-            derivatives.extend(self.prescribed.iter().zip(&self.coupling).map(|(&dof, row)| {
-                let through: f64 = row.iter().map(|&(k, entry)| entry * adjoint[k]).sum();
-                direct[dof] - through
-            }));
-            row.iter().for_each(|&(dof, _)| direct[dof] = 0.0);
+            for &(dof, weight) in row {
+                direct[dof] += weight;
+            }
+            derivatives.extend(
+                self.prescribed
+                    .iter()
+                    .zip(&self.coupling)
+                    .map(|(&dof, row)| {
+                        let through: f64 = row.iter().map(|&(k, entry)| entry * adjoint[k]).sum();
+                        direct[dof] - through
+                    }),
+            );
+            for &(dof, _) in row {
+                direct[dof] = 0.0;
+            }
         }
         derivatives
     }
@@ -157,7 +180,7 @@ impl PartitionedBody {
 impl PartitionedStates<'_> {
     /// Number of states.
     pub fn count(&self) -> usize {
-        self.values.len() / self.body.prescribed.len().max(1)
+        self.count
     }
 
     /// Displacements of all nodes `[length]`, interleaved, of state `state`, which is less than [`count`](Self::count).
@@ -166,10 +189,12 @@ impl PartitionedStates<'_> {
         let unknowns = &self.unknowns[state * structure.unknowns..(state + 1) * structure.unknowns];
         let mut u = Vec::with_capacity(2 * structure.equations.len());
         for (constraint, equations) in structure.constraints.iter().zip(&structure.equations) {
-            u.extend(constraint.to_global(equations.map(|equation| match equation {
-                HELD => 0.0,
-                equation => unknowns[equation as usize],
-            })));
+            u.extend(
+                constraint.to_global(equations.map(|equation| match equation {
+                    HELD => 0.0,
+                    equation => unknowns[equation as usize],
+                })),
+            );
         }
         let own = self.body.prescribed.len();
         let values = &self.values[state * own..(state + 1) * own];
@@ -210,7 +235,9 @@ fn stiffness_rows(body: &ElasticBody, position: &[usize], count: usize) -> Vec<S
         };
         with_element(block.kind, visit);
     }
-    rows.into_iter().map(|row| row.into_iter().collect()).collect()
+    rows.into_iter()
+        .map(|row| row.into_iter().collect())
+        .collect()
 }
 
 struct CollectRows<'a> {

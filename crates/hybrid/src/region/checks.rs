@@ -44,12 +44,20 @@ impl ChiSquared {
         if let Some(row) = (0..count).find(|&i| variance(i) <= 0.0) {
             return Err(RegionError::NotCovariance { row });
         }
-        let value = values.iter().enumerate().map(|(i, v)| v * v / variance(i)).sum();
+        let value = values
+            .iter()
+            .enumerate()
+            .map(|(i, v)| v * v / variance(i))
+            .sum();
         let correlated: f64 = (0..count)
             .flat_map(|i| (0..count).map(move |j| (i, j)))
             .map(|(i, j)| covariance[(i, j)].powi(2) / (variance(i) * variance(j)))
             .sum();
-        Ok(Self { count, value, deviation: (2.0 * correlated).sqrt() })
+        Ok(Self {
+            count,
+            value,
+            deviation: (2.0 * correlated).sqrt(),
+        })
     }
 }
 
@@ -145,12 +153,32 @@ impl Region {
     ) -> Result<Checks, RegionError> {
         let values = self.values(measured)?;
         let covariance = self.covariance(measured)?;
-        let state = State { region: self, values, covariance };
-        let misfit = input.unused.map(|unused| state.misfit(unused)).transpose()?;
-        let free_edges = input.free_edges.iter().map(|free| state.free_edge(free)).collect::<Result<_, _>>()?;
-        let balance = input.known_forces.iter().map(|known| state.balance(known)).collect::<Result<_, _>>()?;
+        let state = State {
+            region: self,
+            values,
+            covariance,
+        };
+        let misfit = input
+            .unused
+            .map(|unused| state.misfit(unused))
+            .transpose()?;
+        let free_edges = input
+            .free_edges
+            .iter()
+            .map(|free| state.free_edge(free))
+            .collect::<Result<_, _>>()?;
+        let balance = input
+            .known_forces
+            .iter()
+            .map(|known| state.balance(known))
+            .collect::<Result<_, _>>()?;
         let interior_forces = state.interior_forces()?;
-        Ok(Checks { misfit, free_edges, balance, interior_forces })
+        Ok(Checks {
+            misfit,
+            free_edges,
+            balance,
+            interior_forces,
+        })
     }
 }
 
@@ -161,16 +189,20 @@ struct State<'a> {
 }
 
 impl State<'_> {
-    fn propagate(&self, rows: &[SparseRow]) -> (Vec<f64>, Mat<f64>) {
-        let transfer = self.region.transfer(rows);
+    fn propagate(&self, rows: &[SparseRow]) -> Result<(Vec<f64>, Mat<f64>), RegionError> {
+        let transfer = self.region.transfer(rows)?;
         let covariance = sandwich(transfer.matrix.as_ref(), self.covariance.as_ref());
-        (transfer.apply(&self.values), covariance)
+        Ok((transfer.product(&self.values), covariance))
     }
 
     fn misfit(&self, unused: &Measurement) -> Result<Misfit, RegionError> {
-        let Points { rows, places, outside } = measured_rows(self.region, unused)?;
-        let transfer = self.region.transfer(&rows);
-        let calculated = transfer.apply(&self.values);
+        let Points {
+            rows,
+            places,
+            outside,
+        } = measured_rows(self.region, unused)?;
+        let transfer = self.region.transfer(&rows)?;
+        let calculated = transfer.product(&self.values);
         let through = multiply(transfer.matrix.as_ref(), self.covariance.as_ref());
         let mut points = Vec::with_capacity(rows.len());
         let mut own = Vec::with_capacity(rows.len());
@@ -193,13 +225,21 @@ impl State<'_> {
         });
         let gram = multiply(scaled.transpose(), scaled.as_ref());
         let spread = multiply(self.covariance.as_ref(), gram.as_ref());
-        let correlated = own.iter().map(|a| a * (2.0 - a)).sum::<f64>() + trace_of_square(spread.as_ref());
+        let correlated =
+            own.iter().map(|a| a * (2.0 - a)).sum::<f64>() + trace_of_square(spread.as_ref());
         let chi_squared = ChiSquared {
             count: points.len(),
-            value: points.iter().map(|p| (p.misfit / p.deviation).powi(2)).sum(),
+            value: points
+                .iter()
+                .map(|p| (p.misfit / p.deviation).powi(2))
+                .sum(),
             deviation: (2.0 * correlated).sqrt(),
         };
-        Ok(Misfit { points, outside, chi_squared })
+        Ok(Misfit {
+            points,
+            outside,
+            chi_squared,
+        })
     }
 
     fn free_edge(&self, free: &FreeEdge) -> Result<ChiSquared, RegionError> {
@@ -210,16 +250,18 @@ impl State<'_> {
             .flat_map(|k| [edge.rows[3 * k].clone(), edge.rows[3 * k + 2].clone()])
             .collect();
         if rows.is_empty() {
-            return Err(RegionError::NoData { places: edge.nodes.len() });
+            return Err(RegionError::NoData {
+                places: edge.nodes.len(),
+            });
         }
-        let (tractions, covariance) = self.propagate(&rows);
+        let (tractions, covariance) = self.propagate(&rows)?;
         ChiSquared::new(&tractions, &covariance)
     }
 
     fn balance(&self, known: &KnownForce) -> Result<Balance, RegionError> {
         let body = self.region.body();
         let rows = EdgeRows::new(body, &known.edge)?.resultant(body.thickness());
-        let (force, covariance) = self.propagate(&rows);
+        let (force, covariance) = self.propagate(&rows)?;
         Ok(Balance {
             edge: known.edge.clone(),
             excess: [0, 1].map(|i| force[i] - known.force[i]),
@@ -229,7 +271,11 @@ impl State<'_> {
 
     fn interior_forces(&self) -> Result<Option<ChiSquared>, RegionError> {
         let boundary = boundary_nodes(self.region.mesh());
-        let inside = self.region.prescribed().iter().zip(self.region.reaction_rows());
+        let inside = self
+            .region
+            .prescribed()
+            .iter()
+            .zip(self.region.reaction_rows());
         let rows: Vec<SparseRow> = inside
             .filter(|(dof, _)| boundary.binary_search(&(*dof / 2)).is_err())
             .map(|(_, row)| row.clone())
@@ -237,7 +283,7 @@ impl State<'_> {
         if rows.is_empty() {
             return Ok(None);
         }
-        let (forces, covariance) = self.propagate(&rows);
+        let (forces, covariance) = self.propagate(&rows)?;
         ChiSquared::new(&forces, &covariance).map(Some)
     }
 }
@@ -256,7 +302,10 @@ pub(super) fn measured_rows(region: &Region, data: &Measurement) -> Result<Point
     for axis in 0..2 {
         for (name, found) in [
             ("the measured displacements", data.displacements[axis].len()),
-            ("the flags of the measured displacements", data.valid[axis].len()),
+            (
+                "the flags of the measured displacements",
+                data.valid[axis].len(),
+            ),
         ] {
             if found != count {
                 return Err(super::length(name, count, found));
@@ -268,10 +317,17 @@ pub(super) fn measured_rows(region: &Region, data: &Measurement) -> Result<Point
         }
     }
     let locator = Locator::new(region.mesh());
-    let mut points = Points { rows: Vec::new(), places: Vec::new(), outside: Vec::new() };
+    let mut points = Points {
+        rows: Vec::new(),
+        places: Vec::new(),
+        outside: Vec::new(),
+    };
     for (index, &place) in data.places.iter().enumerate() {
         if !place.iter().all(|x| x.is_finite()) {
-            return Err(RegionError::NotFinite { what: "measured place", index });
+            return Err(RegionError::NotFinite {
+                what: "measured place",
+                index,
+            });
         }
         let Some(located) = locator.locate(place) else {
             points.outside.push(index);
@@ -294,5 +350,7 @@ pub(super) fn measured_rows(region: &Region, data: &Measurement) -> Result<Point
 
 fn trace_of_square(matrix: MatRef<'_, f64>) -> f64 {
     let n = matrix.nrows();
-    (0..n).flat_map(|i| (0..n).map(move |j| matrix[(i, j)] * matrix[(j, i)])).sum()
+    (0..n)
+        .flat_map(|i| (0..n).map(move |j| matrix[(i, j)] * matrix[(j, i)]))
+        .sum()
 }

@@ -23,14 +23,19 @@ pub(super) fn multiply(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
 pub(super) fn sandwich(t: MatRef<'_, f64>, covariance: MatRef<'_, f64>) -> Mat<f64> {
     let half = multiply(t, covariance);
     let full = multiply(half.as_ref(), t.transpose());
-    Mat::from_fn(full.nrows(), full.ncols(), |i, j| f64::midpoint(full[(i, j)], full[(j, i)]))
+    Mat::from_fn(full.nrows(), full.ncols(), |i, j| {
+        f64::midpoint(full[(i, j)], full[(j, i)])
+    })
 }
 
 /// The lower factor of a symmetric matrix; the row whose pivot is not positive if there is none.
 pub(super) fn cholesky(mut matrix: Mat<f64>) -> Result<Mat<f64>, usize> {
     let n = matrix.nrows();
-    let mut memory =
-        MemBuffer::new(cholesky_in_place_scratch::<f64>(n, Par::Seq, Spec::default()));
+    let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(
+        n,
+        Par::Seq,
+        Spec::default(),
+    ));
     cholesky_in_place(
         matrix.as_mut(),
         LltRegularization::default(),
@@ -39,7 +44,9 @@ pub(super) fn cholesky(mut matrix: Mat<f64>) -> Result<Mat<f64>, usize> {
         Spec::default(),
     )
     .map_err(|LltError::NonPositivePivot { index }| index)?;
-    Ok(Mat::from_fn(n, n, |i, j| if i >= j { matrix[(i, j)] } else { 0.0 }))
+    Ok(Mat::from_fn(n, n, |i, j| {
+        if i >= j { matrix[(i, j)] } else { 0.0 }
+    }))
 }
 
 /// Overwrites `x` with L⁻¹ x.
@@ -78,5 +85,6 @@ pub(super) fn eigen(matrix: &Mat<f64>) -> Option<(Vec<f64>, Mat<f64>)> {
 /// The matrix row by row.
 pub(super) fn by_rows(matrix: &Mat<f64>) -> Vec<f64> {
     let rows = 0..matrix.nrows();
-    rows.flat_map(|i| (0..matrix.ncols()).map(move |j| matrix[(i, j)])).collect()
+    rows.flat_map(|i| (0..matrix.ncols()).map(move |j| matrix[(i, j)]))
+        .collect()
 }

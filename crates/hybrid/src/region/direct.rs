@@ -16,7 +16,7 @@ use stickslip_fem_core::body::{SparseRow, internal_forces};
 use super::dense::{by_rows, sandwich};
 use super::outline::boundary_nodes;
 use super::transfer::Propagated;
-use super::{RegionError, positions, submatrix};
+use super::{RegionError, check_rows, positions, submatrix};
 use crate::data::NodalDisplacements;
 
 /// Outputs with rows `outputs` of the measured displacements themselves, which must be there for every node that the rows touch.
@@ -28,6 +28,7 @@ pub fn interpolate(
     outputs: &[SparseRow],
     measured: &NodalDisplacements,
 ) -> Result<Propagated, RegionError> {
+    check_rows(body.mesh(), outputs)?;
     let mut dofs: Vec<usize> = outputs.iter().flatten().map(|&(dof, _)| dof).collect();
     dofs.sort_unstable();
     dofs.dedup();

@@ -21,7 +21,9 @@ use stickslip_fem_core::mesh::Point;
 
 use self::penalty::penalty;
 use super::checks::{Points, measured_rows};
-use super::dense::{by_rows, cholesky, eigen, multiply, sandwich, solve_lower, solve_lower_transposed};
+use super::dense::{
+    by_rows, cholesky, eigen, multiply, sandwich, solve_lower, solve_lower_transposed,
+};
 use super::{Region, RegionError};
 use crate::data::{Measurement, NodalDisplacements};
 
@@ -30,8 +32,24 @@ use crate::data::{Measurement, NodalDisplacements};
 pub enum Amount {
     /// α, dimensionless; 0 for equilibrium alone.
     Given(f64),
-    /// The α of the least generalised cross-validation.
-    CrossValidated,
+    /// A share of the α with the least generalised cross-validation, above 0. A share of 1 is best for displacements; stresses are
+    /// derivatives, and 0.4 keeps their bias below half of their noise.
+    CrossValidated {
+        /// The share.
+        share: f64,
+    },
+}
+
+impl Amount {
+    fn check(self) -> Result<(), RegionError> {
+        let (Self::Given(value) | Self::CrossValidated { share: value }) = self;
+        let positive = value > 0.0 || (value == 0.0 && matches!(self, Self::Given(_)));
+        if positive && value.is_finite() {
+            Ok(())
+        } else {
+            Err(RegionError::SmoothingAmount(value))
+        }
+    }
 }
 
 /// Declared smoothing along the boundary.
@@ -65,31 +83,13 @@ pub struct Fit {
 const UNDETERMINED: f64 = 1e-11;
 
 impl Region {
-    /// Fits the prescribed displacements to all valid data in the region.
+    /// Fits the prescribed displacements to all valid data in the region: [`Fitter::new`] and [`Fitter::fit`] in one.
     ///
     /// # Errors
-    /// [`RegionError::SmoothingOrder`], [`RegionError::SmoothingAmount`]; a measurement whose arrays do not fit or are not finite, or without a
-    /// deviation; [`RegionError::NoData`]; [`RegionError::NotDetermined`] where a piece of the boundary has no data near.
+    /// As these.
     pub fn fit(&self, data: &Measurement, smoothing: Smoothing) -> Result<Fit, RegionError> {
-        if ![2, 3].contains(&smoothing.order) {
-            return Err(RegionError::SmoothingOrder(smoothing.order));
-        }
-        if let Amount::Given(amount) = smoothing.amount
-            && !(amount >= 0.0 && amount.is_finite())
-        {
-            return Err(RegionError::SmoothingAmount(amount));
-        }
-        let points = measured_rows(self, data)?;
-        self.check_coverage(data, &points)?;
-        let system = System::new(self, data, &points, smoothing.order)?;
-        let amount = match smoothing.amount {
-            Amount::Given(amount) => amount,
-            Amount::CrossValidated => system.cross_validated(),
-        };
-        if amount == 0.0 && let Some(place) = system.undetermined(self) {
-            return Err(RegionError::NotDetermined { place });
-        }
-        Ok(system.fit(self, amount))
+        smoothing.amount.check()?;
+        Fitter::new(self, data, smoothing.order)?.fit(&data.displacements, smoothing.amount)
     }
 
     /// Refuses a prescribed node farther from any datum than three times the spacing of the data.
@@ -98,12 +98,12 @@ impl Region {
         let [low, high] = self.mesh().bounding_box();
         let area = (high[0] - low[0]) * (high[1] - low[1]);
         for axis in 0..2 {
-            let own = points.places.iter().filter(|(_, component)| *component == axis);
+            let own = (points.places.iter()).filter(|(_, component)| *component == axis);
             let places: Vec<Point> = own.map(|&(index, _)| data.places[index]).collect();
             let reach = SPACINGS * (area / places.len().max(1) as f64).sqrt();
             for dof in self.prescribed().iter().filter(|dof| *dof % 2 == axis) {
                 let [x, y] = self.mesh().nodes()[dof / 2];
-                if !places.iter().any(|[u, v]| (u - x).hypot(v - y) <= reach) {
+                if !(places.iter()).any(|[u, v]| (u - x).hypot(v - y) <= reach) {
                     return Err(RegionError::NotDetermined { place: [x, y] });
                 }
             }
@@ -112,81 +112,169 @@ impl Region {
     }
 }
 
-/// The normal equations in the basis in which data and smoothing are both diagonal.
-struct System {
+/// The fit of one region to data at the same places, ready for any number of measured states.
+///
+/// It holds the normal equations in the basis in which data and smoothing are both diagonal.
+#[derive(Clone, Debug)]
+pub struct Fitter<'a> {
+    region: &'a Region,
+    /// Place and component of each datum.
+    places: Vec<(usize, usize)>,
+    /// Inverse deviation along x and y.
+    weight: [f64; 2],
+    /// H times the inverse deviations, data × prescribed.
+    rows: Mat<f64>,
     /// Share of the smoothing in each mode, from 0 to 1; that of the data is one less it.
     smoothing: Vec<f64>,
-    /// Data in each mode.
-    loads: Vec<f64>,
     /// Modes, one per column: L⁻ᵀ Q.
     modes: Mat<f64>,
-    data: usize,
+}
+
+/// Data of one state as the modes see them.
+struct Loads {
+    modes: Vec<f64>,
     /// mᵀ W m.
     square: f64,
 }
 
-impl System {
-    fn new(
-        region: &Region,
-        data: &Measurement,
-        points: &Points,
-        order: usize,
-    ) -> Result<Self, RegionError> {
-        let mut rows = region.transfer(&points.rows).matrix;
-        let (count, size) = (rows.nrows(), rows.ncols());
-        let mut weighted = Mat::zeros(count, 1);
-        for (i, &(index, axis)) in points.places.iter().enumerate() {
-            let weight = 1.0 / data.deviation[axis];
-            (0..size).for_each(|j| rows[(i, j)] *= weight);
-            weighted[(i, 0)] = weight * data.displacements[axis][index];
+impl<'a> Fitter<'a> {
+    /// Prepares the fit to data at the places of `data` that are valid and lie in the region, with differences of order `order`
+    /// smoothed.
+    ///
+    /// # Errors
+    /// [`RegionError::SmoothingOrder`]; a measurement whose arrays do not fit or are not finite, or without a deviation;
+    /// [`RegionError::NoData`]; [`RegionError::NotDetermined`] where a piece of the boundary has no data near.
+    pub fn new(region: &'a Region, data: &Measurement, order: usize) -> Result<Self, RegionError> {
+        if ![2, 3].contains(&order) {
+            return Err(RegionError::SmoothingOrder(order));
         }
-        let gram = multiply(rows.transpose(), rows.as_ref());
-        let mut loads = multiply(rows.transpose(), weighted.as_ref());
-        let roughness = penalty(region, order);
-        let trace = |matrix: &Mat<f64>| (0..size).map(|k| matrix[(k, k)]).sum::<f64>();
-        let scale = match trace(&roughness) {
-            0.0 => 0.0,
-            rough => trace(&gram) / rough,
-        };
-        let both = Mat::from_fn(size, size, |i, j| gram[(i, j)] + scale * roughness[(i, j)]);
-        let lower = cholesky(both).map_err(|row| RegionError::NotDetermined {
-            place: place_of(region, row),
-        })?;
-        let mut share = Mat::from_fn(size, size, |i, j| scale * roughness[(i, j)]);
-        solve_lower(&lower, &mut share);
-        let mut share = share.transpose().to_owned();
-        solve_lower(&lower, &mut share);
-        let symmetric = Mat::from_fn(size, size, |i, j| f64::midpoint(share[(i, j)], share[(j, i)]));
-        let (smoothing, turned) =
-            eigen(&symmetric).ok_or(RegionError::Eigenvalues { order: size })?;
-        let mut modes = turned;
-        solve_lower_transposed(&lower, &mut modes);
-        loads = multiply(modes.transpose(), loads.as_ref());
+        let points = measured_rows(region, data)?;
+        region.check_coverage(data, &points)?;
+        let weight = data.deviation.map(|deviation| 1.0 / deviation);
+        let mut rows = region.transfer(&points.rows)?.matrix;
+        for (i, &(_, axis)) in points.places.iter().enumerate() {
+            (0..rows.ncols()).for_each(|j| rows[(i, j)] *= weight[axis]);
+        }
+        let (smoothing, modes) = modes(region, &rows, order)?;
         Ok(Self {
-            smoothing: smoothing.into_iter().map(|s| s.clamp(0.0, 1.0)).collect(),
-            loads: (0..size).map(|k| loads[(k, 0)]).collect(),
+            region,
+            places: points.places,
+            weight,
+            rows,
+            smoothing,
             modes,
-            data: count,
-            square: (0..count).map(|k| weighted[(k, 0)].powi(2)).sum(),
         })
+    }
+
+    /// Fits the prescribed displacements to the displacements x and y of a state, one per place of the measurement.
+    ///
+    /// # Errors
+    /// [`RegionError::SmoothingAmount`]; displacements that are too few or not finite; [`RegionError::NotDetermined`] without
+    /// smoothing where the data leave a displacement open.
+    pub fn fit(&self, state: &[Vec<f64>; 2], amount: Amount) -> Result<Fit, RegionError> {
+        amount.check()?;
+        let loads = self.loads(state)?;
+        let amount = match amount {
+            Amount::Given(amount) => self.determined(amount)?,
+            Amount::CrossValidated { share } => share * self.least_score(&loads),
+        };
+        let size = loads.modes.len();
+        let stiffness = self.denominators(amount);
+        let bias = |k: usize| -amount * self.smoothing[k] * loads.modes[k] / stiffness[k].powi(2);
+        let variances = Mat::from_fn(size, size, |i, j| {
+            let share = (1.0 - self.smoothing[i]) / stiffness[i].powi(2);
+            if i == j { share } else { 0.0 }
+        });
+        let covariance = sandwich(self.modes.as_ref(), variances.as_ref());
+        let values = self.combine(|k| loads.modes[k] / stiffness[k]);
+        Ok(Fit {
+            displacements: spread(self.region, &values, &covariance),
+            bias: self.combine(bias),
+            amount,
+            parameters: self.parameters(amount),
+            data: self.places.len(),
+            residual: self.residual(&loads, amount),
+        })
+    }
+
+    /// Prescribed displacements `[length]` fitted with the amount α `amount`: those of [`fit`](Self::fit), without covariance and
+    /// so at a small part of its cost.
+    ///
+    /// # Errors
+    /// As [`fit`](Self::fit).
+    pub fn values(&self, state: &[Vec<f64>; 2], amount: f64) -> Result<Vec<f64>, RegionError> {
+        Amount::Given(amount).check()?;
+        let loads = self.loads(state)?;
+        let stiffness = self.denominators(self.determined(amount)?);
+        Ok(self.combine(|k| loads.modes[k] / stiffness[k]))
+    }
+
+    /// The amount α, of twenty per decade, with the least generalised cross-validation for a state.
+    ///
+    /// # Errors
+    /// Displacements that are too few or not finite.
+    pub fn cross_validated(&self, state: &[Vec<f64>; 2]) -> Result<f64, RegionError> {
+        Ok(self.least_score(&self.loads(state)?))
+    }
+
+    /// The amount, unless the data alone leave something open and it is zero.
+    fn determined(&self, amount: f64) -> Result<f64, RegionError> {
+        match self.undetermined() {
+            Some(place) if amount == 0.0 => Err(RegionError::NotDetermined { place }),
+            _ => Ok(amount),
+        }
+    }
+
+    fn loads(&self, state: &[Vec<f64>; 2]) -> Result<Loads, RegionError> {
+        let mut weighted = Mat::zeros(self.places.len(), 1);
+        for (i, &(index, axis)) in self.places.iter().enumerate() {
+            let value = state[axis].get(index).copied().unwrap_or(f64::NAN);
+            if !value.is_finite() {
+                let what = "measured displacement";
+                return Err(RegionError::NotFinite { what, index });
+            }
+            weighted[(i, 0)] = self.weight[axis] * value;
+        }
+        let sums = multiply(self.rows.transpose(), weighted.as_ref());
+        Ok(Loads {
+            modes: by_rows(&multiply(self.modes.transpose(), sums.as_ref())),
+            square: (0..self.places.len())
+                .map(|k| weighted[(k, 0)].powi(2))
+                .sum(),
+        })
+    }
+
+    /// Sum of the modes times weights.
+    fn combine(&self, weight: impl Fn(usize) -> f64) -> Vec<f64> {
+        let weights = Mat::from_fn(self.smoothing.len(), 1, |k, _| weight(k));
+        by_rows(&multiply(self.modes.as_ref(), weights.as_ref()))
     }
 
     /// Stiffness of each mode: (1 − s) + α s.
     fn denominators(&self, amount: f64) -> Vec<f64> {
-        self.smoothing.iter().map(|s| (1.0 - s) + amount * s).collect()
+        self.smoothing
+            .iter()
+            .map(|s| (1.0 - s) + amount * s)
+            .collect()
     }
 
     /// Where on the boundary the mode lives that the data do not determine, if there is one.
-    fn undetermined(&self, region: &Region) -> Option<Point> {
+    fn undetermined(&self) -> Option<Point> {
         let mode = self.smoothing.iter().position(|s| 1.0 - s < UNDETERMINED)?;
         let size = |k: &usize| self.modes[(*k, mode)].abs();
         let largest = (0..self.modes.nrows()).max_by(|a, b| size(a).total_cmp(&size(b)))?;
-        Some(place_of(region, largest))
+        Some(place_of(self.region, largest))
     }
 
-    fn residual(&self, amount: f64) -> f64 {
-        let modes = self.denominators(amount).into_iter().zip(&self.loads).zip(&self.smoothing);
-        modes.fold(self.square, |sum, ((e, z), s)| sum - z * z / e * (2.0 - (1.0 - s) / e))
+    fn residual(&self, loads: &Loads, amount: f64) -> f64 {
+        let modes = self
+            .denominators(amount)
+            .into_iter()
+            .zip(&loads.modes)
+            .zip(&self.smoothing);
+        modes.fold(loads.square, |sum, ((e, z), s)| {
+            sum - z * z / e * (2.0 - (1.0 - s) / e)
+        })
     }
 
     fn parameters(&self, amount: f64) -> f64 {
@@ -194,43 +282,51 @@ impl System {
         modes.map(|(e, s)| (1.0 - s) / e).sum()
     }
 
-    /// The amount, of twenty per decade, with the least generalised cross-validation.
-    fn cross_validated(&self) -> f64 {
+    fn least_score(&self, loads: &Loads) -> f64 {
         let score = |amount: f64| {
-            let left = self.data as f64 - self.parameters(amount);
-            self.residual(amount).max(0.0) / (left * left)
+            let left = self.places.len() as f64 - self.parameters(amount);
+            self.residual(loads, amount).max(0.0) / (left * left)
         };
-        let amounts = (-360..=80).map(|k| 10.0_f64.powf(f64::from(k) / 20.0));
+        let amounts = (-200..=200).map(|k| 10.0_f64.powf(f64::from(k) / 20.0));
         amounts
             .map(|amount| (score(amount), amount))
             .filter(|(score, _)| score.is_finite())
             .min_by(|a, b| a.0.total_cmp(&b.0))
             .map_or(1.0, |(_, amount)| amount)
     }
+}
 
-    fn fit(&self, region: &Region, amount: f64) -> Fit {
-        let size = self.loads.len();
-        let stiffness = self.denominators(amount);
-        let combine = |weight: &dyn Fn(usize) -> f64| {
-            let weights = Mat::from_fn(size, 1, |k, _| weight(k));
-            by_rows(&multiply(self.modes.as_ref(), weights.as_ref()))
-        };
-        let values = combine(&|k| self.loads[k] / stiffness[k]);
-        let bias = combine(&|k| -amount * self.smoothing[k] * self.loads[k] / stiffness[k].powi(2));
-        let variances = Mat::from_fn(size, size, |i, j| {
-            let share = (1.0 - self.smoothing[i]) / stiffness[i].powi(2);
-            if i == j { share } else { 0.0 }
-        });
-        let covariance = sandwich(self.modes.as_ref(), variances.as_ref());
-        Fit {
-            displacements: spread(region, &values, &covariance),
-            bias,
-            amount,
-            parameters: self.parameters(amount),
-            data: self.data,
-            residual: self.residual(amount),
-        }
-    }
+/// Shares s of the smoothing and modes L⁻ᵀ Q, from the weighted rows of the data.
+fn modes(
+    region: &Region,
+    rows: &Mat<f64>,
+    order: usize,
+) -> Result<(Vec<f64>, Mat<f64>), RegionError> {
+    let size = rows.ncols();
+    let gram = multiply(rows.transpose(), rows.as_ref());
+    let roughness = penalty(region, order);
+    let trace = |matrix: &Mat<f64>| (0..size).map(|k| matrix[(k, k)]).sum::<f64>();
+    let scale = match trace(&roughness) {
+        0.0 => 0.0,
+        rough => trace(&gram) / rough,
+    };
+    let both = Mat::from_fn(size, size, |i, j| gram[(i, j)] + scale * roughness[(i, j)]);
+    let lower = cholesky(both).map_err(|row| RegionError::NotDetermined {
+        place: place_of(region, row),
+    })?;
+    let mut half = Mat::from_fn(size, size, |i, j| scale * roughness[(i, j)]);
+    solve_lower(&lower, &mut half);
+    let mut share = half.transpose().to_owned();
+    solve_lower(&lower, &mut share);
+    let symmetric = Mat::from_fn(size, size, |i, j| {
+        f64::midpoint(share[(i, j)], share[(j, i)])
+    });
+    let (shares, mut modes) = eigen(&symmetric).ok_or(RegionError::Eigenvalues { order: size })?;
+    solve_lower_transposed(&lower, &mut modes);
+    Ok((
+        shares.into_iter().map(|s| s.clamp(0.0, 1.0)).collect(),
+        modes,
+    ))
 }
 
 fn place_of(region: &Region, position: usize) -> Point {

@@ -24,7 +24,10 @@ pub struct Located {
 impl Located {
     /// Weights of the displacements that make the displacement along `axis` (0 or 1) at the place.
     pub fn row(&self, axis: usize) -> SparseRow {
-        self.shape.iter().map(|&(node, n)| (2 * node + axis, n)).collect()
+        self.shape
+            .iter()
+            .map(|&(node, n)| (2 * node + axis, n))
+            .collect()
     }
 }
 
@@ -74,8 +77,14 @@ impl<'a> Locator<'a> {
         let mut best: Option<(f64, Located)> = None;
         for &cell in &self.boxes[j * self.count[0] + i] {
             let (kind, nodes, _) = self.mesh.element(cell as usize);
-            let Some((outside, shape)) = with_element(kind, Invert { mesh: self.mesh, nodes, place })
-            else {
+            let Some((outside, shape)) = with_element(
+                kind,
+                Invert {
+                    mesh: self.mesh,
+                    nodes,
+                    place,
+                },
+            ) else {
                 continue;
             };
             if outside <= best.as_ref().map_or(OUTSIDE, |(least, _)| *least) {

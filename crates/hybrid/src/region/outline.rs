@@ -52,7 +52,11 @@ pub fn smooth_chains(mesh: &Mesh) -> Vec<Chain> {
     let edges: Vec<[usize; 3]> = (boundary_edges(mesh).into_iter())
         .map(|edge| {
             let nodes = mesh.edge_nodes(edge);
-            [nodes.ends[0], nodes.mid.unwrap_or(nodes.ends[0]), nodes.ends[1]]
+            [
+                nodes.ends[0],
+                nodes.mid.unwrap_or(nodes.ends[0]),
+                nodes.ends[1],
+            ]
         })
         .collect();
     let leaving: BTreeMap<usize, usize> = (edges.iter().enumerate())
@@ -103,5 +107,7 @@ fn turn(mesh: &Mesh, before: [usize; 3], after: [usize; 3]) -> f64 {
     } else {
         along(after[0], after[1])
     };
-    (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]).abs()
+    (a[0] * b[1] - a[1] * b[0])
+        .atan2(a[0] * b[0] + a[1] * b[1])
+        .abs()
 }

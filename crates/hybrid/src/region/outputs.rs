@@ -90,7 +90,9 @@ pub fn displacement_rows(mesh: &Mesh, places: &[Point]) -> Result<Vec<SparseRow>
     let locator = Locator::new(mesh);
     let mut rows = Vec::with_capacity(2 * places.len());
     for (index, &place) in places.iter().enumerate() {
-        let located = locator.locate(place).ok_or(RegionError::Outside { index, place })?;
+        let located = locator
+            .locate(place)
+            .ok_or(RegionError::Outside { index, place })?;
         rows.extend([located.row(0), located.row(1)]);
     }
     Ok(rows)
@@ -102,7 +104,8 @@ impl Region {
         [0, 1].map(|axis| {
             let mut sum = BTreeMap::new();
             let rows = self.prescribed().iter().zip(self.stiffness.reaction_rows());
-            for (_, row) in rows.filter(|(dof, _)| *dof % 2 == axis && nodes.contains(&(*dof / 2))) {
+            for (_, row) in rows.filter(|(dof, _)| *dof % 2 == axis && nodes.contains(&(*dof / 2)))
+            {
                 for &(dof, entry) in row {
                     *sum.entry(dof).or_insert(0.0) += entry;
                 }
@@ -132,7 +135,11 @@ fn frames(
             unit([x - centre[0], y - centre[1]])
         });
         let normal = normal.collect();
-        return (path, angles.iter().map(|angle| radius * angle).collect(), normal);
+        return (
+            path,
+            angles.iter().map(|angle| radius * angle).collect(),
+            normal,
+        );
     }
     let count = path.nodes.len();
     let at = |k: usize| mesh.nodes()[path.nodes[k]];
@@ -186,7 +193,12 @@ fn stress_rows(body: &ElasticBody, nodes: &[usize]) -> BTreeMap<usize, [BTreeMap
     for (block, material) in body.mesh().blocks().iter().zip(body.materials()) {
         let stiffness = Material::stiffness(material.as_ref());
         let mesh = body.mesh();
-        let visit = Collect { mesh, block, stiffness, sums: &mut sums };
+        let visit = Collect {
+            mesh,
+            block,
+            stiffness,
+            sums: &mut sums,
+        };
         with_element(block.kind, visit);
     }
     let mean = |NodeStress { mut rows, cells }: NodeStress| {
@@ -195,7 +207,9 @@ fn stress_rows(body: &ElasticBody, nodes: &[usize]) -> BTreeMap<usize, [BTreeMap
         }
         rows
     };
-    sums.into_iter().map(|(node, sum)| (node, mean(sum))).collect()
+    sums.into_iter()
+        .map(|(node, sum)| (node, mean(sum)))
+        .collect()
 }
 
 struct Collect<'a> {
@@ -229,7 +243,8 @@ impl KindVisitor for Collect<'_> {
                         for (&node, [gx, gy]) in cell.iter().zip(gradients) {
                             let part = [d[0] * gx + d[2] * gy, d[1] * gy + d[2] * gx];
                             for (axis, part) in part.into_iter().enumerate() {
-                                *row.entry(2 * node + axis).or_insert(0.0) += weights[(a, q)] * part;
+                                *row.entry(2 * node + axis).or_insert(0.0) +=
+                                    weights[(a, q)] * part;
                             }
                         }
                     }

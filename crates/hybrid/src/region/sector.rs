@@ -61,7 +61,10 @@ impl ArcSector {
             let (r, (sin, cos)) = (at(&radii, j), at(&angles, i).sin_cos());
             [self.centre[0] + r * cos, self.centre[1] + r * sin]
         });
-        let arcs = [("inner", Side::South, self.inner()), ("outer", Side::North, self.outer)];
+        let arcs = [
+            ("inner", Side::South, self.inner()),
+            ("outer", Side::North, self.outer),
+        ];
         for (set, side, radius) in arcs {
             blocks.name(set, block, side, 0..self.cells[0]);
             let centre = self.centre;

@@ -12,11 +12,12 @@ use rand::{RngExt, SeedableRng};
 use stickslip_fem_core::body::SparseRow;
 
 use super::dense::{by_rows, cholesky, multiply, sandwich};
-use super::{Region, RegionError, product};
+use super::{Region, RegionError, check_rows, length, product};
 use crate::data::NodalDisplacements;
 
-/// Bytes of right-hand sides that pass through the factor at once.
-const PASS_BYTES: usize = 1 << 28;
+/// Bytes of right-hand sides that pass through the factor at once: about a hundred columns of 20 000 unknowns, beyond which a pass
+/// gains nothing.
+const PASS_BYTES: usize = 1 << 24;
 
 /// How outputs follow from the prescribed displacements.
 #[derive(Clone, Debug)]
@@ -38,8 +39,20 @@ impl Transfer {
         self.matrix[(output, prescribed)]
     }
 
-    /// Outputs of the prescribed displacements `values`, which are as many as T has columns.
-    pub fn apply(&self, values: &[f64]) -> Vec<f64> {
+    /// Outputs of the prescribed displacements `values`.
+    ///
+    /// # Errors
+    /// [`RegionError::Length`] unless they are as many as T has columns.
+    pub fn apply(&self, values: &[f64]) -> Result<Vec<f64>, RegionError> {
+        let expected = self.matrix.ncols();
+        if values.len() != expected {
+            let name = "the vector of prescribed displacements";
+            return Err(length(name, expected, values.len()));
+        }
+        Ok(self.product(values))
+    }
+
+    pub(super) fn product(&self, values: &[f64]) -> Vec<f64> {
         let values = MatRef::from_column_major_slice(values, values.len(), 1);
         by_rows(&multiply(self.matrix.as_ref(), values))
     }
@@ -60,13 +73,19 @@ impl Propagated {
     /// Standard deviation of each output.
     pub fn deviations(&self) -> Vec<f64> {
         let size = self.values.len();
-        (0..size).map(|k| self.covariance[k * size + k].max(0.0).sqrt()).collect()
+        (0..size)
+            .map(|k| self.covariance[k * size + k].max(0.0).sqrt())
+            .collect()
     }
 }
 
 impl Region {
     /// T of the outputs whose rows A are `outputs`.
-    pub fn transfer(&self, outputs: &[SparseRow]) -> Transfer {
+    ///
+    /// # Errors
+    /// [`RegionError::Body`] if a row names a node that does not exist.
+    pub fn transfer(&self, outputs: &[SparseRow]) -> Result<Transfer, RegionError> {
+        check_rows(self.mesh(), outputs)?;
         let columns = self.prescribed().len();
         let solves = outputs.len().min(columns);
         let mut matrix = Mat::zeros(outputs.len(), columns);
@@ -85,7 +104,7 @@ impl Region {
                 let count = pass.min(columns - first);
                 let mut unit = vec![0.0; count * columns];
                 (0..count).for_each(|k| unit[k * columns + first + k] = 1.0);
-                let found = self.outputs_of(outputs, &unit);
+                let found = self.solved(outputs, &unit);
                 for (k, state) in found.chunks_exact(outputs.len()).enumerate() {
                     for (i, &value) in state.iter().enumerate() {
                         matrix[(i, first + k)] = value;
@@ -93,7 +112,7 @@ impl Region {
                 }
             }
         }
-        Transfer { matrix, solves }
+        Ok(Transfer { matrix, solves })
     }
 
     /// Outputs of `measured`, whose rows A are `outputs`, with their exact covariance.
@@ -107,9 +126,9 @@ impl Region {
     ) -> Result<Propagated, RegionError> {
         let values = self.values(measured)?;
         let covariance = self.covariance(measured)?;
-        let transfer = self.transfer(outputs);
+        let transfer = self.transfer(outputs)?;
         Ok(Propagated {
-            values: transfer.apply(&values),
+            values: transfer.product(&values),
             covariance: by_rows(&sandwich(transfer.matrix.as_ref(), covariance.as_ref())),
             solves: transfer.solves,
         })
@@ -117,7 +136,26 @@ impl Region {
 
     /// Outputs of several states of the prescribed displacements, one state after the other in `values` and in the answer; the
     /// right-hand sides pass through the factor together.
-    pub fn outputs_of(&self, outputs: &[SparseRow], values: &[f64]) -> Vec<f64> {
+    ///
+    /// # Errors
+    /// [`RegionError::Length`] if the last state is not complete, [`RegionError::Body`] if a row names a node that does not exist.
+    pub fn outputs_of(
+        &self,
+        outputs: &[SparseRow],
+        values: &[f64],
+    ) -> Result<Vec<f64>, RegionError> {
+        check_rows(self.mesh(), outputs)?;
+        let expected = values
+            .len()
+            .next_multiple_of(self.prescribed().len().max(1));
+        if values.len() != expected {
+            let name = "the vector of prescribed displacements of all states";
+            return Err(length(name, expected, values.len()));
+        }
+        Ok(self.solved(outputs, values))
+    }
+
+    fn solved(&self, outputs: &[SparseRow], values: &[f64]) -> Vec<f64> {
         let own = self.prescribed().len().max(1);
         let mut all = Vec::with_capacity(outputs.len() * values.len() / own);
         for values in values.chunks(self.columns_in_a_pass() * own) {
@@ -143,17 +181,20 @@ impl Region {
         seed: u64,
     ) -> Result<Vec<f64>, RegionError> {
         let values = self.values(measured)?;
-        let root = square_root(self.covariance(measured)?)?;
+        let root = square_root(&self.covariance(measured)?)?;
         let mut random = StdRng::seed_from_u64(seed);
         let noise = Mat::from_fn(values.len(), count, |_, _| normal(&mut random));
         let noise = multiply(root.as_ref(), noise.as_ref());
         let draws: Vec<f64> = (0..count)
             .flat_map(|k| {
                 let noise = &noise;
-                values.iter().enumerate().map(move |(i, value)| value + noise[(i, k)])
+                values
+                    .iter()
+                    .enumerate()
+                    .map(move |(i, value)| value + noise[(i, k)])
             })
             .collect();
-        Ok(self.outputs_of(outputs, &draws))
+        self.outputs_of(outputs, &draws)
     }
 
     fn columns_in_a_pass(&self) -> usize {
@@ -162,11 +203,13 @@ impl Region {
 }
 
 /// L with L Lᵀ = Σ. Displacements that are known exactly have rows of zeros, which are left out of the factorisation.
-fn square_root(covariance: Mat<f64>) -> Result<Mat<f64>, RegionError> {
+fn square_root(covariance: &Mat<f64>) -> Result<Mat<f64>, RegionError> {
     let size = covariance.nrows();
     let uncertain: Vec<usize> = (0..size).filter(|&i| covariance[(i, i)] != 0.0).collect();
     let count = uncertain.len();
-    let part = Mat::from_fn(count, count, |i, j| covariance[(uncertain[i], uncertain[j])]);
+    let part = Mat::from_fn(count, count, |i, j| {
+        covariance[(uncertain[i], uncertain[j])]
+    });
     let lower = cholesky(part).map_err(|row| RegionError::NotCovariance {
         row: uncertain.get(row).copied().unwrap_or(row),
     })?;

@@ -52,7 +52,10 @@ fn normal(random: &mut StdRng) -> f64 {
 
 fn noisy(region: &Region, random: &mut StdRng) -> NodalDisplacements {
     let mut measured = sampled(region.mesh(), &region.prescribed_nodes(), kirsch);
-    measured.values.iter_mut().for_each(|value| *value += normal(random));
+    measured
+        .values
+        .iter_mut()
+        .for_each(|value| *value += normal(random));
     measured.covariance = independent_covariance(measured.nodes.len(), [NOISE; 2]);
     measured
 }
@@ -60,20 +63,36 @@ fn noisy(region: &Region, random: &mut StdRng) -> NodalDisplacements {
 fn scattered(random: &mut StdRng) -> Measurement {
     let places: Vec<Point> = (0..300)
         .map(|_| {
-            let (r, theta) = (random.random_range(5.0..16.0), random.random_range(0.45_f64..2.65));
+            let (r, theta) = (
+                random.random_range(5.0..16.0),
+                random.random_range(0.45_f64..2.65),
+            );
             [r * theta.cos(), r * theta.sin()]
         })
         .collect();
-    let displacements = [0, 1].map(|axis| places.iter().map(|&p| kirsch(p)[axis] + normal(random)).collect());
+    let displacements = [0, 1].map(|axis| {
+        places
+            .iter()
+            .map(|&p| kirsch(p)[axis] + normal(random))
+            .collect()
+    });
     let mut valid = [vec![true; places.len()], vec![true; places.len()]];
     valid[0][0] = false;
-    Measurement { places, displacements, valid, deviation: [NOISE; 2] }
+    Measurement {
+        places,
+        displacements,
+        valid,
+        deviation: [NOISE; 2],
+    }
 }
 
 #[test]
 fn good_data_pass_and_bad_data_do_not() {
     let body = plate();
-    let free = [FreeEdge { edge: "inner".into(), range: [5.0 * 0.6, 5.0 * 2.5] }];
+    let free = [FreeEdge {
+        edge: "inner".into(),
+        range: [5.0 * 0.6, 5.0 * 2.5],
+    }];
     let inside = body.mesh().element(24 * 7 + 12).1[2];
     let region = Region::new(&body, &[inside]).unwrap();
     let mut random = StdRng::seed_from_u64(11);
@@ -82,7 +101,11 @@ fn good_data_pass_and_bad_data_do_not() {
     for _ in 0..seeds {
         let measured = noisy(&region, &mut random);
         let unused = scattered(&mut random);
-        let input = CheckInput { unused: Some(&unused), free_edges: &free, known_forces: &[] };
+        let input = CheckInput {
+            unused: Some(&unused),
+            free_edges: &free,
+            known_forces: &[],
+        };
         let checks = region.check(&measured, input).unwrap();
         let misfit = checks.misfit.unwrap();
         assert!(!misfit.outside.is_empty() && misfit.points.len() > 400);
@@ -90,20 +113,30 @@ fn good_data_pass_and_bad_data_do_not() {
         tractions.push(checks.free_edges[0].excess());
         forces.push(checks.interior_forces.unwrap().excess());
     }
-    for (name, excess) in [("misfit", &misfits), ("traction", &tractions), ("force", &forces)] {
+    for (name, excess) in [
+        ("misfit", &misfits),
+        ("traction", &tractions),
+        ("force", &forces),
+    ] {
         let count = excess.len() as f64;
         let mean = excess.iter().sum::<f64>() / count;
         let spread = (excess.iter().map(|e| (e - mean).powi(2)).sum::<f64>() / count).sqrt();
         println!("{name}: excess of χ² over {seeds} seeds: mean {mean:.2}, deviation {spread:.2}");
         // Mean 0 and deviation 1; chi-squared numbers have a long tail.
-        assert!(mean.abs() < 4.0 / count.sqrt() && (0.6..1.5).contains(&spread), "{name} {mean} {spread}");
+        assert!(
+            mean.abs() < 4.0 / count.sqrt() && (0.6..1.5).contains(&spread),
+            "{name} {mean} {spread}"
+        );
     }
 
     let mut wrong = noisy(&region, &mut random);
     let k = wrong.nodes.iter().position(|&node| node == inside).unwrap();
     wrong.values[2 * k] += 10.0 * NOISE;
     let unused = scattered(&mut random);
-    let input = CheckInput { unused: Some(&unused), ..CheckInput::default() };
+    let input = CheckInput {
+        unused: Some(&unused),
+        ..CheckInput::default()
+    };
     let checks = region.check(&wrong, input).unwrap();
     assert!(checks.interior_forces.unwrap().excess() > 10.0);
     assert!(checks.misfit.unwrap().chi_squared.excess() > 3.0);
@@ -117,20 +150,31 @@ fn the_force_through_an_arc_is_the_known_one() {
     // Through the outer arc goes what goes through the two sides: the hole carries nothing. From the stress function, the force
     // through a curve from angle a to b is t [Φ_y, −Φ_x].
     let force = known_force([0.4, 2.7]);
-    let known = [KnownForce { edge: "outer".into(), force }];
+    let known = [KnownForce {
+        edge: "outer".into(),
+        force,
+    }];
     let seeds = 60;
     let mut squares = [0.0; 2];
     for _ in 0..seeds {
-        let input = CheckInput { known_forces: &known, ..CheckInput::default() };
-        let balance = &region.check(&noisy(&region, &mut random), input).unwrap().balance[0];
-        (0..2).for_each(|i| squares[i] += (balance.excess[i] / balance.deviation[i]).powi(2) / f64::from(seeds));
-        if random.random::<f64>() < 0.02 {
-            println!("balance {:?} ± {:?} of {force:?}", balance.excess, balance.deviation);
-        }
+        let input = CheckInput {
+            known_forces: &known,
+            ..CheckInput::default()
+        };
+        let balance = &region
+            .check(&noisy(&region, &mut random), input)
+            .unwrap()
+            .balance[0];
+        (0..2).for_each(|i| {
+            squares[i] += (balance.excess[i] / balance.deviation[i]).powi(2) / f64::from(seeds);
+        });
     }
     println!("mean squares of the excess in deviations: {squares:?}");
     let one_sigma = (2.0 / f64::from(seeds)).sqrt();
-    assert!(squares.iter().all(|s| (s - 1.0).abs() < 4.0 * one_sigma), "{squares:?}");
+    assert!(
+        squares.iter().all(|s| (s - 1.0).abs() < 4.0 * one_sigma),
+        "{squares:?}"
+    );
 }
 
 /// ∫ t σ e_r ds over the outer arc by Simpson's rule with Kirsch's stresses.
@@ -140,7 +184,11 @@ fn known_force([a, b]: [f64; 2]) -> [f64; 2] {
     let mut sum = [0.0; 2];
     for k in 0..=steps {
         let theta = a + (b - a) * f64::from(k) / f64::from(steps);
-        let weight = if k == 0 || k == steps { 1.0 } else { f64::from(2 + 2 * (k % 2)) };
+        let weight = if k == 0 || k == steps {
+            1.0
+        } else {
+            f64::from(2 + 2 * (k % 2))
+        };
         let (c2, s2) = ((2.0 * theta).cos(), (2.0 * theta).sin());
         let rr = TENSION / 2.0 * ((1.0 - q2) + (1.0 - 4.0 * q2 + 3.0 * q2 * q2) * c2);
         let rt = -TENSION / 2.0 * (1.0 + 2.0 * q2 - 3.0 * q2 * q2) * s2;

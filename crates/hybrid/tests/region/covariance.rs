@@ -20,8 +20,8 @@ fn few_outputs_and_many_give_the_same_derivatives_by_the_fewer_solves() {
     while many.len() <= columns {
         many.extend(few.clone());
     }
-    let adjoint = region.transfer(&few);
-    let direct = region.transfer(&many);
+    let adjoint = region.transfer(&few).unwrap();
+    let direct = region.transfer(&many).unwrap();
     assert_eq!((adjoint.solves, direct.solves), (few.len(), columns));
     assert_eq!(direct.shape(), [many.len(), columns]);
     let mut largest = 0.0_f64;
@@ -35,21 +35,26 @@ fn few_outputs_and_many_give_the_same_derivatives_by_the_fewer_solves() {
     assert!(worst < 1e-11 * largest, "{worst} of {largest}");
     let measured = sampled(body.mesh(), &region.prescribed_nodes(), uniform);
     let solved = region.solve(&measured).unwrap().outputs(&few);
-    let applied = adjoint.apply(&region.values(&measured).unwrap());
-    assert!(solved.iter().zip(&applied).all(|(a, b)| (a - b).abs() < 1e-8));
+    let applied = adjoint.apply(&region.values(&measured).unwrap()).unwrap();
+    assert!(
+        solved
+            .iter()
+            .zip(&applied)
+            .all(|(a, b)| (a - b).abs() < 1e-8)
+    );
 }
 
 #[test]
 fn a_thousand_draws_confirm_the_covariance_in_the_time_of_few_solves() {
-    let body = body(sector([82, 39], ElementKind::Q8).mesh().unwrap());
+    let body = body(sector([84, 39], ElementKind::Q8).mesh().unwrap());
     let start = Instant::now();
     let region = Region::new(&body, &[]).unwrap();
     let factorised = start.elapsed().as_secs_f64();
     let dofs = 2 * body.mesh().nodes().len();
-    assert!(dofs > 19_900, "{dofs}");
+    assert!(dofs > 20_000, "{dofs}");
     let rows = EdgeRows::new(&body, "inner").unwrap().rows;
     let mut measured = sampled(body.mesh(), &region.prescribed_nodes(), uniform);
-    measured.covariance = correlated(&body.mesh().nodes().to_vec(), &measured.nodes);
+    measured.covariance = correlated(body.mesh().nodes(), &measured.nodes);
 
     let one = Instant::now();
     for _ in 0..20 {
@@ -60,7 +65,7 @@ fn a_thousand_draws_confirm_the_covariance_in_the_time_of_few_solves() {
     let values = region.values(&measured).unwrap();
     let single = Instant::now();
     for _ in 0..50 {
-        std::hint::black_box(region.outputs_of(&[], &values));
+        std::hint::black_box(region.outputs_of(&[], &values).unwrap());
     }
     let single = single.elapsed().as_secs_f64() / 50.0;
     let linear = Instant::now();
@@ -72,9 +77,16 @@ fn a_thousand_draws_confirm_the_covariance_in_the_time_of_few_solves() {
     let drawn = drawn.elapsed().as_secs_f64();
     println!(
         "{dofs} displacements, {} prescribed, {} outputs: one state {:.2} ms of which solve {:.2} ms; factorisation and structure {:.0}, \
-         covariance by {} solves in one pass {:.0}, 1000 draws in one pass {:.0}, all together {:.0} (in single pairs of triangular solves)",
-        region.prescribed().len(), rows.len(), 1e3 * one, 1e3 * single, factorised / single, propagated.solves, linear / single,
-        drawn / single, (factorised + linear + drawn) / single
+         covariance by {} solves {:.0}, 1000 draws {:.0}, all together {:.0} (in single pairs of triangular solves)",
+        region.prescribed().len(),
+        rows.len(),
+        1e3 * one,
+        1e3 * single,
+        factorised / single,
+        propagated.solves,
+        linear / single,
+        drawn / single,
+        (factorised + linear + drawn) / single
     );
     assert_eq!(propagated.solves, rows.len().min(region.prescribed().len()));
 
@@ -83,7 +95,9 @@ fn a_thousand_draws_confirm_the_covariance_in_the_time_of_few_solves() {
     let outputs = rows.len();
     let ratios: Vec<f64> = (0..outputs)
         .map(|k| {
-            let squares = draws.chunks_exact(outputs).map(|draw| (draw[k] - propagated.values[k]).powi(2));
+            let squares = draws
+                .chunks_exact(outputs)
+                .map(|draw| (draw[k] - propagated.values[k]).powi(2));
             squares.sum::<f64>() / count as f64 / deviations[k].powi(2)
         })
         .collect();
@@ -125,13 +139,24 @@ fn direct_interpolation_has_the_covariance_of_its_draws() {
     let count = 2000;
     let mut squares = vec![0.0; rows.len()];
     for _ in 0..count {
-        let noise: Vec<f64> = measured.values.iter().map(|_| random.random_range(-half..=half)).collect();
+        let noise: Vec<f64> = measured
+            .values
+            .iter()
+            .map(|_| random.random_range(-half..=half))
+            .collect();
         for (square, row) in squares.iter_mut().zip(&rows) {
-            *square += row.iter().map(|&(dof, w)| w * noise[dof]).sum::<f64>().powi(2);
+            *square += row
+                .iter()
+                .map(|&(dof, w)| w * noise[dof])
+                .sum::<f64>()
+                .powi(2);
         }
     }
     for (square, deviation) in squares.iter().zip(found.deviations()) {
         let ratio = square / f64::from(count) / (deviation * deviation);
-        assert!((ratio - 1.0).abs() < 5.0 * (2.0 / f64::from(count)).sqrt(), "{ratio}");
+        assert!(
+            (ratio - 1.0).abs() < 5.0 * (2.0 / f64::from(count)).sqrt(),
+            "{ratio}"
+        );
     }
 }

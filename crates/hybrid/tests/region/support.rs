@@ -26,8 +26,11 @@ pub(crate) fn sector(cells: [usize; 2], kind: ElementKind) -> ArcSector {
 
 pub(crate) fn body(mesh: Mesh) -> Arc<ElasticBody> {
     let material = Isotropic::new(YOUNG, POISSON, PlaneState::Stress).unwrap();
-    let materials: Vec<Arc<dyn Material>> =
-        mesh.blocks().iter().map(|_| Arc::new(material) as Arc<dyn Material>).collect();
+    let materials: Vec<Arc<dyn Material>> = mesh
+        .blocks()
+        .iter()
+        .map(|_| Arc::new(material) as Arc<dyn Material>)
+        .collect();
     Arc::new(ElasticBody::new(Arc::new(mesh), materials, 2.0).unwrap())
 }
 
@@ -39,17 +42,17 @@ pub(crate) fn sampled(
 ) -> NodalDisplacements {
     NodalDisplacements {
         nodes: nodes.to_vec(),
-        values: nodes.iter().flat_map(|&node| u(mesh.nodes()[node])).collect(),
+        values: nodes
+            .iter()
+            .flat_map(|&node| u(mesh.nodes()[node]))
+            .collect(),
         covariance: Vec::new(),
     }
 }
 
 /// A uniform strain and a rigid motion.
 pub(crate) fn uniform([x, y]: Point) -> [f64; 2] {
-    [
-        0.3 + 1e-3 * x + 0.4e-3 * y,
-        -0.1 - 0.7e-3 * y + 0.9e-3 * x,
-    ]
+    [0.3 + 1e-3 * x + 0.4e-3 * y, -0.1 - 0.7e-3 * y + 0.9e-3 * x]
 }
 
 /// Stress (σ_xx, σ_yy, τ_xy) of [`uniform`].

@@ -55,13 +55,18 @@ fn windows(region: &Region, chain: &Chain, order: usize) -> Vec<Window> {
     };
     let nodes = region.mesh().nodes();
     let run = |first: usize| {
-        let own: Vec<usize> = (first..=first + order).map(|k| chain.nodes[k % count]).collect();
+        let own: Vec<usize> = (first..=first + order)
+            .map(|k| chain.nodes[k % count])
+            .collect();
         let mut lengths = vec![0.0];
         for pair in own.windows(2) {
             let ([x, y], [u, v]) = (nodes[pair[0]], nodes[pair[1]]);
             lengths.push(lengths[lengths.len() - 1] + (u - x).hypot(v - y));
         }
-        Window { nodes: own, lengths }
+        Window {
+            nodes: own,
+            lengths,
+        }
     };
     (0..runs).map(run).collect()
 }
