@@ -43,8 +43,8 @@ impl EdgeRows {
     pub fn new(body: &ElasticBody, edge: &str) -> Result<Self, RegionError> {
         let mesh = body.mesh();
         let curve = mesh.edge_set(edge)?.curve;
-        let path = mesh.edge_path(edge)?;
-        let (path, parameter, normal) = frames(mesh, path, curve);
+        let path = walk(mesh, edge)?;
+        let (parameter, normal) = frames(mesh, &path, curve);
         let stresses = stress_rows(body, &path.nodes);
         let rows = (path.nodes.iter().zip(&normal))
             .flat_map(|(node, &n)| rotated(&stresses[node], n))
@@ -120,26 +120,26 @@ impl Region {
     }
 }
 
-/// The path walked as documented, with parameter and normal of each node.
-fn frames(
-    mesh: &Mesh,
-    path: EdgePath,
-    curve: Option<Curve>,
-) -> (EdgePath, Vec<f64>, Vec<[f64; 2]>) {
+/// The edges of a set as [`EdgeRows`] walks them.
+fn walk(mesh: &Mesh, edge: &str) -> Result<EdgePath, RegionError> {
+    let path = mesh.edge_path(edge)?;
+    Ok(match mesh.edge_set(edge)?.curve {
+        Some(Curve::Arc { centre, .. }) => mesh.counter_clockwise(&path, centre),
+        _ => path,
+    })
+}
+
+/// Parameter and normal of each node of a path.
+fn frames(mesh: &Mesh, path: &EdgePath, curve: Option<Curve>) -> (Vec<f64>, Vec<[f64; 2]>) {
     let unit = |[x, y]: [f64; 2]| [x / x.hypot(y), y / x.hypot(y)];
     if let Some(Curve::Arc { centre, radius }) = curve {
-        let path = mesh.counter_clockwise(&path, centre);
-        let angles = mesh.angles(&path, centre);
+        let angles = mesh.angles(path, centre);
         let normal = path.nodes.iter().map(|&node| {
             let [x, y] = mesh.nodes()[node];
             unit([x - centre[0], y - centre[1]])
         });
-        let normal = normal.collect();
-        return (
-            path,
-            angles.iter().map(|angle| radius * angle).collect(),
-            normal,
-        );
+        let parameter = angles.iter().map(|angle| radius * angle).collect();
+        return (parameter, normal.collect());
     }
     let count = path.nodes.len();
     let at = |k: usize| mesh.nodes()[path.nodes[k]];
@@ -157,8 +157,7 @@ fn frames(
         let ([x, y], [u, v]) = (at(neighbour(k, 0)), at(neighbour(k, 1)));
         unit([v - y, x - u])
     });
-    let normal = normal.collect();
-    (path, parameter, normal)
+    (parameter, normal.collect())
 }
 
 /// σ_nn, σ_tt and τ_nt from σ_xx, σ_yy and τ_xy.
