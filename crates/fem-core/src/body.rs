@@ -3,6 +3,7 @@
 mod assembly;
 mod condensed;
 mod equations;
+mod partitioned;
 mod parts;
 mod tangent;
 mod whole;
@@ -14,6 +15,7 @@ use thiserror::Error;
 pub use assembly::internal_forces;
 pub use condensed::{BodyBalance, BodyLoad, CondensedBody};
 pub use equations::BodyStructure;
+pub use partitioned::{PartitionedBody, PartitionedStates, SparseRow};
 pub use tangent::{Linearised, TangentBody};
 pub use whole::InterfaceUnknown;
 

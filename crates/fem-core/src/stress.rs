@@ -20,7 +20,7 @@ use thiserror::Error;
 
 pub use edge::{EdgeData, EdgeStress, PathEnd, PathEnds, edge_stresses};
 pub use gauss::{ElasticField, GaussStresses};
-pub use nodal::{BlockStresses, NodalStresses};
+pub use nodal::{BlockStresses, NodalStresses, extrapolation};
 
 /// Input that does not fit together.
 #[derive(Clone, Debug, Error, PartialEq)]

@@ -91,7 +91,7 @@ impl ElasticField<'_> {
     pub(super) fn extrapolated(&self, block: usize) -> BlockStresses {
         let cells = &self.mesh.blocks()[block];
         let samples = self.sample(block, Points::Quadrature);
-        let weights = with_element(cells.kind, Extrapolation);
+        let weights = extrapolation(cells.kind);
         let mut mean = Mean::new(self.mesh.nodes().len());
         for (cell, nodes) in cells
             .connectivity
@@ -147,6 +147,12 @@ impl Mean {
         let values = nodes.iter().map(|&node| self.value(node)).collect();
         BlockStresses { nodes, values }
     }
+}
+
+/// The matrix that takes values at the quadrature points of a cell of `kind` (columns) to values at its nodes (rows): what
+/// [`ElasticField::nodal_stresses`] does in each cell.
+pub fn extrapolation(kind: ElementKind) -> DMatrix<f64> {
+    with_element(kind, Extrapolation)
 }
 
 /// Yields the matrix that takes values at quadrature points (columns) to values at nodes (rows).

@@ -1,0 +1,113 @@
+//! Which nodes and chains of edges bound a mesh: an edge that belongs to one cell only is on the boundary.
+
+use std::collections::BTreeMap;
+
+use stickslip_fem_core::mesh::{EdgeRef, Mesh};
+
+/// Turn of the boundary `[rad]` that makes a corner: between the 15° by which the edges of a coarse circle may turn and the
+/// right angles of a sector.
+const CORNER: f64 = 0.6;
+
+/// The edges of one cell only, in the order of the cells.
+pub fn boundary_edges(mesh: &Mesh) -> Vec<EdgeRef> {
+    let mut owners = BTreeMap::<[usize; 2], Option<EdgeRef>>::new();
+    for element in 0..mesh.element_count() {
+        for edge in 0..mesh.element(element).0.edges() {
+            let edge = EdgeRef { element, edge };
+            let [a, b] = mesh.edge_nodes(edge).ends;
+            owners
+                .entry([a.min(b), a.max(b)])
+                .and_modify(|owner| *owner = None)
+                .or_insert(Some(edge));
+        }
+    }
+    let mut edges: Vec<EdgeRef> = owners.into_values().flatten().collect();
+    edges.sort_unstable();
+    edges
+}
+
+/// The nodes on the boundary, ascending, mid-side nodes included.
+pub fn boundary_nodes(mesh: &Mesh) -> Vec<usize> {
+    let nodes = boundary_edges(mesh).into_iter().flat_map(|edge| {
+        let nodes = mesh.edge_nodes(edge);
+        nodes.ends.into_iter().chain(nodes.mid)
+    });
+    let mut nodes: Vec<usize> = nodes.collect();
+    nodes.sort_unstable();
+    nodes.dedup();
+    nodes
+}
+
+/// A smooth piece of boundary.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chain {
+    /// Nodes in walk order, the region on the left; a closed chain does not repeat the first.
+    pub nodes: Vec<usize>,
+    /// Whether the chain comes back to its first node.
+    pub closed: bool,
+}
+
+/// The boundary cut at its corners, where it turns by more than 0.6 rad.
+pub fn smooth_chains(mesh: &Mesh) -> Vec<Chain> {
+    let edges: Vec<[usize; 3]> = (boundary_edges(mesh).into_iter())
+        .map(|edge| {
+            let nodes = mesh.edge_nodes(edge);
+            [
+                nodes.ends[0],
+                nodes.mid.unwrap_or(nodes.ends[0]),
+                nodes.ends[1],
+            ]
+        })
+        .collect();
+    let leaving: BTreeMap<usize, usize> = (edges.iter().enumerate())
+        .map(|(k, nodes)| (nodes[0], k))
+        .collect();
+    let next = |k: usize| leaving.get(&edges[k][2]).copied();
+    // Two loops that touch at a node hide one of the edges that leave it; a chain then ends there.
+    let mut follows = vec![false; edges.len()];
+    for k in 0..edges.len() {
+        if let Some(after) = next(k).filter(|&after| turn(mesh, edges[k], edges[after]) < CORNER) {
+            follows[after] = true;
+        }
+    }
+    let goes_on = |k: usize| next(k).filter(|&after| follows[after]);
+    let mut seen = vec![false; edges.len()];
+    let mut chains = Vec::new();
+    let starts = (0..edges.len()).filter(|&k| !follows[k]);
+    for first in starts.chain(0..edges.len()) {
+        let mut nodes = Vec::new();
+        let mut at = Some(first);
+        let mut last = edges[first][0];
+        while let Some(k) = at.filter(|&k| !seen[k]) {
+            seen[k] = true;
+            let [start, middle, end] = edges[k];
+            nodes.push(start);
+            nodes.extend((middle != start).then_some(middle));
+            last = end;
+            at = goes_on(k);
+        }
+        if let Some(&start) = nodes.first() {
+            let closed = start == last && follows[first];
+            nodes.extend((!closed).then_some(last));
+            chains.push(Chain { nodes, closed });
+        }
+    }
+    chains
+}
+
+/// Turn from the end of one edge to the start of the next `[rad]`, without sign; of their chords from mid-side node to corner.
+fn turn(mesh: &Mesh, before: [usize; 3], after: [usize; 3]) -> f64 {
+    let along = |from: usize, to: usize| {
+        let ([x, y], [u, v]) = (mesh.nodes()[from], mesh.nodes()[to]);
+        [u - x, v - y]
+    };
+    let a = along(before[1], before[2]);
+    let b = if after[1] == after[0] {
+        along(after[0], after[2])
+    } else {
+        along(after[0], after[1])
+    };
+    (a[0] * b[1] - a[1] * b[0])
+        .atan2(a[0] * b[0] + a[1] * b[1])
+        .abs()
+}
