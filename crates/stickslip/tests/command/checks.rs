@@ -145,7 +145,7 @@ fn check_shows_the_moduli_of_a_laminate_and_run_prints_its_failure() {
         "Failure of 'plate', lay-up [0/±45/90]s",
         "first ply",
         "characteristic curve",
-        "maximum stress: on the characteristic curve the joint 'plate' fails by ",
+        "maximum stress: on the characteristic curve the joint 'plate' has its first crack in a ply, ",
     ] {
         assert!(printed.contains(part), "'{part}' is missing in:\n{printed}");
     }
