@@ -1,4 +1,4 @@
-//! From measured displacements to edge stresses.
+//! From measured displacements to edge stresses and friction.
 //!
 //! Moiré gratings of frequency f show displacements as fringe orders N; a region of finite elements whose edge moves as measured, and
 //! whose inner forces vanish, has the stresses that cannot be measured:
@@ -15,9 +15,11 @@
 //! | [`fringe`] | fringe pictures: synthesis, phase, unwrapping, carrier |
 //! | [`reduce`] | displacements of nodes from measured ones, with covariance |
 //! | [`region`] | localized hybrid analysis of a region, with the covariance of all that follows |
+//! | [`identify`] | friction coefficients from edge tractions, with intervals or the word that there is none |
 
 pub mod data;
 pub mod fringe;
+pub mod identify;
 pub mod moire;
 pub mod reduce;
 pub mod region;

@@ -29,7 +29,7 @@
 //! | [`locate`] | in which cell a place lies |
 
 pub mod checks;
-mod dense;
+pub(crate) mod dense;
 pub mod direct;
 pub mod fit;
 pub mod locate;

@@ -67,9 +67,9 @@ pub enum LaminateError {
     #[error("a laminate needs at least one ply")]
     Empty,
     /// A fibre angle that is not a finite number.
-    #[error("layer {layer} (ply '{ply}'): angle = {angle} is not a finite number of degrees")]
+    #[error("layer {} (ply '{ply}'): angle = {angle} is not a finite number of degrees", .layer + 1)]
     Angle {
-        /// Index of the layer, from the bottom, from 0.
+        /// Index of the layer, from the bottom, from 0; messages count from 1.
         layer: usize,
         /// Name of the ply.
         ply: String,
@@ -77,9 +77,9 @@ pub enum LaminateError {
         angle: f64,
     },
     /// A lay-up that names a ply which is not given.
-    #[error("layer {layer} asks for ply '{ply}', which is not among: {}", .known.join(", "))]
+    #[error("layer {} asks for ply '{ply}', which is not among: {}", .layer + 1, .known.join(", "))]
     UnknownPly {
-        /// Index of the layer, from the bottom, from 0.
+        /// Index of the layer, from the bottom, from 0; messages count from 1.
         layer: usize,
         /// The name in the lay-up.
         ply: String,

@@ -13,14 +13,14 @@ use faer::linalg::triangular_solve::{
 use faer::{Accum, Mat, MatRef, Par, Spec};
 
 /// A · B.
-pub(super) fn multiply(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
+pub(crate) fn multiply(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
     let mut product = Mat::zeros(a.nrows(), b.ncols());
     matmul(product.as_mut(), Accum::Replace, a, b, 1.0, Par::Seq);
     product
 }
 
 /// T Σ Tᵀ, symmetric to the last bit.
-pub(super) fn sandwich(t: MatRef<'_, f64>, covariance: MatRef<'_, f64>) -> Mat<f64> {
+pub(crate) fn sandwich(t: MatRef<'_, f64>, covariance: MatRef<'_, f64>) -> Mat<f64> {
     let half = multiply(t, covariance);
     let full = multiply(half.as_ref(), t.transpose());
     Mat::from_fn(full.nrows(), full.ncols(), |i, j| {
@@ -29,7 +29,7 @@ pub(super) fn sandwich(t: MatRef<'_, f64>, covariance: MatRef<'_, f64>) -> Mat<f
 }
 
 /// The lower factor of a symmetric matrix; the row whose pivot is not positive if there is none.
-pub(super) fn cholesky(mut matrix: Mat<f64>) -> Result<Mat<f64>, usize> {
+pub(crate) fn cholesky(mut matrix: Mat<f64>) -> Result<Mat<f64>, usize> {
     let n = matrix.nrows();
     let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(
         n,
@@ -50,17 +50,17 @@ pub(super) fn cholesky(mut matrix: Mat<f64>) -> Result<Mat<f64>, usize> {
 }
 
 /// Overwrites `x` with L⁻¹ x.
-pub(super) fn solve_lower(lower: &Mat<f64>, x: &mut Mat<f64>) {
+pub(crate) fn solve_lower(lower: &Mat<f64>, x: &mut Mat<f64>) {
     solve_lower_triangular_in_place(lower.as_ref(), x.as_mut(), Par::Seq);
 }
 
 /// Overwrites `x` with L⁻ᵀ x.
-pub(super) fn solve_lower_transposed(lower: &Mat<f64>, x: &mut Mat<f64>) {
+pub(crate) fn solve_lower_transposed(lower: &Mat<f64>, x: &mut Mat<f64>) {
     solve_upper_triangular_in_place(lower.transpose(), x.as_mut(), Par::Seq);
 }
 
 /// Eigenvalues, ascending, and eigenvectors of a symmetric matrix.
-pub(super) fn eigen(matrix: &Mat<f64>) -> Option<(Vec<f64>, Mat<f64>)> {
+pub(crate) fn eigen(matrix: &Mat<f64>) -> Option<(Vec<f64>, Mat<f64>)> {
     let n = matrix.nrows();
     let mut values = Diag::zeros(n);
     let mut vectors = Mat::zeros(n, n);
@@ -83,7 +83,7 @@ pub(super) fn eigen(matrix: &Mat<f64>) -> Option<(Vec<f64>, Mat<f64>)> {
 }
 
 /// The matrix row by row.
-pub(super) fn by_rows(matrix: &Mat<f64>) -> Vec<f64> {
+pub(crate) fn by_rows(matrix: &Mat<f64>) -> Vec<f64> {
     let rows = 0..matrix.nrows();
     rows.flat_map(|i| (0..matrix.ncols()).map(move |j| matrix[(i, j)]))
         .collect()

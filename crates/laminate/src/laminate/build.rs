@@ -32,10 +32,15 @@ impl Laminate {
                 .rev()
                 .find(|ply| ply.name() == name)
                 .map(Arc::clone)
-                .ok_or_else(|| LaminateError::UnknownPly {
-                    layer,
-                    ply: name.to_owned(),
-                    known: plies.iter().map(|ply| ply.name().to_owned()).collect(),
+                .ok_or_else(|| {
+                    let mut known: Vec<String> = Vec::new();
+                    for ply in plies.iter().map(|ply| ply.name()) {
+                        if !known.iter().any(|other| other == ply) {
+                            known.push(ply.to_owned());
+                        }
+                    }
+                    let ply = name.to_owned();
+                    LaminateError::UnknownPly { layer, ply, known }
                 }),
         };
         let stack = layup.stack().iter().enumerate();

@@ -59,14 +59,14 @@ fn laminates_name_layer_and_ply() {
     assert!(
         angle
             .to_string()
-            .contains("layer 1 (ply 'carbon'): angle = NaN"),
+            .contains("layer 2 (ply 'carbon'): angle = NaN"),
         "{angle}"
     );
     let unknown = Laminate::new(&"[0/90:glass]".parse().unwrap(), &ply()).unwrap_err();
     assert!(
         unknown
             .to_string()
-            .contains("layer 1 asks for ply 'glass', which is not among: carbon"),
+            .contains("layer 2 asks for ply 'glass', which is not among: carbon"),
         "{unknown}"
     );
     let huge = PlyConstants {

@@ -123,6 +123,16 @@ fn axes(document: &Document, given: &[AxisFormat]) -> Result<Vec<Axis>, SceneErr
             };
             return Err(document.error(&format!("{key}.key"), Part::Value, problem));
         }
+        // Keys of a scene that can vary lie in one of its tables.
+        if matches!(AxisKey::named(name), AxisKey::Scene(_)) && !name.contains('.') {
+            let problem = SceneProblem::UnknownName {
+                what: "an axis of a joint, nor a key of the scene (which has a dot)".to_owned(),
+                found: name.clone(),
+                nearest: nearest(name, AxisKey::NAMES).map(str::to_owned),
+                known: AxisKey::NAMES.map(str::to_owned).to_vec(),
+            };
+            return Err(document.error(&format!("{key}.key"), Part::Value, problem));
+        }
         let values = values(document, &key, axis)?;
         let axis = Axis::new(AxisKey::named(name), axis.label.clone(), values);
         check_values(document, &key, &axis)?;

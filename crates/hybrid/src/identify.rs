@@ -1,0 +1,301 @@
+//! Friction coefficients from the tractions on an edge.
+//!
+//! ```text
+//! r(μ) = s τ − μ p,     C(μ) = μ² Σ_pp − μ s (Σ_pτ + Σ_τp) + Σ_ττ,     χ²(μ) = rᵀ C⁻¹ r
+//! ```
+//!
+//! Where an edge slips, the shear is μ times the pressure, in the direction s of friction. Pressures are as uncertain as shears, and errors
+//! of neighbouring places go together; a straight fit of τ over p would draw μ towards zero. χ² takes the covariance of both along, and μ
+//! is where it is least. The interval is that in which χ² stays within a bound of its least value (Fieller 1954); it need not have two
+//! ends. Where the data cannot tell μ from any other, it says so.
+
+use std::ops::Range;
+
+use faer::Mat;
+use thiserror::Error;
+
+use crate::region::dense;
+
+/// Increase of χ² at the ends of an interval of 95 %, one degree of freedom.
+const CHI_SQUARED_95: f64 = 3.841_458_820_694_124;
+/// Coefficients that are looked at: a grid that is fine where coefficients usually lie.
+const LARGEST: f64 = 100.0;
+const GRID: usize = 400;
+
+/// Tractions at places along an edge, with their covariance.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Tractions {
+    /// Pressure, positive in compression `[stress]`.
+    pub pressure: Vec<f64>,
+    /// Shear `[stress]`.
+    pub shear: Vec<f64>,
+    /// Covariance of all pressures, then all shears `[stress²]`: square, row by row.
+    pub covariance: Vec<f64>,
+}
+
+/// Why friction cannot be asked of tractions.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum IdentifyError {
+    /// Lists that do not belong together.
+    #[error(
+        "{pressures} pressures, {shears} shears and {entries} entries of covariance: as many pressures as shears are wanted, and the square of twice as many"
+    )]
+    Lengths {
+        /// Pressures given.
+        pressures: usize,
+        /// Shears given.
+        shears: usize,
+        /// Entries of the covariance given.
+        entries: usize,
+    },
+    /// A zone with no place, or beyond the last.
+    #[error("the zone {}..{} is not among {places} places", .zone.start, .zone.end)]
+    Zone {
+        /// The zone asked for.
+        zone: Range<usize>,
+        /// Places given.
+        places: usize,
+    },
+    /// A value that is not finite.
+    #[error("the traction at place {place} is not finite")]
+    NotFinite {
+        /// Index of the place.
+        place: usize,
+    },
+    /// A covariance that is none.
+    #[error("the covariance of the zone is not positive definite, at place {place} of it")]
+    Covariance {
+        /// Index in the zone.
+        place: usize,
+    },
+}
+
+/// What data say of a coefficient, with a confidence of 95 %.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Bounds {
+    /// It lies between these.
+    Between(f64, f64),
+    /// It is at most this; there may be no friction at all.
+    AtMost(f64),
+    /// It is at least this.
+    AtLeast(f64),
+    /// Not identifiable: no coefficient is ruled out.
+    Nothing,
+}
+
+impl Bounds {
+    /// Whether `mu` lies within.
+    pub fn contain(self, mu: f64) -> bool {
+        match self {
+            Self::Between(low, high) => (low..=high).contains(&mu),
+            Self::AtMost(high) => mu <= high,
+            Self::AtLeast(low) => mu >= low,
+            Self::Nothing => true,
+        }
+    }
+}
+
+/// Friction of a zone that slips.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SlipFit {
+    /// The coefficient that fits best, at least 0.
+    pub mu: f64,
+    /// What the data leave of it.
+    pub bounds: Bounds,
+    /// χ² of the best fit.
+    pub chi_squared: f64,
+    /// Degrees of freedom of χ²: places less one.
+    pub degrees: usize,
+}
+
+impl SlipFit {
+    /// Whether one coefficient for the whole zone explains the data: χ² within `deviations` standard deviations of what it should be,
+    /// by the cube root that makes it nearly normal (Wilson & Hilferty 1931).
+    pub fn is_consistent(&self, deviations: f64) -> bool {
+        let n = self.degrees as f64;
+        if self.degrees == 0 {
+            return true;
+        }
+        let spread = 2.0 / (9.0 * n);
+        (self.chi_squared / n).cbrt() <= 1.0 - spread + deviations * spread.sqrt()
+    }
+}
+
+impl Tractions {
+    /// The coefficient at which all of `zone` slips, where friction acts along +shear if `positive`.
+    ///
+    /// # Errors
+    /// [`IdentifyError`] for lists and zones that do not fit, values that are not finite, a covariance that is none.
+    pub fn slip(&self, zone: Range<usize>, positive: bool) -> Result<SlipFit, IdentifyError> {
+        let misfit = Misfit::new(self, zone, positive)?;
+        let grid: Vec<f64> = (0..=GRID)
+            .map(|k| coefficient(k as f64 / GRID as f64))
+            .collect();
+        let values = (grid.iter())
+            .map(|mu| misfit.at(*mu))
+            .collect::<Result<Vec<f64>, IdentifyError>>()?;
+        let best =
+            (0..values.len()).fold(0, |best, k| if values[k] < values[best] { k } else { best });
+        let low = grid[best.saturating_sub(1)];
+        let high = grid[(best + 1).min(GRID)];
+        let mu = misfit.least(low, high)?;
+        let chi_squared = misfit.at(mu)?;
+        let limit = chi_squared + CHI_SQUARED_95;
+        let below = (0..best).rev().find(|&k| values[k] > limit);
+        let above = (best..=GRID).find(|&k| values[k] > limit);
+        let low = below
+            .map(|k| misfit.crossing(grid[k], mu, limit))
+            .transpose()?;
+        let high = above
+            .map(|k| misfit.crossing(grid[k], mu, limit))
+            .transpose()?;
+        Ok(SlipFit {
+            mu,
+            bounds: match (low, high) {
+                (Some(low), Some(high)) => Bounds::Between(low, high),
+                (None, Some(high)) => Bounds::AtMost(high),
+                (Some(low), None) => Bounds::AtLeast(low),
+                (None, None) => Bounds::Nothing,
+            },
+            chi_squared,
+            degrees: misfit.places() - 1,
+        })
+    }
+
+    /// The longest zone from place `end` inwards, towards `towards`, that one coefficient explains to `deviations`, with its fit. Slip
+    /// starts at the end of contact, so `end` is the last place that bears pressure.
+    ///
+    /// # Errors
+    /// As [`slip`](Self::slip).
+    pub fn slip_zone(
+        &self,
+        end: usize,
+        towards: usize,
+        positive: bool,
+        deviations: f64,
+    ) -> Result<(Range<usize>, SlipFit), IdentifyError> {
+        let zone = |last: usize| end.min(last)..end.max(last) + 1;
+        let mut found = (zone(end), self.slip(zone(end), positive)?);
+        let steps = end.abs_diff(towards);
+        for step in 1..=steps {
+            let last = if towards > end {
+                end + step
+            } else {
+                end - step
+            };
+            let fit = self.slip(zone(last), positive)?;
+            if fit.is_consistent(deviations) {
+                found = (zone(last), fit);
+            }
+        }
+        Ok(found)
+    }
+
+    fn check(&self, zone: &Range<usize>) -> Result<(), IdentifyError> {
+        let [pressures, shears] = [&self.pressure, &self.shear].map(Vec::len);
+        if pressures != shears || self.covariance.len() != 4 * pressures * pressures {
+            return Err(IdentifyError::Lengths {
+                pressures,
+                shears,
+                entries: self.covariance.len(),
+            });
+        }
+        if zone.is_empty() || zone.end > pressures {
+            return Err(IdentifyError::Zone {
+                zone: zone.clone(),
+                places: pressures,
+            });
+        }
+        let finite =
+            |place: &usize| self.pressure[*place].is_finite() && self.shear[*place].is_finite();
+        match zone.clone().find(|place| !finite(place)) {
+            Some(place) => Err(IdentifyError::NotFinite { place }),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Coefficients from 0 to [`LARGEST`], evenly spread at first.
+fn coefficient(part: f64) -> f64 {
+    (part * (1.0 + LARGEST).ln()).exp_m1()
+}
+
+/// χ² of a zone.
+struct Misfit {
+    pressure: Vec<f64>,
+    shear: Vec<f64>,
+    /// Σ_pp, s (Σ_pτ + Σ_τp) and Σ_ττ.
+    blocks: [Mat<f64>; 3],
+}
+
+impl Misfit {
+    fn new(data: &Tractions, zone: Range<usize>, positive: bool) -> Result<Self, IdentifyError> {
+        data.check(&zone)?;
+        let sign = if positive { 1.0 } else { -1.0 };
+        let (all, first, count) = (data.pressure.len(), zone.start, zone.len());
+        let entry = |i: usize, j: usize| data.covariance[i * 2 * all + j];
+        let block = |value: &dyn Fn(usize, usize) -> f64| {
+            Mat::from_fn(count, count, |i, j| value(first + i, first + j))
+        };
+        Ok(Self {
+            pressure: data.pressure[zone.clone()].to_vec(),
+            shear: data.shear[zone].iter().map(|shear| sign * shear).collect(),
+            blocks: [
+                block(&|i, j| entry(i, j)),
+                block(&|i, j| sign * (entry(i, all + j) + entry(all + i, j))),
+                block(&|i, j| entry(all + i, all + j)),
+            ],
+        })
+    }
+
+    fn places(&self) -> usize {
+        self.pressure.len()
+    }
+
+    fn at(&self, mu: f64) -> Result<f64, IdentifyError> {
+        let n = self.places();
+        let [pp, both, tt] = &self.blocks;
+        let spread = Mat::from_fn(n, n, |i, j| {
+            mu * mu * pp[(i, j)] - mu * both[(i, j)] + tt[(i, j)]
+        });
+        let lower = dense::cholesky(spread).map_err(|place| IdentifyError::Covariance { place })?;
+        let mut residual = Mat::from_fn(n, 1, |i, _| self.shear[i] - mu * self.pressure[i]);
+        dense::solve_lower(&lower, &mut residual);
+        Ok((0..n).map(|i| residual[(i, 0)] * residual[(i, 0)]).sum())
+    }
+
+    /// Where χ² is least between `low` and `high`, by golden sections.
+    fn least(&self, mut low: f64, mut high: f64) -> Result<f64, IdentifyError> {
+        const GOLDEN: f64 = 0.618_033_988_749_894_9;
+        let inner =
+            |low: f64, high: f64| [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
+        for _ in 0..60 {
+            let [left, right] = inner(low, high);
+            if self.at(left)? <= self.at(right)? {
+                high = right;
+            } else {
+                low = left;
+            }
+        }
+        Ok(f64::midpoint(low, high))
+    }
+
+    /// Where χ² passes `limit` between `outside`, where it is above, and `inside`, where it is not.
+    fn crossing(
+        &self,
+        mut outside: f64,
+        mut inside: f64,
+        limit: f64,
+    ) -> Result<f64, IdentifyError> {
+        for _ in 0..60 {
+            let middle = f64::midpoint(outside, inside);
+            if self.at(middle)? > limit {
+                outside = middle;
+            } else {
+                inside = middle;
+            }
+        }
+        Ok(f64::midpoint(outside, inside))
+    }
+}

@@ -1,0 +1,157 @@
+//! Friction from tractions whose truth is known.
+
+use rand::rngs::StdRng;
+use rand::{RngExt, SeedableRng};
+use stickslip_hybrid::identify::{Bounds, IdentifyError, Tractions};
+
+const PLACES: usize = 24;
+
+/// Pressures that fall to nothing at the last place but half of them, shears that stick up to `stick` and slip beyond with `mu`.
+fn truth(mu: f64, stick: usize) -> ([Vec<f64>; 2], usize) {
+    let pressure: Vec<f64> = (0..PLACES)
+        .map(|k| 100.0 * (1.0 - (k as f64 / PLACES as f64).powi(2)).sqrt())
+        .collect();
+    let shear = (0..PLACES)
+        .map(|k| {
+            let part = if k < stick {
+                k as f64 / stick as f64
+            } else {
+                1.0
+            };
+            mu * part * part * pressure[k]
+        })
+        .collect();
+    ([pressure, shear], PLACES - 1)
+}
+
+/// A standard normal number.
+fn normal(random: &mut StdRng) -> f64 {
+    (0..12).map(|_| random.random::<f64>()).sum::<f64>() - 6.0
+}
+
+/// The truth with errors of deviation `noise` that go together at neighbouring places and between pressure and shear.
+fn measured(mu: f64, stick: usize, noise: f64, seed: u64) -> Tractions {
+    let ([pressure, shear], _) = truth(mu, stick);
+    let n = 2 * PLACES;
+    // Errors are x_i + x_{i+1}/2 of independent x.
+    let weight = |i: usize, j: usize| match j.checked_sub(i) {
+        Some(0) => noise,
+        Some(1) => 0.5 * noise,
+        _ => 0.0,
+    };
+    let mut random = StdRng::seed_from_u64(seed);
+    let x: Vec<f64> = (0..=n).map(|_| normal(&mut random)).collect();
+    let error = |i: usize| (0..=n).map(|j| weight(i, j) * x[j]).sum::<f64>();
+    let covariance = (0..n * n)
+        .map(|at| (0..=n).map(|k| weight(at / n, k) * weight(at % n, k)).sum())
+        .collect();
+    Tractions {
+        pressure: (0..PLACES).map(|i| pressure[i] + error(i)).collect(),
+        shear: (0..PLACES).map(|i| shear[i] + error(PLACES + i)).collect(),
+        covariance,
+    }
+}
+
+#[test]
+fn exact_tractions_give_the_coefficient() {
+    let ([pressure, shear], _) = truth(0.25, 8);
+    let data = Tractions {
+        pressure,
+        shear,
+        ..measured(0.25, 8, 0.1, 0)
+    };
+    let fit = data.slip(8..PLACES, true).unwrap();
+    assert!(
+        (fit.mu - 0.25).abs() < 1e-7 && fit.chi_squared < 1e-6,
+        "{fit:?}"
+    );
+    assert_eq!(fit.degrees, PLACES - 9);
+    let turned = Tractions {
+        shear: data.shear.iter().map(|t| -t).collect(),
+        ..data
+    };
+    let mirrored = turned.slip(8..PLACES, false).unwrap();
+    // The cross terms of the errors turn with the sign, the coefficient does not.
+    assert!((mirrored.mu - 0.25).abs() < 1e-7);
+}
+
+#[test]
+fn the_interval_covers_the_truth_as_often_as_it_says() {
+    let (mut covered, mut sum, seeds) = (0, 0.0, 400);
+    for seed in 0..seeds {
+        let fit = measured(0.25, 8, 2.0, seed).slip(8..PLACES, true).unwrap();
+        covered += usize::from(fit.bounds.contain(0.25));
+        sum += fit.mu - 0.25;
+    }
+    let [part, bias] = [covered as f64 / seeds as f64, sum / seeds as f64];
+    println!("covered {part}, bias {bias}");
+    assert!((0.92..=0.98).contains(&part), "{part}");
+    assert!(bias.abs() < 0.002, "{bias}");
+}
+
+#[test]
+fn the_slip_zone_ends_where_sticking_begins() {
+    let mut ends = Vec::new();
+    for seed in 0..40 {
+        let data = measured(0.3, 10, 0.5, seed);
+        let (zone, fit) = data.slip_zone(PLACES - 1, 0, true, 3.0).unwrap();
+        assert_eq!(zone.end, PLACES);
+        assert!((fit.mu - 0.3).abs() < 0.02, "{fit:?}");
+        ends.push(zone.start);
+    }
+    ends.sort_unstable();
+    println!("slip begins at {ends:?}");
+    // Shear departs from slip by the square of the distance: the first places of stick are hidden in the noise.
+    assert!((8..=10).contains(&ends[20]), "{ends:?}");
+}
+
+#[test]
+fn no_friction_gives_an_upper_bound_and_noise_alone_gives_nothing() {
+    let mut bounded = 0;
+    for seed in 0..100 {
+        let fit = measured(0.0, 8, 2.0, seed).slip(8..PLACES, true).unwrap();
+        bounded += usize::from(matches!(fit.bounds, Bounds::AtMost(high) if high < 0.05));
+    }
+    // In 2.5 % of all cases chance alone lifts the lower end above zero.
+    assert!(bounded >= 92, "{bounded}");
+    let mut data = measured(0.0, 8, 2.0, 1);
+    data.pressure
+        .iter_mut()
+        .chain(&mut data.shear)
+        .for_each(|value| *value = 0.0);
+    let fit = data.slip(8..PLACES, true).unwrap();
+    assert_eq!(fit.bounds, Bounds::Nothing);
+}
+
+#[test]
+fn what_does_not_fit_is_refused() {
+    let data = measured(0.2, 8, 1.0, 3);
+    let zone = data.slip(20..30, true).unwrap_err();
+    assert_eq!(zone.to_string(), "the zone 20..30 is not among 24 places");
+    assert!(matches!(
+        data.slip(5..5, true),
+        Err(IdentifyError::Zone { .. })
+    ));
+    let short = Tractions {
+        covariance: vec![1.0; 9],
+        ..data.clone()
+    };
+    assert!(matches!(
+        short.slip(0..4, true),
+        Err(IdentifyError::Lengths { entries: 9, .. })
+    ));
+    let mut broken = data.clone();
+    broken.shear[3] = f64::NAN;
+    assert_eq!(
+        broken.slip(0..5, true),
+        Err(IdentifyError::NotFinite { place: 3 })
+    );
+    let flat = Tractions {
+        covariance: vec![0.0; 4 * PLACES * PLACES],
+        ..data
+    };
+    assert!(matches!(
+        flat.slip(0..5, true),
+        Err(IdentifyError::Covariance { .. })
+    ));
+}
