@@ -20,6 +20,7 @@ mod mutation;
 mod open_hole;
 mod persson;
 mod pins;
+mod ply_states;
 mod press_fit;
 mod render;
 mod rigid_pin;
@@ -64,7 +65,7 @@ struct Case {
     checks: fn(&Laboratory) -> Result<Vec<Check>, Trouble>,
 }
 
-const CASES: [Case; 19] = [
+const CASES: [Case; 20] = [
     Case {
         name: "elements",
         title: "Elements",
@@ -94,6 +95,12 @@ const CASES: [Case; 19] = [
         title: "Failure criteria",
         friction: false,
         checks: criteria::checks,
+    },
+    Case {
+        name: "ply-states",
+        title: "Residual stress, coupling and yield of plies",
+        friction: false,
+        checks: ply_states::checks,
     },
     Case {
         name: "joint-modes",
