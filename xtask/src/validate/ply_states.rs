@@ -14,10 +14,10 @@ use stickslip_laminate::{Laminate, Ply, PlyConstants, Strengths};
 use super::check::{Check, Checks};
 use super::laboratory::{Laboratory, Trouble};
 
-/// Strengths of Post & Reddy (1988) [ksi].
+/// Strengths of Post & Reddy (1988) `[ksi]`.
 const STRENGTHS: [f64; 5] = [229.4, 252.1, 10.1, 32.0, 17.3];
 
-/// Carbon-epoxy, with the moduli of the same report [ksi].
+/// Carbon-epoxy, with the moduli of the same report `[ksi]`.
 const CARBON: PlyConstants = PlyConstants {
     e1: 19_100.0,
     e2: 2_000.0,
