@@ -45,7 +45,7 @@ fn keys_are_known() {
     says(
         &SWEEP.replace("\"mu\"", "\"mju\""),
         8,
-        &["unknown key", "mju"],
+        &["'mju' is not an axis", "did you mean 'mu'", "layup"],
     );
     let without = SWEEP.split("[[axes]]").next().unwrap();
     assert!(
