@@ -5,9 +5,9 @@
 //! noise. Varied are data per cell, cell size, amount of smoothing, and the distance of the data from the edge. The task writes a table,
 //! charts and a page.
 
-mod case;
+pub(crate) mod case;
 mod page;
-mod specimen;
+pub(crate) mod specimen;
 
 use std::process::ExitCode;
 
@@ -25,7 +25,7 @@ const FULL: ([usize; 2], u64) = ([240, 100], 200);
 const QUICK: ([usize; 2], u64) = ([96, 40], 40);
 
 /// Cell size where it is not varied `[mm]`, and spacing of the data where they are not.
-const SIZE: f64 = 1.0;
+pub(crate) const SIZE: f64 = 1.0;
 const SPACING: f64 = 0.5;
 
 /// All cases, or a coarse few.

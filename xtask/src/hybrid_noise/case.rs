@@ -12,7 +12,7 @@ use crate::publish::Trouble;
 
 /// How nodes get their displacements.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Method {
+pub(crate) enum Method {
     /// Every node is measured itself, with an error of its own.
     Nodes,
     /// Linear on a triangle of data.
@@ -29,12 +29,12 @@ pub(super) enum Method {
 const LONGEST: f64 = 4.0;
 /// Neighbours of a local polynomial, and the share of smoothing that is advised.
 const NEIGHBOURS: usize = 12;
-pub(super) const SHARE: f64 = 0.4;
+pub(crate) const SHARE: f64 = 0.4;
 /// Order of the differences that are smoothed.
 const ORDER: usize = 2;
 
 impl Method {
-    pub(super) const ALL: [Self; 5] = [
+    pub(crate) const ALL: [Self; 5] = [
         Self::Nodes,
         Self::Linear,
         Self::Polynomial,
@@ -42,7 +42,7 @@ impl Method {
         Self::Smoothed(SHARE),
     ];
 
-    pub(super) fn name(self) -> String {
+    pub(crate) fn name(self) -> String {
         match self {
             Self::Nodes => "nodes themselves".to_owned(),
             Self::Linear => "linear on triangles".to_owned(),
@@ -56,7 +56,7 @@ impl Method {
 
 /// What is varied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Varied {
+pub(crate) enum Varied {
     Points,
     Mesh,
     Smoothing,
@@ -65,39 +65,39 @@ pub(super) enum Varied {
 
 /// A measurement, a mesh and a reduction.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Case {
-    pub(super) varied: Varied,
-    pub(super) method: Method,
+pub(crate) struct Case {
+    pub(crate) varied: Varied,
+    pub(crate) method: Method,
     /// Size of the cells along the edge `[mm]`.
-    pub(super) size: f64,
+    pub(crate) size: f64,
     /// Spacing of the data `[mm]`.
-    pub(super) spacing: f64,
+    pub(crate) spacing: f64,
     /// Distance of the first data from the edge `[mm]`.
-    pub(super) stand_off: f64,
+    pub(crate) stand_off: f64,
 }
 
 /// A case with its answer; root mean squares along the edge, two cells at either end left out `[MPa]`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Row {
-    pub(super) case: Case,
+pub(crate) struct Row {
+    pub(crate) case: Case,
     /// Deviation of the shear by the propagated covariance.
-    pub(super) noise: f64,
+    pub(crate) noise: f64,
     /// Deviation over the seeds.
-    pub(super) drawn: f64,
+    pub(crate) drawn: f64,
     /// Change of the shear, without noise, from that of the nodes' true displacements: the bias of the reduction.
-    pub(super) bias: f64,
+    pub(crate) bias: f64,
     /// Error of the shear from the nodes' true displacements: the bias of the mesh.
-    pub(super) mesh: f64,
+    pub(crate) mesh: f64,
 }
 
 impl Row {
     /// Data per cell next to the edge.
-    pub(super) fn points(&self) -> f64 {
+    pub(crate) fn points(&self) -> f64 {
         (self.case.size / self.case.spacing).powi(2)
     }
 
     /// Noise and bias of the reduction together.
-    pub(super) fn error(&self) -> f64 {
+    pub(crate) fn error(&self) -> f64 {
         self.noise.hypot(self.bias)
     }
 }
@@ -156,7 +156,7 @@ impl Analysis {
 
 impl Case {
     /// Solves it with `seeds` draws of the noise; `None` where the method needs data that are not there.
-    pub(super) fn solve(&self, specimen: &Specimen, seeds: u64) -> Result<Option<Row>, Trouble> {
+    pub(crate) fn solve(&self, specimen: &Specimen, seeds: u64) -> Result<Option<Row>, Trouble> {
         let analysis = Analysis::new(specimen, self.size)?;
         let exact = specimen.measure(self.spacing, self.stand_off)?;
         let answer = match self.method {

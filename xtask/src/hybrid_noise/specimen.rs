@@ -20,7 +20,7 @@ use stickslip_hybrid::region::sector::ArcSector;
 use crate::publish::Trouble;
 
 /// Radius of the hole, 0.375 in `[mm]`.
-pub(super) const RADIUS: f64 = 9.525;
+pub(crate) const RADIUS: f64 = 9.525;
 /// Half the angle of the analysed sector `[rad]`.
 const HALF: f64 = 1.0;
 /// The fine mesh and the data reach farther than the analysed sector, by these factors of angle and of outer radius.
@@ -31,25 +31,25 @@ const CONTACT: f64 = 0.8;
 const FRICTION: f64 = 0.25;
 const THICKNESS: f64 = 1.524;
 /// Standard deviation of an error that is uniform in ±1/4 fringe at 2400 lines/mm `[mm]`.
-pub(super) const DEVIATION: f64 = 0.25 / 2400.0 / 1.732_050_807_568_877_2;
+pub(crate) const DEVIATION: f64 = 0.25 / 2400.0 / 1.732_050_807_568_877_2;
 /// Places are moved by up to this part of their spacing, so that they do not follow the mesh.
 const JITTER: f64 = 0.4;
 
 /// Pressure and shear τ_rθ on the edge at an angle `[MPa]`.
-pub(super) fn tractions(theta: f64) -> [f64; 2] {
+pub(crate) fn tractions(theta: f64) -> [f64; 2] {
     let pressure = PRESSURE * (1.0 - (theta / CONTACT).powi(2)).max(0.0).powi(2);
     [pressure, FRICTION * pressure * (2.5 * theta).sin()]
 }
 
 /// Greatest magnitude of the applied shear `[MPa]`.
-pub(super) fn peak_shear() -> f64 {
+pub(crate) fn peak_shear() -> f64 {
     (0..=800)
         .map(|k| tractions(f64::from(k) * 1e-3)[1].abs())
         .fold(0.0, f64::max)
 }
 
 /// An elastic body on the sector's mesh.
-pub(super) fn body(sector: &ArcSector) -> Result<Arc<ElasticBody>, Trouble> {
+pub(crate) fn body(sector: &ArcSector) -> Result<Arc<ElasticBody>, Trouble> {
     let aluminium = Isotropic::new(70.3e3, 0.34, PlaneState::Stress)?;
     let materials: Vec<Arc<dyn Material>> = vec![Arc::new(aluminium)];
     let body = ElasticBody::new(Arc::new(sector.mesh()?), materials, THICKNESS)?;
@@ -57,7 +57,7 @@ pub(super) fn body(sector: &ArcSector) -> Result<Arc<ElasticBody>, Trouble> {
 }
 
 /// The analysed sector with cells of about `size` `[mm]` along the edge.
-pub(super) fn analysed(size: f64) -> ArcSector {
+pub(crate) fn analysed(size: f64) -> ArcSector {
     let around = (2.0 * HALF * RADIUS / size).round().max(3.0) as usize;
     ArcSector {
         centre: [0.0, 0.0],
@@ -71,15 +71,47 @@ pub(super) fn analysed(size: f64) -> ArcSector {
     }
 }
 
+/// Displacements x and y of the nodes of `body`, a sector's, in turn `[mm]`, under pressure and shear τ_rθ `[MPa]` on its inner edge that
+/// are functions of the angle; its outer edge is held.
+pub(crate) fn loaded(
+    body: &Arc<ElasticBody>,
+    tractions: impl Fn(f64) -> [f64; 2],
+) -> Result<Vec<f64>, Trouble> {
+    let mesh = body.mesh();
+    let inner = &mesh.edge_set("inner")?.edges;
+    let forces = edge_load(mesh, inner, THICKNESS, |point| {
+        let theta = point.position[1].atan2(point.position[0]);
+        let (s, c) = theta.sin_cos();
+        let [p, tau] = tractions(theta);
+        // n = −e_r, so that the traction is p e_r − τ_rθ e_θ.
+        [p * c + tau * s, p * s - tau * c]
+    });
+    let outer = mesh.node_set("outer")?.to_vec();
+    let held = |direction| Support {
+        nodes: outer.clone(),
+        direction,
+        displacement: 0.0,
+    };
+    let load = LoadCase {
+        forces,
+        ..LoadCase::default()
+    };
+    let held = ElasticBody::clone(body)
+        .with_supports([held(HeldDirection::X), held(HeldDirection::Y)])
+        .with_load_cases(vec![load])?;
+    let condensed = Arc::new(held).condense(&[])?;
+    Ok(condensed.displacements(&[], &[1.0], &[]))
+}
+
 /// The specimen, solved on a mesh finer than any that analyses it.
-pub(super) struct Specimen {
+pub(crate) struct Specimen {
     body: Arc<ElasticBody>,
     displacements: Vec<f64>,
 }
 
 impl Specimen {
     /// Solves it on `cells` around and outwards.
-    pub(super) fn new(cells: [usize; 2]) -> Result<Self, Trouble> {
+    pub(crate) fn new(cells: [usize; 2]) -> Result<Self, Trouble> {
         let half = BEYOND[0] * HALF;
         let body = body(&ArcSector {
             outer: BEYOND[1] * 2.0 * RADIUS,
@@ -88,31 +120,7 @@ impl Specimen {
             growth: 1.0,
             ..analysed(1.0)
         })?;
-        let mesh = body.mesh();
-        let inner = &mesh.edge_set("inner")?.edges;
-        let forces = edge_load(mesh, inner, THICKNESS, |point| {
-            let theta = point.position[1].atan2(point.position[0]);
-            let (s, c) = theta.sin_cos();
-            let [p, tau] = tractions(theta);
-            // n = −e_r, so that the traction is p e_r − τ_rθ e_θ.
-            [p * c + tau * s, p * s - tau * c]
-        });
-        let outer = mesh.node_set("outer")?.to_vec();
-        let held = |direction| Support {
-            nodes: outer.clone(),
-            direction,
-            displacement: 0.0,
-        };
-        let load = LoadCase {
-            forces,
-            ..LoadCase::default()
-        };
-        let loaded = ElasticBody::clone(&body)
-            .with_supports([held(HeldDirection::X), held(HeldDirection::Y)])
-            .with_load_cases(vec![load])?;
-        let displacements = Arc::new(loaded)
-            .condense(&[])?
-            .displacements(&[], &[1.0], &[]);
+        let displacements = loaded(&body, tractions)?;
         Ok(Self {
             body,
             displacements,
@@ -120,7 +128,7 @@ impl Specimen {
     }
 
     /// Displacements x and y of places in turn `[mm]`.
-    pub(super) fn displacements_at(&self, places: &[Point]) -> Result<Vec<f64>, Trouble> {
+    pub(crate) fn displacements_at(&self, places: &[Point]) -> Result<Vec<f64>, Trouble> {
         let rows = displacement_rows(self.body.mesh(), places)?;
         let at = |row: &Vec<(usize, f64)>| -> f64 {
             (row.iter())
@@ -132,15 +140,10 @@ impl Specimen {
 
     /// Error-free displacements on a jittered grid of `spacing` `[mm]` that begins `stand_off` `[mm]` from the edge; its first row lies
     /// there exactly.
-    pub(super) fn measure(&self, spacing: f64, stand_off: f64) -> Result<Measurement, Trouble> {
+    pub(crate) fn measure(&self, spacing: f64, stand_off: f64) -> Result<Measurement, Trouble> {
         let places = grid(spacing, stand_off);
-        let rows = displacement_rows(self.body.mesh(), &places)?;
-        let at = |row: &Vec<(usize, f64)>| -> f64 {
-            row.iter()
-                .map(|&(dof, w)| w * self.displacements[dof])
-                .sum()
-        };
-        let component = |axis: usize| rows.iter().skip(axis).step_by(2).map(at).collect();
+        let found = self.displacements_at(&places)?;
+        let component = |axis: usize| found.iter().skip(axis).step_by(2).copied().collect();
         let valid = vec![true; places.len()];
         Ok(Measurement {
             displacements: [component(0), component(1)],
@@ -176,7 +179,7 @@ fn grid(spacing: f64, stand_off: f64) -> Vec<Point> {
 }
 
 /// Errors of both components, uniform in ±1/4 fringe and independent.
-pub(super) fn disturbed(exact: &Measurement, seed: u64) -> Measurement {
+pub(crate) fn disturbed(exact: &Measurement, seed: u64) -> Measurement {
     let [u, v] = &exact.displacements;
     let both = shaken(&[u.as_slice(), v].concat(), seed);
     let (u, v) = both.split_at(u.len());
@@ -187,7 +190,7 @@ pub(super) fn disturbed(exact: &Measurement, seed: u64) -> Measurement {
 }
 
 /// Numbers with errors uniform in ±1/4 fringe.
-pub(super) fn shaken(exact: &[f64], seed: u64) -> Vec<f64> {
+pub(crate) fn shaken(exact: &[f64], seed: u64) -> Vec<f64> {
     let mut random = StdRng::seed_from_u64(seed);
     let half = DEVIATION * 3.0_f64.sqrt();
     let shake = |value: &f64| value + random.random_range(-half..=half);
@@ -195,7 +198,7 @@ pub(super) fn shaken(exact: &[f64], seed: u64) -> Vec<f64> {
 }
 
 /// Angle of an edge node at the arc length `parameter`, in (−π, π].
-pub(super) fn angle(parameter: f64) -> f64 {
+pub(crate) fn angle(parameter: f64) -> f64 {
     let turns = parameter / RADIUS / TAU;
     TAU * (turns - turns.round())
 }
