@@ -237,17 +237,24 @@ fn fitted(
         Err(RegionError::NotDetermined { .. }) => return Ok(None),
         Err(error) => return Err(error.into()),
     };
-    let amount = if share > 0.0 {
-        // The seed of the one measurement from which an experimentalist would choose.
-        share * fitter.cross_validated(&disturbed(exact, seeds).displacements)?
-    } else {
-        0.0
+    // Every measurement chooses its own amount, as an experimentalist's would.
+    let chosen = |state: &[Vec<f64>; 2]| -> Result<f64, RegionError> {
+        let none = share == 0.0;
+        Ok(if none {
+            0.0
+        } else {
+            share * fitter.cross_validated(state)?
+        })
     };
+    let amount = chosen(&disturbed(exact, seeds).displacements)?;
     let Ok(fit) = fitter.fit(&exact.displacements, Amount::Given(amount)) else {
         return Ok(None);
     };
     let draws = (0..seeds)
-        .map(|seed| Ok(fitter.values(&disturbed(exact, seed).displacements, amount)?))
+        .map(|seed| {
+            let state = disturbed(exact, seed).displacements;
+            Ok(fitter.values(&state, chosen(&state)?)?)
+        })
         .collect::<Result<Vec<_>, Trouble>>()?;
     analysis
         .quality(&fit.displacements, &draws.concat())
@@ -261,7 +268,7 @@ fn apart(first: &[f64], second: &[f64]) -> f64 {
 }
 
 /// Root mean square over the nodes farther than two quadratic cells from the ends.
-fn inside(values: &[f64]) -> f64 {
+pub(crate) fn inside(values: &[f64]) -> f64 {
     const LEFT_OUT: usize = 4;
     let own = &values[LEFT_OUT..values.len() - LEFT_OUT];
     (own.iter().map(|v| v * v).sum::<f64>() / own.len() as f64).sqrt()

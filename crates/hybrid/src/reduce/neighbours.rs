@@ -35,6 +35,15 @@ impl<'a> Neighbours<'a> {
         found
     }
 
+    /// Median distance of a place from its nearest neighbour; infinite for fewer than two.
+    pub(crate) fn spacing(&self) -> f64 {
+        let second = |&index: &usize| Some(self.nearest(self.places[index], 2).get(1)?.0);
+        let mut distances: Vec<f64> = self.tree.iter().filter_map(second).collect();
+        distances.sort_by(f64::total_cmp);
+        let middle = distances.get(distances.len() / 2);
+        middle.copied().unwrap_or(f64::INFINITY)
+    }
+
     /// All places at less than `radius`, nearest first, equal ones by index.
     pub(crate) fn within(&self, at: Point, radius: f64) -> Vec<(f64, usize)> {
         let mut found = Vec::new();

@@ -16,6 +16,8 @@
 
 mod penalty;
 
+use std::collections::BTreeMap;
+
 use faer::Mat;
 use stickslip_fem_core::mesh::Point;
 
@@ -24,8 +26,10 @@ use super::checks::{Points, measured_rows};
 use super::dense::{
     by_rows, cholesky, eigen, multiply, sandwich, solve_lower, solve_lower_transposed,
 };
+use super::outline::boundary_edges;
 use super::{Region, RegionError};
 use crate::data::{Measurement, NodalDisplacements};
+use crate::reduce::neighbours::Neighbours;
 
 /// How much to smooth.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,23 +96,45 @@ impl Region {
         Fitter::new(self, data, smoothing.order)?.fit(&data.displacements, smoothing.amount)
     }
 
-    /// Refuses a prescribed node farther from any datum than three times the spacing of the data.
+    /// Refuses a prescribed node farther from any datum than six times the distance of neighbouring data, or than the cells on the
+    /// boundary are long there.
     fn check_coverage(&self, data: &Measurement, points: &Points) -> Result<(), RegionError> {
-        const SPACINGS: f64 = 3.0;
-        let [low, high] = self.mesh().bounding_box();
-        let area = (high[0] - low[0]) * (high[1] - low[1]);
+        const SPACINGS: f64 = 6.0;
+        let lengths = self.boundary_lengths();
         for axis in 0..2 {
-            let own = (points.places.iter()).filter(|(_, component)| *component == axis);
-            let places: Vec<Point> = own.map(|&(index, _)| data.places[index]).collect();
-            let reach = SPACINGS * (area / places.len().max(1) as f64).sqrt();
+            let mut used = vec![false; data.places.len()];
+            for &(index, component) in &points.places {
+                used[index] |= component == axis;
+            }
+            let near = Neighbours::new(&data.places, &used);
+            let spacing = near.spacing();
             for dof in self.prescribed().iter().filter(|dof| *dof % 2 == axis) {
-                let [x, y] = self.mesh().nodes()[dof / 2];
-                if !(places.iter()).any(|[u, v]| (u - x).hypot(v - y) <= reach) {
-                    return Err(RegionError::NotDetermined { place: [x, y] });
+                let place = self.mesh().nodes()[dof / 2];
+                let length = lengths.get(&(dof / 2)).copied().unwrap_or_default();
+                let nearest = near.nearest(place, 1);
+                let distance = nearest.first().map_or(f64::INFINITY, |found| found.0);
+                if distance > length.max(SPACINGS * spacing) {
+                    return Err(RegionError::NotDetermined { place });
                 }
             }
         }
         Ok(())
+    }
+
+    /// Length of the longest edge on the boundary that has a node `[length]`.
+    fn boundary_lengths(&self) -> BTreeMap<usize, f64> {
+        let mesh = self.mesh();
+        let mut lengths = BTreeMap::new();
+        for edge in boundary_edges(mesh) {
+            let nodes = mesh.edge_nodes(edge);
+            let [a, b] = nodes.ends.map(|node| mesh.nodes()[node]);
+            let length = (a[0] - b[0]).hypot(a[1] - b[1]);
+            for node in nodes.ends.into_iter().chain(nodes.mid) {
+                let longest: &mut f64 = lengths.entry(node).or_default();
+                *longest = longest.max(length);
+            }
+        }
+        lengths
     }
 }
 

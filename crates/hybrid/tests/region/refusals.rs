@@ -97,6 +97,17 @@ fn data_that_do_not_cover_the_boundary_say_where() {
         region.fit(&data, smoothing),
         Err(RegionError::NotDetermined { .. })
     ));
+    // So few in the corner that the region holds less than one per several of its cells.
+    let few = Measurement {
+        places: data.places.iter().copied().step_by(20).collect(),
+        displacements: [vec![0.0; 20], vec![0.0; 20]],
+        valid: [vec![true; 20], vec![true; 20]],
+        ..data.clone()
+    };
+    assert!(matches!(
+        region.fit(&few, smoothing),
+        Err(RegionError::NotDetermined { .. })
+    ));
     let order = Smoothing {
         order: 4,
         ..smoothing
