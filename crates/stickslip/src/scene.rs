@@ -54,6 +54,8 @@ use sha2::{Digest, Sha256};
 
 use crate::diagnostic::{Finding, SceneError, SceneProblem, SourceText};
 use crate::units::{Dimension, Expected, parse};
+pub(crate) use friction::law as read_law;
+pub(crate) use overrides::apply as apply_override;
 pub use document::Format;
 use document::{Document, Part};
 use format::SceneFormat;
