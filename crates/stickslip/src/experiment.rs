@@ -14,6 +14,7 @@
 
 mod format;
 mod history;
+pub mod laws;
 pub mod plan;
 
 pub use plan::Experiment;

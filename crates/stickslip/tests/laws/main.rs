@@ -1,0 +1,6 @@
+//! Friction laws fitted by contact solves: truth known.
+
+mod common;
+mod contact;
+mod fits;
+mod sensitivity;
