@@ -54,11 +54,11 @@ use sha2::{Digest, Sha256};
 
 use crate::diagnostic::{Finding, SceneError, SceneProblem, SourceText};
 use crate::units::{Dimension, Expected, parse};
-pub(crate) use friction::law as read_law;
-pub(crate) use overrides::apply as apply_override;
 pub use document::Format;
 use document::{Document, Part};
 use format::SceneFormat;
+pub(crate) use friction::law as read_law;
+pub(crate) use overrides::apply as apply_override;
 use read::Reader;
 use schema::{
     Analysis, Body, Contact, DisplayUnits, Failure, Load, LoadKind, Material, MeshSettings, Output,

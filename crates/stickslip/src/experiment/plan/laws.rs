@@ -27,7 +27,11 @@ pub(super) fn read(
         let read = read_law(refuse.0, &key, &law.friction, plies)
             .map_err(|finding| SceneError::new(*finding, []))?;
         let kind = law.friction.as_object().and_then(|map| map.keys().next());
-        let name = law.name.clone().or_else(|| kind.cloned()).unwrap_or_default();
+        let name = law
+            .name
+            .clone()
+            .or_else(|| kind.cloned())
+            .unwrap_or_default();
         if laws.iter().any(|other| other.name == name) {
             return Err(refuse.conflict(
                 &table,

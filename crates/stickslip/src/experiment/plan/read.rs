@@ -85,7 +85,10 @@ pub(super) fn experiment(
         region,
         identify: settings::identify(refuse, &read.identify, &states)?,
         laws: laws::read(refuse, &read.laws, &specimen)?,
-        hash: hash(&document, specimen.scene.as_ref().map(|own| own.scene.hash.as_str())),
+        hash: hash(
+            &document,
+            specimen.scene.as_ref().map(|own| own.scene.hash.as_str()),
+        ),
         specimen,
         grating,
         fringes,
@@ -175,12 +178,7 @@ impl Refuse<'_> {
         }
     }
 
-    pub(super) fn out_of_range(
-        self,
-        key: &str,
-        value: impl ToString,
-        allowed: &str,
-    ) -> SceneError {
+    pub(super) fn out_of_range(self, key: &str, value: impl ToString, allowed: &str) -> SceneError {
         let problem = SceneProblem::OutOfRange {
             key: key.rsplit('.').next().unwrap_or(key).to_owned(),
             value: value.to_string(),
@@ -189,11 +187,7 @@ impl Refuse<'_> {
         self.at(key, problem)
     }
 
-    pub(super) fn positive(
-        self,
-        key: &str,
-        length: &Quantity<Length>,
-    ) -> Result<f64, SceneError> {
+    pub(super) fn positive(self, key: &str, length: &Quantity<Length>) -> Result<f64, SceneError> {
         let value = length.value();
         self.within(key, length.text(), value > 0.0, "greater than 0")?;
         Ok(value)
@@ -275,7 +269,11 @@ fn grating(refuse: Refuse<'_>, given: &GratingFormat) -> Result<Grating, SceneEr
         }
     };
     made.map_err(|cause| {
-        refuse.conflict("grating", cause.to_string(), "give a grating that can exist")
+        refuse.conflict(
+            "grating",
+            cause.to_string(),
+            "give a grating that can exist",
+        )
     })
 }
 
@@ -289,15 +287,30 @@ fn fringes(refuse: Refuse<'_>, given: &FringesFormat) -> Result<Fringes, SceneEr
         refuse.within(&format!("fringes.{name}"), value, fits, allowed)
     };
     let exposure = Exposure {
-        background: number("background", given.background, given.background > 0.0, "greater than 0")?,
+        background: number(
+            "background",
+            given.background,
+            given.background > 0.0,
+            "greater than 0",
+        )?,
         modulation: number(
             "modulation",
             given.modulation,
             given.modulation > 0.0 && given.modulation <= given.background,
             "greater than 0 and at most the background",
         )?,
-        order_error: number("order_error", given.order_error, given.order_error >= 0.0, "at least 0")?,
-        noise: number("camera_noise", given.camera_noise, given.camera_noise >= 0.0, "at least 0")?,
+        order_error: number(
+            "order_error",
+            given.order_error,
+            given.order_error >= 0.0,
+            "at least 0",
+        )?,
+        noise: number(
+            "camera_noise",
+            given.camera_noise,
+            given.camera_noise >= 0.0,
+            "at least 0",
+        )?,
         speckle_patterns: given
             .speckle
             .map(|count| refuse.within("fringes.speckle", count, count > 0, "at least 1"))

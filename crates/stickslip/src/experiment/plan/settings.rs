@@ -135,11 +135,7 @@ pub(super) fn region(
     })
 }
 
-fn sector(
-    refuse: Refuse<'_>,
-    given: &RegionFormat,
-    hole: &Hole,
-) -> Result<SectorPlan, SceneError> {
+fn sector(refuse: Refuse<'_>, given: &RegionFormat, hole: &Hole) -> Result<SectorPlan, SceneError> {
     let Some(sector) = &given.sector else {
         return Err(refuse.missing("region", "sector", "sector = { … }"));
     };
@@ -159,7 +155,10 @@ fn sector(
         "region.sector.outer",
         sector.outer.text(),
         outer > hole.radius + stand_off,
-        &format!("greater than hole radius and stand-off together, {} mm", hole.radius + stand_off),
+        &format!(
+            "greater than hole radius and stand-off together, {} mm",
+            hole.radius + stand_off
+        ),
     )?;
     let [around, outwards] = sector.cells;
     let fits = around > 0 && outwards > 0 && around.saturating_mul(outwards) <= 1_000_000;

@@ -10,9 +10,9 @@ use super::read::{Refuse, place};
 use super::{Hole, Specimen, SpecimenScene};
 use crate::diagnostic::{SceneError, SceneProblem, nearest};
 use crate::experiment::format::{ExperimentFormat, SpecimenFormat};
+use crate::model::centre_of;
 use crate::scene::document::Part;
 use crate::scene::schema::Substance;
-use crate::model::centre_of;
 use crate::scene::{Format, Scene};
 
 /// Name of the material and body in the scene that a specimen without one is read through.

@@ -7,9 +7,7 @@ use stickslip_hybrid::data::{self, LineReading, Reading, Track, YAxis};
 use stickslip_hybrid::moire::Grating;
 
 use super::read::{Refuse, gradient, place};
-use super::{
-    Direction, Fringes, LineSource, PictureSource, Source, Specimen, State, TableSource,
-};
+use super::{Direction, Fringes, LineSource, PictureSource, Source, Specimen, State, TableSource};
 use crate::diagnostic::SceneError;
 use crate::experiment::format::{
     AxisFormat, ColumnsFormat, DirectionFormat, FilesFormat, LinesFormat, PicturesFormat,
@@ -54,14 +52,20 @@ impl<'a> From<&'a SourceFormat> for Ways<'a> {
 impl Scope<'_> {
     /// The states; without any, all load steps of the scene.
     pub(super) fn states(&self, given: &[StateFormat]) -> Result<Vec<State>, SceneError> {
-        let history = self.specimen.scene.as_ref().map(|own| History::of(&own.scene));
+        let history = self
+            .specimen
+            .scene
+            .as_ref()
+            .map(|own| History::of(&own.scene));
         if given.is_empty() {
             let Some(history) = history.filter(|_| self.fringes.is_some()) else {
                 let example = "[[states]] name = \"up\", table = { file = \"up.csv\", scale = \"1 mm\", y_axis = \"up\" }";
                 return Err(self.refuse.missing("", "states", example));
             };
             self.needs_grating()?;
-            return Ok((0..history.steps()).map(|step| history.state(step)).collect());
+            return Ok((0..history.steps())
+                .map(|step| history.state(step))
+                .collect());
         }
         let mut states: Vec<State> = Vec::new();
         for (index, state) in given.iter().enumerate() {
@@ -147,8 +151,7 @@ impl Scope<'_> {
             return Err(self.refuse.missing("specimen", "scene", example));
         };
         if self.fringes.is_none() {
-            let example =
-                "[fringes] window = [[\"-2 mm\", \"-2 mm\"], [\"20 mm\", \"20 mm\"]], pixel = \"0.02 mm\"";
+            let example = "[fringes] window = [[\"-2 mm\", \"-2 mm\"], [\"20 mm\", \"20 mm\"]], pixel = \"0.02 mm\"";
             return Err(self.refuse.missing("", "fringes", example));
         }
         self.needs_grating()?;
@@ -180,11 +183,16 @@ impl Scope<'_> {
                 "name x, y, u, v or flag",
             ));
         }
-        let scale = self.refuse.positive(&format!("{key}.scale"), &given.scale)?;
+        let scale = self
+            .refuse
+            .positive(&format!("{key}.scale"), &given.scale)?;
         let displacement_scale = given
             .displacement_scale
             .as_ref()
-            .map(|scale| self.refuse.positive(&format!("{key}.displacement_scale"), scale))
+            .map(|scale| {
+                self.refuse
+                    .positive(&format!("{key}.displacement_scale"), scale)
+            })
             .transpose()?;
         let deviation = given
             .deviation
@@ -210,7 +218,9 @@ impl Scope<'_> {
         self.needs_grating()?;
         let files = [&given.u, &given.v].map(|files| self.files(files.as_ref()));
         if files.iter().all(Vec::is_empty) {
-            return Err(self.refuse.missing(key, "u", "u = \"up-u.png\", v = \"up-v.png\""));
+            return Err(self
+                .refuse
+                .missing(key, "u", "u = \"up-u.png\", v = \"up-v.png\""));
         }
         let rising = given
             .rising
@@ -226,12 +236,18 @@ impl Scope<'_> {
         if let Some(dark) = given.dark {
             let place = format!("{key}.dark");
             let fits = (0.0..1.0).contains(&dark);
-            self.refuse
-                .within(&place, dark, fits, "at least 0 and less than 1, a part of full scale")?;
+            self.refuse.within(
+                &place,
+                dark,
+                fits,
+                "at least 0 and less than 1, a part of full scale",
+            )?;
         }
         Ok(Source::Pictures(PictureSource {
             files,
-            pixel: self.refuse.positive(&format!("{key}.pixel"), &given.pixel)?,
+            pixel: self
+                .refuse
+                .positive(&format!("{key}.pixel"), &given.pixel)?,
             top_left: place(&given.top_left),
             upright: given.y_axis == AxisFormat::Up,
             carrier: given
@@ -263,7 +279,9 @@ impl Scope<'_> {
                 "name line, x, y or order",
             ));
         }
-        let scale = self.refuse.positive(&format!("{key}.scale"), &given.scale)?;
+        let scale = self
+            .refuse
+            .positive(&format!("{key}.scale"), &given.scale)?;
         let tolerance = match &given.tolerance {
             Some(tolerance) => self
                 .refuse
@@ -309,7 +327,12 @@ impl Scope<'_> {
     }
 
     /// Kinds of data that cannot be subtracted from each other; and pictures whose carrier nothing tells.
-    fn check_null(&self, key: &str, source: &Source, null: Option<&Source>) -> Result<(), SceneError> {
+    fn check_null(
+        &self,
+        key: &str,
+        source: &Source,
+        null: Option<&Source>,
+    ) -> Result<(), SceneError> {
         let is_lines = |source: &Source| matches!(source, Source::Lines(_));
         if null.is_some_and(|null| is_lines(null) != is_lines(source)) {
             return Err(self.refuse.conflict(
