@@ -9,7 +9,7 @@ mod states;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use serde_json::Value;
+use serde_json::{Map, Value};
 use stickslip_fem_core::material::PlaneState;
 use stickslip_fem_core::mesh::{ElementKind, Point};
 use stickslip_friction::FrictionLaw;
@@ -443,6 +443,11 @@ impl Experiment {
             text: text.to_owned(),
         };
         read::experiment(source, format, folder, overrides)
+    }
+
+    /// The file as it was spelled, with its overrides.
+    pub(super) fn spelled(&self) -> Map<String, Value> {
+        self.document.root.as_object().cloned().unwrap_or_default()
     }
 
     /// A problem that shows only later, such as a file that lacks a column, at the key that causes it: `states.0.table.columns`.
