@@ -14,7 +14,8 @@
 //! trial steps that need no derivative. A refused place is a place without prediction, no failure; refusals are counted.
 //!
 //! An interval is that of the profile of the likelihood, which need not be symmetric and need not end: where it reaches an end of the
-//! range it is one-sided, and where it reaches both the data say nothing. Sources: Levenberg (1944), Marquardt (1963), Akaike (1974),
+//! range it is one-sided, and where it reaches both the data say nothing. Nor is it an end by the data where the model refuses to go on,
+//! as a static coefficient that cannot fall below the dynamic one. Sources: Levenberg (1944), Marquardt (1963), Akaike (1974),
 //! Schwarz (1978), Hurvich & Tsai (1989), Venzon & Moolgavkar (1988).
 //!
 //! ```
@@ -231,7 +232,7 @@ pub struct Estimate {
     pub value: f64,
     /// Standard deviation by the curvature of χ² there; `None` where χ² does not depend on it.
     pub deviation: Option<f64>,
-    /// Interval of the profile. It ends where the profile passes its limit, and has no end where the range ends before.
+    /// Interval of the profile. It ends where the profile passes its limit, and has no end where the range or the model ends before.
     pub bounds: Bounds,
     /// The profile: values, ascending, and what χ² is above its least.
     pub profile: Vec<(f64, f64)>,
@@ -333,33 +334,15 @@ pub fn calibrate<E: std::fmt::Display>(
     let mut best = search.best_of(&grid, settings.starts.max(1))?;
     let limit = two_sided_quantile(settings.confidence).powi(2);
     // A profile that finds something better starts the search anew from there.
-    const ROUNDS: usize = 4;
+    const ROUNDS: usize = 6;
     let mut estimates = Vec::new();
-    for round in 0..ROUNDS {
-        let information = search.information(&best)?;
-        estimates.clear();
-        let mut better = None;
-        for axis in 0..parameters.len() {
-            match search.profile(&best, &grid, axis, information.deviation(axis), limit)? {
-                profile::Outcome::Profile { bounds, points } => estimates.push(Estimate {
-                    name: parameters[axis].name.clone(),
-                    value: parameters[axis].at(best.parts[axis]),
-                    deviation: information
-                        .deviation(axis)
-                        .map(|own| own * parameters[axis].slope(best.parts[axis])),
-                    bounds,
-                    profile: points,
-                }),
-                profile::Outcome::Better(found) if round + 1 < ROUNDS => {
-                    better = Some(found);
-                    break;
-                }
-                profile::Outcome::Better(_) => {}
+    for round in 1..=ROUNDS {
+        match search.estimates(&best, &grid, limit, round == ROUNDS)? {
+            Profiles::All(found) => {
+                estimates = found;
+                break;
             }
-        }
-        match better {
-            Some(found) => best = search.refined(found, &[])?,
-            None => break,
+            Profiles::Better(found) => best = search.refined(found, &[])?,
         }
     }
     let information = search.information(&best)?;
@@ -376,6 +359,43 @@ pub fn calibrate<E: std::fmt::Display>(
         refusals: search.refusals,
         first_refusal: search.first_refusal,
     })
+}
+
+/// Estimates of all parameters, or a point that a profile found better.
+enum Profiles {
+    All(Vec<Estimate>),
+    Better(search::Point),
+}
+
+impl Search<'_> {
+    fn estimates(
+        &mut self,
+        best: &search::Point,
+        grid: &[search::Point],
+        limit: f64,
+        last: bool,
+    ) -> Result<Profiles, CalibrateError> {
+        let information = self.information(best)?;
+        let mut estimates = Vec::new();
+        for (axis, parameter) in self.parameters().iter().enumerate() {
+            let way = (axis, information.scale(axis));
+            match self.profile(best, grid, way, limit, last)? {
+                profile::Outcome::Better(found) => return Ok(Profiles::Better(found)),
+                profile::Outcome::Profile { bounds, points } => {
+                    let part = best.parts[axis];
+                    let slope = parameter.slope(part);
+                    estimates.push(Estimate {
+                        name: parameter.name.clone(),
+                        value: parameter.at(part),
+                        deviation: information.deviation(axis).map(|own| own * slope),
+                        bounds,
+                        profile: points,
+                    });
+                }
+            }
+        }
+        Ok(Profiles::All(estimates))
+    }
 }
 
 fn check(parameters: &[Parameter], data: &Data, settings: &Settings) -> Result<(), CalibrateError> {
@@ -429,6 +449,12 @@ impl Information {
             None => Some(self.alone[axis]).filter(|own| own.is_finite() && self.alone.len() == 1),
         }
         .filter(|own| own.is_finite())
+    }
+
+    /// A step in parts of the range over which χ² changes; `None` without influence.
+    fn scale(&self, axis: usize) -> Option<f64> {
+        let alone = Some(self.alone[axis]).filter(|own| own.is_finite());
+        self.deviation(axis).or(alone)
     }
 
     fn covariance(&self, parameters: &[Parameter], parts: &[f64]) -> Vec<f64> {

@@ -12,6 +12,7 @@
 //! | [`chain`], [`story`] | the stages one after the other, and the page that tells of them |
 //! | [`measured`] | displacements with their deviation and mask |
 //! | [`laws`] | friction laws fitted by contact solves, and compared |
+//! | [`whole`] | the whole plate under its remote load, its hole displaced as measured |
 //! | [`truth`], [`synthesis`] | the solution of a scene, and synthetic pictures of it |
 //!
 //! Four commands go to four depths of this chain, each doing all that comes before.
@@ -27,6 +28,7 @@ pub mod plan;
 pub mod story;
 pub mod synthesis;
 pub mod truth;
+pub mod whole;
 
 pub use error::ExperimentError;
 pub use plan::Experiment;

@@ -5,7 +5,7 @@
 //! ```
 
 use super::CalibrateError;
-use super::search::{Point, Search};
+use super::search::{Point, ROUGHLY, Search};
 use crate::identify::Bounds;
 
 /// First step where the curvature of χ² suggests none, and the largest first step.
@@ -43,15 +43,29 @@ impl Place {
 }
 
 impl Search<'_> {
+    /// Whether the model refuses to go on from `edge` along `axis` to the side of `sign` when all others stay: then it is the model that
+    /// ends there, and not the data that say so.
+    fn refuses_beyond(
+        &mut self,
+        edge: &Point,
+        axis: usize,
+        sign: f64,
+    ) -> Result<bool, CalibrateError> {
+        const BEYOND: f64 = 2e-3;
+        let mut parts = edge.parts.clone();
+        parts[axis] = (parts[axis] + sign * BEYOND).clamp(0.0, 1.0);
+        Ok(self.at(&parts)?.is_none())
+    }
+
     /// The profile of parameter `axis` about `best`, whose deviation in parts is `deviation`, with the interval in which χ² increases by
-    /// at most `limit`.
+    /// at most `limit`; [`Outcome::Better`] where it meets a better point, unless this is the `last` round.
     pub(super) fn profile(
         &mut self,
         best: &Point,
         grid: &[Point],
-        axis: usize,
-        deviation: Option<f64>,
+        (axis, deviation): (usize, Option<f64>),
         limit: f64,
+        last: bool,
     ) -> Result<Outcome, CalibrateError> {
         let step = deviation.map_or(FIRST_STEP, |own| {
             (0.5 * own).clamp(SMALLEST_STEP, FIRST_STEP)
@@ -65,12 +79,10 @@ impl Search<'_> {
             let sign = if side == 0 { -1.0 } else { 1.0 };
             let mut walk: Vec<Place> = Vec::new();
             for part in outwards(best.parts[axis], sign, step) {
-                let last = walk.iter().rev().find_map(|place| place.point.as_ref());
-                let point = self.least_at(last.unwrap_or(best), grid, axis, part)?;
-                if let Some(point) = point
-                    .as_ref()
-                    .filter(|p| p.chi_squared < best.chi_squared - BETTER)
-                {
+                let near = walk.iter().rev().find_map(|place| place.point.as_ref());
+                let point = self.least_at(near.unwrap_or(best), grid, axis, part)?;
+                let better = |own: &&Point| !last && own.chi_squared < best.chi_squared - BETTER;
+                if let Some(point) = point.as_ref().filter(better) {
                     return Ok(Outcome::Better(point.clone()));
                 }
                 walk.push(Place { part, point });
@@ -80,7 +92,10 @@ impl Search<'_> {
             if outside < walk.len() {
                 let from = inside.map_or(best, |k| walk[k].point.as_ref().unwrap_or(best));
                 let from = from.clone();
-                *end = Some(self.crossing(best, &from, grid, axis, &walk[outside], limit)?);
+                let (part, edge) = self.crossing(best, &from, grid, axis, &walk[outside], limit)?;
+                if !self.refuses_beyond(&edge, axis, sign)? {
+                    *end = Some(part);
+                }
             }
             places.extend(walk);
         }
@@ -135,11 +150,13 @@ impl Search<'_> {
                 break;
             }
         }
-        start.map(|start| self.descend(start, &[axis])).transpose()
+        start
+            .map(|start| self.descend(start, &[axis], ROUGHLY))
+            .transpose()
     }
 
     /// Part of the range at which the profile passes `limit` between `inside` and `outside`: false position on the root of the
-    /// increase, which is nearly linear, and bisection where that does not help.
+    /// increase, which is nearly linear, and bisection where that does not help. With the last point inside.
     fn crossing(
         &mut self,
         best: &Point,
@@ -148,7 +165,7 @@ impl Search<'_> {
         axis: usize,
         outside: &Place,
         limit: f64,
-    ) -> Result<f64, CalibrateError> {
+    ) -> Result<(f64, Point), CalibrateError> {
         let root = limit.sqrt();
         let excess = |increase: f64| increase.sqrt() - root;
         let mut from = inside.clone();
@@ -184,16 +201,19 @@ impl Search<'_> {
             }
         }
         let straight = low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1);
-        Ok(if straight.is_finite() {
+        let end = if straight.is_finite() {
             straight
         } else {
             f64::midpoint(low.0, high.0)
-        })
+        };
+        Ok((end, from))
     }
 }
 
-/// Parts from `start` to the end of the range in direction `sign`, in steps that grow from `step`.
+/// Parts from `start` to the end of the range in direction `sign`: some steps of `step`, so that the profile is well seen where it matters,
+/// and growing ones beyond.
 fn outwards(start: f64, sign: f64, step: f64) -> Vec<f64> {
+    const EQUAL: usize = 6;
     let end = if sign < 0.0 { 0.0 } else { 1.0 };
     let mut parts = Vec::new();
     let (mut part, mut step) = (start, step);
@@ -203,7 +223,9 @@ fn outwards(start: f64, sign: f64, step: f64) -> Vec<f64> {
             part = end;
         }
         parts.push(part);
-        step *= GROWTH;
+        if parts.len() >= EQUAL {
+            step *= GROWTH;
+        }
     }
     parts
 }

@@ -16,6 +16,9 @@ const DIFFERENCE: f64 = 5e-4;
 const STEPS: usize = 40;
 /// Trials of one step, with growing damping.
 const TRIALS: usize = 12;
+/// Descents end where a step gains less of χ²; differences of 1 begin to mean something.
+pub(super) const ROUGHLY: f64 = 1e-3;
+const EXACTLY: f64 = 1e-9;
 /// Parts that differ by less are the same.
 const SAME: f64 = 1e-8;
 
@@ -156,7 +159,7 @@ impl<'a> Search<'a> {
         }
         let mut best = grid[0].clone();
         for start in chosen {
-            let end = self.descend(start.clone(), &[])?;
+            let end = self.descend(start.clone(), &[], ROUGHLY)?;
             if end.chi_squared < best.chi_squared {
                 best = end;
             }
@@ -170,10 +173,10 @@ impl<'a> Search<'a> {
         start: Point,
         fixed: &[usize],
     ) -> Result<Point, CalibrateError> {
-        let low = self.descend(start, fixed)?;
+        let low = self.descend(start, fixed, EXACTLY)?;
         let tried = self.trial_steps(low.clone(), fixed)?;
         if tried.chi_squared < low.chi_squared {
-            self.descend(tried, fixed)
+            self.descend(tried, fixed, EXACTLY)
         } else {
             Ok(tried)
         }
@@ -201,13 +204,13 @@ impl<'a> Search<'a> {
         Ok(best)
     }
 
-    /// Levenberg's and Marquardt's descent from `start`; the parts `fixed` stay.
+    /// Levenberg's and Marquardt's descent from `start` until a step gains less than `enough` of χ²; the parts `fixed` stay.
     pub(super) fn descend(
         &mut self,
         start: Point,
         fixed: &[usize],
+        enough: f64,
     ) -> Result<Point, CalibrateError> {
-        const SETTLED: f64 = 1e-9;
         let free: Vec<usize> = (0..start.parts.len())
             .filter(|axis| !fixed.contains(axis))
             .collect();
@@ -251,7 +254,7 @@ impl<'a> Search<'a> {
             };
             let gained = point.chi_squared - next.chi_squared;
             point = next;
-            if gained < SETTLED * (SETTLED + point.chi_squared) {
+            if gained < enough {
                 return Ok(point);
             }
         }

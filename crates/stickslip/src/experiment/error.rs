@@ -6,7 +6,9 @@ use stickslip_hybrid::moire::MoireError;
 use stickslip_hybrid::reduce::ReduceError;
 use thiserror::Error;
 
+use super::laws::LawsError;
 use super::plan::Experiment;
+use super::whole::WholeError;
 use crate::diagnostic::{SceneError, SceneProblem};
 use crate::run::RunError;
 
@@ -72,6 +74,32 @@ pub enum ExperimentError {
         #[source]
         cause: ReduceError,
     },
+    /// A law that cannot be fitted as the file says.
+    #[error("{problem}")]
+    Law {
+        /// Key of what is wrong.
+        key: String,
+        /// What it is.
+        problem: Box<SceneProblem>,
+    },
+    /// Laws that cannot be fitted.
+    #[error("fitting of friction laws: {cause}")]
+    Laws {
+        /// Key of the laws.
+        key: String,
+        /// What is wrong.
+        #[source]
+        cause: LawsError,
+    },
+    /// The whole plate cannot be analysed.
+    #[error("the whole plate: {cause}")]
+    Whole {
+        /// Key that asks for it.
+        key: String,
+        /// What is wrong.
+        #[source]
+        cause: WholeError,
+    },
     /// A grating that cannot be.
     #[error(transparent)]
     Grating(#[from] MoireError),
@@ -87,7 +115,10 @@ impl ExperimentError {
             | Self::File { key, .. }
             | Self::Data { key, .. }
             | Self::Fringes { key, .. }
-            | Self::Reduction { key, .. } => key,
+            | Self::Reduction { key, .. }
+            | Self::Law { key, .. }
+            | Self::Whole { key, .. }
+            | Self::Laws { key, .. } => key,
         }
     }
 
@@ -111,6 +142,13 @@ impl ExperimentError {
                 _ => "look at the picture, its scale and its place",
             },
             Self::Reduction { .. } => "make the region smaller, give it a stand-off, or mask less",
+            Self::Whole { .. } => {
+                "the data must surround the hole, and only known forces may hold the plate; whole_plate = false leaves it out"
+            }
+            Self::Law { .. } => "`stickslip list laws` shows the parameters of each law",
+            Self::Laws { .. } => {
+                "`stickslip run` with the scene and the law shows where its solution fails; narrow the ranges of free parameters"
+            }
             Self::Grating(_) => "give a grating that can exist",
         };
         fixed.to_owned()
@@ -118,9 +156,12 @@ impl ExperimentError {
 
     /// The error at its line of the experiment file.
     pub fn located(&self, experiment: &Experiment) -> SceneError {
-        let problem = SceneProblem::Experiment {
-            message: self.to_string(),
-            remedy: self.remedy(),
+        let problem = match self {
+            Self::Law { problem, .. } => problem.as_ref().clone(),
+            _ => SceneProblem::Experiment {
+                message: self.to_string(),
+                remedy: self.remedy(),
+            },
         };
         experiment.error_at(self.key(), problem)
     }

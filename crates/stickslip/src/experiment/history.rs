@@ -47,6 +47,34 @@ impl<'a> History<'a> {
         }
     }
 
+    /// The load step of a state, and that of its null field; in words why there is none.
+    pub(super) fn tied(&self, state: &State) -> Result<(usize, Option<usize>), String> {
+        let step = match &state.source {
+            Source::Step(step) => *step,
+            _ => self.step_of(state)?,
+        };
+        match &state.null {
+            None => Ok((step, None)),
+            Some(Source::Step(null)) => Ok((step, Some(*null))),
+            Some(_) => Err("its null field is no load step of the scene".to_owned()),
+        }
+    }
+
+    /// The load step with the load and the direction of a state.
+    fn step_of(&self, state: &State) -> Result<usize, String> {
+        /// Loads that differ by less, in parts, are the same.
+        const SAME: f64 = 1e-3;
+        let load = state.load.ok_or("its load is not given")?;
+        let same = |step: &usize| {
+            let close = |own: f64| (own - load).abs() <= SAME * load.abs();
+            self.load(*step).is_some_and(close) && self.direction(*step) == state.direction
+        };
+        (0..self.steps).find(same).ok_or_else(|| {
+            let direction = state.direction.name();
+            format!("no load step of the scene has {load:.6} N in {direction}")
+        })
+    }
+
     /// The state at a step, named after it.
     pub(super) fn state(&self, step: usize) -> State {
         let width = self.steps.to_string().len();

@@ -15,13 +15,18 @@
 //! | [`Candidate`] | a law with free parameters, of any registered kind |
 //! | [`Observation`] | the displacements of a state, with their covariance and what is not asked of them |
 //! | [`fit`], [`Comparison`] | fits of several laws to the same data, compared |
+//! | [`stage`] | all of this for an experiment |
 //! | [`Sensitivity`] | how far the edge moves when a parameter does, in fringes |
 
 mod candidate;
 mod compare;
 mod contact;
+mod figures;
 mod observation;
+mod rings;
 mod sensitivity;
+mod stage;
+mod tell;
 
 use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::calibrate::CalibrateError;
@@ -32,6 +37,8 @@ pub use compare::{Comparison, Fit, StateFit, Verdict, fit};
 pub use contact::{ContactModel, View};
 pub use observation::{Nuisance, Observation, decimated};
 pub use sensitivity::{Sensitivity, sensitivity};
+pub use stage::{LawStage, stage};
+pub use tell::tell;
 
 use crate::run::RunError;
 

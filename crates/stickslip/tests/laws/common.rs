@@ -12,14 +12,14 @@ use stickslip_friction::FrictionLaw;
 use stickslip_hybrid::data::Measurement;
 
 /// Lines per mm of the report's grating.
-pub const FREQUENCY: f64 = 2400.0;
+pub(crate) const FREQUENCY: f64 = 2400.0;
 /// Standard deviation of an order with an error of up to a quarter fringe, evenly spread.
-pub const QUARTER: f64 = 0.25 / 1.732_050_807_568_877_2;
+pub(crate) const QUARTER: f64 = 0.25 / 1.732_050_807_568_877_2;
 /// Radius of the hole `[mm]`.
-pub const RADIUS: f64 = 9.525;
+pub(crate) const RADIUS: f64 = 9.525;
 
 /// The scene `name` with `overrides`, seen at the plate's hole.
-pub fn scene(name: &str, overrides: &[&str]) -> SpecimenScene {
+pub(crate) fn scene(name: &str, overrides: &[&str]) -> SpecimenScene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../scenes/{name}.toml"));
     SpecimenScene {
         scene: Arc::new(Scene::from_file(&path, overrides).unwrap()),
@@ -29,23 +29,23 @@ pub fn scene(name: &str, overrides: &[&str]) -> SpecimenScene {
 }
 
 /// Nodes every `degrees` along the fine part of the edge.
-pub fn aluminium(degrees: f64) -> ContactModel {
+pub(crate) fn aluminium(degrees: f64) -> ContactModel {
     let spacing = format!("mesh.spacing=\"{degrees} deg\"");
     let coarse = format!("mesh.coarse_spacing=\"{} deg\"", (4.0 * degrees).min(9.0));
     ContactModel::new(&scene("pin-loaded-aluminium", &[&spacing, &coarse])).unwrap()
 }
 
 /// A law as a file of numbers spells it.
-pub fn law(text: &str) -> Box<dyn FrictionLaw> {
+pub(crate) fn law(text: &str) -> Box<dyn FrictionLaw> {
     serde_json::from_str(text).unwrap()
 }
 
-pub fn candidate(name: &str, text: &str, free: &[(&str, [f64; 2])]) -> Candidate {
+pub(crate) fn candidate(name: &str, text: &str, free: &[(&str, [f64; 2])]) -> Candidate {
     Candidate::of_law(name, law(text).as_ref(), free).unwrap()
 }
 
 /// Places every `spacing` `[mm]` in a square window of half width `half` around the hole, clear of the edge by `clear`.
-pub fn window(half: f64, spacing: f64, clear: f64) -> Vec<[f64; 2]> {
+pub(crate) fn window(half: f64, spacing: f64, clear: f64) -> Vec<[f64; 2]> {
     let count = (2.0 * half / spacing) as i32;
     let at = |k: i32| -half + spacing * f64::from(k);
     (0..=count)
@@ -55,19 +55,19 @@ pub fn window(half: f64, spacing: f64, clear: f64) -> Vec<[f64; 2]> {
 }
 
 /// Displacements of `truth` under `law` at load steps `steps`, each with an error of up to `error` fringes, evenly spread.
-pub fn measured(
+pub(crate) fn measured_fields(
     truth: &ContactModel,
-    law: Box<dyn FrictionLaw>,
+    law: Arc<dyn FrictionLaw>,
     steps: &[usize],
     places: &[[f64; 2]],
     error: f64,
     seed: u64,
-) -> Vec<Observation> {
+) -> Vec<Measurement> {
     let mut random = StdRng::seed_from_u64(seed);
     let view = truth.view(places).unwrap();
     let last = steps.iter().max().copied().unwrap_or(0);
-    let states = truth.states(Arc::from(law), last + 1).unwrap();
-    let observed = |&step: &usize| {
+    let states = truth.states(law, last + 1).unwrap();
+    let field = |&step: &usize| {
         let exact = view.displacements(&states[step]);
         let mut noisy = |axis: usize| -> Vec<f64> {
             (0..places.len())
@@ -77,13 +77,27 @@ pub fn measured(
                 })
                 .collect()
         };
-        let data = Measurement {
+        Measurement {
             places: places.to_vec(),
             displacements: [noisy(0), noisy(1)],
             valid: [vec![true; places.len()], vec![true; places.len()]],
             deviation: [QUARTER / FREQUENCY; 2],
-        };
-        Observation::of_measurement(&format!("step {}", step + 1), step, &data)
+        }
     };
-    steps.iter().map(observed).collect()
+    steps.iter().map(field).collect()
+}
+
+/// The same as a fit of laws takes them.
+pub(crate) fn measured(
+    truth: &ContactModel,
+    law: Box<dyn FrictionLaw>,
+    steps: &[usize],
+    places: &[[f64; 2]],
+    error: f64,
+    seed: u64,
+) -> Vec<Observation> {
+    let fields = measured_fields(truth, Arc::from(law), steps, places, error, seed);
+    let both = steps.iter().zip(&fields);
+    both.map(|(&step, data)| Observation::of_measurement(&format!("step {}", step + 1), step, data))
+        .collect()
 }

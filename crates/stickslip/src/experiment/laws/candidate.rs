@@ -1,7 +1,7 @@
 //! A friction law with free parameters.
 
 use serde_json::Value;
-use stickslip_friction::FrictionLaw;
+use stickslip_friction::{Dimension, FrictionLaw, registry};
 use stickslip_hybrid::calibrate::Parameter;
 
 use super::LawsError;
@@ -20,6 +20,8 @@ pub struct Candidate {
     pub kind: String,
     /// Free parameters.
     pub parameters: Vec<Parameter>,
+    /// Dimension of each.
+    pub dimensions: Vec<Dimension>,
     /// The law in plain numbers, as it is read.
     table: Value,
     /// Where the free parameters stand in it (RFC 6901).
@@ -58,6 +60,7 @@ impl Candidate {
         let known = numbers_in(own, "");
         let mut pointers = Vec::new();
         let mut parameters = Vec::new();
+        let mut dimensions = Vec::new();
         for &(path, range) in free {
             if !known.iter().any(|own| own == path) {
                 let problem = SceneProblem::UnknownKey {
@@ -68,6 +71,7 @@ impl Candidate {
                 return Err((path.to_owned(), problem));
             }
             pointers.push(format!("/{}/{}", law.name(), path.replace('.', "/")));
+            dimensions.push(dimension(law.name(), path));
             let parameter = Parameter::new(path, range);
             let [low, high] = range;
             parameters.push(if low > 0.0 && high / low >= DECADES {
@@ -80,6 +84,7 @@ impl Candidate {
             name: name.to_owned(),
             kind: law.name().to_owned(),
             parameters,
+            dimensions,
             table,
             pointers,
         })
@@ -98,6 +103,37 @@ impl Candidate {
         }
         serde_json::from_value(table).map_err(|error| LawsError::Law(error.to_string()))
     }
+}
+
+/// Dimension of the parameter `path` of the law `kind`, which may lie in a law inside of it; a bare number where the registry does not
+/// tell.
+fn dimension(kind: &str, path: &str) -> Dimension {
+    let Some(info) = registry::find(kind) else {
+        return Dimension::Dimensionless;
+    };
+    let mut own = String::new();
+    let mut segments = path.split('.');
+    while let Some(segment) = segments.next() {
+        if segment.parse::<usize>().is_ok() {
+            own.push_str("[]");
+        } else {
+            own = if own.is_empty() {
+                segment.to_owned()
+            } else {
+                format!("{own}.{segment}")
+            };
+        }
+        match info.parameters.iter().find(|known| known.path == own) {
+            Some(known) if known.dimension == Dimension::Law => {
+                let rest: Vec<&str> = segments.collect();
+                let (inner, below) = rest.split_first().map_or(("", &[][..]), |(a, b)| (*a, b));
+                return dimension(inner, &below.join("."));
+            }
+            Some(known) => return known.dimension,
+            None => {}
+        }
+    }
+    Dimension::Dimensionless
 }
 
 /// Paths of all numbers below `value`.

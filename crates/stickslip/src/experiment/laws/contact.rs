@@ -120,6 +120,22 @@ impl ContactModel {
         Ok(records.into_iter().map(|record| record.state).collect())
     }
 
+    /// Whether each of `places` `[mm]` lies in the specimen.
+    pub fn inside(&self, places: &[Point]) -> Vec<bool> {
+        let locator = Locator::new(self.specimen.body().mesh());
+        let found = |&place: &Point| locator.locate(self.modelled(place).0).is_some();
+        places.iter().map(found).collect()
+    }
+
+    /// Where a place is modelled, and the sign of its displacement along y there.
+    fn modelled(&self, [x, y]: Point) -> (Point, f64) {
+        if self.half && y < 0.0 {
+            ([x, -y], -1.0)
+        } else {
+            ([x, y], 1.0)
+        }
+    }
+
     /// Prepares to see the displacements at `places` `[mm]`. Where half is modelled, the other half moves as its mirror image.
     ///
     /// # Errors
@@ -129,13 +145,10 @@ impl ContactModel {
         const BATCH: usize = 32;
         let locator = Locator::new(self.specimen.body().mesh());
         let mut weights = Vec::with_capacity(places.len());
-        for &[x, y] in places {
-            let mirrored = self.half && y < 0.0;
-            let own = if mirrored { [x, -y] } else { [x, y] };
-            let found = locator
-                .locate(own)
-                .ok_or(LawsError::Outside { place: [x, y] })?;
-            weights.push((found.shape, if mirrored { -1.0 } else { 1.0 }));
+        for &place in places {
+            let (own, sign) = self.modelled(place);
+            let found = locator.locate(own).ok_or(LawsError::Outside { place })?;
+            weights.push((found.shape, sign));
         }
         let forces = 2 * self.specimen.interface_nodes().len();
         let (cases, motions) = (self.problem.load_cases(), self.specimen.modes().ncols());

@@ -1,0 +1,64 @@
+//! The whole plate in each state of an experiment.
+
+use super::{WholeError, WholePlate, WholeSolution};
+use crate::experiment::error::ExperimentError;
+use crate::experiment::history::History;
+use crate::experiment::measured::Measured;
+use crate::experiment::plan::Experiment;
+
+/// The whole plate in one state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WholeState {
+    /// Index of the state in the experiment.
+    pub state: usize,
+    /// What follows from its data and its load.
+    pub solution: WholeSolution,
+}
+
+/// The whole plate in all states of `experiment`, where its file asks for it, and in words the states that are no load steps of the
+/// scene.
+///
+/// # Errors
+/// [`ExperimentError`]: no scene, a plate that is not free, data that do not cover the hole.
+pub fn stage(
+    experiment: &Experiment,
+    fields: &[Measured],
+) -> Result<(Vec<WholeState>, Vec<String>), ExperimentError> {
+    let (mut states, mut warnings) = (Vec::new(), Vec::new());
+    let Some(region) = experiment
+        .region
+        .as_ref()
+        .filter(|region| region.whole_plate)
+    else {
+        return Ok((states, warnings));
+    };
+    let Some(own) = &experiment.specimen.scene else {
+        return Err(ExperimentError::Missing {
+            key: "region.whole_plate".to_owned(),
+            what: "the whole plate is that of a scene, and none is given".to_owned(),
+            remedy: "give [specimen] scene = \"scene.toml\" and body = \"plate\"".to_owned(),
+        });
+    };
+    let failed = |cause: WholeError| ExperimentError::Whole {
+        key: "region.whole_plate".to_owned(),
+        cause,
+    };
+    let plate = WholePlate::new(own).map_err(failed)?;
+    let history = History::of(&own.scene);
+    for measured in fields {
+        let state = &experiment.states[measured.state];
+        match history.tied(state) {
+            Ok((step, null)) => states.push(WholeState {
+                state: measured.state,
+                solution: plate
+                    .analyse(&measured.measurement, step, null, region.smoothing)
+                    .map_err(failed)?,
+            }),
+            Err(reason) => warnings.push(format!(
+                "State '{}' is not analysed as a whole plate: {reason}.",
+                state.name
+            )),
+        }
+    }
+    Ok((states, warnings))
+}
