@@ -444,11 +444,13 @@ impl Information {
 
     /// Deviation in parts of the range; `None` without influence or beside others that cannot be told apart.
     fn deviation(&self, axis: usize) -> Option<f64> {
+        /// A deviation of so many ranges is rounding.
+        const BEYOND: f64 = 1e3;
         match &self.inverse {
             Some(inverse) => Some(inverse[(axis, axis)].sqrt()),
             None => Some(self.alone[axis]).filter(|own| own.is_finite() && self.alone.len() == 1),
         }
-        .filter(|own| own.is_finite())
+        .filter(|own| *own < BEYOND)
     }
 
     /// A step in parts of the range over which χ² changes; `None` without influence.

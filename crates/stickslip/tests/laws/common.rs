@@ -7,7 +7,7 @@ use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
 use stickslip::experiment::laws::{Candidate, ContactModel, Observation};
 use stickslip::experiment::plan::SpecimenScene;
-use stickslip::scene::Scene;
+use stickslip::scene::{Format, Scene};
 use stickslip_friction::FrictionLaw;
 use stickslip_hybrid::data::Measurement;
 
@@ -100,4 +100,60 @@ pub(crate) fn measured(
     let both = steps.iter().zip(&fields);
     both.map(|(&step, data)| Observation::of_measurement(&format!("step {}", step + 1), step, data))
         .collect()
+}
+
+/// The quasi-isotropic laminate with fibre coverage, its nodes every `degrees`.
+pub(crate) fn laminate(degrees: f64) -> ContactModel {
+    let text = format!(
+        r#"
+version = 1
+[plies.carbon]
+e1 = "19584.7 ksi"
+e2 = "1500 ksi"
+g12 = "846.713 ksi"
+nu12 = 0.28
+thickness = "0.005 in"
+[materials.laminate.laminate]
+layup = "[0_2/60_2/-60_2]s"
+ply = "carbon"
+[materials.aluminium.isotropic]
+young = "10400 ksi"
+poisson = 0.33
+[bodies.plate]
+material = "laminate"
+[bodies.plate.shape.plate_with_hole]
+hole_radius = "0.375 in"
+outline.strip = {{ half_width = "1.495 in", left = "7.005 in", right = "1.5 in" }}
+[bodies.pin]
+material = "aluminium"
+thickness = "0.06 in"
+shape.disk = {{ radius = "0.3745 in" }}
+[mesh]
+element = "Q8"
+spacing = "{degrees} deg"
+[[contacts]]
+name = "pin"
+first = "plate.hole"
+second = "pin.rim"
+[contacts.friction.fibre_coverage]
+fibre_fraction = 0.6
+kernel.tangent = {{ width = "15 deg" }}
+fibre.coulomb = {{ mu = 0.1 }}
+matrix.coulomb = {{ mu = 0.4 }}
+[[supports]]
+on = "pin.centre"
+fix = ["x", "y"]
+[[loads]]
+on = "plate.left"
+force = {{ direction = [-1, 0], steps = ["750 lbf", "1500 lbf", "900 lbf"] }}
+"#
+    );
+    let none: [&str; 0] = [];
+    let scene = Scene::from_text(&text, Format::Toml, "laminate.toml", Path::new("."), &none);
+    ContactModel::new(&SpecimenScene {
+        scene: Arc::new(scene.unwrap()),
+        body: "plate".to_owned(),
+        edge: "hole".to_owned(),
+    })
+    .unwrap()
 }

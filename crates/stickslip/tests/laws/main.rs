@@ -3,5 +3,6 @@
 mod common;
 mod contact;
 mod fits;
+mod page;
 mod sensitivity;
 mod whole;

@@ -89,6 +89,10 @@ impl Fit {
                 Bounds::AtMost(_) | Bounds::AtLeast(_) => {
                     words.push_str(&format!("; {} is bounded on one side", own.name));
                 }
+                Bounds::Between(..) if own.deviation.is_none() => words.push_str(&format!(
+                    "; {} shows by single contact points alone, so that its interval depends on the mesh",
+                    own.name
+                )),
                 Bounds::Between(..) => {}
             }
         }
