@@ -142,8 +142,9 @@ impl Tractions {
         let mu = misfit.least(low, high)?;
         let chi_squared = misfit.at(mu)?;
         let limit = chi_squared + CHI_SQUARED_95;
-        let below = (0..best).rev().find(|&k| values[k] > limit);
-        let above = (best..=GRID).find(|&k| values[k] > limit);
+        // An interval may lie between two coefficients of the grid, so the least one need not be within.
+        let below = (0..=best).rev().find(|&k| grid[k] < mu && values[k] > limit);
+        let above = (best..=GRID).find(|&k| grid[k] > mu && values[k] > limit);
         let low = below
             .map(|k| misfit.crossing(grid[k], mu, limit))
             .transpose()?;

@@ -90,6 +90,20 @@ fn the_interval_covers_the_truth_as_often_as_it_says() {
 }
 
 #[test]
+fn narrow_intervals_lie_around_the_coefficient() {
+    // Far narrower than the grid of coefficients that is looked at first.
+    for step in 0..60 {
+        let mu = 0.2 + 0.002 * f64::from(step);
+        let fit = measured(mu, 8, 0.02, 5).slip(8..PLACES, true).unwrap();
+        let Bounds::Between(low, high) = fit.bounds else {
+            panic!("{fit:?}")
+        };
+        assert!(low < fit.mu && fit.mu < high, "{fit:?}");
+        assert!(high - low < 1e-3 && (fit.mu - mu).abs() < 1e-3, "{fit:?}");
+    }
+}
+
+#[test]
 fn the_slip_zone_ends_where_sticking_begins() {
     let mut ends = Vec::new();
     for seed in 0..40 {
