@@ -1,0 +1,30 @@
+//! Experiments: from fringe pictures and measured displacements to friction.
+//!
+//! ```text
+//! experiment file ──► Experiment ──► fringes ──► reduce ──► hybrid ──► identify
+//!                     plan           pictures    measured   edge       friction
+//!                                                fields     stresses
+//! ```
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | [`plan`] | what the file says, checked, in base units |
+//! | [`chain`], [`story`] | the stages one after the other, and the page that tells of them |
+//! | [`measured`] | displacements with their deviation and mask |
+//! | [`truth`], [`synthesis`] | the solution of a scene, and synthetic pictures of it |
+//!
+//! Four commands go to four depths of this chain, each doing all that comes before.
+
+pub mod chain;
+mod error;
+mod format;
+mod gallery;
+mod history;
+pub mod measured;
+pub mod plan;
+pub mod story;
+pub mod synthesis;
+pub mod truth;
+
+pub use error::ExperimentError;
+pub use plan::Experiment;
