@@ -10,6 +10,16 @@ use crate::svg::Area;
 const SCALE: f64 = 2.0;
 /// Palette: 0 is no value, the rest are colours.
 const COLORS: usize = 255;
+/// As many greys as the eye tells apart in a pattern; fewer make smaller files.
+const GREYS: usize = 32;
+
+fn colors(colormap: Colormap) -> usize {
+    if colormap == Colormap::Gray {
+        GREYS
+    } else {
+        COLORS
+    }
+}
 
 /// Where the pixels are in the figure, and their image.
 pub(super) fn png(
@@ -32,6 +42,7 @@ pub(super) fn png(
         rows,
         nearest: plot.colormap == Colormap::Cyclic,
     };
+    let colors = colors(plot.colormap);
     let mut indices = Vec::with_capacity(width * height);
     for row in 0..height {
         for column in 0..width {
@@ -39,7 +50,7 @@ pub(super) fn png(
             let fraction = range.fraction(value).filter(|_| value.is_finite());
             indices.push(fraction.map_or(0, |fraction| {
                 let fraction = fraction.clamp(0.0, 1.0);
-                1 + ((fraction * COLORS as f64) as usize).min(COLORS - 1) as u8
+                1 + ((fraction * colors as f64) as usize).min(colors - 1) as u8
             }));
         }
     }
@@ -111,7 +122,8 @@ fn encoded(
     indices: &[u8],
 ) -> Result<Vec<u8>, png::EncodingError> {
     let channels = |color: Color| [color.red, color.green, color.blue];
-    let colors = (0..COLORS).map(|k| colormap.at((k as f64 + 0.5) / COLORS as f64));
+    let count = colors(colormap);
+    let colors = (0..count).map(|k| colormap.at((k as f64 + 0.5) / count as f64));
     let palette: Vec<u8> = std::iter::once(NO_VALUE)
         .chain(colors)
         .flat_map(channels)

@@ -8,6 +8,7 @@ use stickslip_report::FigureError;
 use stickslip_report::chart::tile;
 use stickslip_report::color::Colormap;
 use stickslip_report::plane::{Pixels, PlanePlot};
+use stickslip_report::raster::to_png;
 use stickslip_report::svg::Svg;
 use stickslip_report::table::{Column, Table};
 
@@ -21,13 +22,17 @@ use crate::units::Unit;
 /// Folder of the picture files.
 pub(super) const FOLDER: &str = "fringes";
 /// Width of one picture on the page \[px\].
-const WIDTH: f64 = 330.0;
+const WIDTH: f64 = 360.0;
+/// Width of one picture on the sheet of all \[px\], and pictures in a row.
+const SMALL: f64 = 236.0;
+const IN_A_ROW: usize = 8;
 
 /// The gallery, filled state by state.
 #[derive(Debug)]
 pub(super) struct Gallery<'a> {
     experiment: &'a Experiment,
     figures: Vec<(usize, Result<Svg, FigureError>)>,
+    sheet: Vec<Result<Svg, FigureError>>,
     /// Least and greatest order of either field without carrier, per state.
     extremes: Vec<(usize, [Option<[f64; 2]>; 2])>,
 }
@@ -37,6 +42,7 @@ impl<'a> Gallery<'a> {
         Self {
             experiment,
             figures: Vec::new(),
+            sheet: Vec::new(),
             extremes: Vec::new(),
         }
     }
@@ -65,6 +71,11 @@ impl<'a> Gallery<'a> {
             if let [Some(u), Some(v)] = both {
                 let figure = self.figure(state, [u, v]);
                 self.figures.push((state, figure));
+                let name = &self.experiment.states[state].name;
+                for (field, picture) in ["U", "V"].into_iter().zip([u, v]) {
+                    self.sheet
+                        .push(self.picture(&format!("{field}, {name}"), picture, SMALL));
+                }
             }
             let carrier = camera.fringes().carrier;
             let range = [0, 1].map(|k| without_carrier(&fields[k].orders, carrier[k]));
@@ -73,32 +84,47 @@ impl<'a> Gallery<'a> {
         Ok(())
     }
 
-    fn figure(&self, state: usize, pictures: [&PixelMap; 2]) -> Result<Svg, FigureError> {
+    fn picture(&self, title: &str, picture: &PixelMap, width: f64) -> Result<Svg, FigureError> {
         let length = self.experiment.display.length;
-        let titles = ["U field", "V field"];
-        let drawn = pictures.iter().zip(titles).map(|(picture, title)| {
-            let mut plot = picture_plot(title, picture, length).colors(Colormap::Gray, None);
-            plot.range = Some([0.0, 1.0]);
-            plot.width = WIDTH;
-            plot.render()
-        });
-        let drawn = drawn.collect::<Result<Vec<_>, _>>()?;
+        let mut plot = picture_plot(title, picture, length).colors(Colormap::Gray, None);
+        plot.range = Some([0.0, 1.0]);
+        plot.width = width;
+        plot.render()
+    }
+
+    fn figure(&self, state: usize, [u, v]: [&PixelMap; 2]) -> Result<Svg, FigureError> {
+        let drawn = [
+            self.picture("U field", u, WIDTH)?,
+            self.picture("V field", v, WIDTH)?,
+        ];
         tile(&caption(self.experiment, state), 2, &drawn)
     }
 
+    /// All pictures on one sheet, as PNG.
+    fn sheet(&mut self) -> Result<Vec<u8>, FigureError> {
+        let drawn: Result<Vec<Svg>, FigureError> = self.sheet.drain(..).collect();
+        to_png(&tile(&self.experiment.title, IN_A_ROW, &drawn?)?, 1.0)
+    }
+
     /// Puts the gallery on the page, and the experiment file that restarts from its pictures into the folder.
-    pub(super) fn tell(self, camera: &Camera<'_>, story: &mut Story) {
+    pub(super) fn tell(mut self, camera: &Camera<'_>, story: &mut Story) {
         story.section("Fringe pictures");
         story.text(self.words(camera));
         story.table(self.table());
         let experiment = self.experiment;
-        for (state, figure) in self.figures {
+        for (state, figure) in std::mem::take(&mut self.figures) {
             let name = format!("fringes-{}", experiment.states[state].name);
             let text = format!(
                 "U (left) and V (right) fringe pictures, {}.",
                 caption(experiment, state)
             );
             story.figure(&name, &text, figure);
+        }
+        match self.sheet() {
+            Ok(bytes) => story.file("gallery.png", "all pictures on one sheet", bytes),
+            Err(cause) => story.warn(format!(
+                "The sheet of all pictures cannot be drawn: {cause}."
+            )),
         }
         story.file(
             "measured.toml",

@@ -56,7 +56,8 @@ pub(super) fn read(scope: &Scope<'_>, source: &PictureSource) -> Result<Reading,
             .map(Some)
             .map_err(|cause| scope.fringes(field_name(field), cause))
     };
-    Ok(Reading::Pictures([of(Field::U)?, of(Field::V)?]))
+    let (u, v) = rayon::join(|| of(Field::U), || of(Field::V));
+    Ok(Reading::Pictures([u?, v?]))
 }
 
 fn picture(

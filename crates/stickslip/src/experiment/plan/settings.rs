@@ -24,7 +24,7 @@ pub(super) fn reduce(refuse: Refuse<'_>, given: &ReduceFormat) -> Result<Reduce,
         refuse.within(&format!("reduce.{name}"), value, fits, allowed)
     };
     let band = given.band.unwrap_or(0.75);
-    let least = given.least_modulation.unwrap_or(0.1);
+    let least = given.least_modulation.unwrap_or(0.25);
     let margin = match &given.margin {
         Some(margin) => refuse.not_negative("reduce.margin", margin)?,
         None => 0.0,
