@@ -11,15 +11,19 @@
 //! | [`plan`] | what the file says, checked, in base units |
 //! | [`chain`], [`story`] | the stages one after the other, and the page that tells of them |
 //! | [`measured`] | displacements with their deviation and mask |
+//! | [`analysed`] | edge stresses by localized hybrid analysis, with bands and checks |
+//! | [`identified`] | slip zones, and the friction coefficients that they share |
 //! | [`truth`], [`synthesis`] | the solution of a scene, and synthetic pictures of it |
 //!
 //! Four commands go to four depths of this chain, each doing all that comes before.
 
+pub mod analysed;
 pub mod chain;
 mod error;
 mod format;
 mod gallery;
 mod history;
+pub mod identified;
 pub mod measured;
 pub mod plan;
 pub mod story;

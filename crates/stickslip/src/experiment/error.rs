@@ -2,8 +2,10 @@
 
 use stickslip_hybrid::data::DataError;
 use stickslip_hybrid::fringe::FringeError;
+use stickslip_hybrid::identify::IdentifyError;
 use stickslip_hybrid::moire::MoireError;
 use stickslip_hybrid::reduce::ReduceError;
+use stickslip_hybrid::region::RegionError;
 use thiserror::Error;
 
 use super::plan::Experiment;
@@ -72,6 +74,20 @@ pub enum ExperimentError {
         #[source]
         cause: ReduceError,
     },
+    /// A region that cannot be analysed, or data that do not determine it.
+    #[error("state '{state}': {cause}")]
+    Region {
+        /// Name of the state.
+        state: String,
+        /// Key of the region.
+        key: String,
+        /// What is wrong.
+        #[source]
+        cause: RegionError,
+    },
+    /// Tractions that friction cannot be asked of.
+    #[error("friction: {0}")]
+    Identify(#[from] IdentifyError),
     /// A grating that cannot be.
     #[error(transparent)]
     Grating(#[from] MoireError),
@@ -83,11 +99,13 @@ impl ExperimentError {
         match self {
             Self::Run(_) => "specimen.scene",
             Self::Grating(_) => "grating",
+            Self::Identify(_) => "identify",
             Self::Missing { key, .. }
             | Self::File { key, .. }
             | Self::Data { key, .. }
             | Self::Fringes { key, .. }
-            | Self::Reduction { key, .. } => key,
+            | Self::Reduction { key, .. }
+            | Self::Region { key, .. } => key,
         }
     }
 
@@ -111,6 +129,10 @@ impl ExperimentError {
                 _ => "look at the picture, its scale and its place",
             },
             Self::Reduction { .. } => "make the region smaller, give it a stand-off, or mask less",
+            Self::Region { .. } => {
+                "make the region smaller or its cells fewer, or measure where it has no data"
+            }
+            Self::Identify(_) => "give the slip zones by hand, [[identify.zones]]",
             Self::Grating(_) => "give a grating that can exist",
         };
         fixed.to_owned()
