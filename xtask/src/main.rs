@@ -1,10 +1,11 @@
 //! Tasks on the whole workspace: `cargo xtask validate` compares the library with known solutions, `cargo xtask chart` shows
 //! what accuracy costs, `cargo xtask stability` where methods fail, `cargo xtask cosine` how wrong an assumed bearing load is,
 //! `cargo xtask shear-sign` which way friction points along a loaded hole, `cargo xtask mesh-dependence` what ply discount makes of a
-//! finer mesh.
+//! finer mesh, `cargo xtask hybrid-noise` what noise and bias are left in stresses from measured displacements.
 
 mod chart;
 mod cosine;
+mod hybrid_noise;
 mod mesh_dependence;
 mod publish;
 mod shear_sign;
@@ -35,6 +36,8 @@ enum Task {
     Cosine(publish::Options),
     /// Asks which friction laws reverse the shear on the edge of a pin-loaded hole, and where matrix cracks are to be expected.
     ShearSign(publish::Options),
+    /// Charts noise and bias of edge stresses from measured displacements, by data density, mesh, smoothing and stand-off.
+    HybridNoise(publish::Options),
     /// Shows how the strength by ply discount depends on the mesh, and what crack bands mend.
     MeshDependence(publish::Options),
 }
@@ -46,6 +49,7 @@ fn main() -> ExitCode {
         Task::Stability(options) => stability::main(&options),
         Task::Cosine(options) => cosine::main(&options),
         Task::ShearSign(options) => shear_sign::main(&options),
+        Task::HybridNoise(options) => hybrid_noise::main(&options),
         Task::MeshDependence(options) => mesh_dependence::main(&options),
     }
 }

@@ -11,6 +11,7 @@ mod check;
 mod cosine_load;
 mod criteria;
 mod elements;
+mod hybrid;
 mod joint_modes;
 mod laboratory;
 mod laminates;
@@ -65,7 +66,7 @@ struct Case {
     checks: fn(&Laboratory) -> Result<Vec<Check>, Trouble>,
 }
 
-const CASES: [Case; 20] = [
+const CASES: [Case; 22] = [
     Case {
         name: "elements",
         title: "Elements",
@@ -107,6 +108,18 @@ const CASES: [Case; 20] = [
         title: "Laminated joints to their end",
         friction: false,
         checks: joint_modes::checks,
+    },
+    Case {
+        name: "hybrid-sensitivity",
+        title: "Measured displacements: what their errors do",
+        friction: false,
+        checks: hybrid::sensitivity,
+    },
+    Case {
+        name: "hybrid-errors",
+        title: "Measured displacements: covariance, reductions, fringe phase",
+        friction: false,
+        checks: hybrid::errors,
     },
     Case {
         name: "persson",

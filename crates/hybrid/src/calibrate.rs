@@ -38,7 +38,6 @@
 //! ```
 
 mod data;
-mod normal;
 mod profile;
 mod search;
 
@@ -46,9 +45,8 @@ use faer::Mat;
 use thiserror::Error;
 
 pub use data::{Block, Data, Noise};
-pub use normal::two_sided_quantile;
 
-use crate::identify::Bounds;
+use crate::identify::{Bounds, chi_squared_of_one};
 use crate::region::dense;
 use search::Search;
 
@@ -332,7 +330,7 @@ pub fn calibrate<E: std::fmt::Display>(
     let mut search = Search::new(&predict, parameters, data);
     let grid = search.grid(settings.grid[parameters.len() - 1].max(2))?;
     let mut best = search.best_of(&grid, settings.starts.max(1))?;
-    let limit = two_sided_quantile(settings.confidence).powi(2);
+    let limit = chi_squared_of_one(settings.confidence);
     // A profile that finds something better starts the search anew from there.
     const ROUNDS: usize = 6;
     let mut estimates = Vec::new();

@@ -18,8 +18,14 @@ use crate::svg::{Area, Canvas, Stroke, Svg, push_point};
 const LEFT: f64 = 62.0;
 const RIGHT: f64 = 14.0;
 const BAR_GAP: f64 = 16.0;
-/// Where there is no value.
-const NO_VALUE: Color = Color::rgb(0xe4, 0xe4, 0xe4);
+/// Where there is no value: grey, but pale blue among greys.
+fn no_value(colormap: Colormap) -> Color {
+    if colormap == Colormap::Gray {
+        Color::rgb(0xc6, 0xd8, 0xec)
+    } else {
+        Color::rgb(0xe4, 0xe4, 0xe4)
+    }
+}
 
 /// Values at the pixels of an upright picture.
 #[derive(Debug, Clone, PartialEq)]
@@ -252,7 +258,7 @@ impl<'a> PlanePlot<'a> {
     fn color(&self, range: &Span, value: f64) -> Color {
         match range.fraction(value) {
             Some(fraction) if value.is_finite() => self.colormap.at(fraction),
-            _ => NO_VALUE,
+            _ => no_value(self.colormap),
         }
     }
 

@@ -5,6 +5,8 @@
 //! stickslip joint SWEEP [--output DIR] [--resume] sweep over joints: a table, maps of failure modes and a page
 //! stickslip fringes EXPERIMENT [--output DIR]    synthetic fringe pictures of a scene
 //! stickslip reduce EXPERIMENT [--output DIR]     measured fields from tables, fringe lines and pictures
+//! stickslip hybrid EXPERIMENT [--output DIR]     edge stresses from measured fields, with bands and checks
+//! stickslip identify EXPERIMENT [--output DIR]   friction from edge stresses, with intervals
 //! stickslip check SCENE                          check a scene and print it with all defaults
 //! stickslip init TEMPLATE [FILE]                 write a commented scene to start from
 //! stickslip list [TOPIC]                         laws and their parameters, templates, elements, solvers, units, signs
@@ -72,6 +74,10 @@ enum Command {
     Fringes(experiment::ExperimentArguments),
     /// Make measured fields of tables, fringe lines and fringe pictures, with their masks and deviations
     Reduce(experiment::ExperimentArguments),
+    /// Find the stresses on an edge from measured displacements around it, with bands and checks
+    Hybrid(experiment::ExperimentArguments),
+    /// Find where an edge slips and its friction coefficients from measured displacements, with intervals
+    Identify(experiment::ExperimentArguments),
     /// Check a scene, and print it with overrides applied and defaults filled in
     Check(SceneArguments),
     /// Write a commented scene to start from; never overwrites
@@ -126,6 +132,8 @@ pub fn main() -> ExitCode {
         Command::Joint(sweep) => joint::joint(&sweep, console),
         Command::Fringes(file) => experiment::experiment(&file, Depth::Fringes, console),
         Command::Reduce(file) => experiment::experiment(&file, Depth::Reduce, console),
+        Command::Hybrid(file) => experiment::experiment(&file, Depth::Hybrid, console),
+        Command::Identify(file) => experiment::experiment(&file, Depth::Identify, console),
         Command::Check(scene) => check::check(&scene, console),
         Command::Init(template) => init::init(&template, console),
         Command::List(topic) => list::list(&topic, console),

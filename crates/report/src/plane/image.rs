@@ -1,6 +1,6 @@
 //! Pixels as an indexed PNG of the figure's own resolution.
 
-use super::{NO_VALUE, Pixels, PlanePlot};
+use super::{Pixels, PlanePlot, no_value};
 use crate::axis::Span;
 use crate::color::{Color, Colormap};
 use crate::error::FigureError;
@@ -124,7 +124,7 @@ fn encoded(
     let channels = |color: Color| [color.red, color.green, color.blue];
     let count = colors(colormap);
     let colors = (0..count).map(|k| colormap.at((k as f64 + 0.5) / count as f64));
-    let palette: Vec<u8> = std::iter::once(NO_VALUE)
+    let palette: Vec<u8> = std::iter::once(no_value(colormap))
         .chain(colors)
         .flat_map(channels)
         .collect();

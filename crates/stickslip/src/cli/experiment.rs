@@ -1,4 +1,4 @@
-//! `stickslip fringes` and `stickslip reduce`: an experiment to one depth of its chain.
+//! `stickslip fringes`, `reduce`, `hybrid` and `identify`: an experiment to one depth of its chain.
 
 use std::path::PathBuf;
 

@@ -1,12 +1,16 @@
 //! The chain of stages, to the depth that a command asks for.
 
+use super::analysed;
 use super::error::ExperimentError;
 use super::gallery::Gallery;
+use super::identified::{self, Told};
+use super::laws;
 use super::measured::{self, Measured};
 use super::plan::{Experiment, Source};
 use super::story::Story;
 use super::synthesis::{Camera, Shots};
 use super::truth::Truth;
+use super::whole;
 use crate::run::Progress;
 
 /// How far a command goes.
@@ -16,6 +20,10 @@ pub enum Depth {
     Fringes,
     /// Measured fields.
     Reduce,
+    /// Edge stresses.
+    Hybrid,
+    /// Friction.
+    Identify,
 }
 
 /// Goes through the stages of `experiment` and tells of them.
@@ -36,7 +44,30 @@ pub fn tell(
             remedy: "give a state the load step of a scene, step = 1; measured states are read by `stickslip reduce`".to_owned(),
         });
     }
-    measured(experiment, depth, truth.as_ref(), &mut story, progress)?;
+    let fields = measured(experiment, depth, truth.as_ref(), &mut story, progress)?;
+    if depth < Depth::Hybrid {
+        return Ok(story);
+    }
+    progress(Progress::Phase("hybrid analysis"));
+    let analysed = analysed::all(experiment, &fields)?;
+    analysed::tell(experiment, &analysed, truth.as_ref(), &mut story);
+    let (plates, warnings) = whole::stage(experiment, &fields)?;
+    whole::tell(experiment, &plates, &warnings, &mut story)?;
+    if depth == Depth::Identify {
+        progress(Progress::Phase("friction"));
+        let identified = identified::identify(experiment, &analysed)?;
+        let told = Told {
+            experiment,
+            analysed: &analysed,
+            identified: &identified,
+            truth: truth.as_ref(),
+        };
+        identified::tell(&told, &mut story);
+        progress(Progress::Phase("friction laws"));
+        if let Some(stage) = laws::stage(experiment, &fields)? {
+            laws::tell(experiment, &stage, &mut story);
+        }
+    }
     Ok(story)
 }
 

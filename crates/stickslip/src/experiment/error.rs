@@ -2,8 +2,10 @@
 
 use stickslip_hybrid::data::DataError;
 use stickslip_hybrid::fringe::FringeError;
+use stickslip_hybrid::identify::IdentifyError;
 use stickslip_hybrid::moire::MoireError;
 use stickslip_hybrid::reduce::ReduceError;
+use stickslip_hybrid::region::RegionError;
 use thiserror::Error;
 
 use super::laws::LawsError;
@@ -100,6 +102,20 @@ pub enum ExperimentError {
         #[source]
         cause: WholeError,
     },
+    /// A region that cannot be analysed, or data that do not determine it.
+    #[error("state '{state}': {cause}")]
+    Region {
+        /// Name of the state.
+        state: String,
+        /// Key of the region.
+        key: String,
+        /// What is wrong.
+        #[source]
+        cause: RegionError,
+    },
+    /// Tractions that friction cannot be asked of.
+    #[error("friction: {0}")]
+    Identify(#[from] IdentifyError),
     /// A grating that cannot be.
     #[error(transparent)]
     Grating(#[from] MoireError),
@@ -111,6 +127,7 @@ impl ExperimentError {
         match self {
             Self::Run(_) => "specimen.scene",
             Self::Grating(_) => "grating",
+            Self::Identify(_) => "identify",
             Self::Missing { key, .. }
             | Self::File { key, .. }
             | Self::Data { key, .. }
@@ -118,7 +135,8 @@ impl ExperimentError {
             | Self::Reduction { key, .. }
             | Self::Law { key, .. }
             | Self::Whole { key, .. }
-            | Self::Laws { key, .. } => key,
+            | Self::Laws { key, .. }
+            | Self::Region { key, .. } => key,
         }
     }
 
@@ -149,6 +167,10 @@ impl ExperimentError {
             Self::Laws { .. } => {
                 "`stickslip run` with the scene and the law shows where its solution fails; narrow the ranges of free parameters"
             }
+            Self::Region { .. } => {
+                "make the region smaller or its cells fewer, or measure where it has no data"
+            }
+            Self::Identify(_) => "give the slip zones by hand, [[identify.zones]]",
             Self::Grating(_) => "give a grating that can exist",
         };
         fixed.to_owned()

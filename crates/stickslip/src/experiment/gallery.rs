@@ -24,7 +24,7 @@ pub(super) const FOLDER: &str = "fringes";
 /// Width of one picture on the page \[px\].
 const WIDTH: f64 = 360.0;
 /// Width of one picture on the sheet of all \[px\], and pictures in a row.
-const SMALL: f64 = 236.0;
+const SMALL: f64 = 200.0;
 const IN_A_ROW: usize = 8;
 
 /// The gallery, filled state by state.

@@ -42,7 +42,7 @@ pub enum StoryError {
 pub struct Story {
     page: Page,
     files: Vec<(String, Vec<u8>)>,
-    notes: Vec<[String; 2]>,
+    notes: Vec<(Vec<String>, String)>,
     summary: Map<String, Value>,
 }
 
@@ -106,12 +106,12 @@ impl Story {
         }
     }
 
-    /// A file of the folder, and what it holds; files with one `what` in a row are listed together.
+    /// A file of the folder, and what it holds; files with one `what` are listed together.
     pub fn file(&mut self, name: impl Into<String>, what: &str, bytes: Vec<u8>) {
         let name = name.into();
-        match self.notes.last_mut() {
-            Some([names, told]) if told == what => *names = format!("{names}, {name}"),
-            _ => self.notes.push([name.clone(), what.to_owned()]),
+        match self.notes.iter_mut().find(|(_, told)| told == what) {
+            Some((names, _)) => names.push(name.clone()),
+            None => self.notes.push((vec![name.clone()], what.to_owned())),
         }
         self.files.push((name, bytes));
     }
@@ -190,13 +190,24 @@ impl Story {
     fn list_files(&mut self) {
         let columns = ["file", "holds"].map(|name| Column::new(name, ""));
         let mut table = Table::new("", columns.into());
-        for row in &self.notes {
-            table.push(row.clone());
+        for (names, what) in &self.notes {
+            table.push([listed(names), what.clone()]);
         }
         table.push(["figures/*.svg, figures/*.png", "the figures of this page"]);
         table.push(["summary.json", "the numbers that other programs read"]);
         self.section("Files");
         self.table(table);
+    }
+}
+
+/// Some names, or the first and the last of many.
+fn listed(names: &[String]) -> String {
+    const MOST: usize = 4;
+    match names {
+        [first, .., last] if names.len() > MOST => {
+            format!("{first} … {last}, {} files", names.len())
+        }
+        _ => names.join(", "),
     }
 }
 

@@ -106,12 +106,12 @@ impl Truth {
         }
     }
 
-    /// Component `axis` of the displacement `[mm]` at each sampled place, none outside of the body.
+    /// Component `axis` of the displacement `[mm]` at each sampled place; none outside of the body, or of a step that there is not.
     pub fn component(&self, sampling: &Sampling, step: usize, axis: usize) -> Vec<Option<f64>> {
         let displacements = self.displacements(step);
         let value = |k: usize| {
             let cell = sampling.cells[k];
-            if cell == OUTSIDE {
+            if cell == OUTSIDE || displacements.is_empty() {
                 return None;
             }
             let (_, nodes, _) = self.mesh.element(cell as usize);

@@ -15,10 +15,12 @@ mod figures;
 mod stage;
 mod tell;
 
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 use stickslip_fem_core::ElasticBody;
 use stickslip_fem_core::body::BodyError;
+use stickslip_fem_core::mesh::ElementKind;
 use stickslip_hybrid::data::{Measurement, NodalDisplacements};
 use stickslip_hybrid::identify::Tractions;
 use stickslip_hybrid::region::fit::Smoothing;
@@ -85,7 +87,10 @@ pub struct WholePlate {
 pub struct WholeSolution {
     /// Angle of each node of the hole `[rad]`, in −π … π, ascending.
     pub angle: Vec<f64>,
-    /// Tractions on the hole there, shear positive along e_θ, `[MPa]`.
+    /// Angle between two corners of the hole's edge near the bearing point `[rad]`: what is nearer cannot be told apart.
+    pub resolution: f64,
+    /// Pressure and shear τ_rθ on the hole `[MPa]` with their covariance; the estimated bias by smoothing is in it as a deviation of its
+    /// own at each place.
     pub tractions: Tractions,
     /// Hoop stress `[MPa]` and its standard deviation.
     pub hoop: Vec<[f64; 2]>,
@@ -95,8 +100,8 @@ pub struct WholeSolution {
     pub load: [f64; 2],
     /// χ² of the fit, number of data, and effective number of parameters.
     pub fit: (f64, usize, f64),
-    /// Bias of the shear that the smoothing makes, estimated `[MPa]`.
-    pub shear_bias: Vec<f64>,
+    /// Bias of pressure, shear and hoop stress that the smoothing makes, estimated, per place `[MPa]`.
+    pub bias: Vec<[f64; 3]>,
 }
 
 impl WholePlate {
@@ -234,7 +239,7 @@ impl WholePlate {
         &self,
         values: &[f64],
         by_load: &[f64],
-        covariance: &[f64],
+        spread: &[f64],
         bias: &[f64],
     ) -> WholeSolution {
         let count = self.edge.nodes.len();
@@ -244,32 +249,52 @@ impl WholePlate {
         let mut order: Vec<usize> = (0..count).collect();
         order.sort_by(|&a, &b| angles[a].total_cmp(&angles[b]));
         let stress = |node: usize, part: usize| values[3 * node + part] + by_load[3 * node + part];
-        // −σ_r, then −τ_rθ.
-        let rows: Vec<usize> = [0, 2]
+        // σ_r turns its sign to become the pressure; τ_rθ keeps it.
+        let rows: Vec<(usize, f64)> = [(0, -1.0), (2, 1.0)]
             .into_iter()
-            .flat_map(|part| order.iter().map(move |node| 3 * node + part))
+            .flat_map(|(part, sign)| order.iter().map(move |node| (3 * node + part, sign)))
             .collect();
-        let entry = |i: usize, j: usize| covariance[i * 3 * count + j];
+        let mut covariance = Vec::with_capacity(rows.len() * rows.len());
+        for &(i, a) in &rows {
+            for &(j, b) in &rows {
+                let own = if i == j { bias[i].powi(2) } else { 0.0 };
+                covariance.push(a * b * spread[i * 3 * count + j] + own);
+            }
+        }
+        let hoop = |node: usize| {
+            let row = 3 * node + 1;
+            let variance = spread[row * 3 * count + row] + bias[row].powi(2);
+            [stress(node, 1), variance.max(0.0).sqrt()]
+        };
         WholeSolution {
             angle: order.iter().map(|&node| angles[node]).collect(),
+            resolution: self.resolution(),
             tractions: Tractions {
                 pressure: order.iter().map(|&node| -stress(node, 0)).collect(),
-                shear: order.iter().map(|&node| -stress(node, 2)).collect(),
-                covariance: (rows.iter())
-                    .flat_map(|&i| rows.iter().map(move |&j| (i, j)))
-                    .map(|(i, j)| entry(i, j))
-                    .collect(),
+                shear: order.iter().map(|&node| stress(node, 2)).collect(),
+                covariance,
             },
-            hoop: (order.iter())
-                .map(|&node| {
-                    let row = 3 * node + 1;
-                    [stress(node, 1), entry(row, row).max(0.0).sqrt()]
-                })
-                .collect(),
+            hoop: order.iter().map(|&node| hoop(node)).collect(),
             force: [0.0; 2],
             load: [0.0; 2],
             fit: (0.0, 0, 0.0),
-            shear_bias: order.iter().map(|&node| -bias[node]).collect(),
+            bias: (order.iter())
+                .map(|&node| [-bias[3 * node], bias[3 * node + 2], bias[3 * node + 1]])
+                .collect(),
         }
+    }
+
+    /// The smallest angle between two corners of the edge.
+    fn resolution(&self) -> f64 {
+        let kind = self.region.mesh().blocks().first().map(|block| block.kind);
+        let linear = [Some(ElementKind::T3), Some(ElementKind::Q4)].contains(&kind);
+        let step = if linear { 1 } else { 2 };
+        let angle = |k: usize| {
+            let [x, y] = self.edge.normal[k];
+            y.atan2(x)
+        };
+        (step..self.edge.normal.len())
+            .map(|k| (angle(k) - angle(k - step)).abs())
+            .fold(PI, f64::min)
     }
 }

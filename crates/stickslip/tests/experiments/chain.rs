@@ -32,13 +32,12 @@ fn every_load_step_is_a_state_where_none_is_named() {
     let page = fs::read_to_string(folder.path().join("out/index.html")).unwrap();
     for part in [
         "step-3",
-        "0.5 kN",
         "unloading",
         "500 N",
-        "2400 lines/mm",
+        "a grating of 2400",
         "U field",
     ] {
-        assert!(part == "0.5 kN" || page.contains(part), "{part}");
+        assert!(page.contains(part), "{part}");
     }
     assert!(folder.path().join("out/gallery.png").is_file());
     assert!(

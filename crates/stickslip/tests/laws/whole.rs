@@ -1,36 +1,22 @@
 //! The whole plate under its remote load against the truth and the localized analysis.
 
-use std::f64::consts::PI;
+use std::path::Path;
 use std::sync::Arc;
 
-use stickslip::experiment::whole::{WholeError, WholePlate, WholeSolution};
-use stickslip_fem_core::ElasticBody;
-use stickslip_fem_core::material::{Isotropic, Material, PlaneState};
-use stickslip_fem_core::mesh::ElementKind;
-use stickslip_hybrid::identify::Tractions;
-use stickslip_hybrid::region::Region;
+use stickslip::experiment::Experiment;
+use stickslip::experiment::analysed::{self, Analysed};
+use stickslip::experiment::identified::identify;
+use stickslip::experiment::measured::Measured;
+use stickslip::experiment::whole::{WholeError, WholePlate, WholeSolution, WholeState};
+use stickslip::scene::Format;
 use stickslip_hybrid::region::fit::{Amount, Smoothing};
-use stickslip_hybrid::region::outputs::EdgeRows;
-use stickslip_hybrid::region::sector::ArcSector;
 
-use crate::common::{RADIUS, aluminium, measured_fields, scene, window};
+use crate::common::{aluminium, measured_fields, scene, window};
 
 const SMOOTHING: Smoothing = Smoothing {
     order: 3,
     amount: Amount::CrossValidated { share: 0.4 },
 };
-/// Where the plate slips at 1980 lbf on one side of the hole `[deg]`.
-const SLIP: [f64; 2] = [32.0, 78.0];
-
-/// The coefficient in the slip zone; friction pulls against e_θ where θ > 0.
-fn slip(angle: &[f64], tractions: &Tractions) -> stickslip_hybrid::identify::SlipFit {
-    let within = |&k: &usize| (SLIP[0]..SLIP[1]).contains(&angle[k].to_degrees());
-    let places: Vec<usize> = (0..angle.len()).filter(within).collect();
-    tractions
-        .slip(places[0]..places[places.len() - 1] + 1, false)
-        .unwrap()
-}
-
 #[test]
 fn the_whole_plate_balances_its_load_and_tells_the_friction_of_the_truth() {
     let truth = aluminium(1.125);
@@ -49,51 +35,50 @@ fn the_whole_plate_balances_its_load_and_tells_the_friction_of_the_truth() {
     let (residual, count, parameters) = found.fit;
     let reduced = residual / (count as f64 - parameters);
     assert!((reduced - 1.0).abs() < 0.06, "{reduced}");
-    let whole = slip(&found.angle, &found.tractions);
 
-    // The localized analysis of the same data: a half ring whose every side is measured.
-    let sector = ArcSector {
-        centre: [0.0, 0.0],
-        hole: RADIUS,
-        stand_off: 0.0,
-        outer: 17.0,
-        angles: [0.0, 0.5 * PI],
-        cells: [20, 6],
-        growth: 1.5,
-        kind: ElementKind::Q8,
+    let text = r#"
+        version = 1
+        [specimen]
+        material.isotropic = { young = "10400 ksi", poisson = 0.33 }
+        thickness = "0.06 in"
+        hole = { centre = ["0 mm", "0 mm"], radius = "0.375 in" }
+        [[states]]
+        name = "up"
+        table = { file = "up.csv", scale = "1 mm", y_axis = "up" }
+        [region]
+        sector = { angles = ["-100 deg", "100 deg"], outer = "17 mm", cells = [44, 6], growth = 1.5 }
+    "#;
+    let none: [&str; 0] = [];
+    let experiment =
+        Experiment::from_text(text, Format::Toml, "up.toml", Path::new("."), &none).unwrap();
+    let coefficient = |edge: Analysed| {
+        let found = identify(&experiment, &[edge]).unwrap();
+        let fit = found.dynamic.unwrap();
+        println!(
+            "{:.4} {:?}, χ² {:.1} of {}",
+            fit.mu, fit.bounds, fit.chi_squared, fit.degrees
+        );
+        fit.mu
     };
-    let stiffness: Arc<dyn Material> =
-        Arc::new(Isotropic::new(71_705.5, 0.33, PlaneState::Stress).unwrap());
-    let mesh = Arc::new(sector.mesh().unwrap());
-    let body = Arc::new(ElasticBody::new(mesh, vec![stiffness], 1.524).unwrap());
-    let region = Region::new(&body, &[]).unwrap();
-    let fit = region.fit(&data, SMOOTHING).unwrap();
-    let edge = EdgeRows::new(&body, "inner").unwrap();
-    let rows: Vec<_> = [0, 2]
-        .into_iter()
-        .flat_map(|part| edge.component(part))
-        .collect();
-    let stresses = region.propagate(&rows, &fit.displacements).unwrap();
-    let half = edge.nodes.len();
-    let localized = Tractions {
-        pressure: stresses.values[..half].iter().map(|s| -s).collect(),
-        shear: stresses.values[half..].iter().map(|s| -s).collect(),
-        covariance: stresses.covariance,
+    let state = WholeState {
+        state: 0,
+        solution: found,
     };
-    let angle: Vec<f64> = edge.parameter.iter().map(|s| s / RADIUS).collect();
-    let local = slip(&angle, &localized);
-    println!(
-        "whole {:?} χ² {} of {}; localized {:?} χ² {} of {}",
-        (whole.mu, whole.bounds),
-        whole.chi_squared,
-        whole.degrees,
-        (local.mu, local.bounds),
-        local.chi_squared,
-        local.degrees
-    );
-    assert!((whole.mu - 0.25).abs() < 0.01);
-    assert!((local.mu - 0.25).abs() < 0.015);
-    assert!((whole.mu - local.mu).abs() < 0.015);
+    let whole = coefficient(state.edge());
+    // The localized analysis of the same data: a sector every side of which is measured.
+    let fields = Measured {
+        state: 0,
+        measurement: data,
+        lines: None,
+        pictures: [None, None],
+        symmetry: Vec::new(),
+        remarks: Vec::new(),
+        warnings: Vec::new(),
+    };
+    let localized = coefficient(analysed::all(&experiment, &[fields]).unwrap().remove(0));
+    assert!((whole - 0.25).abs() < 0.01, "{whole}");
+    assert!((localized - 0.25).abs() < 0.015, "{localized}");
+    assert!((whole - localized).abs() < 0.015);
 }
 
 #[test]

@@ -1,7 +1,8 @@
 //! Pictures of fitted laws: profiles of χ², residuals near the edge, measured against predicted.
 
 use stickslip_friction::Dimension;
-use stickslip_hybrid::calibrate::{Estimate, two_sided_quantile};
+use stickslip_hybrid::calibrate::Estimate;
+use stickslip_hybrid::identify::chi_squared_of_one;
 use stickslip_report::FigureError;
 use stickslip_report::axis::Axis;
 use stickslip_report::chart::{LineChart, Panels, ReferenceLine, Series, SeriesStyle};
@@ -39,7 +40,7 @@ fn label(name: &str, unit: &str) -> String {
 
 /// One chart per free parameter of every law.
 pub(super) fn profiles(experiment: &Experiment, stage: &LawStage) -> Result<Svg, FigureError> {
-    let limit = two_sided_quantile(experiment.identify.confidence).powi(2);
+    let limit = chi_squared_of_one(experiment.identify.confidence);
     let mut charts = Vec::new();
     for fit in &stage.comparison.fits {
         for index in 0..fit.calibration.estimates.len() {

@@ -6,7 +6,7 @@ use stickslip_report::table::{Column, Table};
 
 use super::{Measured, figures};
 use crate::experiment::gallery::caption;
-use crate::experiment::plan::Experiment;
+use crate::experiment::plan::{Experiment, Method, Source, State};
 use crate::experiment::story::{Story, csv_table};
 use crate::experiment::synthesis::field_name;
 use crate::output::short;
@@ -18,6 +18,7 @@ pub(in crate::experiment) fn tell(experiment: &Experiment, fields: &[Measured], 
         "Displacements of the specimen, less the null field where one was given. Pictures do not tell whole orders or the motion of the \
          plate as a whole: U and V are known up to a constant, and so kept; no stress depends on it.",
     );
+    story.text(settings(experiment));
     story.table(table(experiment, fields));
     for measured in fields {
         one(experiment, measured, story);
@@ -45,6 +46,33 @@ pub(in crate::experiment) fn tell(experiment: &Experiment, fields: &[Measured], 
             .map(|measured| entry(experiment, measured))
             .collect(),
     );
+}
+
+/// How fields are made, defaults included.
+fn settings(experiment: &Experiment) -> String {
+    let reduce = &experiment.reduce;
+    let length = experiment.display.length;
+    let method = match reduce.method {
+        Method::Fit => "a fit of the region's boundary to all data".to_owned(),
+        Method::Linear { .. } => "linear interpolation on triangles".to_owned(),
+        Method::Polynomial { order, neighbours } => {
+            format!("local polynomials of order {order} over {neighbours} neighbours")
+        }
+        Method::Lines { .. } => "linear interpolation between fringe centres".to_owned(),
+    };
+    let mut words = format!(
+        "Masked: the hole, {} beyond its edge, and {} further areas. Displacements of nodes by {method}.",
+        length.show(reduce.margin),
+        reduce.mask.len()
+    );
+    let pictured = |state: &State| matches!(state.source, Source::Step(_) | Source::Pictures(_));
+    if experiment.states.iter().any(pictured) {
+        words += &format!(
+            " Pictures: a band of {} around the carrier, fringes below {} of their median amplitude masked.",
+            reduce.band, reduce.least_modulation
+        );
+    }
+    words
 }
 
 fn one(experiment: &Experiment, measured: &Measured, story: &mut Story) {

@@ -162,7 +162,7 @@ fn alone(
         "bodies": { OWN: body },
         "mesh": { "spacing": "30 deg" },
         "supports": [{ "on": format!("{OWN}.centre"), "fix": ["x", "y"] }],
-        "loads": [{ "temperature": { "body": OWN, "steps": ["1 K"] } }],
+        "loads": [{ "on": format!("{OWN}.rim"), "pressure": { "steps": ["1 MPa"] } }],
     });
     let none: [&str; 0] = [];
     let scene = Scene::from_text(&text.to_string(), Format::Json, OWN, Path::new(""), &none)

@@ -1,6 +1,9 @@
 //! The whole plate in each state of an experiment.
 
+use stickslip_hybrid::region::transfer::Propagated;
+
 use super::{WholeError, WholePlate, WholeSolution};
+use crate::experiment::analysed::Analysed;
 use crate::experiment::error::ExperimentError;
 use crate::experiment::history::History;
 use crate::experiment::measured::Measured;
@@ -13,6 +16,33 @@ pub struct WholeState {
     pub state: usize,
     /// What follows from its data and its load.
     pub solution: WholeSolution,
+}
+
+impl WholeState {
+    /// Its edge as that of a region, so that slip zones are found in the same way.
+    pub fn edge(&self) -> Analysed {
+        let own = &self.solution;
+        Analysed {
+            state: self.state,
+            angle: own.angle.clone(),
+            resolution: own.resolution,
+            tractions: own.tractions.clone(),
+            hoop: own.hoop.iter().map(|hoop| hoop[0]).collect(),
+            hoop_deviation: own.hoop.iter().map(|hoop| hoop[1]).collect(),
+            bias: own.bias.clone(),
+            direct: None,
+            fit: None,
+            scale: 1.0,
+            misfit: Vec::new(),
+            unused: None,
+            free_edge: None,
+            forces: Propagated {
+                values: Vec::new(),
+                covariance: Vec::new(),
+                solves: 0,
+            },
+        }
+    }
 }
 
 /// The whole plate in all states of `experiment`, where its file asks for it, and in words the states that are no load steps of the

@@ -4,23 +4,31 @@ use serde_json::{Value, json};
 use stickslip_report::table::{Column, Table};
 
 use super::{WholeState, figures};
+use crate::experiment::analysed::Analysed;
+use crate::experiment::error::ExperimentError;
+use crate::experiment::identified::{Identified, identify, words};
 use crate::experiment::plan::Experiment;
 use crate::experiment::story::{Story, csv_table};
 use crate::output::short;
 
 /// Tells of the whole plate; nothing where there is no state of it.
+///
+/// # Errors
+/// [`ExperimentError::Identify`] for tractions without a covariance.
 pub fn tell(
     experiment: &Experiment,
     states: &[WholeState],
     warnings: &[String],
     story: &mut Story,
-) {
+) -> Result<(), ExperimentError> {
     for words in warnings {
         story.warn(words.clone());
     }
     if states.is_empty() {
-        return;
+        return Ok(());
     }
+    let edges: Vec<Analysed> = states.iter().map(WholeState::edge).collect();
+    let friction = identify(experiment, &edges)?;
     story.section("The whole plate without its pin");
     story.text(
         "The plate of the scene under its remote load, its hole displaced so that all measured displacements are met best: every other edge \
@@ -28,6 +36,12 @@ pub fn tell(
          displacements is asked of the data (report II 4.3, Figs 10–13).",
     );
     story.table(table(experiment, states));
+    story.table(zones(experiment, states, &friction));
+    let found = friction.dynamic.as_ref().map_or_else(
+        || "no slip zone is recognised".to_owned(),
+        |fit| words(fit.bounds),
+    );
+    story.answer("Dynamic friction by the whole plate", found);
     story.figure(
         "whole-plate-ratio",
         "Shear over pressure on the hole where the pressure is clear: level where the plate slips, with the sign of the friction, and \
@@ -47,10 +61,54 @@ pub fn tell(
             csv(experiment, own),
         );
     }
+    let dynamic = friction.dynamic.as_ref().map(|fit| {
+        json!({ "mu": fit.mu, "words": words(fit.bounds), "chi_squared": fit.chi_squared, "degrees_of_freedom": fit.degrees })
+    });
+    let each: Vec<Value> = states.iter().map(|own| entry(experiment, own)).collect();
     story.entry(
         "whole_plate",
-        states.iter().map(|own| entry(experiment, own)).collect(),
+        json!({ "dynamic_friction": dynamic, "states": each }),
     );
+    Ok(())
+}
+
+/// Slip zones of all states, and their common coefficient.
+fn zones(experiment: &Experiment, states: &[WholeState], friction: &Identified) -> Table {
+    let columns = vec![
+        Column::new("state", ""),
+        Column::new("slips from", "deg"),
+        Column::new("to", "deg"),
+        Column::new("coefficient", ""),
+        Column::new("χ²", ""),
+        Column::new("degrees of freedom", ""),
+    ];
+    let mut table = Table::new("Slip zones of the whole plate", columns);
+    for zone in &friction.zones {
+        let own = states.iter().find(|own| own.state == zone.state);
+        let degrees = |k: usize| {
+            let angle = own.and_then(|own| own.solution.angle.get(k));
+            angle.map_or_else(String::new, |angle| format!("{:.1}", angle.to_degrees()))
+        };
+        table.push(vec![
+            experiment.states[zone.state].name.clone(),
+            degrees(zone.places.start),
+            degrees(zone.places.end.saturating_sub(1)),
+            words(zone.fit.bounds),
+            short(zone.fit.chi_squared),
+            zone.fit.degrees.to_string(),
+        ]);
+    }
+    if let Some(fit) = &friction.dynamic {
+        table.push(vec![
+            "all together".to_owned(),
+            String::new(),
+            String::new(),
+            words(fit.bounds),
+            short(fit.chi_squared),
+            fit.degrees.to_string(),
+        ]);
+    }
+    table
 }
 
 fn table(experiment: &Experiment, states: &[WholeState]) -> Table {
@@ -87,7 +145,7 @@ fn table(experiment: &Experiment, states: &[WholeState]) -> Table {
             short(size(solution.force)),
             short(stress.from_base(largest)),
             short(stress.from_base(rms(&mut deviations))),
-            short(stress.from_base(rms(&mut solution.shear_bias.iter().copied()))),
+            short(stress.from_base(rms(&mut solution.bias.iter().map(|bias| bias[1])))),
             data.to_string(),
             format!("{:.3}", residual / (data as f64 - parameters).max(1.0)),
         ]);
@@ -102,8 +160,8 @@ fn csv(experiment: &Experiment, own: &WholeState) -> Vec<u8> {
     for name in [
         "CPRESS",
         "deviation of CPRESS",
-        "CSHEAR1",
-        "deviation of CSHEAR1",
+        "tau_rtheta",
+        "deviation of tau_rtheta",
         "hoop stress",
         "deviation of the hoop stress",
     ] {

@@ -1,0 +1,268 @@
+//! One reduction of one measurement: noise and bias of the shear on the edge.
+
+use stickslip_fem_core::body::SparseRow;
+use stickslip_hybrid::data::{Measurement, NodalDisplacements};
+use stickslip_hybrid::reduce::{LocalPolynomial, Reduction};
+use stickslip_hybrid::region::fit::{Amount, Fitter};
+use stickslip_hybrid::region::outputs::EdgeRows;
+use stickslip_hybrid::region::{Region, RegionError, independent_covariance};
+
+use super::specimen::{self, DEVIATION, Specimen, angle, disturbed, tractions};
+use crate::publish::Trouble;
+
+/// How nodes get their displacements.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Method {
+    /// Every node is measured itself, with an error of its own.
+    Nodes,
+    /// Linear on a triangle of data.
+    Linear,
+    /// A quadratic through the nearest 12 data.
+    Polynomial,
+    /// All data of the region by least squares, with equilibrium inside and nothing else.
+    Equilibrium,
+    /// The same with smoothing along the boundary, as a share of the amount that cross-validation chooses.
+    Smoothed(f64),
+}
+
+/// Sides of triangles above this many spacings are gaps in the data.
+const LONGEST: f64 = 4.0;
+/// Neighbours of a local polynomial, and the share of smoothing that is advised.
+const NEIGHBOURS: usize = 12;
+pub(crate) const SHARE: f64 = 0.4;
+/// Order of the differences that are smoothed.
+const ORDER: usize = 2;
+
+impl Method {
+    pub(crate) const ALL: [Self; 5] = [
+        Self::Nodes,
+        Self::Linear,
+        Self::Polynomial,
+        Self::Equilibrium,
+        Self::Smoothed(SHARE),
+    ];
+
+    pub(crate) fn name(self) -> String {
+        match self {
+            Self::Nodes => "nodes themselves".to_owned(),
+            Self::Linear => "linear on triangles".to_owned(),
+            Self::Polynomial => "local quadratics".to_owned(),
+            Self::Equilibrium => "fit, equilibrium alone".to_owned(),
+            Self::Smoothed(SHARE) => "fit, smoothed".to_owned(),
+            Self::Smoothed(share) => format!("fit, smoothed × {share}"),
+        }
+    }
+}
+
+/// What is varied.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Varied {
+    Points,
+    Mesh,
+    Smoothing,
+    StandOff,
+}
+
+/// A measurement, a mesh and a reduction.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Case {
+    pub(crate) varied: Varied,
+    pub(crate) method: Method,
+    /// Size of the cells along the edge `[mm]`.
+    pub(crate) size: f64,
+    /// Spacing of the data `[mm]`.
+    pub(crate) spacing: f64,
+    /// Distance of the first data from the edge `[mm]`.
+    pub(crate) stand_off: f64,
+}
+
+/// A case with its answer; root mean squares along the edge, two cells at either end left out `[MPa]`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Row {
+    pub(crate) case: Case,
+    /// Deviation of the shear by the propagated covariance.
+    pub(crate) noise: f64,
+    /// Deviation over the seeds.
+    pub(crate) drawn: f64,
+    /// Change of the shear, without noise, from that of the nodes' true displacements: the bias of the reduction.
+    pub(crate) bias: f64,
+    /// Error of the shear from the nodes' true displacements: the bias of the mesh.
+    pub(crate) mesh: f64,
+}
+
+impl Row {
+    /// Data per cell next to the edge.
+    pub(crate) fn points(&self) -> f64 {
+        (self.case.size / self.case.spacing).powi(2)
+    }
+
+    /// Noise and bias of the reduction together.
+    pub(crate) fn error(&self) -> f64 {
+        self.noise.hypot(self.bias)
+    }
+}
+
+/// Region, edge, and the shear there by the nodes' true displacements.
+struct Analysis {
+    region: Region,
+    edge: EdgeRows,
+    truth: NodalDisplacements,
+}
+
+/// Noise by the covariance, noise of the draws, bias of the reduction, bias of the mesh.
+type Quality = [f64; 4];
+
+impl Analysis {
+    fn new(specimen: &Specimen, size: f64) -> Result<Self, Trouble> {
+        let body = specimen::body(&specimen::analysed(size))?;
+        let region = Region::new(&body, &[])?;
+        let nodes = region.prescribed_nodes();
+        let places: Vec<_> = nodes
+            .iter()
+            .map(|&node| region.mesh().nodes()[node])
+            .collect();
+        let truth = NodalDisplacements {
+            values: specimen.displacements_at(&places)?,
+            covariance: independent_covariance(nodes.len(), [DEVIATION; 2]),
+            nodes,
+        };
+        Ok(Self {
+            edge: EdgeRows::new(&body, "inner")?,
+            region,
+            truth,
+        })
+    }
+
+    fn quality(&self, exact: &NodalDisplacements, draws: &[f64]) -> Result<Quality, Trouble> {
+        let shear: Vec<SparseRow> = self.edge.component(2);
+        let propagated = self.region.propagate(&shear, exact)?;
+        let mean = &propagated.values;
+        let unreduced = self.region.solve(&self.truth)?.outputs(&shear);
+        let applied: Vec<f64> = (self.edge.parameter.iter())
+            .map(|s| tractions(angle(*s))[1])
+            .collect();
+        let states = self.region.outputs_of(&shear, draws)?;
+        let states = states.chunks_exact(shear.len());
+        let count = states.len() as f64;
+        let squares: f64 = states.map(|state| apart(state, mean).powi(2)).sum();
+        Ok([
+            inside(&propagated.deviations()),
+            (squares / count).sqrt(),
+            apart(mean, &unreduced),
+            apart(&unreduced, &applied),
+        ])
+    }
+}
+
+impl Case {
+    /// Solves it with `seeds` draws of the noise; `None` where the method needs data that are not there.
+    pub(crate) fn solve(&self, specimen: &Specimen, seeds: u64) -> Result<Option<Row>, Trouble> {
+        let analysis = Analysis::new(specimen, self.size)?;
+        let exact = specimen.measure(self.spacing, self.stand_off)?;
+        let answer = match self.method {
+            Method::Nodes => Some(measured_nodes(&analysis, seeds)?),
+            Method::Linear | Method::Polynomial => self.nodal(&analysis, &exact, seeds)?,
+            Method::Equilibrium => fitted(&analysis, &exact, 0.0, seeds)?,
+            Method::Smoothed(share) => fitted(&analysis, &exact, share, seeds)?,
+        };
+        Ok(answer.map(|[noise, drawn, bias, mesh]| Row {
+            case: *self,
+            noise,
+            drawn,
+            bias,
+            mesh,
+        }))
+    }
+
+    fn nodal(
+        &self,
+        analysis: &Analysis,
+        exact: &Measurement,
+        seeds: u64,
+    ) -> Result<Option<Quality>, Trouble> {
+        let nodes = analysis.region.prescribed_nodes();
+        let places = analysis.region.mesh().nodes();
+        let reduction = if self.method == Method::Linear {
+            Reduction::linear(exact, places, &nodes, LONGEST * self.spacing)?
+        } else {
+            let fit = LocalPolynomial {
+                order: 2,
+                neighbours: NEIGHBOURS,
+                largest_radius: f64::INFINITY,
+                extrapolate: true,
+            };
+            Reduction::polynomial(exact, places, &nodes, &fit)?
+        };
+        let Ok(reduction) = reduction.complete() else {
+            return Ok(None);
+        };
+        let from = reduction.displacements(exact)?;
+        let draws = (0..seeds)
+            .map(|seed| {
+                let data = disturbed(exact, seed).displacements;
+                Ok(reduction.values([&data[0], &data[1]])?)
+            })
+            .collect::<Result<Vec<_>, Trouble>>()?;
+        let draws = draws
+            .iter()
+            .map(|values| NodalDisplacements {
+                nodes: reduction.nodes().to_vec(),
+                values: values.clone(),
+                covariance: Vec::new(),
+            })
+            .map(|drawn| Ok(analysis.region.values(&drawn)?))
+            .collect::<Result<Vec<_>, Trouble>>()?;
+        analysis.quality(&from, &draws.concat()).map(Some)
+    }
+}
+
+/// Every prescribed node with an error of its own.
+fn measured_nodes(analysis: &Analysis, seeds: u64) -> Result<Quality, Trouble> {
+    let exact = analysis.region.values(&analysis.truth)?;
+    let draws: Vec<f64> = (0..seeds)
+        .flat_map(|seed| specimen::shaken(&exact, seed))
+        .collect();
+    analysis.quality(&analysis.truth, &draws)
+}
+
+/// A fit with `share` of the smoothing that cross-validation chooses; `None` where the data leave something open.
+fn fitted(
+    analysis: &Analysis,
+    exact: &Measurement,
+    share: f64,
+    seeds: u64,
+) -> Result<Option<Quality>, Trouble> {
+    let fitter = match Fitter::new(&analysis.region, exact, ORDER) {
+        Ok(fitter) => fitter,
+        Err(RegionError::NotDetermined { .. }) => return Ok(None),
+        Err(error) => return Err(error.into()),
+    };
+    let amount = if share > 0.0 {
+        // The seed of the one measurement from which an experimentalist would choose.
+        share * fitter.cross_validated(&disturbed(exact, seeds).displacements)?
+    } else {
+        0.0
+    };
+    let Ok(fit) = fitter.fit(&exact.displacements, Amount::Given(amount)) else {
+        return Ok(None);
+    };
+    let draws = (0..seeds)
+        .map(|seed| Ok(fitter.values(&disturbed(exact, seed).displacements, amount)?))
+        .collect::<Result<Vec<_>, Trouble>>()?;
+    analysis
+        .quality(&fit.displacements, &draws.concat())
+        .map(Some)
+}
+
+/// Root mean square of differences.
+fn apart(first: &[f64], second: &[f64]) -> f64 {
+    let differences: Vec<f64> = first.iter().zip(second).map(|(a, b)| a - b).collect();
+    inside(&differences)
+}
+
+/// Root mean square over the nodes farther than two quadratic cells from the ends.
+fn inside(values: &[f64]) -> f64 {
+    const LEFT_OUT: usize = 4;
+    let own = &values[LEFT_OUT..values.len() - LEFT_OUT];
+    (own.iter().map(|v| v * v).sum::<f64>() / own.len() as f64).sqrt()
+}
