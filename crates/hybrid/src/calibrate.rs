@@ -38,20 +38,23 @@
 //! ```
 
 mod data;
+mod information;
 mod profile;
 mod search;
 
-use faer::Mat;
 use thiserror::Error;
 
 pub use data::{Block, Data, Noise};
 
 use crate::identify::{Bounds, chi_squared_of_one};
-use crate::region::dense;
+use information::Information;
 use search::Search;
 
 /// Most parameters that a fit may have; the grid of starts grows with their number's power.
 pub const MOST_PARAMETERS: usize = 4;
+
+/// A profile that finds something better starts the search anew from there, at most so often.
+const ROUNDS: usize = 6;
 
 /// Why nothing can be fitted.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -228,7 +231,7 @@ pub struct Estimate {
     pub name: String,
     /// The value that fits best.
     pub value: f64,
-    /// Standard deviation by the curvature of χ² there; `None` where χ² does not depend on it.
+    /// Standard deviation by the curvature of χ² there; `None` where χ² has none along it.
     pub deviation: Option<f64>,
     /// Interval of the profile. It ends where the profile passes its limit, and has no end where the range or the model ends before.
     pub bounds: Bounds,
@@ -241,7 +244,7 @@ pub struct Estimate {
 pub struct Calibration {
     /// One per parameter, in their order.
     pub estimates: Vec<Estimate>,
-    /// Covariance of the parameters by the curvature of χ², square, row by row; empty where it is singular.
+    /// Covariance of the parameters by the curvature of χ², square, row by row; empty unless all of them have a deviation.
     pub covariance: Vec<f64>,
     /// The least χ².
     pub chi_squared: f64,
@@ -331,8 +334,6 @@ pub fn calibrate<E: std::fmt::Display>(
     let grid = search.grid(settings.grid[parameters.len() - 1].max(2))?;
     let mut best = search.best_of(&grid, settings.starts.max(1))?;
     let limit = chi_squared_of_one(settings.confidence);
-    // A profile that finds something better starts the search anew from there.
-    const ROUNDS: usize = 6;
     let mut estimates = Vec::new();
     for round in 1..=ROUNDS {
         match search.estimates(&best, &grid, limit, round == ROUNDS)? {
@@ -412,57 +413,4 @@ fn check(parameters: &[Parameter], data: &Data, settings: &Settings) -> Result<(
         });
     }
     Ok(())
-}
-
-/// Inverse of half the curvature of χ² in the parts of the ranges.
-struct Information {
-    /// `None` where it is singular.
-    inverse: Option<Mat<f64>>,
-    /// Deviation of each parameter if it alone were unknown; infinite without influence.
-    alone: Vec<f64>,
-}
-
-impl Information {
-    fn of(jacobian: &Mat<f64>) -> Self {
-        let size = jacobian.ncols();
-        let gram = dense::multiply(jacobian.transpose(), jacobian.as_ref());
-        let alone: Vec<f64> = (0..size).map(|k| gram[(k, k)].sqrt().recip()).collect();
-        // Scaled to a diagonal of ones, so that the factor breaks down where parameters cannot be told apart.
-        let scaled = Mat::from_fn(size, size, |i, j| gram[(i, j)] * alone[i] * alone[j]);
-        let finite = alone.iter().all(|own| own.is_finite());
-        let lower = finite.then(|| dense::cholesky(scaled).ok()).flatten();
-        let inverse = lower.map(|lower| {
-            let mut half = Mat::identity(size, size);
-            dense::solve_lower(&lower, &mut half);
-            let full = dense::multiply(half.transpose(), half.as_ref());
-            Mat::from_fn(size, size, |i, j| full[(i, j)] * alone[i] * alone[j])
-        });
-        Self { inverse, alone }
-    }
-
-    /// Deviation in parts of the range; `None` without influence or beside others that cannot be told apart.
-    fn deviation(&self, axis: usize) -> Option<f64> {
-        /// A deviation of so many ranges is rounding.
-        const BEYOND: f64 = 1e3;
-        match &self.inverse {
-            Some(inverse) => Some(inverse[(axis, axis)].sqrt()),
-            None => Some(self.alone[axis]).filter(|own| own.is_finite() && self.alone.len() == 1),
-        }
-        .filter(|own| *own < BEYOND)
-    }
-
-    /// A step in parts of the range over which χ² changes; `None` without influence.
-    fn scale(&self, axis: usize) -> Option<f64> {
-        let alone = Some(self.alone[axis]).filter(|own| own.is_finite());
-        self.deviation(axis).or(alone)
-    }
-
-    fn covariance(&self, parameters: &[Parameter], parts: &[f64]) -> Vec<f64> {
-        let slope = |k: usize| parameters[k].slope(parts[k]);
-        self.inverse.as_ref().map_or_else(Vec::new, |inverse| {
-            dense::by_rows(&Mat::from_fn(parts.len(), parts.len(), |i, j| {
-                inverse[(i, j)] * slope(i) * slope(j)
-            }))
-        })
-    }
 }

@@ -100,7 +100,7 @@ impl Data {
     /// What is left of data less prediction when the nuisances have taken what they can, in standard deviations. `predicted` has as many
     /// entries as there are [data](Self::count).
     pub fn residual(&self, predicted: &[f64]) -> Vec<f64> {
-        self.each(predicted, |block, predicted| block.residual(predicted))
+        self.each(predicted, Whitened::residual)
     }
 
     /// χ² of a prediction.
@@ -230,6 +230,5 @@ fn independent(columns: &[Vec<f64>], mut column: Vec<f64>) -> Option<Vec<f64>> {
     if left <= ROUNDING * before {
         return None;
     }
-    column.iter_mut().for_each(|x| *x /= left);
-    Some(column)
+    Some(column.into_iter().map(|x| x / left).collect())
 }

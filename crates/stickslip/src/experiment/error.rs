@@ -91,7 +91,7 @@ pub enum ExperimentError {
         key: String,
         /// What is wrong.
         #[source]
-        cause: LawsError,
+        cause: Box<LawsError>,
     },
     /// The whole plate cannot be analysed.
     #[error("the whole plate: {cause}")]
@@ -100,7 +100,7 @@ pub enum ExperimentError {
         key: String,
         /// What is wrong.
         #[source]
-        cause: WholeError,
+        cause: Box<WholeError>,
     },
     /// A region that cannot be analysed, or data that do not determine it.
     #[error("state '{state}': {cause}")]

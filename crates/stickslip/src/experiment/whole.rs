@@ -197,10 +197,7 @@ impl WholePlate {
         let fit = self.region.fit(&data, smoothing)?;
         let found = self.region.propagate(&self.edge.rows, &fit.displacements)?;
         let by_load = loaded.outputs(&self.edge.rows);
-        let bias = self
-            .region
-            .transfer(&self.edge.component(2))?
-            .apply(&fit.bias)?;
+        let bias = self.region.transfer(&self.edge.rows)?.apply(&fit.bias)?;
         let solution = self.region.solve_loaded(&fit.displacements, &forces)?;
         let sum = |values: &[f64], axis: usize| values.iter().skip(axis).step_by(2).sum::<f64>();
         let mut force = [0.0; 2];

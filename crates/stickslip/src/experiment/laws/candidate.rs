@@ -33,7 +33,7 @@ impl Candidate {
     ///
     /// # Errors
     /// The key below the law's table in the file, and what is wrong with it: a parameter that the law does not have.
-    pub fn new(plan: &LawPlan) -> Result<Self, (String, SceneProblem)> {
+    pub fn new(plan: &LawPlan) -> Result<Self, (String, Box<SceneProblem>)> {
         let free = plan
             .free
             .iter()
@@ -50,10 +50,11 @@ impl Candidate {
         name: &str,
         law: &dyn FrictionLaw,
         free: &[(&str, [f64; 2])],
-    ) -> Result<Self, (String, SceneProblem)> {
+    ) -> Result<Self, (String, Box<SceneProblem>)> {
         let refused = |what: &str, message: String| {
             let law = law.name().to_owned();
-            (what.to_owned(), SceneProblem::Friction { law, message })
+            let problem = SceneProblem::Friction { law, message };
+            (what.to_owned(), Box::new(problem))
         };
         let table = serde_json::to_value(law).map_err(|error| refused("", error.to_string()))?;
         let own = table.get(law.name()).unwrap_or(&Value::Null);
@@ -68,7 +69,7 @@ impl Candidate {
                     nearest: nearest(path, known.iter().map(String::as_str)).map(str::to_owned),
                     known: known.clone(),
                 };
-                return Err((path.to_owned(), problem));
+                return Err((path.to_owned(), Box::new(problem)));
             }
             pointers.push(format!("/{}/{}", law.name(), path.replace('.', "/")));
             dimensions.push(dimension(law.name(), path));

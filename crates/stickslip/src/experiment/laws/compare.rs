@@ -79,24 +79,24 @@ impl Fit {
 
     /// What the data say of each parameter and of the law, in a sentence or two.
     pub fn words(&self) -> String {
-        let mut words = self.verdict.words().to_owned();
+        let mut words = vec![self.verdict.words().to_owned()];
         if !self.explains() {
-            words.push_str(", and does not explain the data");
+            words.push("does not explain the data".to_owned());
         }
         for own in &self.calibration.estimates {
+            let name = &own.name;
             match own.bounds {
-                Bounds::Nothing => words.push_str(&format!("; {} is not identifiable", own.name)),
+                Bounds::Nothing => words.push(format!("{name} is not identifiable")),
                 Bounds::AtMost(_) | Bounds::AtLeast(_) => {
-                    words.push_str(&format!("; {} is bounded on one side", own.name));
+                    words.push(format!("{name} is bounded on one side"));
                 }
-                Bounds::Between(..) if own.deviation.is_none() => words.push_str(&format!(
-                    "; {} shows by single contact points alone, so that its interval depends on the mesh",
-                    own.name
+                Bounds::Between(..) if own.deviation.is_none() => words.push(format!(
+                    "{name} shows by single contact points alone, so that its interval depends on the mesh"
                 )),
                 Bounds::Between(..) => {}
             }
         }
-        words
+        words.join("; ")
     }
 }
 

@@ -145,13 +145,11 @@ pub(super) fn predictions(experiment: &Experiment, stage: &LawStage) -> Result<S
 
 /// Fringes where there is a grating, and otherwise the unit of length.
 pub(super) fn scale(experiment: &Experiment) -> (f64, &'static str) {
-    match experiment.grating {
-        Some(grating) => (grating.frequency(), "fringes"),
-        None => {
-            let unit = experiment.display.length;
-            (unit.from_base(1.0), unit.name)
-        }
-    }
+    let unit = experiment.display.length;
+    experiment.grating.map_or_else(
+        || (unit.from_base(1.0), unit.name),
+        |grating| (grating.frequency(), "fringes"),
+    )
 }
 
 fn chart(title: String, y: String) -> LineChart {

@@ -54,7 +54,7 @@ pub fn stage(
     };
     let failed = |cause| ExperimentError::Laws {
         key: "laws".to_owned(),
-        cause,
+        cause: Box::new(cause),
     };
     let model = ContactModel::new(own).map_err(failed)?;
     let history = History::of(&own.scene);
@@ -111,7 +111,7 @@ fn candidates(experiment: &Experiment) -> Result<Vec<Candidate>, ExperimentError
             }
             candidate.map_err(|(key, problem)| ExperimentError::Law {
                 key: format!("{table}.{key}"),
-                problem: Box::new(problem),
+                problem,
             })
         })
         .collect()

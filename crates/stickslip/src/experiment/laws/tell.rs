@@ -46,6 +46,16 @@ pub fn tell(experiment: &Experiment, stage: &LawStage, story: &mut Story) {
     if !stage.sensitivities.is_empty() {
         story.table(sensitivities(experiment, stage));
     }
+    if comparison
+        .fits
+        .iter()
+        .any(|fit| fit.law.kind == "static_dynamic")
+    {
+        story.note(
+            "The drop from static to dynamic friction has no length of its own: what the static coefficient does depends on the spacing of \
+             the contact nodes, and its bounds move with the mesh.",
+        );
+    }
     for words in &stage.warnings {
         story.warn(words.clone());
     }

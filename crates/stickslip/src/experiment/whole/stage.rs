@@ -71,7 +71,7 @@ pub fn stage(
     };
     let failed = |cause: WholeError| ExperimentError::Whole {
         key: "region.whole_plate".to_owned(),
-        cause,
+        cause: Box::new(cause),
     };
     let plate = WholePlate::new(own).map_err(failed)?;
     let history = History::of(&own.scene);
