@@ -16,7 +16,7 @@ use crate::run::RunError;
 pub enum ExperimentError {
     /// The scene behind a synthetic experiment cannot be solved.
     #[error(transparent)]
-    Run(#[from] RunError),
+    Run(Box<RunError>),
     /// A part that a stage needs is not in the file.
     #[error("{what}")]
     Missing {
@@ -46,7 +46,7 @@ pub enum ExperimentError {
         key: String,
         /// What is wrong.
         #[source]
-        cause: DataError,
+        cause: Box<DataError>,
     },
     /// Fringe pictures that cannot be made or read.
     #[error("state '{state}', {field} field: {cause}")]
@@ -59,7 +59,7 @@ pub enum ExperimentError {
         key: String,
         /// What is wrong.
         #[source]
-        cause: FringeError,
+        cause: Box<FringeError>,
     },
     /// Data that do not cover the region's nodes.
     #[error("state '{state}': {cause}")]
@@ -70,11 +70,17 @@ pub enum ExperimentError {
         key: String,
         /// What is wrong.
         #[source]
-        cause: ReduceError,
+        cause: Box<ReduceError>,
     },
     /// A grating that cannot be.
     #[error(transparent)]
     Grating(#[from] MoireError),
+}
+
+impl From<RunError> for ExperimentError {
+    fn from(cause: RunError) -> Self {
+        Self::Run(Box::new(cause))
+    }
 }
 
 impl ExperimentError {
@@ -101,7 +107,7 @@ impl ExperimentError {
             Self::Data { .. } => {
                 "`stickslip list presets` shows the columns of each preset; columns = { u = \"…\" } names others"
             }
-            Self::Fringes { cause, .. } => match cause {
+            Self::Fringes { cause, .. } => match cause.as_ref() {
                 FringeError::NoCarrier { .. } | FringeError::Crowded { .. } => {
                     "look at the picture: fringes must not turn back; four = pictures with shifted phase need no carrier"
                 }

@@ -5,7 +5,7 @@ use stickslip_hybrid::data::{DataError, Field, FringeLines, Measurement, NullFie
 use stickslip_hybrid::fringe::{FringeError, PixelMap, Plane, measurement};
 use stickslip_hybrid::moire::Grating;
 
-use super::phase::Orders;
+use super::phase::Unwound;
 use super::{Measured, PictureField, Reading, Scope};
 use crate::experiment::error::ExperimentError;
 use crate::experiment::plan::{Method, SymmetryPlan};
@@ -28,10 +28,10 @@ pub(super) fn combined(
     };
     match (own, null) {
         (Reading::Pictures(fields), Some(Reading::Pictures(null))) => {
-            pictures(scope, &mut measured, fields, &null)?;
+            pictures(scope, &mut measured, *fields, &null)?;
         }
         (Reading::Pictures(fields), None) => {
-            pictures(scope, &mut measured, fields, &[None, None])?;
+            pictures(scope, &mut measured, *fields, &[None, None])?;
         }
         (Reading::Lines(lines, deviation), None) => {
             fringe_lines(scope, &mut measured, lines, deviation)?;
@@ -105,8 +105,8 @@ fn grating(scope: &Scope<'_>) -> Result<Grating, ExperimentError> {
 fn pictures(
     scope: &Scope<'_>,
     measured: &mut Measured,
-    fields: [Option<Orders>; 2],
-    null: &[Option<Orders>; 2],
+    fields: [Option<Unwound>; 2],
+    null: &[Option<Unwound>; 2],
 ) -> Result<(), ExperimentError> {
     for ((field, own), null) in Field::BOTH.into_iter().zip(fields).zip(null) {
         let Some(own) = own else { continue };
@@ -146,7 +146,7 @@ struct Less {
     found_carrier: bool,
 }
 
-fn less(own: Orders, null: Option<&Orders>) -> Result<Less, FringeError> {
+fn less(own: Unwound, null: Option<&Unwound>) -> Result<Less, FringeError> {
     let (orders, deviation) = match null {
         None => (own.orders, own.deviation),
         Some(null) => (difference(&own, null)?, own.deviation.hypot(null.deviation)),
@@ -171,7 +171,7 @@ fn less(own: Orders, null: Option<&Orders>) -> Result<Less, FringeError> {
 }
 
 /// N − N₀ pixel by pixel; both have the same carrier, whatever part of it was taken off either.
-fn difference(own: &Orders, null: &Orders) -> Result<PixelMap, FringeError> {
+fn difference(own: &Unwound, null: &Unwound) -> Result<PixelMap, FringeError> {
     let frame = *own.orders.frame();
     if frame != *null.orders.frame() {
         let frames = (frame, *null.orders.frame());
@@ -286,7 +286,7 @@ pub(super) fn symmetry(
     let failed = |cause: DataError| ExperimentError::Data {
         state: scope.name(),
         key: "reduce.symmetry".to_owned(),
-        cause,
+        cause: Box::new(cause),
     };
     for field in Field::BOTH {
         if let (Some(own), Some(other)) = (&front.lines, &back.lines) {
