@@ -123,17 +123,27 @@ fn pictures(
     measured.measurement = measurement(orders, frequency, deviations, stride)
         .map_err(|cause| scope.fringes("U or V", cause))?;
     measured.remarks.push(format!(
-        "one displacement per {stride} × {stride} pixels, so that their errors are independent"
+        "one displacement per {stride} × {stride} pixels; [reduce] stride says otherwise"
     ));
     Ok(())
 }
 
-/// Every how many pixels a displacement is taken: those stated, or as many as errors depend on each other over.
+/// Most displacements that are taken of a picture whose pixels are all independent, where nothing else is stated.
+const PLENTY: f64 = 50_000.0;
+
+/// Every how many pixels a displacement is taken: those stated, or as many as errors depend on each other over; more where that leaves
+/// every pixel.
 fn stride(scope: &Scope<'_>, measured: &Measured) -> usize {
     let of_field = |field: &PictureField| {
         let step = field.orders.frame().step();
         let pixel = step[0].abs().min(step[1].abs());
-        (field.resolution / pixel - 1e-9).ceil().max(1.0) as usize
+        match (field.resolution / pixel - 1e-9).ceil() as usize {
+            0 | 1 => (field.orders.present().count() as f64 / PLENTY)
+                .sqrt()
+                .ceil()
+                .max(1.0) as usize,
+            stride => stride,
+        }
     };
     let own = measured.pictures.iter().flatten().map(of_field).max();
     scope.experiment.reduce.stride.or(own).unwrap_or(1)
