@@ -11,7 +11,7 @@ const SCALE: f64 = 2.0;
 /// Palette: 0 is no value, the rest are colours.
 const COLORS: usize = 255;
 /// As many greys as the eye tells apart in a pattern; fewer make smaller files.
-const GREYS: usize = 32;
+const GREYS: usize = 24;
 
 fn colors(colormap: Colormap) -> usize {
     if colormap == Colormap::Gray {

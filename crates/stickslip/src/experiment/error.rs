@@ -20,7 +20,7 @@ use crate::run::RunError;
 pub enum ExperimentError {
     /// The scene behind a synthetic experiment cannot be solved.
     #[error(transparent)]
-    Run(#[from] RunError),
+    Run(Box<RunError>),
     /// A part that a stage needs is not in the file.
     #[error("{what}")]
     Missing {
@@ -50,7 +50,7 @@ pub enum ExperimentError {
         key: String,
         /// What is wrong.
         #[source]
-        cause: DataError,
+        cause: Box<DataError>,
     },
     /// Fringe pictures that cannot be made or read.
     #[error("state '{state}', {field} field: {cause}")]
@@ -63,7 +63,7 @@ pub enum ExperimentError {
         key: String,
         /// What is wrong.
         #[source]
-        cause: FringeError,
+        cause: Box<FringeError>,
     },
     /// Data that do not cover the region's nodes.
     #[error("state '{state}': {cause}")]
@@ -74,7 +74,7 @@ pub enum ExperimentError {
         key: String,
         /// What is wrong.
         #[source]
-        cause: ReduceError,
+        cause: Box<ReduceError>,
     },
     /// A law that cannot be fitted as the file says.
     #[error("{problem}")]
@@ -121,6 +121,12 @@ pub enum ExperimentError {
     Grating(#[from] MoireError),
 }
 
+impl From<RunError> for ExperimentError {
+    fn from(cause: RunError) -> Self {
+        Self::Run(Box::new(cause))
+    }
+}
+
 impl ExperimentError {
     /// The key of the experiment file that the error is about.
     pub fn key(&self) -> &str {
@@ -150,7 +156,7 @@ impl ExperimentError {
             Self::Data { .. } => {
                 "`stickslip list presets` shows the columns of each preset; columns = { u = \"…\" } names others"
             }
-            Self::Fringes { cause, .. } => match cause {
+            Self::Fringes { cause, .. } => match cause.as_ref() {
                 FringeError::NoCarrier { .. } | FringeError::Crowded { .. } => {
                     "look at the picture: fringes must not turn back; four = pictures with shifted phase need no carrier"
                 }

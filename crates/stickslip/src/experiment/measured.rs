@@ -138,7 +138,7 @@ impl Scope<'_> {
         ExperimentError::Data {
             state: self.name(),
             key: self.key.clone(),
-            cause,
+            cause: Box::new(cause),
         }
     }
 
@@ -151,7 +151,7 @@ impl Scope<'_> {
             state: self.name(),
             field,
             key: self.key.clone(),
-            cause,
+            cause: Box::new(cause),
         }
     }
 
@@ -188,7 +188,7 @@ enum Reading {
         remarks: Vec<String>,
     },
     /// Orders at the pixels of the U and the V field.
-    Pictures([Option<phase::Orders>; 2]),
+    Pictures(Box<[Option<phase::Unwound>; 2]>),
     /// Fringe lines of the U and the V field, and the deviation of an order `[fringes]`.
     Lines([FringeLines; 2], f64),
 }

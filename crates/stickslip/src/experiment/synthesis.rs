@@ -81,7 +81,7 @@ impl<'a> Camera<'a> {
             state: "all".to_owned(),
             field: "U and V",
             key: "fringes".to_owned(),
-            cause,
+            cause: Box::new(cause),
         };
         let frame = Frame::over(fringes.window, fringes.pixel).map_err(refused)?;
         let places: Vec<_> = (0..frame.pixels())
@@ -149,7 +149,7 @@ impl<'a> Camera<'a> {
                     state: self.experiment.states[state].name.clone(),
                     field: field_name(field),
                     key: "fringes.window".to_owned(),
-                    cause,
+                    cause: Box::new(cause),
                 })
         };
         Ok([take(Field::U)?, take(Field::V)?])
@@ -221,7 +221,7 @@ impl<'a> Camera<'a> {
                     state: self.experiment.states[state].name.clone(),
                     field: field_name(field),
                     key: "fringes".to_owned(),
-                    cause,
+                    cause: Box::new(cause),
                 })?;
                 Ok((name, bytes))
             })

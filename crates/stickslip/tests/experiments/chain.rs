@@ -40,6 +40,18 @@ fn every_load_step_is_a_state_where_none_is_named() {
         assert!(page.contains(part), "{part}");
     }
     assert!(folder.path().join("out/gallery.png").is_file());
+    assert!(!page.contains("finer than two pixels"));
+    let coarse = [
+        "fringes",
+        "e.toml",
+        "--output",
+        "coarse",
+        "--set",
+        "fringes.pixel=0.1 mm",
+    ];
+    let summary = succeeds(folder.path(), &coarse);
+    let warning = summary["warnings"][0].as_str().unwrap();
+    assert!(warning.contains("finer than two pixels"), "{warning}");
     assert!(
         folder
             .path()
@@ -60,6 +72,11 @@ fn the_chain_restarts_from_its_pictures() {
         "fringes.pictures=four",
         "fringes.format=tiff",
     ] {
+        // A smaller window: all of this is about equality alone.
+        let text = text.replace(
+            "[[\"2 mm\", \"-5 mm\"], [\"12 mm\", \"5 mm\"]]",
+            "[[\"4 mm\", \"-2 mm\"], [\"10 mm\", \"4 mm\"]]",
+        );
         let folder = folder_with(&[("scene.toml", SCENE), ("e.toml", &text)]);
         let path = folder.path();
         let own = succeeds(path, &["reduce", "e.toml", "--output", "own", "--set", set]);

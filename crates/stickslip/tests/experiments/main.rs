@@ -5,6 +5,7 @@ mod pictures;
 mod refusals;
 mod tables;
 
+use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -118,7 +119,7 @@ fn grid(header: &str, u: impl Fn(f64, f64) -> [f64; 2]) -> String {
             let (x, y) = (f64::from(i), f64::from(j));
             if x.hypot(y) > 5.0 {
                 let [u, v] = u(x, y);
-                text += &format!("{x},{y},{u:e},{v:e}\n");
+                writeln!(text, "{x},{y},{u:e},{v:e}").unwrap();
             }
         }
     }

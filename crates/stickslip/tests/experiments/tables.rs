@@ -1,5 +1,6 @@
 //! Measured fields from tables and fringe lines.
 
+use std::fmt::Write as _;
 use std::fs;
 
 use super::{TABLE, folder_with, grid, numbers, succeeds};
@@ -40,7 +41,7 @@ fn scale_origin_and_axes_are_as_stated() {
         .enumerate()
     {
         let sigma = if k == 3 { -1 } else { 0 };
-        text += &format!("{},{},0.2,0.4,{sigma}\n", place[0], place[1]);
+        writeln!(text, "{},{},0.2,0.4,{sigma}", place[0], place[1]).unwrap();
     }
     let state = "table = { file = \"up.csv\", preset = \"dice\", scale = \"0.05 mm\", y_axis = \"down\", origin = [400, 300], deviation = \"1 um\" }";
     let experiment = TABLE.lines().take(7).collect::<Vec<_>>().join("\n") + "\n" + state;
@@ -120,7 +121,7 @@ fn fringe_lines_are_measured_along_both_fields() {
         for (name, y) in [("a", 0.0), ("b", 2.0)] {
             for n in 0..6 {
                 let x = 6.0 + f64::from(n);
-                text += &format!("{name},{x},{y},{}\n", k * f64::from(n));
+                writeln!(text, "{name},{x},{y},{}", k * f64::from(n)).unwrap();
             }
         }
         text

@@ -5,7 +5,7 @@ use stickslip_hybrid::data::{DataError, Field, FringeLines, Measurement, NullFie
 use stickslip_hybrid::fringe::{FringeError, PixelMap, Plane, measurement};
 use stickslip_hybrid::moire::Grating;
 
-use super::phase::Orders;
+use super::phase::Unwound;
 use super::{Measured, PictureField, Reading, Scope};
 use crate::experiment::error::ExperimentError;
 use crate::experiment::plan::{Method, SymmetryPlan};
@@ -28,10 +28,10 @@ pub(super) fn combined(
     };
     match (own, null) {
         (Reading::Pictures(fields), Some(Reading::Pictures(null))) => {
-            pictures(scope, &mut measured, fields, &null)?;
+            pictures(scope, &mut measured, *fields, &null)?;
         }
         (Reading::Pictures(fields), None) => {
-            pictures(scope, &mut measured, fields, &[None, None])?;
+            pictures(scope, &mut measured, *fields, &[None, None])?;
         }
         (Reading::Lines(lines, deviation), None) => {
             fringe_lines(scope, &mut measured, lines, deviation)?;
@@ -105,8 +105,8 @@ fn grating(scope: &Scope<'_>) -> Result<Grating, ExperimentError> {
 fn pictures(
     scope: &Scope<'_>,
     measured: &mut Measured,
-    fields: [Option<Orders>; 2],
-    null: &[Option<Orders>; 2],
+    fields: [Option<Unwound>; 2],
+    null: &[Option<Unwound>; 2],
 ) -> Result<(), ExperimentError> {
     for ((field, own), null) in Field::BOTH.into_iter().zip(fields).zip(null) {
         let Some(own) = own else { continue };
@@ -123,17 +123,27 @@ fn pictures(
     measured.measurement = measurement(orders, frequency, deviations, stride)
         .map_err(|cause| scope.fringes("U or V", cause))?;
     measured.remarks.push(format!(
-        "one displacement per {stride} × {stride} pixels, so that their errors are independent"
+        "one displacement per {stride} × {stride} pixels; [reduce] stride says otherwise"
     ));
     Ok(())
 }
 
-/// Every how many pixels a displacement is taken: those stated, or as many as errors depend on each other over.
+/// Most displacements that are taken of a picture whose pixels are all independent, where nothing else is stated.
+const PLENTY: f64 = 50_000.0;
+
+/// Every how many pixels a displacement is taken: those stated, or as many as errors depend on each other over; more where that leaves
+/// every pixel.
 fn stride(scope: &Scope<'_>, measured: &Measured) -> usize {
     let of_field = |field: &PictureField| {
         let step = field.orders.frame().step();
         let pixel = step[0].abs().min(step[1].abs());
-        (field.resolution / pixel - 1e-9).ceil().max(1.0) as usize
+        match (field.resolution / pixel - 1e-9).ceil() as usize {
+            0 | 1 => (field.orders.present().count() as f64 / PLENTY)
+                .sqrt()
+                .ceil()
+                .max(1.0) as usize,
+            stride => stride,
+        }
     };
     let own = measured.pictures.iter().flatten().map(of_field).max();
     scope.experiment.reduce.stride.or(own).unwrap_or(1)
@@ -146,7 +156,7 @@ struct Less {
     found_carrier: bool,
 }
 
-fn less(own: Orders, null: Option<&Orders>) -> Result<Less, FringeError> {
+fn less(own: Unwound, null: Option<&Unwound>) -> Result<Less, FringeError> {
     let (orders, deviation) = match null {
         None => (own.orders, own.deviation),
         Some(null) => (difference(&own, null)?, own.deviation.hypot(null.deviation)),
@@ -171,7 +181,7 @@ fn less(own: Orders, null: Option<&Orders>) -> Result<Less, FringeError> {
 }
 
 /// N − N₀ pixel by pixel; both have the same carrier, whatever part of it was taken off either.
-fn difference(own: &Orders, null: &Orders) -> Result<PixelMap, FringeError> {
+fn difference(own: &Unwound, null: &Unwound) -> Result<PixelMap, FringeError> {
     let frame = *own.orders.frame();
     if frame != *null.orders.frame() {
         let frames = (frame, *null.orders.frame());
@@ -286,7 +296,7 @@ pub(super) fn symmetry(
     let failed = |cause: DataError| ExperimentError::Data {
         state: scope.name(),
         key: "reduce.symmetry".to_owned(),
-        cause,
+        cause: Box::new(cause),
     };
     for field in Field::BOTH {
         if let (Some(own), Some(other)) = (&front.lines, &back.lines) {

@@ -126,7 +126,8 @@ fn scattered(
         .collect();
     let letter = ["u", "v"][c];
     let title = format!(
-        "{} of {} places valid",
+        "{}: {} of {} places valid",
+        field_name(field),
         measurement.count(field),
         dots.len()
     );

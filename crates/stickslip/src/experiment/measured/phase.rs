@@ -18,9 +18,9 @@ pub(super) struct FieldInput {
     pub(super) rising: [f64; 2],
 }
 
-/// Orders of one field less a carrier.
+/// One field less a carrier.
 #[derive(Clone, Debug)]
-pub(super) struct Orders {
+pub(super) struct Unwound {
     pub(super) picture: PixelMap,
     pub(super) wrapped: PixelMap,
     /// Orders less [`carrier`](Self::carrier), the largest region alone.
@@ -48,7 +48,7 @@ struct Found {
 }
 
 /// The orders of a field.
-pub(super) fn orders(scope: &Scope<'_>, input: FieldInput) -> Result<Orders, FringeError> {
+pub(super) fn orders(scope: &Scope<'_>, input: FieldInput) -> Result<Unwound, FringeError> {
     let shown: Vec<PixelMap> = input
         .pictures
         .iter()
@@ -74,7 +74,7 @@ pub(super) fn orders(scope: &Scope<'_>, input: FieldInput) -> Result<Orders, Fri
     let (residues, cuts) = (residues.collect(), cuts.collect());
     let (orders, apart) = largest_region(scope, &unwrapped)?;
     let modulation = phase.median_modulation();
-    Ok(Orders {
+    Ok(Unwound {
         picture: first(input.pictures)?,
         wrapped: phase.wrapped().clone(),
         orders,

@@ -1,6 +1,6 @@
 //! Pictures of a state: synthetic ones, or files.
 
-use std::path::PathBuf;
+use std::path::Path;
 
 use stickslip_hybrid::data::Field;
 use stickslip_hybrid::fringe::{PixelMap, decode};
@@ -32,10 +32,8 @@ pub(super) fn synthetic(
         };
         orders(scope, input).map_err(|cause| scope.fringes(field_name(field), cause))
     };
-    Ok(Reading::Pictures([
-        Some(of(Field::U)?),
-        Some(of(Field::V)?),
-    ]))
+    let (u, v) = rayon::join(|| of(Field::U), || of(Field::V));
+    Ok(Reading::Pictures(Box::new([Some(u?), Some(v?)])))
 }
 
 /// Orders of picture files.
@@ -57,14 +55,14 @@ pub(super) fn read(scope: &Scope<'_>, source: &PictureSource) -> Result<Reading,
             .map_err(|cause| scope.fringes(field_name(field), cause))
     };
     let (u, v) = rayon::join(|| of(Field::U), || of(Field::V));
-    Ok(Reading::Pictures([u?, v?]))
+    Ok(Reading::Pictures(Box::new([u?, v?])))
 }
 
 fn picture(
     scope: &Scope<'_>,
     source: &PictureSource,
     field: Field,
-    file: &PathBuf,
+    file: &Path,
 ) -> Result<PixelMap, ExperimentError> {
     let bytes = scope.bytes(file)?;
     let down = if source.upright { -1.0 } else { 1.0 };

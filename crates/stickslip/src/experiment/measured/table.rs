@@ -59,7 +59,7 @@ fn estimated(
     let deviation = found.map_err(|cause| ExperimentError::Reduction {
         state: scope.name(),
         key: scope.key.clone(),
-        cause,
+        cause: Box::new(cause),
     })?;
     let length = scope.experiment.display.length;
     remarks.push(format!(

@@ -67,10 +67,11 @@ fn settings(experiment: &Experiment) -> String {
     );
     let pictured = |state: &State| matches!(state.source, Source::Step(_) | Source::Pictures(_));
     if experiment.states.iter().any(pictured) {
-        words += &format!(
+        let pictures = format!(
             " Pictures: a band of {} around the carrier, fringes below {} of their median amplitude masked.",
             reduce.band, reduce.least_modulation
         );
+        words.push_str(&pictures);
     }
     words
 }
@@ -84,20 +85,13 @@ fn one(experiment: &Experiment, measured: &Measured, story: &mut Story) {
         );
         story.figure(&format!("phase-{name}"), &text, figure);
     }
-    match figures::orders(experiment, measured) {
-        Some(figure) => {
-            let text =
-                format!("Fringe orders without carrier, {what}; each field up to a constant.");
-            story.figure(&format!("orders-{name}"), &text, figure);
-        }
-        None => {
-            let text = format!("Measured displacements, {what}.");
-            story.figure(
-                &format!("data-{name}"),
-                &text,
-                figures::data(experiment, measured),
-            );
-        }
+    if let Some(figure) = figures::orders(experiment, measured) {
+        let text = format!("Fringe orders without carrier, {what}; each field up to a constant.");
+        story.figure(&format!("orders-{name}"), &text, figure);
+    } else {
+        let text = format!("Measured displacements, {what}.");
+        let figure = figures::data(experiment, measured);
+        story.figure(&format!("data-{name}"), &text, figure);
     }
     for words in &measured.warnings {
         story.warn(format!("State '{name}': {words}"));

@@ -164,7 +164,7 @@ impl Refuse<'_> {
     }
 
     /// A number within its range, or an error that says what that is.
-    pub(super) fn within<T: ToString>(
+    pub(super) fn within<T: std::fmt::Display>(
         self,
         key: &str,
         value: T,
@@ -174,11 +174,16 @@ impl Refuse<'_> {
         if fits {
             Ok(value)
         } else {
-            Err(self.out_of_range(key, value, allowed))
+            Err(self.out_of_range(key, &value, allowed))
         }
     }
 
-    pub(super) fn out_of_range(self, key: &str, value: impl ToString, allowed: &str) -> SceneError {
+    pub(super) fn out_of_range(
+        self,
+        key: &str,
+        value: &dyn std::fmt::Display,
+        allowed: &str,
+    ) -> SceneError {
         let problem = SceneProblem::OutOfRange {
             key: key.rsplit('.').next().unwrap_or(key).to_owned(),
             value: value.to_string(),
@@ -281,7 +286,7 @@ fn fringes(refuse: Refuse<'_>, given: &FringesFormat) -> Result<Fringes, SceneEr
     let depth = match given.bits {
         None | Some(8) => Depth::Eight,
         Some(16) => Depth::Sixteen,
-        Some(bits) => return Err(refuse.out_of_range("fringes.bits", bits, "8 or 16")),
+        Some(bits) => return Err(refuse.out_of_range("fringes.bits", &bits, "8 or 16")),
     };
     let number = |name: &str, value: f64, fits: bool, allowed: &str| {
         refuse.within(&format!("fringes.{name}"), value, fits, allowed)

@@ -144,7 +144,7 @@ fn sector(refuse: Refuse<'_>, given: &RegionFormat, hole: &Hole) -> Result<Secto
     if !(turn > 0.0 && turn <= WHOLE_TURN) {
         let found = format!("[{}, {}]", sector.angles[0].text(), sector.angles[1].text());
         let allowed = "two angles that increase by at most a whole turn";
-        return Err(refuse.out_of_range("region.sector.angles", found, allowed));
+        return Err(refuse.out_of_range("region.sector.angles", &found, allowed));
     }
     let stand_off = match &sector.stand_off {
         Some(stand_off) => refuse.not_negative("region.sector.stand_off", stand_off)?,
@@ -165,7 +165,7 @@ fn sector(refuse: Refuse<'_>, given: &RegionFormat, hole: &Hole) -> Result<Secto
     if !fits {
         let found = format!("[{around}, {outwards}]");
         let allowed = "at least one cell around and outwards, a million together at most";
-        return Err(refuse.out_of_range("region.sector.cells", found, allowed));
+        return Err(refuse.out_of_range("region.sector.cells", &found, allowed));
     }
     refuse.within(
         "region.sector.growth",

@@ -103,7 +103,7 @@ impl Scope<'_> {
             if direction[0].hypot(direction[1]) == 0.0 {
                 let place = format!("{key}.rising.{name}");
                 let allowed = "a direction, such as [1, 0]";
-                return Err(self.refuse.out_of_range(&place, "[0, 0]", allowed));
+                return Err(self.refuse.out_of_range(&place, &"[0, 0]", allowed));
             }
         }
         if let Some(dark) = given.dark {
@@ -200,13 +200,11 @@ impl Scope<'_> {
     }
 
     pub(super) fn needs_grating(&self) -> Result<(), SceneError> {
-        match self.grating {
-            Some(_) => Ok(()),
-            None => {
-                let example = "[grating] frequency = \"2400 1/mm\"";
-                Err(self.refuse.missing("", "grating", example))
-            }
+        if self.grating.is_some() {
+            return Ok(());
         }
+        let example = "[grating] frequency = \"2400 1/mm\"";
+        Err(self.refuse.missing("", "grating", example))
     }
 }
 
