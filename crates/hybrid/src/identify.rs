@@ -20,8 +20,8 @@ use thiserror::Error;
 
 use crate::region::dense;
 
-pub use confidence::{chi_squared_of_one, normal_quantile};
 use confidence::CHI_SQUARED_95;
+pub use confidence::{chi_squared_of_one, normal_quantile};
 
 /// Coefficients that are looked at: a grid that is fine where coefficients usually lie.
 const LARGEST: f64 = 100.0;
@@ -161,7 +161,9 @@ impl Tractions {
         let chi_squared = misfit.at(mu)?;
         let limit = chi_squared + rise;
         // An interval may lie between two coefficients of the grid, so the least one need not be within.
-        let below = (0..=best).rev().find(|&k| grid[k] < mu && values[k] > limit);
+        let below = (0..=best)
+            .rev()
+            .find(|&k| grid[k] < mu && values[k] > limit);
         let above = (best..=GRID).find(|&k| grid[k] > mu && values[k] > limit);
         let low = below
             .map(|k| misfit.crossing(grid[k], mu, limit))

@@ -142,7 +142,9 @@ fn zones_of_two_states_give_one_coefficient() {
         let part = data.of_zones(&[(zone, positive)]).unwrap();
         // The same places as a list of their own say the same.
         let own = part.slip(0..PLACES - 8, true).unwrap();
-        assert!((own.mu - alone.mu).abs() < 1e-9 && (own.chi_squared - alone.chi_squared).abs() < 1e-6);
+        assert!(
+            (own.mu - alone.mu).abs() < 1e-9 && (own.chi_squared - alone.chi_squared).abs() < 1e-6
+        );
         (part, alone)
     });
     let both = Tractions::together(&[first.0, second.0]).unwrap();

@@ -87,7 +87,9 @@ impl Grid {
     fn new(misfit: &Misfit, middle: f64, step: f64) -> Result<Self, IdentifyError> {
         let below = GRID.min((middle / step) as usize);
         let first = middle - below as f64 * step;
-        let coefficients: Vec<f64> = (0..=below + GRID).map(|k| first + k as f64 * step).collect();
+        let coefficients: Vec<f64> = (0..=below + GRID)
+            .map(|k| first + k as f64 * step)
+            .collect();
         let factors = coefficients.iter().map(|mu| misfit.factor(*mu));
         Ok(Self {
             factors: factors.collect::<Result<_, _>>()?,
@@ -106,14 +108,19 @@ impl Grid {
                 .sum::<f64>()
         };
         let values: Vec<f64> = (0..self.factors.len()).map(value).collect();
-        let best = (0..values.len()).fold(0, |best, k| if values[k] < values[best] { k } else { best });
+        let best =
+            (0..values.len()).fold(0, |best, k| if values[k] < values[best] { k } else { best });
         if best == 0 || best + 1 == values.len() {
             return self.coefficients[best];
         }
         let [a, b, c] = [values[best - 1], values[best], values[best + 1]];
         let step = self.coefficients[best + 1] - self.coefficients[best];
         let curvature = a - 2.0 * b + c;
-        let shift = if curvature > 0.0 { 0.5 * (a - c) / curvature } else { 0.0 };
+        let shift = if curvature > 0.0 {
+            0.5 * (a - c) / curvature
+        } else {
+            0.0
+        };
         self.coefficients[best] + shift * step
     }
 }

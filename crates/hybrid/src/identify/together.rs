@@ -23,7 +23,11 @@ impl Tractions {
         let (own, all) = (places.len(), self.pressure.len());
         let entry = |k: usize| {
             let (place, sign) = places[k % own];
-            if k < own { (place, 1.0) } else { (all + place, sign) }
+            if k < own {
+                (place, 1.0)
+            } else {
+                (all + place, sign)
+            }
         };
         let mut covariance = vec![0.0; 4 * own * own];
         for i in 0..2 * own {
@@ -33,7 +37,10 @@ impl Tractions {
             }
         }
         Ok(Self {
-            pressure: places.iter().map(|(place, _)| self.pressure[*place]).collect(),
+            pressure: places
+                .iter()
+                .map(|(place, _)| self.pressure[*place])
+                .collect(),
             shear: (places.iter())
                 .map(|(place, sign)| sign * self.shear[*place])
                 .collect(),
@@ -54,7 +61,13 @@ impl Tractions {
         for part in parts {
             let (first, own) = (joined.pressure.len(), part.pressure.len());
             part.check(&(0..own))?;
-            let at = |k: usize| if k < own { first + k } else { all + first + k - own };
+            let at = |k: usize| {
+                if k < own {
+                    first + k
+                } else {
+                    all + first + k - own
+                }
+            };
             for i in 0..2 * own {
                 for j in 0..2 * own {
                     joined.covariance[at(i) * 2 * all + at(j)] = part.covariance[i * 2 * own + j];

@@ -26,8 +26,8 @@ use super::measured::Measured;
 use super::plan::Experiment;
 
 pub use region::Workbench;
-pub use truth::{TruePlace, true_edge};
 pub(super) use tell::tell;
+pub use truth::{TruePlace, true_edge};
 
 /// One of so many places is kept out of a fit, to check it.
 pub const UNUSED: usize = 16;
@@ -110,9 +110,7 @@ impl Analysed {
             return 0..0;
         };
         let reach = 2.0 * self.resolution * (1.0 - 1e-6);
-        let start = self
-            .angle
-            .partition_point(|angle| *angle < first + reach);
+        let start = self.angle.partition_point(|angle| *angle < first + reach);
         let end = self.angle.partition_point(|angle| *angle <= last - reach);
         start..end.max(start)
     }

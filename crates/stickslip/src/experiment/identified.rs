@@ -14,9 +14,7 @@ mod zones;
 
 use std::ops::Range;
 
-use stickslip_hybrid::identify::{
-    Bounds, SlipFit, Tractions, chi_squared_of_one, normal_quantile,
-};
+use stickslip_hybrid::identify::{Bounds, SlipFit, Tractions, chi_squared_of_one, normal_quantile};
 
 use super::analysed::Analysed;
 use super::error::ExperimentError;
@@ -123,7 +121,9 @@ fn together(
     let mut parts = Vec::new();
     for found in analysed {
         let own = zones.iter().filter(|zone| zone.state == found.state);
-        let own: Vec<_> = own.map(|zone| (zone.places.clone(), zone.positive)).collect();
+        let own: Vec<_> = own
+            .map(|zone| (zone.places.clone(), zone.positive))
+            .collect();
         if !own.is_empty() {
             parts.push(found.tractions.of_zones(&own)?);
         }

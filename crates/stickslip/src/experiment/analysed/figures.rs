@@ -32,7 +32,11 @@ pub(super) fn edge(
     let names = ["pressure −σ_r", "shear τ_rθ", "hoop stress σ_θ"];
     let [pressure, shear] = found.deviations();
     let deviations = [&pressure, &shear, &found.hoop_deviation];
-    let values = [&found.tractions.pressure, &found.tractions.shear, &found.hoop];
+    let values = [
+        &found.tractions.pressure,
+        &found.tractions.shear,
+        &found.hoop,
+    ];
     let charts = (0..3).map(|part| {
         let curve = Curve {
             found,
@@ -78,7 +82,12 @@ impl Curve<'_> {
         let color = Color::category(0);
         for (label, sign) in [("± 2 standard deviations", -2.0), ("", 2.0)] {
             let line = along(&|k| self.value[k] + sign * self.deviation[k]);
-            chart = chart.with(Series::new(label, line).color(color).dash(Dash::Dashed).width(0.9));
+            chart = chart.with(
+                Series::new(label, line)
+                    .color(color)
+                    .dash(Dash::Dashed)
+                    .width(0.9),
+            );
         }
         chart = chart.with(Series::new("hybrid analysis", along(&|k| self.value[k])).color(color));
         let shown = truth_within(self.found, truth).map(|place| {
@@ -114,7 +123,11 @@ pub(in crate::experiment) fn angle_axis(found: &Analysed) -> Axis {
     let at = |k: usize| found.angle.get(k).map_or(0.0, |angle| angle.to_degrees());
     let (low, high) = (at(inner.start), at(inner.end.saturating_sub(1)));
     let axis = Axis::linear("θ [deg]").every(10.0);
-    if high > low { axis.between(low, high) } else { axis }
+    if high > low {
+        axis.between(low, high)
+    } else {
+        axis
+    }
 }
 
 /// The truth at the angles that can be trusted.
@@ -125,7 +138,9 @@ pub(in crate::experiment) fn truth_within<'a>(
     let inner = found.inner();
     let at = |k: usize| found.angle.get(k).copied().unwrap_or(0.0);
     let (low, high) = (at(inner.start), at(inner.end.saturating_sub(1)));
-    truth.iter().filter(move |place| (low..=high).contains(&place.angle))
+    truth
+        .iter()
+        .filter(move |place| (low..=high).contains(&place.angle))
 }
 
 /// Misfit at unused places over its deviation, U and V.
@@ -137,7 +152,10 @@ pub(super) fn misfit(experiment: &Experiment, found: &Analysed) -> Result<Svg, F
             .map(|one| (one.place.map(|x| unit.from_base(x)), one.relative))
             .collect();
         let mut plot = PlanePlot::new(["U field", "V field"][axis], unit.name, window(&dots))
-            .colors(Colormap::BlueWhiteRed, Some("misfit / deviation".to_owned()));
+            .colors(
+                Colormap::BlueWhiteRed,
+                Some("misfit / deviation".to_owned()),
+            );
         plot.dots = &dots;
         plot.range = Some([-MISFIT, MISFIT]);
         plot.marks = vec![arc(experiment, found)];

@@ -34,11 +34,18 @@ pub(super) fn scale(residuals: &[Residual], parameters: f64) -> f64 {
             *sum += one.value;
             *count += 1.0;
         }
-        squares += sums.values().map(|[sum, count]| sum * sum / count).sum::<f64>();
+        squares += sums
+            .values()
+            .map(|[sum, count]| sum * sum / count)
+            .sum::<f64>();
         blocks += sums.len() as f64;
     }
     let degrees = blocks - parameters;
-    if degrees > 0.5 * blocks { squares / degrees } else { 1.0 }
+    if degrees > 0.5 * blocks {
+        squares / degrees
+    } else {
+        1.0
+    }
 }
 
 /// Edge of a square that holds as many data as a block should.

@@ -186,7 +186,11 @@ fn imbalance(found: &Analysed) -> f64 {
         let entry = |i: usize, j: usize| forces.covariance[i * size + j];
         let sum = forces.values[axis] + forces.values[2 + axis];
         let variance = entry(axis, axis) + 2.0 * entry(axis, 2 + axis) + entry(2 + axis, 2 + axis);
-        if variance > 0.0 { sum.abs() / variance.sqrt() } else { 0.0 }
+        if variance > 0.0 {
+            sum.abs() / variance.sqrt()
+        } else {
+            0.0
+        }
     };
     of_axis(0).max(of_axis(1))
 }

@@ -45,7 +45,10 @@ fn half_height(analysed: &[Analysed], identified: &Identified) -> f64 {
         .iter()
         .flat_map(|found| shown(found).into_iter().map(|k| ratio(found, k).0.abs()));
     let largest = ratios.fold(LEAST, f64::max);
-    1.25 * identified.dynamic.as_ref().map_or(largest, |fit| largest.max(fit.mu))
+    1.25 * identified
+        .dynamic
+        .as_ref()
+        .map_or(largest, |fit| largest.max(fit.mu))
 }
 
 fn chart(
@@ -72,25 +75,43 @@ fn chart(
     )
     .size(WIDTH, 0.4);
     for (label, sign) in [("± 2 standard deviations", -1.0), ("", 1.0)] {
-        let line = Series::new(label, along(sign)).color(color).dash(Dash::Dashed);
+        let line = Series::new(label, along(sign))
+            .color(color)
+            .dash(Dash::Dashed);
         chart = chart.with(line.width(0.9));
     }
     let line = Series::new("hybrid analysis", along(0.0)).color(color);
     chart = chart.with(line.style(SeriesStyle::Both).width(1.4));
-    let largest = truth.iter().map(|place| place.stresses[0]).fold(0.0, f64::max);
+    let largest = truth
+        .iter()
+        .map(|place| place.stresses[0])
+        .fold(0.0, f64::max);
     let known: Vec<[f64; 2]> = truth_within(found, truth)
         .filter(|place| place.stresses[0] > 1e-3 * largest)
-        .map(|place| [place.angle.to_degrees(), place.stresses[1] / place.stresses[0]])
+        .map(|place| {
+            [
+                place.angle.to_degrees(),
+                place.stresses[1] / place.stresses[0],
+            ]
+        })
         .collect();
     if !known.is_empty() {
         chart = chart.with(Series::new("truth", known).color(TRUTH).width(0.9));
     }
-    let own = identified.zones.iter().filter(|zone| zone.state == found.state);
+    let own = identified
+        .zones
+        .iter()
+        .filter(|zone| zone.state == found.state);
     let mut signs: Vec<f64> = Vec::new();
     for zone in own {
         let (first, last) = (zone.places.start, zone.places.end.saturating_sub(1));
         let label = if zone.given { "slips (given)" } else { "slips" };
-        chart = chart.band(Band::new(label, angle(first), angle(last), Color::category(2)));
+        chart = chart.band(Band::new(
+            label,
+            angle(first),
+            angle(last),
+            Color::category(2),
+        ));
         signs.push(if zone.positive { 1.0 } else { -1.0 });
     }
     signs.dedup();

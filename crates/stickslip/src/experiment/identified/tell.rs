@@ -43,9 +43,15 @@ pub(in crate::experiment) fn tell(told: &Told<'_>, story: &mut Story) {
                 ));
             }
         }
-        None => story.answer("Dynamic friction μd", "not identifiable: no slip zone is recognised"),
+        None => story.answer(
+            "Dynamic friction μd",
+            "not identifiable: no slip zone is recognised",
+        ),
     }
-    story.answer("Static friction μs", static_words(experiment, identified, confidence));
+    story.answer(
+        "Static friction μs",
+        static_words(experiment, identified, confidence),
+    );
     if let Some(simulation) = &identified.simulation {
         story.text(format!(
             "Monte Carlo simulation of {} draws around the fit: mean {:.4}, standard deviation {:.4}, {confidence} % of them between \
@@ -132,12 +138,24 @@ fn table(experiment: &Experiment, analysed: &[Analysed], identified: &Identified
     }
     if let (Some(fit), true) = (&identified.dynamic, identified.zones.len() > 1) {
         let places = identified.zones.iter().map(|zone| zone.places.len()).sum();
-        table.push(row("all together", [String::new(), String::new()], places, "", fit));
+        table.push(row(
+            "all together",
+            [String::new(), String::new()],
+            places,
+            "",
+            fit,
+        ));
     }
     table
 }
 
-fn row(name: &str, [from, to]: [String; 2], places: usize, along: &str, fit: &SlipFit) -> Vec<String> {
+fn row(
+    name: &str,
+    [from, to]: [String; 2],
+    places: usize,
+    along: &str,
+    fit: &SlipFit,
+) -> Vec<String> {
     vec![
         name.to_owned(),
         from,
@@ -168,7 +186,12 @@ fn csv(analysed: &[Analysed]) -> Vec<u8> {
         let contact = found.contact().unwrap_or(0..0);
         contact.map(|k| {
             let (ratio, deviation) = ratio(found, k);
-            vec![(found.state + 1) as f64, found.angle[k].to_degrees(), ratio, deviation]
+            vec![
+                (found.state + 1) as f64,
+                found.angle[k].to_degrees(),
+                ratio,
+                deviation,
+            ]
         })
     });
     csv_table(&header, rows)

@@ -34,14 +34,18 @@ pub(super) fn of_state(
         let start = found.angle.partition_point(|angle| *angle < from);
         let end = found.angle.partition_point(|angle| *angle <= to);
         if start >= end {
-            remarks.push(format!("state '{name}': the zone given by hand has no place"));
+            remarks.push(format!(
+                "state '{name}': the zone given by hand has no place"
+            ));
             continue;
         }
         let places = start..end;
         let positive = direction(&found.tractions, places.clone())?;
         zones.push(SlipZone {
             state: found.state,
-            fit: found.tractions.slip_within(places.clone(), positive, rise)?,
+            fit: found
+                .tractions
+                .slip_within(places.clone(), positive, rise)?,
             inside: towards_bearing(found, &places),
             places,
             positive,
@@ -52,7 +56,9 @@ pub(super) fn of_state(
         return Ok(zones);
     }
     let Some(contact) = found.contact() else {
-        remarks.push(format!("state '{name}': no pressure exceeds its uncertainty"));
+        remarks.push(format!(
+            "state '{name}': no pressure exceeds its uncertainty"
+        ));
         return Ok(zones);
     };
     for flank in [Flank::After, Flank::Before] {
@@ -108,9 +114,9 @@ fn recognised(
     let angle = &found.angle;
     let bearing = bearing(found, contact);
     let end = match flank {
-        Flank::After => {
-            angle.partition_point(|a| *a <= angle[contact.end - 1] - margin).saturating_sub(1)
-        }
+        Flank::After => angle
+            .partition_point(|a| *a <= angle[contact.end - 1] - margin)
+            .saturating_sub(1),
         Flank::Before => angle.partition_point(|a| *a < angle[contact.start] + margin),
     };
     let is_beyond = match flank {
