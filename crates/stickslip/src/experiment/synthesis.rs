@@ -4,6 +4,8 @@
 //! N = f u + k·x,     I = a + b cos 2πN
 //! ```
 
+use std::sync::Arc;
+
 use stickslip_hybrid::data::Field;
 use stickslip_hybrid::fringe::{
     Frame, FringeError, PixelMap, Plane, encode, four_pictures, orders_of, picture,
@@ -15,14 +17,15 @@ use super::plan::{Experiment, Fringes, Source};
 use super::truth::{Sampling, Truth};
 
 /// How synthetic pictures are taken of a solved scene: pixels found in the mesh once, for all states.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Camera<'a> {
     experiment: &'a Experiment,
     truth: &'a Truth,
     fringes: &'a Fringes,
     grating: Grating,
     frame: Frame,
-    sampling: Sampling,
+    sampling: Arc<Sampling>,
+    seed: u64,
 }
 
 /// Pictures of one field.
@@ -94,8 +97,18 @@ impl<'a> Camera<'a> {
             fringes,
             grating,
             frame,
-            sampling,
+            sampling: Arc::new(sampling),
+            seed: fringes.seed,
         })
+    }
+
+    /// The same camera with other noise.
+    #[must_use]
+    pub fn with_seed(&self, seed: u64) -> Self {
+        Self {
+            seed,
+            ..self.clone()
+        }
     }
 
     /// The grating.
@@ -195,8 +208,7 @@ impl<'a> Camera<'a> {
         const SHOTS: u64 = 3;
         let own = (state as u64 * SHOTS + shot as u64) * 2 + field.component() as u64;
         // Neighbouring seeds of experiments must not share pictures: a multiplier that is odd keeps all distinct.
-        self.fringes
-            .seed
+        self.seed
             .wrapping_mul(0x9E37_79B9_7F4A_7C15)
             .wrapping_add(own)
     }

@@ -106,21 +106,43 @@ impl<'a> Workbench<'a> {
         })
     }
 
-    /// The edge stresses of a measured state.
+    /// The edge stresses of a measured state, with all checks.
     ///
     /// # Errors
     /// [`ExperimentError::Region`] and [`ExperimentError::Reduction`] for data that do not determine them.
     pub fn analyse(&self, measured: &Measured) -> Result<Analysed, ExperimentError> {
         let (used, unused) = split(&measured.measurement);
         let boundary = self.boundary(measured, &used)?;
+        let mut found = self.unchecked(measured, &boundary)?;
+        found.direct = self.direct(&used);
+        self.check(&mut found, &boundary, &unused)
+            .map_err(|cause| self.refuse(measured, cause))?;
+        Ok(found)
+    }
+
+    /// The edge stresses of a measured state alone: the same numbers, without checks and comparison.
+    ///
+    /// # Errors
+    /// As [`analyse`](Self::analyse).
+    pub fn stresses(&self, measured: &Measured) -> Result<Analysed, ExperimentError> {
+        let (used, _) = split(&measured.measurement);
+        let boundary = self.boundary(measured, &used)?;
+        self.unchecked(measured, &boundary)
+    }
+
+    fn unchecked(
+        &self,
+        measured: &Measured,
+        boundary: &Boundary,
+    ) -> Result<Analysed, ExperimentError> {
         let refuse = |cause| self.refuse(measured, cause);
         let all = self
             .region
             .propagate(&self.edge.stresses, &boundary.displacements);
         let stresses = all.map_err(refuse)?;
-        let bias = self.bias(&boundary).map_err(refuse)?;
+        let bias = self.bias(boundary).map_err(refuse)?;
         let tractions = self.edge.tractions(&stresses, &bias);
-        let mut found = Analysed {
+        Ok(Analysed {
             state: measured.state,
             angle: self.edge.angle.clone(),
             resolution: self.edge.resolution,
@@ -128,16 +150,14 @@ impl<'a> Workbench<'a> {
             hoop_deviation: self.edge.hoop_deviation(&stresses, &bias),
             tractions,
             bias,
-            direct: self.direct(&used),
+            direct: None,
             fit: boundary.fit,
             scale: boundary.scale,
             misfit: Vec::new(),
             unused: None,
             free_edge: None,
-            forces: self.forces(&boundary).map_err(refuse)?,
-        };
-        self.check(&mut found, &boundary, &unused).map_err(refuse)?;
-        Ok(found)
+            forces: self.forces(boundary).map_err(refuse)?,
+        })
     }
 
     fn refuse(&self, measured: &Measured, cause: RegionError) -> ExperimentError {
@@ -316,9 +336,17 @@ impl<'a> Workbench<'a> {
                 range: [places.start, places.end - 1].map(|k| self.edge.parameter[k]),
             })
             .collect();
+        let mut unused = unused.clone();
+        // What the residuals say of the deviation of a single place; where they say less than was stated, the statement holds.
+        if let Some(fit) = &found.fit {
+            let single = fit.residual / (fit.data as f64 - fit.parameters).max(1.0);
+            for deviation in &mut unused.deviation {
+                *deviation *= single.max(1.0).sqrt();
+            }
+        }
         let any = (0..2).any(|axis| unused.valid[axis].contains(&true));
         let input = CheckInput {
-            unused: any.then_some(unused),
+            unused: any.then_some(&unused),
             free_edges: &free,
             known_forces: &[],
         };
@@ -349,7 +377,7 @@ impl Boundary {
     }
 }
 
-/// The places that are used, and every so-manieth that is kept out.
+/// The places that are used, and one of [`UNUSED`] that is kept out.
 fn split(all: &Measurement) -> (Measurement, Measurement) {
     let part = |kept_out: bool| {
         let mut part = all.clone();
