@@ -4,6 +4,7 @@
 //! finer mesh, `cargo xtask hybrid-noise` what noise and bias are left in stresses from measured displacements.
 
 mod chart;
+mod closed_loop;
 mod cosine;
 mod hybrid_noise;
 mod mesh_dependence;
@@ -32,6 +33,8 @@ enum Task {
     Chart(chart::Options),
     /// Draws the atlas of failures: what each method does where methods fail.
     Stability(stability::Options),
+    /// Finds friction from synthetic fringe pictures again and again: how often its interval holds the truth.
+    ClosedLoop(publish::Options),
     /// Compares the assumed cosine bearing load with computed contact.
     Cosine(publish::Options),
     /// Asks which friction laws reverse the shear on the edge of a pin-loaded hole, and where matrix cracks are to be expected.
@@ -47,6 +50,7 @@ fn main() -> ExitCode {
         Task::Validate(options) => validate::main(&options),
         Task::Chart(options) => chart::main(&options),
         Task::Stability(options) => stability::main(&options),
+        Task::ClosedLoop(options) => closed_loop::main(&options),
         Task::Cosine(options) => cosine::main(&options),
         Task::ShearSign(options) => shear_sign::main(&options),
         Task::HybridNoise(options) => hybrid_noise::main(&options),

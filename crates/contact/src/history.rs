@@ -77,6 +77,15 @@ impl LoadHistory {
         &self.steps
     }
 
+    /// The history of the first `count` steps, all of them where there are fewer.
+    #[must_use]
+    pub fn first(&self, count: usize) -> Self {
+        Self {
+            steps: self.steps[..count.min(self.steps.len())].to_vec(),
+            ..*self
+        }
+    }
+
     /// Walks the history with `solver`; `observe` sees each record as soon as its step is accepted.
     ///
     /// # Errors

@@ -253,6 +253,15 @@ impl InterfaceProblem {
         &self.pairs
     }
 
+    /// The same problem with `law` as the friction of pair `pair`; nothing is assembled anew. A pair that does not exist changes nothing.
+    #[must_use]
+    pub fn with_law(mut self, pair: usize, law: Arc<dyn FrictionLaw>) -> Self {
+        if let Some(pair) = self.pairs.get_mut(pair) {
+            pair.law = law;
+        }
+        self
+    }
+
     /// Range of the points of pair `pair`.
     pub fn pair_points(&self, pair: usize) -> std::ops::Range<usize> {
         self.offsets[pair]..self.offsets[pair + 1]

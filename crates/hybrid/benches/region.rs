@@ -109,8 +109,12 @@ fn region(criterion: &mut Criterion) {
         b.iter(|| case.one_solve());
     });
     group.bench_function("structure and factorisation", |b| b.iter(factorise));
-    group.bench_function("covariance of the edge", |b| b.iter(|| case.covariance()););
-    group.bench_function("1000 draws", |b| b.iter(|| case.draws()););
+    group.bench_function("covariance of the edge", |b| {
+        b.iter(|| case.covariance());
+    });
+    group.bench_function("1000 draws", |b| {
+        b.iter(|| case.draws());
+    });
     group.finish();
 
     let one = median(|| case.one_solve());

@@ -9,6 +9,10 @@
 //! is where it is least. The interval is that in which χ² stays within a bound of its least value (Fieller 1954); it need not have two
 //! ends. Where the data cannot tell μ from any other, it says so.
 
+mod confidence;
+mod simulate;
+mod together;
+
 use std::ops::Range;
 
 use faer::Mat;
@@ -16,8 +20,9 @@ use thiserror::Error;
 
 use crate::region::dense;
 
-/// Increase of χ² at the ends of an interval of 95 %, one degree of freedom.
-const CHI_SQUARED_95: f64 = 3.841_458_820_694_124;
+use confidence::CHI_SQUARED_95;
+pub use confidence::{chi_squared_of_one, normal_quantile};
+
 /// Coefficients that are looked at: a grid that is fine where coefficients usually lie.
 const LARGEST: f64 = 100.0;
 const GRID: usize = 400;
@@ -71,7 +76,7 @@ pub enum IdentifyError {
     },
 }
 
-/// What data say of a coefficient, with a confidence of 95 %.
+/// What data say of a coefficient, with a confidence of 95 % where no other is said.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Bounds {
     /// It lies between these.
@@ -123,11 +128,24 @@ impl SlipFit {
 }
 
 impl Tractions {
-    /// The coefficient at which all of `zone` slips, where friction acts along +shear if `positive`.
+    /// The coefficient at which all of `zone` slips, where friction acts along +shear if `positive`; bounds with a confidence of 95 %.
     ///
     /// # Errors
     /// [`IdentifyError`] for lists and zones that do not fit, values that are not finite, a covariance that is none.
     pub fn slip(&self, zone: Range<usize>, positive: bool) -> Result<SlipFit, IdentifyError> {
+        self.slip_within(zone, positive, CHI_SQUARED_95)
+    }
+
+    /// As [`slip`](Self::slip), with bounds where χ² has risen by `rise` above its least value, see [`chi_squared_of_one`].
+    ///
+    /// # Errors
+    /// As [`slip`](Self::slip).
+    pub fn slip_within(
+        &self,
+        zone: Range<usize>,
+        positive: bool,
+        rise: f64,
+    ) -> Result<SlipFit, IdentifyError> {
         let misfit = Misfit::new(self, zone, positive)?;
         let grid: Vec<f64> = (0..=GRID)
             .map(|k| coefficient(k as f64 / GRID as f64))
@@ -141,9 +159,12 @@ impl Tractions {
         let high = grid[(best + 1).min(GRID)];
         let mu = misfit.least(low, high)?;
         let chi_squared = misfit.at(mu)?;
-        let limit = chi_squared + CHI_SQUARED_95;
-        let below = (0..best).rev().find(|&k| values[k] > limit);
-        let above = (best..=GRID).find(|&k| values[k] > limit);
+        let limit = chi_squared + rise;
+        // An interval may lie between two coefficients of the grid, so the least one need not be within.
+        let below = (0..=best)
+            .rev()
+            .find(|&k| grid[k] < mu && values[k] > limit);
+        let above = (best..=GRID).find(|&k| grid[k] > mu && values[k] > limit);
         let low = below
             .map(|k| misfit.crossing(grid[k], mu, limit))
             .transpose()?;
@@ -253,13 +274,19 @@ impl Misfit {
         self.pressure.len()
     }
 
-    fn at(&self, mu: f64) -> Result<f64, IdentifyError> {
+    /// Lower factor of C(μ).
+    fn factor(&self, mu: f64) -> Result<Mat<f64>, IdentifyError> {
         let n = self.places();
         let [pp, both, tt] = &self.blocks;
         let spread = Mat::from_fn(n, n, |i, j| {
             mu * mu * pp[(i, j)] - mu * both[(i, j)] + tt[(i, j)]
         });
-        let lower = dense::cholesky(spread).map_err(|place| IdentifyError::Covariance { place })?;
+        dense::cholesky(spread).map_err(|place| IdentifyError::Covariance { place })
+    }
+
+    fn at(&self, mu: f64) -> Result<f64, IdentifyError> {
+        let n = self.places();
+        let lower = self.factor(mu)?;
         let mut residual = Mat::from_fn(n, 1, |i, _| self.shear[i] - mu * self.pressure[i]);
         dense::solve_lower(&lower, &mut residual);
         Ok((0..n).map(|i| residual[(i, 0)] * residual[(i, 0)]).sum())

@@ -15,8 +15,10 @@
 //! | [`fringe`] | fringe pictures: synthesis, phase, unwrapping, carrier |
 //! | [`reduce`] | displacements of nodes from measured ones, with covariance |
 //! | [`region`] | localized hybrid analysis of a region, with the covariance of all that follows |
+//! | [`calibrate`] | parameters of any model by weighted least squares, with profiles, and the comparison of models |
 //! | [`identify`] | friction coefficients from edge tractions, with intervals or the word that there is none |
 
+pub mod calibrate;
 pub mod data;
 pub mod fringe;
 pub mod identify;

@@ -90,6 +90,79 @@ fn the_interval_covers_the_truth_as_often_as_it_says() {
 }
 
 #[test]
+fn narrow_intervals_lie_around_the_coefficient() {
+    // Far narrower than the grid of coefficients that is looked at first.
+    for step in 0..60 {
+        let mu = 0.2 + 0.002 * f64::from(step);
+        let fit = measured(mu, 8, 0.02, 5).slip(8..PLACES, true).unwrap();
+        let Bounds::Between(low, high) = fit.bounds else {
+            panic!("{fit:?}")
+        };
+        assert!(low < fit.mu && fit.mu < high, "{fit:?}");
+        assert!(high - low < 1e-3 && (fit.mu - mu).abs() < 1e-3, "{fit:?}");
+    }
+}
+
+#[test]
+fn draws_confirm_the_interval() {
+    let data = measured(0.25, 8, 2.0, 7);
+    let fit = data.slip(8..PLACES, true).unwrap();
+    let Bounds::Between(low, high) = fit.bounds else {
+        panic!("{fit:?}")
+    };
+    let mut draws = data.simulate(8..PLACES, true, &fit, 4000, 1).unwrap();
+    draws.sort_by(f64::total_cmp);
+    let [first, last] = [draws[100], draws[3899]];
+    println!("interval {low:.4} … {high:.4}, of draws {first:.4} … {last:.4}");
+    // Quantiles of 4000 draws have a deviation of 0.025 of a half width of the interval.
+    let half = 0.5 * (high - low);
+    assert!((first - low).abs() < 0.12 * half && (last - high).abs() < 0.12 * half);
+    let mean = draws.iter().sum::<f64>() / 4000.0;
+    assert!((mean - fit.mu).abs() < 0.05 * half, "{mean} {}", fit.mu);
+}
+
+#[test]
+fn zones_of_two_states_give_one_coefficient() {
+    let up = measured(0.25, 8, 2.0, 11);
+    let mut down = measured(0.25, 8, 2.0, 12);
+    // Unloading slips the other way; the errors of pressure and shear then go against each other.
+    for value in &mut down.shear {
+        *value = -*value;
+    }
+    for row in 0..2 * PLACES {
+        for column in 0..2 * PLACES {
+            if (row < PLACES) != (column < PLACES) {
+                down.covariance[row * 2 * PLACES + column] *= -1.0;
+            }
+        }
+    }
+    let [first, second] = [(&up, true), (&down, false)].map(|(data, positive)| {
+        let zone = 8..PLACES;
+        let alone = data.slip(zone.clone(), positive).unwrap();
+        let part = data.of_zones(&[(zone, positive)]).unwrap();
+        // The same places as a list of their own say the same.
+        let own = part.slip(0..PLACES - 8, true).unwrap();
+        assert!(
+            (own.mu - alone.mu).abs() < 1e-9 && (own.chi_squared - alone.chi_squared).abs() < 1e-6
+        );
+        (part, alone)
+    });
+    let both = Tractions::together(&[first.0, second.0]).unwrap();
+    let fit = both.slip(0..2 * (PLACES - 8), true).unwrap();
+    let width = |fit: &stickslip_hybrid::identify::SlipFit| match fit.bounds {
+        Bounds::Between(low, high) => high - low,
+        _ => f64::INFINITY,
+    };
+    let alone = [width(&first.1), width(&second.1)];
+    // Weights add up: 1/w² = 1/w₁² + 1/w₂².
+    let expected = (alone[0].powi(-2) + alone[1].powi(-2)).powf(-0.5);
+    println!("widths {alone:?}, together {}", width(&fit));
+    assert!((width(&fit) / expected - 1.0).abs() < 0.05);
+    let between = [first.1.mu, second.1.mu];
+    assert!(fit.mu > between[0].min(between[1]) && fit.mu < between[0].max(between[1]));
+}
+
+#[test]
 fn the_slip_zone_ends_where_sticking_begins() {
     let mut ends = Vec::new();
     for seed in 0..40 {

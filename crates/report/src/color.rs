@@ -3,7 +3,7 @@
 //! Categories: Okabe & Ito, Color Universal Design (2008), its yellow replaced by
 //! grey for white paper. Viridis: Smith & van der Walt, matplotlib (2015).
 //! Blue–white–red and the single hues: ColorBrewer, Brewer (2003). The maps are
-//! evaluated by the `colorous` crate.
+//! evaluated by the `colorous` crate, as is the circle of colours (sinebow: Bumgardner, 2012).
 
 use std::fmt;
 
@@ -69,6 +69,10 @@ pub enum Colormap {
     Viridis,
     /// Blue over white to red: signed values, white at zero.
     BlueWhiteRed,
+    /// Black over grey to white: photographs.
+    Gray,
+    /// Round the circle of colours, ends alike: phases.
+    Cyclic,
 }
 
 impl Colormap {
@@ -82,6 +86,11 @@ impl Colormap {
         match self {
             Self::Viridis => colorous::VIRIDIS.eval_continuous(fraction).into(),
             Self::BlueWhiteRed => colorous::RED_BLUE.eval_continuous(1.0 - fraction).into(),
+            Self::Gray => {
+                let level = (255.0 * fraction).round() as u8;
+                Color::rgb(level, level, level)
+            }
+            Self::Cyclic => colorous::SINEBOW.eval_continuous(fraction).into(),
         }
     }
 

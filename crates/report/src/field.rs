@@ -11,7 +11,7 @@
 //! into pieces of one colour, small enough that steps are not seen; a large mesh is
 //! painted pixel by pixel into an image inside the SVG.
 
-mod color_bar;
+pub(crate) mod color_bar;
 mod layout;
 mod outline;
 mod patch;

@@ -6,6 +6,7 @@
 //! | [`map`]    | maps of outcomes: a coloured cell for each row and column                |
 //! | [`cells`]  | maps over two variables: a coloured cell with a number for each pair        |
 //! | [`mesh_map`] | cells of a mesh in the colours of categories                              |
+//! | [`plane`]  | pictures of pixels and values at scattered places, with marks                 |
 //! | [`field`]  | fields on finite-element meshes with a colour bar                        |
 //! | [`axis`]   | what the two have in common: labels, scales, ranges and ticks            |
 //! | [`color`]  | categorical, sequential and diverging colours                            |
@@ -30,6 +31,7 @@ mod legend;
 pub mod map;
 pub mod mesh_map;
 pub mod page;
+pub mod plane;
 pub mod raster;
 pub mod svg;
 pub mod table;

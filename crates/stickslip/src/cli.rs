@@ -3,6 +3,10 @@
 //! ```text
 //! stickslip run SCENE [--output DIR] [--force]   solve a scene and write a folder of results
 //! stickslip joint SWEEP [--output DIR] [--resume] sweep over joints: a table, maps of failure modes and a page
+//! stickslip fringes EXPERIMENT [--output DIR]    synthetic fringe pictures of a scene
+//! stickslip reduce EXPERIMENT [--output DIR]     measured fields from tables, fringe lines and pictures
+//! stickslip hybrid EXPERIMENT [--output DIR]     edge stresses from measured fields, with bands and checks
+//! stickslip identify EXPERIMENT [--output DIR]   friction from edge stresses, with intervals
 //! stickslip check SCENE                          check a scene and print it with all defaults
 //! stickslip init TEMPLATE [FILE]                 write a commented scene to start from
 //! stickslip list [TOPIC]                         laws and their parameters, templates, elements, solvers, units, signs
@@ -26,6 +30,7 @@
 
 mod check;
 mod console;
+mod experiment;
 mod failure;
 mod init;
 mod interrupt;
@@ -40,6 +45,7 @@ use std::process::ExitCode;
 use clap::{Args, Parser, Subcommand};
 
 use crate::diagnostic::SceneError;
+use crate::experiment::chain::Depth;
 use crate::scene::Scene;
 use console::Console;
 use failure::CommandError;
@@ -64,6 +70,14 @@ enum Command {
     Run(run::RunArguments),
     /// Sweep over joints: a table, maps of failure modes and a page
     Joint(joint::JointArguments),
+    /// Make synthetic fringe pictures of a scene: files, a gallery, and an experiment that reads them back
+    Fringes(experiment::ExperimentArguments),
+    /// Make measured fields of tables, fringe lines and fringe pictures, with their masks and deviations
+    Reduce(experiment::ExperimentArguments),
+    /// Find the stresses on an edge from measured displacements around it, with bands and checks
+    Hybrid(experiment::ExperimentArguments),
+    /// Find where an edge slips and its friction coefficients from measured displacements, with intervals
+    Identify(experiment::ExperimentArguments),
     /// Check a scene, and print it with overrides applied and defaults filled in
     Check(SceneArguments),
     /// Write a commented scene to start from; never overwrites
@@ -116,6 +130,10 @@ pub fn main() -> ExitCode {
     let outcome = match arguments.command {
         Command::Run(scene) => run::run(&scene, console),
         Command::Joint(sweep) => joint::joint(&sweep, console),
+        Command::Fringes(file) => experiment::experiment(&file, Depth::Fringes, console),
+        Command::Reduce(file) => experiment::experiment(&file, Depth::Reduce, console),
+        Command::Hybrid(file) => experiment::experiment(&file, Depth::Hybrid, console),
+        Command::Identify(file) => experiment::experiment(&file, Depth::Identify, console),
         Command::Check(scene) => check::check(&scene, console),
         Command::Init(template) => init::init(&template, console),
         Command::List(topic) => list::list(&topic, console),

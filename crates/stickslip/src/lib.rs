@@ -11,6 +11,7 @@
 //! | [`scene`], [`units`], [`diagnostic`] | scene files, quantities with units, errors that point at a line |
 //! | [`model`] | meshes, bodies, contact pairs, load history; the choices made |
 //! | [`run`](mod@run), [`results`] | the solution and what is reported of it |
+//! | [`experiment`] | measured displacements: fringe pictures, their reduction, hybrid analysis, friction |
 //! | [`sweep`] | many joints: the axes of a sweep, its engine, its table and pictures |
 //! | [`output`] | results as files, figures, a page and a table |
 //!
@@ -18,6 +19,7 @@
 
 pub mod cli;
 pub mod diagnostic;
+pub mod experiment;
 mod failure;
 pub mod model;
 pub mod output;

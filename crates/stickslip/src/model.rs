@@ -25,6 +25,7 @@ use crate::results::{Choice, EdgeGeometry};
 use crate::scene::Scene;
 
 pub use meshes::NODE_LIMIT;
+pub(crate) use placement::centre as centre_of;
 pub(crate) use remarks::beyond_fine_zone;
 
 /// Why a scene that reads well cannot be modelled.

@@ -276,6 +276,13 @@ pub(crate) fn results_without_audit(
     reported(scene, model, solver, solved, &recovered, start)
 }
 
+/// Displacements of the body `index` at the end of every load step, x and y of each node in turn; empty for a rigid body.
+pub(crate) fn displacements_of(solved: &Solved, index: usize) -> Vec<Vec<f64>> {
+    let recovered = fields::recover_some(solved, &[index]);
+    let own = |step: fields::Recovered| step.displacement.into_iter().nth(index);
+    recovered.into_iter().filter_map(own).collect()
+}
+
 fn reported(
     scene: &Scene,
     model: &Model,

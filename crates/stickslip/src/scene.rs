@@ -57,6 +57,8 @@ use crate::units::{Dimension, Expected, parse};
 pub use document::Format;
 use document::{Document, Part};
 use format::SceneFormat;
+pub(crate) use friction::law as read_law;
+pub(crate) use overrides::apply as apply_override;
 use read::Reader;
 use schema::{
     Analysis, Body, Contact, DisplayUnits, Failure, Load, LoadKind, Material, MeshSettings, Output,

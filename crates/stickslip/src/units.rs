@@ -16,6 +16,7 @@
 //! | angle             | deg, rad                       |
 //! | temperature       | K, degC, degF                  |
 //! | per temperature   | 1/K, 1/degC, 1/degF (or /K, …)  |
+//! | per length        | 1/mm, 1/cm, 1/m, 1/um, 1/in     |
 
 mod parse;
 mod quantity;
@@ -25,8 +26,8 @@ use std::fmt;
 
 pub use parse::{Expected, UnitError, parse, unit_of};
 pub use quantity::{
-    Angle, AngleOrLength, Force, FractureEnergy, Length, Measure, PerTemperature, Quantity, Stress,
-    Temperature, UnitName,
+    Angle, AngleOrLength, Force, FractureEnergy, Length, Measure, PerLength, PerTemperature,
+    Quantity, Stress, Temperature, UnitName,
 };
 pub(crate) use quantity::{QUANTITY_TAG, UNIT_TAG, dimensions_of_tag};
 
@@ -47,11 +48,13 @@ pub enum Dimension {
     PerTemperature,
     /// Energy per area of a crack, base unit N/mm.
     FractureEnergy,
+    /// Lines or fringes per length, base unit 1/mm.
+    PerLength,
 }
 
 impl Dimension {
     /// All dimensions.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Length,
         Self::Force,
         Self::Stress,
@@ -59,6 +62,7 @@ impl Dimension {
         Self::Temperature,
         Self::PerTemperature,
         Self::FractureEnergy,
+        Self::PerLength,
     ];
 
     /// The dimension with its article: "a length".
@@ -71,6 +75,7 @@ impl Dimension {
             Self::Temperature => "a temperature difference",
             Self::PerTemperature => "a thermal expansion",
             Self::FractureEnergy => "a fracture energy",
+            Self::PerLength => "a number per length",
         }
     }
 
@@ -84,6 +89,7 @@ impl Dimension {
             Self::Temperature => "K",
             Self::PerTemperature => "1/K",
             Self::FractureEnergy => "N/mm",
+            Self::PerLength => "1/mm",
         }
     }
 
@@ -96,6 +102,7 @@ impl Dimension {
             Self::Temperature => "temperature",
             Self::PerTemperature => "per temperature",
             Self::FractureEnergy => "fracture energy",
+            Self::PerLength => "per length",
         }
     }
 
@@ -174,7 +181,7 @@ const fn unit(name: &'static str, dimension: Dimension, in_base: f64) -> Unit {
 }
 
 /// Every unit that a scene may use. Within a dimension the first is the base unit.
-pub const UNITS: [Unit; 42] = [
+pub const UNITS: [Unit; 50] = [
     unit("mm", Dimension::Length, 1.0),
     unit("cm", Dimension::Length, 10.0),
     unit("m", Dimension::Length, 1000.0),
@@ -217,6 +224,14 @@ pub const UNITS: [Unit; 42] = [
     unit("J/m2", Dimension::FractureEnergy, 1e-3),
     unit("J/m²", Dimension::FractureEnergy, 1e-3),
     unit("lbf/in", Dimension::FractureEnergy, POUND_FORCE / 25.4),
+    unit("1/mm", Dimension::PerLength, 1.0),
+    unit("/mm", Dimension::PerLength, 1.0),
+    unit("1/cm", Dimension::PerLength, 0.1),
+    unit("1/m", Dimension::PerLength, 1e-3),
+    unit("1/um", Dimension::PerLength, 1e3),
+    unit("1/µm", Dimension::PerLength, 1e3),
+    unit("1/in", Dimension::PerLength, 1.0 / 25.4),
+    unit("/in", Dimension::PerLength, 1.0 / 25.4),
 ];
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! `stickslip init`: scenes to start from.
+//! `stickslip init`: scenes and an experiment to start from.
 
 use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
@@ -10,27 +10,37 @@ use serde_json::json;
 use super::console::Console;
 use super::failure::{CommandError, Failure};
 
-/// A commented scene that comes with the program.
+/// What a template is, and so what comes next.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Scene,
+    Experiment,
+}
+
+/// A commented scene or experiment that comes with the program.
 #[derive(Debug)]
 pub(super) struct Template {
     pub(super) name: &'static str,
     pub(super) summary: &'static str,
-    scene: &'static str,
-    /// Data files that the scene refers to, written beside it.
+    kind: Kind,
+    text: &'static str,
+    /// Data files that it refers to, written beside it.
     data: &'static [(&'static str, &'static str)],
 }
 
-pub(super) const TEMPLATES: [Template; 5] = [
+pub(super) const TEMPLATES: [Template; 6] = [
     Template {
         name: "pin-loaded-plate",
         summary: "elastic pin in a plate of finite width, loaded and unloaded, static and dynamic friction",
-        scene: include_str!("../templates/pin-loaded-plate.toml"),
+        kind: Kind::Scene,
+        text: include_str!("../templates/pin-loaded-plate.toml"),
         data: &[],
     },
     Template {
         name: "pin-infinite-plate",
         summary: "frictionless pin in an infinite plate, with the closed form to compare with",
-        scene: include_str!("../templates/pin-infinite-plate.toml"),
+        kind: Kind::Scene,
+        text: include_str!("../templates/pin-infinite-plate.toml"),
         data: &[(
             "persson-ring5R-65deg.csv",
             include_str!("../templates/persson-ring5R-65deg.csv"),
@@ -39,20 +49,33 @@ pub(super) const TEMPLATES: [Template; 5] = [
     Template {
         name: "laminate-joint",
         summary: "pinned joint of a laminate: first ply, characteristic curve and the mode that governs",
-        scene: include_str!("../templates/laminate-joint.toml"),
+        kind: Kind::Scene,
+        text: include_str!("../templates/laminate-joint.toml"),
         data: &[],
     },
     Template {
         name: "hertz",
         summary: "cylinder pressed on a block of the same material, plane strain",
-        scene: include_str!("../templates/hertz.toml"),
+        kind: Kind::Scene,
+        text: include_str!("../templates/hertz.toml"),
         data: &[],
     },
     Template {
         name: "open-hole",
         summary: "strip with a hole under tension, no contact",
-        scene: include_str!("../templates/open-hole.toml"),
+        kind: Kind::Scene,
+        text: include_str!("../templates/open-hole.toml"),
         data: &[],
+    },
+    Template {
+        name: "experiment",
+        summary: "measured displacements around a hole, from a table of your own, with a sample",
+        kind: Kind::Experiment,
+        text: include_str!("../templates/experiment.toml"),
+        data: &[(
+            "experiment.csv",
+            include_str!("../templates/experiment.csv"),
+        )],
     },
 ];
 
@@ -85,7 +108,7 @@ pub(super) fn init(arguments: &InitArguments, console: Console) -> Result<(), Fa
         .data
         .iter()
         .map(|(name, text)| (folder.join(name), *text));
-    let files: Vec<_> = data.chain([(file.clone(), template.scene)]).collect();
+    let files: Vec<_> = data.chain([(file.clone(), template.text)]).collect();
     if let Some((path, _)) = files.iter().find(|(path, _)| path.exists()) {
         return Err(exists(path, template).into());
     }
@@ -97,10 +120,14 @@ pub(super) fn init(arguments: &InitArguments, console: Console) -> Result<(), Fa
         .iter()
         .map(|(path, _)| path.display().to_string())
         .collect();
+    let next = match template.kind {
+        Kind::Scene => "check",
+        Kind::Experiment => "reduce",
+    };
     console.result(
         || {
             format!(
-                "wrote {}\nnext: stickslip check {shown}\n",
+                "wrote {}\nnext: stickslip {next} {shown}\n",
                 names.join(" and ")
             )
         },
@@ -134,26 +161,28 @@ fn write_new(path: &Path, text: &str, template: &Template) -> Result<(), Command
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::experiment::Experiment;
     use crate::scene::{Format, Scene};
 
     #[test]
-    fn every_template_is_a_valid_scene_as_it_stands() {
+    fn every_template_is_valid_as_it_stands() {
         let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/src/templates"));
         for template in &TEMPLATES {
             let name = format!("{}.toml", template.name);
-            let scene =
-                Scene::from_text(template.scene, Format::Toml, &name, folder, &[] as &[&str]);
-            let scene = scene.unwrap_or_else(|error| panic!("{}", error.render(100, false)));
+            let (text, none) = (template.text, &[] as &[&str]);
+            let told = match template.kind {
+                Kind::Scene => Scene::from_text(text, Format::Toml, &name, folder, none)
+                    .map(|scene| (scene.title, scene.description)),
+                Kind::Experiment => Experiment::from_text(text, Format::Toml, &name, folder, none)
+                    .map(|experiment| (experiment.title, experiment.description)),
+            };
+            let (title, description) =
+                told.unwrap_or_else(|error| panic!("{}", error.render(100, false)));
             assert!(
-                template
-                    .scene
-                    .lines()
-                    .filter(|line| line.contains('#'))
-                    .count()
-                    >= 8,
+                text.lines().filter(|line| line.contains('#')).count() >= 8,
                 "{name}: comments"
             );
-            assert!(scene.description.is_some() && scene.title != template.name);
+            assert!(description.is_some() && title != template.name);
         }
     }
 }

@@ -1,6 +1,7 @@
-//! `stickslip list`: what can be written in a scene.
+//! `stickslip list`: what can be written in a scene or an experiment.
 
 mod laminates;
+mod presets;
 
 use std::fmt::Write as _;
 
@@ -28,6 +29,7 @@ enum Topic {
     Layups,
     Criteria,
     Templates,
+    Presets,
     Elements,
     Solvers,
     Units,
@@ -101,6 +103,7 @@ fn name(topic: Topic) -> &'static str {
         Topic::Layups => "layups",
         Topic::Criteria => "criteria",
         Topic::Templates => "templates",
+        Topic::Presets => "presets",
         Topic::Elements => "elements",
         Topic::Solvers => "solvers",
         Topic::Units => "units",
@@ -133,6 +136,7 @@ fn text(topic: Topic) -> String {
                 .map(|template| (template.name.to_owned(), template.summary.to_owned()));
             table("Templates, for `stickslip init NAME`", rows)
         }
+        Topic::Presets => presets::text(),
         Topic::Elements => {
             let row = |kind: ElementKind| (format!("{kind:?}"), element_summary(kind).to_owned());
             table(
@@ -240,6 +244,7 @@ fn value(topic: Topic) -> Value {
             .iter()
             .map(|template| json!({ "name": template.name, "summary": template.summary }))
             .collect(),
+        Topic::Presets => presets::value(),
         Topic::Elements => ElementKind::ALL
             .into_iter()
             .map(|kind| json!({ "name": kind, "summary": element_summary(kind), "nodes": kind.nodes() }))

@@ -155,7 +155,7 @@ fn message(scene: &Scene, error: &RunError) -> String {
 }
 
 /// The error at the key of the scene that it is about.
-fn located(scene: &Scene, error: &RunError) -> SceneError {
+pub(super) fn located(scene: &Scene, error: &RunError) -> SceneError {
     let (key, remedy) = match error {
         RunError::Model(error) => return locate(scene, error),
         RunError::Body { body, .. } => (

@@ -357,6 +357,15 @@ pub enum SceneProblem {
         /// What would do.
         remedy: String,
     },
+    /// An experiment that reads well but whose data cannot be used.
+    #[error("{message}")]
+    #[diagnostic(code(experiment::data), help("{remedy}"))]
+    Experiment {
+        /// What is wrong, with its numbers.
+        message: String,
+        /// How to mend it.
+        remedy: String,
+    },
     /// A scene that reads well but cannot be modelled.
     #[error("{message}")]
     #[diagnostic(code(scene::model), help("{remedy}"))]

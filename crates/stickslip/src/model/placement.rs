@@ -32,7 +32,7 @@ pub(super) fn offset([first, second]: [f64; 2]) -> Point {
 }
 
 /// Centre of `body` `[mm]`.
-pub(super) fn centre(scene: &Scene, body: &str) -> Point {
+pub(crate) fn centre(scene: &Scene, body: &str) -> Point {
     let (mut sum, mut inner) = (0.0, body);
     // A checked scene has no circular chain, so every contact is passed at most once.
     for _ in &scene.contacts {

@@ -40,6 +40,19 @@ pub(super) fn example(key: &str) -> String {
         "free" => "[\"x\", \"y\"]",
         "direction" => "[-1, 0]",
         "file" => "\"data/ring.csv\"",
+        "scale" => "\"1 mm\", the length of one unit of the table's places (of one pixel, say)",
+        "y_axis" => "\"up\"; \"down\" flips y and v of a table, as of images",
+        "pixel" => "\"0.02 mm\"",
+        "top_left" | "centre" => "[\"-2 mm\", \"20 mm\"]",
+        "window" => "[[\"-2 mm\", \"-2 mm\"], [\"20 mm\", \"20 mm\"]]",
+        "name" => "\"up\"",
+        "specimen" => {
+            return "[specimen] scene = \"scene.toml\", or material, thickness and hole".to_owned();
+        }
+        "friction" => "{ coulomb = { mu = 0.3 } }",
+        "angles" => "[\"-90 deg\", \"90 deg\"]",
+        "outer" => "\"15 mm\"",
+        "cells" => "[24, 6]",
         "stress" => "\"MPa\"",
         "steps" => match key.rsplit('.').nth(1) {
             Some("force") => "[\"1 kN\"]",

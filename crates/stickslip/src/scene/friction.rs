@@ -57,6 +57,16 @@ pub(super) fn read(
         })
 }
 
+/// The law of a table that stands at `key` of any document.
+pub(crate) fn law(
+    document: &Document,
+    key: &str,
+    table: &Value,
+    plies: Option<Vec<PlyFraction>>,
+) -> Result<Box<dyn FrictionLaw>, Box<Finding>> {
+    read(document, key, table, plies).map(|read| read.law)
+}
+
 struct LawReader<'a> {
     document: &'a Document,
     /// Ply fractions for a law that asks for `plies` and is not told.

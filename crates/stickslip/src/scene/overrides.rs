@@ -50,7 +50,7 @@ const RIVALS: [(&str, &[&[&str]]); 5] = [
 ];
 
 /// Applies one argument `key=value`.
-pub(super) fn apply(document: &mut Document, argument: &str) -> Result<(), SceneError> {
+pub(crate) fn apply(document: &mut Document, argument: &str) -> Result<(), SceneError> {
     let source = Arc::new(SourceText {
         name: SOURCE.to_owned(),
         text: argument.to_owned(),

@@ -63,6 +63,8 @@ measures! {
     PerTemperature = "per temperature": PerTemperature;
     /// Energies per area of a crack.
     FractureEnergy = "fracture energy": FractureEnergy;
+    /// Lines or fringes per length.
+    PerLength = "per length": PerLength;
     /// Spacings: angles on circles, else lengths.
     AngleOrLength = "angle|length": Angle, Length;
 }

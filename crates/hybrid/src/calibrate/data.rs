@@ -1,0 +1,234 @@
+//! Data with their noise, whitened, and what is projected out of them.
+
+use faer::Mat;
+
+use super::CalibrateError;
+use crate::region::dense;
+
+/// Errors of a block of data.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Noise {
+    /// Independent, with these standard deviations, positive.
+    Independent(Vec<f64>),
+    /// With this covariance, square, row by row, positive definite.
+    Correlated(Vec<f64>),
+}
+
+/// Data whose errors are independent of those of all other blocks.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Block {
+    /// What was measured.
+    pub values: Vec<f64>,
+    /// Its errors.
+    pub noise: Noise,
+    /// What may be added to the values in any amount without anybody's asking, one list per unknown amount; lists that depend on others
+    /// count once.
+    pub nuisance: Vec<Vec<f64>>,
+}
+
+/// Blocks of data ready to be compared with predictions.
+#[derive(Clone, Debug)]
+pub struct Data {
+    blocks: Vec<Whitened>,
+}
+
+#[derive(Clone, Debug)]
+struct Whitened {
+    values: Vec<f64>,
+    scale: Scale,
+    /// Orthonormal columns that span the whitened nuisances.
+    nuisance: Vec<Vec<f64>>,
+}
+
+#[derive(Clone, Debug)]
+enum Scale {
+    Deviations(Vec<f64>),
+    Factor(Mat<f64>),
+}
+
+impl Scale {
+    /// L⁻¹ x.
+    fn whitened(&self, mut values: Vec<f64>) -> Vec<f64> {
+        match self {
+            Self::Deviations(own) => {
+                values.iter_mut().zip(own).for_each(|(x, own)| *x /= own);
+                values
+            }
+            Self::Factor(lower) => {
+                let mut column = Mat::from_fn(values.len(), 1, |i, _| values[i]);
+                dense::solve_lower(lower, &mut column);
+                dense::by_rows(&column)
+            }
+        }
+    }
+
+    /// L x.
+    fn coloured(&self, values: &[f64]) -> Vec<f64> {
+        match self {
+            Self::Deviations(own) => values.iter().zip(own).map(|(x, own)| x * own).collect(),
+            Self::Factor(lower) => {
+                let column = Mat::from_fn(values.len(), 1, |i, _| values[i]);
+                dense::by_rows(&dense::multiply(lower.as_ref(), column.as_ref()))
+            }
+        }
+    }
+}
+
+impl Data {
+    /// Checks and whitens `blocks`.
+    ///
+    /// # Errors
+    /// [`CalibrateError::Length`], [`CalibrateError::Value`] and [`CalibrateError::Covariance`] where a block is none.
+    pub fn new(blocks: Vec<Block>) -> Result<Self, CalibrateError> {
+        let whitened = blocks.into_iter().enumerate();
+        let blocks = whitened
+            .map(|(index, block)| block.whitened(index))
+            .collect::<Result<_, _>>()?;
+        Ok(Self { blocks })
+    }
+
+    /// Number of data.
+    pub fn count(&self) -> usize {
+        self.blocks.iter().map(|block| block.values.len()).sum()
+    }
+
+    /// Number of independent nuisances.
+    pub fn nuisances(&self) -> usize {
+        self.blocks.iter().map(|block| block.nuisance.len()).sum()
+    }
+
+    /// What is left of data less prediction when the nuisances have taken what they can, in standard deviations. `predicted` has as many
+    /// entries as there are [data](Self::count).
+    pub fn residual(&self, predicted: &[f64]) -> Vec<f64> {
+        self.each(predicted, Whitened::residual)
+    }
+
+    /// χ² of a prediction.
+    pub fn chi_squared(&self, predicted: &[f64]) -> f64 {
+        self.residual(predicted).iter().map(|r| r * r).sum()
+    }
+
+    /// The prediction with the amounts of the nuisances that fit best.
+    pub fn fitted(&self, predicted: &[f64]) -> Vec<f64> {
+        self.each(predicted, |block, predicted| {
+            let left = block.scale.coloured(&block.residual(predicted));
+            block.values.iter().zip(left).map(|(m, r)| m - r).collect()
+        })
+    }
+
+    fn each(&self, predicted: &[f64], of: impl Fn(&Whitened, &[f64]) -> Vec<f64>) -> Vec<f64> {
+        let mut all = Vec::with_capacity(predicted.len());
+        let mut rest = predicted;
+        for block in &self.blocks {
+            let (own, next) = rest.split_at(block.values.len().min(rest.len()));
+            all.extend(of(block, own));
+            rest = next;
+        }
+        all
+    }
+}
+
+impl Whitened {
+    fn residual(&self, predicted: &[f64]) -> Vec<f64> {
+        let differences = self.values.iter().zip(predicted).map(|(m, h)| m - h);
+        let mut residual = self.scale.whitened(differences.collect());
+        remove(&self.nuisance, &mut residual);
+        residual
+    }
+}
+
+impl Block {
+    fn whitened(self, block: usize) -> Result<Whitened, CalibrateError> {
+        let count = self.values.len();
+        let length = |what: &'static str, expected: usize, values: &[f64]| {
+            if values.len() == expected {
+                return finite(what, block, values);
+            }
+            let found = values.len();
+            Err(CalibrateError::Length {
+                what,
+                block,
+                expected,
+                found,
+            })
+        };
+        finite("value", block, &self.values)?;
+        let scale = match self.noise {
+            Noise::Independent(deviations) => {
+                length("deviation", count, &deviations)?;
+                if let Some(index) = deviations.iter().position(|own| *own <= 0.0) {
+                    let (what, value) = ("deviation", deviations[index]);
+                    return Err(CalibrateError::Value {
+                        what,
+                        block,
+                        index,
+                        value,
+                    });
+                }
+                Scale::Deviations(deviations)
+            }
+            Noise::Correlated(covariance) => {
+                length("covariance", count * count, &covariance)?;
+                let square = Mat::from_fn(count, count, |i, j| covariance[i * count + j]);
+                let lower = dense::cholesky(square)
+                    .map_err(|row| CalibrateError::Covariance { block, row })?;
+                Scale::Factor(lower)
+            }
+        };
+        let mut nuisance: Vec<Vec<f64>> = Vec::new();
+        for column in self.nuisance {
+            length("nuisance", count, &column)?;
+            nuisance.extend(independent(&nuisance, scale.whitened(column)));
+        }
+        let values = self.values;
+        Ok(Whitened {
+            values,
+            scale,
+            nuisance,
+        })
+    }
+}
+
+fn finite(what: &'static str, block: usize, values: &[f64]) -> Result<(), CalibrateError> {
+    match values.iter().position(|value| !value.is_finite()) {
+        Some(index) => {
+            let value = values[index];
+            Err(CalibrateError::Value {
+                what,
+                block,
+                index,
+                value,
+            })
+        }
+        None => Ok(()),
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// Takes off `vector` what lies in the span of the orthonormal `columns`; twice, against rounding.
+fn remove(columns: &[Vec<f64>], vector: &mut [f64]) {
+    for _ in 0..2 {
+        for column in columns {
+            let amount = dot(column, vector);
+            vector
+                .iter_mut()
+                .zip(column)
+                .for_each(|(x, q)| *x -= amount * q);
+        }
+    }
+}
+
+/// The unit vector along what `column` adds to the span of `columns`; `None` where that is rounding.
+fn independent(columns: &[Vec<f64>], mut column: Vec<f64>) -> Option<Vec<f64>> {
+    const ROUNDING: f64 = 1e-10;
+    let before = dot(&column, &column).sqrt();
+    remove(columns, &mut column);
+    let left = dot(&column, &column).sqrt();
+    if left <= ROUNDING * before {
+        return None;
+    }
+    Some(column.into_iter().map(|x| x / left).collect())
+}

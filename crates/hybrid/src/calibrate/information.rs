@@ -1,0 +1,76 @@
+//! What the curvature of χ² at its least says of the parameters.
+//!
+//! ```text
+//! Σ = (JᵀJ)⁻¹,   J = ∂r/∂z
+//! ```
+
+use faer::Mat;
+
+use super::Parameter;
+use crate::region::dense;
+
+/// Inverse of half the curvature of χ² in the parts of the ranges.
+pub(super) struct Information {
+    /// Parameters that have an influence; others are left out.
+    active: Vec<usize>,
+    /// The inverse over these; `None` where they cannot be told apart.
+    inverse: Option<Mat<f64>>,
+    /// Deviation of each parameter if it alone were unknown; infinite without influence.
+    alone: Vec<f64>,
+}
+
+impl Information {
+    pub(super) fn of(jacobian: &Mat<f64>) -> Self {
+        /// A deviation of so many ranges is none by the data but by rounding.
+        const BEYOND: f64 = 1e3;
+        let gram = dense::multiply(jacobian.transpose(), jacobian.as_ref());
+        let alone: Vec<f64> = (0..jacobian.ncols())
+            .map(|k| gram[(k, k)].sqrt().recip())
+            .collect();
+        let active: Vec<usize> = (0..alone.len()).filter(|&k| alone[k] < BEYOND).collect();
+        let size = active.len();
+        // Scaled to a diagonal of ones, so that the factor breaks down where parameters cannot be told apart.
+        let scaled = Mat::from_fn(size, size, |i, j| {
+            gram[(active[i], active[j])] * alone[active[i]] * alone[active[j]]
+        });
+        let inverse = dense::cholesky(scaled).ok().map(|lower| {
+            let mut half = Mat::identity(size, size);
+            dense::solve_lower(&lower, &mut half);
+            let full = dense::multiply(half.transpose(), half.as_ref());
+            Mat::from_fn(size, size, |i, j| {
+                full[(i, j)] * alone[active[i]] * alone[active[j]]
+            })
+        });
+        Self {
+            active,
+            inverse,
+            alone,
+        }
+    }
+
+    /// Deviation in parts of the range; `None` without influence, or beside others that cannot be told apart from it.
+    pub(super) fn deviation(&self, axis: usize) -> Option<f64> {
+        let inverse = self.inverse.as_ref()?;
+        let own = self.active.iter().position(|&active| active == axis)?;
+        Some(inverse[(own, own)].sqrt())
+    }
+
+    /// A step in parts of the range over which χ² changes; `None` without influence.
+    pub(super) fn scale(&self, axis: usize) -> Option<f64> {
+        let alone = Some(self.alone[axis]).filter(|own| own.is_finite());
+        self.deviation(axis).or(alone)
+    }
+
+    pub(super) fn covariance(&self, parameters: &[Parameter], parts: &[f64]) -> Vec<f64> {
+        let slope = |k: usize| parameters[k].slope(parts[k]);
+        let whole = self
+            .inverse
+            .as_ref()
+            .filter(|_| self.active.len() == parts.len());
+        whole.map_or_else(Vec::new, |inverse| {
+            dense::by_rows(&Mat::from_fn(parts.len(), parts.len(), |i, j| {
+                inverse[(i, j)] * slope(i) * slope(j)
+            }))
+        })
+    }
+}

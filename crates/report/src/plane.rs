@@ -1,0 +1,364 @@
+//! Pictures of pixels and values at scattered places in one plane, with marks over them.
+//!
+//! Pixels are averaged where there are more of them than the figure shows, except in cyclic colours, whose mean is no colour of
+//! theirs; there the nearest one is shown.
+
+mod image;
+
+use crate::axis::{Axis, Padding, Span};
+use crate::color::{Color, Colormap};
+use crate::error::FigureError;
+use crate::field::color_bar::{self, ColorBar};
+use crate::frame::{Frame, Heading, OUTER, TITLE_SIZE};
+use crate::legend;
+use crate::map::Category;
+use crate::svg::{Area, Canvas, Stroke, Svg, push_point};
+
+/// Room left of the plot for ticks and label, and right of it \[px\].
+const LEFT: f64 = 62.0;
+const RIGHT: f64 = 14.0;
+const BAR_GAP: f64 = 16.0;
+/// Where there is no value: grey, but pale blue among greys.
+fn no_value(colormap: Colormap) -> Color {
+    if colormap == Colormap::Gray {
+        Color::rgb(0xc6, 0xd8, 0xec)
+    } else {
+        Color::rgb(0xe4, 0xe4, 0xe4)
+    }
+}
+
+/// Values at the pixels of an upright picture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pixels<'a> {
+    /// Number of columns.
+    pub columns: usize,
+    /// Values row by row from the top left; NaN where there is none.
+    pub values: &'a [f64],
+    /// Edges of the picture, `[x_low, x_high, y_low, y_high]` \[length\].
+    pub edges: [f64; 4],
+}
+
+/// Marks of one kind over a picture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Marks {
+    /// What they mean, in the legend.
+    pub label: String,
+    /// Their colour.
+    pub color: Color,
+    /// Places marked by a small cross \[length\].
+    pub points: Vec<[f64; 2]>,
+    /// Lines from place to place \[length\].
+    pub paths: Vec<Vec<[f64; 2]>>,
+}
+
+/// Pixels, dots and marks over one plane.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlanePlot<'a> {
+    /// What the picture shows.
+    pub title: String,
+    /// A second, smaller line.
+    pub subtitle: Option<String>,
+    /// Values at pixels.
+    pub pixels: Option<Pixels<'a>>,
+    /// Values at scattered places; grey where NaN.
+    pub dots: &'a [([f64; 2], f64)],
+    /// Marks, drawn over the rest.
+    pub marks: Vec<Marks>,
+    /// Name, symbol and unit of the values; without it there is no colour bar.
+    pub label: Option<String>,
+    /// Names and units of the x and y axes.
+    pub axes: [String; 2],
+    /// Colours of the values.
+    pub colormap: Colormap,
+    /// Values at the ends of the colours; the least and greatest value if not given.
+    pub range: Option<[f64; 2]>,
+    /// The part to show, `[x_low, x_high, y_low, y_high]` \[length\].
+    pub window: [f64; 4],
+    /// Width of the whole figure \[px\].
+    pub width: f64,
+}
+
+impl<'a> PlanePlot<'a> {
+    /// An empty plane with axes in `length_unit`.
+    pub fn new(title: impl Into<String>, length_unit: &str, window: [f64; 4]) -> Self {
+        Self {
+            title: title.into(),
+            subtitle: None,
+            pixels: None,
+            dots: &[],
+            marks: Vec::new(),
+            label: None,
+            axes: ["x", "y"].map(|name| format!("{name} [{length_unit}]")),
+            colormap: Colormap::Viridis,
+            range: None,
+            window,
+            width: 480.0,
+        }
+    }
+
+    /// Shows values at pixels.
+    #[must_use]
+    pub fn pixels(mut self, pixels: Pixels<'a>) -> Self {
+        self.pixels = Some(pixels);
+        self
+    }
+
+    /// Sets colours and, with a name and unit, a colour bar.
+    #[must_use]
+    pub fn colors(mut self, colormap: Colormap, label: Option<String>) -> Self {
+        self.colormap = colormap;
+        self.label = label;
+        self
+    }
+
+    /// Draws the picture, with equal scales on both axes.
+    ///
+    /// # Errors
+    /// [`FigureError::ValueCount`] for pixels that are no rectangle, [`FigureError::NoData`] without any value,
+    /// [`FigureError::Range`] and [`FigureError::Size`] for a window, range or width that cannot be drawn, and
+    /// [`FigureError::Raster`] if the image cannot be written.
+    pub fn render(&self) -> Result<Svg, FigureError> {
+        self.check()?;
+        let [x_low, x_high, y_low, y_high] = self.window;
+        let mut axes = self.axes.clone().map(Axis::linear);
+        axes[0].range = Some([x_low, x_high]);
+        axes[1].range = Some([y_low, y_high]);
+        let range = self.value_span()?;
+        let subtitle = self.subtitle.as_deref().unwrap_or_default();
+        let heading = Heading::new(
+            &self.title,
+            TITLE_SIZE,
+            &[subtitle],
+            self.width - 2.0 * OUTER,
+        );
+        let mut area = Area {
+            left: LEFT,
+            top: OUTER + heading.height() + 6.0,
+            width: self.width - LEFT - RIGHT - self.bar_room(&range)?,
+            height: 0.0,
+        };
+        let aspect = (y_high - y_low) / (x_high - x_low);
+        area.height = area.width * aspect;
+        if !(area.width > 20.0 && area.height > 20.0 && area.height < 1e5) {
+            return Err(FigureError::Size {
+                title: self.title.clone(),
+                width: self.width,
+                aspect,
+            });
+        }
+        let spans = [
+            axes[0].span(std::iter::empty(), Padding::Tight)?,
+            axes[1].span(std::iter::empty(), Padding::Tight)?,
+        ];
+        let frame = Frame::new([&axes[0], &axes[1]], spans, area)?;
+        self.draw(&frame, &range, &heading)
+    }
+
+    fn draw(&self, frame: &Frame, range: &Span, heading: &Heading) -> Result<Svg, FigureError> {
+        let area = frame.area;
+        let image = image::png(self, &area, range)?;
+        let mut canvas = Canvas::default();
+        heading.draw(&mut canvas, [OUTER, OUTER]);
+        canvas.clipped(&area, |canvas| {
+            if let Some((area, png)) = &image {
+                canvas.image(area, png);
+            }
+            self.draw_dots(canvas, frame, range);
+            for marks in &self.marks {
+                draw_marks(canvas, frame, marks);
+            }
+        });
+        frame.draw_axes(&mut canvas);
+        if let Some(bar) = self.bar(range, [area.right() + BAR_GAP, area.top], area.height)? {
+            let beyond = [
+                self.values().any(|value| value < range.low),
+                self.values().any(|value| value > range.high),
+            ];
+            color_bar::draw(&mut canvas, &bar, self.colormap, beyond);
+        }
+        let mut bottom = area.bottom() + frame.bottom_margin();
+        if !self.marks.is_empty() {
+            let category = |marks: &Marks| Category {
+                label: marks.label.clone(),
+                mark: String::new(),
+                color: marks.color,
+            };
+            let categories: Vec<Category> = self.marks.iter().map(category).collect();
+            let all: Vec<usize> = (0..categories.len()).collect();
+            bottom = legend::draw(&mut canvas, &categories, &all, self.width, bottom + 8.0);
+        }
+        Ok(canvas.finish(self.width, bottom + OUTER, &self.title))
+    }
+
+    fn check(&self) -> Result<(), FigureError> {
+        if let Some(pixels) = &self.pixels
+            && (pixels.columns == 0 || !pixels.values.len().is_multiple_of(pixels.columns))
+        {
+            return Err(FigureError::ValueCount {
+                title: self.title.clone(),
+                values: pixels.values.len(),
+                nodes: pixels.columns,
+            });
+        }
+        Ok(())
+    }
+
+    /// All values that there are.
+    fn values(&self) -> impl Iterator<Item = f64> + '_ {
+        let pixels = self.pixels.iter().flat_map(|pixels| pixels.values);
+        let dots = self.dots.iter().map(|(_, value)| value);
+        pixels
+            .chain(dots)
+            .copied()
+            .filter(|value| value.is_finite())
+    }
+
+    fn bar_axis(&self) -> Axis {
+        Axis {
+            range: self.range,
+            ..Axis::linear(self.label.clone().unwrap_or_else(|| self.title.clone()))
+        }
+    }
+
+    fn value_span(&self) -> Result<Span, FigureError> {
+        let nothing = self.pixels.is_none() && self.dots.is_empty();
+        let axis = self.bar_axis();
+        if nothing {
+            return axis.span([0.0, 1.0].into_iter(), Padding::Tight);
+        }
+        let flipped = if self.colormap.is_diverging() {
+            -1.0
+        } else {
+            1.0
+        };
+        let all = self.values().flat_map(|value| [value, flipped * value]);
+        axis.span(all, Padding::Tight)
+    }
+
+    fn bar(
+        &self,
+        range: &Span,
+        at: [f64; 2],
+        height: f64,
+    ) -> Result<Option<ColorBar>, FigureError> {
+        // Room for the points at both ends.
+        const ENDS: f64 = 13.0;
+        if self.label.is_none() {
+            return Ok(None);
+        }
+        let height = (height - 2.0 * ENDS).max(40.0);
+        ColorBar::new(&self.bar_axis(), range, [at[0], at[1] + ENDS], height).map(Some)
+    }
+
+    fn bar_room(&self, range: &Span) -> Result<f64, FigureError> {
+        let bar = self.bar(range, [0.0; 2], 300.0)?;
+        Ok(bar.map_or(0.0, |bar| bar.width() + BAR_GAP))
+    }
+
+    fn color(&self, range: &Span, value: f64) -> Color {
+        match range.fraction(value) {
+            Some(fraction) if value.is_finite() => self.colormap.at(fraction),
+            _ => no_value(self.colormap),
+        }
+    }
+
+    fn draw_dots(&self, canvas: &mut Canvas, frame: &Frame, range: &Span) {
+        if self.dots.is_empty() {
+            return;
+        }
+        // Dots of a dense field touch each other, and few ones can still be seen.
+        let each = (frame.area.width * frame.area.height / self.dots.len() as f64).sqrt();
+        let size = (1.05 * each).clamp(1.2, 9.0);
+        for &(place, value) in self.dots {
+            if let Some([x, y]) = frame.pixel(place) {
+                let area = Area {
+                    left: x - size / 2.0,
+                    top: y - size / 2.0,
+                    width: size,
+                    height: size,
+                };
+                canvas.rectangle(&area, self.color(range, value), None);
+            }
+        }
+    }
+}
+
+fn draw_marks(canvas: &mut Canvas, frame: &Frame, marks: &Marks) {
+    const ARM: f64 = 3.0;
+    let mut data = String::new();
+    for place in &marks.points {
+        if let Some([x, y]) = frame.pixel(*place) {
+            push_point(&mut data, 'M', [x - ARM, y - ARM]);
+            push_point(&mut data, 'L', [x + ARM, y + ARM]);
+            push_point(&mut data, 'M', [x - ARM, y + ARM]);
+            push_point(&mut data, 'L', [x + ARM, y - ARM]);
+        }
+    }
+    for path in &marks.paths {
+        let pixels = path.iter().filter_map(|place| frame.pixel(*place));
+        for (k, pixel) in pixels.enumerate() {
+            push_point(&mut data, if k == 0 { 'M' } else { 'L' }, pixel);
+        }
+    }
+    canvas.stroked_path(&data, &Stroke::solid(marks.color, 1.6));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WINDOW: [f64; 4] = [0.0, 2.0, 0.0, 1.0];
+
+    #[test]
+    fn a_plane_shows_pixels_dots_and_marks() {
+        let values: Vec<f64> = (0..200).map(f64::from).collect();
+        let pixels = Pixels {
+            columns: 20,
+            values: &values,
+            edges: WINDOW,
+        };
+        let mut plot = PlanePlot::new("Orders", "mm", WINDOW)
+            .pixels(pixels)
+            .colors(Colormap::Viridis, Some("N [fringes]".into()));
+        plot.dots = &[([0.5, 0.5], 3.0), ([0.7, 0.5], f64::NAN)];
+        plot.marks = vec![Marks {
+            label: "inconsistent".into(),
+            color: Color::category(1),
+            points: vec![[1.0, 0.5]],
+            paths: vec![vec![[0.1, 0.1], [0.2, 0.2]]],
+        }];
+        let svg = plot.render().unwrap();
+        for part in ["<image", "N [fringes]", "inconsistent", "#e4e4e4", "x [mm]"] {
+            assert!(svg.as_str().contains(part), "{part}");
+        }
+        assert_eq!(svg, plot.render().unwrap());
+        roxmltree::Document::parse(svg.as_str()).unwrap();
+    }
+
+    #[test]
+    fn what_cannot_be_drawn_is_refused() {
+        let plot = PlanePlot::new("p", "mm", WINDOW);
+        let uneven = |values, columns| {
+            let pixels = Pixels {
+                columns,
+                values,
+                edges: WINDOW,
+            };
+            plot.clone().pixels(pixels).render()
+        };
+        assert!(matches!(
+            uneven(&[1.0; 3], 2),
+            Err(FigureError::ValueCount { .. })
+        ));
+        assert!(matches!(
+            uneven(&[1.0; 3], 0),
+            Err(FigureError::ValueCount { .. })
+        ));
+        assert!(matches!(
+            uneven(&[f64::NAN; 4], 2),
+            Err(FigureError::NoData { .. })
+        ));
+        let thin = PlanePlot::new("p", "mm", [0.0, 1.0, 0.0, 1e-6]);
+        assert!(matches!(thin.render(), Err(FigureError::Size { .. })));
+    }
+}

@@ -1,0 +1,141 @@
+//! Pixels as an indexed PNG of the figure's own resolution.
+
+use super::{Pixels, PlanePlot, no_value};
+use crate::axis::Span;
+use crate::color::{Color, Colormap};
+use crate::error::FigureError;
+use crate::svg::Area;
+
+/// Image pixels per figure pixel, at most.
+const SCALE: f64 = 2.0;
+/// Palette: 0 is no value, the rest are colours.
+const COLORS: usize = 255;
+/// As many greys as the eye tells apart in a pattern; fewer make smaller files.
+const GREYS: usize = 24;
+
+fn colors(colormap: Colormap) -> usize {
+    if colormap == Colormap::Gray {
+        GREYS
+    } else {
+        COLORS
+    }
+}
+
+/// Where the pixels are in the figure, and their image.
+pub(super) fn png(
+    plot: &PlanePlot<'_>,
+    area: &Area,
+    range: &Span,
+) -> Result<Option<(Area, Vec<u8>)>, FigureError> {
+    let Some(pixels) = &plot.pixels else {
+        return Ok(None);
+    };
+    let rows = pixels.values.len() / pixels.columns;
+    if rows == 0 {
+        return Ok(None);
+    }
+    let placed = placed(plot, pixels, area);
+    let [width, height] = [(placed.width, pixels.columns), (placed.height, rows)]
+        .map(|(length, count)| ((length * SCALE) as usize).clamp(1, count));
+    let source = Source {
+        pixels,
+        rows,
+        nearest: plot.colormap == Colormap::Cyclic,
+    };
+    let colors = colors(plot.colormap);
+    let mut indices = Vec::with_capacity(width * height);
+    for row in 0..height {
+        for column in 0..width {
+            let value = source.value([column, row], [width, height]);
+            let fraction = range.fraction(value).filter(|_| value.is_finite());
+            indices.push(fraction.map_or(0, |fraction| {
+                let fraction = fraction.clamp(0.0, 1.0);
+                1 + ((fraction * colors as f64) as usize).min(colors - 1) as u8
+            }));
+        }
+    }
+    let bytes = encoded(plot.colormap, [width, height], &indices);
+    bytes
+        .map(|bytes| Some((placed, bytes)))
+        .map_err(|cause| FigureError::Raster {
+            width: placed.width,
+            height: placed.height,
+            scale: SCALE,
+            reason: cause.to_string(),
+        })
+}
+
+/// The part of the figure that the picture covers; it may reach beyond the window.
+fn placed(plot: &PlanePlot<'_>, pixels: &Pixels<'_>, area: &Area) -> Area {
+    let [x_low, x_high, y_low, y_high] = plot.window;
+    let [left, right, bottom, top] = pixels.edges;
+    let scale = [
+        area.width / (x_high - x_low),
+        area.height / (y_high - y_low),
+    ];
+    Area {
+        left: area.left + (left - x_low) * scale[0],
+        top: area.top + (y_high - top) * scale[1],
+        width: (right - left) * scale[0],
+        height: (top - bottom) * scale[1],
+    }
+}
+
+struct Source<'a> {
+    pixels: &'a Pixels<'a>,
+    rows: usize,
+    nearest: bool,
+}
+
+impl Source<'_> {
+    /// Value of an image pixel of an image of some size.
+    fn value(&self, at: [usize; 2], size: [usize; 2]) -> f64 {
+        let counts = [self.pixels.columns, self.rows];
+        let range = |axis: usize| {
+            let first = at[axis] * counts[axis] / size[axis];
+            let end = ((at[axis] + 1) * counts[axis]).div_ceil(size[axis]);
+            first..end.clamp(first + 1, counts[axis])
+        };
+        let (columns, rows) = (range(0), range(1));
+        if self.nearest {
+            let middle =
+                |range: &std::ops::Range<usize>| usize::midpoint(range.start, range.end - 1);
+            return self.pixels.values[middle(&rows) * self.pixels.columns + middle(&columns)];
+        }
+        let (mut sum, mut count) = (0.0, 0.0);
+        for row in rows {
+            let start = row * self.pixels.columns;
+            let values = &self.pixels.values[start + columns.start..start + columns.end];
+            for value in values.iter().filter(|value| value.is_finite()) {
+                sum += value;
+                count += 1.0;
+            }
+        }
+        // Nothing over nothing is no value.
+        sum / count
+    }
+}
+
+fn encoded(
+    colormap: Colormap,
+    [width, height]: [usize; 2],
+    indices: &[u8],
+) -> Result<Vec<u8>, png::EncodingError> {
+    let channels = |color: Color| [color.red, color.green, color.blue];
+    let count = colors(colormap);
+    let colors = (0..count).map(|k| colormap.at((k as f64 + 0.5) / count as f64));
+    let palette: Vec<u8> = std::iter::once(no_value(colormap))
+        .chain(colors)
+        .flat_map(channels)
+        .collect();
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, width as u32, height as u32);
+    encoder.set_color(png::ColorType::Indexed);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_palette(palette);
+    encoder.set_compression(png::Compression::High);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(indices)?;
+    writer.finish()?;
+    Ok(file)
+}

@@ -1,0 +1,126 @@
+//! Edge stresses of measured states by localized hybrid analysis, with their covariance and the checks of the data.
+//!
+//! ```text
+//! Δ¹ from the data,   y = T Δ¹,   Σ_y = s² T Σ Tᵀ + diag(b²)
+//! ```
+//!
+//! Errors of neighbouring data may go together (a phase from a band of the spectrum, speckles of several pixels), and the fit, which is
+//! smoother than their spacing, sees only what is left of them in the mean. s² is therefore the χ² of the means of blocks of
+//! neighbouring residuals over its degrees of freedom. b is the bias that smoothing is estimated to leave: a declared systematic
+//! deviation, not a correction.
+
+mod edge;
+pub(super) mod figures;
+mod region;
+mod scale;
+mod tell;
+mod truth;
+
+use stickslip_fem_core::mesh::Point;
+use stickslip_hybrid::identify::Tractions;
+use stickslip_hybrid::region::checks::ChiSquared;
+use stickslip_hybrid::region::transfer::Propagated;
+
+use super::error::ExperimentError;
+use super::measured::Measured;
+use super::plan::Experiment;
+
+pub use region::Workbench;
+pub(super) use tell::tell;
+pub use truth::{TruePlace, true_edge};
+
+/// One of so many places is kept out of a fit, to check it.
+pub const UNUSED: usize = 16;
+
+/// Edge stresses of one state.
+#[derive(Clone, Debug)]
+pub struct Analysed {
+    /// Index of the state in the experiment.
+    pub state: usize,
+    /// Angle of each place along the edge `[rad]`, ascending.
+    pub angle: Vec<f64>,
+    /// Angle between two corners of the edge's cells `[rad]`: what is nearer cannot be told apart.
+    pub resolution: f64,
+    /// Pressure and shear τ_rθ `[MPa]` with their covariance, systematic part included.
+    pub tractions: Tractions,
+    /// Hoop stress σ_θ `[MPa]`.
+    pub hoop: Vec<f64>,
+    /// Its standard deviation `[MPa]`.
+    pub hoop_deviation: Vec<f64>,
+    /// Estimated bias of pressure, shear and hoop stress by smoothing, per place `[MPa]`.
+    pub bias: Vec<[f64; 3]>,
+    /// Pressure, shear and hoop stress of the same displacements by the elements alone, without equilibrium, per place `[MPa]`.
+    pub direct: Option<Vec<[f64; 3]>>,
+    /// What the fit did, where displacements were fitted.
+    pub fit: Option<FitFacts>,
+    /// The variance of the data was multiplied by this, s².
+    pub scale: f64,
+    /// Misfits at places that were not used.
+    pub misfit: Vec<MisfitAt>,
+    /// χ² of these misfits.
+    pub unused: Option<ChiSquared>,
+    /// χ² of the tractions on the edge beyond contact, where the region has such a part.
+    pub free_edge: Option<ChiSquared>,
+    /// Forces along x and y `[N]`, with their covariance: what the region exerts through the edge by its stresses, then what acts on the
+    /// region at the edge's nodes. In balance their sums vanish.
+    pub forces: Propagated,
+}
+
+/// What a fit did.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FitFacts {
+    /// Order of the differences that were smoothed.
+    pub order: usize,
+    /// Amount of smoothing.
+    pub amount: f64,
+    /// Effective number of parameters.
+    pub parameters: f64,
+    /// Number of data.
+    pub data: usize,
+    /// χ² of the residuals with the stated deviations.
+    pub residual: f64,
+}
+
+/// Measured less calculated displacement at a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MisfitAt {
+    /// The place `[mm]`.
+    pub place: Point,
+    /// 0 for U, 1 for V.
+    pub axis: usize,
+    /// The misfit over its deviation.
+    pub relative: f64,
+}
+
+impl Analysed {
+    /// Standard deviations of the pressures, then of the shears `[MPa]`.
+    pub fn deviations(&self) -> [Vec<f64>; 2] {
+        let (places, all) = (self.angle.len(), 2 * self.angle.len());
+        [0, 1].map(|part| {
+            (0..places)
+                .map(|k| part * places + k)
+                .map(|k| self.tractions.covariance[k * all + k].max(0.0).sqrt())
+                .collect()
+        })
+    }
+
+    /// Places that are at least two cells from the region's ends, where displacements of two edges meet and nothing is known well.
+    pub fn inner(&self) -> std::ops::Range<usize> {
+        let (Some(first), Some(last)) = (self.angle.first(), self.angle.last()) else {
+            return 0..0;
+        };
+        let reach = 2.0 * self.resolution * (1.0 - 1e-6);
+        let start = self.angle.partition_point(|angle| *angle < first + reach);
+        let end = self.angle.partition_point(|angle| *angle <= last - reach);
+        start..end.max(start)
+    }
+}
+
+/// Edge stresses of all states.
+///
+/// # Errors
+/// [`ExperimentError`]: no `[region]`, a region that cannot be analysed, data that do not determine it.
+pub fn all(experiment: &Experiment, fields: &[Measured]) -> Result<Vec<Analysed>, ExperimentError> {
+    let bench = Workbench::new(experiment)?;
+    fields.iter().map(|field| bench.analyse(field)).collect()
+}

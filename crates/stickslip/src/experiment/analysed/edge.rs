@@ -1,0 +1,138 @@
+//! The edge of a region: its places and the rows of its stresses.
+
+use std::ops::Range;
+
+use stickslip_fem_core::ElasticBody;
+use stickslip_fem_core::body::SparseRow;
+use stickslip_hybrid::identify::Tractions;
+use stickslip_hybrid::region::RegionError;
+use stickslip_hybrid::region::outputs::EdgeRows;
+use stickslip_hybrid::region::sector::ArcSector;
+use stickslip_hybrid::region::transfer::Propagated;
+
+use super::Analysed;
+
+/// Deviations by which a pressure has to exceed zero, and part of the largest, to count as contact.
+const CONTACT: [f64; 2] = [3.0, 0.05];
+/// Cells between the last place in contact and the part of the edge that is taken as free.
+const CELLS_BEYOND: f64 = 2.0;
+
+/// Places and rows of an arc.
+#[derive(Debug)]
+pub(super) struct Edge {
+    /// `[rad]`, ascending, the middle within half a turn of zero.
+    pub(super) angle: Vec<f64>,
+    /// Radius times angle as the region counts it `[mm]`.
+    pub(super) parameter: Vec<f64>,
+    /// Angle between neighbouring corners `[rad]`.
+    pub(super) resolution: f64,
+    pub(super) nodes: Vec<usize>,
+    /// σ_r of all places, then τ_rθ, then σ_θ.
+    pub(super) stresses: Vec<SparseRow>,
+    /// Force along x and y that the region exerts through the edge.
+    pub(super) resultant: [SparseRow; 2],
+}
+
+impl Edge {
+    pub(super) fn new(
+        body: &ElasticBody,
+        name: &str,
+        sector: &ArcSector,
+    ) -> Result<Self, RegionError> {
+        let rows = EdgeRows::new(body, name)?;
+        let radius = sector.inner();
+        let middle = rows.parameter[rows.parameter.len() / 2] / radius;
+        let turns = (middle / std::f64::consts::TAU).round() * std::f64::consts::TAU;
+        let stresses = [0, 2, 1].map(|component| rows.component(component));
+        Ok(Self {
+            angle: rows.parameter.iter().map(|s| s / radius - turns).collect(),
+            resolution: (sector.angles[1] - sector.angles[0]) / sector.cells[0] as f64,
+            stresses: stresses.concat(),
+            resultant: rows.resultant(body.thickness()),
+            parameter: rows.parameter,
+            nodes: rows.nodes,
+        })
+    }
+
+    fn count(&self) -> usize {
+        self.angle.len()
+    }
+
+    /// Pressure, shear and hoop stress per place, from the values of the rows.
+    pub(super) fn by_place(&self, stresses: &[f64]) -> Vec<[f64; 3]> {
+        let n = self.count();
+        (0..n)
+            .map(|k| [-stresses[k], stresses[n + k], stresses[2 * n + k]])
+            .collect()
+    }
+
+    pub(super) fn hoop(&self, stresses: &[f64]) -> Vec<f64> {
+        stresses[2 * self.count()..].to_vec()
+    }
+
+    /// Pressures and shears. The covariance of the `stresses` has been multiplied by the scale of the data's variance already; the
+    /// bias is added as a deviation of its own at each place.
+    pub(super) fn tractions(&self, stresses: &Propagated, bias: &[[f64; 3]]) -> Tractions {
+        let n = self.count();
+        let (part, all) = (2 * n, 3 * n);
+        let mut covariance = vec![0.0; part * part];
+        for i in 0..part {
+            for j in 0..part {
+                let sign = if (i < n) == (j < n) { 1.0 } else { -1.0 };
+                covariance[i * part + j] = sign * stresses.covariance[i * all + j];
+            }
+            covariance[i * part + i] += bias[i % n][i / n].powi(2);
+        }
+        let values = self.by_place(&stresses.values);
+        Tractions {
+            pressure: values.iter().map(|value| value[0]).collect(),
+            shear: values.iter().map(|value| value[1]).collect(),
+            covariance,
+        }
+    }
+
+    pub(super) fn hoop_deviation(&self, stresses: &Propagated, bias: &[[f64; 3]]) -> Vec<f64> {
+        let n = self.count();
+        let variance = |k: usize| stresses.covariance[(2 * n + k) * (3 * n + 1)];
+        (0..n)
+            .map(|k| (variance(k).max(0.0) + bias[k][2].powi(2)).sqrt())
+            .collect()
+    }
+}
+
+impl Analysed {
+    /// First and last place that bear pressure beyond doubt around the place of the largest, if any does.
+    pub fn contact(&self) -> Option<Range<usize>> {
+        let inner = self.inner();
+        let [deviation, _] = self.deviations();
+        let pressure = &self.tractions.pressure;
+        let peak = inner
+            .clone()
+            .max_by(|a, b| pressure[*a].total_cmp(&pressure[*b]))?;
+        let least = |k: usize| (CONTACT[0] * deviation[k]).max(CONTACT[1] * pressure[peak]);
+        let bears = |k: &usize| pressure[*k] > least(*k);
+        if !bears(&peak) {
+            return None;
+        }
+        let last = (peak..inner.end).take_while(bears).last()?;
+        let first = (inner.start..=peak).rev().take_while(bears).last()?;
+        Some(first..last + 1)
+    }
+}
+
+/// Places of the edge that are clear of contact, on either side.
+pub(super) fn beyond_contact(found: &Analysed) -> Vec<Range<usize>> {
+    let Some(contact) = found.contact() else {
+        return Vec::new();
+    };
+    let inner = found.inner();
+    let reach = CELLS_BEYOND * found.resolution;
+    let after = found.angle[contact.end - 1] + reach;
+    let before = found.angle[contact.start] - reach;
+    let start = found.angle.partition_point(|angle| *angle <= after);
+    let end = found.angle.partition_point(|angle| *angle < before);
+    [start..inner.end, inner.start..end]
+        .into_iter()
+        .filter(|range| range.len() > 2)
+        .collect()
+}

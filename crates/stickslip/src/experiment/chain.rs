@@ -1,0 +1,124 @@
+//! The chain of stages, to the depth that a command asks for.
+
+use super::analysed;
+use super::error::ExperimentError;
+use super::gallery::Gallery;
+use super::identified::{self, Told};
+use super::laws;
+use super::measured::{self, Measured};
+use super::plan::{Experiment, Source};
+use super::story::Story;
+use super::synthesis::{Camera, Shots};
+use super::truth::Truth;
+use super::whole;
+use crate::run::Progress;
+
+/// How far a command goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Depth {
+    /// Synthetic fringe pictures.
+    Fringes,
+    /// Measured fields.
+    Reduce,
+    /// Edge stresses.
+    Hybrid,
+    /// Friction.
+    Identify,
+}
+
+/// Goes through the stages of `experiment` and tells of them.
+///
+/// # Errors
+/// [`ExperimentError`] of the stage that fails.
+pub fn tell(
+    experiment: &Experiment,
+    depth: Depth,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Story, ExperimentError> {
+    let mut story = Story::new(experiment);
+    let truth = truth(experiment, progress)?;
+    if truth.is_none() && depth == Depth::Fringes {
+        return Err(ExperimentError::Missing {
+            key: "states".to_owned(),
+            what: "no state has synthetic pictures to make".to_owned(),
+            remedy: "give a state the load step of a scene, step = 1; measured states are read by `stickslip reduce`".to_owned(),
+        });
+    }
+    let fields = measured(experiment, depth, truth.as_ref(), &mut story, progress)?;
+    if depth < Depth::Hybrid {
+        return Ok(story);
+    }
+    progress(Progress::Phase("hybrid analysis"));
+    let analysed = analysed::all(experiment, &fields)?;
+    analysed::tell(experiment, &analysed, truth.as_ref(), &mut story);
+    let (plates, warnings) = whole::stage(experiment, &fields)?;
+    whole::tell(experiment, &plates, &warnings, &mut story)?;
+    if depth == Depth::Identify {
+        progress(Progress::Phase("friction"));
+        let identified = identified::identify(experiment, &analysed)?;
+        let told = Told {
+            experiment,
+            analysed: &analysed,
+            identified: &identified,
+            truth: truth.as_ref(),
+        };
+        identified::tell(&told, &mut story);
+        progress(Progress::Phase("friction laws"));
+        if let Some(stage) = laws::stage(experiment, &fields)? {
+            laws::tell(experiment, &stage, &mut story);
+        }
+    }
+    Ok(story)
+}
+
+/// The solved scene, if any state is synthetic.
+fn truth(
+    experiment: &Experiment,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Option<Truth>, ExperimentError> {
+    let is_synthetic = |source: &Source| matches!(source, Source::Step(_));
+    let asked = experiment.states.iter().any(|state| {
+        is_synthetic(&state.source)
+            || state.null.as_ref().is_some_and(is_synthetic)
+            || state.back.as_ref().is_some_and(is_synthetic)
+    });
+    match &experiment.specimen.scene {
+        Some(own) if asked => Truth::solve(own, progress).map(Some),
+        _ => Ok(None),
+    }
+}
+
+/// Pictures and measured fields, state by state, so that only one state's pictures are held at a time.
+fn measured(
+    experiment: &Experiment,
+    depth: Depth,
+    truth: Option<&Truth>,
+    story: &mut Story,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Vec<Measured>, ExperimentError> {
+    let camera = truth
+        .map(|truth| Camera::new(experiment, truth))
+        .transpose()?;
+    let mut gallery = Gallery::new(experiment);
+    let mut fields = Vec::new();
+    progress(Progress::Phase("pictures"));
+    for state in 0..experiment.states.len() {
+        let shots = match &camera {
+            Some(camera) => camera.shots(state)?,
+            None => Shots::default(),
+        };
+        if let Some(camera) = &camera {
+            gallery.add(camera, state, &shots, story)?;
+        }
+        if depth >= Depth::Reduce {
+            fields.push(measured::state(experiment, state, &shots)?);
+        }
+    }
+    if let Some(camera) = &camera {
+        gallery.tell(camera, story);
+    }
+    if depth >= Depth::Reduce {
+        measured::tell(experiment, &fields, story);
+    }
+    Ok(fields)
+}

@@ -1,0 +1,162 @@
+//! `[[states]]`: what was measured, and where it stands.
+
+use serde::Deserialize;
+
+use super::{CarriersFormat, PlaceFormat};
+use crate::units::{Force, Length, Quantity};
+
+/// One state of the experiment.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(in crate::experiment) struct StateFormat {
+    pub(in crate::experiment) name: String,
+    pub(in crate::experiment) direction: Option<DirectionFormat>,
+    pub(in crate::experiment) load: Option<Quantity<Force>>,
+    pub(in crate::experiment) step: Option<usize>,
+    pub(in crate::experiment) table: Option<TableFormat>,
+    pub(in crate::experiment) pictures: Option<PicturesFormat>,
+    pub(in crate::experiment) lines: Option<LinesFormat>,
+    pub(in crate::experiment) null: Option<SourceFormat>,
+    pub(in crate::experiment) back: Option<SourceFormat>,
+}
+
+/// Data that a state, its null field or its back is read from: exactly one of these.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(in crate::experiment) struct SourceFormat {
+    pub(in crate::experiment) step: Option<usize>,
+    pub(in crate::experiment) table: Option<TableFormat>,
+    pub(in crate::experiment) pictures: Option<PicturesFormat>,
+    pub(in crate::experiment) lines: Option<LinesFormat>,
+}
+
+/// Whether the load was growing or falling.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "snake_case")]
+pub(in crate::experiment) enum DirectionFormat {
+    Loading,
+    Unloading,
+}
+
+/// Where an axis y points.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "snake_case")]
+pub(in crate::experiment) enum AxisFormat {
+    Up,
+    Down,
+}
+
+/// Programs whose tables are known.
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "snake_case")]
+pub(in crate::experiment) enum PresetFormat {
+    #[default]
+    Plain,
+    Dice,
+    Mudic,
+}
+
+/// Column names that differ from those of the preset.
+#[derive(Debug, Default, Deserialize)]
+#[serde(
+    default,
+    deny_unknown_fields,
+    expecting = "a table, such as { key = value }"
+)]
+pub(in crate::experiment) struct ColumnsFormat {
+    pub(in crate::experiment) x: Option<String>,
+    pub(in crate::experiment) y: Option<String>,
+    pub(in crate::experiment) u: Option<String>,
+    pub(in crate::experiment) v: Option<String>,
+    pub(in crate::experiment) flag: Option<String>,
+    pub(in crate::experiment) line: Option<String>,
+    pub(in crate::experiment) order: Option<String>,
+}
+
+/// Displacements at scattered places.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(in crate::experiment) struct TableFormat {
+    pub(in crate::experiment) file: String,
+    #[serde(default)]
+    pub(in crate::experiment) preset: PresetFormat,
+    #[serde(default)]
+    pub(in crate::experiment) columns: ColumnsFormat,
+    pub(in crate::experiment) scale: Quantity<Length>,
+    pub(in crate::experiment) displacement_scale: Option<Quantity<Length>>,
+    pub(in crate::experiment) y_axis: AxisFormat,
+    pub(in crate::experiment) origin: Option<[f64; 2]>,
+    #[serde(default)]
+    pub(in crate::experiment) reversed: [bool; 2],
+    pub(in crate::experiment) deviation: Option<Quantity<Length>>,
+}
+
+/// Names of one picture, or of four with shifted phase.
+#[derive(Debug, Deserialize)]
+#[serde(
+    untagged,
+    expecting = "the name of a picture file, or a list of four of them"
+)]
+pub(in crate::experiment) enum FilesFormat {
+    One(String),
+    Four([String; 4]),
+}
+
+/// Directions in which fringe orders rise.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(in crate::experiment) struct RisingFormat {
+    pub(in crate::experiment) u: [f64; 2],
+    pub(in crate::experiment) v: [f64; 2],
+}
+
+/// Fringe pictures.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(in crate::experiment) struct PicturesFormat {
+    pub(in crate::experiment) u: Option<FilesFormat>,
+    pub(in crate::experiment) v: Option<FilesFormat>,
+    pub(in crate::experiment) pixel: Quantity<Length>,
+    pub(in crate::experiment) top_left: PlaceFormat,
+    pub(in crate::experiment) y_axis: AxisFormat,
+    pub(in crate::experiment) carrier: Option<CarriersFormat>,
+    pub(in crate::experiment) rising: Option<RisingFormat>,
+    pub(in crate::experiment) dark: Option<f64>,
+}
+
+/// What curve the fringe centres of a line lie on.
+#[derive(Debug, Default, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(in crate::experiment) enum TrackFormat {
+    #[default]
+    Straight,
+    Drawn,
+    Circle(CircleFormat),
+}
+
+/// `track.circle`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(in crate::experiment) struct CircleFormat {
+    pub(in crate::experiment) centre: PlaceFormat,
+    #[serde(default)]
+    pub(in crate::experiment) closed: bool,
+}
+
+/// Fringe centres along lines.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(in crate::experiment) struct LinesFormat {
+    pub(in crate::experiment) u: String,
+    pub(in crate::experiment) v: String,
+    #[serde(default)]
+    pub(in crate::experiment) columns: ColumnsFormat,
+    pub(in crate::experiment) scale: Quantity<Length>,
+    pub(in crate::experiment) y_axis: AxisFormat,
+    #[serde(default)]
+    pub(in crate::experiment) reversed: [bool; 2],
+    pub(in crate::experiment) tolerance: Option<Quantity<Length>>,
+    #[serde(default)]
+    pub(in crate::experiment) track: TrackFormat,
+    pub(in crate::experiment) deviation: Option<f64>,
+}

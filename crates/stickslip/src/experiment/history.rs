@@ -1,0 +1,90 @@
+//! The load history of a scene as an experiment names its states.
+
+use super::plan::{Direction, Source, State};
+use crate::scene::Scene;
+use crate::scene::schema::{Load, LoadKind};
+
+/// The first load that changes.
+pub(super) struct History<'a> {
+    steps: usize,
+    load: Option<&'a Load>,
+}
+
+impl<'a> History<'a> {
+    pub(super) fn of(scene: &'a Scene) -> Self {
+        let changes = |load: &&Load| {
+            let values = load.kind.steps();
+            values.iter().any(|value| *value != values[0])
+        };
+        let load = scene.loads.iter().find(changes);
+        Self {
+            steps: scene.steps(),
+            load: load.or(scene.loads.first()),
+        }
+    }
+
+    pub(super) fn steps(&self) -> usize {
+        self.steps
+    }
+
+    /// The force `[N]` at a step, if the load is one.
+    pub(super) fn load(&self, step: usize) -> Option<f64> {
+        match &self.load?.kind {
+            LoadKind::Force { steps, .. } | LoadKind::Bearing { steps, .. } => {
+                steps.get(step).copied()
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether the load falls towards a step.
+    pub(super) fn direction(&self, step: usize) -> Direction {
+        let values = self.load.map_or(&[][..], |load| load.kind.steps());
+        let at = |step: usize| values.get(step).map(|value| value.abs());
+        match (step.checked_sub(1).and_then(at), at(step)) {
+            (Some(before), Some(now)) if now < before => Direction::Unloading,
+            _ => Direction::Loading,
+        }
+    }
+
+    /// The load step of a state, and that of its null field; in words why there is none.
+    pub(super) fn tied(&self, state: &State) -> Result<(usize, Option<usize>), String> {
+        let step = match &state.source {
+            Source::Step(step) => *step,
+            _ => self.step_of(state)?,
+        };
+        match &state.null {
+            None => Ok((step, None)),
+            Some(Source::Step(null)) => Ok((step, Some(*null))),
+            Some(_) => Err("its null field is no load step of the scene".to_owned()),
+        }
+    }
+
+    /// The load step with the load and the direction of a state.
+    fn step_of(&self, state: &State) -> Result<usize, String> {
+        /// Loads that differ by less, in parts, are the same.
+        const SAME: f64 = 1e-3;
+        let load = state.load.ok_or("its load is not given")?;
+        let same = |step: &usize| {
+            let close = |own: f64| (own - load).abs() <= SAME * load.abs();
+            self.load(*step).is_some_and(close) && self.direction(*step) == state.direction
+        };
+        (0..self.steps).find(same).ok_or_else(|| {
+            let direction = state.direction.name();
+            format!("no load step of the scene has {load:.6} N in {direction}")
+        })
+    }
+
+    /// The state at a step, named after it.
+    pub(super) fn state(&self, step: usize) -> State {
+        let width = self.steps.to_string().len();
+        State {
+            name: format!("step-{:0width$}", step + 1),
+            direction: self.direction(step),
+            load: self.load(step),
+            source: Source::Step(step),
+            null: None,
+            back: None,
+        }
+    }
+}

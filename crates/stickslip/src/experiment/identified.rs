@@ -1,0 +1,203 @@
+//! Friction of measured states: where edges slip, and with which coefficient.
+//!
+//! ```text
+//! slip at the end of contact:   s τ = μ_d p,     stick inside:   |τ| ≤ μ_s p   ⇒   μ_s ≥ max |τ|/p
+//! ```
+//!
+//! Slip starts at the ends of contact. A zone goes from there inwards as far as one coefficient explains its tractions; places nearer to
+//! its ends than the region's cells can resolve are left out, because stresses are not smooth there. The coefficient of all zones of all
+//! states is fitted once more to all of them together, and a Monte Carlo simulation confirms its interval.
+
+mod figures;
+mod tell;
+mod zones;
+
+use std::ops::Range;
+
+use stickslip_hybrid::identify::{Bounds, SlipFit, Tractions, chi_squared_of_one, normal_quantile};
+
+use super::analysed::Analysed;
+use super::error::ExperimentError;
+use super::plan::Experiment;
+
+pub(super) use tell::{Told, tell};
+
+/// A zone that slips.
+#[derive(Clone, Debug)]
+pub struct SlipZone {
+    /// Index of the state in the experiment.
+    pub state: usize,
+    /// Places of the edge.
+    pub places: Range<usize>,
+    /// Whether friction acts along +τ_rθ.
+    pub positive: bool,
+    /// Whether it was given by hand.
+    pub given: bool,
+    /// What remains towards the bearing point, where it may stick.
+    pub inside: Range<usize>,
+    /// The coefficient of this zone alone.
+    pub fit: SlipFit,
+}
+
+/// Draws of the coefficient of all zones.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Simulation {
+    /// Number of draws.
+    pub samples: usize,
+    /// Their mean.
+    pub mean: f64,
+    /// Their standard deviation.
+    pub deviation: f64,
+    /// The interval that holds the confidence's part of them, with equal parts beyond either end.
+    pub interval: [f64; 2],
+}
+
+/// What sticks at a ratio that needs static friction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grip {
+    /// Index of the state.
+    pub state: usize,
+    /// Angle of the place `[rad]`.
+    pub angle: f64,
+    /// τ/p there, along the friction of the zone beside it.
+    pub ratio: f64,
+    /// μ_s is at least this.
+    pub at_least: f64,
+}
+
+/// Friction of an experiment.
+#[derive(Clone, Debug)]
+pub struct Identified {
+    /// Slip zones of all states.
+    pub zones: Vec<SlipZone>,
+    /// The coefficient of all zones together; `None` where nothing slips beyond doubt.
+    pub dynamic: Option<SlipFit>,
+    /// Monte Carlo simulation of that, where it has an upper end.
+    pub simulation: Option<Simulation>,
+    /// What asks for the greatest static friction, of all places inside of slip zones.
+    pub grip: Option<Grip>,
+    /// What a reader must know.
+    pub remarks: Vec<String>,
+}
+
+/// Identifies friction from the edge stresses of all states.
+///
+/// # Errors
+/// [`ExperimentError::Identify`] for tractions without a covariance.
+pub fn identify(
+    experiment: &Experiment,
+    analysed: &[Analysed],
+) -> Result<Identified, ExperimentError> {
+    let rise = chi_squared_of_one(experiment.identify.confidence);
+    let mut remarks = Vec::new();
+    let mut zones = Vec::new();
+    for found in analysed {
+        zones.extend(zones::of_state(experiment, found, rise, &mut remarks)?);
+    }
+    let together = together(analysed, &zones)?;
+    let (mut dynamic, mut simulation) = (None, None);
+    if let Some(tractions) = together {
+        let all = 0..tractions.pressure.len();
+        let fit = tractions.slip_within(all.clone(), true, rise)?;
+        let plan = &experiment.identify;
+        let draws = tractions.simulate(all, true, &fit, plan.samples, plan.seed)?;
+        simulation = summarised(draws, plan.confidence);
+        dynamic = Some(fit);
+    }
+    Ok(Identified {
+        grip: grip(experiment, analysed, &zones),
+        zones,
+        dynamic,
+        simulation,
+        remarks,
+    })
+}
+
+/// The tractions of all zones, with shears along friction.
+fn together(
+    analysed: &[Analysed],
+    zones: &[SlipZone],
+) -> Result<Option<Tractions>, ExperimentError> {
+    let mut parts = Vec::new();
+    for found in analysed {
+        let own = zones.iter().filter(|zone| zone.state == found.state);
+        let own: Vec<_> = own
+            .map(|zone| (zone.places.clone(), zone.positive))
+            .collect();
+        if !own.is_empty() {
+            parts.push(found.tractions.of_zones(&own)?);
+        }
+    }
+    Ok(if parts.is_empty() {
+        None
+    } else {
+        Some(Tractions::together(&parts)?)
+    })
+}
+
+fn summarised(mut draws: Vec<f64>, confidence: f64) -> Option<Simulation> {
+    let count = draws.len();
+    if count < 2 {
+        return None;
+    }
+    draws.sort_by(f64::total_cmp);
+    let mean = draws.iter().sum::<f64>() / count as f64;
+    let squares = draws.iter().map(|draw| (draw - mean).powi(2));
+    let beyond = 0.5 * (1.0 - confidence) * (count - 1) as f64;
+    let at = |position: f64| draws[(position.round() as usize).min(count - 1)];
+    Some(Simulation {
+        samples: count,
+        mean,
+        deviation: (squares.sum::<f64>() / (count - 1) as f64).sqrt(),
+        interval: [at(beyond), at((count - 1) as f64 - beyond)],
+    })
+}
+
+/// The place inside of a slip zone whose ratio asks for the greatest static coefficient. Of n places the largest ratio is the largest of
+/// n noises, so each gets the confidence that all together are asked for (Bonferroni).
+fn grip(experiment: &Experiment, analysed: &[Analysed], zones: &[SlipZone]) -> Option<Grip> {
+    let count: usize = zones.iter().map(|zone| zone.inside.len()).sum();
+    let beyond = (1.0 - experiment.identify.confidence) / count.max(1) as f64;
+    let quantile = normal_quantile(1.0 - beyond);
+    let of_zone = |zone: &SlipZone| {
+        let found = analysed.iter().find(|found| found.state == zone.state)?;
+        let sign = if zone.positive { 1.0 } else { -1.0 };
+        let at = |place: usize| {
+            let (ratio, deviation) = ratio(found, place);
+            Grip {
+                state: zone.state,
+                angle: found.angle[place],
+                ratio: sign * ratio,
+                at_least: sign * ratio - quantile * deviation,
+            }
+        };
+        zone.inside.clone().map(at).max_by(greater)
+    };
+    zones.iter().filter_map(of_zone).max_by(greater)
+}
+
+fn greater(a: &Grip, b: &Grip) -> std::cmp::Ordering {
+    a.at_least.total_cmp(&b.at_least)
+}
+
+/// τ/p at a place and its deviation, to first order.
+pub fn ratio(found: &Analysed, place: usize) -> (f64, f64) {
+    let data = &found.tractions;
+    let (n, all) = (data.pressure.len(), 2 * data.pressure.len());
+    let (pressure, shear) = (data.pressure[place], data.shear[place]);
+    let ratio = shear / pressure;
+    let entry = |i: usize, j: usize| data.covariance[i * all + j];
+    let variance = entry(n + place, n + place) - 2.0 * ratio * entry(place, n + place)
+        + ratio * ratio * entry(place, place);
+    (ratio, variance.max(0.0).sqrt() / pressure.abs())
+}
+
+/// Bounds in words.
+pub fn words(bounds: Bounds) -> String {
+    match bounds {
+        Bounds::Between(low, high) => format!("between {low:.4} and {high:.4}"),
+        Bounds::AtMost(high) => format!("at most {high:.4}; there may be no friction at all"),
+        Bounds::AtLeast(low) => format!("at least {low:.4}; no upper bound can be told"),
+        Bounds::Nothing => "not identifiable: no coefficient is ruled out".to_owned(),
+    }
+}

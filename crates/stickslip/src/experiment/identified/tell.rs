@@ -1,0 +1,248 @@
+//! Friction on the page, as a table, and in the summary.
+
+use serde_json::{Value, json};
+use stickslip_hybrid::identify::{Bounds, SlipFit};
+use stickslip_report::table::{Column, Table};
+
+use super::{Grip, Identified, SlipZone, figures, ratio, words};
+use crate::experiment::analysed::{Analysed, true_edge};
+use crate::experiment::plan::Experiment;
+use crate::experiment::story::{Story, csv_table};
+use crate::experiment::truth::Truth;
+
+/// Deviations by which χ² of all zones may exceed its mean before one coefficient is doubted.
+const CONSISTENT: f64 = 3.0;
+
+/// What is told, and of what.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::experiment) struct Told<'a> {
+    pub(in crate::experiment) experiment: &'a Experiment,
+    pub(in crate::experiment) analysed: &'a [Analysed],
+    pub(in crate::experiment) identified: &'a Identified,
+    pub(in crate::experiment) truth: Option<&'a Truth>,
+}
+
+/// Tells of friction.
+pub(in crate::experiment) fn tell(told: &Told<'_>, story: &mut Story) {
+    let (experiment, identified) = (told.experiment, told.identified);
+    story.section("Friction");
+    story.text(
+        "Where an edge slips, the shear is μ times the pressure, and both are uncertain with errors that go together; μ is where χ² of \
+         τ − μp is least, and its interval is that in which χ² rises no further than chance would have it. Slip starts at the ends of \
+         contact. A zone goes from there inwards as far as one coefficient explains it; two cells at either end are left out, where \
+         stresses are not smooth.",
+    );
+    let confidence = 100.0 * experiment.identify.confidence;
+    match &identified.dynamic {
+        Some(fit) => {
+            story.answer("Dynamic friction μd", dynamic_words(fit, confidence));
+            if !fit.is_consistent(CONSISTENT) {
+                story.warn(format!(
+                    "One coefficient does not explain all slip zones together: χ² = {:.1} with {} degrees of freedom.",
+                    fit.chi_squared, fit.degrees
+                ));
+            }
+        }
+        None => story.answer(
+            "Dynamic friction μd",
+            "not identifiable: no slip zone is recognised",
+        ),
+    }
+    story.answer(
+        "Static friction μs",
+        static_words(experiment, identified, confidence),
+    );
+    if let Some(simulation) = &identified.simulation {
+        story.text(format!(
+            "Monte Carlo simulation of {} draws around the fit: mean {:.4}, standard deviation {:.4}, {confidence} % of them between \
+             {:.4} and {:.4}.",
+            simulation.samples,
+            simulation.mean,
+            simulation.deviation,
+            simulation.interval[0],
+            simulation.interval[1]
+        ));
+    }
+    story.table(table(experiment, told.analysed, identified));
+    let truth: Vec<_> = (told.analysed.iter())
+        .map(|found| true_edge(experiment, told.truth, found.state))
+        .collect();
+    story.figure(
+        "friction",
+        "Shear over pressure along the edge, the zones that slip, and the coefficient that they share with its interval; where the truth \
+         is known it is a thin line.",
+        figures::friction(experiment, told.analysed, identified, &truth),
+    );
+    for remark in &identified.remarks {
+        story.note(format!("{remark}."));
+    }
+    story.file(
+        "friction.csv",
+        "shear over pressure at all places in contact",
+        csv(told.analysed),
+    );
+    story.entry("friction", entry(experiment, identified));
+}
+
+fn dynamic_words(fit: &SlipFit, confidence: f64) -> String {
+    let bounds = words(fit.bounds);
+    match fit.bounds {
+        Bounds::Between(..) => format!("{:.4}, {bounds} ({confidence} %)", fit.mu),
+        Bounds::AtMost(_) | Bounds::AtLeast(_) => format!("{bounds} ({confidence} %)"),
+        Bounds::Nothing => bounds,
+    }
+}
+
+/// What sticking places say of μs beyond what slipping ones say of μd.
+fn static_words(experiment: &Experiment, identified: &Identified, confidence: f64) -> String {
+    let highest = identified.dynamic.as_ref().map(|fit| match fit.bounds {
+        Bounds::Between(_, high) | Bounds::AtMost(high) => high,
+        Bounds::AtLeast(_) | Bounds::Nothing => f64::INFINITY,
+    });
+    match (&identified.grip, highest) {
+        (Some(grip), Some(highest)) if grip.at_least > highest => format!(
+            "at least {:.4} ({confidence} %), by what sticks at θ = {:.1}° in state '{}'; no upper bound: not identifiable beyond that",
+            grip.at_least,
+            grip.angle.to_degrees(),
+            experiment.states[grip.state].name
+        ),
+        (Some(_), Some(_)) => {
+            "not identifiable: at least μd, and no place sticks beyond doubt at a larger ratio than slip has".to_owned()
+        }
+        _ => "not identifiable: no sticking place beside a slip zone".to_owned(),
+    }
+}
+
+fn table(experiment: &Experiment, analysed: &[Analysed], identified: &Identified) -> Table {
+    let columns = vec![
+        Column::new("state", ""),
+        Column::new("from", "deg"),
+        Column::new("to", "deg"),
+        Column::new("places", ""),
+        Column::new("friction along", ""),
+        Column::new("μ", ""),
+        Column::new("bounds", ""),
+        Column::new("χ²", ""),
+        Column::new("degrees of freedom", ""),
+    ];
+    let mut table = Table::new("Zones that slip", columns);
+    for zone in &identified.zones {
+        let [from, to] = angles(analysed, zone);
+        table.push(row(
+            &experiment.states[zone.state].name,
+            [format!("{from:.1}"), format!("{to:.1}")],
+            zone.places.len(),
+            if zone.positive { "+θ" } else { "−θ" },
+            &zone.fit,
+        ));
+    }
+    if let (Some(fit), true) = (&identified.dynamic, identified.zones.len() > 1) {
+        let places = identified.zones.iter().map(|zone| zone.places.len()).sum();
+        table.push(row(
+            "all together",
+            [String::new(), String::new()],
+            places,
+            "",
+            fit,
+        ));
+    }
+    table
+}
+
+fn row(
+    name: &str,
+    [from, to]: [String; 2],
+    places: usize,
+    along: &str,
+    fit: &SlipFit,
+) -> Vec<String> {
+    vec![
+        name.to_owned(),
+        from,
+        to,
+        places.to_string(),
+        along.to_owned(),
+        format!("{:.4}", fit.mu),
+        words(fit.bounds),
+        format!("{:.1}", fit.chi_squared),
+        fit.degrees.to_string(),
+    ]
+}
+
+/// First and last angle of a zone, in degrees.
+fn angles(analysed: &[Analysed], zone: &SlipZone) -> [f64; 2] {
+    let found = analysed.iter().find(|found| found.state == zone.state);
+    let at = |k: usize| {
+        found
+            .and_then(|found| found.angle.get(k))
+            .map_or(f64::NAN, |angle| angle.to_degrees())
+    };
+    [at(zone.places.start), at(zone.places.end.saturating_sub(1))]
+}
+
+fn csv(analysed: &[Analysed]) -> Vec<u8> {
+    let header = ["state", "theta [deg]", "ratio tau/p", "deviation"].map(str::to_owned);
+    let rows = analysed.iter().flat_map(|found| {
+        let contact = found.contact().unwrap_or(0..0);
+        contact.map(|k| {
+            let (ratio, deviation) = ratio(found, k);
+            vec![
+                (found.state + 1) as f64,
+                found.angle[k].to_degrees(),
+                ratio,
+                deviation,
+            ]
+        })
+    });
+    csv_table(&header, rows)
+}
+
+fn entry(experiment: &Experiment, identified: &Identified) -> Value {
+    let zones = identified.zones.iter().map(|zone| {
+        json!({
+            "state": experiment.states[zone.state].name,
+            "places": zone.places.len(),
+            "along_theta": zone.positive,
+            "given": zone.given,
+            "mu": fit_entry(&zone.fit),
+        })
+    });
+    json!({
+        "confidence": experiment.identify.confidence,
+        "mu_dynamic": identified.dynamic.as_ref().map(fit_entry),
+        "simulation": identified.simulation.map(|simulation| json!({
+            "samples": simulation.samples,
+            "mean": simulation.mean,
+            "deviation": simulation.deviation,
+            "interval": simulation.interval,
+        })),
+        "mu_static_at_least": identified.grip.as_ref().map(|grip| grip_entry(experiment, grip)),
+        "zones": zones.collect::<Vec<_>>(),
+    })
+}
+
+fn grip_entry(experiment: &Experiment, grip: &Grip) -> Value {
+    json!({
+        "state": experiment.states[grip.state].name,
+        "theta_degrees": grip.angle.to_degrees(),
+        "ratio": grip.ratio,
+        "at_least": grip.at_least,
+    })
+}
+
+fn fit_entry(fit: &SlipFit) -> Value {
+    let (low, high) = match fit.bounds {
+        Bounds::Between(low, high) => (Some(low), Some(high)),
+        Bounds::AtMost(high) => (None, Some(high)),
+        Bounds::AtLeast(low) => (Some(low), None),
+        Bounds::Nothing => (None, None),
+    };
+    json!({
+        "best": fit.mu,
+        "low": low,
+        "high": high,
+        "chi_squared": fit.chi_squared,
+        "degrees_of_freedom": fit.degrees,
+        "in_words": words(fit.bounds),
+    })
+}

@@ -1,0 +1,188 @@
+//! Which part of an edge slips.
+
+use std::ops::Range;
+
+use stickslip_hybrid::identify::{IdentifyError, SlipFit, Tractions};
+
+use super::SlipZone;
+use crate::experiment::analysed::Analysed;
+use crate::experiment::error::ExperimentError;
+use crate::experiment::plan::Experiment;
+
+/// Standard deviations by which χ² of a zone may exceed what it should be.
+const CONSISTENT: f64 = 3.0;
+/// Cells at either end of a zone whose stresses cannot be trusted: tractions and their derivatives jump there.
+const MARGIN: f64 = 2.0;
+/// Fewest places of a zone.
+const FEWEST: usize = 3;
+/// Places next to the end of contact that say which way friction acts.
+const LEADING: usize = 5;
+
+/// The slip zones of a state: those given by hand, or those that are recognised on either flank of contact.
+pub(super) fn of_state(
+    experiment: &Experiment,
+    found: &Analysed,
+    rise: f64,
+    remarks: &mut Vec<String>,
+) -> Result<Vec<SlipZone>, ExperimentError> {
+    let name = &experiment.states[found.state].name;
+    let plans = experiment.identify.zones.iter();
+    let own: Vec<_> = plans.filter(|zone| zone.state == found.state).collect();
+    let mut zones = Vec::new();
+    for plan in &own {
+        let [from, to] = plan.angles;
+        let start = found.angle.partition_point(|angle| *angle < from);
+        let end = found.angle.partition_point(|angle| *angle <= to);
+        if start >= end {
+            remarks.push(format!(
+                "state '{name}': the zone given by hand has no place"
+            ));
+            continue;
+        }
+        let places = start..end;
+        let positive = direction(&found.tractions, places.clone())?;
+        zones.push(SlipZone {
+            state: found.state,
+            fit: found
+                .tractions
+                .slip_within(places.clone(), positive, rise)?,
+            inside: towards_bearing(found, &places),
+            places,
+            positive,
+            given: true,
+        });
+    }
+    if !own.is_empty() {
+        return Ok(zones);
+    }
+    let Some(contact) = found.contact() else {
+        remarks.push(format!(
+            "state '{name}': no pressure exceeds its uncertainty"
+        ));
+        return Ok(zones);
+    };
+    for flank in [Flank::After, Flank::Before] {
+        match recognised(found, &contact, flank, rise)? {
+            Some(zone) => zones.push(zone),
+            None if flank.ends_in_sight(found, &contact) => remarks.push(format!(
+                "state '{name}': no zone that slips is recognised at θ {} 0",
+                flank.sign()
+            )),
+            None => {}
+        }
+    }
+    Ok(zones)
+}
+
+/// A side of the bearing point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Flank {
+    /// Greater angles.
+    After,
+    /// Smaller angles.
+    Before,
+}
+
+impl Flank {
+    const fn sign(self) -> &'static str {
+        match self {
+            Self::After => ">",
+            Self::Before => "<",
+        }
+    }
+
+    /// Whether contact ends on this side within the places that can be trusted.
+    fn ends_in_sight(self, found: &Analysed, contact: &Range<usize>) -> bool {
+        let inner = found.inner();
+        match self {
+            Self::After => contact.end < inner.end,
+            Self::Before => contact.start > inner.start,
+        }
+    }
+}
+
+fn recognised(
+    found: &Analysed,
+    contact: &Range<usize>,
+    flank: Flank,
+    rise: f64,
+) -> Result<Option<SlipZone>, IdentifyError> {
+    if !flank.ends_in_sight(found, contact) {
+        return Ok(None);
+    }
+    let margin = MARGIN * found.resolution * (1.0 - 1e-6);
+    let angle = &found.angle;
+    let bearing = bearing(found, contact);
+    let end = match flank {
+        Flank::After => angle
+            .partition_point(|a| *a <= angle[contact.end - 1] - margin)
+            .saturating_sub(1),
+        Flank::Before => angle.partition_point(|a| *a < angle[contact.start] + margin),
+    };
+    let is_beyond = match flank {
+        Flank::After => end < bearing + FEWEST,
+        Flank::Before => end + FEWEST > bearing,
+    };
+    if is_beyond {
+        return Ok(None);
+    }
+    let leading = match flank {
+        Flank::After => end + 1 - LEADING.min(end + 1 - bearing)..end + 1,
+        Flank::Before => end..(end + LEADING).min(bearing + 1),
+    };
+    let data = &found.tractions;
+    let positive = direction(data, leading)?;
+    let (full, _) = data.slip_zone(end, bearing, positive, CONSISTENT)?;
+    // The first places of stick are hidden in the noise; but a zone that reaches the bearing point has no end there.
+    let places = match flank {
+        Flank::After if full.start > bearing => {
+            angle.partition_point(|a| *a < angle[full.start] + margin)..full.end
+        }
+        Flank::Before if full.end <= bearing => {
+            full.start..angle.partition_point(|a| *a <= angle[full.end - 1] - margin)
+        }
+        _ => full.clone(),
+    };
+    if places.len() < FEWEST {
+        return Ok(None);
+    }
+    Ok(Some(SlipZone {
+        state: found.state,
+        fit: data.slip_within(places.clone(), positive, rise)?,
+        inside: match flank {
+            Flank::After => bearing..full.start,
+            Flank::Before => full.end..bearing + 1,
+        },
+        places,
+        positive,
+        given: false,
+    }))
+}
+
+/// The place nearest to θ = 0, or the end of contact that is nearest to it.
+fn bearing(found: &Analysed, contact: &Range<usize>) -> usize {
+    let nearest = contact
+        .clone()
+        .min_by(|a, b| found.angle[*a].abs().total_cmp(&found.angle[*b].abs()));
+    nearest.unwrap_or(contact.start)
+}
+
+/// Places from a zone to the bearing point.
+fn towards_bearing(found: &Analysed, zone: &Range<usize>) -> Range<usize> {
+    let Some(contact) = found.contact() else {
+        return 0..0;
+    };
+    let bearing = bearing(found, &contact);
+    if bearing < zone.start {
+        bearing..zone.start
+    } else {
+        zone.end..(bearing + 1).max(zone.end)
+    }
+}
+
+/// Whether friction acts along +τ: the direction that explains the places better.
+fn direction(data: &Tractions, places: Range<usize>) -> Result<bool, IdentifyError> {
+    let [along, against]: [SlipFit; 2] =
+        [data.slip(places.clone(), true)?, data.slip(places, false)?];
+    Ok(along.chi_squared <= against.chi_squared)
+}

@@ -1,0 +1,96 @@
+//! Friction laws fitted to measured displacements by contact solves.
+//!
+//! ```text
+//! χ²(θ) = min over b of |L⁻¹ (m − u(θ) − Z b)|²,     u(θ): displacements of the scene's history under the law with parameters θ
+//! ```
+//!
+//! m are the displacements of all states, Σ = L Lᵀ their covariance, Z b the rigid motion of the grating in each state, which nobody
+//! controls. Bodies are condensed once, so that one χ² costs one history of small contact problems ([`ContactModel`]). Which law the
+//! data prefer is told by the information criteria of the fits, and which parameters they determine by the profiles of χ²
+//! ([`stickslip_hybrid::calibrate`]).
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | [`ContactModel`], [`View`] | condensed scene, and displacements seen of it |
+//! | [`Candidate`] | a law with free parameters, of any registered kind |
+//! | [`Observation`] | the displacements of a state, with their covariance and what is not asked of them |
+//! | [`fit`], [`Comparison`] | fits of several laws to the same data, compared |
+//! | [`stage`] | all of this for an experiment |
+//! | [`Sensitivity`] | how far the edge moves when a parameter does, in fringes |
+
+mod candidate;
+mod compare;
+mod contact;
+mod figures;
+mod observation;
+mod rings;
+mod sensitivity;
+mod stage;
+mod tell;
+
+use stickslip_fem_core::mesh::Point;
+use stickslip_hybrid::calibrate::CalibrateError;
+use thiserror::Error;
+
+pub use candidate::Candidate;
+pub use compare::{Comparison, Fit, StateFit, Verdict, fit};
+pub use contact::{ContactModel, View};
+pub use observation::{Nuisance, Observation, decimated};
+pub use sensitivity::{Sensitivity, sensitivity};
+pub use stage::{LawStage, stage};
+pub use tell::tell;
+
+use crate::run::RunError;
+
+/// Why laws cannot be fitted.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum LawsError {
+    /// The scene cannot be modelled or solved.
+    #[error(transparent)]
+    Run(#[from] RunError),
+    /// Nothing touches the edge.
+    #[error("no contact of the scene is at '{edge}', so no friction law acts there")]
+    NoContact {
+        /// The edge.
+        edge: String,
+    },
+    /// The specimen shows no displacements.
+    #[error("body '{body}' is rigid and shows no displacements")]
+    Rigid {
+        /// The body.
+        body: String,
+    },
+    /// A place without displacement.
+    #[error("the place ({}, {}) mm is not in the specimen", place[0], place[1])]
+    Outside {
+        /// Where it is `[mm]`.
+        place: Point,
+    },
+    /// A load step that the scene does not have.
+    #[error("a state is measured at load step {step}, and the scene has {steps}")]
+    Step {
+        /// The step, from 1.
+        step: usize,
+        /// Number of steps.
+        steps: usize,
+    },
+    /// No law has parameters to fit.
+    #[error("there is no law to fit")]
+    NoLaw,
+    /// A law refuses its parameters.
+    #[error("{0}")]
+    Law(String),
+    /// The data are none.
+    #[error("the measured displacements: {0}")]
+    Data(#[source] CalibrateError),
+    /// A law cannot be fitted.
+    #[error("law '{law}': {cause}")]
+    Calibrate {
+        /// Name of the law.
+        law: String,
+        /// What is wrong.
+        #[source]
+        cause: CalibrateError,
+    },
+}

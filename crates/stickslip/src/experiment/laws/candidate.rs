@@ -1,0 +1,156 @@
+//! A friction law with free parameters.
+
+use serde_json::Value;
+use stickslip_friction::{Dimension, FrictionLaw, registry};
+use stickslip_hybrid::calibrate::Parameter;
+
+use super::LawsError;
+use crate::diagnostic::{SceneProblem, nearest};
+use crate::experiment::plan::LawPlan;
+
+/// Ranges with ends so far apart are divided evenly in the logarithm.
+const DECADES: f64 = 20.0;
+
+/// A friction law of any registered kind, some of whose parameters are free.
+#[derive(Clone, Debug)]
+pub struct Candidate {
+    /// Its name in results.
+    pub name: String,
+    /// Kind of the law: its name in files.
+    pub kind: String,
+    /// Free parameters.
+    pub parameters: Vec<Parameter>,
+    /// Dimension of each.
+    pub dimensions: Vec<Dimension>,
+    /// The law in plain numbers, as it is read.
+    table: Value,
+    /// Where the free parameters stand in it (RFC 6901).
+    pointers: Vec<String>,
+}
+
+impl Candidate {
+    /// The law of a plan.
+    ///
+    /// # Errors
+    /// The key below the law's table in the file, and what is wrong with it: a parameter that the law does not have.
+    pub fn new(plan: &LawPlan) -> Result<Self, (String, Box<SceneProblem>)> {
+        let free = plan
+            .free
+            .iter()
+            .map(|free| (free.name.as_str(), free.bounds));
+        Self::of_law(&plan.name, plan.law.as_ref(), &free.collect::<Vec<_>>())
+            .map_err(|(name, problem)| (format!("free.{name}"), problem))
+    }
+
+    /// `law` with the parameters `free`, which keep its values nowhere: their names, with dots into tables, and ranges in base units.
+    ///
+    /// # Errors
+    /// The name that the law does not have, and the names that it has.
+    pub fn of_law(
+        name: &str,
+        law: &dyn FrictionLaw,
+        free: &[(&str, [f64; 2])],
+    ) -> Result<Self, (String, Box<SceneProblem>)> {
+        let refused = |what: &str, message: String| {
+            let law = law.name().to_owned();
+            let problem = SceneProblem::Friction { law, message };
+            (what.to_owned(), Box::new(problem))
+        };
+        let table = serde_json::to_value(law).map_err(|error| refused("", error.to_string()))?;
+        let own = table.get(law.name()).unwrap_or(&Value::Null);
+        let known = numbers_in(own, "");
+        let mut pointers = Vec::new();
+        let mut parameters = Vec::new();
+        let mut dimensions = Vec::new();
+        for &(path, range) in free {
+            if !known.iter().any(|own| own == path) {
+                let problem = SceneProblem::UnknownKey {
+                    key: path.to_owned(),
+                    nearest: nearest(path, known.iter().map(String::as_str)).map(str::to_owned),
+                    known: known.clone(),
+                };
+                return Err((path.to_owned(), Box::new(problem)));
+            }
+            pointers.push(format!("/{}/{}", law.name(), path.replace('.', "/")));
+            dimensions.push(dimension(law.name(), path));
+            let parameter = Parameter::new(path, range);
+            let [low, high] = range;
+            parameters.push(if low > 0.0 && high / low >= DECADES {
+                parameter.logarithmic()
+            } else {
+                parameter
+            });
+        }
+        Ok(Self {
+            name: name.to_owned(),
+            kind: law.name().to_owned(),
+            parameters,
+            dimensions,
+            table,
+            pointers,
+        })
+    }
+
+    /// The law with these values of the free parameters, in base units.
+    ///
+    /// # Errors
+    /// [`LawsError::Law`] where the law refuses them, such as a dynamic coefficient above the static one.
+    pub fn law(&self, values: &[f64]) -> Result<Box<dyn FrictionLaw>, LawsError> {
+        let mut table = self.table.clone();
+        for (pointer, &value) in self.pointers.iter().zip(values) {
+            if let Some(entry) = table.pointer_mut(pointer) {
+                *entry = value.into();
+            }
+        }
+        serde_json::from_value(table).map_err(|error| LawsError::Law(error.to_string()))
+    }
+}
+
+/// Dimension of the parameter `path` of the law `kind`, which may lie in a law inside of it; a bare number where the registry does not
+/// tell.
+fn dimension(kind: &str, path: &str) -> Dimension {
+    let Some(info) = registry::find(kind) else {
+        return Dimension::Dimensionless;
+    };
+    let mut own = String::new();
+    let mut segments = path.split('.');
+    while let Some(segment) = segments.next() {
+        if segment.parse::<usize>().is_ok() {
+            own.push_str("[]");
+        } else {
+            own = if own.is_empty() {
+                segment.to_owned()
+            } else {
+                format!("{own}.{segment}")
+            };
+        }
+        match info.parameters.iter().find(|known| known.path == own) {
+            Some(known) if known.dimension == Dimension::Law => {
+                let rest: Vec<&str> = segments.collect();
+                let (inner, below) = rest.split_first().map_or(("", &[][..]), |(a, b)| (*a, b));
+                return dimension(inner, &below.join("."));
+            }
+            Some(known) => return known.dimension,
+            None => {}
+        }
+    }
+    Dimension::Dimensionless
+}
+
+/// Paths of all numbers below `value`.
+fn numbers_in(value: &Value, path: &str) -> Vec<String> {
+    let below = |name: &str| match path {
+        "" => name.to_owned(),
+        path => format!("{path}.{name}"),
+    };
+    match value {
+        Value::Number(_) => vec![path.to_owned()],
+        Value::Object(map) => (map.iter())
+            .flat_map(|(name, value)| numbers_in(value, &below(name)))
+            .collect(),
+        Value::Array(list) => (list.iter().enumerate())
+            .flat_map(|(index, value)| numbers_in(value, &below(&index.to_string())))
+            .collect(),
+        _ => Vec::new(),
+    }
+}

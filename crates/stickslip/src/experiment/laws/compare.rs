@@ -1,0 +1,246 @@
+//! Several laws fitted to the same data, and what the data say of them.
+
+use std::sync::Arc;
+
+use stickslip_hybrid::calibrate::{Block, Calibration, Data, Settings, calibrate};
+use stickslip_hybrid::identify::Bounds;
+
+use super::{Candidate, ContactModel, LawsError, Observation, View};
+
+/// Criteria that differ by less do not decide (Burnham & Anderson 2002).
+const DECIDES: f64 = 2.0;
+/// A law whose criterion is worse by as much has next to no support.
+const RULED_OUT: f64 = 10.0;
+/// χ² this many standard deviations above what it should be is unexplained.
+const UNEXPLAINED: f64 = 3.0;
+
+/// Measured and predicted displacements of a state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StateFit {
+    /// Name of the state.
+    pub state: String,
+    /// Index of the place among those of the observation, and axis, of each datum.
+    pub components: Vec<(usize, usize)>,
+    /// Predicted, with the fitted rigid motion, `[mm]`.
+    pub predicted: Vec<f64>,
+    /// Measured less predicted `[mm]`.
+    pub residual: Vec<f64>,
+}
+
+/// A law fitted to the data.
+#[derive(Clone, Debug)]
+pub struct Fit {
+    /// The law and its free parameters.
+    pub law: Candidate,
+    /// Parameters, intervals, χ², criteria.
+    pub calibration: Calibration,
+    /// One per observation.
+    pub states: Vec<StateFit>,
+    /// AICc above that of the best law.
+    pub distance: f64,
+    /// BIC above that of the law with the least.
+    pub bic_distance: f64,
+    /// What that says.
+    pub verdict: Verdict,
+    /// Wall time `[s]`.
+    pub seconds: f64,
+}
+
+/// What the data say of a law beside the others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// The least AICc, and the next law is clearly worse.
+    Preferred,
+    /// Not clearly worse than the best.
+    AsGood,
+    /// Worse, yet not ruled out.
+    Weaker,
+    /// Next to no support.
+    RuledOut,
+}
+
+impl Verdict {
+    /// In words.
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Preferred => "preferred",
+            Self::AsGood => "as good as the best",
+            Self::Weaker => "weaker",
+            Self::RuledOut => "ruled out",
+        }
+    }
+}
+
+impl Fit {
+    /// Whether χ² is as large as the deviations of the data make it.
+    pub fn explains(&self) -> bool {
+        self.calibration.excess() <= UNEXPLAINED
+    }
+
+    /// What the data say of each parameter and of the law, in a sentence or two.
+    pub fn words(&self) -> String {
+        let mut words = vec![self.verdict.words().to_owned()];
+        if !self.explains() {
+            words.push("does not explain the data".to_owned());
+        }
+        for own in &self.calibration.estimates {
+            let name = &own.name;
+            match own.bounds {
+                Bounds::Nothing => words.push(format!("{name} is not identifiable")),
+                Bounds::AtMost(_) | Bounds::AtLeast(_) => {
+                    words.push(format!("{name} is bounded on one side"));
+                }
+                Bounds::Between(..) if own.deviation.is_none() => words.push(format!(
+                    "{name} shows by single contact points alone, so that its interval depends on the mesh"
+                )),
+                Bounds::Between(..) => {}
+            }
+        }
+        words.join("; ")
+    }
+}
+
+/// Laws fitted to the same data.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// In the order of the file.
+    pub fits: Vec<Fit>,
+    /// Index of the one with the least AICc.
+    pub best: usize,
+    /// Number of data.
+    pub data: usize,
+    /// Wall time of one evaluation, a history of contact solves with what is seen of it `[s]`: mean over all fits.
+    pub evaluation_seconds: f64,
+}
+
+impl Comparison {
+    /// The law with the least AICc.
+    pub fn best(&self) -> &Fit {
+        // `fit` sets an index of a list that is not empty.
+        &self.fits[self.best]
+    }
+}
+
+/// Fits each of `laws` to all of `observations`.
+///
+/// # Errors
+/// [`LawsError::NoLaw`], [`LawsError::Step`], [`LawsError::Outside`], and [`LawsError::Calibrate`] for data that cannot be fitted.
+pub fn fit(
+    model: &ContactModel,
+    laws: &[Candidate],
+    observations: &[Observation],
+    settings: &Settings,
+) -> Result<Comparison, LawsError> {
+    if laws.is_empty() {
+        return Err(LawsError::NoLaw);
+    }
+    let mut views: Vec<(&Observation, View<'_>)> = Vec::new();
+    let mut count = 0;
+    for own in observations {
+        let last = own.step.max(own.null.unwrap_or(0));
+        if last >= model.steps() {
+            return Err(LawsError::Step {
+                step: last + 1,
+                steps: model.steps(),
+            });
+        }
+        count = count.max(last + 1);
+        views.push((own, model.view(&own.places)?));
+    }
+    let blocks: Vec<Block> = observations.iter().map(Observation::block).collect();
+    let data = Data::new(blocks).map_err(LawsError::Data)?;
+    let mut fits = Vec::new();
+    let (mut seconds, mut evaluations) = (0.0, 0);
+    for law in laws {
+        let failed = |cause| LawsError::Calibrate {
+            law: law.name.clone(),
+            cause,
+        };
+        let predict = |values: &[f64]| predicted(model, law, &views, count, values);
+        let start = std::time::Instant::now();
+        let calibration = calibrate(&predict, &law.parameters, &data, settings).map_err(failed)?;
+        let took = start.elapsed().as_secs_f64();
+        seconds += took;
+        evaluations += calibration.evaluations;
+        fits.push(Fit {
+            law: law.clone(),
+            states: state_fits(observations, &calibration),
+            calibration,
+            distance: 0.0,
+            bic_distance: 0.0,
+            verdict: Verdict::AsGood,
+            seconds: took,
+        });
+    }
+    let best = judge(&mut fits);
+    Ok(Comparison {
+        data: fits[best].calibration.data,
+        fits,
+        best,
+        evaluation_seconds: seconds / evaluations.max(1) as f64,
+    })
+}
+
+/// Displacements at the data of all observations.
+fn predicted(
+    model: &ContactModel,
+    law: &Candidate,
+    views: &[(&Observation, View<'_>)],
+    count: usize,
+    values: &[f64],
+) -> Result<Vec<f64>, LawsError> {
+    let states = model.states(Arc::from(law.law(values)?), count)?;
+    let mut all = Vec::new();
+    for (own, view) in views {
+        let mut seen = view.displacements(&states[own.step]);
+        if let Some(null) = own.null {
+            seen -= view.displacements(&states[null]);
+        }
+        let components = own.components.iter();
+        all.extend(components.map(|&(place, axis)| seen[2 * place + axis]));
+    }
+    Ok(all)
+}
+
+fn state_fits(observations: &[Observation], calibration: &Calibration) -> Vec<StateFit> {
+    let mut rest = calibration.fitted.as_slice();
+    let mut fits = Vec::new();
+    for own in observations {
+        let (predicted, next) = rest.split_at(own.values.len().min(rest.len()));
+        rest = next;
+        fits.push(StateFit {
+            state: own.state.clone(),
+            components: own.components.clone(),
+            predicted: predicted.to_vec(),
+            residual: own
+                .values
+                .iter()
+                .zip(predicted)
+                .map(|(m, h)| m - h)
+                .collect(),
+        });
+    }
+    fits
+}
+
+/// Distances and verdicts; the index of the law with the least AICc.
+fn judge(fits: &mut [Fit]) -> usize {
+    let aicc: Vec<f64> = fits.iter().map(|fit| fit.calibration.aicc()).collect();
+    let bic = fits.iter().map(|fit| fit.calibration.bic());
+    let least_bic = bic.fold(f64::INFINITY, f64::min);
+    let best = (0..aicc.len()).fold(0, |best, k| if aicc[k] < aicc[best] { k } else { best });
+    let distances: Vec<f64> = aicc.iter().map(|own| own - aicc[best]).collect();
+    let rivals = (0..aicc.len()).filter(|&k| k != best && distances[k] < DECIDES);
+    let alone = rivals.count() == 0;
+    for (k, fit) in fits.iter_mut().enumerate() {
+        fit.distance = distances[k];
+        fit.bic_distance = fit.calibration.bic() - least_bic;
+        fit.verdict = match distances[k] {
+            _ if k == best && alone => Verdict::Preferred,
+            far if far < DECIDES => Verdict::AsGood,
+            far if far < RULED_OUT => Verdict::Weaker,
+            _ => Verdict::RuledOut,
+        };
+    }
+    best
+}

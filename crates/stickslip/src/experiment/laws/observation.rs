@@ -1,0 +1,166 @@
+//! The displacements of a state, as a fit of laws takes them.
+
+use stickslip_fem_core::mesh::{Mesh, Point};
+use stickslip_hybrid::calibrate::{Block, Noise};
+use stickslip_hybrid::data::{Measurement, NodalDisplacements};
+
+/// What may be added to the displacements of a state without anybody's asking.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Nuisance {
+    /// Nothing.
+    None,
+    /// A rigid motion: two translations, which hold whole fringe orders as well, and a turn.
+    #[default]
+    Rigid,
+    /// What is left of the carriers of both fields: a plane for each component. It takes homogeneous strains with it.
+    Carriers,
+}
+
+impl Nuisance {
+    /// Amounts that are free in a state.
+    pub const fn count(self) -> usize {
+        match self {
+            Self::None => 0,
+            Self::Rigid => 3,
+            Self::Carriers => 6,
+        }
+    }
+
+    /// "rigid motion" and so on.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::None => "nothing",
+            Self::Rigid => "a rigid motion",
+            Self::Carriers => "a plane for each component",
+        }
+    }
+
+    /// Displacements along `axis` at `place` by a unit of each amount; lengths are measured in `length`.
+    fn shapes(self, axis: usize, [x, y]: Point, length: f64) -> Vec<f64> {
+        let (x, y) = (x / length, y / length);
+        let [first, second] = if axis == 0 { [1.0, 0.0] } else { [0.0, 1.0] };
+        match self {
+            Self::None => Vec::new(),
+            Self::Rigid => vec![first, second, second * x - first * y],
+            Self::Carriers => vec![first, second, first * x, first * y, second * x, second * y],
+        }
+    }
+}
+
+/// Displacements measured in a state of the experiment.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Observation {
+    /// Name of the state.
+    pub state: String,
+    /// Load step of the scene at which it was measured, from 0.
+    pub step: usize,
+    /// Load step whose displacements were taken off, if any.
+    pub null: Option<usize>,
+    /// Where `[mm]`.
+    pub places: Vec<Point>,
+    /// Index of the place and axis of each datum.
+    pub components: Vec<(usize, usize)>,
+    /// The data `[mm]`.
+    pub values: Vec<f64>,
+    /// Their errors `[mm]` or `[mm²]`.
+    pub noise: Noise,
+    /// What is not asked of them.
+    pub nuisance: Nuisance,
+}
+
+impl Observation {
+    /// All valid components of a measurement, independent with its deviation.
+    pub fn of_measurement(state: &str, step: usize, measured: &Measurement) -> Self {
+        let mut own = Self::empty(state, step);
+        let mut deviations = Vec::new();
+        for (index, &place) in measured.places.iter().enumerate() {
+            for axis in 0..2 {
+                if measured.valid[axis][index] {
+                    if own.places.last() != Some(&place) {
+                        own.places.push(place);
+                    }
+                    own.components.push((own.places.len() - 1, axis));
+                    own.values.push(measured.displacements[axis][index]);
+                    deviations.push(measured.deviation[axis]);
+                }
+            }
+        }
+        own.noise = Noise::Independent(deviations);
+        own
+    }
+
+    /// Displacements of those nodes of `mesh` for which `wanted` says so, with their covariance.
+    pub fn of_nodes(
+        state: &str,
+        step: usize,
+        mesh: &Mesh,
+        measured: &NodalDisplacements,
+        wanted: impl Fn(usize) -> bool,
+    ) -> Self {
+        let mut own = Self::empty(state, step);
+        let mut rows = Vec::new();
+        for (k, &node) in measured.nodes.iter().enumerate() {
+            if !wanted(node) {
+                continue;
+            }
+            own.places.push(mesh.nodes()[node]);
+            for axis in 0..2 {
+                own.components.push((own.places.len() - 1, axis));
+                own.values.push(measured.values[2 * k + axis]);
+                rows.push(2 * k + axis);
+            }
+        }
+        let size = measured.values.len();
+        let entry = |i: usize, j: usize| measured.covariance.get(i * size + j).copied();
+        let covariance = (rows.iter())
+            .flat_map(|&i| rows.iter().filter_map(move |&j| entry(i, j)))
+            .collect();
+        own.noise = Noise::Correlated(covariance);
+        own
+    }
+
+    fn empty(state: &str, step: usize) -> Self {
+        Self {
+            state: state.to_owned(),
+            step,
+            null: None,
+            places: Vec::new(),
+            components: Vec::new(),
+            values: Vec::new(),
+            noise: Noise::Independent(Vec::new()),
+            nuisance: Nuisance::default(),
+        }
+    }
+
+    /// The data as a block of a fit.
+    pub fn block(&self) -> Block {
+        let length = (self.places.iter())
+            .map(|place| place[0].hypot(place[1]))
+            .fold(f64::MIN_POSITIVE, f64::max);
+        let shapes: Vec<Vec<f64>> = (self.components.iter())
+            .map(|&(place, axis)| self.nuisance.shapes(axis, self.places[place], length))
+            .collect();
+        let column = |k: usize| shapes.iter().map(|shape| shape[k]).collect();
+        Block {
+            values: self.values.clone(),
+            noise: self.noise.clone(),
+            nuisance: (0..self.nuisance.count()).map(column).collect(),
+        }
+    }
+}
+
+/// At most about `most` valid places of a measurement, evenly taken from its order.
+pub fn decimated(measured: &Measurement, most: usize) -> Measurement {
+    let valid = |index: &usize| measured.valid.iter().any(|valid| valid[*index]);
+    let all: Vec<usize> = (0..measured.places.len()).filter(valid).collect();
+    let stride = all.len().div_ceil(most.max(1)).max(1);
+    let kept: Vec<usize> = all.into_iter().step_by(stride).collect();
+    let take = |values: &Vec<f64>| kept.iter().map(|&k| values[k]).collect();
+    let flags = |values: &Vec<bool>| kept.iter().map(|&k| values[k]).collect();
+    Measurement {
+        places: kept.iter().map(|&k| measured.places[k]).collect(),
+        displacements: measured.displacements.each_ref().map(take),
+        valid: measured.valid.each_ref().map(flags),
+        deviation: measured.deviation,
+    }
+}

@@ -1,0 +1,88 @@
+//! How far the edge moves when a parameter of the friction law does.
+//!
+//! ```text
+//! ΔN_k = f max over the edge of |u_k(θ + Δθ) − u_k(θ) − Z b|,     Z b: the rigid motion that fits best
+//! ```
+
+use std::sync::Arc;
+
+use stickslip_fem_core::mesh::Point;
+use stickslip_hybrid::calibrate::{Block, Data, Noise};
+
+use super::{Candidate, ContactModel, LawsError, Nuisance, Observation};
+
+/// The largest change of the edge's displacements in each load step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sensitivity {
+    /// Changed values of the parameters.
+    pub values: Vec<f64>,
+    /// Largest change of either component along the edge at each load step `[fringes]`.
+    pub whole: Vec<f64>,
+    /// The same after the rigid motion that fits best.
+    pub deformation: Vec<f64>,
+}
+
+/// Changes when the parameters of `law` go from `from` to each of `to`, with a grating of `frequency` `[1/mm]`.
+///
+/// # Errors
+/// [`LawsError`] of the law, the places and the contact solves.
+pub fn sensitivity(
+    model: &ContactModel,
+    law: &Candidate,
+    from: &[f64],
+    to: &[Vec<f64>],
+    frequency: f64,
+) -> Result<Vec<Sensitivity>, LawsError> {
+    let places: Vec<Point> = model.edge().iter().map(|(_, place)| *place).collect();
+    let view = model.view(&places)?;
+    let history = |values: &[f64]| -> Result<Vec<Vec<f64>>, LawsError> {
+        let states = model.states(Arc::from(law.law(values)?), model.steps())?;
+        let seen = states.iter().map(|state| view.displacements(state));
+        Ok(seen.map(|u| u.as_slice().to_vec()).collect())
+    };
+    let base = history(from)?;
+    let largest = |values: &[f64]| values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    (to.iter())
+        .map(|values| {
+            let changed = history(values)?;
+            let (mut whole, mut deformation) = (Vec::new(), Vec::new());
+            for (changed, base) in changed.iter().zip(&base) {
+                let change: Vec<f64> = (changed.iter().zip(base))
+                    .map(|(new, old)| frequency * (new - old))
+                    .collect();
+                whole.push(largest(&change));
+                deformation.push(largest(&without_rigid_motion(
+                    &places,
+                    change,
+                    model.is_half(),
+                )));
+            }
+            Ok(Sensitivity {
+                values: values.clone(),
+                whole,
+                deformation,
+            })
+        })
+        .collect()
+}
+
+/// `change`, x and y of each place in turn, less the rigid motion that fits best; of a symmetric half that is one along x.
+fn without_rigid_motion(places: &[Point], change: Vec<f64>, half: bool) -> Vec<f64> {
+    let observation = Observation {
+        state: String::new(),
+        step: 0,
+        null: None,
+        places: places.to_vec(),
+        components: (0..change.len()).map(|k| (k / 2, k % 2)).collect(),
+        noise: Noise::Independent(vec![1.0; change.len()]),
+        values: change.clone(),
+        nuisance: Nuisance::Rigid,
+    };
+    let mut block: Block = observation.block();
+    if half {
+        block.nuisance.truncate(1);
+    }
+    let none = vec![0.0; change.len()];
+    // Unit deviations and independent columns make a block that is always accepted.
+    Data::new(vec![block]).map_or(change, |data| data.residual(&none))
+}

@@ -1,0 +1,194 @@
+//! Measured fields: displacements with their deviation and their mask, from tables, fringe pictures or fringe lines.
+//!
+//! ```text
+//! u = (N − N₀) / f      orders less those of the carrier, or of the null field with the same carrier
+//! ```
+//!
+//! A picture tells neither whole orders nor the plate's motion as a whole: U and V are known up to a constant each and, where the
+//! carrier is not known to the last digit, a rotation. Neither changes any stress, and both are kept as they come.
+
+mod combine;
+mod coverage;
+mod figures;
+mod lines;
+mod phase;
+mod pictures;
+mod scatter;
+mod table;
+mod tell;
+
+use stickslip_fem_core::mesh::Point;
+use stickslip_hybrid::data::{Field, FringeLines, Measurement, Symmetry};
+use stickslip_hybrid::fringe::PixelMap;
+
+use super::error::ExperimentError;
+use super::plan::{Experiment, Source};
+use super::synthesis::{Shot, Shots};
+
+pub(super) use tell::tell;
+
+/// The measured field of one state.
+#[derive(Clone, Debug)]
+pub struct Measured {
+    /// Index of the state in the experiment.
+    pub state: usize,
+    /// Displacements in base units, the null field taken off, masked where bad.
+    pub measurement: Measurement,
+    /// Fringe lines of the U and the V field, where the state has lines.
+    pub lines: Option<[FringeLines; 2]>,
+    /// What the pictures of the U and the V field say, where the state has pictures.
+    pub pictures: [Option<PictureField>; 2],
+    /// Front against back along the chosen line, U and V.
+    pub symmetry: Vec<(Field, Symmetry)>,
+    /// What was assumed or left out.
+    pub remarks: Vec<String>,
+    /// What a reader must know before trusting the field.
+    pub warnings: Vec<String>,
+}
+
+/// One field as its pictures show it.
+#[derive(Clone, Debug)]
+pub struct PictureField {
+    /// The picture, or the first of four.
+    pub picture: PixelMap,
+    /// Orders up to a whole number, in −½ … ½, less the carrier.
+    pub wrapped: PixelMap,
+    /// Orders without jumps, carrier and null field taken off; one region.
+    pub orders: PixelMap,
+    /// Middles of loops of four pixels around which orders do not close `[mm]`.
+    pub residues: Vec<Point>,
+    /// Middles between neighbouring pixels that differ by half a fringe or more `[mm]`; their orders are masked.
+    pub cuts: Vec<Point>,
+    /// Standard deviation of an order `[fringes]`.
+    pub deviation: f64,
+    /// Length over which errors depend on each other `[mm]`.
+    pub resolution: f64,
+    /// The carrier that was taken off `[1/mm]`.
+    pub carrier: [f64; 2],
+    /// Power of the carrier's peak over that of the noise, of a single picture.
+    pub strength: Option<f64>,
+    /// Median amplitude of the fringes, part of full scale.
+    pub modulation: f64,
+}
+
+/// The measured field of a state; `shots` are its synthetic pictures.
+///
+/// # Errors
+/// [`ExperimentError`]: files that cannot be read, data that are none, pictures without fringes, a region without data.
+pub fn state(
+    experiment: &Experiment,
+    state: usize,
+    shots: &Shots,
+) -> Result<Measured, ExperimentError> {
+    let plan = &experiment.states[state];
+    let key = format!("states.{state}");
+    let read = |source: &Source, key: &str, shot: Shot| -> Result<Reading, ExperimentError> {
+        let scope = Scope {
+            experiment,
+            state,
+            key: match source {
+                Source::Step(_) => "fringes".to_owned(),
+                Source::Table(_) => format!("{key}.table"),
+                Source::Pictures(_) => format!("{key}.pictures"),
+                Source::Lines(_) => format!("{key}.lines"),
+            },
+        };
+        match source {
+            Source::Step(_) => pictures::synthetic(&scope, shots.get(shot)),
+            Source::Table(source) => table::read(&scope, source),
+            Source::Pictures(source) => pictures::read(&scope, source),
+            Source::Lines(source) => lines::read(&scope, source),
+        }
+    };
+    let own = read(&plan.source, &key, Shot::State)?;
+    let null = plan.null.as_ref();
+    let null = null
+        .map(|source| read(source, &format!("{key}.null"), Shot::Null))
+        .transpose()?;
+    let scope = Scope {
+        experiment,
+        state,
+        key: key.clone(),
+    };
+    let mut measured = combine::combined(&scope, own, null)?;
+    if let (Some(plan_of_line), Some(source)) = (&experiment.reduce.symmetry, &plan.back) {
+        let back = read(source, &format!("{key}.back"), Shot::Back)?;
+        let back = combine::combined(&scope, back, None)?;
+        measured.symmetry = combine::symmetry(&scope, plan_of_line, &measured, &back)?;
+    }
+    coverage::check(&scope, &measured)?;
+    Ok(measured)
+}
+
+/// What a source is read for.
+#[derive(Clone, Debug)]
+struct Scope<'a> {
+    experiment: &'a Experiment,
+    state: usize,
+    /// Key of the source in the file.
+    key: String,
+}
+
+impl Scope<'_> {
+    fn name(&self) -> String {
+        self.experiment.states[self.state].name.clone()
+    }
+
+    fn data(&self, cause: stickslip_hybrid::data::DataError) -> ExperimentError {
+        ExperimentError::Data {
+            state: self.name(),
+            key: self.key.clone(),
+            cause: Box::new(cause),
+        }
+    }
+
+    fn fringes(
+        &self,
+        field: &'static str,
+        cause: stickslip_hybrid::fringe::FringeError,
+    ) -> ExperimentError {
+        ExperimentError::Fringes {
+            state: self.name(),
+            field,
+            key: self.key.clone(),
+            cause: Box::new(cause),
+        }
+    }
+
+    fn bytes(&self, path: &std::path::Path) -> Result<Vec<u8>, ExperimentError> {
+        std::fs::read(path).map_err(|cause| ExperimentError::File {
+            key: self.key.clone(),
+            path: path.display().to_string(),
+            cause: cause.to_string(),
+        })
+    }
+
+    /// Whether a place is on the specimen and under no mask.
+    fn shows(&self, place: Point) -> bool {
+        let hole = self.experiment.specimen.hole;
+        let from_centre = (place[0] - hole.centre[0]).hypot(place[1] - hole.centre[1]);
+        from_centre > hole.radius
+            && !(self.experiment.reduce.mask.iter()).any(|area| area.contains(place))
+    }
+
+    /// Whether a place is as far from the hole's edge as asked.
+    fn is_away(&self, place: Point) -> bool {
+        let hole = self.experiment.specimen.hole;
+        let from_centre = (place[0] - hole.centre[0]).hypot(place[1] - hole.centre[1]);
+        from_centre >= hole.radius + self.experiment.reduce.margin
+    }
+}
+
+/// A source as it was read, before anything is taken off.
+#[derive(Clone, Debug)]
+enum Reading {
+    /// Displacements at places, and whether their deviation was estimated.
+    Scattered {
+        measurement: Measurement,
+        remarks: Vec<String>,
+    },
+    /// Orders at the pixels of the U and the V field.
+    Pictures(Box<[Option<phase::Unwound>; 2]>),
+    /// Fringe lines of the U and the V field, and the deviation of an order `[fringes]`.
+    Lines([FringeLines; 2], f64),
+}

@@ -1,0 +1,334 @@
+//! The null field taken off, displacements from orders, front against back.
+
+use stickslip_fem_core::mesh::Point;
+use stickslip_hybrid::data::{DataError, Field, FringeLines, Measurement, NullField, Symmetry};
+use stickslip_hybrid::fringe::{FringeError, PixelMap, Plane, measurement};
+use stickslip_hybrid::moire::Grating;
+
+use super::phase::Unwound;
+use super::{Measured, PictureField, Reading, Scope};
+use crate::experiment::error::ExperimentError;
+use crate::experiment::plan::{Method, SymmetryPlan};
+use crate::experiment::synthesis::field_name;
+
+/// A state's field from its reading and that of its null field.
+pub(super) fn combined(
+    scope: &Scope<'_>,
+    own: Reading,
+    null: Option<Reading>,
+) -> Result<Measured, ExperimentError> {
+    let mut measured = Measured {
+        state: scope.state,
+        measurement: Measurement::default(),
+        lines: None,
+        pictures: [None, None],
+        symmetry: Vec::new(),
+        remarks: Vec::new(),
+        warnings: Vec::new(),
+    };
+    match (own, null) {
+        (Reading::Pictures(fields), Some(Reading::Pictures(null))) => {
+            pictures(scope, &mut measured, *fields, &null)?;
+        }
+        (Reading::Pictures(fields), None) => {
+            pictures(scope, &mut measured, *fields, &[None, None])?;
+        }
+        (Reading::Lines(lines, deviation), None) => {
+            fringe_lines(scope, &mut measured, lines, deviation)?;
+        }
+        (Reading::Lines(lines, deviation), Some(Reading::Lines(null, of_null))) => {
+            let lines = less_null(scope, &mut measured, &lines, &null)?;
+            fringe_lines(scope, &mut measured, lines, deviation.hypot(of_null))?;
+        }
+        (own, null) => {
+            measured.measurement = scattered(scope, &mut measured, own)?;
+            if let Some(null) = null {
+                let null = scattered(scope, &mut measured, null)?;
+                measured.measurement = minus(scope, &measured.measurement, &null)?;
+            }
+        }
+    }
+    Ok(measured)
+}
+
+/// Displacements at places of any reading.
+fn scattered(
+    scope: &Scope<'_>,
+    measured: &mut Measured,
+    reading: Reading,
+) -> Result<Measurement, ExperimentError> {
+    match reading {
+        Reading::Scattered {
+            measurement,
+            remarks,
+        } => {
+            measured.remarks.extend(remarks);
+            Ok(measurement)
+        }
+        other => Ok(combined(scope, other, None)?.measurement),
+    }
+}
+
+fn minus(
+    scope: &Scope<'_>,
+    own: &Measurement,
+    null: &Measurement,
+) -> Result<Measurement, ExperimentError> {
+    let how = match scope.experiment.reduce.common_places {
+        Some(tolerance) => NullField::SamePlaces { tolerance },
+        None => NullField::Interpolated {
+            longest_side: longest_side(scope),
+        },
+    };
+    own.minus(null, how).map_err(|cause| scope.data(cause))
+}
+
+fn longest_side(scope: &Scope<'_>) -> f64 {
+    match scope.experiment.reduce.method {
+        Method::Linear { longest_side } => longest_side,
+        _ => f64::INFINITY,
+    }
+}
+
+fn grating(scope: &Scope<'_>) -> Result<Grating, ExperimentError> {
+    scope
+        .experiment
+        .grating
+        .ok_or_else(|| ExperimentError::Missing {
+            key: String::new(),
+            what: "fringe orders are displacements only with the frequency of their grating"
+                .to_owned(),
+            remedy: "add [grating] frequency = \"2400 1/mm\"".to_owned(),
+        })
+}
+
+fn pictures(
+    scope: &Scope<'_>,
+    measured: &mut Measured,
+    fields: [Option<Unwound>; 2],
+    null: &[Option<Unwound>; 2],
+) -> Result<(), ExperimentError> {
+    for ((field, own), null) in Field::BOTH.into_iter().zip(fields).zip(null) {
+        let Some(own) = own else { continue };
+        let found =
+            less(own, null.as_ref()).map_err(|cause| scope.fringes(field_name(field), cause))?;
+        tell_of(measured, field, &found);
+        measured.pictures[field.component()] = Some(found.field);
+    }
+    let stride = stride(scope, measured);
+    let maps = measured.pictures.each_ref();
+    let orders = maps.map(|field| field.as_ref().map(|field| &field.orders));
+    let deviations = maps.map(|field| field.as_ref().map_or(0.0, |field| field.deviation));
+    let frequency = grating(scope)?.frequency();
+    measured.measurement = measurement(orders, frequency, deviations, stride)
+        .map_err(|cause| scope.fringes("U or V", cause))?;
+    measured.remarks.push(format!(
+        "one displacement per {stride} × {stride} pixels; [reduce] stride says otherwise"
+    ));
+    Ok(())
+}
+
+/// Most displacements that are taken of a picture whose pixels are all independent, where nothing else is stated.
+const PLENTY: f64 = 50_000.0;
+
+/// Every how many pixels a displacement is taken: those stated, or as many as errors depend on each other over; more where that leaves
+/// every pixel.
+fn stride(scope: &Scope<'_>, measured: &Measured) -> usize {
+    let of_field = |field: &PictureField| {
+        let step = field.orders.frame().step();
+        let pixel = step[0].abs().min(step[1].abs());
+        match (field.resolution / pixel - 1e-9).ceil() as usize {
+            0 | 1 => (field.orders.present().count() as f64 / PLENTY)
+                .sqrt()
+                .ceil()
+                .max(1.0) as usize,
+            stride => stride,
+        }
+    };
+    let own = measured.pictures.iter().flatten().map(of_field).max();
+    scope.experiment.reduce.stride.or(own).unwrap_or(1)
+}
+
+/// A field with its null field taken off, and what was met on the way.
+struct Less {
+    field: PictureField,
+    apart: usize,
+    found_carrier: bool,
+}
+
+fn less(own: Unwound, null: Option<&Unwound>) -> Result<Less, FringeError> {
+    let (orders, deviation) = match null {
+        None => (own.orders, own.deviation),
+        Some(null) => (difference(&own, null)?, own.deviation.hypot(null.deviation)),
+    };
+    let from_null = null.map_or(&[][..], |null| &null.cuts);
+    Ok(Less {
+        apart: own.apart,
+        found_carrier: !own.known && null.is_none(),
+        field: PictureField {
+            picture: own.picture,
+            wrapped: own.wrapped,
+            orders,
+            residues: own.residues,
+            cuts: own.cuts.iter().chain(from_null).copied().collect(),
+            deviation,
+            resolution: null.map_or(own.resolution, |null| own.resolution.max(null.resolution)),
+            carrier: own.carrier,
+            strength: own.strength,
+            modulation: own.modulation,
+        },
+    })
+}
+
+/// N − N₀ pixel by pixel; both have the same carrier, whatever part of it was taken off either.
+fn difference(own: &Unwound, null: &Unwound) -> Result<PixelMap, FringeError> {
+    let frame = *own.orders.frame();
+    if frame != *null.orders.frame() {
+        let frames = (frame, *null.orders.frame());
+        return Err(FringeError::Frames(Box::new(frames)));
+    }
+    let plane = Plane {
+        gradient: [0, 1].map(|axis| null.carrier[axis] - own.carrier[axis]),
+        constant: 0.0,
+    };
+    let both = own.orders.values().iter().zip(null.orders.values());
+    let values = both
+        .enumerate()
+        .map(|(pixel, (own, null))| own - null - plane.at(frame.place(pixel)));
+    PixelMap::with_gaps(frame, values.collect())
+}
+
+fn tell_of(measured: &mut Measured, field: Field, found: &Less) {
+    let name = field_name(field);
+    if found.found_carrier {
+        measured.warnings.push(format!(
+            "The carrier of the {name} field was not stated: that which was found, ({:.4}, {:.4}) fringes/mm, was taken off, and with it \
+             the mean strain of the plate.",
+            found.field.carrier[0], found.field.carrier[1]
+        ));
+    }
+    let (residues, cuts) = (found.field.residues.len(), found.field.cuts.len());
+    if residues + cuts > 0 {
+        measured.warnings.push(format!(
+            "Unwrapping the {name} field is inconsistent: {residues} loops of pixels do not close, and {cuts} neighbours differ by half \
+             a fringe or more. They are marked on the map of the phase; pixels at the jumps are masked."
+        ));
+    }
+    if found.apart > 0 {
+        measured.remarks.push(format!(
+            "{} pixels of the {name} field hang together with no pixel of the largest region; their whole orders are not known, and they \
+             are masked",
+            found.apart
+        ));
+    }
+}
+
+/// Places of a component's own centres carry that component alone.
+fn fringe_lines(
+    scope: &Scope<'_>,
+    measured: &mut Measured,
+    lines: [FringeLines; 2],
+    deviation: f64,
+) -> Result<(), ExperimentError> {
+    let grating = grating(scope)?;
+    let field = &mut measured.measurement;
+    field.deviation = [grating.displacement(deviation); 2];
+    let mut seen: Vec<Point> = Vec::new();
+    for own in &lines {
+        let c = own.field.component();
+        for line in &own.lines {
+            for (&place, &order) in line.places().iter().zip(line.orders()) {
+                let valid = scope.shows(place) && scope.is_away(place);
+                seen.push(place);
+                field.places.push(place);
+                for axis in 0..2 {
+                    let mine = axis == c && valid;
+                    let value = grating.displacement(order);
+                    field.displacements[axis].push(if mine { value } else { f64::NAN });
+                    field.valid[axis].push(mine);
+                }
+            }
+        }
+    }
+    if field.valid.iter().flatten().all(|valid| !valid) {
+        return Err(scope.data(DataError::AllMasked {
+            file: "fringe lines".to_owned(),
+            rows: seen.len(),
+            remedy: "all centres lie in the hole or under a mask: check scale and y_axis",
+        }));
+    }
+    measured.lines = Some(lines);
+    Ok(())
+}
+
+fn less_null(
+    scope: &Scope<'_>,
+    measured: &mut Measured,
+    lines: &[FringeLines; 2],
+    null: &[FringeLines; 2],
+) -> Result<[FringeLines; 2], ExperimentError> {
+    let mut less = |k: usize| -> Result<FringeLines, ExperimentError> {
+        let found = lines[k]
+            .minus(&null[k])
+            .map_err(|cause| scope.data(cause))?;
+        if !found.left_out.is_empty() {
+            let (line, place) = &found.left_out[0];
+            measured.remarks.push(format!(
+                "{} fringe centres lie beyond the null field's lines and are left out, the first of line '{line}' at ({}, {}) mm",
+                found.left_out.len(),
+                place[0],
+                place[1]
+            ));
+        }
+        Ok(found.lines)
+    };
+    Ok([less(0)?, less(1)?])
+}
+
+/// Front against back along the chosen line, or along all common fringe lines.
+pub(super) fn symmetry(
+    scope: &Scope<'_>,
+    plan: &SymmetryPlan,
+    front: &Measured,
+    back: &Measured,
+) -> Result<Vec<(Field, Symmetry)>, ExperimentError> {
+    let mut found = Vec::new();
+    let failed = |cause: DataError| ExperimentError::Data {
+        state: scope.name(),
+        key: "reduce.symmetry".to_owned(),
+        cause: Box::new(cause),
+    };
+    for field in Field::BOTH {
+        if let (Some(own), Some(other)) = (&front.lines, &back.lines) {
+            let c = field.component();
+            for line in &own[c].lines {
+                if let Some(counterpart) = other[c].line(line.name()) {
+                    let compared = line.symmetry(counterpart, plan.tolerance, true);
+                    found.push((field, compared.map_err(failed)?));
+                }
+            }
+            continue;
+        }
+        if front.measurement.count(field) == 0 || back.measurement.count(field) == 0 {
+            continue;
+        }
+        let grating = grating(scope)?;
+        let places: Vec<Point> = (0..plan.places)
+            .map(|k| {
+                let t = k as f64 / (plan.places - 1) as f64;
+                [0, 1].map(|axis| (1.0 - t) * plan.ends[0][axis] + t * plan.ends[1][axis])
+            })
+            .collect();
+        let along = |measured: &Measured, name: &str| {
+            let side = longest_side(scope);
+            let line = measured
+                .measurement
+                .along(name, field, &places, side, &grating);
+            line.map_err(failed)
+        };
+        let (own, other) = (along(front, "front")?, along(back, "back")?);
+        let compared = own.symmetry(&other, plan.tolerance, true);
+        found.push((field, compared.map_err(failed)?));
+    }
+    Ok(found)
+}

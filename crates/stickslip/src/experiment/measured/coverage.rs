@@ -1,0 +1,96 @@
+//! Whether data reach every part of the region's boundary.
+
+use std::collections::HashMap;
+
+use stickslip_fem_core::mesh::{Mesh, Point};
+use stickslip_hybrid::data::Field;
+use stickslip_hybrid::region::outline::boundary_nodes;
+use stickslip_hybrid::region::sector::ArcSector;
+
+use super::{Measured, Scope};
+use crate::experiment::error::ExperimentError;
+use crate::experiment::plan::{Method, RegionShape};
+use crate::experiment::synthesis::field_name;
+
+/// Data nearer than this many of their spacings cover a node.
+const SPACINGS: f64 = 3.0;
+
+/// Refuses a state that leaves a node of a sector's boundary without data near it. Fringe lines along which nodes are interpolated
+/// cover what is near a line, and that is asked when the nodes' displacements are made.
+pub(super) fn check(scope: &Scope<'_>, measured: &Measured) -> Result<(), ExperimentError> {
+    let Some(region) = &scope.experiment.region else {
+        return Ok(());
+    };
+    let RegionShape::Sector(sector) = &region.shape else {
+        return Ok(());
+    };
+    if matches!(scope.experiment.reduce.method, Method::Lines { .. }) {
+        return Ok(());
+    }
+    let hole = scope.experiment.specimen.hole;
+    let sector = ArcSector {
+        centre: hole.centre,
+        hole: hole.radius,
+        stand_off: sector.stand_off,
+        outer: sector.outer,
+        angles: sector.angles,
+        cells: sector.cells,
+        growth: sector.growth,
+        kind: sector.element,
+    };
+    let Ok(mesh) = sector.mesh() else {
+        // The hybrid analysis says why there is no such mesh.
+        return Ok(());
+    };
+    for field in Field::BOTH {
+        let bare = uncovered(scope, measured, field, &mesh);
+        if let Some(&[x, y]) = bare.first() {
+            let length = scope.experiment.display.length;
+            let all = boundary_nodes(&mesh).len();
+            return Err(ExperimentError::Missing {
+                key: "region".to_owned(),
+                what: format!(
+                    "state '{}': the {} data do not cover the region: {} of {all} nodes of its boundary have none near, the first at \
+                     ({}, {}), θ = {:.1}°",
+                    scope.name(),
+                    field_name(field),
+                    bare.len(),
+                    length.show(x),
+                    length.show(y),
+                    (y - hole.centre[1]).atan2(x - hole.centre[0]).to_degrees()
+                ),
+                remedy: "make the region smaller, give it a stand-off, mask less, or measure there"
+                    .to_owned(),
+            });
+        }
+    }
+    Ok(())
+}
+
+fn uncovered(scope: &Scope<'_>, measured: &Measured, field: Field, mesh: &Mesh) -> Vec<Point> {
+    let c = field.component();
+    let [low, high] = mesh.bounding_box();
+    let data = &measured.measurement;
+    let inside = |place: &Point| (0..2).all(|axis| (low[axis]..=high[axis]).contains(&place[axis]));
+    let valid = (0..data.places.len()).filter(|&k| data.valid[c][k]);
+    let places: Vec<Point> = valid.map(|k| data.places[k]).collect();
+    let count = places.iter().filter(|place| inside(place)).count().max(1);
+    let area = (high[0] - low[0]) * (high[1] - low[1]);
+    let reach = SPACINGS * (area / count as f64).sqrt() + scope.experiment.reduce.margin;
+    let cell = |place: Point| [0, 1].map(|axis| (place[axis] / reach).floor() as i64);
+    let mut boxes: HashMap<[i64; 2], Vec<Point>> = HashMap::new();
+    for place in places {
+        boxes.entry(cell(place)).or_default().push(place);
+    }
+    let near = |node: Point| {
+        let [i, j] = cell(node);
+        let around = (-1..=1).flat_map(|di| (-1..=1).map(move |dj| [i + di, j + dj]));
+        around
+            .filter_map(|key| boxes.get(&key))
+            .flatten()
+            .any(|place| (place[0] - node[0]).hypot(place[1] - node[1]) <= reach)
+    };
+    let nodes = boundary_nodes(mesh).into_iter();
+    let places = nodes.map(|node| mesh.nodes()[node]);
+    places.filter(|&node| !near(node)).collect()
+}

@@ -1,0 +1,322 @@
+//! An experiment, read and checked: plain values in base units (mm, N, MPa, rad).
+
+mod laws;
+mod read;
+mod settings;
+mod specimen;
+mod states;
+mod values;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use serde_json::{Map, Value};
+use stickslip_fem_core::material::PlaneState;
+use stickslip_fem_core::mesh::Point;
+use stickslip_hybrid::data::{self, LineReading, Reading};
+use stickslip_hybrid::fringe;
+use stickslip_hybrid::moire::Grating;
+
+use crate::diagnostic::{Finding, SceneError, SceneProblem, SourceText};
+use crate::scene::document::{Document, Part};
+use crate::scene::schema::{DisplayUnits, Material};
+use crate::scene::{Format, Scene};
+
+pub use values::{
+    FreeParameter, Identify, LawPlan, Method, Reduce, RegionPlan, RegionShape, SectorPlan,
+    SymmetryPlan, ZonePlan,
+};
+
+/// Version of the experiment format that this program reads.
+pub const VERSION: u64 = 1;
+
+/// A checked experiment.
+///
+/// ```
+/// use std::path::Path;
+/// use stickslip::experiment::Experiment;
+/// use stickslip::scene::Format;
+///
+/// let text = r#"
+///     version = 1
+///     [specimen]
+///     material.isotropic = { young = "70 GPa", poisson = 0.33 }
+///     thickness = "1.5 mm"
+///     hole = { centre = ["0 mm", "0 mm"], radius = "9.5 mm" }
+///     [[states]]
+///     name = "up"
+///     table = { file = "up.csv", scale = "1 mm", y_axis = "up" }
+/// "#;
+/// let experiment = Experiment::from_text(text, Format::Toml, "mine.toml", Path::new("."), &[] as &[&str])?;
+/// assert_eq!(experiment.specimen.hole.radius, 9.5);
+/// # Ok::<(), stickslip::diagnostic::SceneError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Experiment {
+    /// Title; the name of the file where it has none.
+    pub title: String,
+    /// What it shows, in the words of its author.
+    pub description: Option<String>,
+    /// Units that results are shown in.
+    pub display: DisplayUnits,
+    /// What was measured.
+    pub specimen: Specimen,
+    /// The virtual grating of fringe pictures and fringe lines.
+    pub grating: Option<Grating>,
+    /// How synthetic pictures are taken.
+    pub fringes: Option<Fringes>,
+    /// States in the order of the experiment; at least one.
+    pub states: Vec<State>,
+    /// How measured fields are made.
+    pub reduce: Reduce,
+    /// The region of the hybrid analysis.
+    pub region: Option<RegionPlan>,
+    /// How friction is identified.
+    pub identify: Identify,
+    /// Friction laws to fit by contact solves.
+    pub laws: Vec<LawPlan>,
+    /// Path of the file as given.
+    pub source_name: String,
+    /// Folder that its files are relative to.
+    pub folder: PathBuf,
+    /// SHA-256 of the file with its overrides, and of its scene, in hexadecimal digits.
+    pub hash: String,
+    document: Document,
+}
+
+/// What was measured.
+#[derive(Clone, Debug)]
+pub struct Specimen {
+    /// Its material.
+    pub material: Material,
+    /// Plane stress or plane strain.
+    pub plane: PlaneState,
+    /// Thickness `[mm]`.
+    pub thickness: f64,
+    /// Its hole.
+    pub hole: Hole,
+    /// The scene that it is a body of, if it was given so.
+    pub scene: Option<SpecimenScene>,
+}
+
+/// A circular hole.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hole {
+    /// Its centre `[mm]`.
+    pub centre: Point,
+    /// Its radius `[mm]`.
+    pub radius: f64,
+}
+
+/// The scene of a specimen.
+#[derive(Clone, Debug)]
+pub struct SpecimenScene {
+    /// The scene, with its overrides.
+    pub scene: Arc<Scene>,
+    /// Name of the body.
+    pub body: String,
+    /// Name of the hole's edge, without that of the body.
+    pub edge: String,
+}
+
+/// How synthetic pictures are taken.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fringes {
+    /// Lower left and upper right corner `[mm]`.
+    pub window: [Point; 2],
+    /// Edge of a pixel `[mm]`.
+    pub pixel: f64,
+    /// Carriers (k_x, k_y) of the U and the V field `[1/mm]`.
+    pub carrier: [[f64; 2]; 2],
+    /// Light, noise and grey levels.
+    pub exposure: fringe::Exposure,
+    /// Places without picture.
+    pub missing: Vec<Area>,
+    /// Whether each field has four pictures with shifted phase instead of one.
+    pub four: bool,
+    /// Kind of the files.
+    pub format: fringe::Format,
+    /// Grey levels of the files.
+    pub depth: fringe::Depth,
+    /// Seed of all noise.
+    pub seed: u64,
+}
+
+/// A part of the plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Area {
+    /// A disc.
+    Disc {
+        /// Its centre `[mm]`.
+        centre: Point,
+        /// Its radius `[mm]`.
+        radius: f64,
+    },
+    /// An upright rectangle between its lower left and its upper right corner `[mm]`.
+    Window([Point; 2]),
+}
+
+impl Area {
+    /// Whether a place lies in it.
+    pub fn contains(&self, place: Point) -> bool {
+        match self {
+            Self::Disc { centre, radius } => {
+                (place[0] - centre[0]).hypot(place[1] - centre[1]) <= *radius
+            }
+            Self::Window([low, high]) => {
+                (0..2).all(|axis| (low[axis]..=high[axis]).contains(&place[axis]))
+            }
+        }
+    }
+}
+
+/// Whether the load was growing or falling.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// Growing.
+    Loading,
+    /// Falling.
+    Unloading,
+}
+
+impl Direction {
+    /// "loading" or "unloading".
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Loading => "loading",
+            Self::Unloading => "unloading",
+        }
+    }
+}
+
+/// One state of the experiment.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// Its name, a part of file names.
+    pub name: String,
+    /// Whether the load was growing or falling.
+    pub direction: Direction,
+    /// Remote load `[N]`.
+    pub load: Option<f64>,
+    /// Where its data come from.
+    pub source: Source,
+    /// The initial load's data, to be taken off.
+    pub null: Option<Source>,
+    /// Data of the back, for the check of symmetry.
+    pub back: Option<Source>,
+}
+
+/// Where data come from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Source {
+    /// Synthetic pictures of this load step of the scene, counted from 0.
+    Step(usize),
+    /// A table of displacements.
+    Table(TableSource),
+    /// Fringe pictures.
+    Pictures(PictureSource),
+    /// Tables of fringe centres along lines.
+    Lines(LineSource),
+}
+
+/// A table of displacements.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TableSource {
+    /// The file.
+    pub file: PathBuf,
+    /// Its columns.
+    pub format: data::Format,
+    /// What its numbers are; the deviation is that below.
+    pub reading: Reading,
+    /// Where the origin of the body's frame is, in the table's own numbers.
+    pub origin: [f64; 2],
+    /// Standard deviation of either component `[mm]`; estimated from the scatter of neighbours where it is not stated.
+    pub deviation: Option<f64>,
+}
+
+/// Fringe pictures of the two fields.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PictureSource {
+    /// Files of the U and of the V field: one, or four with shifted phase; none where a field was not measured.
+    pub files: [Vec<PathBuf>; 2],
+    /// Edge of a pixel `[mm]`.
+    pub pixel: f64,
+    /// Corner of the picture at its top and its left, in the body's frame `[mm]`.
+    pub top_left: Point,
+    /// Whether the body's y points up in the picture.
+    pub upright: bool,
+    /// Carriers of the two fields `[1/mm]`, where they are known.
+    pub carrier: Option<[[f64; 2]; 2]>,
+    /// Directions in which the orders of the two fields rise, carrier included.
+    pub rising: [[f64; 2]; 2],
+    /// Pixels of at most this intensity are missing.
+    pub dark: Option<f64>,
+}
+
+/// Tables of fringe centres along lines.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LineSource {
+    /// Files of the U and of the V field.
+    pub files: [PathBuf; 2],
+    /// What the numbers of each are.
+    pub reading: [LineReading; 2],
+    /// Standard deviation of an order `[fringes]`.
+    pub deviation: f64,
+}
+
+impl Experiment {
+    /// Reads and checks an experiment file, JSON if its name ends in `.json` and otherwise TOML, with the overrides `key=value`
+    /// applied in turn. The files with data are not read yet.
+    ///
+    /// # Errors
+    /// [`SceneError`] with what is wrong at its line, in the experiment or in its scene.
+    pub fn from_file(path: &Path, overrides: &[impl AsRef<str>]) -> Result<Self, SceneError> {
+        let name = path.display().to_string();
+        let text = std::fs::read_to_string(path).map_err(|error| {
+            let source = SourceText {
+                name: name.clone(),
+                text: String::new(),
+            };
+            let finding = Finding {
+                problem: SceneProblem::Unreadable {
+                    path: name.clone(),
+                    cause: error.to_string(),
+                },
+                key: String::new(),
+                source: Arc::new(source),
+                span: None,
+            };
+            SceneError::new(finding, [])
+        })?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        Self::from_text(&text, Format::of_path(path), &name, folder, overrides)
+    }
+
+    /// Reads and checks an experiment. `name` stands for the text in errors, and files are looked for in `folder`.
+    ///
+    /// # Errors
+    /// As [`Experiment::from_file`].
+    pub fn from_text(
+        text: &str,
+        format: Format,
+        name: &str,
+        folder: &Path,
+        overrides: &[impl AsRef<str>],
+    ) -> Result<Self, SceneError> {
+        let source = SourceText {
+            name: name.to_owned(),
+            text: text.to_owned(),
+        };
+        read::experiment(source, format, folder, overrides)
+    }
+
+    /// The file as it was spelled, with its overrides.
+    pub(super) fn spelled(&self) -> Map<String, Value> {
+        self.document.root.as_object().cloned().unwrap_or_default()
+    }
+
+    /// A problem that shows only later, such as a file that lacks a column, at the key that causes it: `states.0.table.columns`.
+    pub fn error_at(&self, key: &str, problem: SceneProblem) -> SceneError {
+        self.document.error(key, Part::Value, problem)
+    }
+}

@@ -1,0 +1,236 @@
+//! Load steps, tables, pictures and lines that data come from.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use stickslip_hybrid::data::{self, LineReading, Reading, Track, YAxis};
+
+use super::super::read::{gradient, place};
+use super::super::{LineSource, PictureSource, Source, TableSource};
+use super::Scope;
+use crate::diagnostic::SceneError;
+use crate::experiment::format::{
+    AxisFormat, ColumnsFormat, FilesFormat, LinesFormat, PicturesFormat, PresetFormat, TableFormat,
+    TrackFormat,
+};
+
+/// Standard deviation of fringe orders that are read to a quarter of a fringe: uniform in ±¼, ¼/√3.
+const QUARTER_FRINGE: f64 = 0.144_337_567_297_406_44;
+
+impl Scope<'_> {
+    pub(super) fn step(&self, key: &str, step: usize) -> Result<Source, SceneError> {
+        let Some(own) = &self.specimen.scene else {
+            let example = "scene = \"scene.toml\"";
+            return Err(self.refuse.missing("specimen", "scene", example));
+        };
+        if self.fringes.is_none() {
+            let example = "[fringes] window = [[\"-2 mm\", \"-2 mm\"], [\"20 mm\", \"20 mm\"]], pixel = \"0.02 mm\"";
+            return Err(self.refuse.missing("", "fringes", example));
+        }
+        self.needs_grating()?;
+        let steps = own.scene.steps();
+        let allowed = format!("from 1 to {steps}, the load steps of the scene");
+        self.refuse
+            .within(key, step, (1..=steps).contains(&step), &allowed)?;
+        Ok(Source::Step(step - 1))
+    }
+
+    pub(super) fn table(&self, key: &str, given: &TableFormat) -> Result<Source, SceneError> {
+        let preset = match given.preset {
+            PresetFormat::Plain => data::Format::plain(),
+            PresetFormat::Dice => data::Format::dice(),
+            PresetFormat::Mudic => data::Format::mudic(),
+        };
+        if preset.pixels && given.origin.is_none() {
+            return Err(self.refuse.missing(
+                key,
+                "origin",
+                "origin = [512, 384], the pixel at which the body's origin is seen",
+            ));
+        }
+        let [line, order] = [&given.columns.line, &given.columns.order];
+        if line.is_some() || order.is_some() {
+            return Err(self.refuse.conflict(
+                &format!("{key}.columns"),
+                "'line' and 'order' are columns of fringe lines, not of displacements",
+                "name x, y, u, v or flag",
+            ));
+        }
+        let scale = self
+            .refuse
+            .positive(&format!("{key}.scale"), &given.scale)?;
+        let displacement_scale = given
+            .displacement_scale
+            .as_ref()
+            .map(|scale| {
+                self.refuse
+                    .positive(&format!("{key}.displacement_scale"), scale)
+            })
+            .transpose()?;
+        let deviation = given
+            .deviation
+            .as_ref()
+            .map(|deviation| self.refuse.positive(&format!("{key}.deviation"), deviation))
+            .transpose()?;
+        Ok(Source::Table(TableSource {
+            file: self.folder.join(&given.file),
+            format: renamed(preset, &given.columns),
+            reading: Reading {
+                scale: Some(scale),
+                displacement_scale,
+                y_axis: y_axis(given.y_axis),
+                reversed: given.reversed,
+                deviation: [0.0; 2],
+            },
+            origin: given.origin.unwrap_or_default(),
+            deviation,
+        }))
+    }
+
+    pub(super) fn pictures(&self, key: &str, given: &PicturesFormat) -> Result<Source, SceneError> {
+        self.needs_grating()?;
+        let files = [&given.u, &given.v].map(|files| self.files(files.as_ref()));
+        if files.iter().all(Vec::is_empty) {
+            return Err(self
+                .refuse
+                .missing(key, "u", "u = \"up-u.png\", v = \"up-v.png\""));
+        }
+        let rising = given
+            .rising
+            .as_ref()
+            .map_or([[1.0, 0.0], [0.0, 1.0]], |both| [both.u, both.v]);
+        for (name, direction) in ["u", "v"].into_iter().zip(rising) {
+            if direction[0].hypot(direction[1]) == 0.0 {
+                let place = format!("{key}.rising.{name}");
+                let allowed = "a direction, such as [1, 0]";
+                return Err(self.refuse.out_of_range(&place, &"[0, 0]", allowed));
+            }
+        }
+        if let Some(dark) = given.dark {
+            let place = format!("{key}.dark");
+            let fits = (0.0..1.0).contains(&dark);
+            self.refuse.within(
+                &place,
+                dark,
+                fits,
+                "at least 0 and less than 1, a part of full scale",
+            )?;
+        }
+        Ok(Source::Pictures(PictureSource {
+            files,
+            pixel: self
+                .refuse
+                .positive(&format!("{key}.pixel"), &given.pixel)?,
+            top_left: place(&given.top_left),
+            upright: given.y_axis == AxisFormat::Up,
+            carrier: given
+                .carrier
+                .as_ref()
+                .map(|both| [gradient(&both.u), gradient(&both.v)]),
+            rising,
+            dark: given.dark,
+        }))
+    }
+
+    fn files(&self, given: Option<&FilesFormat>) -> Vec<PathBuf> {
+        match given {
+            None => Vec::new(),
+            Some(FilesFormat::One(name)) => vec![self.folder.join(name)],
+            Some(FilesFormat::Four(names)) => {
+                names.iter().map(|name| self.folder.join(name)).collect()
+            }
+        }
+    }
+
+    pub(super) fn lines(&self, key: &str, given: &LinesFormat) -> Result<Source, SceneError> {
+        self.needs_grating()?;
+        let names = &given.columns;
+        if names.u.is_some() || names.v.is_some() || names.flag.is_some() {
+            return Err(self.refuse.conflict(
+                &format!("{key}.columns"),
+                "'u', 'v' and 'flag' are columns of displacements, not of fringe lines",
+                "name line, x, y or order",
+            ));
+        }
+        let scale = self
+            .refuse
+            .positive(&format!("{key}.scale"), &given.scale)?;
+        let tolerance = match &given.tolerance {
+            Some(tolerance) => self
+                .refuse
+                .not_negative(&format!("{key}.tolerance"), tolerance)?,
+            None => f64::INFINITY,
+        };
+        let deviation = given.deviation.unwrap_or(QUARTER_FRINGE);
+        self.refuse.within(
+            &format!("{key}.deviation"),
+            deviation,
+            deviation > 0.0,
+            "greater than 0, in fringes",
+        )?;
+        let column = |name: &Option<String>, default: &str| {
+            name.clone().unwrap_or_else(|| default.to_owned())
+        };
+        let reading = |reversed: bool| LineReading {
+            columns: [
+                column(&names.line, "line"),
+                column(&names.x, "x"),
+                column(&names.y, "y"),
+                column(&names.order, "order"),
+            ],
+            scale,
+            y_axis: y_axis(given.y_axis),
+            reversed,
+            tolerance,
+            track: match &given.track {
+                TrackFormat::Straight => Track::Straight,
+                TrackFormat::Drawn => Track::Drawn,
+                TrackFormat::Circle(circle) => Track::Circle {
+                    centre: place(&circle.centre),
+                    closed: circle.closed,
+                },
+            },
+            tracks: BTreeMap::new(),
+        };
+        Ok(Source::Lines(LineSource {
+            files: [self.folder.join(&given.u), self.folder.join(&given.v)],
+            reading: given.reversed.map(reading),
+            deviation,
+        }))
+    }
+
+    pub(super) fn needs_grating(&self) -> Result<(), SceneError> {
+        if self.grating.is_some() {
+            return Ok(());
+        }
+        let example = "[grating] frequency = \"2400 1/mm\"";
+        Err(self.refuse.missing("", "grating", example))
+    }
+}
+
+fn y_axis(given: AxisFormat) -> YAxis {
+    match given {
+        AxisFormat::Up => YAxis::Up,
+        AxisFormat::Down => YAxis::Down,
+    }
+}
+
+/// The preset with other column names.
+fn renamed(mut format: data::Format, columns: &ColumnsFormat) -> data::Format {
+    let places = [&columns.x, &columns.y];
+    for (own, name) in format.places.iter_mut().zip(places) {
+        if let Some(name) = name {
+            own.clone_from(name);
+        }
+    }
+    let displacements = [&columns.u, &columns.v];
+    for (own, name) in format.displacements.iter_mut().zip(displacements) {
+        if let Some(name) = name {
+            *own = Some(name.clone());
+        }
+    }
+    if let Some(flag) = &columns.flag {
+        format.flag = Some(flag.clone());
+    }
+    format
+}

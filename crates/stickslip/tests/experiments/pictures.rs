@@ -1,0 +1,135 @@
+//! Pictures that a test makes: a dislocation that no unwrapping closes, and light without fringes.
+
+use std::f64::consts::TAU;
+use std::fs;
+use std::path::Path;
+
+use stickslip_hybrid::fringe::{Depth, Format, Frame, PixelMap, encode};
+
+use super::{TABLE, fails, folder_with, succeeds};
+
+const WINDOW: [[f64; 2]; 2] = [[6.0, -5.0], [16.0, 5.0]];
+
+/// Writes a picture of orders, or of no fringes at all.
+fn write(path: &Path, order: Option<&dyn Fn(f64, f64) -> f64>) {
+    let frame = Frame::over(WINDOW, 0.05).unwrap();
+    let map = PixelMap::of(frame, |[x, y]| {
+        Some(order.map_or(0.5, |order| 0.5 + 0.4 * (TAU * order(x, y)).cos()))
+    });
+    let bytes = encode(&map.unwrap(), Format::Png, Depth::Eight).unwrap();
+    fs::write(path, bytes).unwrap();
+}
+
+fn experiment(carrier: &str) -> String {
+    let head = TABLE.lines().take(7).collect::<Vec<_>>().join("\n");
+    format!(
+        "{head}\npictures = {{ u = \"u.png\", pixel = \"0.05 mm\", top_left = [\"6 mm\", \"5 mm\"], y_axis = \"up\"{carrier} }}\n[grating]\nfrequency = \"2400 1/mm\"\n"
+    )
+}
+
+const CARRIER: &str = ", carrier = { u = [\"4 1/mm\", \"0 1/mm\"], v = [\"0 1/mm\", \"4 1/mm\"] }";
+
+/// Around the end of a fringe orders rise by one: no path through the pixels is right, and the map says where.
+#[test]
+fn loops_that_do_not_close_are_flagged_on_the_map() {
+    let folder = folder_with(&[("e.toml", &experiment(CARRIER))]);
+    let dislocation = |x: f64, y: f64| 4.0 * x + (y - 1.0).atan2(x - 11.0) / TAU;
+    write(&folder.path().join("u.png"), Some(&dislocation));
+    let all = ["reduce", "e.toml", "--set", "reduce.least_modulation=0"];
+    let summary = succeeds(folder.path(), &all);
+    let field = &summary["measured"][0]["u"];
+    assert!(field["open_loops"].as_u64().unwrap() >= 1, "{summary}");
+    assert!(field["jumps"].as_u64().unwrap() >= 1, "{summary}");
+    let warning = summary["warnings"][0].as_str().unwrap();
+    assert!(
+        warning.contains("loops of pixels do not close"),
+        "{warning}"
+    );
+    let map = fs::read_to_string(folder.path().join("e-results/figures/phase-up.svg")).unwrap();
+    assert!(map.contains("loops that do not close: 1") && map.contains("jumps of half a fringe"));
+    assert_eq!(summary["measured"][0]["v"]["valid"], 0);
+    // At the fringe's end there is no amplitude. Without those pixels no loop of four is open, and the jump across is told of still.
+    let summary = succeeds(folder.path(), &["reduce", "e.toml", "--force"]);
+    assert!(
+        summary["measured"][0]["u"]["jumps"].as_u64().unwrap() >= 1,
+        "{summary}"
+    );
+    assert!(
+        summary["warnings"][0]
+            .as_str()
+            .unwrap()
+            .contains("half a fringe"),
+        "{summary}"
+    );
+}
+
+#[test]
+fn a_picture_without_carrier_is_refused() {
+    let folder = folder_with(&[("e.toml", &experiment(CARRIER))]);
+    write(&folder.path().join("u.png"), None);
+    let error = fails(folder.path(), &["reduce", "e.toml"]);
+    for part in [
+        "state 'up', U field",
+        "no carrier",
+        "e.toml:",
+        "states.0.pictures",
+    ] {
+        assert!(error.contains(part), "{part}: {error}");
+    }
+    // Fringes twice as many as the carrier stated.
+    write(&folder.path().join("u.png"), Some(&|x, _| 9.0 * x));
+    let error = fails(folder.path(), &["reduce", "e.toml"]);
+    assert!(
+        error.contains("carrier") && error.contains("fringes"),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_carrier_that_nothing_tells_is_asked_for() {
+    let folder = folder_with(&[("e.toml", &experiment(""))]);
+    write(&folder.path().join("u.png"), Some(&|x, _| 4.0 * x));
+    let error = fails(folder.path(), &["reduce", "e.toml"]);
+    assert!(
+        error.contains("nothing tells the carrier's part"),
+        "{error}"
+    );
+    // With the initial load's picture it drops out.
+    let null = "null.pictures = { u = \"n.png\", pixel = \"0.05 mm\", top_left = [\"6 mm\", \"5 mm\"], y_axis = \"up\" }\n[grating]";
+    let text = experiment("").replace("[grating]", null);
+    fs::write(folder.path().join("e.toml"), text).unwrap();
+    write(&folder.path().join("n.png"), Some(&|x, _| 4.0 * x));
+    write(
+        &folder.path().join("u.png"),
+        Some(&|x, y| 4.3 * x + 0.1 * y),
+    );
+    let summary = succeeds(folder.path(), &["reduce", "e.toml"]);
+    assert_eq!(
+        summary["warnings"].as_array().unwrap().len(),
+        0,
+        "{summary}"
+    );
+    let rows = super::numbers(&folder.path().join("e-results/measured-up.csv"));
+    let at = |place: [f64; 2]| {
+        let distance = |row: &Vec<f64>| (row[0] - place[0]).hypot(row[1] - place[1]);
+        rows.iter()
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+            .unwrap()
+    };
+    let (left, right) = (at([9.0, 0.0]), at([13.0, 0.0]));
+    let slope = 2400.0 * (right[2] - left[2]) / (right[0] - left[0]);
+    assert!((slope - 0.3).abs() < 0.005, "{slope}");
+}
+
+#[test]
+fn a_picture_in_colour_or_none_at_all_is_refused() {
+    let folder = folder_with(&[("e.toml", &experiment(CARRIER)), ("u.png", "no picture")]);
+    let error = fails(folder.path(), &["reduce", "e.toml"]);
+    assert!(error.contains("picture file"), "{error}");
+    fs::remove_file(folder.path().join("u.png")).unwrap();
+    let error = fails(folder.path(), &["reduce", "e.toml"]);
+    assert!(
+        error.contains("u.png") && error.contains("cannot be read"),
+        "{error}"
+    );
+}

@@ -1,0 +1,155 @@
+//! Measured fields from tables and fringe lines.
+
+use std::fmt::Write as _;
+use std::fs;
+
+use super::{TABLE, folder_with, grid, numbers, succeeds};
+
+fn linear(x: f64, y: f64) -> [f64; 2] {
+    [1e-3 * x + 2e-4 * y, -3e-4 * y]
+}
+
+#[test]
+fn a_table_of_ones_own_needs_other_column_names_only() {
+    let folder = folder_with(&[]);
+    let path = folder.path();
+    succeeds(path, &["init", "experiment", "mine.toml"]);
+    let first = succeeds(path, &["reduce", "mine.toml", "--output", "sample"]);
+    assert!(
+        first["measured"][0]["u"]["valid"].as_u64().unwrap() > 500,
+        "{first}"
+    );
+    let table = fs::read_to_string(path.join("experiment.csv")).unwrap();
+    let renamed = table
+        .replacen("X_mm,Y_mm,DX_um,DY_um", "east;north;ue;un", 1)
+        .replace(',', ";");
+    fs::write(path.join("experiment.csv"), renamed).unwrap();
+    let columns = "states.0.table.columns={ x = \"East\", y = \"north\", u = \"ue\", v = \"un\" }";
+    let second = succeeds(
+        path,
+        &["reduce", "mine.toml", "--output", "own", "--set", columns],
+    );
+    assert_eq!(first["measured"], second["measured"]);
+}
+
+#[test]
+fn scale_origin_and_axes_are_as_stated() {
+    // Pixels of 0.05 mm, the hole's centre at (400, 300), rows downwards.
+    let mut text = "COORDINATE_X,COORDINATE_Y,DISPLACEMENT_X,DISPLACEMENT_Y,SIGMA\n".to_owned();
+    for (k, place) in [[600, 300], [400, 100], [600, 500], [200, 300]]
+        .iter()
+        .enumerate()
+    {
+        let sigma = if k == 3 { -1 } else { 0 };
+        writeln!(text, "{},{},0.2,0.4,{sigma}", place[0], place[1]).unwrap();
+    }
+    let state = "table = { file = \"up.csv\", preset = \"dice\", scale = \"0.05 mm\", y_axis = \"down\", origin = [400, 300], deviation = \"1 um\" }";
+    let experiment = TABLE.lines().take(7).collect::<Vec<_>>().join("\n") + "\n" + state;
+    let folder = folder_with(&[("e.toml", &experiment), ("up.csv", &text)]);
+    let summary = succeeds(folder.path(), &["reduce", "e.toml"]);
+    assert_eq!(summary["measured"][0]["u"]["valid"], 3);
+    let rows = numbers(&folder.path().join("e-results/measured-up.csv"));
+    let expected = [[10.0, 0.0], [0.0, 10.0], [10.0, -10.0], [-10.0, 0.0]];
+    for (k, (row, place)) in rows.iter().zip(expected).enumerate() {
+        assert!(
+            (row[0] - place[0]).abs() < 1e-12 && (row[1] - place[1]).abs() < 1e-12,
+            "{row:?}"
+        );
+        if k < 3 {
+            assert!(
+                (row[2] - 0.01).abs() < 1e-15 && (row[3] + 0.02).abs() < 1e-15,
+                "{row:?}"
+            );
+        } else {
+            assert!(row[2].is_nan() && row[3].is_nan());
+        }
+    }
+}
+
+/// The scatter of a smooth field is that of its errors: here an alternating one that is normal by construction of its quantiles.
+#[test]
+fn a_deviation_that_is_not_stated_is_estimated() {
+    let quantiles = [-1.5, -0.9, -0.5, -0.25, 0.0, 0.25, 0.5, 0.9, 1.5];
+    let error = |x: f64, y: f64| {
+        let k = ((7.0 * x + 13.0 * y + 3.0 * x * y).rem_euclid(97.0) * 31.0).rem_euclid(9.0);
+        1e-4 * quantiles[k as usize]
+    };
+    let table = grid("x,y,u,v", |x, y| {
+        let [u, v] = linear(x, y);
+        [u + error(x, y), v]
+    });
+    let experiment = TABLE.replace(", deviation = \"1e-4 mm\"", "");
+    let folder = folder_with(&[("e.toml", &experiment), ("up.csv", &table)]);
+    let summary = succeeds(folder.path(), &["reduce", "e.toml"]);
+    let deviation = summary["measured"][0]["u"]["deviation"].as_f64().unwrap();
+    // The quantiles have the standard deviation 0.88e-4.
+    assert!((0.6e-4..1.2e-4).contains(&deviation), "{deviation}");
+    let none = summary["measured"][0]["v"]["deviation"].as_f64().unwrap();
+    assert!(none < 1e-12, "{none}");
+}
+
+#[test]
+fn the_initial_load_is_taken_off_and_masks_mask() {
+    let up = grid("x,y,u,v", |x, y| linear(x, y).map(|u| 3.0 * u));
+    let initial = grid("x,y,u,v", linear);
+    let null = "null.table = { file = \"initial.csv\", scale = \"1 mm\", y_axis = \"up\", deviation = \"1e-4 mm\" }\n";
+    let mask = "[reduce]\nmargin = \"1.5 mm\"\nmask = [{ window = [[\"8 mm\", \"-2 mm\"], [\"10 mm\", \"2 mm\"]] }]\n";
+    let experiment = format!("{TABLE}{null}{mask}");
+    let folder = folder_with(&[
+        ("e.toml", &experiment),
+        ("up.csv", &up),
+        ("initial.csv", &initial),
+    ]);
+    let summary = succeeds(folder.path(), &["reduce", "e.toml"]);
+    let deviation = summary["measured"][0]["u"]["deviation"].as_f64().unwrap();
+    assert!((deviation - 2e-8_f64.sqrt()).abs() < 1e-12, "{deviation}");
+    for row in numbers(&folder.path().join("e-results/measured-up.csv")) {
+        let [x, y] = [row[0], row[1]];
+        let masked = x.hypot(y) < 6.5 || ((8.0..=10.0).contains(&x) && y.abs() <= 2.0);
+        assert_eq!(row[2].is_nan(), masked, "{row:?}");
+        if !masked {
+            let [u, v] = linear(x, y);
+            assert!((row[2] - 2.0 * u).abs() < 1e-12 && (row[3] - 2.0 * v).abs() < 1e-12);
+        }
+    }
+}
+
+#[test]
+fn fringe_lines_are_measured_along_both_fields() {
+    let lines = |k: f64| {
+        let mut text = "line,x,y,order\n".to_owned();
+        for (name, y) in [("a", 0.0), ("b", 2.0)] {
+            for n in 0..6 {
+                let x = 6.0 + f64::from(n);
+                writeln!(text, "{name},{x},{y},{}", k * f64::from(n)).unwrap();
+            }
+        }
+        text
+    };
+    let head = TABLE.lines().take(7).collect::<Vec<_>>().join("\n");
+    let experiment = format!(
+        "{head}\nlines = {{ u = \"u.csv\", v = \"v.csv\", scale = \"1 mm\", y_axis = \"up\", tolerance = \"0.01 mm\" }}\n[grating]\nwavelength = \"0.5 um\"\nangle = \"30 deg\"\n"
+    );
+    let folder = folder_with(&[
+        ("e.toml", &experiment),
+        ("u.csv", &lines(1.0)),
+        ("v.csv", &lines(-2.0)),
+    ]);
+    let summary = succeeds(folder.path(), &["reduce", "e.toml"]);
+    assert_eq!(summary["measured"][0]["u"]["valid"], 12);
+    // 2 sin 30° / 0.5 µm = 2000 lines/mm, read to a quarter of a fringe.
+    let deviation = summary["measured"][0]["v"]["deviation"].as_f64().unwrap();
+    assert!(
+        (deviation - 0.25 / 3.0_f64.sqrt() / 2000.0).abs() < 1e-12,
+        "{deviation}"
+    );
+    let rows = numbers(&folder.path().join("e-results/measured-up.csv"));
+    assert!(
+        rows.iter()
+            .any(|row| row[0] == 11.0 && (row[2] - 5.0 / 2000.0).abs() < 1e-12)
+    );
+    assert!(
+        rows.iter()
+            .any(|row| row[0] == 11.0 && (row[3] + 10.0 / 2000.0).abs() < 1e-12)
+    );
+}

@@ -1,0 +1,8 @@
+//! Friction laws fitted by contact solves: truth known.
+
+mod common;
+mod contact;
+mod fits;
+mod page;
+mod sensitivity;
+mod whole;
