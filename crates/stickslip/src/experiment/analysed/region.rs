@@ -192,7 +192,7 @@ impl<'a> Workbench<'a> {
         let displacements = reduced.map_err(|cause| ExperimentError::Reduction {
             state: self.experiment.states[measured.state].name.clone(),
             key: "reduce".to_owned(),
-            cause,
+            cause: Box::new(cause),
         })?;
         Ok(Boundary::plain(displacements))
     }
@@ -236,7 +236,7 @@ impl<'a> Workbench<'a> {
             .map_err(|cause| ExperimentError::Reduction {
                 state: state.name.clone(),
                 key: "reduce".to_owned(),
-                cause,
+                cause: Box::new(cause),
             })
     }
 
