@@ -76,6 +76,9 @@ pub struct PlanePlot<'a> {
     pub window: [f64; 4],
     /// Width of the whole figure \[px\].
     pub width: f64,
+    /// Image pixels per figure pixel, at most: 1 for figures that are shown or written at their own size, more for those that are
+    /// magnified.
+    pub sharpness: f64,
 }
 
 impl<'a> PlanePlot<'a> {
@@ -93,6 +96,7 @@ impl<'a> PlanePlot<'a> {
             range: None,
             window,
             width: 480.0,
+            sharpness: 2.0,
         }
     }
 

@@ -6,12 +6,10 @@ use crate::color::{Color, Colormap};
 use crate::error::FigureError;
 use crate::svg::Area;
 
-/// Image pixels per figure pixel, at most.
-const SCALE: f64 = 2.0;
 /// Palette: 0 is no value, the rest are colours.
 const COLORS: usize = 255;
 /// As many greys as the eye tells apart in a pattern; fewer make smaller files.
-const GREYS: usize = 24;
+const GREYS: usize = 32;
 
 fn colors(colormap: Colormap) -> usize {
     if colormap == Colormap::Gray {
@@ -36,7 +34,7 @@ pub(super) fn png(
     }
     let placed = placed(plot, pixels, area);
     let [width, height] = [(placed.width, pixels.columns), (placed.height, rows)]
-        .map(|(length, count)| ((length * SCALE) as usize).clamp(1, count));
+        .map(|(length, count)| ((length * plot.sharpness) as usize).clamp(1, count));
     let source = Source {
         pixels,
         rows,
@@ -60,7 +58,7 @@ pub(super) fn png(
         .map_err(|cause| FigureError::Raster {
             width: placed.width,
             height: placed.height,
-            scale: SCALE,
+            scale: plot.sharpness,
             reason: cause.to_string(),
         })
 }

@@ -27,6 +27,13 @@ const WIDTH: f64 = 360.0;
 const SMALL: f64 = 200.0;
 const IN_A_ROW: usize = 8;
 
+/// How large a picture is shown.
+#[derive(Clone, Copy, Debug)]
+enum Size {
+    Page,
+    Sheet,
+}
+
 /// The gallery, filled state by state.
 #[derive(Debug)]
 pub(super) struct Gallery<'a> {
@@ -73,8 +80,11 @@ impl<'a> Gallery<'a> {
                 self.figures.push((state, figure));
                 let name = &self.experiment.states[state].name;
                 for (field, picture) in ["U", "V"].into_iter().zip([u, v]) {
-                    self.sheet
-                        .push(self.picture(&format!("{field}, {name}"), picture, SMALL));
+                    self.sheet.push(self.picture(
+                        &format!("{field}, {name}"),
+                        picture,
+                        Size::Sheet,
+                    ));
                 }
             }
             let carrier = camera.fringes().carrier;
@@ -95,18 +105,21 @@ impl<'a> Gallery<'a> {
         Ok(())
     }
 
-    fn picture(&self, title: &str, picture: &PixelMap, width: f64) -> Result<Svg, FigureError> {
+    fn picture(&self, title: &str, picture: &PixelMap, size: Size) -> Result<Svg, FigureError> {
         let length = self.experiment.display.length;
         let mut plot = picture_plot(title, picture, length).colors(Colormap::Gray, None);
         plot.range = Some([0.0, 1.0]);
-        plot.width = width;
+        (plot.width, plot.sharpness) = match size {
+            Size::Page => (WIDTH, 2.0),
+            Size::Sheet => (SMALL, 1.0),
+        };
         plot.render()
     }
 
     fn figure(&self, state: usize, [u, v]: [&PixelMap; 2]) -> Result<Svg, FigureError> {
         let drawn = [
-            self.picture("U field", u, WIDTH)?,
-            self.picture("V field", v, WIDTH)?,
+            self.picture("U field", u, Size::Page)?,
+            self.picture("V field", v, Size::Page)?,
         ];
         tile(&caption(self.experiment, state), 2, &drawn)
     }
