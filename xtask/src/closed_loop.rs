@@ -12,7 +12,7 @@ use std::process::ExitCode;
 
 use crate::publish::{self, Options, Picture, Publication, Trouble};
 
-pub(crate) use study::{Outcome, Series, WITH_FRICTION};
+pub(crate) use study::{Series, WITH_FRICTION, WITHOUT_FRICTION};
 
 /// Runs the task.
 pub(crate) fn main(options: &Options) -> ExitCode {
@@ -20,9 +20,9 @@ pub(crate) fn main(options: &Options) -> ExitCode {
 }
 
 fn repeat(quick: bool) -> Result<Publication, Trouble> {
-    let [many, some] = if quick { [20, 5] } else { [200, 50] };
-    let rubbing = Series::of(study::WITH_FRICTION, many)?;
-    let smooth = Series::of(study::WITHOUT_FRICTION, some)?;
+    let [many, some] = if quick { [20, 5] } else { [200, 20] };
+    let rubbing = Series::of(WITH_FRICTION, many)?;
+    let smooth = Series::of(WITHOUT_FRICTION, some)?;
     Ok(Publication {
         tables: vec![("closed-loop.csv", page::csv([&rubbing, &smooth])?)],
         pictures: vec![figures::intervals(&rubbing)?],

@@ -1,7 +1,8 @@
 //! Tasks on the whole workspace: `cargo xtask validate` compares the library with known solutions, `cargo xtask chart` shows
 //! what accuracy costs, `cargo xtask stability` where methods fail, `cargo xtask cosine` how wrong an assumed bearing load is,
 //! `cargo xtask shear-sign` which way friction points along a loaded hole, `cargo xtask mesh-dependence` what ply discount makes of a
-//! finer mesh, `cargo xtask hybrid-noise` what noise and bias are left in stresses from measured displacements.
+//! finer mesh, `cargo xtask hybrid-noise` what noise and bias are left in stresses from measured displacements, `cargo xtask
+//! closed-loop` how often friction from fringe pictures lies in its interval.
 
 mod chart;
 mod closed_loop;

@@ -8,6 +8,7 @@
 mod aluminium;
 mod benchmark;
 mod check;
+mod closed_loop;
 mod cosine_load;
 mod criteria;
 mod elements;
@@ -66,7 +67,7 @@ struct Case {
     checks: fn(&Laboratory) -> Result<Vec<Check>, Trouble>,
 }
 
-const CASES: [Case; 22] = [
+const CASES: [Case; 23] = [
     Case {
         name: "elements",
         title: "Elements",
@@ -120,6 +121,12 @@ const CASES: [Case; 22] = [
         title: "Measured displacements: covariance, reductions, fringe phase",
         friction: false,
         checks: hybrid::errors,
+    },
+    Case {
+        name: "closed-loop",
+        title: "Friction from fringe pictures",
+        friction: false,
+        checks: closed_loop::checks,
     },
     Case {
         name: "persson",

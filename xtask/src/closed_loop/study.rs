@@ -80,6 +80,18 @@ impl Series {
             .filter_map(|one| one.together.as_ref().map(|fit| fit.mu))
     }
 
+    /// The coefficient of the first seed.
+    pub(crate) fn first(&self) -> Option<f64> {
+        self.coefficients().next()
+    }
+
+    /// Seeds whose bounds say that there is no friction or at most a little.
+    pub(crate) fn none_found(&self) -> usize {
+        let fits = self.outcomes.iter().filter_map(|one| one.together.as_ref());
+        fits.filter(|fit| matches!(fit.bounds, Bounds::AtMost(_)))
+            .count()
+    }
+
     /// Mean and standard deviation of the coefficients found.
     pub(crate) fn mean_and_spread(&self) -> [f64; 2] {
         let count = self.coefficients().count() as f64;

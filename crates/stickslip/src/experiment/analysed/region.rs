@@ -37,8 +37,8 @@ pub struct Workbench<'a> {
 /// Displacements of the region's boundary, and how they were found.
 struct Boundary {
     displacements: NodalDisplacements,
-    /// Bias of the prescribed displacements `[mm]`; empty where nothing was smoothed.
-    bias: Vec<f64>,
+    /// Estimated bias of the displacements with the covariance of the estimate; `None` where nothing was smoothed.
+    bias: Option<NodalDisplacements>,
     fit: Option<FitFacts>,
     scale: f64,
 }
@@ -251,7 +251,7 @@ impl<'a> Workbench<'a> {
         }
         Ok(Boundary {
             scale,
-            bias: fit.bias,
+            bias: Some(fit.bias_estimate),
             fit: Some(FitFacts {
                 order: smoothing.order,
                 amount: fit.amount,
@@ -291,15 +291,20 @@ impl<'a> Workbench<'a> {
         Ok(residuals)
     }
 
-    /// Bias of pressure, shear and hoop stress at each place.
+    /// Bias of pressure, shear and hoop stress at each place: root of the mean square of what neighbouring places show beyond the noise
+    /// of the estimate.
     fn bias(&self, boundary: &Boundary) -> Result<Vec<[f64; 3]>, RegionError> {
-        if boundary.bias.is_empty() {
+        let Some(bias) = &boundary.bias else {
             return Ok(vec![[0.0; 3]; self.edge.angle.len()]);
-        }
-        let stresses = self
-            .region
-            .outputs_of(&self.edge.stresses, &boundary.bias)?;
-        Ok(self.edge.by_place(&stresses))
+        };
+        let found = self.region.propagate(&self.edge.stresses, bias)?;
+        let size = found.values.len();
+        let beyond = |k: usize| {
+            let noise = boundary.scale * found.covariance[k * (size + 1)];
+            found.values[k].powi(2) - noise
+        };
+        let squares: Vec<f64> = (0..size).map(beyond).collect();
+        Ok(self.edge.smoothed_roots(&squares))
     }
 
     /// The comparison without equilibrium: a local polynomial at every node that the edge's stresses need.
@@ -370,7 +375,7 @@ impl Boundary {
     fn plain(displacements: NodalDisplacements) -> Self {
         Self {
             displacements,
-            bias: Vec::new(),
+            bias: None,
             fit: None,
             scale: 1.0,
         }

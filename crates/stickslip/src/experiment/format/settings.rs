@@ -45,6 +45,7 @@ pub(in crate::experiment) struct ReduceFormat {
     pub(in crate::experiment) stride: Option<usize>,
     pub(in crate::experiment) band: Option<f64>,
     pub(in crate::experiment) least_modulation: Option<f64>,
+    pub(in crate::experiment) settled: Option<f64>,
     pub(in crate::experiment) margin: Option<Quantity<Length>>,
     pub(in crate::experiment) mask: Vec<MaskFormat>,
     pub(in crate::experiment) common_places: Option<Quantity<Length>>,

@@ -104,6 +104,7 @@ fn single(scope: &Scope<'_>, input: &FieldInput, picture: &PixelMap) -> Result<F
     };
     let options = FourierOptions {
         band: scope.experiment.reduce.band,
+        settled: scope.experiment.reduce.settled,
         ..FourierOptions::new(carrier)
     };
     let found = fourier(picture, &options)?;

@@ -25,6 +25,7 @@ pub(super) fn reduce(refuse: Refuse<'_>, given: &ReduceFormat) -> Result<Reduce,
     };
     let band = given.band.unwrap_or(0.75);
     let least = given.least_modulation.unwrap_or(0.25);
+    let settled = given.settled.unwrap_or(1e-3);
     let margin = match &given.margin {
         Some(margin) => refuse.not_negative("reduce.margin", margin)?,
         None => 0.0,
@@ -41,6 +42,12 @@ pub(super) fn reduce(refuse: Refuse<'_>, given: &ReduceFormat) -> Result<Reduce,
             least,
             (0.0..1.0).contains(&least),
             "at least 0 and less than 1",
+        )?,
+        settled: number(
+            "settled",
+            settled,
+            settled > 0.0 && settled < 1.0,
+            "between 0 and 1",
         )?,
         margin,
         mask: refuse.areas("reduce.mask", &given.mask)?,

@@ -44,6 +44,8 @@ pub struct Reduce {
     pub band: f64,
     /// Fringes of at most this amplitude are none, a part of their median.
     pub least_modulation: f64,
+    /// Filling of missing pixels ends when a pass changes them by less than this part of the fringes' amplitude.
+    pub settled: f64,
     /// Data nearer than this to the hole's edge or to the edge of a picture are masked `[mm]`.
     pub margin: f64,
     /// Parts of the plane that are masked.
