@@ -111,7 +111,7 @@ pub enum ExperimentError {
         key: String,
         /// What is wrong.
         #[source]
-        cause: RegionError,
+        cause: Box<RegionError>,
     },
     /// Tractions that friction cannot be asked of.
     #[error("friction: {0}")]

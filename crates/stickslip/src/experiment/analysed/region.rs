@@ -49,12 +49,12 @@ impl<'a> Workbench<'a> {
     /// # Errors
     /// [`ExperimentError::Missing`] without `[region]`, [`ExperimentError::Region`] for one that cannot be analysed.
     pub fn new(experiment: &'a Experiment) -> Result<Self, ExperimentError> {
+        const SECTOR: &str = "write [region] sector = { angles = [\"-10 deg\", \"110 deg\"], outer = \"13 mm\", cells = [40, 10] }";
         let missing = |what: &str, remedy: &str| ExperimentError::Missing {
             key: "region".to_owned(),
             what: what.to_owned(),
             remedy: remedy.to_owned(),
         };
-        const SECTOR: &str = "write [region] sector = { angles = [\"-10 deg\", \"110 deg\"], outer = \"13 mm\", cells = [40, 10] }";
         let plan = experiment
             .region
             .as_ref()
@@ -65,7 +65,7 @@ impl<'a> Workbench<'a> {
         let refuse = |cause: RegionError| ExperimentError::Region {
             state: "all".to_owned(),
             key: "region".to_owned(),
-            cause,
+            cause: Box::new(cause),
         };
         let specimen = &experiment.specimen;
         let sector = ArcSector {
@@ -164,7 +164,7 @@ impl<'a> Workbench<'a> {
         ExperimentError::Region {
             state: self.experiment.states[measured.state].name.clone(),
             key: "region".to_owned(),
-            cause,
+            cause: Box::new(cause),
         }
     }
 

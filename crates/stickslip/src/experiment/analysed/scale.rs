@@ -1,6 +1,6 @@
 //! How much the errors of data exceed what their deviations say, in the mean over neighbours.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use stickslip_fem_core::mesh::Point;
 
@@ -51,7 +51,7 @@ pub(super) fn scale(residuals: &[Residual], parameters: f64) -> f64 {
 /// Edge of a square that holds as many data as a block should.
 fn block_size(residuals: &[&Residual]) -> Option<f64> {
     let mut area = 0.0;
-    let mut cells: BTreeMap<[i64; 2], ()> = BTreeMap::new();
+    let mut cells = BTreeSet::new();
     let extent = |axis: usize| {
         let values = || residuals.iter().map(|one| one.place[axis]);
         let low = values().fold(f64::INFINITY, f64::min);
@@ -61,7 +61,7 @@ fn block_size(residuals: &[&Residual]) -> Option<f64> {
     let grid = extent(0).max(extent(1)) / 60.0;
     if grid > 0.0 && grid.is_finite() {
         for one in residuals {
-            cells.insert(one.place.map(|x| (x / grid).floor() as i64), ());
+            cells.insert(one.place.map(|x| (x / grid).floor() as i64));
         }
         area = cells.len() as f64 * grid * grid;
     }
