@@ -73,9 +73,6 @@ pub struct Fit {
     pub displacements: NodalDisplacements,
     /// Estimated bias of the prescribed displacements by the smoothing `[length]`, in their order.
     pub bias: Vec<f64>,
-    /// The same as displacements of nodes, with the covariance that the noise of the data makes: much of what looks like bias may be
-    /// noise that was smoothed.
-    pub bias_estimate: NodalDisplacements,
     /// The amount α of smoothing.
     pub amount: f64,
     /// Effective number of fitted parameters, tr A.
@@ -215,17 +212,10 @@ impl<'a> Fitter<'a> {
             if i == j { share } else { 0.0 }
         });
         let covariance = sandwich(self.modes.as_ref(), variances.as_ref());
-        let smoothed = Mat::from_fn(size, size, |i, j| {
-            let part = amount * self.smoothing[i] / stiffness[i];
-            part * part * variances[(i, j)]
-        });
-        let of_bias = sandwich(self.modes.as_ref(), smoothed.as_ref());
         let values = self.combine(|k| loads.modes[k] / stiffness[k]);
-        let bias = self.combine(bias);
         Ok(Fit {
             displacements: spread(self.region, &values, &covariance),
-            bias_estimate: spread(self.region, &bias, &of_bias),
-            bias,
+            bias: self.combine(bias),
             amount,
             parameters: self.parameters(amount),
             data: self.places.len(),

@@ -66,28 +66,6 @@ impl Edge {
             .collect()
     }
 
-    /// Per place, the roots of the means of `squares`, as the rows list them, over the places within a cell; 0 where a mean is
-    /// negative.
-    pub(super) fn smoothed_roots(&self, squares: &[f64]) -> Vec<[f64; 3]> {
-        let n = self.count();
-        let around = |k: usize| {
-            let reach = self.resolution * (1.0 + 1e-6);
-            let first = self.angle.partition_point(|a| *a < self.angle[k] - reach);
-            let last = self.angle.partition_point(|a| *a <= self.angle[k] + reach);
-            first..last
-        };
-        let root = |part: usize, places: &Range<usize>| {
-            let sum: f64 = squares[part * n..][places.clone()].iter().sum();
-            (sum / places.len().max(1) as f64).max(0.0).sqrt()
-        };
-        (0..n)
-            .map(|k| {
-                let places = around(k);
-                [0, 1, 2].map(|part| root(part, &places))
-            })
-            .collect()
-    }
-
     pub(super) fn hoop(&self, stresses: &[f64]) -> Vec<f64> {
         stresses[2 * self.count()..].to_vec()
     }

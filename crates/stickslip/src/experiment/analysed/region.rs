@@ -37,8 +37,8 @@ pub struct Workbench<'a> {
 /// Displacements of the region's boundary, and how they were found.
 struct Boundary {
     displacements: NodalDisplacements,
-    /// Estimated bias of the displacements with the covariance of the estimate; `None` where nothing was smoothed.
-    bias: Option<NodalDisplacements>,
+    /// Bias of the prescribed displacements `[mm]`; empty where nothing was smoothed.
+    bias: Vec<f64>,
     fit: Option<FitFacts>,
     scale: f64,
 }
@@ -251,7 +251,7 @@ impl<'a> Workbench<'a> {
         }
         Ok(Boundary {
             scale,
-            bias: Some(fit.bias_estimate),
+            bias: fit.bias,
             fit: Some(FitFacts {
                 order: smoothing.order,
                 amount: fit.amount,
@@ -291,20 +291,15 @@ impl<'a> Workbench<'a> {
         Ok(residuals)
     }
 
-    /// Bias of pressure, shear and hoop stress at each place: root of the mean square of what neighbouring places show beyond the noise
-    /// of the estimate.
+    /// Bias of pressure, shear and hoop stress at each place.
     fn bias(&self, boundary: &Boundary) -> Result<Vec<[f64; 3]>, RegionError> {
-        let Some(bias) = &boundary.bias else {
+        if boundary.bias.is_empty() {
             return Ok(vec![[0.0; 3]; self.edge.angle.len()]);
-        };
-        let found = self.region.propagate(&self.edge.stresses, bias)?;
-        let size = found.values.len();
-        let beyond = |k: usize| {
-            let noise = boundary.scale * found.covariance[k * (size + 1)];
-            found.values[k].powi(2) - noise
-        };
-        let squares: Vec<f64> = (0..size).map(beyond).collect();
-        Ok(self.edge.smoothed_roots(&squares))
+        }
+        let stresses = self
+            .region
+            .outputs_of(&self.edge.stresses, &boundary.bias)?;
+        Ok(self.edge.by_place(&stresses))
     }
 
     /// The comparison without equilibrium: a local polynomial at every node that the edge's stresses need.
@@ -375,7 +370,7 @@ impl Boundary {
     fn plain(displacements: NodalDisplacements) -> Self {
         Self {
             displacements,
-            bias: None,
+            bias: Vec::new(),
             fit: None,
             scale: 1.0,
         }
