@@ -19,8 +19,12 @@ pub(crate) fn main(options: &Options) -> ExitCode {
     publish::main("closed-loop", options, repeat)
 }
 
+/// The scene's settings were chosen with seeds 1 to 20: none of these is asked again.
+const FIRST: u64 = 1001;
+
 fn repeat(quick: bool) -> Result<Publication, Trouble> {
     let [many, some] = if quick { [20, 5] } else { [200, 20] };
+    let [many, some] = [many, some].map(|count| FIRST..=FIRST + count - 1);
     let rubbing = Series::of(WITH_FRICTION, many)?;
     let smooth = Series::of(WITHOUT_FRICTION, some)?;
     Ok(Publication {

@@ -1,5 +1,6 @@
 //! One experiment with many seeds.
 
+use std::ops::RangeInclusive;
 use std::path::Path;
 
 use stickslip::experiment::analysed::Workbench;
@@ -48,8 +49,8 @@ pub(crate) struct Series {
 }
 
 impl Series {
-    /// Solves the scene once and goes through the chain with the seeds 1 to `seeds`.
-    pub(crate) fn of(known: Known, seeds: u64) -> Result<Self, Trouble> {
+    /// Solves the scene once and goes through the chain with every seed.
+    pub(crate) fn of(known: Known, seeds: RangeInclusive<u64>) -> Result<Self, Trouble> {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/hybrid-aluminium");
         let mut experiment = Experiment::from_file(&folder.join(known.file), &[] as &[&str])?;
         // The draws that confirm the interval are not asked for here.
@@ -59,7 +60,7 @@ impl Series {
         let truth = Truth::solve(&own, &mut |_| ())?;
         let camera = Camera::new(&experiment, &truth)?;
         let bench = Workbench::new(&experiment)?;
-        let seeds: Vec<u64> = (1..=seeds).collect();
+        let seeds: Vec<u64> = seeds.collect();
         let outcomes = side_by_side(&seeds, |&seed| {
             Ok(outcome(&experiment, &camera.with_seed(seed), &bench, seed)?)
         })?;

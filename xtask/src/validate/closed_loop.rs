@@ -12,8 +12,8 @@ const MISSED: usize = 2;
 pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
     let stopped = |cause: crate::publish::Trouble| Trouble::Missing(cause.to_string());
     let (seeds, others) = (laboratory.sized(2, 10), laboratory.sized(1, 2));
-    let rubbing = Series::of(WITH_FRICTION, seeds).map_err(stopped)?;
-    let smooth = Series::of(WITHOUT_FRICTION, others).map_err(stopped)?;
+    let rubbing = Series::of(WITH_FRICTION, 1..=seeds).map_err(stopped)?;
+    let smooth = Series::of(WITHOUT_FRICTION, 1..=others).map_err(stopped)?;
     let mut checks = Checks::against("the friction that the scene was solved with");
     let near = Tolerance::Absolute(NEAR);
     if let Some(first) = rubbing.first() {
