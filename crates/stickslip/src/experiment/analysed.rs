@@ -11,6 +11,7 @@
 
 mod edge;
 pub(super) mod figures;
+mod imported;
 mod region;
 mod scale;
 mod tell;

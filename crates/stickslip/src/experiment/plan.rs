@@ -23,8 +23,8 @@ use crate::scene::schema::{DisplayUnits, Material};
 use crate::scene::{Format, Scene};
 
 pub use values::{
-    FreeParameter, Identify, LawPlan, Method, Reduce, RegionPlan, RegionShape, SectorPlan,
-    SymmetryPlan, ZonePlan,
+    FreeParameter, Identify, LawPlan, MeshPlan, Method, Reduce, RegionPlan, RegionShape,
+    SectorPlan, SymmetryPlan, ZonePlan,
 };
 
 /// Version of the experiment format that this program reads.

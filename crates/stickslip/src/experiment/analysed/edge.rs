@@ -7,7 +7,6 @@ use stickslip_fem_core::body::SparseRow;
 use stickslip_hybrid::identify::Tractions;
 use stickslip_hybrid::region::RegionError;
 use stickslip_hybrid::region::outputs::EdgeRows;
-use stickslip_hybrid::region::sector::ArcSector;
 use stickslip_hybrid::region::transfer::Propagated;
 
 use super::Analysed;
@@ -33,20 +32,28 @@ pub(super) struct Edge {
     pub(super) resultant: [SparseRow; 2],
 }
 
+/// Mean angle of an edge's cells `[rad]`.
+fn resolution(
+    body: &ElasticBody,
+    name: &str,
+    parameter: &[f64],
+    radius: f64,
+) -> Result<f64, RegionError> {
+    let cells = body.mesh().edge_set(name)?.edges.len();
+    let (first, last) = (parameter.first(), parameter.last());
+    let length = first.zip(last).map_or(0.0, |(first, last)| last - first);
+    Ok(length / radius / cells.max(1) as f64)
+}
+
 impl Edge {
-    pub(super) fn new(
-        body: &ElasticBody,
-        name: &str,
-        sector: &ArcSector,
-    ) -> Result<Self, RegionError> {
+    pub(super) fn new(body: &ElasticBody, name: &str, radius: f64) -> Result<Self, RegionError> {
         let rows = EdgeRows::new(body, name)?;
-        let radius = sector.inner();
         let middle = rows.parameter[rows.parameter.len() / 2] / radius;
         let turns = (middle / std::f64::consts::TAU).round() * std::f64::consts::TAU;
         let stresses = [0, 2, 1].map(|component| rows.component(component));
         Ok(Self {
             angle: rows.parameter.iter().map(|s| s / radius - turns).collect(),
-            resolution: (sector.angles[1] - sector.angles[0]) / sector.cells[0] as f64,
+            resolution: resolution(body, name, &rows.parameter, radius)?,
             stresses: stresses.concat(),
             resultant: rows.resultant(body.thickness()),
             parameter: rows.parameter,

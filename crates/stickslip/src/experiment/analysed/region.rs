@@ -16,6 +16,7 @@ use stickslip_hybrid::region::transfer::Propagated;
 use stickslip_hybrid::region::{Region, RegionError};
 
 use super::edge::Edge;
+use super::imported;
 use super::scale::{Residual, scale};
 use super::{Analysed, FitFacts, MisfitAt, UNUSED};
 use crate::experiment::error::ExperimentError;
@@ -59,26 +60,32 @@ impl<'a> Workbench<'a> {
             .region
             .as_ref()
             .ok_or_else(|| missing("edge stresses need a [region]", SECTOR))?;
-        let RegionShape::Sector(sector) = &plan.shape else {
-            return Err(missing("meshes from files cannot be analysed", SECTOR));
-        };
         let refuse = |cause: RegionError| ExperimentError::Region {
             state: "all".to_owned(),
             key: "region".to_owned(),
             cause: Box::new(cause),
         };
         let specimen = &experiment.specimen;
-        let sector = ArcSector {
-            centre: specimen.hole.centre,
-            hole: specimen.hole.radius,
-            stand_off: sector.stand_off,
-            outer: sector.outer,
-            angles: sector.angles,
-            cells: sector.cells,
-            growth: sector.growth,
-            kind: sector.element,
+        let (mesh, radius) = match &plan.shape {
+            RegionShape::Sector(sector) => {
+                let sector = ArcSector {
+                    centre: specimen.hole.centre,
+                    hole: specimen.hole.radius,
+                    stand_off: sector.stand_off,
+                    outer: sector.outer,
+                    angles: sector.angles,
+                    cells: sector.cells,
+                    growth: sector.growth,
+                    kind: sector.element,
+                };
+                (sector.mesh().map_err(refuse)?, sector.inner())
+            }
+            RegionShape::Mesh(mesh) => (
+                imported::mesh(mesh, &specimen.hole, EDGE)?,
+                specimen.hole.radius,
+            ),
         };
-        let mesh = Arc::new(sector.mesh().map_err(refuse)?);
+        let mesh = Arc::new(mesh);
         let material = specimen
             .material
             .in_plane(specimen.plane)
@@ -97,7 +104,7 @@ impl<'a> Workbench<'a> {
         let body = ElasticBody::new(mesh, materials, specimen.thickness);
         let body = Arc::new(body.map_err(|cause| refuse(cause.into()))?);
         let region = Region::new(&body, &[]).map_err(refuse)?;
-        let edge = Edge::new(&body, EDGE, &sector).map_err(refuse)?;
+        let edge = Edge::new(&body, EDGE, radius).map_err(refuse)?;
         Ok(Self {
             experiment,
             plan,

@@ -77,10 +77,18 @@ fn places() -> usize {
 #[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
 pub(in crate::experiment) struct RegionFormat {
     pub(in crate::experiment) sector: Option<SectorFormat>,
-    pub(in crate::experiment) mesh: Option<String>,
+    pub(in crate::experiment) mesh: Option<MeshFormat>,
     #[serde(default)]
     pub(in crate::experiment) whole_plate: bool,
     pub(in crate::experiment) smoothing: Option<SmoothingFormat>,
+}
+
+/// `region.mesh`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(in crate::experiment) struct MeshFormat {
+    pub(in crate::experiment) file: String,
+    pub(in crate::experiment) scale: Quantity<Length>,
 }
 
 /// `region.sector`.

@@ -6,8 +6,8 @@ use stickslip_hybrid::region::fit::{Amount, Smoothing};
 
 use super::read::{Refuse, place};
 use super::{
-    Hole, Identify, Method, Reduce, RegionPlan, RegionShape, SectorPlan, State, SymmetryPlan,
-    ZonePlan,
+    Hole, Identify, MeshPlan, Method, Reduce, RegionPlan, RegionShape, SectorPlan, State,
+    SymmetryPlan, ZonePlan,
 };
 use crate::diagnostic::{SceneError, SceneProblem, nearest};
 use crate::experiment::format::{
@@ -126,12 +126,15 @@ pub(super) fn region(
 ) -> Result<RegionPlan, SceneError> {
     let shape = match (&given.sector, &given.mesh) {
         (Some(_), None) => RegionShape::Sector(sector(refuse, given, hole)?),
-        (None, Some(mesh)) => RegionShape::Mesh(folder.join(mesh)),
+        (None, Some(mesh)) => RegionShape::Mesh(MeshPlan {
+            file: folder.join(&mesh.file),
+            scale: refuse.positive("region.mesh.scale", &mesh.scale)?,
+        }),
         _ => {
             return Err(refuse.conflict(
                 "region",
                 "a region is a sector or a mesh",
-                "write sector = { angles = [\"-90 deg\", \"90 deg\"], outer = \"15 mm\", cells = [24, 6] }, or mesh = \"region.vtu\"",
+                "write sector = { angles = [\"-90 deg\", \"90 deg\"], outer = \"15 mm\", cells = [24, 6] }, or mesh = { file = \"region.msh\", scale = \"1 mm\" }",
             ));
         }
     };

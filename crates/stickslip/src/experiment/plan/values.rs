@@ -83,8 +83,17 @@ pub struct RegionPlan {
 pub enum RegionShape {
     /// A sector of arcs around the hole.
     Sector(SectorPlan),
-    /// A mesh from a VTU file.
-    Mesh(PathBuf),
+    /// A mesh from a file.
+    Mesh(MeshPlan),
+}
+
+/// A mesh of Gmsh, in its format 4.1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshPlan {
+    /// The file.
+    pub file: PathBuf,
+    /// Length of one unit of its coordinates `[mm]`.
+    pub scale: f64,
 }
 
 /// A sector of arcs around the hole.
