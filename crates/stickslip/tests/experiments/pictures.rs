@@ -121,6 +121,30 @@ fn a_carrier_that_nothing_tells_is_asked_for() {
     assert!((slope - 0.3).abs() < 0.005, "{slope}");
 }
 
+/// The initial load's U alone leaves nothing to take off V.
+#[test]
+fn a_null_field_without_the_picture_of_a_field_is_refused() {
+    let null = "null.pictures = { u = \"n.png\", pixel = \"0.05 mm\", top_left = [\"6 mm\", \"5 mm\"], y_axis = \"up\" }\n[grating]";
+    let text = experiment(CARRIER)
+        .replace("u = \"u.png\"", "u = \"u.png\", v = \"v.png\"")
+        .replace("[grating]", null);
+    let folder = folder_with(&[("e.toml", &text)]);
+    for name in ["n.png", "u.png"] {
+        write(&folder.path().join(name), Some(&|x, _| 4.1 * x));
+    }
+    write(&folder.path().join("v.png"), Some(&|_, y| 4.1 * y));
+    let error = fails(folder.path(), &["reduce", "e.toml"]);
+    for part in [
+        "state 'up': the null field has no V",
+        "n.png",
+        "e.toml:9",
+        "states.0.null",
+        "leave V out",
+    ] {
+        assert!(error.contains(part), "{part}: {error}");
+    }
+}
+
 #[test]
 fn a_picture_in_colour_or_none_at_all_is_refused() {
     let folder = folder_with(&[("e.toml", &experiment(CARRIER)), ("u.png", "no picture")]);

@@ -8,7 +8,7 @@ use stickslip_hybrid::moire::Grating;
 use super::phase::Unwound;
 use super::{Measured, PictureField, Reading, Scope};
 use crate::experiment::error::ExperimentError;
-use crate::experiment::plan::{Method, SymmetryPlan};
+use crate::experiment::plan::{Method, Source, SymmetryPlan};
 use crate::experiment::synthesis::field_name;
 
 /// A state's field from its reading and that of its null field.
@@ -28,10 +28,10 @@ pub(super) fn combined(
     };
     match (own, null) {
         (Reading::Pictures(fields), Some(Reading::Pictures(null))) => {
-            pictures(scope, &mut measured, *fields, &null)?;
+            pictures(scope, &mut measured, *fields, Some(&null))?;
         }
         (Reading::Pictures(fields), None) => {
-            pictures(scope, &mut measured, *fields, &[None, None])?;
+            pictures(scope, &mut measured, *fields, None)?;
         }
         (Reading::Lines(lines, deviation), None) => {
             fringe_lines(scope, &mut measured, lines, deviation)?;
@@ -80,7 +80,46 @@ fn minus(
             longest_side: longest_side(scope),
         },
     };
-    own.minus(null, how).map_err(|cause| scope.data(cause))
+    for field in Field::BOTH {
+        if own.count(field) > 0 && null.count(field) == 0 {
+            return Err(lacking(scope, field, NOT_MEASURED));
+        }
+    }
+    let difference = own.minus(null, how).map_err(|cause| scope.data(cause))?;
+    for field in Field::BOTH {
+        if own.count(field) > 0 && difference.count(field) == 0 {
+            return Err(lacking(scope, field, " where the state has one"));
+        }
+    }
+    Ok(difference)
+}
+
+/// What [`lacking`] adds where a component was not measured at all.
+const NOT_MEASURED: &str = "";
+
+/// A null field without a component of the state, which would keep the initial load or vanish unseen.
+fn lacking(scope: &Scope<'_>, field: Field, where_: &str) -> ExperimentError {
+    let name = field_name(field);
+    let null = scope.experiment.states[scope.state].null.as_ref();
+    let files = null.map_or_else(Vec::new, Source::files);
+    let files: Vec<String> = (files.iter())
+        .map(|file| format!("'{}'", file.display()))
+        .collect();
+    let of = if files.is_empty() {
+        String::new()
+    } else {
+        format!(" ({})", files.join(", "))
+    };
+    ExperimentError::Missing {
+        key: format!("{}.null", scope.key),
+        what: format!(
+            "state '{}': the null field has no {name}{where_}{of}, so the initial load cannot be taken off the state's {name}",
+            scope.name()
+        ),
+        remedy: format!(
+            "give the {name} of the initial load too, at the places of the state, or leave {name} out of the state"
+        ),
+    }
 }
 
 fn longest_side(scope: &Scope<'_>) -> f64 {
@@ -106,12 +145,16 @@ fn pictures(
     scope: &Scope<'_>,
     measured: &mut Measured,
     fields: [Option<Unwound>; 2],
-    null: &[Option<Unwound>; 2],
+    null: Option<&[Option<Unwound>; 2]>,
 ) -> Result<(), ExperimentError> {
-    for ((field, own), null) in Field::BOTH.into_iter().zip(fields).zip(null) {
+    for (field, own) in Field::BOTH.into_iter().zip(fields) {
         let Some(own) = own else { continue };
-        let found =
-            less(own, null.as_ref()).map_err(|cause| scope.fringes(field_name(field), cause))?;
+        let null = match null.map(|null| null[field.component()].as_ref()) {
+            Some(None) => return Err(lacking(scope, field, NOT_MEASURED)),
+            Some(null) => null,
+            None => None,
+        };
+        let found = less(own, null).map_err(|cause| scope.fringes(field_name(field), cause))?;
         tell_of(measured, field, &found);
         measured.pictures[field.component()] = Some(found.field);
     }
