@@ -1,14 +1,14 @@
-//! The null field taken off, displacements from orders, front against back.
+//! The null field taken off, displacements from orders.
 
 use stickslip_fem_core::mesh::Point;
-use stickslip_hybrid::data::{DataError, Field, FringeLines, Measurement, NullField, Symmetry};
+use stickslip_hybrid::data::{DataError, Field, FringeLines, Measurement, NullField};
 use stickslip_hybrid::fringe::{FringeError, PixelMap, Plane, measurement};
 use stickslip_hybrid::moire::Grating;
 
 use super::phase::Unwound;
 use super::{Measured, PictureField, Reading, Scope};
 use crate::experiment::error::ExperimentError;
-use crate::experiment::plan::{Method, Source, SymmetryPlan};
+use crate::experiment::plan::{Method, Source};
 use crate::experiment::synthesis::field_name;
 
 /// A state's field from its reading and that of its null field.
@@ -122,14 +122,14 @@ fn lacking(scope: &Scope<'_>, field: Field, where_: &str) -> ExperimentError {
     }
 }
 
-fn longest_side(scope: &Scope<'_>) -> f64 {
+pub(super) fn longest_side(scope: &Scope<'_>) -> f64 {
     match scope.experiment.reduce.method {
         Method::Linear { longest_side } => longest_side,
         _ => f64::INFINITY,
     }
 }
 
-fn grating(scope: &Scope<'_>) -> Result<Grating, ExperimentError> {
+pub(super) fn grating(scope: &Scope<'_>) -> Result<Grating, ExperimentError> {
     scope
         .experiment
         .grating
@@ -326,52 +326,4 @@ fn less_null(
         Ok(found.lines)
     };
     Ok([less(0)?, less(1)?])
-}
-
-/// Front against back along the chosen line, or along all common fringe lines.
-pub(super) fn symmetry(
-    scope: &Scope<'_>,
-    plan: &SymmetryPlan,
-    front: &Measured,
-    back: &Measured,
-) -> Result<Vec<(Field, Symmetry)>, ExperimentError> {
-    let mut found = Vec::new();
-    let failed = |cause: DataError| ExperimentError::Data {
-        state: scope.name(),
-        key: "reduce.symmetry".to_owned(),
-        cause: Box::new(cause),
-    };
-    for field in Field::BOTH {
-        if let (Some(own), Some(other)) = (&front.lines, &back.lines) {
-            let c = field.component();
-            for line in &own[c].lines {
-                if let Some(counterpart) = other[c].line(line.name()) {
-                    let compared = line.symmetry(counterpart, plan.tolerance, true);
-                    found.push((field, compared.map_err(failed)?));
-                }
-            }
-            continue;
-        }
-        if front.measurement.count(field) == 0 || back.measurement.count(field) == 0 {
-            continue;
-        }
-        let grating = grating(scope)?;
-        let places: Vec<Point> = (0..plan.places)
-            .map(|k| {
-                let t = k as f64 / (plan.places - 1) as f64;
-                [0, 1].map(|axis| (1.0 - t) * plan.ends[0][axis] + t * plan.ends[1][axis])
-            })
-            .collect();
-        let along = |measured: &Measured, name: &str| {
-            let side = longest_side(scope);
-            let line = measured
-                .measurement
-                .along(name, field, &places, side, &grating);
-            line.map_err(failed)
-        };
-        let (own, other) = (along(front, "front")?, along(back, "back")?);
-        let compared = own.symmetry(&other, plan.tolerance, true);
-        found.push((field, compared.map_err(failed)?));
-    }
-    Ok(found)
 }
