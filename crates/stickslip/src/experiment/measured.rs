@@ -37,7 +37,7 @@ pub struct Measured {
     pub measurement: Measurement,
     /// Fringe lines of the U and the V field, where the state has lines.
     pub lines: Option<[FringeLines; 2]>,
-    /// What the pictures of the U and the V field say, where the state has pictures.
+    /// What the pictures of the U and the V field say, where the state has pictures, or else where its null field has.
     pub pictures: [Option<PictureField>; 2],
     /// Front against back along the chosen line, U and V, before the null field is taken off.
     pub symmetry: Vec<(Field, Symmetry)>,
@@ -54,9 +54,9 @@ pub struct PictureField {
     pub picture: PixelMap,
     /// Orders up to a whole number, in −½ … ½, less the carrier.
     pub wrapped: PixelMap,
-    /// Orders without jumps, carrier and null field taken off; one region.
+    /// Orders without jumps, carrier and null field taken off (but for a null field that is a table); one region.
     pub orders: PixelMap,
-    /// Middles of loops of four pixels around which orders do not close `[mm]`.
+    /// Middles of loops of four pixels around which orders do not close, those of the null field's picture too `[mm]`.
     pub residues: Vec<Point>,
     /// Middles between neighbouring pixels that differ by half a fringe or more `[mm]`; their orders are masked.
     pub cuts: Vec<Point>,
@@ -70,6 +70,8 @@ pub struct PictureField {
     pub strength: Option<f64>,
     /// Median amplitude of the fringes, part of full scale.
     pub modulation: f64,
+    /// Whether this is a picture of the null field alone: the state's own data are a table.
+    pub of_null: bool,
 }
 
 /// The measured field of a state; `shots` are its synthetic pictures.

@@ -167,6 +167,28 @@ fn data_that_do_not_cover_the_region_are_refused_with_the_place() {
 }
 
 #[test]
+fn a_region_needs_both_components() {
+    let region = "[region]\nsector = { angles = [\"-40 deg\", \"40 deg\"], outer = \"11 mm\", cells = [16, 4], stand_off = \"0.5 mm\" }\n";
+    let u_alone = grid("x,y,u,v", |x, y| [field(x, y)[0], f64::NAN]);
+    for text in [TABLE, &TABLE.replace(", deviation = \"1e-4 mm\"", "")] {
+        let text = format!("{text}{region}");
+        let folder = folder_with(&[("e.toml", &text), ("up.csv", &u_alone)]);
+        for command in ["reduce", "hybrid", "identify"] {
+            check(
+                &fails(folder.path(), &[command, "e.toml"]),
+                &[
+                    "state 'up'",
+                    "no valid V displacement",
+                    "states.0",
+                    "e.toml:6",
+                    "give the V field too",
+                ],
+            );
+        }
+    }
+}
+
+#[test]
 fn fringe_lines_out_of_order_are_refused() {
     let head = TABLE.lines().take(7).collect::<Vec<_>>().join("\n");
     let experiment = format!(

@@ -41,32 +41,58 @@ pub(super) fn combined(
             fringe_lines(scope, &mut measured, lines, deviation.hypot(of_null))?;
         }
         (own, null) => {
-            measured.measurement = scattered(scope, &mut measured, own)?;
+            let is_pictured = matches!(own, Reading::Pictures(_));
+            measured.measurement = scattered(scope, &mut measured, own, false)?;
             if let Some(null) = null {
-                let null = scattered(scope, &mut measured, null)?;
+                let null = scattered(scope, &mut measured, null, true)?;
                 measured.measurement = minus(scope, &measured.measurement, &null)?;
+                if is_pictured {
+                    measured.remarks.push(
+                        "the maps of phase and orders show the state before its null field, a table, is taken off"
+                            .to_owned(),
+                    );
+                }
             }
         }
     }
     Ok(measured)
 }
 
-/// Displacements at places of any reading.
+/// Displacements at places of any reading, with what was met on the way to them; `of_null` where they are those of the null field.
 fn scattered(
     scope: &Scope<'_>,
     measured: &mut Measured,
     reading: Reading,
+    of_null: bool,
 ) -> Result<Measurement, ExperimentError> {
-    match reading {
+    let (found, mut pictures, remarks, warnings) = match reading {
         Reading::Scattered {
             measurement,
             remarks,
-        } => {
-            measured.remarks.extend(remarks);
-            Ok(measurement)
+        } => (measurement, [None, None], remarks, Vec::new()),
+        other => {
+            let own = combined(scope, other, None)?;
+            (own.measurement, own.pictures, own.remarks, own.warnings)
         }
-        other => Ok(combined(scope, other, None)?.measurement),
+    };
+    let said = |of: &str, words: String| {
+        if of_null {
+            format!("{of}: {words}")
+        } else {
+            words
+        }
+    };
+    let remarks = remarks.into_iter();
+    (measured.remarks).extend(remarks.map(|words| said("the null field", words)));
+    let warnings = warnings.into_iter();
+    (measured.warnings).extend(warnings.map(|words| said("The null field", words)));
+    if pictures.iter().any(Option::is_some) {
+        for field in pictures.iter_mut().flatten() {
+            field.of_null = of_null;
+        }
+        measured.pictures = pictures;
     }
+    Ok(found)
 }
 
 fn minus(
@@ -158,6 +184,7 @@ fn pictures(
         tell_of(measured, field, &found);
         measured.pictures[field.component()] = Some(found.field);
     }
+    tell_of_unwrapping(measured);
     let stride = stride(scope, measured);
     let maps = measured.pictures.each_ref();
     let orders = maps.map(|field| field.as_ref().map(|field| &field.orders));
@@ -204,7 +231,8 @@ fn less(own: Unwound, null: Option<&Unwound>) -> Result<Less, FringeError> {
         None => (own.orders, own.deviation),
         Some(null) => (difference(&own, null)?, own.deviation.hypot(null.deviation)),
     };
-    let from_null = null.map_or(&[][..], |null| &null.cuts);
+    let residues_of_null = null.map_or(&[][..], |null| &null.residues);
+    let cuts_of_null = null.map_or(&[][..], |null| &null.cuts);
     Ok(Less {
         apart: own.apart,
         found_carrier: !own.known && null.is_none(),
@@ -212,8 +240,11 @@ fn less(own: Unwound, null: Option<&Unwound>) -> Result<Less, FringeError> {
             picture: own.picture,
             wrapped: own.wrapped,
             orders,
-            residues: own.residues,
-            cuts: own.cuts.iter().chain(from_null).copied().collect(),
+            residues: (own.residues.iter().chain(residues_of_null))
+                .copied()
+                .collect(),
+            cuts: own.cuts.iter().chain(cuts_of_null).copied().collect(),
+            of_null: false,
             deviation,
             resolution: null.map_or(own.resolution, |null| own.resolution.max(null.resolution)),
             carrier: own.carrier,
@@ -250,13 +281,6 @@ fn tell_of(measured: &mut Measured, field: Field, found: &Less) {
             found.field.carrier[0], found.field.carrier[1]
         ));
     }
-    let (residues, cuts) = (found.field.residues.len(), found.field.cuts.len());
-    if residues + cuts > 0 {
-        measured.warnings.push(format!(
-            "Unwrapping the {name} field is inconsistent: {residues} loops of pixels do not close, and {cuts} neighbours differ by half \
-             a fringe or more. They are marked on the map of the phase; pixels at the jumps are masked."
-        ));
-    }
     if found.apart > 0 {
         measured.remarks.push(format!(
             "{} pixels of the {name} field hang together with no pixel of the largest region; their whole orders are not known, and they \
@@ -264,6 +288,40 @@ fn tell_of(measured: &mut Measured, field: Field, found: &Less) {
             found.apart
         ));
     }
+}
+
+/// One line for both fields: what is wrong with one picture is mostly wrong with the other.
+fn tell_of_unwrapping(measured: &mut Measured) {
+    let fields = Field::BOTH.into_iter().zip(&measured.pictures);
+    let open: Vec<(&str, usize, usize)> = fields
+        .filter_map(|(field, found)| {
+            let found = found.as_ref()?;
+            let (residues, cuts) = (found.residues.len(), found.cuts.len());
+            (residues + cuts > 0).then_some((field_name(field), residues, cuts))
+        })
+        .collect();
+    let counts = match open[..] {
+        [] => return,
+        [(name, residues, cuts)] => format!(
+            "the {name} field is inconsistent: {residues} loops of pixels do not close, and {cuts} neighbours differ by half a fringe \
+             or more"
+        ),
+        _ => {
+            let each = open.iter().map(|(name, residues, cuts)| {
+                format!("{residues} loops of pixels do not close in {name}, and {cuts} neighbours differ by half a fringe or more")
+            });
+            let names: Vec<&str> = open.iter().map(|(name, ..)| *name).collect();
+            let each: Vec<String> = each.collect();
+            format!(
+                "the {} fields is inconsistent: {}",
+                names.join(" and "),
+                each.join("; ")
+            )
+        }
+    };
+    measured.warnings.push(format!(
+        "Unwrapping {counts}. They are marked on the map of the phase; pixels at the jumps are masked."
+    ));
 }
 
 /// Places of a component's own centres carry that component alone.
