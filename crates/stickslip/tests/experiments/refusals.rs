@@ -386,3 +386,47 @@ fn fringe_lines_of_the_back_need_the_names_of_the_front() {
     let page = fs::read_to_string(folder.path().join("e-results/index.html")).unwrap();
     assert!(page.contains("lines b of the U field are not on the back"));
 }
+
+/// Ends of ranges are spelled as the parameter is: a length is no stress, and no bare number.
+#[test]
+fn ranges_of_free_parameters_have_the_dimension_of_the_parameter() {
+    let table = grid("x,y,u,v", field);
+    let law = |range: &str| {
+        format!(
+            "{TABLE}[[laws]]\nfriction.slip_power = {{ static = 0.35, dynamic = 0.25, slip_scale = \"0.002 mm\", exponent = 2.0 }}\nfree = {{ {range} }}\n"
+        )
+    };
+    for (range, parts) in [
+        (
+            "slip_scale = [1e-4, 0.1]",
+            ["0.0001 has no unit", "a length", "slip_scale.0"],
+        ),
+        (
+            "slip_scale = [\"1e-4 mm\", \"0.1 MPa\"]",
+            [
+                "expected a length",
+                "\"0.1 MPa\" is a stress",
+                "slip_scale.1",
+            ],
+        ),
+        (
+            "slip_scale = [\"1e-4 mm\", \"0.1 foo\"]",
+            ["'foo'", "not a known unit", "slip_scale.1"],
+        ),
+        (
+            "static = [0.0, \"1 mm\"]",
+            [
+                "a number without unit or quotes",
+                "1 mm",
+                "laws.0.free.static.1",
+            ],
+        ),
+    ] {
+        let error = says(&law(range), &table);
+        check(&error, &parts);
+        check(&error, &["e.toml:11"]);
+    }
+    let fits = law("static = [0.0, 1.0], slip_scale = [\"0.1 um\", \"0.1 mm\"]");
+    let folder = folder_with(&[("e.toml", &fits), ("up.csv", &table)]);
+    super::succeeds(folder.path(), &["reduce", "e.toml"]);
+}
