@@ -40,7 +40,7 @@ pub(super) fn compared(
             [true, false] => {
                 return Err(not_compared(
                     scope,
-                    format!("the back has no {name}, which the front has"),
+                    &format!("the back has no {name}, which the front has"),
                     format!("give the {name} of the back too, or leave {name} out of the front"),
                 ));
             }
@@ -53,7 +53,7 @@ pub(super) fn compared(
     if comparison.found.is_empty() {
         return Err(not_compared(
             scope,
-            "front and back have no field in common, so nothing of them was compared".to_owned(),
+            "front and back have no field in common, so nothing of them was compared",
             "give the same field of both, or remove back".to_owned(),
         ));
     }
@@ -72,7 +72,7 @@ pub(super) fn of_carriers(front: &Reading) -> Option<String> {
         .then(|| words.to_owned())
 }
 
-fn not_compared(scope: &Scope<'_>, what: String, remedy: String) -> ExperimentError {
+fn not_compared(scope: &Scope<'_>, what: &str, remedy: String) -> ExperimentError {
     ExperimentError::Missing {
         key: format!("{}.back", scope.key),
         what: format!("state '{}': {what}", scope.name()),
@@ -113,7 +113,7 @@ fn common_lines(
     if alone.len() == front.lines.len() {
         return Err(not_compared(
             scope,
-            format!(
+            &format!(
                 "no line of the {name} field is on the front and on the back; the front has {}, the back {}",
                 names(front),
                 names(back)
