@@ -14,6 +14,7 @@ mod lines;
 mod phase;
 mod pictures;
 mod scatter;
+mod symmetry;
 mod table;
 mod tell;
 
@@ -36,9 +37,9 @@ pub struct Measured {
     pub measurement: Measurement,
     /// Fringe lines of the U and the V field, where the state has lines.
     pub lines: Option<[FringeLines; 2]>,
-    /// What the pictures of the U and the V field say, where the state has pictures.
+    /// What the pictures of the U and the V field say, where the state has pictures, or else where its null field has.
     pub pictures: [Option<PictureField>; 2],
-    /// Front against back along the chosen line, U and V.
+    /// Front against back along the chosen line, U and V, before the null field is taken off.
     pub symmetry: Vec<(Field, Symmetry)>,
     /// What was assumed or left out.
     pub remarks: Vec<String>,
@@ -53,9 +54,9 @@ pub struct PictureField {
     pub picture: PixelMap,
     /// Orders up to a whole number, in −½ … ½, less the carrier.
     pub wrapped: PixelMap,
-    /// Orders without jumps, carrier and null field taken off; one region.
+    /// Orders without jumps, carrier and null field taken off (but for a null field that is a table); one region.
     pub orders: PixelMap,
-    /// Middles of loops of four pixels around which orders do not close `[mm]`.
+    /// Middles of loops of four pixels around which orders do not close, those of the null field's picture too `[mm]`.
     pub residues: Vec<Point>,
     /// Middles between neighbouring pixels that differ by half a fringe or more `[mm]`; their orders are masked.
     pub cuts: Vec<Point>,
@@ -69,6 +70,8 @@ pub struct PictureField {
     pub strength: Option<f64>,
     /// Median amplitude of the fringes, part of full scale.
     pub modulation: f64,
+    /// Whether this is a picture of the null field alone: the state's own data are a table.
+    pub of_null: bool,
 }
 
 /// The measured field of a state; `shots` are its synthetic pictures.
@@ -110,11 +113,33 @@ pub fn state(
         state,
         key: key.clone(),
     };
+    let compared = experiment.reduce.symmetry.as_ref().zip(plan.back.as_ref());
+    // The back has no null field, so that it is compared with the front as that was measured.
+    let front = match (compared, &null) {
+        (Some(_), Some(_)) => {
+            let front = combine::combined(&scope, own.clone(), None)?;
+            Some((front, symmetry::of_carriers(&own)))
+        }
+        _ => None,
+    };
     let mut measured = combine::combined(&scope, own, null)?;
-    if let (Some(plan_of_line), Some(source)) = (&experiment.reduce.symmetry, &plan.back) {
+    if let Some((line, source)) = compared {
         let back = read(source, &format!("{key}.back"), Shot::Back)?;
         let back = combine::combined(&scope, back, None)?;
-        measured.symmetry = combine::symmetry(&scope, plan_of_line, &measured, &back)?;
+        let (front, of_carriers) =
+            front.map_or((None, None), |(front, words)| (Some(front), words));
+        let sides = symmetry::compared(&scope, line, front.as_ref().unwrap_or(&measured), &back)?;
+        measured.symmetry = sides.found;
+        let remarks = back
+            .remarks
+            .iter()
+            .map(|words| format!("the back: {words}"));
+        measured.remarks.extend(remarks.chain(sides.remarks));
+        let warnings = back
+            .warnings
+            .iter()
+            .map(|words| format!("The back: {words}"));
+        measured.warnings.extend(warnings.chain(of_carriers));
     }
     coverage::check(&scope, &measured)?;
     Ok(measured)

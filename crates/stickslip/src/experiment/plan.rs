@@ -219,6 +219,23 @@ pub enum Source {
     Lines(LineSource),
 }
 
+impl Source {
+    /// The files that it is read from.
+    pub fn files(&self) -> Vec<&Path> {
+        match self {
+            Self::Step(_) => Vec::new(),
+            Self::Table(table) => vec![&table.file],
+            Self::Pictures(pictures) => pictures
+                .files
+                .iter()
+                .flatten()
+                .map(PathBuf::as_path)
+                .collect(),
+            Self::Lines(lines) => lines.files.iter().map(PathBuf::as_path).collect(),
+        }
+    }
+}
+
 /// A table of displacements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TableSource {

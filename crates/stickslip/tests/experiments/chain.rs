@@ -185,6 +185,15 @@ fn front_and_back_are_compared_along_a_line() {
             .as_f64()
             .unwrap();
         assert_eq!(largest <= 0.25, symmetric, "{largest}");
+        // The null field is the front's alone: without it in either, the comparison is the same.
+        let nulled = text.replace("step = 2\n", "step = 2\nnull = { step = 3 }\n");
+        fs::write(folder.path().join("e.toml"), nulled).unwrap();
+        let nulled = succeeds(folder.path(), &["reduce", "e.toml", "--force"]);
+        assert_eq!(
+            nulled["measured"][0]["u"]["symmetry_fringes"],
+            summary["measured"][0]["u"]["symmetry_fringes"],
+            "{nulled}"
+        );
     }
 }
 

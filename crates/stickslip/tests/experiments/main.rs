@@ -1,5 +1,6 @@
 //! Experiments as their users meet them: synthetic pictures, measured fields from every kind of data, and what bad data say.
 
+mod backs;
 mod chain;
 mod pictures;
 mod refusals;

@@ -121,6 +121,30 @@ fn a_carrier_that_nothing_tells_is_asked_for() {
     assert!((slope - 0.3).abs() < 0.005, "{slope}");
 }
 
+/// The initial load's U alone leaves nothing to take off V.
+#[test]
+fn a_null_field_without_the_picture_of_a_field_is_refused() {
+    let null = "null.pictures = { u = \"n.png\", pixel = \"0.05 mm\", top_left = [\"6 mm\", \"5 mm\"], y_axis = \"up\" }\n[grating]";
+    let text = experiment(CARRIER)
+        .replace("u = \"u.png\"", "u = \"u.png\", v = \"v.png\"")
+        .replace("[grating]", null);
+    let folder = folder_with(&[("e.toml", &text)]);
+    for name in ["n.png", "u.png"] {
+        write(&folder.path().join(name), Some(&|x, _| 4.1 * x));
+    }
+    write(&folder.path().join("v.png"), Some(&|_, y| 4.1 * y));
+    let error = fails(folder.path(), &["reduce", "e.toml"]);
+    for part in [
+        "state 'up': the null field has no V",
+        "n.png",
+        "e.toml:9",
+        "states.0.null",
+        "leave V out",
+    ] {
+        assert!(error.contains(part), "{part}: {error}");
+    }
+}
+
 #[test]
 fn a_picture_in_colour_or_none_at_all_is_refused() {
     let folder = folder_with(&[("e.toml", &experiment(CARRIER)), ("u.png", "no picture")]);
@@ -131,5 +155,101 @@ fn a_picture_in_colour_or_none_at_all_is_refused() {
     assert!(
         error.contains("u.png") && error.contains("cannot be read"),
         "{error}"
+    );
+}
+
+/// A table as null field of pictures, and the reverse: maps, marks and warnings of the pictures stay.
+#[test]
+fn pictures_and_tables_are_taken_off_each_other_with_what_pictures_tell() {
+    let dislocation = |x: f64, y: f64| 4.0 * x + (y - 1.0).atan2(x - 11.0) / TAU;
+    let table =
+        "table = { file = \"t.csv\", scale = \"1 mm\", y_axis = \"up\", deviation = \"1e-4 mm\" }";
+    let pictures = "pictures = { u = \"u.png\", pixel = \"0.05 mm\", top_left = [\"6 mm\", \"5 mm\"], y_axis = \"up\" }";
+    let head = TABLE.lines().take(7).collect::<Vec<_>>().join("\n");
+    let grid = super::grid("x,y,u,v", |x, _| [1e-4 * x, f64::NAN]);
+    // Finer than the grid of places, so that jumps in the way are of no interest.
+    for (own, null, of_null) in [(pictures, table, false), (table, pictures, true)] {
+        let text = format!(
+            "{head}\n{own}\nnull.{null}\n[reduce]\nleast_modulation = 0\n[grating]\nfrequency = \"2400 1/mm\"\n"
+        );
+        let folder = folder_with(&[("e.toml", &text), ("t.csv", &grid)]);
+        write(&folder.path().join("u.png"), Some(&dislocation));
+        let summary = succeeds(folder.path(), &["reduce", "e.toml"]);
+        let field = &summary["measured"][0]["u"];
+        assert!(field["open_loops"].as_u64().unwrap() >= 1, "{summary}");
+        let warnings = summary["warnings"].to_string();
+        let whose = if of_null { "The null field: " } else { "" };
+        for words in [
+            "The carrier of the U field was not stated",
+            "Unwrapping the U field",
+        ] {
+            let words = format!("State 'up': {whose}{words}");
+            assert!(warnings.contains(&words), "{words}: {warnings}");
+        }
+        let figures = folder.path().join("e-results/figures");
+        let map = fs::read_to_string(figures.join("phase-up.svg")).unwrap();
+        assert!(map.contains("loops that do not close: "));
+        assert_eq!(figures.join("orders-up.svg").exists(), !of_null);
+        assert_eq!(figures.join("data-up.svg").exists(), of_null);
+    }
+}
+
+/// Loops that are open in the initial load's picture are open in the difference.
+#[test]
+fn one_warning_counts_the_loops_of_both_fields_and_of_the_null_field() {
+    let dislocation = |x: f64, y: f64| 4.0 * x + (y - 1.0).atan2(x - 11.0) / TAU;
+    let of = |u: &str, v: &str| {
+        format!(
+            "pictures = {{ u = \"{u}\", v = \"{v}\", pixel = \"0.05 mm\", top_left = [\"6 mm\", \"5 mm\"], y_axis = \"up\"{CARRIER} }}"
+        )
+    };
+    let head = TABLE.lines().take(7).collect::<Vec<_>>().join("\n");
+    let text = format!(
+        "{head}\n{}\nnull.{}\n[reduce]\nleast_modulation = 0\n[grating]\nfrequency = \"2400 1/mm\"\n",
+        of("even-u.png", "open-v.png"),
+        of("open-u.png", "even-v.png")
+    );
+    let folder = folder_with(&[("e.toml", &text)]);
+    let path = |name: &str| folder.path().join(name);
+    write(&path("even-u.png"), Some(&|x, _| 4.0 * x));
+    write(&path("even-v.png"), Some(&|_, y| 4.0 * y));
+    write(&path("open-u.png"), Some(&dislocation));
+    write(
+        &path("open-v.png"),
+        Some(&|x, y| 4.0 * y + (y - 1.0).atan2(x - 11.0) / TAU),
+    );
+    let summary = succeeds(folder.path(), &["reduce", "e.toml"]);
+    for name in ["u", "v"] {
+        let loops = summary["measured"][0][name]["open_loops"].as_u64();
+        assert!(loops.unwrap() >= 1, "{summary}");
+    }
+    let warnings = summary["warnings"].as_array().unwrap();
+    assert_eq!(warnings.len(), 1, "{summary}");
+    let words = warnings[0].as_str().unwrap();
+    assert!(
+        words.starts_with("State 'up': Unwrapping the U and V fields is inconsistent: "),
+        "{words}"
+    );
+    assert!(
+        words.contains("do not close in U") && words.contains("do not close in V"),
+        "{words}"
+    );
+}
+
+/// What the pictures of the back cannot be trusted in is said.
+#[test]
+fn warnings_of_the_back_are_told() {
+    let back = "back.pictures = { u = \"b.png\", pixel = \"0.05 mm\", top_left = [\"6 mm\", \"5 mm\"], y_axis = \"up\"";
+    let symmetry = "[reduce]\nleast_modulation = 0\nsymmetry = { from = [\"13 mm\", \"-4 mm\"], to = [\"15 mm\", \"-4 mm\"] }\n[grating]";
+    let text = experiment(CARRIER).replace("[grating]", &format!("{back}{CARRIER} }}\n{symmetry}"));
+    let folder = folder_with(&[("e.toml", &text)]);
+    let dislocation = |x: f64, y: f64| 4.0 * x + (y - 1.0).atan2(x - 11.0) / TAU;
+    write(&folder.path().join("u.png"), Some(&|x, _| 4.0 * x));
+    write(&folder.path().join("b.png"), Some(&dislocation));
+    let summary = succeeds(folder.path(), &["reduce", "e.toml"]);
+    let words = summary["warnings"][0].as_str().unwrap();
+    assert!(
+        words.starts_with("State 'up': The back: Unwrapping the U field is inconsistent"),
+        "{summary}"
     );
 }

@@ -4,19 +4,19 @@ use std::fs;
 
 use super::{FRINGES, SCENE, TABLE, fails, folder_with, grid};
 
-fn field(x: f64, y: f64) -> [f64; 2] {
+pub(super) fn field(x: f64, y: f64) -> [f64; 2] {
     [1e-3 * x, -3e-4 * y]
 }
 
 /// What `stickslip reduce` says of an experiment and its table.
-fn says(experiment: &str, table: &str) -> String {
+pub(super) fn says(experiment: &str, table: &str) -> String {
     let folder = folder_with(&[("e.toml", experiment), ("up.csv", table)]);
     let error = fails(folder.path(), &["reduce", "e.toml"]);
     assert!(!folder.path().join("e-results").exists());
     error
 }
 
-fn check(error: &str, parts: &[&str]) {
+pub(super) fn check(error: &str, parts: &[&str]) {
     for part in parts {
         assert!(error.contains(part), "'{part}' is missing in:\n{error}");
     }
@@ -167,6 +167,28 @@ fn data_that_do_not_cover_the_region_are_refused_with_the_place() {
 }
 
 #[test]
+fn a_region_needs_both_components() {
+    let region = "[region]\nsector = { angles = [\"-40 deg\", \"40 deg\"], outer = \"11 mm\", cells = [16, 4], stand_off = \"0.5 mm\" }\n";
+    let u_alone = grid("x,y,u,v", |x, y| [field(x, y)[0], f64::NAN]);
+    for text in [TABLE, &TABLE.replace(", deviation = \"1e-4 mm\"", "")] {
+        let text = format!("{text}{region}");
+        let folder = folder_with(&[("e.toml", &text), ("up.csv", &u_alone)]);
+        for command in ["reduce", "hybrid", "identify"] {
+            check(
+                &fails(folder.path(), &[command, "e.toml"]),
+                &[
+                    "state 'up'",
+                    "no valid V displacement",
+                    "states.0",
+                    "e.toml:6",
+                    "give the V field too",
+                ],
+            );
+        }
+    }
+}
+
+#[test]
 fn fringe_lines_out_of_order_are_refused() {
     let head = TABLE.lines().take(7).collect::<Vec<_>>().join("\n");
     let experiment = format!(
@@ -265,4 +287,48 @@ fn scenes_of_synthetic_experiments_are_checked_too() {
         &says(&FRINGES.replace("frequency = \"2400 1/mm\"", "wavelength = \"514.5 mm\"")),
         &["wavelength and angle"],
     );
+}
+
+/// Ends of ranges are spelled as the parameter is: a length is no stress, and no bare number.
+#[test]
+fn ranges_of_free_parameters_have_the_dimension_of_the_parameter() {
+    let table = grid("x,y,u,v", field);
+    let law = |range: &str| {
+        format!(
+            "{TABLE}[[laws]]\nfriction.slip_power = {{ static = 0.35, dynamic = 0.25, slip_scale = \"0.002 mm\", exponent = 2.0 }}\nfree = {{ {range} }}\n"
+        )
+    };
+    for (range, parts) in [
+        (
+            "slip_scale = [1e-4, 0.1]",
+            ["0.0001 has no unit", "a length", "slip_scale.0"],
+        ),
+        (
+            "slip_scale = [\"1e-4 mm\", \"0.1 MPa\"]",
+            [
+                "expected a length",
+                "\"0.1 MPa\" is a stress",
+                "slip_scale.1",
+            ],
+        ),
+        (
+            "slip_scale = [\"1e-4 mm\", \"0.1 foo\"]",
+            ["'foo'", "not a known unit", "slip_scale.1"],
+        ),
+        (
+            "static = [0.0, \"1 mm\"]",
+            [
+                "a number without unit or quotes",
+                "1 mm",
+                "laws.0.free.static.1",
+            ],
+        ),
+    ] {
+        let error = says(&law(range), &table);
+        check(&error, &parts);
+        check(&error, &["e.toml:11"]);
+    }
+    let fits = law("static = [0.0, 1.0], slip_scale = [\"0.1 um\", \"0.1 mm\"]");
+    let folder = folder_with(&[("e.toml", &fits), ("up.csv", &table)]);
+    super::succeeds(folder.path(), &["reduce", "e.toml"]);
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::fs;
 
-use super::{TABLE, folder_with, grid, numbers, succeeds};
+use super::{TABLE, fails, folder_with, grid, numbers, succeeds};
 
 fn linear(x: f64, y: f64) -> [f64; 2] {
     [1e-3 * x + 2e-4 * y, -3e-4 * y]
@@ -152,4 +152,47 @@ fn fringe_lines_are_measured_along_both_fields() {
         rows.iter()
             .any(|row| row[0] == 11.0 && (row[3] + 10.0 / 2000.0).abs() < 1e-12)
     );
+}
+
+/// A null field without V would leave no V at all, or all of the initial load in it.
+#[test]
+fn a_null_field_that_lacks_a_component_is_refused() {
+    let null = "null.table = { file = \"initial.csv\", scale = \"1 mm\", y_axis = \"up\", deviation = \"1e-4 mm\" }\n";
+    let folder = folder_with(&[
+        ("e.toml", &format!("{TABLE}{null}")),
+        ("up.csv", &grid("x,y,u,v", linear)),
+        (
+            "initial.csv",
+            &grid("x,y,u,v", |x, y| [linear(x, y)[0], f64::NAN]),
+        ),
+    ]);
+    let says = || fails(folder.path(), &["reduce", "e.toml"]);
+    let error = says();
+    for part in [
+        "state 'up': the null field has no V",
+        "initial.csv",
+        "e.toml:9",
+        "states.0.null",
+        "leave V out",
+    ] {
+        assert!(error.contains(part), "{part}: {error}");
+    }
+    // A V that is nowhere near the state's.
+    let right = grid("x,y,u,v", |x, y| {
+        [linear(x, y)[0], if x > 6.0 { 0.0 } else { f64::NAN }]
+    });
+    let left = grid("x,y,u,v", |x, y| {
+        [linear(x, y)[0], if x < 0.0 { 0.0 } else { f64::NAN }]
+    });
+    std::fs::write(folder.path().join("initial.csv"), right).unwrap();
+    std::fs::write(folder.path().join("up.csv"), left).unwrap();
+    let error = says();
+    assert!(
+        error.contains("the null field has no V where the state has one"),
+        "{error}"
+    );
+    // What the state has not needs no null field.
+    let u_alone = grid("x,y,u,v", |x, y| [linear(x, y)[0], f64::NAN]);
+    std::fs::write(folder.path().join("up.csv"), u_alone).unwrap();
+    succeeds(folder.path(), &["reduce", "e.toml"]);
 }

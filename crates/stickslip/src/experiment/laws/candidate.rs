@@ -7,6 +7,7 @@ use stickslip_hybrid::calibrate::Parameter;
 use super::LawsError;
 use crate::diagnostic::{SceneProblem, nearest};
 use crate::experiment::plan::LawPlan;
+use crate::units::{self, Expected, UnitError, parse};
 
 /// Ranges with ends so far apart are divided evenly in the logarithm.
 const DECADES: f64 = 20.0;
@@ -89,6 +90,47 @@ impl Candidate {
             table,
             pointers,
         })
+    }
+
+    /// Whether one end of the range of the free parameter `path` is spelled as the parameter itself is: with a unit of its dimension, or as a
+    /// bare number. A name that the law does not have is refused by [`Self::of_law`].
+    ///
+    /// # Errors
+    /// No unit, an unknown one or one of another dimension; anything but a number for a parameter without dimension.
+    pub fn check_end(law: &dyn FrictionLaw, path: &str, end: &Value) -> Result<(), SceneProblem> {
+        let table = serde_json::to_value(law).unwrap_or_default();
+        let own = table.get(law.name()).unwrap_or(&Value::Null);
+        if !numbers_in(own, "").iter().any(|known| known == path) {
+            return Ok(());
+        }
+        let expected = match dimension(law.name(), path) {
+            Dimension::Length => Expected::one(units::Dimension::Length),
+            Dimension::Stress => Expected::one(units::Dimension::Stress),
+            Dimension::Angle => Expected::one(units::Dimension::Angle),
+            Dimension::Dimensionless | Dimension::Text | Dimension::Flag | Dimension::Law => {
+                return match end {
+                    Value::Number(_) => Ok(()),
+                    other => Err(SceneProblem::WrongKind {
+                        expected: "a number without unit or quotes".to_owned(),
+                        found: other.to_string(),
+                    }),
+                };
+            }
+        };
+        match end {
+            Value::String(text) => parse(text, &expected)
+                .map(|_| ())
+                .map_err(SceneProblem::from),
+            Value::Number(number) => Err(UnitError::MissingUnit {
+                value: number.to_string(),
+                expected,
+            }
+            .into()),
+            other => Err(SceneProblem::WrongKind {
+                expected: format!("{expected} with its unit in quotes"),
+                found: other.to_string(),
+            }),
+        }
     }
 
     /// The law with these values of the free parameters, in base units.

@@ -1,14 +1,14 @@
-//! The null field taken off, displacements from orders, front against back.
+//! The null field taken off, displacements from orders.
 
 use stickslip_fem_core::mesh::Point;
-use stickslip_hybrid::data::{DataError, Field, FringeLines, Measurement, NullField, Symmetry};
+use stickslip_hybrid::data::{DataError, Field, FringeLines, Measurement, NullField};
 use stickslip_hybrid::fringe::{FringeError, PixelMap, Plane, measurement};
 use stickslip_hybrid::moire::Grating;
 
 use super::phase::Unwound;
 use super::{Measured, PictureField, Reading, Scope};
 use crate::experiment::error::ExperimentError;
-use crate::experiment::plan::{Method, SymmetryPlan};
+use crate::experiment::plan::{Method, Source};
 use crate::experiment::synthesis::field_name;
 
 /// A state's field from its reading and that of its null field.
@@ -28,10 +28,10 @@ pub(super) fn combined(
     };
     match (own, null) {
         (Reading::Pictures(fields), Some(Reading::Pictures(null))) => {
-            pictures(scope, &mut measured, *fields, &null)?;
+            pictures(scope, &mut measured, *fields, Some(&null))?;
         }
         (Reading::Pictures(fields), None) => {
-            pictures(scope, &mut measured, *fields, &[None, None])?;
+            pictures(scope, &mut measured, *fields, None)?;
         }
         (Reading::Lines(lines, deviation), None) => {
             fringe_lines(scope, &mut measured, lines, deviation)?;
@@ -41,32 +41,58 @@ pub(super) fn combined(
             fringe_lines(scope, &mut measured, lines, deviation.hypot(of_null))?;
         }
         (own, null) => {
-            measured.measurement = scattered(scope, &mut measured, own)?;
+            let is_pictured = matches!(own, Reading::Pictures(_));
+            measured.measurement = scattered(scope, &mut measured, own, false)?;
             if let Some(null) = null {
-                let null = scattered(scope, &mut measured, null)?;
+                let null = scattered(scope, &mut measured, null, true)?;
                 measured.measurement = minus(scope, &measured.measurement, &null)?;
+                if is_pictured {
+                    measured.remarks.push(
+                        "the maps of phase and orders show the state before its null field, a table, is taken off"
+                            .to_owned(),
+                    );
+                }
             }
         }
     }
     Ok(measured)
 }
 
-/// Displacements at places of any reading.
+/// Displacements at places of any reading, with what was met on the way to them; `of_null` where they are those of the null field.
 fn scattered(
     scope: &Scope<'_>,
     measured: &mut Measured,
     reading: Reading,
+    of_null: bool,
 ) -> Result<Measurement, ExperimentError> {
-    match reading {
+    let (found, mut pictures, remarks, warnings) = match reading {
         Reading::Scattered {
             measurement,
             remarks,
-        } => {
-            measured.remarks.extend(remarks);
-            Ok(measurement)
+        } => (measurement, [None, None], remarks, Vec::new()),
+        other => {
+            let own = combined(scope, other, None)?;
+            (own.measurement, own.pictures, own.remarks, own.warnings)
         }
-        other => Ok(combined(scope, other, None)?.measurement),
+    };
+    let said = |of: &str, words: String| {
+        if of_null {
+            format!("{of}: {words}")
+        } else {
+            words
+        }
+    };
+    let remarks = remarks.into_iter();
+    (measured.remarks).extend(remarks.map(|words| said("the null field", words)));
+    let warnings = warnings.into_iter();
+    (measured.warnings).extend(warnings.map(|words| said("The null field", words)));
+    if pictures.iter().any(Option::is_some) {
+        for field in pictures.iter_mut().flatten() {
+            field.of_null = of_null;
+        }
+        measured.pictures = pictures;
     }
+    Ok(found)
 }
 
 fn minus(
@@ -80,17 +106,56 @@ fn minus(
             longest_side: longest_side(scope),
         },
     };
-    own.minus(null, how).map_err(|cause| scope.data(cause))
+    for field in Field::BOTH {
+        if own.count(field) > 0 && null.count(field) == 0 {
+            return Err(lacking(scope, field, NOT_MEASURED));
+        }
+    }
+    let difference = own.minus(null, how).map_err(|cause| scope.data(cause))?;
+    for field in Field::BOTH {
+        if own.count(field) > 0 && difference.count(field) == 0 {
+            return Err(lacking(scope, field, " where the state has one"));
+        }
+    }
+    Ok(difference)
 }
 
-fn longest_side(scope: &Scope<'_>) -> f64 {
+/// What [`lacking`] adds where a component was not measured at all.
+const NOT_MEASURED: &str = "";
+
+/// A null field without a component of the state, which would keep the initial load or vanish unseen.
+fn lacking(scope: &Scope<'_>, field: Field, where_: &str) -> ExperimentError {
+    let name = field_name(field);
+    let null = scope.experiment.states[scope.state].null.as_ref();
+    let files = null.map_or_else(Vec::new, Source::files);
+    let files: Vec<String> = (files.iter())
+        .map(|file| format!("'{}'", file.display()))
+        .collect();
+    let of = if files.is_empty() {
+        String::new()
+    } else {
+        format!(" ({})", files.join(", "))
+    };
+    ExperimentError::Missing {
+        key: format!("{}.null", scope.key),
+        what: format!(
+            "state '{}': the null field has no {name}{where_}{of}, so the initial load cannot be taken off the state's {name}",
+            scope.name()
+        ),
+        remedy: format!(
+            "give the {name} of the initial load too, at the places of the state, or leave {name} out of the state"
+        ),
+    }
+}
+
+pub(super) fn longest_side(scope: &Scope<'_>) -> f64 {
     match scope.experiment.reduce.method {
         Method::Linear { longest_side } => longest_side,
         _ => f64::INFINITY,
     }
 }
 
-fn grating(scope: &Scope<'_>) -> Result<Grating, ExperimentError> {
+pub(super) fn grating(scope: &Scope<'_>) -> Result<Grating, ExperimentError> {
     scope
         .experiment
         .grating
@@ -106,15 +171,20 @@ fn pictures(
     scope: &Scope<'_>,
     measured: &mut Measured,
     fields: [Option<Unwound>; 2],
-    null: &[Option<Unwound>; 2],
+    null: Option<&[Option<Unwound>; 2]>,
 ) -> Result<(), ExperimentError> {
-    for ((field, own), null) in Field::BOTH.into_iter().zip(fields).zip(null) {
+    for (field, own) in Field::BOTH.into_iter().zip(fields) {
         let Some(own) = own else { continue };
-        let found =
-            less(own, null.as_ref()).map_err(|cause| scope.fringes(field_name(field), cause))?;
+        let null = match null.map(|null| null[field.component()].as_ref()) {
+            Some(None) => return Err(lacking(scope, field, NOT_MEASURED)),
+            Some(null) => null,
+            None => None,
+        };
+        let found = less(own, null).map_err(|cause| scope.fringes(field_name(field), cause))?;
         tell_of(measured, field, &found);
         measured.pictures[field.component()] = Some(found.field);
     }
+    tell_of_unwrapping(measured);
     let stride = stride(scope, measured);
     let maps = measured.pictures.each_ref();
     let orders = maps.map(|field| field.as_ref().map(|field| &field.orders));
@@ -161,7 +231,8 @@ fn less(own: Unwound, null: Option<&Unwound>) -> Result<Less, FringeError> {
         None => (own.orders, own.deviation),
         Some(null) => (difference(&own, null)?, own.deviation.hypot(null.deviation)),
     };
-    let from_null = null.map_or(&[][..], |null| &null.cuts);
+    let residues_of_null = null.map_or(&[][..], |null| &null.residues);
+    let cuts_of_null = null.map_or(&[][..], |null| &null.cuts);
     Ok(Less {
         apart: own.apart,
         found_carrier: !own.known && null.is_none(),
@@ -169,8 +240,11 @@ fn less(own: Unwound, null: Option<&Unwound>) -> Result<Less, FringeError> {
             picture: own.picture,
             wrapped: own.wrapped,
             orders,
-            residues: own.residues,
-            cuts: own.cuts.iter().chain(from_null).copied().collect(),
+            residues: (own.residues.iter().chain(residues_of_null))
+                .copied()
+                .collect(),
+            cuts: own.cuts.iter().chain(cuts_of_null).copied().collect(),
+            of_null: false,
             deviation,
             resolution: null.map_or(own.resolution, |null| own.resolution.max(null.resolution)),
             carrier: own.carrier,
@@ -207,13 +281,6 @@ fn tell_of(measured: &mut Measured, field: Field, found: &Less) {
             found.field.carrier[0], found.field.carrier[1]
         ));
     }
-    let (residues, cuts) = (found.field.residues.len(), found.field.cuts.len());
-    if residues + cuts > 0 {
-        measured.warnings.push(format!(
-            "Unwrapping the {name} field is inconsistent: {residues} loops of pixels do not close, and {cuts} neighbours differ by half \
-             a fringe or more. They are marked on the map of the phase; pixels at the jumps are masked."
-        ));
-    }
     if found.apart > 0 {
         measured.remarks.push(format!(
             "{} pixels of the {name} field hang together with no pixel of the largest region; their whole orders are not known, and they \
@@ -221,6 +288,40 @@ fn tell_of(measured: &mut Measured, field: Field, found: &Less) {
             found.apart
         ));
     }
+}
+
+/// One line for both fields: what is wrong with one picture is mostly wrong with the other.
+fn tell_of_unwrapping(measured: &mut Measured) {
+    let fields = Field::BOTH.into_iter().zip(&measured.pictures);
+    let open: Vec<(&str, usize, usize)> = fields
+        .filter_map(|(field, found)| {
+            let found = found.as_ref()?;
+            let (residues, cuts) = (found.residues.len(), found.cuts.len());
+            (residues + cuts > 0).then_some((field_name(field), residues, cuts))
+        })
+        .collect();
+    let counts = match open[..] {
+        [] => return,
+        [(name, residues, cuts)] => format!(
+            "the {name} field is inconsistent: {residues} loops of pixels do not close, and {cuts} neighbours differ by half a fringe \
+             or more"
+        ),
+        _ => {
+            let each = open.iter().map(|(name, residues, cuts)| {
+                format!("{residues} loops of pixels do not close in {name}, and {cuts} neighbours differ by half a fringe or more")
+            });
+            let names: Vec<&str> = open.iter().map(|(name, ..)| *name).collect();
+            let each: Vec<String> = each.collect();
+            format!(
+                "the {} fields is inconsistent: {}",
+                names.join(" and "),
+                each.join("; ")
+            )
+        }
+    };
+    measured.warnings.push(format!(
+        "Unwrapping {counts}. They are marked on the map of the phase; pixels at the jumps are masked."
+    ));
 }
 
 /// Places of a component's own centres carry that component alone.
@@ -283,52 +384,4 @@ fn less_null(
         Ok(found.lines)
     };
     Ok([less(0)?, less(1)?])
-}
-
-/// Front against back along the chosen line, or along all common fringe lines.
-pub(super) fn symmetry(
-    scope: &Scope<'_>,
-    plan: &SymmetryPlan,
-    front: &Measured,
-    back: &Measured,
-) -> Result<Vec<(Field, Symmetry)>, ExperimentError> {
-    let mut found = Vec::new();
-    let failed = |cause: DataError| ExperimentError::Data {
-        state: scope.name(),
-        key: "reduce.symmetry".to_owned(),
-        cause: Box::new(cause),
-    };
-    for field in Field::BOTH {
-        if let (Some(own), Some(other)) = (&front.lines, &back.lines) {
-            let c = field.component();
-            for line in &own[c].lines {
-                if let Some(counterpart) = other[c].line(line.name()) {
-                    let compared = line.symmetry(counterpart, plan.tolerance, true);
-                    found.push((field, compared.map_err(failed)?));
-                }
-            }
-            continue;
-        }
-        if front.measurement.count(field) == 0 || back.measurement.count(field) == 0 {
-            continue;
-        }
-        let grating = grating(scope)?;
-        let places: Vec<Point> = (0..plan.places)
-            .map(|k| {
-                let t = k as f64 / (plan.places - 1) as f64;
-                [0, 1].map(|axis| (1.0 - t) * plan.ends[0][axis] + t * plan.ends[1][axis])
-            })
-            .collect();
-        let along = |measured: &Measured, name: &str| {
-            let side = longest_side(scope);
-            let line = measured
-                .measurement
-                .along(name, field, &places, side, &grating);
-            line.map_err(failed)
-        };
-        let (own, other) = (along(front, "front")?, along(back, "back")?);
-        let compared = own.symmetry(&other, plan.tolerance, true);
-        found.push((field, compared.map_err(failed)?));
-    }
-    Ok(found)
 }

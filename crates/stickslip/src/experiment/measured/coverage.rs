@@ -15,12 +15,17 @@ use crate::experiment::synthesis::field_name;
 /// Data nearer than this many of their spacings cover a node.
 const SPACINGS: f64 = 3.0;
 
-/// Refuses a state that leaves a node of a sector's boundary without data near it. Fringe lines along which nodes are interpolated
+/// Refuses a state without one of the components, or that leaves a node of a sector's boundary without data near it. Fringe lines along which nodes are interpolated
 /// cover what is near a line, and that is asked when the nodes' displacements are made.
 pub(super) fn check(scope: &Scope<'_>, measured: &Measured) -> Result<(), ExperimentError> {
     let Some(region) = &scope.experiment.region else {
         return Ok(());
     };
+    for field in Field::BOTH {
+        if measured.measurement.count(field) == 0 {
+            return Err(lacking(scope, field));
+        }
+    }
     let RegionShape::Sector(sector) = &region.shape else {
         return Ok(());
     };
@@ -65,6 +70,21 @@ pub(super) fn check(scope: &Scope<'_>, measured: &Measured) -> Result<(), Experi
         }
     }
     Ok(())
+}
+
+/// A state without any displacement of one component, of which a region needs both.
+fn lacking(scope: &Scope<'_>, field: Field) -> ExperimentError {
+    let name = field_name(field);
+    ExperimentError::Missing {
+        key: scope.key.clone(),
+        what: format!(
+            "state '{}': there is no valid {name} displacement, and the analysis of a region needs U and V",
+            scope.name()
+        ),
+        remedy: format!(
+            "give the {name} field too, or mask less of it; without [region], `stickslip reduce` shows the other field alone"
+        ),
+    }
 }
 
 fn uncovered(scope: &Scope<'_>, measured: &Measured, field: Field, mesh: &Mesh) -> Vec<Point> {

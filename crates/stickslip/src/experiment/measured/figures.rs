@@ -19,11 +19,19 @@ const WIDTH: f64 = 430.0;
 /// Most marks of one kind; more would hide the map.
 const MOST_MARKS: usize = 400;
 
-/// Orders of both fields over the plane, from pictures.
+/// Orders of both fields over the plane, from the state's pictures.
 pub(super) fn orders(
     experiment: &Experiment,
     measured: &Measured,
 ) -> Option<Result<Svg, FigureError>> {
+    if measured
+        .pictures
+        .iter()
+        .flatten()
+        .any(|field| field.of_null)
+    {
+        return None;
+    }
     both(experiment, measured, |field, found| {
         let unit = experiment.display.length;
         let title = format!("{} field", field_name(field));

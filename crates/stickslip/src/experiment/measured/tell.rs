@@ -80,8 +80,14 @@ fn one(experiment: &Experiment, measured: &Measured, story: &mut Story) {
     let name = &experiment.states[measured.state].name;
     let what = caption(experiment, measured.state);
     if let Some(figure) = figures::phase(experiment, measured) {
+        let of_null = measured
+            .pictures
+            .iter()
+            .flatten()
+            .any(|field| field.of_null);
+        let whose = if of_null { " of the null field" } else { "" };
         let text = format!(
-            "Phase of the fringes less the carrier, {what}. Where loops of pixels do not close, orders depend on the path."
+            "Phase of the fringes{whose} less the carrier, {what}. Where loops of pixels do not close, orders depend on the path."
         );
         story.figure(&format!("phase-{name}"), &text, figure);
     }

@@ -6,6 +6,7 @@ use super::read::Refuse;
 use super::{FreeParameter, LawPlan, Specimen};
 use crate::diagnostic::SceneError;
 use crate::experiment::format::LawFormat;
+use crate::experiment::laws::Candidate;
 use crate::scene::document::child;
 use crate::scene::read_law;
 use crate::scene::schema::Material;
@@ -42,6 +43,10 @@ pub(super) fn read(
         let mut free = Vec::new();
         for (parameter, bounds) in &law.free {
             let place = format!("{table}.free.{parameter}");
+            for (end, value) in bounds.iter().enumerate() {
+                Candidate::check_end(read.as_ref(), parameter, value)
+                    .map_err(|problem| refuse.at(&format!("{place}.{end}"), problem))?;
+            }
             let [low, high] = [0, 1].map(|k| number(&bounds[k]));
             match (low, high) {
                 (Some(low), Some(high)) if low < high => free.push(FreeParameter {

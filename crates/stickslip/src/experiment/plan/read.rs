@@ -8,7 +8,7 @@ use sha2::{Digest as _, Sha256};
 use stickslip_hybrid::fringe::{Depth, Exposure, Format as FileFormat};
 use stickslip_hybrid::moire::Grating;
 
-use super::{Area, Experiment, Fringes, VERSION, laws, settings, specimen, states};
+use super::{Area, Experiment, Fringes, Reduce, State, VERSION, laws, settings, specimen, states};
 use crate::diagnostic::{SceneError, SceneProblem, SourceText};
 use crate::experiment::format::{
     ExperimentFormat, FileKindFormat, FringesFormat, GratingFormat, MaskFormat, PlaceFormat,
@@ -73,6 +73,8 @@ pub(super) fn experiment(
             }
         }
     };
+    let reduce = settings::reduce(refuse, &read.reduce)?;
+    check_symmetry(refuse, &reduce, &states)?;
     let stem = Path::new(&source_name).file_stem();
     Ok(Experiment {
         title: read
@@ -81,7 +83,7 @@ pub(super) fn experiment(
             .unwrap_or_default(),
         description: read.description,
         display,
-        reduce: settings::reduce(refuse, &read.reduce)?,
+        reduce,
         region,
         identify: settings::identify(refuse, &read.identify, &states)?,
         laws: laws::read(refuse, &read.laws, &specimen)?,
@@ -113,6 +115,24 @@ fn check_version(document: &Document) -> Result<(), SceneError> {
         },
     };
     Err(document.error("version", Part::Value, problem))
+}
+
+/// A back without a line to compare it along, and a line without any back.
+fn check_symmetry(refuse: Refuse<'_>, reduce: &Reduce, states: &[State]) -> Result<(), SceneError> {
+    let with_back = states.iter().position(|state| state.back.is_some());
+    match (&reduce.symmetry, with_back) {
+        (None, Some(state)) => Err(refuse.conflict(
+            &format!("states.{state}.back"),
+            "the back is given, but no line along which it is compared with the front",
+            "add [reduce] symmetry = { from = [\"6 mm\", \"0 mm\"], to = [\"11 mm\", \"3 mm\"] }, or remove back",
+        )),
+        (Some(_), None) => Err(refuse.conflict(
+            "reduce.symmetry",
+            "no state has a back that its front could be compared with",
+            "give a state its back = { table = … }, in the same form as its front, or remove symmetry",
+        )),
+        _ => Ok(()),
+    }
 }
 
 fn hash(document: &Document, scene: Option<&str>) -> String {
