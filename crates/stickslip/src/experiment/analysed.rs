@@ -12,7 +12,7 @@
 mod edge;
 pub(super) mod figures;
 mod region;
-mod scale;
+pub(super) mod scale;
 mod tell;
 mod truth;
 
