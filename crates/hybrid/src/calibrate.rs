@@ -38,15 +38,17 @@
 //! ```
 
 mod data;
+mod error;
 mod information;
 mod profile;
+mod result;
 mod search;
 
-use thiserror::Error;
-
 pub use data::{Block, Data, Noise};
+pub use error::CalibrateError;
+pub use result::{Calibration, Estimate};
 
-use crate::identify::{Bounds, chi_squared_of_one};
+use crate::identify::chi_squared_of_one;
 use information::Information;
 use search::Search;
 
@@ -55,90 +57,6 @@ pub const MOST_PARAMETERS: usize = 4;
 
 /// A profile that finds something better starts the search anew from there, at most so often.
 const ROUNDS: usize = 6;
-
-/// Why nothing can be fitted.
-#[derive(Clone, Debug, Error, PartialEq)]
-#[non_exhaustive]
-pub enum CalibrateError {
-    /// Too few or too many parameters.
-    #[error("{0} parameters cannot be fitted; from 1 to {MOST_PARAMETERS} can")]
-    Parameters(usize),
-    /// A range that is none.
-    #[error("the range of '{name}' from {} to {} is none{}", range[0], range[1], if *logarithmic { ": it must increase and be positive, being logarithmic" } else { ": it must increase" })]
-    Range {
-        /// Name of the parameter.
-        name: String,
-        /// The range.
-        range: [f64; 2],
-        /// Whether it is divided evenly in the logarithm.
-        logarithmic: bool,
-    },
-    /// A confidence that is none.
-    #[error("the confidence {0} is not between 0 and 1")]
-    Confidence(f64),
-    /// Blocks of data that do not fit their noise or nuisances.
-    #[error("{what} of block {block} has {found} entries, expected {expected}")]
-    Length {
-        /// Which array.
-        what: &'static str,
-        /// Index of the block.
-        block: usize,
-        /// Entries needed.
-        expected: usize,
-        /// Entries given.
-        found: usize,
-    },
-    /// A number that is infinite or none, or a deviation that is not positive.
-    #[error("{what} {index} of block {block} is {value}")]
-    Value {
-        /// What it is.
-        what: &'static str,
-        /// Index of the block.
-        block: usize,
-        /// Index in it.
-        index: usize,
-        /// The number.
-        value: f64,
-    },
-    /// A covariance that is none.
-    #[error("the covariance of block {block} is not positive definite, at row {row}")]
-    Covariance {
-        /// Index of the block.
-        block: usize,
-        /// Row in which this shows.
-        row: usize,
-    },
-    /// Not more data than unknowns.
-    #[error(
-        "{data} data cannot determine {parameters} parameters and {nuisances} nuisances: more data than unknowns are needed"
-    )]
-    TooFew {
-        /// Number of data.
-        data: usize,
-        /// Number of parameters.
-        parameters: usize,
-        /// Number of independent nuisances.
-        nuisances: usize,
-    },
-    /// A prediction of another length than the data.
-    #[error("the model predicts {found} numbers for {expected} data")]
-    Prediction {
-        /// Number of data.
-        expected: usize,
-        /// Numbers predicted.
-        found: usize,
-    },
-    /// The model predicts nothing wherever it is asked.
-    #[error(
-        "the model predicts nothing at any of {tried} places in the ranges; the first reason: {first}"
-    )]
-    NoPrediction {
-        /// Places tried.
-        tried: usize,
-        /// What the model said at the first.
-        first: String,
-    },
-}
 
 /// A parameter and where to look for it.
 #[derive(Clone, Debug, PartialEq)]
@@ -221,96 +139,6 @@ impl Default for Settings {
             grid: [21, 11, 7, 5],
             starts: 3,
         }
-    }
-}
-
-/// What the data say of one parameter.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Estimate {
-    /// Its name.
-    pub name: String,
-    /// The value that fits best.
-    pub value: f64,
-    /// Standard deviation by the curvature of χ² there; `None` where χ² has none along it.
-    pub deviation: Option<f64>,
-    /// Interval of the profile. It ends where the profile passes its limit, and has no end where the range or the model ends before.
-    pub bounds: Bounds,
-    /// The profile: values, ascending, and what χ² is above its least.
-    pub profile: Vec<(f64, f64)>,
-}
-
-/// A fitted model.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Calibration {
-    /// One per parameter, in their order.
-    pub estimates: Vec<Estimate>,
-    /// Covariance of the parameters by the curvature of χ², square, row by row; empty unless all of them have a deviation.
-    pub covariance: Vec<f64>,
-    /// The least χ².
-    pub chi_squared: f64,
-    /// Number of data.
-    pub data: usize,
-    /// Number of independent nuisances.
-    pub nuisances: usize,
-    /// Prediction there, the fitted nuisances added, in the order of the data.
-    pub fitted: Vec<f64>,
-    /// How often the model was asked.
-    pub evaluations: usize,
-    /// How often it refused.
-    pub refusals: usize,
-    /// What it said first when it did.
-    pub first_refusal: Option<String>,
-}
-
-impl Calibration {
-    /// Number of parameters and nuisances together.
-    fn unknowns(&self) -> f64 {
-        (self.estimates.len() + self.nuisances) as f64
-    }
-
-    /// Degrees of freedom of χ²: data less parameters less nuisances.
-    pub fn degrees(&self) -> usize {
-        // `calibrate` refuses fewer data.
-        self.data
-            .saturating_sub(self.estimates.len() + self.nuisances)
-    }
-
-    /// χ² per degree of freedom; about 1 where model and deviations hold.
-    pub fn reduced(&self) -> f64 {
-        self.chi_squared / self.degrees().max(1) as f64
-    }
-
-    /// Akaike's criterion, up to a constant of the data.
-    pub fn aic(&self) -> f64 {
-        self.chi_squared + 2.0 * self.unknowns()
-    }
-
-    /// Akaike's criterion corrected for few data, up to a constant of the data; infinite where there are too few for it.
-    pub fn aicc(&self) -> f64 {
-        let k = self.unknowns();
-        let left = self.data as f64 - k - 1.0;
-        if left > 0.0 {
-            self.aic() + 2.0 * k * (k + 1.0) / left
-        } else {
-            f64::INFINITY
-        }
-    }
-
-    /// Schwarz's criterion, up to a constant of the data.
-    pub fn bic(&self) -> f64 {
-        self.chi_squared + self.unknowns() * (self.data as f64).ln()
-    }
-
-    /// By how many standard deviations χ² lies above what it should be if the model holds, by the cube root that makes it nearly normal
-    /// (Wilson & Hilferty 1931). Above 3 the model does not explain the data, or their deviations are too small.
-    pub fn excess(&self) -> f64 {
-        let spread = 2.0 / (9.0 * self.degrees().max(1) as f64);
-        (self.reduced().cbrt() - (1.0 - spread)) / spread.sqrt()
-    }
-
-    /// Values of the parameters.
-    pub fn values(&self) -> Vec<f64> {
-        self.estimates.iter().map(|own| own.value).collect()
     }
 }
 

@@ -17,6 +17,8 @@ const BETTER: f64 = 1e-2;
 /// Ends of intervals are found to this part of their distance from the best fit.
 const ACCURACY: f64 = 5e-3;
 const BISECTIONS: usize = 12;
+/// A model that refuses so close beyond the end of an interval, in parts of the range, ends it itself.
+const BEYOND: f64 = 2e-3;
 
 pub(super) enum Outcome {
     Profile {
@@ -51,7 +53,6 @@ impl Search<'_> {
         axis: usize,
         sign: f64,
     ) -> Result<bool, CalibrateError> {
-        const BEYOND: f64 = 2e-3;
         let mut parts = edge.parts.clone();
         parts[axis] = (parts[axis] + sign * BEYOND).clamp(0.0, 1.0);
         Ok(self.at(&parts)?.is_none())
@@ -156,7 +157,8 @@ impl Search<'_> {
     }
 
     /// Part of the range at which the profile passes `limit` between `inside` and `outside`: false position on the root of the
-    /// increase, which is nearly linear, and bisection where that does not help. With the last point inside.
+    /// increase, which is nearly linear, and bisection where that does not help. Where the model refuses outside, bisection alone, until
+    /// the bracket is so narrow that the refusal shows from inside. With the last point inside.
     fn crossing(
         &mut self,
         best: &Point,
@@ -174,13 +176,19 @@ impl Search<'_> {
             excess((inside.chi_squared - best.chi_squared).max(0.0)),
         );
         let mut high = (outside.part, excess(outside.increase(best)));
-        for turn in 0..BISECTIONS {
+        let mut turn = 0;
+        loop {
             let width = (high.0 - low.0).abs();
-            if width <= ACCURACY * (low.0 - best.parts[axis]).abs().max(SMALLEST_STEP) {
+            let refused = high.1.is_infinite();
+            if refused && width < 0.5 * BEYOND || !refused && turn >= BISECTIONS {
+                break;
+            }
+            if !refused && width <= ACCURACY * (low.0 - best.parts[axis]).abs().max(SMALLEST_STEP) {
                 break;
             }
             let straight = low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1);
-            let part = if straight.is_finite() && turn % 3 != 2 {
+            // A bracket of numbers is narrowed from two sides; that of a refusal halves, which ends of itself.
+            let part = if !refused && straight.is_finite() && turn % 3 != 2 {
                 // A little to the side of the farther end, so that the bracket closes from both.
                 let margin = 0.25 * ACCURACY * (high.0 - low.0);
                 let [least, most] = [(low.0 + margin), (high.0 - margin)];
@@ -188,6 +196,7 @@ impl Search<'_> {
             } else {
                 f64::midpoint(low.0, high.0)
             };
+            turn += usize::from(!refused);
             let place = Place {
                 part,
                 point: self.least_at(&from, grid, axis, part)?,
@@ -201,7 +210,7 @@ impl Search<'_> {
             }
         }
         let straight = low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1);
-        let end = if straight.is_finite() {
+        let end = if high.1.is_finite() && straight.is_finite() {
             straight
         } else {
             f64::midpoint(low.0, high.0)

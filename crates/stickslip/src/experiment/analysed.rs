@@ -13,7 +13,7 @@ mod edge;
 pub(super) mod figures;
 mod imported;
 mod region;
-mod scale;
+pub(super) mod scale;
 mod tell;
 mod truth;
 

@@ -64,7 +64,7 @@ pub fn tell(
         };
         identified::tell(&told, &mut story);
         progress(Progress::Phase("friction laws"));
-        if let Some(stage) = laws::stage(experiment, &fields)? {
+        if let Some(stage) = laws::stage(experiment, &fields, &analysed)? {
             laws::tell(experiment, &stage, &mut story);
         }
     }

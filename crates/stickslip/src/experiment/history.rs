@@ -4,6 +4,17 @@ use super::plan::{Direction, Source, State};
 use crate::scene::Scene;
 use crate::scene::schema::{Load, LoadKind};
 
+/// The load steps of a scene that a state is compared with.
+#[derive(Debug, PartialEq)]
+pub(super) struct Tied {
+    /// That of the state.
+    pub(super) step: usize,
+    /// That of its null field, if it has one.
+    pub(super) null: Option<usize>,
+    /// What had to be assumed for that, in a sentence.
+    pub(super) assumed: Option<String>,
+}
+
 /// The first load that changes.
 pub(super) struct History<'a> {
     steps: usize,
@@ -47,17 +58,51 @@ impl<'a> History<'a> {
         }
     }
 
-    /// The load step of a state, and that of its null field; in words why there is none.
-    pub(super) fn tied(&self, state: &State) -> Result<(usize, Option<usize>), String> {
+    /// The load steps of a state; in words why there are none.
+    pub(super) fn tied(&self, state: &State) -> Result<Tied, String> {
         let step = match &state.source {
             Source::Step(step) => *step,
             _ => self.step_of(state)?,
         };
-        match &state.null {
-            None => Ok((step, None)),
-            Some(Source::Step(null)) => Ok((step, Some(*null))),
-            Some(_) => Err("its null field is no load step of the scene".to_owned()),
-        }
+        let (null, assumed) = match &state.null {
+            None => (None, None),
+            Some(Source::Step(null)) => (Some(*null), None),
+            Some(_) => {
+                let null = self.smallest_before(step)?;
+                (Some(null), Some(self.assumption(state, null)))
+            }
+        };
+        Ok(Tied {
+            step,
+            null,
+            assumed,
+        })
+    }
+
+    /// The first of the steps with the smallest load that come before `step`.
+    fn smallest_before(&self, step: usize) -> Result<usize, String> {
+        let values = self.load.map_or(&[][..], |load| load.kind.steps());
+        let before = values.iter().take(step).enumerate();
+        before
+            .min_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()))
+            .map(|(null, _)| null)
+            .ok_or_else(|| {
+                format!(
+                    "its null field was measured, and the scene has no load step before step {}",
+                    step + 1
+                )
+            })
+    }
+
+    fn assumption(&self, state: &State, null: usize) -> String {
+        let load = self.load(null);
+        let load = load.map_or_else(String::new, |load| format!(" of {load:.6} N"));
+        format!(
+            "The load of the measured null field of state '{}' is not known: it is taken for that of step {} of the scene, the smallest \
+             load{load} before it.",
+            state.name,
+            null + 1
+        )
     }
 
     /// The load step with the load and the direction of a state.

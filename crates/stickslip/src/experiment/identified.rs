@@ -182,7 +182,11 @@ fn greater(a: &Grip, b: &Grip) -> std::cmp::Ordering {
 
 /// τ/p at a place and its deviation, to first order.
 pub fn ratio(found: &Analysed, place: usize) -> (f64, f64) {
-    let data = &found.tractions;
+    ratio_of(&found.tractions, place)
+}
+
+/// τ/p of `data` at a place and its deviation, to first order.
+pub fn ratio_of(data: &Tractions, place: usize) -> (f64, f64) {
     let (n, all) = (data.pressure.len(), 2 * data.pressure.len());
     let (pressure, shear) = (data.pressure[place], data.shear[place]);
     let ratio = shear / pressure;

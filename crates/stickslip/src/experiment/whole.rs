@@ -29,6 +29,7 @@ use stickslip_hybrid::region::outputs::EdgeRows;
 use stickslip_hybrid::region::{Region, RegionError};
 use thiserror::Error;
 
+use super::analysed::scale::{Residual, scale};
 use super::plan::SpecimenScene;
 use crate::model::{Model, ModelBodyKind, ModelError};
 use crate::scene::schema::ModelChoice;
@@ -98,8 +99,10 @@ pub struct WholeSolution {
     pub force: [f64; 2],
     /// Remote load `[N]`.
     pub load: [f64; 2],
-    /// χ² of the fit, number of data, and effective number of parameters.
+    /// χ² of the fit with the stated deviations, number of data, and effective number of parameters.
     pub fit: (f64, usize, f64),
+    /// The variance of the data was multiplied by this: χ² of the means of blocks of neighbouring residuals over its degrees of freedom.
+    pub scale: f64,
     /// Bias of pressure, shear and hoop stress that the smoothing makes, estimated, per place `[MPa]`.
     pub bias: Vec<[f64; 3]>,
 }
@@ -194,11 +197,16 @@ impl WholePlate {
         };
         let loaded = self.region.solve_loaded(&held, &forces)?;
         let data = self.without_load(measured, &loaded.displacements);
-        let fit = self.region.fit(&data, smoothing)?;
+        let mut fit = self.region.fit(&data, smoothing)?;
+        let solution = self.region.solve_loaded(&fit.displacements, &forces)?;
+        let residuals = self.residuals(measured, &solution.displacements);
+        let scale = scale(&residuals, fit.parameters);
+        for entry in &mut fit.displacements.covariance {
+            *entry *= scale;
+        }
         let found = self.region.propagate(&self.edge.rows, &fit.displacements)?;
         let by_load = loaded.outputs(&self.edge.rows);
         let bias = self.region.transfer(&self.edge.rows)?.apply(&fit.bias)?;
-        let solution = self.region.solve_loaded(&fit.displacements, &forces)?;
         let sum = |values: &[f64], axis: usize| values.iter().skip(axis).step_by(2).sum::<f64>();
         let mut force = [0.0; 2];
         for (dof, reaction) in self.region.prescribed().iter().zip(&solution.reactions) {
@@ -208,6 +216,7 @@ impl WholePlate {
             force,
             load: [sum(&forces, 0), sum(&forces, 1)],
             fit: (fit.residual, fit.data, fit.parameters),
+            scale,
             ..self.tractions(&found.values, &by_load, &found.covariance, &bias)
         })
     }
@@ -229,6 +238,28 @@ impl WholePlate {
             }
         }
         data
+    }
+
+    /// Measured less calculated displacements over the stated deviations, of all valid data in the plate.
+    fn residuals(&self, measured: &Measurement, calculated: &[f64]) -> Vec<Residual> {
+        let locator = Locator::new(self.region.mesh());
+        let mut residuals = Vec::new();
+        for (k, &place) in measured.places.iter().enumerate() {
+            let Some(located) = locator.locate(place) else {
+                continue;
+            };
+            for axis in (0..2).filter(|&axis| measured.valid[axis][k]) {
+                let moved: f64 = (located.row(axis).iter())
+                    .map(|&(dof, shape)| shape * calculated[dof])
+                    .sum();
+                residuals.push(Residual {
+                    place,
+                    axis,
+                    value: (measured.displacements[axis][k] - moved) / measured.deviation[axis],
+                });
+            }
+        }
+        residuals
     }
 
     /// Tractions and hoop stresses of the nodes in the order of their angles.
@@ -275,6 +306,7 @@ impl WholePlate {
             force: [0.0; 2],
             load: [0.0; 2],
             fit: (0.0, 0, 0.0),
+            scale: 1.0,
             bias: (order.iter())
                 .map(|&node| [-bias[3 * node], bias[3 * node + 2], bias[3 * node + 1]])
                 .collect(),

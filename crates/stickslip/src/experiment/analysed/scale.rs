@@ -5,21 +5,21 @@ use std::collections::{BTreeMap, BTreeSet};
 use stickslip_fem_core::mesh::Point;
 
 /// Data in a block, about: three by three.
-const IN_A_BLOCK: f64 = 9.0;
+pub(in crate::experiment) const IN_A_BLOCK: f64 = 9.0;
 
 /// A residual over its stated deviation.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Residual {
-    pub(super) place: Point,
-    pub(super) axis: usize,
-    pub(super) value: f64,
+pub(in crate::experiment) struct Residual {
+    pub(in crate::experiment) place: Point,
+    pub(in crate::experiment) axis: usize,
+    pub(in crate::experiment) value: f64,
 }
 
 /// χ² of the block means of `residuals` over its degrees of freedom, of a fit with `parameters`; 1 where there are too few data to say.
 ///
 /// Independent errors give 1 whatever the blocks. Errors that go together over less than a block give the factor by which they count in
 /// everything smoother than blocks.
-pub(super) fn scale(residuals: &[Residual], parameters: f64) -> f64 {
+pub(in crate::experiment) fn scale(residuals: &[Residual], parameters: f64) -> f64 {
     let mut squares = 0.0;
     let mut blocks = 0.0;
     for axis in 0..2 {

@@ -36,7 +36,7 @@ pub struct Fit {
     pub calibration: Calibration,
     /// One per observation.
     pub states: Vec<StateFit>,
-    /// AICc above that of the best law.
+    /// AICc above that of the best law; infinite where there are too few data for it.
     pub distance: f64,
     /// BIC above that of the law with the least.
     pub bic_distance: f64,
@@ -49,6 +49,8 @@ pub struct Fit {
 /// What the data say of a law beside the others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
+    /// There is no other law to compare it with.
+    Only,
     /// The least AICc, and the next law is clearly worse.
     Preferred,
     /// Not clearly worse than the best.
@@ -57,16 +59,20 @@ pub enum Verdict {
     Weaker,
     /// Next to no support.
     RuledOut,
+    /// Too few data for the criterion, which is not finite.
+    Undecided,
 }
 
 impl Verdict {
     /// In words.
     pub const fn words(self) -> &'static str {
         match self {
+            Self::Only => "the only law",
             Self::Preferred => "preferred",
             Self::AsGood => "as good as the best",
             Self::Weaker => "weaker",
             Self::RuledOut => "ruled out",
+            Self::Undecided => "too few data to compare it",
         }
     }
 }
@@ -109,7 +115,7 @@ pub struct Comparison {
     pub best: usize,
     /// Number of data.
     pub data: usize,
-    /// Wall time of one evaluation, a history of contact solves with what is seen of it `[s]`: mean over all fits.
+    /// Wall time of one evaluation at the best law, a history of contact solves with what is seen of it, nothing else being done `[s]`.
     pub evaluation_seconds: f64,
 }
 
@@ -150,7 +156,6 @@ pub fn fit(
     let blocks: Vec<Block> = observations.iter().map(Observation::block).collect();
     let data = Data::new(blocks).map_err(LawsError::Data)?;
     let mut fits = Vec::new();
-    let (mut seconds, mut evaluations) = (0.0, 0);
     for law in laws {
         let failed = |cause| LawsError::Calibrate {
             law: law.name.clone(),
@@ -159,9 +164,6 @@ pub fn fit(
         let predict = |values: &[f64]| predicted(model, law, &views, count, values);
         let start = std::time::Instant::now();
         let calibration = calibrate(&predict, &law.parameters, &data, settings).map_err(failed)?;
-        let took = start.elapsed().as_secs_f64();
-        seconds += took;
-        evaluations += calibration.evaluations;
         fits.push(Fit {
             law: law.clone(),
             states: state_fits(observations, &calibration),
@@ -169,15 +171,19 @@ pub fn fit(
             distance: 0.0,
             bic_distance: 0.0,
             verdict: Verdict::AsGood,
-            seconds: took,
+            seconds: start.elapsed().as_secs_f64(),
         });
     }
     let best = judge(&mut fits);
+    let (law, values) = (&laws[best], fits[best].calibration.values());
+    let start = std::time::Instant::now();
+    predicted(model, law, &views, count, &values)?;
+    let evaluation_seconds = start.elapsed().as_secs_f64();
     Ok(Comparison {
         data: fits[best].calibration.data,
         fits,
         best,
-        evaluation_seconds: seconds / evaluations.max(1) as f64,
+        evaluation_seconds,
     })
 }
 
@@ -223,24 +229,76 @@ fn state_fits(observations: &[Observation], calibration: &Calibration) -> Vec<St
     fits
 }
 
-/// Distances and verdicts; the index of the law with the least AICc.
+/// Distances and verdicts; the index of the law with the least AICc, or the least χ² where no law has a finite one.
 fn judge(fits: &mut [Fit]) -> usize {
     let aicc: Vec<f64> = fits.iter().map(|fit| fit.calibration.aicc()).collect();
     let bic = fits.iter().map(|fit| fit.calibration.bic());
     let least_bic = bic.fold(f64::INFINITY, f64::min);
-    let best = (0..aicc.len()).fold(0, |best, k| if aicc[k] < aicc[best] { k } else { best });
-    let distances: Vec<f64> = aicc.iter().map(|own| own - aicc[best]).collect();
-    let rivals = (0..aicc.len()).filter(|&k| k != best && distances[k] < DECIDES);
-    let alone = rivals.count() == 0;
-    for (k, fit) in fits.iter_mut().enumerate() {
-        fit.distance = distances[k];
+    let order = |&a: &usize, &b: &usize| {
+        let chi_squared = |k: usize| fits[k].calibration.chi_squared;
+        (aicc[a].total_cmp(&aicc[b])).then(chi_squared(a).total_cmp(&chi_squared(b)))
+    };
+    let best = (0..fits.len()).min_by(order).unwrap_or(0);
+    let verdicts = verdicts(&aicc, best);
+    for ((fit, aicc_of), verdict) in fits.iter_mut().zip(&aicc).zip(verdicts) {
+        fit.distance = distance(*aicc_of, aicc[best]);
         fit.bic_distance = fit.calibration.bic() - least_bic;
-        fit.verdict = match distances[k] {
-            _ if k == best && alone => Verdict::Preferred,
-            far if far < DECIDES => Verdict::AsGood,
-            far if far < RULED_OUT => Verdict::Weaker,
-            _ => Verdict::RuledOut,
-        };
+        fit.verdict = verdict;
     }
     best
+}
+
+/// How far a criterion lies above the least; infinite where it is not finite itself.
+fn distance(own: f64, least: f64) -> f64 {
+    if own.is_finite() {
+        own - least
+    } else {
+        f64::INFINITY
+    }
+}
+
+/// What the criteria say, that of `best` being the least.
+fn verdicts(aicc: &[f64], best: usize) -> Vec<Verdict> {
+    let near = |k: usize| distance(aicc[k], aicc[best]) < DECIDES;
+    let alone = (0..aicc.len()).all(|k| k == best || !near(k));
+    let verdict = |k: usize| match distance(aicc[k], aicc[best]) {
+        _ if aicc.len() == 1 => Verdict::Only,
+        _ if !aicc[k].is_finite() => Verdict::Undecided,
+        _ if k == best && alone => Verdict::Preferred,
+        far if far < DECIDES => Verdict::AsGood,
+        far if far < RULED_OUT => Verdict::Weaker,
+        _ => Verdict::RuledOut,
+    };
+    (0..aicc.len()).map(verdict).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_lone_law_is_compared_with_nothing() {
+        assert_eq!(verdicts(&[12.0], 0), [Verdict::Only]);
+        assert_eq!(verdicts(&[f64::INFINITY], 0), [Verdict::Only]);
+    }
+
+    #[test]
+    fn criteria_decide_by_their_distance_from_the_least() {
+        let found = verdicts(&[15.0, 10.0, 30.0, f64::INFINITY], 1);
+        let expected = [
+            Verdict::Weaker,
+            Verdict::Preferred,
+            Verdict::RuledOut,
+            Verdict::Undecided,
+        ];
+        assert_eq!(found, expected);
+        assert_eq!(verdicts(&[1.0, 2.5], 0), [Verdict::AsGood; 2]);
+    }
+
+    #[test]
+    fn criteria_that_are_not_finite_decide_nothing() {
+        let none = [f64::INFINITY; 2];
+        assert_eq!(verdicts(&none, 0), [Verdict::Undecided; 2]);
+        assert!(distance(none[1], none[0]).is_infinite());
+    }
 }

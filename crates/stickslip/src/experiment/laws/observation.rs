@@ -1,5 +1,7 @@
 //! The displacements of a state, as a fit of laws takes them.
 
+use std::collections::BTreeMap;
+
 use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_hybrid::calibrate::{Block, Noise};
 use stickslip_hybrid::data::{Measurement, NodalDisplacements};
@@ -149,12 +151,18 @@ impl Observation {
     }
 }
 
-/// At most about `most` valid places of a measurement, evenly taken from its order.
+/// At most `most` valid places of a measurement, one of each box of a square grid.
+///
+/// Places in rows, taken every so many, would stand in a few columns. The one nearest to its box's middle is kept, so that they lie
+/// evenly in both directions whatever their order.
 pub fn decimated(measured: &Measurement, most: usize) -> Measurement {
     let valid = |index: &usize| measured.valid.iter().any(|valid| valid[*index]);
     let all: Vec<usize> = (0..measured.places.len()).filter(valid).collect();
-    let stride = all.len().div_ceil(most.max(1)).max(1);
-    let kept: Vec<usize> = all.into_iter().step_by(stride).collect();
+    let kept = if all.len() <= most.max(1) {
+        all
+    } else {
+        thinned(&measured.places, &all, most.max(1))
+    };
     let take = |values: &Vec<f64>| kept.iter().map(|&k| values[k]).collect();
     let flags = |values: &Vec<bool>| kept.iter().map(|&k| values[k]).collect();
     Measurement {
@@ -162,5 +170,90 @@ pub fn decimated(measured: &Measurement, most: usize) -> Measurement {
         displacements: measured.displacements.each_ref().map(take),
         valid: measured.valid.each_ref().map(flags),
         deviation: measured.deviation,
+    }
+}
+
+/// At most `most` of the places `all`, in their order; boxes grow until no more are left.
+fn thinned(places: &[Point], all: &[usize], most: usize) -> Vec<usize> {
+    const GROWTH: f64 = 1.03;
+    let ends = |axis: usize| {
+        let values = || all.iter().map(|&k| places[k][axis]);
+        let low = values().fold(f64::INFINITY, f64::min);
+        [low, values().fold(f64::NEG_INFINITY, f64::max)]
+    };
+    let [[left, right], [bottom, top]] = [ends(0), ends(1)];
+    let (width, height) = (right - left, top - bottom);
+    let longest = width.max(height);
+    if longest <= 0.0 || !longest.is_finite() {
+        return all.iter().copied().take(most).collect();
+    }
+    // As many boxes as would be filled if the places filled their rectangle; places on a line fill a row of boxes.
+    let mut size = (width * height / most as f64)
+        .sqrt()
+        .max(longest / most as f64);
+    loop {
+        let mut boxes: BTreeMap<[i64; 2], (f64, usize)> = BTreeMap::new();
+        for &k in all {
+            let at = [places[k][0] - left, places[k][1] - bottom].map(|x| x / size);
+            let key = at.map(|x| x.floor() as i64);
+            let middle = |axis: usize| at[axis] - at[axis].floor() - 0.5;
+            let own = (middle(0).hypot(middle(1)), k);
+            let kept = boxes.entry(key).or_insert(own);
+            if own.0 < kept.0 {
+                *kept = own;
+            }
+        }
+        if boxes.len() <= most {
+            let mut kept: Vec<usize> = boxes.into_values().map(|(_, k)| k).collect();
+            kept.sort_unstable();
+            return kept;
+        }
+        size *= GROWTH;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn raster(columns: usize, rows: usize) -> Measurement {
+        let places: Vec<Point> = (0..columns * rows)
+            .map(|k| [(k % columns) as f64, (k / columns) as f64])
+            .collect();
+        let count = places.len();
+        Measurement {
+            places,
+            displacements: [vec![0.0; count], vec![0.0; count]],
+            valid: [vec![true; count], vec![true; count]],
+            deviation: [1.0; 2],
+        }
+    }
+
+    #[test]
+    fn places_that_are_kept_lie_evenly_in_both_directions() {
+        // Every hundredth place in the order of rows would be a single column.
+        let kept = decimated(&raster(100, 100), 100);
+        assert!(
+            (60..=100).contains(&kept.places.len()),
+            "{}",
+            kept.places.len()
+        );
+        for axis in 0..2 {
+            for quarter in 0..4 {
+                let from = 25.0 * f64::from(quarter);
+                let inside = |place: &&Point| (from..from + 25.0).contains(&place[axis]);
+                let share = kept.places.iter().filter(inside).count() as f64;
+                let share = share / kept.places.len() as f64;
+                assert!((0.15..0.35).contains(&share), "{axis} {quarter} {share}");
+            }
+        }
+    }
+
+    #[test]
+    fn places_on_a_line_and_few_places_are_kept() {
+        let kept = decimated(&raster(1000, 1), 50).places.len();
+        assert!((40..=50).contains(&kept), "{kept}");
+        let few = raster(5, 4);
+        assert_eq!(decimated(&few, 50), few);
     }
 }

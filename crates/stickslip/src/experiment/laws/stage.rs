@@ -1,12 +1,14 @@
 //! From an experiment and its measured fields to fitted laws.
 
 use stickslip_fem_core::mesh::Point;
-use stickslip_hybrid::calibrate::Settings;
+use stickslip_hybrid::calibrate::{Parameter, Settings};
 
 use super::{
-    Candidate, Comparison, ContactModel, LawsError, Nuisance, Observation, Sensitivity, decimated,
-    fit, sensitivity,
+    Candidate, Comparison, ContactModel, Nuisance, Observation, Sensitivity, decimated, fit,
+    sensitivity,
 };
+use crate::experiment::analysed::Analysed;
+use crate::experiment::analysed::scale::IN_A_BLOCK;
 use crate::experiment::error::ExperimentError;
 use crate::experiment::history::History;
 use crate::experiment::measured::Measured;
@@ -29,17 +31,21 @@ pub struct LawStage {
     pub sensitivities: Vec<(usize, Sensitivity)>,
     /// Nodes of the edge in contact.
     pub edge_nodes: usize,
-    /// States that could not be used, and why.
+    /// The variance of each observation was multiplied by this.
+    pub scales: Vec<f64>,
+    /// States that could not be used, and why; load steps that were assumed; solves that failed.
     pub warnings: Vec<String>,
 }
 
-/// Fits the laws of `experiment` to its measured fields; `None` where it names none.
+/// Fits the laws of `experiment` to its measured fields; `None` where it names none. Where a state was analysed around the edge, the
+/// residuals of that fit, which knows of no law, say how much its errors exceed their stated deviation, and its variance is scaled so.
 ///
 /// # Errors
 /// [`ExperimentError`]: no scene, no state that is a load step of it, a parameter that a law does not have, solves that fail.
 pub fn stage(
     experiment: &Experiment,
     fields: &[Measured],
+    analysed: &[Analysed],
 ) -> Result<Option<LawStage>, ExperimentError> {
     if experiment.laws.is_empty() {
         return Ok(None);
@@ -59,12 +65,16 @@ pub fn stage(
     let model = ContactModel::new(own).map_err(failed)?;
     let history = History::of(&own.scene);
     let (mut observations, mut states, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
+    let mut scales = Vec::new();
     for measured in fields {
         let state = &experiment.states[measured.state];
-        match observed(&model, &history, state, measured) {
-            Ok(observation) => {
-                observations.push(observation);
+        let fit = analysed.iter().find(|own| own.state == measured.state);
+        match observed(&model, &history, state, measured, fit) {
+            Ok(own) => {
+                observations.push(own.observation);
+                scales.push(own.scale);
                 states.push(measured.state);
+                warnings.extend(own.assumed);
             }
             Err(reason) => warnings.push(format!(
                 "State '{}' is not among the data of the laws: {reason}.",
@@ -84,13 +94,14 @@ pub fn stage(
         ..Settings::default()
     };
     let comparison = fit(&model, &laws, &observations, &settings).map_err(failed)?;
-    let sensitivities = sensitivities(experiment, &model, &comparison).map_err(failed)?;
+    let sensitivities = sensitivities(experiment, &model, &comparison, &mut warnings);
     Ok(Some(LawStage {
         comparison,
         observations,
         states,
         sensitivities,
         edge_nodes: model.edge().len(),
+        scales,
         warnings,
     }))
 }
@@ -117,14 +128,37 @@ fn candidates(experiment: &Experiment) -> Result<Vec<Candidate>, ExperimentError
         .collect()
 }
 
+/// A state as laws are fitted to it.
+struct Observed {
+    observation: Observation,
+    scale: f64,
+    assumed: Option<String>,
+}
+
+/// By what the variance of a state is multiplied, of which `kept` of `all` places are compared; never less than 1, for where residuals
+/// say less than was stated, the statement holds.
+///
+/// Places that are farther apart than blocks of neighbours have errors of their own, whose variance is that of single residuals. Nearer
+/// ones go together, and count by the means of blocks.
+fn variance_scale(analysed: Option<&Analysed>, kept: usize, all: usize) -> f64 {
+    let Some((own, fit)) = analysed.and_then(|own| own.fit.map(|fit| (own, fit))) else {
+        return 1.0;
+    };
+    let single = fit.residual / (fit.data as f64 - fit.parameters).max(1.0);
+    let apart = kept as f64 * IN_A_BLOCK <= all as f64;
+    let scale = if apart { single } else { single.max(own.scale) };
+    scale.max(1.0)
+}
+
 /// The displacements of a state, or in words why they cannot be compared.
 fn observed(
     model: &ContactModel,
     history: &History<'_>,
     state: &State,
     measured: &Measured,
-) -> Result<Observation, String> {
-    let (step, null) = history.tied(state)?;
+    analysed: Option<&Analysed>,
+) -> Result<Observed, String> {
+    let tied = history.tied(state)?;
     let inside = model.inside(&measured.measurement.places);
     let mut data = measured.measurement.clone();
     for valid in &mut data.valid {
@@ -133,61 +167,79 @@ fn observed(
             .zip(&inside)
             .for_each(|(valid, inside)| *valid &= inside);
     }
-    let data = decimated(&data, MOST_PLACES);
+    let all = (0..data.places.len()).filter(|&k| data.valid.iter().any(|valid| valid[k]));
+    let all = all.count();
+    let mut data = decimated(&data, MOST_PLACES);
     if data.places.is_empty() {
         return Err("none of its places lies in the specimen of the scene".to_owned());
     }
+    let scale = variance_scale(analysed, data.places.len(), all);
+    for deviation in &mut data.deviation {
+        *deviation *= scale.sqrt();
+    }
     let carriers_unknown =
         |source: &Source| matches!(source, Source::Pictures(own) if own.carrier.is_none());
-    Ok(Observation {
-        null,
+    let observation = Observation {
+        null: tied.null,
         nuisance: if carriers_unknown(&state.source) && state.null.is_none() {
             Nuisance::Carriers
         } else {
             Nuisance::Rigid
         },
-        ..Observation::of_measurement(&state.name, step, &data)
+        ..Observation::of_measurement(&state.name, tied.step, &data)
+    };
+    Ok(Observed {
+        observation,
+        scale,
+        assumed: tied.assumed,
     })
 }
 
-/// Each free parameter of the best law moved up and down.
+/// Each free parameter of the best law moved up and down; changes that have no solution are left out, with a warning.
 fn sensitivities(
     experiment: &Experiment,
     model: &ContactModel,
     comparison: &Comparison,
-) -> Result<Vec<(usize, Sensitivity)>, LawsError> {
+    warnings: &mut Vec<String>,
+) -> Vec<(usize, Sensitivity)> {
     let frequency = experiment
         .grating
         .map_or(1.0, |grating| grating.frequency());
     let best = comparison.best();
     let from = best.calibration.values();
-    let mut changes = Vec::new();
+    let mut rows = Vec::new();
     for (index, parameter) in best.law.parameters.iter().enumerate() {
         for up in [false, true] {
             let mut to = from.clone();
-            to[index] = changed(from[index], parameter.logarithmic, up);
-            if best.law.law(&to).is_ok() {
-                changes.push((index, to));
+            to[index] = changed(parameter, from[index], up);
+            if best.law.law(&to).is_err() {
+                continue;
+            }
+            match sensitivity(model, &best.law, &from, &[to], frequency) {
+                Ok(found) => rows.extend(found.into_iter().map(|own| (index, own))),
+                Err(cause) => warnings.push(format!(
+                    "How far the edge moves with a {} '{}' of law '{}' is not told: {cause}.",
+                    if up { "greater" } else { "smaller" },
+                    parameter.name,
+                    best.law.name
+                )),
             }
         }
     }
-    let to: Vec<Vec<f64>> = changes.iter().map(|(_, to)| to.clone()).collect();
-    let found = sensitivity(model, &best.law, &from, &to, frequency)?;
-    Ok(changes
-        .into_iter()
-        .map(|(index, _)| index)
-        .zip(found)
-        .collect())
+    rows
 }
 
-/// Twice and half of what is looked for by its order of magnitude, 0.05 more and less of other parameters.
-fn changed(value: f64, logarithmic: bool, up: bool) -> f64 {
-    const STEP: f64 = 0.05;
-    match (logarithmic, up) {
+/// Twice and half of what is looked for by its order of magnitude, a part of the range more and less of other parameters, as far as zero.
+fn changed(parameter: &Parameter, value: f64, up: bool) -> f64 {
+    const PART: f64 = 0.05;
+    let [low, high] = parameter.range;
+    let step = PART * (high - low);
+    match (parameter.logarithmic, up) {
         (true, true) => 2.0 * value,
         (true, false) => 0.5 * value,
-        (false, true) => value + STEP,
-        (false, false) => (value - STEP).max(0.0),
+        (false, true) => value + step,
+        (false, false) if low >= 0.0 => (value - step).max(0.0),
+        (false, false) => value - step,
     }
 }
 
@@ -196,5 +248,22 @@ impl LawStage {
     pub fn place(&self, observation: usize, datum: usize) -> Point {
         let own = &self.observations[observation];
         own.places[own.components[datum].0]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_change_is_a_part_of_the_range_whatever_the_unit() {
+        let small = Parameter::new("slip_scale", [0.0, 0.002]);
+        assert!((changed(&small, 0.001, true) - 0.0011).abs() < 1e-15);
+        assert!((changed(&small, 0.001, false) - 0.0009).abs() < 1e-15);
+        assert!(changed(&small, 0.00005, false).abs() < 1e-15);
+        let signed = Parameter::new("shift", [-1.0, 1.0]);
+        assert!((changed(&signed, 0.0, false) + 0.1).abs() < 1e-15);
+        let order = Parameter::new("slip_scale", [1e-4, 1e-1]).logarithmic();
+        assert!((changed(&order, 0.002, true) - 0.004).abs() < 1e-15);
     }
 }

@@ -17,7 +17,7 @@ pub fn tell(experiment: &Experiment, stage: &LawStage, story: &mut Story) {
     story.section("Friction laws fitted by contact solves");
     story.text(format!(
         "Each law was put into the contact of the scene, its load history solved, and the displacements compared with {} measured ones of \
-         {} states; of each state {} is free and not compared. Bodies are condensed once: a history with what is seen of it takes {} ms on {} \
+         {} states; of each state {} is free and not compared. Bodies are condensed once: a history with what is seen of it takes {} ms by itself on {} \
          nodes of the edge. The interval of a parameter is where χ² stays within its limit when all other parameters follow.",
         comparison.data,
         stage.observations.len(),
@@ -25,6 +25,9 @@ pub fn tell(experiment: &Experiment, stage: &LawStage, story: &mut Story) {
         short(1e3 * comparison.evaluation_seconds),
         stage.edge_nodes,
     ));
+    if stage.scales.iter().any(|scale| *scale > 1.0) {
+        story.text(scaled(experiment, stage));
+    }
     story.table(laws(stage));
     story.table(parameters(experiment, stage));
     story.figure(
@@ -91,6 +94,25 @@ pub fn tell(experiment: &Experiment, stage: &LawStage, story: &mut Story) {
         );
     }
     story.entry("laws", entry(experiment, stage));
+}
+
+/// By what the variances of the states were multiplied.
+fn scaled(experiment: &Experiment, stage: &LawStage) -> String {
+    let each = stage.states.iter().zip(&stage.scales);
+    let each: Vec<String> = each
+        .map(|(&state, scale)| {
+            format!(
+                "{} in state '{}'",
+                short(*scale),
+                experiment.states[state].name
+            )
+        })
+        .collect();
+    format!(
+        "The variance of the data was multiplied by what the residuals of the localized analysis, which knows of no friction law, say of \
+         their deviation: {}.",
+        each.join(", ")
+    )
 }
 
 fn free_motion(stage: &LawStage) -> &'static str {
@@ -336,6 +358,7 @@ fn entry(experiment: &Experiment, stage: &LawStage) -> Value {
     json!({
         "best": stage.comparison.best().law.name,
         "data": stage.comparison.data,
+        "variance_scales": stage.scales,
         "confidence": experiment.identify.confidence,
         "fits": stage.comparison.fits.iter().map(law).collect::<Vec<_>>(),
     })

@@ -8,6 +8,7 @@ use stickslip_report::svg::Svg;
 
 use super::{WholeSolution, WholeState};
 use crate::experiment::gallery::caption;
+use crate::experiment::identified::ratio_of;
 use crate::experiment::plan::Experiment;
 
 /// A ratio is drawn where the pressure is this many standard deviations, and this part of its largest.
@@ -32,9 +33,7 @@ impl WholeSolution {
             .filter_map(|k| {
                 let (p, deviation) = (own.pressure[k], self.deviation(0, k));
                 let clear = p > DEVIATIONS * deviation && p > PART * largest;
-                let ratio = own.shear[k] / p;
-                let spread =
-                    (self.deviation(1, k).powi(2) + (ratio * deviation).powi(2)).sqrt() / p;
+                let (ratio, spread) = ratio_of(own, k);
                 clear.then_some((self.angle[k], ratio, spread))
             })
             .collect()

@@ -32,7 +32,7 @@ impl WholeState {
             bias: own.bias.clone(),
             direct: None,
             fit: None,
-            scale: 1.0,
+            scale: own.scale,
             misfit: Vec::new(),
             unused: None,
             free_edge: None,
@@ -46,7 +46,7 @@ impl WholeState {
 }
 
 /// The whole plate in all states of `experiment`, where its file asks for it, and in words the states that are no load steps of the
-/// scene.
+/// scene, and load steps that were assumed.
 ///
 /// # Errors
 /// [`ExperimentError`]: no scene, a plate that is not free, data that do not cover the hole.
@@ -78,12 +78,21 @@ pub fn stage(
     for measured in fields {
         let state = &experiment.states[measured.state];
         match history.tied(state) {
-            Ok((step, null)) => states.push(WholeState {
-                state: measured.state,
-                solution: plate
-                    .analyse(&measured.measurement, step, null, region.smoothing)
-                    .map_err(failed)?,
-            }),
+            Ok(tied) => {
+                let solution = plate
+                    .analyse(
+                        &measured.measurement,
+                        tied.step,
+                        tied.null,
+                        region.smoothing,
+                    )
+                    .map_err(failed)?;
+                warnings.extend(tied.assumed);
+                states.push(WholeState {
+                    state: measured.state,
+                    solution,
+                });
+            }
             Err(reason) => warnings.push(format!(
                 "State '{}' is not analysed as a whole plate: {reason}.",
                 state.name

@@ -1,0 +1,89 @@
+//! Why nothing can be fitted.
+
+use thiserror::Error;
+
+use super::MOST_PARAMETERS;
+
+/// Why nothing can be fitted.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum CalibrateError {
+    /// Too few or too many parameters.
+    #[error("{0} parameters cannot be fitted; from 1 to {MOST_PARAMETERS} can")]
+    Parameters(usize),
+    /// A range that is none.
+    #[error("the range of '{name}' from {} to {} is none{}", range[0], range[1], if *logarithmic { ": it must increase and be positive, being logarithmic" } else { ": it must increase" })]
+    Range {
+        /// Name of the parameter.
+        name: String,
+        /// The range.
+        range: [f64; 2],
+        /// Whether it is divided evenly in the logarithm.
+        logarithmic: bool,
+    },
+    /// A confidence that is none.
+    #[error("the confidence {0} is not between 0 and 1")]
+    Confidence(f64),
+    /// Blocks of data that do not fit their noise or nuisances.
+    #[error("{what} of block {block} has {found} entries, expected {expected}")]
+    Length {
+        /// Which array.
+        what: &'static str,
+        /// Index of the block.
+        block: usize,
+        /// Entries needed.
+        expected: usize,
+        /// Entries given.
+        found: usize,
+    },
+    /// A number that is infinite or none, or a deviation that is not positive.
+    #[error("{what} {index} of block {block} is {value}")]
+    Value {
+        /// What it is.
+        what: &'static str,
+        /// Index of the block.
+        block: usize,
+        /// Index in it.
+        index: usize,
+        /// The number.
+        value: f64,
+    },
+    /// A covariance that is none.
+    #[error("the covariance of block {block} is not positive definite, at row {row}")]
+    Covariance {
+        /// Index of the block.
+        block: usize,
+        /// Row in which this shows.
+        row: usize,
+    },
+    /// Not more data than unknowns.
+    #[error(
+        "{data} data cannot determine {parameters} parameters and {nuisances} nuisances: more data than unknowns are needed"
+    )]
+    TooFew {
+        /// Number of data.
+        data: usize,
+        /// Number of parameters.
+        parameters: usize,
+        /// Number of independent nuisances.
+        nuisances: usize,
+    },
+    /// A prediction of another length than the data.
+    #[error("the model predicts {found} numbers for {expected} data")]
+    Prediction {
+        /// Number of data.
+        expected: usize,
+        /// Numbers predicted.
+        found: usize,
+    },
+    /// The model predicts nothing wherever it is asked.
+    #[error(
+        "the model predicts nothing at any of {tried} places in the ranges; the first reason: {first}"
+    )]
+    NoPrediction {
+        /// Places tried.
+        tried: usize,
+        /// What the model said at the first.
+        first: String,
+    },
+}

@@ -1,0 +1,93 @@
+//! What a fit says: parameters with their intervals, and the criteria by which models are compared.
+
+use crate::identify::Bounds;
+
+/// What the data say of one parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Estimate {
+    /// Its name.
+    pub name: String,
+    /// The value that fits best.
+    pub value: f64,
+    /// Standard deviation by the curvature of χ² there; `None` where χ² has none along it.
+    pub deviation: Option<f64>,
+    /// Interval of the profile. It ends where the profile passes its limit, and has no end where the range or the model ends before.
+    pub bounds: Bounds,
+    /// The profile: values, ascending, and what χ² is above its least.
+    pub profile: Vec<(f64, f64)>,
+}
+
+/// A fitted model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Calibration {
+    /// One per parameter, in their order.
+    pub estimates: Vec<Estimate>,
+    /// Covariance of the parameters by the curvature of χ², square, row by row; empty unless all of them have a deviation.
+    pub covariance: Vec<f64>,
+    /// The least χ².
+    pub chi_squared: f64,
+    /// Number of data.
+    pub data: usize,
+    /// Number of independent nuisances.
+    pub nuisances: usize,
+    /// Prediction there, the fitted nuisances added, in the order of the data.
+    pub fitted: Vec<f64>,
+    /// How often the model was asked.
+    pub evaluations: usize,
+    /// How often it refused.
+    pub refusals: usize,
+    /// What it said first when it did.
+    pub first_refusal: Option<String>,
+}
+
+impl Calibration {
+    /// Number of parameters and nuisances together.
+    fn unknowns(&self) -> f64 {
+        (self.estimates.len() + self.nuisances) as f64
+    }
+
+    /// Degrees of freedom of χ²: data less parameters less nuisances.
+    pub fn degrees(&self) -> usize {
+        // `calibrate` refuses fewer data.
+        self.data
+            .saturating_sub(self.estimates.len() + self.nuisances)
+    }
+
+    /// χ² per degree of freedom; about 1 where model and deviations hold.
+    pub fn reduced(&self) -> f64 {
+        self.chi_squared / self.degrees().max(1) as f64
+    }
+
+    /// Akaike's criterion, up to a constant of the data.
+    pub fn aic(&self) -> f64 {
+        self.chi_squared + 2.0 * self.unknowns()
+    }
+
+    /// Akaike's criterion corrected for few data, up to a constant of the data; infinite where there are too few for it.
+    pub fn aicc(&self) -> f64 {
+        let k = self.unknowns();
+        let left = self.data as f64 - k - 1.0;
+        if left > 0.0 {
+            self.aic() + 2.0 * k * (k + 1.0) / left
+        } else {
+            f64::INFINITY
+        }
+    }
+
+    /// Schwarz's criterion, up to a constant of the data.
+    pub fn bic(&self) -> f64 {
+        self.chi_squared + self.unknowns() * (self.data as f64).ln()
+    }
+
+    /// By how many standard deviations χ² lies above what it should be if the model holds, by the cube root that makes it nearly normal
+    /// (Wilson & Hilferty 1931). Above 3 the model does not explain the data, or their deviations are too small.
+    pub fn excess(&self) -> f64 {
+        let spread = 2.0 / (9.0 * self.degrees().max(1) as f64);
+        (self.reduced().cbrt() - (1.0 - spread)) / spread.sqrt()
+    }
+
+    /// Values of the parameters.
+    pub fn values(&self) -> Vec<f64> {
+        self.estimates.iter().map(|own| own.value).collect()
+    }
+}
