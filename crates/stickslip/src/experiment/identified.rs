@@ -18,7 +18,8 @@ use stickslip_hybrid::identify::{Bounds, SlipFit, Tractions, chi_squared_of_one,
 
 use super::analysed::Analysed;
 use super::error::ExperimentError;
-use super::plan::Experiment;
+use super::plan::{Experiment, RegionShape};
+use crate::output::short;
 
 pub(super) use tell::{Told, tell};
 
@@ -88,6 +89,7 @@ pub fn identify(
     experiment: &Experiment,
     analysed: &[Analysed],
 ) -> Result<Identified, ExperimentError> {
+    on_the_hole(experiment)?;
     let rise = chi_squared_of_one(experiment.identify.confidence);
     let mut remarks = Vec::new();
     let mut zones = Vec::new();
@@ -111,6 +113,23 @@ pub fn identify(
         simulation,
         remarks,
     })
+}
+
+/// Refuses a region that stands off from the hole: shear over pressure at a distance is not friction.
+fn on_the_hole(experiment: &Experiment) -> Result<(), ExperimentError> {
+    match experiment.region.as_ref().map(|plan| &plan.shape) {
+        Some(RegionShape::Sector(sector)) if sector.stand_off > 0.0 => {
+            Err(ExperimentError::Missing {
+                key: "region.sector.stand_off".to_owned(),
+                what: format!(
+                    "friction acts on the hole, and the region begins {} mm from it",
+                    short(sector.stand_off)
+                ),
+                remedy: "leave stand_off out and mask data near the edge by reduce.margin: the fit goes on to the edge".to_owned(),
+            })
+        }
+        _ => Ok(()),
+    }
 }
 
 /// The tractions of all zones, with shears along friction.

@@ -6,13 +6,17 @@ use stickslip_report::table::{Column, Table};
 
 use super::truth::{TruePlace, true_edge};
 use super::{Analysed, UNUSED, figures};
-use crate::experiment::plan::{Experiment, Method};
+use crate::experiment::plan::{Experiment, Method, RegionShape};
 use crate::experiment::story::{Story, csv_table};
 use crate::experiment::truth::Truth;
 use crate::output::short;
 
 /// Standard deviations above its mean at which a χ² is told of as too large.
-const LARGE: f64 = 5.0;
+const LARGE: f64 = 4.0;
+/// Part of the data that the parameters of a fit may be before it is told of.
+const MANY: f64 = 0.5;
+/// Noise factors beyond which the stated deviation is told of as wrong.
+const FACTORS: [f64; 2] = [0.1, 10.0];
 
 /// Tells of the edge stresses of all states.
 pub(in crate::experiment) fn tell(
@@ -43,10 +47,23 @@ fn words(experiment: &Experiment) -> String {
             "The displacements of the region's boundary are interpolated between the data. "
         }
     };
+    let place = match experiment.region.as_ref().map(|plan| &plan.shape) {
+        Some(RegionShape::Sector(sector)) if sector.stand_off > 0.0 => {
+            let length = experiment.display.length;
+            let radius = experiment.specimen.hole.radius + sector.stand_off;
+            format!(
+                "Its edge stands off from the hole: stresses are those at r = {} {}, not on the hole. ",
+                short(length.from_base(radius)),
+                length.name
+            )
+        }
+        _ => String::new(),
+    };
     format!(
         "A region of finite elements moves at its boundary as measured and is in balance inside; its stresses on the edge are linear in \
-         the data, so that their covariance is exact. {how}Bands hold the noise and, as a declared systematic deviation, the estimated \
-         bias of the smoothing. One of {UNUSED} places is not used; the misfit there checks the data. Direct interpolation is what the \
+         the data, so that their covariance is exact. {place}{how}Bands hold the noise and, as a declared systematic deviation, the estimated \
+         bias of the smoothing; the error of the mesh is not in them, and shows by analysing on another. θ is counted from +x towards +y. Balance \
+         is the force on the edge by its stresses against that by its nodes; the ends of the edge leave some per cent. One of {UNUSED} places is not used; the misfit there checks the data. Direct interpolation is what the \
          elements alone make of a local polynomial fit, without equilibrium."
     )
 }
@@ -83,11 +100,36 @@ fn state(experiment: &Experiment, found: &Analysed, truth: &[TruePlace], story: 
             ));
         }
     }
+    for warning in doubts(found) {
+        story.warn(format!("State '{name}': {warning}"));
+    }
     story.file(
         format!("edge-{name}.csv"),
         "stresses on the edge with standard deviations",
         csv(experiment, found),
     );
+}
+
+/// What makes the bands of a state doubtful.
+fn doubts(found: &Analysed) -> Vec<String> {
+    let mut doubts = Vec::new();
+    let Some(fit) = &found.fit else {
+        return doubts;
+    };
+    if fit.parameters > MANY * fit.data as f64 {
+        doubts.push(format!(
+            "{} data determine {:.0} parameters of the fit: the region has too many cells for them, and neither its stresses nor their \
+             bands can be trusted. Take fewer cells, or state a smoothing amount.",
+            fit.data, fit.parameters
+        ));
+    }
+    if !(FACTORS[0]..=FACTORS[1]).contains(&found.scale) {
+        doubts.push(format!(
+            "the variance of the residuals is {} times the one stated; bands follow the residuals. Check the deviation.",
+            short(found.scale)
+        ));
+    }
+    doubts
 }
 
 fn csv(experiment: &Experiment, found: &Analysed) -> Vec<u8> {
@@ -128,7 +170,7 @@ fn table(experiment: &Experiment, analysed: &[Analysed]) -> Table {
         Column::new("deviation", stress),
         Column::new("misfit χ² (expected)", ""),
         Column::new("free edge χ² (expected)", ""),
-        Column::new("balance", "deviations"),
+        Column::new("balance", "% of the force"),
     ];
     let mut table = Table::new("Hybrid analysis", columns);
     for found in analysed {
@@ -165,7 +207,7 @@ fn row(experiment: &Experiment, found: &Analysed) -> Vec<String> {
         dt,
         told(found.unused.as_ref().map(chi_squared)),
         told(found.free_edge.as_ref().map(chi_squared)),
-        format!("{:.1}", imbalance(found)),
+        format!("{:.1}", 100.0 * imbalance(found)),
     ]
 }
 
@@ -178,21 +220,17 @@ fn chi_squared(check: &ChiSquared) -> String {
     )
 }
 
-/// The larger sum of the forces on the edge by stresses and by nodes, over its standard deviation.
+/// Force on the edge by its stresses plus that by its nodes, over the latter. Where the edge ends, its last nodes carry forces of the
+/// neighbouring edges too, so that some per cent remain on any mesh.
 fn imbalance(found: &Analysed) -> f64 {
-    let forces = &found.forces;
-    let size = forces.values.len();
-    let of_axis = |axis: usize| {
-        let entry = |i: usize, j: usize| forces.covariance[i * size + j];
-        let sum = forces.values[axis] + forces.values[2 + axis];
-        let variance = entry(axis, axis) + 2.0 * entry(axis, 2 + axis) + entry(2 + axis, 2 + axis);
-        if variance > 0.0 {
-            sum.abs() / variance.sqrt()
-        } else {
-            0.0
-        }
-    };
-    of_axis(0).max(of_axis(1))
+    let values = &found.forces.values;
+    let size = |x: f64, y: f64| x.hypot(y);
+    let force = size(values[2], values[3]);
+    if force > 0.0 {
+        size(values[0] + values[2], values[1] + values[3]) / force
+    } else {
+        0.0
+    }
 }
 
 fn entry(experiment: &Experiment, found: &Analysed) -> Value {
@@ -213,6 +251,6 @@ fn entry(experiment: &Experiment, found: &Analysed) -> Value {
         })),
         "unused_misfit": check(found.unused.as_ref()),
         "free_edge": check(found.free_edge.as_ref()),
-        "imbalance_deviations": imbalance(found),
+        "imbalance": imbalance(found),
     })
 }

@@ -34,10 +34,17 @@ pub(super) fn of_state(
         let start = found.angle.partition_point(|angle| *angle < from);
         let end = found.angle.partition_point(|angle| *angle <= to);
         if start >= end {
-            remarks.push(format!(
-                "state '{name}': the zone given by hand has no place"
-            ));
-            continue;
+            let ends = [found.angle.first(), found.angle.last()];
+            let [first, last] = ends.map(|angle| angle.copied().unwrap_or_default().to_degrees());
+            return Err(ExperimentError::Missing {
+                key: "identify.zones".to_owned(),
+                what: format!(
+                    "state '{name}': no place of the region lies between {:.2} and {:.2} deg",
+                    from.to_degrees(),
+                    to.to_degrees()
+                ),
+                remedy: format!("the region's edge goes from {first:.2} to {last:.2} deg"),
+            });
         }
         let places = start..end;
         let positive = direction(&found.tractions, places.clone())?;

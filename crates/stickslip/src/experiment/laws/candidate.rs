@@ -97,7 +97,11 @@ impl Candidate {
     ///
     /// # Errors
     /// No unit, an unknown one or one of another dimension; anything but a number for a parameter without dimension.
-    pub fn check_end(law: &dyn FrictionLaw, path: &str, end: &Value) -> Result<(), SceneProblem> {
+    pub fn check_end(
+        law: &dyn FrictionLaw,
+        path: &str,
+        end: &Value,
+    ) -> Result<(), Box<SceneProblem>> {
         let table = serde_json::to_value(law).unwrap_or_default();
         let own = table.get(law.name()).unwrap_or(&Value::Null);
         if !numbers_in(own, "").iter().any(|known| known == path) {
@@ -110,26 +114,28 @@ impl Candidate {
             Dimension::Dimensionless | Dimension::Text | Dimension::Flag | Dimension::Law => {
                 return match end {
                     Value::Number(_) => Ok(()),
-                    other => Err(SceneProblem::WrongKind {
+                    other => Err(Box::new(SceneProblem::WrongKind {
                         expected: "a number without unit or quotes".to_owned(),
                         found: other.to_string(),
-                    }),
+                    })),
                 };
             }
         };
         match end {
             Value::String(text) => parse(text, &expected)
                 .map(|_| ())
-                .map_err(SceneProblem::from),
-            Value::Number(number) => Err(UnitError::MissingUnit {
-                value: number.to_string(),
-                expected,
-            }
-            .into()),
-            other => Err(SceneProblem::WrongKind {
+                .map_err(|error| Box::new(error.into())),
+            Value::Number(number) => Err(Box::new(
+                UnitError::MissingUnit {
+                    value: number.to_string(),
+                    expected,
+                }
+                .into(),
+            )),
+            other => Err(Box::new(SceneProblem::WrongKind {
                 expected: format!("{expected} with its unit in quotes"),
                 found: other.to_string(),
-            }),
+            })),
         }
     }
 

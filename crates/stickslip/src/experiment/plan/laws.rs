@@ -45,7 +45,7 @@ pub(super) fn read(
             let place = format!("{table}.free.{parameter}");
             for (end, value) in bounds.iter().enumerate() {
                 Candidate::check_end(read.as_ref(), parameter, value)
-                    .map_err(|problem| refuse.at(&format!("{place}.{end}"), problem))?;
+                    .map_err(|problem| refuse.at(&format!("{place}.{end}"), *problem))?;
             }
             let [low, high] = [0, 1].map(|k| number(&bounds[k]));
             match (low, high) {
