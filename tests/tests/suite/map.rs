@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use stickslip::experiment::Experiment;
 use stickslip::scene::{Format, Scene};
 use stickslip::sweep::Sweep;
 
@@ -260,17 +261,29 @@ fn toml_in_documents_is_right() {
     assert!(whole > 0, "no document shows a scene");
 }
 
-/// Whether a file varies a scene along axes, instead of being one.
-fn is_sweep(path: &Path) -> bool {
+/// Whether a file has a table or list at its top: only sweeps have `axes`, only experiments a `specimen`.
+fn has(path: &Path, key: &str) -> bool {
     let table: toml::Table = toml::from_str(&read(path)).expect("a table");
-    table.contains_key("axes")
+    table.contains_key(key)
+}
+
+#[test]
+fn every_experiment_is_read() {
+    let files = files(&root().join("scenes"), "toml");
+    let experiments: Vec<_> = files.iter().filter(|path| has(path, "specimen")).collect();
+    assert!(experiments.len() >= 4);
+    for path in experiments {
+        let experiment = Experiment::from_file(path, &[] as &[&str]);
+        experiment.unwrap_or_else(|error| panic!("{error}"));
+    }
 }
 
 #[test]
 fn every_scene_passes_its_check_in_toml_and_json_alike() {
     let (sweeps, scenes): (Vec<_>, Vec<_>) = files(&root().join("scenes"), "toml")
         .into_iter()
-        .partition(|path| is_sweep(path));
+        .filter(|path| !has(path, "specimen"))
+        .partition(|path| has(path, "axes"));
     assert!(scenes.len() > 10);
     for path in sweeps {
         let sweep = Sweep::from_file(&path, &[] as &[&str]);
