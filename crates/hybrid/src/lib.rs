@@ -23,5 +23,6 @@ pub mod data;
 pub mod fringe;
 pub mod identify;
 pub mod moire;
+mod random;
 pub mod reduce;
 pub mod region;

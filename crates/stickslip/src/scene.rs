@@ -57,6 +57,7 @@ use crate::units::{Dimension, Expected, parse};
 pub use document::Format;
 use document::{Document, Part};
 use format::SceneFormat;
+pub(crate) use format::UnitsFormat;
 pub(crate) use friction::law as read_law;
 pub(crate) use overrides::apply as apply_override;
 use read::Reader;

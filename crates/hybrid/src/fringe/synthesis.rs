@@ -7,6 +7,7 @@ use rand::{RngExt, SeedableRng};
 use stickslip_fem_core::mesh::Point;
 
 use super::{Frame, FringeError, PixelMap, Plane};
+use crate::random::{exponential, normal};
 
 /// Whole numbers in which a camera counts intensity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -235,14 +236,4 @@ impl Surface {
 
 fn quantised(intensity: f64, depth: Depth) -> f64 {
     (intensity.clamp(0.0, 1.0) * depth.full_scale()).round() / depth.full_scale()
-}
-
-/// Exponential distribution of mean 1: the intensity of fully developed speckle.
-fn exponential(random: &mut StdRng) -> f64 {
-    -(1.0 - random.random::<f64>()).ln()
-}
-
-/// Standard normal distribution (Box & Muller 1958).
-fn normal(random: &mut StdRng) -> f64 {
-    (2.0 * exponential(random)).sqrt() * (TAU * random.random::<f64>()).cos()
 }

@@ -7,10 +7,11 @@
 use std::ops::Range;
 
 use faer::Mat;
+use rand::SeedableRng;
 use rand::rngs::StdRng;
-use rand::{RngExt, SeedableRng};
 
 use super::{Bounds, IdentifyError, Misfit, SlipFit, Tractions};
+use crate::random::normal;
 use crate::region::dense;
 
 /// Coefficients at which χ² is known while a draw is fitted, on either side of the best one.
@@ -123,11 +124,4 @@ impl Grid {
         };
         self.coefficients[best] + shift * step
     }
-}
-
-/// A standard normal number (Box & Muller 1958).
-fn normal(random: &mut StdRng) -> f64 {
-    // 1 − u is in (0, 1], so the logarithm is finite.
-    let (u, v): (f64, f64) = (random.random(), random.random());
-    (-2.0 * (1.0 - u).ln()).sqrt() * (std::f64::consts::TAU * v).cos()
 }

@@ -7,13 +7,14 @@
 //! T costs one solve per output, with A₂ᵀ on the right, or one per prescribed displacement, with K₂₁, whichever are fewer.
 
 use faer::{Mat, MatRef};
+use rand::SeedableRng;
 use rand::rngs::StdRng;
-use rand::{RngExt, SeedableRng};
 use stickslip_fem_core::body::SparseRow;
 
 use super::dense::{by_rows, cholesky, multiply, sandwich};
 use super::{Region, RegionError, check_rows, length, product};
 use crate::data::NodalDisplacements;
+use crate::random::normal;
 
 /// Bytes of right-hand sides that pass through the factor at once: about a hundred columns of 20 000 unknowns, beyond which a pass
 /// gains nothing.
@@ -220,11 +221,4 @@ fn square_root(covariance: &Mat<f64>) -> Result<Mat<f64>, RegionError> {
         }
     }
     Ok(root)
-}
-
-/// A standard normal number (Box & Muller 1958).
-fn normal(random: &mut StdRng) -> f64 {
-    // 1 − u is in (0, 1], so the logarithm is finite.
-    let (u, v): (f64, f64) = (random.random(), random.random());
-    (-2.0 * (1.0 - u).ln()).sqrt() * (std::f64::consts::TAU * v).cos()
 }

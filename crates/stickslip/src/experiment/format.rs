@@ -7,7 +7,8 @@ use serde::Deserialize;
 use serde_json::{Map, Value};
 use stickslip_fem_core::material::PlaneState;
 
-use crate::units::{Angle, Force, Length, PerLength, Quantity, Stress, UnitName};
+use crate::scene::UnitsFormat;
+use crate::units::{Angle, Length, PerLength, Quantity};
 
 pub(super) use settings::{
     IdentifyFormat, LawFormat, MaskFormat, MethodFormat, ReduceFormat, RegionFormat, SymmetryFormat,
@@ -45,29 +46,6 @@ pub(super) struct ExperimentFormat {
     pub(super) identify: IdentifyFormat,
     #[serde(default)]
     pub(super) laws: Vec<LawFormat>,
-}
-
-/// `[units]`, as in scenes.
-#[derive(Debug, Deserialize)]
-#[serde(
-    default,
-    deny_unknown_fields,
-    expecting = "a table, such as { key = value }"
-)]
-pub(super) struct UnitsFormat {
-    pub(super) length: UnitName<Length>,
-    pub(super) force: UnitName<Force>,
-    pub(super) stress: UnitName<Stress>,
-}
-
-impl Default for UnitsFormat {
-    fn default() -> Self {
-        Self {
-            length: UnitName::base(),
-            force: UnitName::base(),
-            stress: UnitName::base(),
-        }
-    }
 }
 
 /// `[specimen]`: a body of a scene, or what the analysis needs of one.

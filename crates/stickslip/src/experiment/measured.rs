@@ -141,8 +141,39 @@ pub fn state(
             .map(|words| format!("The back: {words}"));
         measured.warnings.extend(warnings.chain(of_carriers));
     }
+    if matches!(plan.source, Source::Table(_)) {
+        measured.warnings.extend(large(&measured.measurement));
+    }
     coverage::check(&scope, &measured)?;
     Ok(measured)
+}
+
+/// Words on displacements that differ by more than small strains allow: the mark of a wrong scale.
+fn large(measurement: &Measurement) -> Option<String> {
+    const STRAIN: f64 = 0.05;
+    let spread = |values: &mut dyn Iterator<Item = f64>| {
+        let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+            [low.min(value), high.max(value)]
+        });
+        (high - low).max(0.0)
+    };
+    let places = &measurement.places;
+    let extent = [0, 1].map(|axis| spread(&mut places.iter().map(|place| place[axis])));
+    let range = [0, 1].map(|c| {
+        let values = measurement.displacements[c].iter().copied();
+        let valid = values
+            .zip(&measurement.valid[c])
+            .filter(|(_, valid)| **valid);
+        spread(&mut valid.map(|(value, _)| value))
+    });
+    let part = range[0].max(range[1]) / extent[0].hypot(extent[1]);
+    (part > STRAIN).then(|| {
+        format!(
+            "Displacements differ by {:.0} % of the extent of their places, far beyond small strains: check scale and displacement_scale \
+             (which is scale unless it is stated).",
+            100.0 * part
+        )
+    })
 }
 
 /// What a source is read for.

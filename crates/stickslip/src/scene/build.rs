@@ -101,11 +101,7 @@ pub(super) fn build(
     Ok(Parts {
         title: format.title.clone(),
         description: format.description.clone(),
-        display: DisplayUnits {
-            length: units.length.unit(),
-            force: units.force.unit(),
-            stress: units.stress.unit(),
-        },
+        display: units.display(),
         analysis,
         materials,
         bodies,

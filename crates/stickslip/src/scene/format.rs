@@ -15,7 +15,7 @@ use stickslip_fem_core::material::PlaneState;
 use stickslip_fem_core::mesh::ElementKind;
 
 use super::schema::{
-    Axis, FieldOutput, GapKind, ModelChoice, ProjectionChoice, Ramp, SolverChoice,
+    Axis, DisplayUnits, FieldOutput, GapKind, ModelChoice, ProjectionChoice, Ramp, SolverChoice,
 };
 use crate::units::{
     Angle, AngleOrLength, Force, Length, PerTemperature, Quantity, Stress, UnitName,
@@ -67,10 +67,21 @@ pub(super) struct SceneFormat {
     deny_unknown_fields,
     expecting = "a table, such as { key = value }"
 )]
-pub(super) struct UnitsFormat {
-    pub(super) length: UnitName<Length>,
-    pub(super) force: UnitName<Force>,
-    pub(super) stress: UnitName<Stress>,
+pub(crate) struct UnitsFormat {
+    pub(crate) length: UnitName<Length>,
+    pub(crate) force: UnitName<Force>,
+    pub(crate) stress: UnitName<Stress>,
+}
+
+impl UnitsFormat {
+    /// The units of results.
+    pub(crate) fn display(&self) -> DisplayUnits {
+        DisplayUnits {
+            length: self.length.unit(),
+            force: self.force.unit(),
+            stress: self.stress.unit(),
+        }
+    }
 }
 
 impl Default for UnitsFormat {

@@ -66,6 +66,26 @@ fn scale_origin_and_axes_are_as_stated() {
     }
 }
 
+#[test]
+fn displacements_in_another_unit_than_places_are_noticed() {
+    let folder = folder_with(&[]);
+    let path = folder.path();
+    succeeds(path, &["init", "experiment", "mine.toml"]);
+    let reduce = |output: &str| {
+        succeeds(path, &["reduce", "mine.toml", "--output", output]);
+        fs::read_to_string(path.join(output).join("index.html")).unwrap()
+    };
+    assert!(!reduce("right").contains("beyond small strains"));
+    let text = fs::read_to_string(path.join("mine.toml")).unwrap();
+    let forgotten: String = text
+        .split_inclusive('\n')
+        .filter(|line| !line.starts_with("displacement_scale"))
+        .collect();
+    assert!(forgotten.len() < text.len());
+    fs::write(path.join("mine.toml"), forgotten).unwrap();
+    assert!(reduce("wrong").contains("beyond small strains"));
+}
+
 /// The scatter of a smooth field is that of its errors: here an alternating one that is normal by construction of its quantiles.
 #[test]
 fn a_deviation_that_is_not_stated_is_estimated() {

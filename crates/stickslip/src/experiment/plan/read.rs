@@ -16,8 +16,7 @@ use crate::experiment::format::{
 };
 use crate::scene::document::{Document, Part};
 use crate::scene::read::Reader;
-use crate::scene::schema::DisplayUnits;
-use crate::scene::{Format, apply_override};
+use crate::scene::{Format, UnitsFormat, apply_override};
 use crate::units::{Length, PerLength, Quantity};
 
 pub(super) fn experiment(
@@ -63,15 +62,7 @@ pub(super) fn experiment(
         .transpose()?;
     let display = match (&read.units, &specimen.scene) {
         (None, Some(own)) => own.scene.display,
-        (given, _) => {
-            let default = crate::experiment::format::UnitsFormat::default();
-            let given = given.as_ref().unwrap_or(&default);
-            DisplayUnits {
-                length: given.length.unit(),
-                force: given.force.unit(),
-                stress: given.stress.unit(),
-            }
-        }
+        (given, _) => given.as_ref().unwrap_or(&UnitsFormat::default()).display(),
     };
     let reduce = settings::reduce(refuse, &read.reduce)?;
     check_symmetry(refuse, &reduce, &states)?;
