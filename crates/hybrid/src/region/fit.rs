@@ -14,6 +14,7 @@
 //!
 //! Equilibrium alone gains little at the edge: displacements of short wave length there do not reach the data inside.
 
+mod modes;
 mod penalty;
 
 use std::collections::BTreeMap;
@@ -21,11 +22,9 @@ use std::collections::BTreeMap;
 use faer::Mat;
 use stickslip_fem_core::mesh::Point;
 
-use self::penalty::penalty;
+use self::modes::Modes;
 use super::checks::{Points, measured_rows};
-use super::dense::{
-    by_rows, cholesky, eigen, multiply, sandwich, solve_lower, solve_lower_transposed,
-};
+use super::dense::{by_rows, multiply, sandwich};
 use super::outline::boundary_edges;
 use super::{Region, RegionError};
 use crate::data::{Measurement, NodalDisplacements};
@@ -77,6 +76,10 @@ pub struct Fit {
     pub amount: f64,
     /// Effective number of fitted parameters, tr A.
     pub parameters: f64,
+    /// Diagonal of M⁻¹ G, in the order of the prescribed displacements: the part of each that the data at its own place decide, and not
+    /// the smoothing with its neighbours. Nodes a distance h apart resolve about h over it. Its sum is
+    /// [`parameters`](Self::parameters).
+    pub kept: Vec<f64>,
     /// Number of data.
     pub data: usize,
     /// Sum of the squared residuals in units of the data's variances; about `data − parameters` where the model holds.
@@ -150,10 +153,7 @@ pub struct Fitter<'a> {
     weight: [f64; 2],
     /// H times the inverse deviations, data × prescribed.
     rows: Mat<f64>,
-    /// Share of the smoothing in each mode, from 0 to 1; that of the data is one less it.
-    smoothing: Vec<f64>,
-    /// Modes, one per column: L⁻ᵀ Q.
-    modes: Mat<f64>,
+    modes: Modes,
 }
 
 /// Data of one state as the modes see them.
@@ -181,13 +181,12 @@ impl<'a> Fitter<'a> {
         for (i, &(_, axis)) in points.places.iter().enumerate() {
             (0..rows.ncols()).for_each(|j| rows[(i, j)] *= weight[axis]);
         }
-        let (smoothing, modes) = modes(region, &rows, order)?;
+        let modes = Modes::new(region, &rows, order)?;
         Ok(Self {
             region,
             places: points.places,
             weight,
             rows,
-            smoothing,
             modes,
         })
     }
@@ -206,18 +205,20 @@ impl<'a> Fitter<'a> {
         };
         let size = loads.modes.len();
         let stiffness = self.denominators(amount);
-        let bias = |k: usize| -amount * self.smoothing[k] * loads.modes[k] / stiffness[k].powi(2);
+        let bias =
+            |k: usize| -amount * self.modes.smoothing[k] * loads.modes[k] / stiffness[k].powi(2);
         let variances = Mat::from_fn(size, size, |i, j| {
-            let share = (1.0 - self.smoothing[i]) / stiffness[i].powi(2);
+            let share = (1.0 - self.modes.smoothing[i]) / stiffness[i].powi(2);
             if i == j { share } else { 0.0 }
         });
-        let covariance = sandwich(self.modes.as_ref(), variances.as_ref());
+        let covariance = sandwich(self.modes.basis.as_ref(), variances.as_ref());
         let values = self.combine(|k| loads.modes[k] / stiffness[k]);
         Ok(Fit {
             displacements: spread(self.region, &values, &covariance),
             bias: self.combine(bias),
             amount,
             parameters: self.parameters(amount),
+            kept: self.kept(&stiffness),
             data: self.places.len(),
             residual: self.residual(&loads, amount),
         })
@@ -263,7 +264,7 @@ impl<'a> Fitter<'a> {
         }
         let sums = multiply(self.rows.transpose(), weighted.as_ref());
         Ok(Loads {
-            modes: by_rows(&multiply(self.modes.transpose(), sums.as_ref())),
+            modes: by_rows(&multiply(self.modes.basis.transpose(), sums.as_ref())),
             square: (0..self.places.len())
                 .map(|k| weighted[(k, 0)].powi(2))
                 .sum(),
@@ -272,13 +273,14 @@ impl<'a> Fitter<'a> {
 
     /// Sum of the modes times weights.
     fn combine(&self, weight: impl Fn(usize) -> f64) -> Vec<f64> {
-        let weights = Mat::from_fn(self.smoothing.len(), 1, |k, _| weight(k));
-        by_rows(&multiply(self.modes.as_ref(), weights.as_ref()))
+        let weights = Mat::from_fn(self.modes.smoothing.len(), 1, |k, _| weight(k));
+        by_rows(&multiply(self.modes.basis.as_ref(), weights.as_ref()))
     }
 
     /// Stiffness of each mode: (1 − s) + α s.
     fn denominators(&self, amount: f64) -> Vec<f64> {
-        self.smoothing
+        self.modes
+            .smoothing
             .iter()
             .map(|s| (1.0 - s) + amount * s)
             .collect()
@@ -286,9 +288,13 @@ impl<'a> Fitter<'a> {
 
     /// Where on the boundary the mode lives that the data do not determine, if there is one.
     fn undetermined(&self) -> Option<Point> {
-        let mode = self.smoothing.iter().position(|s| 1.0 - s < UNDETERMINED)?;
-        let size = |k: &usize| self.modes[(*k, mode)].abs();
-        let largest = (0..self.modes.nrows()).max_by(|a, b| size(a).total_cmp(&size(b)))?;
+        let mode = self
+            .modes
+            .smoothing
+            .iter()
+            .position(|s| 1.0 - s < UNDETERMINED)?;
+        let size = |k: &usize| self.modes.basis[(*k, mode)].abs();
+        let largest = (0..self.modes.basis.nrows()).max_by(|a, b| size(a).total_cmp(&size(b)))?;
         Some(place_of(self.region, largest))
     }
 
@@ -297,20 +303,40 @@ impl<'a> Fitter<'a> {
             .denominators(amount)
             .into_iter()
             .zip(&loads.modes)
-            .zip(&self.smoothing);
+            .zip(&self.modes.smoothing);
         modes.fold(loads.square, |sum, ((e, z), s)| {
             sum - z * z / e * (2.0 - (1.0 - s) / e)
         })
     }
 
     fn parameters(&self, amount: f64) -> f64 {
-        let modes = self.denominators(amount).into_iter().zip(&self.smoothing);
+        let modes = self
+            .denominators(amount)
+            .into_iter()
+            .zip(&self.modes.smoothing);
         modes.map(|(e, s)| (1.0 - s) / e).sum()
     }
 
+    fn kept(&self, stiffness: &[f64]) -> Vec<f64> {
+        let part = |k: usize| (1.0 - self.modes.smoothing[k]) / stiffness[k];
+        let of_mode =
+            |i: usize, k: usize| self.modes.basis[(i, k)] * self.modes.dual[(i, k)] * part(k);
+        let size = stiffness.len();
+        (0..size)
+            .map(|i| (0..size).map(|k| of_mode(i, k)).sum())
+            .collect()
+    }
+
+    /// The amount with the least score, of those that leave a tenth of the data to judge by: as many parameters as data leave no
+    /// residual, whatever they fit.
     fn least_score(&self, loads: &Loads) -> f64 {
+        const LEFT: f64 = 0.1;
+        let data = self.places.len() as f64;
         let score = |amount: f64| {
-            let left = self.places.len() as f64 - self.parameters(amount);
+            let left = data - self.parameters(amount);
+            if left < LEFT * data {
+                return f64::INFINITY;
+            }
             self.residual(loads, amount).max(0.0) / (left * left)
         };
         let amounts = (-200..=200).map(|k| 10.0_f64.powf(f64::from(k) / 20.0));
@@ -320,39 +346,6 @@ impl<'a> Fitter<'a> {
             .min_by(|a, b| a.0.total_cmp(&b.0))
             .map_or(1.0, |(_, amount)| amount)
     }
-}
-
-/// Shares s of the smoothing and modes L⁻ᵀ Q, from the weighted rows of the data.
-fn modes(
-    region: &Region,
-    rows: &Mat<f64>,
-    order: usize,
-) -> Result<(Vec<f64>, Mat<f64>), RegionError> {
-    let size = rows.ncols();
-    let gram = multiply(rows.transpose(), rows.as_ref());
-    let roughness = penalty(region, order);
-    let trace = |matrix: &Mat<f64>| (0..size).map(|k| matrix[(k, k)]).sum::<f64>();
-    let scale = match trace(&roughness) {
-        0.0 => 0.0,
-        rough => trace(&gram) / rough,
-    };
-    let both = Mat::from_fn(size, size, |i, j| gram[(i, j)] + scale * roughness[(i, j)]);
-    let lower = cholesky(both).map_err(|row| RegionError::NotDetermined {
-        place: place_of(region, row),
-    })?;
-    let mut half = Mat::from_fn(size, size, |i, j| scale * roughness[(i, j)]);
-    solve_lower(&lower, &mut half);
-    let mut share = half.transpose().to_owned();
-    solve_lower(&lower, &mut share);
-    let symmetric = Mat::from_fn(size, size, |i, j| {
-        f64::midpoint(share[(i, j)], share[(j, i)])
-    });
-    let (shares, mut modes) = eigen(&symmetric).ok_or(RegionError::Eigenvalues { order: size })?;
-    solve_lower_transposed(&lower, &mut modes);
-    Ok((
-        shares.into_iter().map(|s| s.clamp(0.0, 1.0)).collect(),
-        modes,
-    ))
 }
 
 fn place_of(region: &Region, position: usize) -> Point {

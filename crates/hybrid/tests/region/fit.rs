@@ -281,6 +281,16 @@ fn a_fit_states_what_it_did() {
         values.len()
     );
     assert!((fit.residual - expected).abs() < 4.0 * 57.0);
+    // What is kept of each displacement adds up to the parameters, and all of it is kept without smoothing.
+    let kept: f64 = fit.kept.iter().sum();
+    assert!((kept / fit.parameters - 1.0).abs() < 1e-8, "{kept}");
+    assert!(fit.kept.iter().all(|part| (0.0..1.0).contains(part)));
+    let given = |amount| {
+        fitter
+            .fit(&data.displacements, Amount::Given(amount))
+            .unwrap()
+    };
+    assert!(given(0.0).kept.iter().all(|part| (part - 1.0).abs() < 1e-6));
     // Residuals recomputed from the solution.
     let solution = experiment.region.solve(&fit.displacements).unwrap();
     let rows = displacement_rows(experiment.region.mesh(), &experiment.places).unwrap();

@@ -40,7 +40,8 @@ pub struct Analysed {
     pub state: usize,
     /// Angle of each place along the edge `[rad]`, ascending.
     pub angle: Vec<f64>,
-    /// Angle between two corners of the edge's cells `[rad]`: what is nearer cannot be told apart.
+    /// Angle that is resolved along the edge `[rad]`: that between two corners of its cells, or more where smoothing spreads what
+    /// they could tell. What is nearer cannot be told apart.
     pub resolution: f64,
     /// Pressure and shear τ_rθ `[MPa]` with their covariance, systematic part included.
     pub tractions: Tractions,
@@ -76,6 +77,8 @@ pub struct FitFacts {
     pub amount: f64,
     /// Effective number of parameters.
     pub parameters: f64,
+    /// Mean over the edge of the part of a displacement that the data at its own place decide, and not the smoothing.
+    pub kept: f64,
     /// Number of data.
     pub data: usize,
     /// χ² of the residuals with the stated deviations.

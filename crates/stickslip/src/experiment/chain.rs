@@ -56,10 +56,13 @@ pub fn tell(
     if depth == Depth::Identify {
         progress(Progress::Phase("friction"));
         let identified = identified::identify(experiment, &analysed)?;
+        let coarser = identified::on_half_the_cells(experiment, &fields);
         let told = Told {
             experiment,
             analysed: &analysed,
             identified: &identified,
+            // Data that do not do for fewer cells leave the question open.
+            coarser: coarser.as_ref().ok().and_then(Option::as_ref),
             truth: truth.as_ref(),
         };
         identified::tell(&told, &mut story);

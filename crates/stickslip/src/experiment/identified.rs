@@ -8,6 +8,7 @@
 //! its ends than the region's cells can resolve are left out, because stresses are not smooth there. The coefficient of all zones of all
 //! states is fitted once more to all of them together, and a Monte Carlo simulation confirms its interval.
 
+mod coarser;
 mod figures;
 mod tell;
 mod zones;
@@ -21,6 +22,7 @@ use super::error::ExperimentError;
 use super::plan::{Experiment, RegionShape};
 use crate::output::short;
 
+pub use coarser::{Coarser, on_half_the_cells};
 pub(super) use tell::{Told, tell};
 
 /// A zone that slips.

@@ -2,6 +2,7 @@
 
 mod backs;
 mod chain;
+mod friction;
 mod pictures;
 mod refusals;
 mod tables;

@@ -23,8 +23,8 @@ pub(super) struct Edge {
     pub(super) angle: Vec<f64>,
     /// Radius times angle as the region counts it `[mm]`.
     pub(super) parameter: Vec<f64>,
-    /// Angle between neighbouring corners `[rad]`.
-    pub(super) resolution: f64,
+    /// Mean angle of the edge's cells `[rad]`.
+    cell: f64,
     pub(super) nodes: Vec<usize>,
     /// σ_r of all places, then τ_rθ, then σ_θ.
     pub(super) stresses: Vec<SparseRow>,
@@ -33,7 +33,7 @@ pub(super) struct Edge {
 }
 
 /// Mean angle of an edge's cells `[rad]`.
-fn resolution(
+fn cell(
     body: &ElasticBody,
     name: &str,
     parameter: &[f64],
@@ -53,12 +53,21 @@ impl Edge {
         let stresses = [0, 2, 1].map(|component| rows.component(component));
         Ok(Self {
             angle: rows.parameter.iter().map(|s| s / radius - turns).collect(),
-            resolution: resolution(body, name, &rows.parameter, radius)?,
+            cell: cell(body, name, &rows.parameter, radius)?,
             stresses: stresses.concat(),
             resultant: rows.resultant(body.thickness()),
             parameter: rows.parameter,
             nodes: rows.nodes,
         })
+    }
+
+    /// Angle that can be resolved where the part `kept` of a displacement is decided by its own data `[rad]`: a cell, or more where the
+    /// smoothing spreads what the nodes could tell.
+    pub(super) fn resolution(&self, kept: f64) -> f64 {
+        let nodes = self.angle.last().zip(self.angle.first());
+        let spacing = nodes.map_or(0.0, |(last, first)| last - first)
+            / self.count().saturating_sub(1).max(1) as f64;
+        self.cell.max(spacing / kept)
     }
 
     fn count(&self) -> usize {

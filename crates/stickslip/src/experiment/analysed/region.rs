@@ -152,7 +152,9 @@ impl<'a> Workbench<'a> {
         Ok(Analysed {
             state: measured.state,
             angle: self.edge.angle.clone(),
-            resolution: self.edge.resolution,
+            resolution: self
+                .edge
+                .resolution(boundary.fit.map_or(1.0, |fit| fit.kept)),
             hoop: self.edge.hoop(&stresses.values),
             hoop_deviation: self.edge.hoop_deviation(&stresses, &bias),
             tractions,
@@ -263,11 +265,22 @@ impl<'a> Workbench<'a> {
                 order: smoothing.order,
                 amount: fit.amount,
                 parameters: fit.parameters,
+                kept: self.kept(&fit.kept),
                 data: fit.data,
                 residual: fit.residual,
             }),
             displacements: fit.displacements,
         })
+    }
+
+    /// Mean over the edge of the part of displacements that their own data decide.
+    fn kept(&self, parts: &[f64]) -> f64 {
+        let prescribed = self.region.prescribed().iter().zip(parts);
+        let own = prescribed.filter(|(dof, _)| self.edge.nodes.contains(&(*dof / 2)));
+        let (sum, count) = own.fold((0.0, 0.0), |(sum, count), (_, part)| {
+            (sum + part, count + 1.0)
+        });
+        sum / f64::max(count, 1.0)
     }
 
     /// Measured less calculated displacements over the stated deviations, of all valid data in the region.

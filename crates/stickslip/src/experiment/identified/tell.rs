@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 use stickslip_hybrid::identify::{Bounds, SlipFit};
 use stickslip_report::table::{Column, Table};
 
-use super::{Grip, Identified, SlipZone, figures, ratio, words};
+use super::{Coarser, Grip, Identified, SlipZone, figures, ratio, words};
 use crate::experiment::analysed::{Analysed, true_edge};
 use crate::experiment::plan::Experiment;
 use crate::experiment::story::{Story, csv_table};
@@ -19,6 +19,8 @@ pub(in crate::experiment) struct Told<'a> {
     pub(in crate::experiment) experiment: &'a Experiment,
     pub(in crate::experiment) analysed: &'a [Analysed],
     pub(in crate::experiment) identified: &'a Identified,
+    /// The same on half of the cells.
+    pub(in crate::experiment) coarser: Option<&'a Coarser>,
     pub(in crate::experiment) truth: Option<&'a Truth>,
 }
 
@@ -29,8 +31,8 @@ pub(in crate::experiment) fn tell(told: &Told<'_>, story: &mut Story) {
     story.text(
         "Where an edge slips, the shear is μ times the pressure, and both are uncertain with errors that go together; μ is where χ² of \
          τ − μp is least, and its interval is that in which χ² rises no further than chance would have it. Slip starts at the ends of \
-         contact. A zone goes from there inwards as far as one coefficient explains it; two cells at either end are left out, where \
-         stresses are not smooth.",
+         contact. A zone goes from there inwards as far as one coefficient explains it; at either end twice the angle that the edge \
+         resolves is left out, where stresses are not smooth. That angle is a cell, or more where the smoothing goes on beyond cells.",
     );
     let confidence = 100.0 * experiment.identify.confidence;
     match &identified.dynamic {
@@ -63,6 +65,7 @@ pub(in crate::experiment) fn tell(told: &Told<'_>, story: &mut Story) {
             simulation.interval[1]
         ));
     }
+    mesh(told, story);
     story.table(table(experiment, told.analysed, identified));
     let truth: Vec<_> = (told.analysed.iter())
         .map(|found| true_edge(experiment, told.truth, found.state))
@@ -81,7 +84,25 @@ pub(in crate::experiment) fn tell(told: &Told<'_>, story: &mut Story) {
         "shear over pressure at all places in contact",
         csv(told.analysed),
     );
-    story.entry("friction", entry(experiment, identified));
+    story.entry("friction", entry(told));
+}
+
+/// What half of the cells say.
+fn mesh(told: &Told<'_>, story: &mut Story) {
+    let Some(coarser) = told.coarser else {
+        return;
+    };
+    story.text(format!(
+        "{} The interval does not hold the error of the mesh; this is its size on the coarser one.",
+        coarser.words()
+    ));
+    let fit = told.identified.dynamic.as_ref();
+    if fit.is_some_and(|fit| coarser.doubts(fit)) {
+        story.warn(format!(
+            "The mesh moves μd by more than its interval. {} Take more cells until it stays.",
+            coarser.words()
+        ));
+    }
 }
 
 fn dynamic_words(fit: &SlipFit, confidence: f64) -> String {
@@ -197,7 +218,8 @@ fn csv(analysed: &[Analysed]) -> Vec<u8> {
     csv_table(&header, rows)
 }
 
-fn entry(experiment: &Experiment, identified: &Identified) -> Value {
+fn entry(told: &Told<'_>) -> Value {
+    let (experiment, identified) = (told.experiment, told.identified);
     let zones = identified.zones.iter().map(|zone| {
         json!({
             "state": experiment.states[zone.state].name,
@@ -210,6 +232,10 @@ fn entry(experiment: &Experiment, identified: &Identified) -> Value {
     json!({
         "confidence": experiment.identify.confidence,
         "mu_dynamic": identified.dynamic.as_ref().map(fit_entry),
+        "half_the_cells": told.coarser.map(|coarser| json!({
+            "cells": coarser.cells,
+            "mu_dynamic": coarser.dynamic.as_ref().map(fit_entry),
+        })),
         "simulation": identified.simulation.map(|simulation| json!({
             "samples": simulation.samples,
             "mean": simulation.mean,

@@ -196,7 +196,7 @@ fn sector(refuse: Refuse<'_>, given: &RegionFormat, hole: &Hole) -> Result<Secto
 fn smoothing(refuse: Refuse<'_>, given: &RegionFormat) -> Result<Smoothing, SceneError> {
     let Some(given) = &given.smoothing else {
         let amount = Amount::CrossValidated { share: SHARE };
-        return Ok(Smoothing { order: 3, amount });
+        return Ok(Smoothing { order: 2, amount });
     };
     let key = "region.smoothing";
     let number = |name: &str, value: f64, fits: bool, allowed: &str| {
