@@ -157,7 +157,7 @@ pub(super) fn page(rubbing: &Series, smooth: &Series) -> String {
          Every seed and zone: [closed-loop.csv](closed-loop.csv).\n\n\
          What limits it: the noise is that of a band of the spectrum, so that errors of neighbouring data go together; their variance is \
          taken from means of neighbouring residuals. Smoothing and cells leave a bias near the ends of contact and of slip, where \
-         stresses are not smooth; two cells there are left out, and the estimated bias is a declared part of the deviation.\n",
+         stresses are not smooth; twice the angle that the edge resolves is left out there, and the estimated bias is a declared part of the deviation.\n",
         list.join("\n")
     )
 }

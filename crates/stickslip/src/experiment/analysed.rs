@@ -108,7 +108,7 @@ impl Analysed {
         })
     }
 
-    /// Places that are at least two cells from the region's ends, where displacements of two edges meet and nothing is known well.
+    /// Places that are at least twice the [resolution](Self::resolution) from the region's ends, where displacements of two edges meet and nothing is known well.
     pub fn inner(&self) -> std::ops::Range<usize> {
         let (Some(first), Some(last)) = (self.angle.first(), self.angle.last()) else {
             return 0..0;

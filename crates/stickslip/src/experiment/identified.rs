@@ -5,7 +5,7 @@
 //! ```
 //!
 //! Slip starts at the ends of contact. A zone goes from there inwards as far as one coefficient explains its tractions; places nearer to
-//! its ends than the region's cells can resolve are left out, because stresses are not smooth there. The coefficient of all zones of all
+//! its ends than the edge can resolve are left out, because stresses are not smooth there. The coefficient of all zones of all
 //! states is fitted once more to all of them together, and a Monte Carlo simulation confirms its interval.
 
 mod coarser;

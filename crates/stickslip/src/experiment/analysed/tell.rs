@@ -62,7 +62,7 @@ fn words(experiment: &Experiment) -> String {
     format!(
         "A region of finite elements moves at its boundary as measured and is in balance inside; its stresses on the edge are linear in \
          the data, so that their covariance is exact. {place}{how}Bands hold the noise and, as a declared systematic deviation, the estimated \
-         bias of the smoothing; the error of the mesh is not in them, and shows by analysing on another. θ is counted from +x towards +y. Balance \
+         bias of the smoothing; the error of the mesh is not in them; friction is identified on half of the cells too, to show it. θ is counted from +x towards +y. Balance \
          is the force on the edge by its stresses against that by its nodes; the ends of the edge leave some per cent. One of {UNUSED} places is not used; the misfit there checks the data. Direct interpolation is what the \
          elements alone make of a local polynomial fit, without equilibrium."
     )
@@ -242,9 +242,11 @@ fn entry(experiment: &Experiment, found: &Analysed) -> Value {
     json!({
         "state": experiment.states[found.state].name,
         "noise_factor": found.scale,
+        "resolution_degrees": found.resolution.to_degrees(),
         "fit": found.fit.map(|fit| json!({
             "data": fit.data,
             "parameters": fit.parameters,
+            "kept_on_edge": fit.kept,
             "order": fit.order,
             "amount": fit.amount,
             "chi_squared": fit.residual,

@@ -11,7 +11,7 @@ use crate::experiment::plan::Experiment;
 
 /// Standard deviations by which χ² of a zone may exceed what it should be.
 const CONSISTENT: f64 = 3.0;
-/// Cells at either end of a zone whose stresses cannot be trusted: tractions and their derivatives jump there.
+/// Resolved angles at either end of a zone whose stresses cannot be trusted: tractions and their derivatives jump there.
 const MARGIN: f64 = 2.0;
 /// Fewest places of a zone.
 const FEWEST: usize = 3;
