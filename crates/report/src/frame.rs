@@ -2,7 +2,7 @@
 //! to pixels.
 
 use crate::axis::ticks::Ticks;
-use crate::axis::{Axis, Span};
+use crate::axis::{Axis, Padding, Span};
 use crate::color::Color;
 use crate::error::FigureError;
 use crate::svg::{Anchor, Area, Canvas, Px, Stroke, TextStyle, push_point};
@@ -56,6 +56,35 @@ impl Frame {
             x_label: text::wrap(&x_axis.label, area.width, LABEL_SIZE, Weight::Regular),
             y_label: text::wrap(&y_axis.label, area.height, LABEL_SIZE, Weight::Regular),
         })
+    }
+
+    /// Lays the axes of the part `[x_low, x_high, y_low, y_high]` of a plane over the width of `area`, with equal scales: its height follows.
+    ///
+    /// # Errors
+    /// [`FigureError::Range`] and [`FigureError::Size`] for a part or a width that cannot be drawn, of the figure of this title and width.
+    pub(crate) fn to_scale(
+        labels: &[String; 2],
+        [x_low, x_high, y_low, y_high]: [f64; 4],
+        mut area: Area,
+        (title, width): (&str, f64),
+    ) -> Result<Self, FigureError> {
+        let mut axes = labels.clone().map(Axis::linear);
+        axes[0].range = Some([x_low, x_high]);
+        axes[1].range = Some([y_low, y_high]);
+        let aspect = (y_high - y_low) / (x_high - x_low);
+        area.height = area.width * aspect;
+        if !(area.width > 20.0 && area.height > 20.0 && area.height < 1e5) {
+            return Err(FigureError::Size {
+                title: title.to_owned(),
+                width,
+                aspect,
+            });
+        }
+        let spans = [
+            axes[0].span(std::iter::empty(), Padding::Tight)?,
+            axes[1].span(std::iter::empty(), Padding::Tight)?,
+        ];
+        Self::new([&axes[0], &axes[1]], spans, area)
     }
 
     /// Room needed left of the area for the ticks and label of `axis` \[px\].

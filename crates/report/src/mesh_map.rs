@@ -1,6 +1,5 @@
 //! Cells of a mesh in the colours of categories, such as modes of failure, with a legend.
 
-use crate::axis::{Axis, Padding};
 use crate::color::Color;
 use crate::error::FigureError;
 use crate::frame::{Frame, Heading, OUTER, TITLE_SIZE};
@@ -38,31 +37,14 @@ impl MeshMap<'_> {
     /// [`FigureError::Size`] for a window or width that cannot be drawn.
     pub fn render(&self) -> Result<Svg, FigureError> {
         self.check()?;
-        let [x_low, x_high, y_low, y_high] = self.window;
-        let mut axes = self.axes.clone().map(Axis::linear);
-        axes[0].range = Some([x_low, x_high]);
-        axes[1].range = Some([y_low, y_high]);
         let heading = Heading::new(&self.title, TITLE_SIZE, &[], self.width - 2.0 * OUTER);
-        let aspect = (y_high - y_low) / (x_high - x_low);
-        let mut area = Area {
+        let area = Area {
             left: 62.0,
             top: OUTER + heading.height(),
             width: self.width - 62.0 - OUTER - 12.0,
             height: 0.0,
         };
-        area.height = area.width * aspect;
-        if !(area.width > 20.0 && area.height > 20.0 && area.height < 1e5) {
-            return Err(FigureError::Size {
-                title: self.title.clone(),
-                width: self.width,
-                aspect,
-            });
-        }
-        let spans = [
-            axes[0].span(std::iter::empty(), Padding::Tight)?,
-            axes[1].span(std::iter::empty(), Padding::Tight)?,
-        ];
-        let frame = Frame::new([&axes[0], &axes[1]], spans, area)?;
+        let frame = Frame::to_scale(&self.axes, self.window, area, (&self.title, self.width))?;
         let mut canvas = Canvas::default();
         heading.draw(&mut canvas, [OUTER, OUTER]);
         canvas.clipped(&frame.area, |canvas| self.draw_cells(canvas, &frame));

@@ -123,10 +123,6 @@ impl<'a> PlanePlot<'a> {
     /// [`FigureError::Raster`] if the image cannot be written.
     pub fn render(&self) -> Result<Svg, FigureError> {
         self.check()?;
-        let [x_low, x_high, y_low, y_high] = self.window;
-        let mut axes = self.axes.clone().map(Axis::linear);
-        axes[0].range = Some([x_low, x_high]);
-        axes[1].range = Some([y_low, y_high]);
         let range = self.value_span()?;
         let subtitle = self.subtitle.as_deref().unwrap_or_default();
         let heading = Heading::new(
@@ -135,26 +131,13 @@ impl<'a> PlanePlot<'a> {
             &[subtitle],
             self.width - 2.0 * OUTER,
         );
-        let mut area = Area {
+        let area = Area {
             left: LEFT,
             top: OUTER + heading.height() + 6.0,
             width: self.width - LEFT - RIGHT - self.bar_room(&range)?,
             height: 0.0,
         };
-        let aspect = (y_high - y_low) / (x_high - x_low);
-        area.height = area.width * aspect;
-        if !(area.width > 20.0 && area.height > 20.0 && area.height < 1e5) {
-            return Err(FigureError::Size {
-                title: self.title.clone(),
-                width: self.width,
-                aspect,
-            });
-        }
-        let spans = [
-            axes[0].span(std::iter::empty(), Padding::Tight)?,
-            axes[1].span(std::iter::empty(), Padding::Tight)?,
-        ];
-        let frame = Frame::new([&axes[0], &axes[1]], spans, area)?;
+        let frame = Frame::to_scale(&self.axes, self.window, area, (&self.title, self.width))?;
         self.draw(&frame, &range, &heading)
     }
 
