@@ -3,6 +3,7 @@
 mod backs;
 mod chain;
 mod friction;
+mod margins;
 mod pictures;
 mod refusals;
 mod tables;

@@ -339,7 +339,7 @@ fn fringe_lines(
         let c = own.field.component();
         for line in &own.lines {
             for (&place, &order) in line.places().iter().zip(line.orders()) {
-                let valid = scope.shows(place) && scope.is_away(place);
+                let valid = scope.shows(place) && scope.is_away(place, 0.0);
                 seen.push(place);
                 field.places.push(place);
                 for axis in 0..2 {

@@ -96,7 +96,11 @@ fn uncovered(scope: &Scope<'_>, measured: &Measured, field: Field, mesh: &Mesh) 
     let places: Vec<Point> = valid.map(|k| data.places[k]).collect();
     let count = places.iter().filter(|place| inside(place)).count().max(1);
     let area = (high[0] - low[0]) * (high[1] - low[1]);
-    let reach = SPACINGS * (area / count as f64).sqrt() + scope.experiment.reduce.margin;
+    let resolved = measured.pictures[c]
+        .as_ref()
+        .map_or(0.0, |own| own.resolution);
+    let margin = scope.experiment.reduce.margin.unwrap_or(resolved);
+    let reach = SPACINGS * (area / count as f64).sqrt() + margin;
     let cell = |place: Point| [0, 1].map(|axis| (place[axis] / reach).floor() as i64);
     let mut boxes: HashMap<[i64; 2], Vec<Point>> = HashMap::new();
     for place in places {

@@ -72,7 +72,13 @@ pub(super) fn orders(scope: &Scope<'_>, input: FieldInput) -> Result<Unwound, Fr
     let residues = unwrapped.residues.iter();
     let residues = residues.map(|residue| loop_middle(&frame, residue.pixel));
     let (residues, cuts) = (residues.collect(), cuts.collect());
-    let (orders, apart) = largest_region(scope, &unwrapped)?;
+    // The phases of four pictures are those of their pixels, and mix nothing.
+    let mixed = if shown.len() == 1 {
+        found.resolution
+    } else {
+        0.0
+    };
+    let (orders, apart) = largest_region(scope, &unwrapped, mixed)?;
     let modulation = phase.median_modulation();
     Ok(Unwound {
         picture: first(input.pictures)?,
@@ -164,10 +170,12 @@ fn loop_middle(frame: &Frame, pixel: usize) -> Point {
     [place[0] + 0.5 * step[0], place[1] + 0.5 * step[1]]
 }
 
-/// Orders of the largest region without the pixels at cuts and near the hole, and how many pixels the other regions have.
+/// Orders of the largest region without the pixels at cuts and near the hole, where phases are those of both sides within `mixed`
+/// \[mm\], and how many pixels the other regions have.
 fn largest_region(
     scope: &Scope<'_>,
     unwrapped: &Unwrapped,
+    mixed: f64,
 ) -> Result<(PixelMap, usize), FringeError> {
     let sizes = unwrapped.regions.iter().map(|region| region.pixels);
     let largest = sizes.clone().enumerate().max_by_key(|(_, pixels)| *pixels);
@@ -180,7 +188,7 @@ fn largest_region(
     let keep = |pixel: usize| {
         unwrapped.region_of[pixel] == Some(own as u32)
             && !cut[pixel]
-            && scope.is_away(frame.place(pixel))
+            && scope.is_away(frame.place(pixel), mixed)
     };
     let values = unwrapped.orders.values().iter().enumerate();
     let values = values.map(|(pixel, &order)| if keep(pixel) { order } else { f64::NAN });

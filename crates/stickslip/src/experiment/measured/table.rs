@@ -23,7 +23,7 @@ pub(super) fn read(scope: &Scope<'_>, source: &TableSource) -> Result<Reading, E
     let places = measurement.places.clone();
     for field in Field::BOTH {
         measurement.mask(field, |k| {
-            !(scope.shows(places[k]) && scope.is_away(places[k]))
+            !(scope.shows(places[k]) && scope.is_away(places[k], 0.0))
         });
     }
     if measurement.count(Field::U) + measurement.count(Field::V) == 0 {

@@ -60,9 +60,12 @@ fn settings(experiment: &Experiment) -> String {
         }
         Method::Lines { .. } => "linear interpolation between fringe centres".to_owned(),
     };
+    let margin = match reduce.margin {
+        Some(margin) => format!("{} beyond its edge", length.show(margin)),
+        None => "what a phase of fringes with a carrier resolves beyond its edge".to_owned(),
+    };
     let mut words = format!(
-        "Masked: the hole, {} beyond its edge, and {} further areas. Displacements of nodes by {method}.",
-        length.show(reduce.margin),
+        "Masked: the hole, {margin}, and {} further areas. Displacements of nodes by {method}.",
         reduce.mask.len()
     );
     let pictured = |state: &State| matches!(state.source, Source::Step(_) | Source::Pictures(_));

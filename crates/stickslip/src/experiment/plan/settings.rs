@@ -26,10 +26,9 @@ pub(super) fn reduce(refuse: Refuse<'_>, given: &ReduceFormat) -> Result<Reduce,
     let band = given.band.unwrap_or(0.75);
     let least = given.least_modulation.unwrap_or(0.25);
     let settled = given.settled.unwrap_or(1e-3);
-    let margin = match &given.margin {
-        Some(margin) => refuse.not_negative("reduce.margin", margin)?,
-        None => 0.0,
-    };
+    let margin = (given.margin.as_ref())
+        .map(|margin| refuse.not_negative("reduce.margin", margin))
+        .transpose()?;
     Ok(Reduce {
         method: method(refuse, given)?,
         stride: given

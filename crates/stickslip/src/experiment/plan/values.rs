@@ -46,8 +46,9 @@ pub struct Reduce {
     pub least_modulation: f64,
     /// Filling of missing pixels ends when a pass changes them by less than this part of the fringes' amplitude.
     pub settled: f64,
-    /// Data nearer than this to the hole's edge or to the edge of a picture are masked `[mm]`.
-    pub margin: f64,
+    /// Data nearer than this to the hole's edge are masked `[mm]`. Where not stated: of pictures with a carrier what their phase
+    /// resolves, which mixes both sides of an edge; of other data nothing.
+    pub margin: Option<f64>,
     /// Parts of the plane that are masked.
     pub mask: Vec<Area>,
     /// How far places of the null field may be off and still be the same `[mm]`; interpolated where not stated.
