@@ -26,6 +26,7 @@ use super::error::ExperimentError;
 use super::measured::Measured;
 use super::plan::Experiment;
 
+pub(super) use edge::smoothing_reach;
 pub use region::Workbench;
 pub(super) use tell::tell;
 pub use truth::{TruePlace, true_edge};

@@ -30,6 +30,7 @@ use stickslip_hybrid::region::{Region, RegionError};
 use thiserror::Error;
 
 use super::analysed::scale::{Residual, scale};
+use super::analysed::smoothing_reach;
 use super::plan::SpecimenScene;
 use crate::model::{Model, ModelBodyKind, ModelError};
 use crate::scene::schema::ModelChoice;
@@ -88,7 +89,8 @@ pub struct WholePlate {
 pub struct WholeSolution {
     /// Angle of each node of the hole `[rad]`, in −π … π, ascending.
     pub angle: Vec<f64>,
-    /// Angle between two corners of the hole's edge near the bearing point `[rad]`: what is nearer cannot be told apart.
+    /// Angle that is resolved along the hole's edge where its cells are finest `[rad]`, as of a region: what is nearer cannot be told
+    /// apart.
     pub resolution: f64,
     /// Pressure and shear τ_rθ on the hole `[MPa]` with their covariance; the estimated bias by smoothing is in it as a deviation of its
     /// own at each place.
@@ -217,6 +219,7 @@ impl WholePlate {
             load: [sum(&forces, 0), sum(&forces, 1)],
             fit: (fit.residual, fit.data, fit.parameters),
             scale,
+            resolution: self.resolution(&fit.kept),
             ..self.tractions(&found.values, &by_load, &found.covariance, &bias)
         })
     }
@@ -296,7 +299,7 @@ impl WholePlate {
         };
         WholeSolution {
             angle: order.iter().map(|&node| angles[node]).collect(),
-            resolution: self.resolution(),
+            resolution: 0.0,
             tractions: Tractions {
                 pressure: order.iter().map(|&node| -stress(node, 0)).collect(),
                 shear: order.iter().map(|&node| stress(node, 2)).collect(),
@@ -313,17 +316,25 @@ impl WholePlate {
         }
     }
 
-    /// The smallest angle between two corners of the edge.
-    fn resolution(&self) -> f64 {
+    /// The smallest angle that the edge resolves: between two corners, or more where of the displacements' `kept` part the smoothing
+    /// leaves less.
+    fn resolution(&self, kept: &[f64]) -> f64 {
         let kind = self.region.mesh().blocks().first().map(|block| block.kind);
         let linear = [Some(ElementKind::T3), Some(ElementKind::Q4)].contains(&kind);
         let step = if linear { 1 } else { 2 };
+        let mut part = vec![0.0; self.region.mesh().nodes().len()];
+        for (dof, kept) in self.region.prescribed().iter().zip(kept) {
+            part[dof / 2] += 0.5 * kept;
+        }
         let angle = |k: usize| {
             let [x, y] = self.edge.normal[k];
             y.atan2(x)
         };
         (step..self.edge.normal.len())
-            .map(|k| (angle(k) - angle(k - step)).abs())
+            .map(|k| {
+                let cell = (angle(k) - angle(k - step)).abs();
+                cell.max(0.5 * smoothing_reach(cell / step as f64, part[self.edge.nodes[k]]))
+            })
             .fold(PI, f64::min)
     }
 }

@@ -45,6 +45,16 @@ fn cell(
     Ok(length / radius / cells.max(1) as f64)
 }
 
+/// How far smoothing spreads what happens at a place, where nodes are `spacing` apart and the part `kept` of a displacement is decided by
+/// its own data.
+///
+/// Small second differences pass waves of number k by 1/(1 + (k/k_c)⁴). Of the waves that the nodes can have that is the part
+/// h k_c/(2√2), the one that is kept; and its kernel, e^(−x k_c/√2) (cos + sin)(x k_c/√2), is zero first at x = 3π/(2√2 k_c) and within
+/// 5 % beyond.
+pub(in crate::experiment) fn smoothing_reach(spacing: f64, kept: f64) -> f64 {
+    3.0 * std::f64::consts::PI / 8.0 * spacing / kept
+}
+
 impl Edge {
     pub(super) fn new(body: &ElasticBody, name: &str, radius: f64) -> Result<Self, RegionError> {
         let rows = EdgeRows::new(body, name)?;
@@ -61,13 +71,13 @@ impl Edge {
         })
     }
 
-    /// Angle that can be resolved where the part `kept` of a displacement is decided by its own data `[rad]`: a cell, or more where the
-    /// smoothing spreads what the nodes could tell.
+    /// Angle that can be resolved where the part `kept` of a displacement is decided by its own data `[rad]`: a cell, or half of the
+    /// [reach of smoothing](smoothing_reach) where that is more.
     pub(super) fn resolution(&self, kept: f64) -> f64 {
         let nodes = self.angle.last().zip(self.angle.first());
         let spacing = nodes.map_or(0.0, |(last, first)| last - first)
             / self.count().saturating_sub(1).max(1) as f64;
-        self.cell.max(spacing / kept)
+        self.cell.max(0.5 * smoothing_reach(spacing, kept))
     }
 
     fn count(&self) -> usize {
