@@ -7,6 +7,7 @@ use stickslip::experiment::laws::{
     ContactModel, Known, LawStage, Observation, Scale, ScaleSource, discrepancies, stage,
 };
 use stickslip::experiment::measured::Measured;
+use stickslip::experiment::plan::SpecimenScene;
 use stickslip::experiment::story::Story;
 use stickslip::experiment::truth::Truth;
 use stickslip::experiment::{Experiment, laws};
@@ -232,4 +233,19 @@ fn a_variance_is_as_stated_where_no_fit_says_otherwise() {
         source: ScaleSource::Stated,
     };
     assert_eq!(found.unwrap().unwrap().scales, [stated; 2]);
+}
+
+#[test]
+fn the_scenes_that_fit_laws_have_models_with_meshes_of_their_own() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/hybrid-aluminium");
+    for (name, laws) in [("laws.toml", 3), ("power-law.toml", 3)] {
+        let none: [&str; 0] = [];
+        let own = Experiment::from_file(&folder.join(name), &none).unwrap();
+        assert!(!own.specimen.shares_its_mesh(), "{name}");
+        assert_eq!(own.laws.len(), laws);
+        let nodes = |own: &SpecimenScene| ContactModel::new(own).unwrap().edge().len();
+        let truth = nodes(own.specimen.scene.as_ref().unwrap());
+        let model = nodes(own.specimen.model.as_ref().unwrap());
+        assert!(truth >= 2 * model, "{name}: {truth} {model}");
+    }
 }

@@ -6,7 +6,7 @@ use stickslip_hybrid::calibrate::Estimate;
 use stickslip_hybrid::identify::Bounds;
 use stickslip_report::table::{Column, Table};
 
-use super::{Fit, LawStage, SharedNull, figures, passage};
+use super::{Fit, LawStage, Scale, ScaleSource, SharedNull, figures, passage};
 use crate::experiment::plan::Experiment;
 use crate::experiment::story::Story;
 use crate::output::short;
@@ -35,33 +35,7 @@ pub fn tell(experiment: &Experiment, stage: &LawStage, story: &mut Story) {
     }
     story.table(laws(stage));
     story.table(parameters(experiment, stage));
-    story.figure(
-        "law-profiles",
-        "How much χ² grows when one parameter is held at a value and all others follow; the data rule out what lies above the line.",
-        figures::profiles(experiment, stage),
-    );
-    story.figure(
-        "law-residuals",
-        "What each law leaves of the measured displacements within 0.3 radii of the edge, means over 5°: a law that does not hold leaves \
-         waves.",
-        figures::residuals(experiment, stage),
-    );
-    story.figure(
-        "law-predictions",
-        "Measured displacements within 0.3 radii of the edge and those of the best law, means over 5°.",
-        figures::predictions(experiment, stage),
-    );
-    if let Some(figure) = passage::figure(experiment, stage) {
-        story.figure(
-            "law-passage",
-            &format!(
-                "The coefficient of a slipping point along its slip path, as far as the best law lets a point slip; dashed: {} %, by the \
-                 covariance of the parameters.",
-                short(100.0 * experiment.identify.confidence)
-            ),
-            figure,
-        );
-    }
+    pictures(experiment, stage, story);
     if !stage.sensitivities.is_empty() {
         story.table(sensitivities(experiment, stage));
     }
@@ -112,8 +86,43 @@ pub fn tell(experiment: &Experiment, stage: &LawStage, story: &mut Story) {
     story.entry("laws", files::entry(experiment, stage));
 }
 
+/// Profiles, residuals, predictions and the passage.
+fn pictures(experiment: &Experiment, stage: &LawStage, story: &mut Story) {
+    story.figure(
+        "law-profiles",
+        "How much χ² grows when one parameter is held at a value and all others follow; the data rule out what lies above the line.",
+        figures::profiles(experiment, stage),
+    );
+    story.figure(
+        "law-residuals",
+        "What each law leaves of the measured displacements within 0.3 radii of the edge, means over 5°: a law that does not hold leaves \
+         waves.",
+        figures::residuals(experiment, stage),
+    );
+    story.figure(
+        "law-predictions",
+        "Measured displacements within 0.3 radii of the edge and those of the best law, means over 5°.",
+        figures::predictions(experiment, stage),
+    );
+    if let Some(figure) = passage::figure(experiment, stage) {
+        story.figure(
+            "law-passage",
+            &format!(
+                "The coefficient of a slipping point along its slip path, as far as the best law lets a point slip; dashed: {} %, by the \
+                 covariance of the parameters.",
+                short(100.0 * experiment.identify.confidence)
+            ),
+            figure,
+        );
+    }
+}
+
 /// By what the variances of the states were multiplied.
 fn scaled(experiment: &Experiment, stage: &LawStage) -> String {
+    let stated = |scale: &Scale| scale.source == ScaleSource::Stated;
+    if stage.scales.iter().all(stated) {
+        return "No fit says by how much the errors of the data exceed their deviation: it is taken as stated.".to_owned();
+    }
     let each = stage.states.iter().zip(&stage.scales);
     let each: Vec<String> = each
         .map(|(&state, scale)| {
