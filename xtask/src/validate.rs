@@ -16,6 +16,7 @@ mod hybrid;
 mod joint_modes;
 mod laboratory;
 mod laminates;
+mod laws;
 mod line_contact;
 mod mutants;
 mod mutation;
@@ -24,6 +25,7 @@ mod persson;
 mod pins;
 mod ply_states;
 mod press_fit;
+mod region_cost;
 mod render;
 mod rigid_pin;
 mod shear_sign;
@@ -67,7 +69,7 @@ struct Case {
     checks: fn(&Laboratory) -> Result<Vec<Check>, Trouble>,
 }
 
-const CASES: [Case; 23] = [
+const CASES: [Case; 24] = [
     Case {
         name: "elements",
         title: "Elements",
@@ -127,6 +129,12 @@ const CASES: [Case; 23] = [
         title: "Friction from fringe pictures",
         friction: false,
         checks: closed_loop::checks,
+    },
+    Case {
+        name: "hybrid-laws",
+        title: "Friction laws fitted by contact solves",
+        friction: false,
+        checks: laws::checks,
     },
     Case {
         name: "persson",

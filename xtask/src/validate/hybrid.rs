@@ -227,6 +227,7 @@ pub(super) fn errors(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
     let (cells, seeds, draws) = laboratory.sized(([120, 50], 60, 1000), ([240, 100], 200, 4000));
     let mut checks = Checks::against("Monte Carlo simulation");
     covariance(&mut checks, draws)?;
+    super::region_cost::checks(&mut checks)?;
     let specimen = Specimen::new(cells).map_err(stopped)?;
     reductions(&mut checks, &specimen, seeds)?;
     checks.now_against("the orders of which the picture was made");

@@ -4,7 +4,7 @@ use super::analysed;
 use super::error::ExperimentError;
 use super::gallery::Gallery;
 use super::identified::{self, Told};
-use super::laws;
+use super::laws::{self, Known};
 use super::measured::{self, Measured};
 use super::plan::{Experiment, Source};
 use super::story::Story;
@@ -67,7 +67,12 @@ pub fn tell(
         };
         identified::tell(&told, &mut story);
         progress(Progress::Phase("friction laws"));
-        if let Some(stage) = laws::stage(experiment, &fields, &analysed)? {
+        let known = Known {
+            analysed: &analysed,
+            plates: &plates,
+            truth: truth.as_ref(),
+        };
+        if let Some(stage) = laws::stage(experiment, &fields, known)? {
             laws::tell(experiment, &stage, &mut story);
         }
     }

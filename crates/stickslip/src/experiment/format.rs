@@ -57,6 +57,8 @@ pub(super) struct SpecimenFormat {
     pub(super) edge: Option<String>,
     #[serde(default)]
     pub(super) overrides: Vec<String>,
+    #[serde(default)]
+    pub(super) model_overrides: Vec<String>,
     pub(super) material: Option<Value>,
     pub(super) thickness: Option<Quantity<Length>>,
     pub(super) plane: Option<PlaneState>,

@@ -17,14 +17,22 @@
 //! | [`fit`], [`Comparison`] | fits of several laws to the same data, compared |
 //! | [`stage`] | all of this for an experiment |
 //! | [`Sensitivity`] | how far the edge moves when a parameter does, in fringes |
+//! | [`Scale`] | by what the variance of a state is multiplied, and who says so |
+//! | [`SharedNull`] | states whose errors are not independent of each other |
+//! | [`coefficient`] | the coefficient along the slip path |
+//! | [`Discrepancy`] | what the mesh of the model costs, where the truth is known |
 
 mod candidate;
 mod compare;
 mod contact;
+mod discrepancy;
 mod figures;
 mod observation;
+mod passage;
 mod rings;
+mod scale;
 mod sensitivity;
+mod shared_null;
 mod stage;
 mod tell;
 
@@ -35,9 +43,13 @@ use thiserror::Error;
 pub use candidate::Candidate;
 pub use compare::{Comparison, Fit, StateFit, Verdict, fit};
 pub use contact::{ContactModel, View};
+pub use discrepancy::{Discrepancy, discrepancies};
 pub use observation::{Nuisance, Observation, decimated};
+pub use passage::coefficient;
+pub use scale::{Scale, ScaleSource};
 pub use sensitivity::{Sensitivity, sensitivity};
-pub use stage::{LawStage, stage};
+pub use shared_null::SharedNull;
+pub use stage::{Known, LawStage, stage};
 pub use tell::tell;
 
 use crate::run::RunError;

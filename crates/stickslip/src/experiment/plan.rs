@@ -95,8 +95,20 @@ pub struct Specimen {
     pub thickness: f64,
     /// Its hole.
     pub hole: Hole,
-    /// The scene that it is a body of, if it was given so.
+    /// The scene that it is a body of, if it was given so: what synthetic pictures are taken of.
     pub scene: Option<SpecimenScene>,
+    /// The same scene as laws are fitted with and the whole plate is analysed by; it may have overrides of its own.
+    pub model: Option<SpecimenScene>,
+}
+
+impl Specimen {
+    /// Whether the model that is fitted has the very mesh of the scene, so that errors of discretisation cancel in synthetic data.
+    pub fn shares_its_mesh(&self) -> bool {
+        match (&self.scene, &self.model) {
+            (Some(scene), Some(model)) => scene.scene.mesh == model.scene.mesh,
+            _ => false,
+        }
+    }
 }
 
 /// A circular hole.
@@ -220,6 +232,11 @@ pub enum Source {
 }
 
 impl Source {
+    /// Whether it is made from the solution of the scene.
+    pub const fn is_synthetic(&self) -> bool {
+        matches!(self, Self::Step(_))
+    }
+
     /// The files that it is read from.
     pub fn files(&self) -> Vec<&Path> {
         match self {
@@ -325,6 +342,17 @@ impl Experiment {
             text: text.to_owned(),
         };
         read::experiment(source, format, folder, overrides)
+    }
+
+    /// What to say where the model that is fitted to synthetic pictures has the very mesh that made them.
+    pub(super) fn warning_of_shared_mesh(&self) -> Option<String> {
+        let synthetic = self.states.iter().any(|state| state.source.is_synthetic());
+        (synthetic && self.specimen.shares_its_mesh()).then(|| {
+            "The fitted model has the very mesh that made the synthetic pictures: errors of discretisation cancel, and what is found looks \
+             better than it would be of a measurement. [specimen] model_overrides = [\"mesh.spacing=\\\"3 deg\\\"\"] gives the model a \
+             mesh of its own."
+                .to_owned()
+        })
     }
 
     /// The file as it was spelled, with its overrides.

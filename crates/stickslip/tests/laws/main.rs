@@ -3,6 +3,7 @@
 mod common;
 mod contact;
 mod fits;
+mod model;
 mod page;
 mod sensitivity;
 mod whole;

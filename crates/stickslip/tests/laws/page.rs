@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use stickslip::experiment::laws::Known;
 use stickslip::experiment::measured::Measured;
 use stickslip::experiment::story::Story;
 use stickslip::experiment::{Experiment, ExperimentError, laws, whole};
@@ -84,7 +85,9 @@ fn the_page_tells_of_laws_and_of_the_whole_plate() {
     let (states, warnings) = whole::stage(&experiment, &fields).unwrap();
     assert_eq!((states.len(), warnings.len()), (2, 0));
     whole::tell(&experiment, &states, &warnings, &mut story).unwrap();
-    let stage = laws::stage(&experiment, &fields, &[]).unwrap().unwrap();
+    let stage = laws::stage(&experiment, &fields, Known::default())
+        .unwrap()
+        .unwrap();
     laws::tell(&experiment, &stage, &mut story);
 
     assert_eq!(stage.comparison.best().law.name, "slip power");
@@ -112,6 +115,7 @@ fn the_page_tells_of_laws_and_of_the_whole_plate() {
         "law-profiles",
         "law-residuals",
         "law-predictions",
+        "law-passage",
         "whole-plate-ratio",
         "whole-plate-tractions",
     ] {
@@ -129,7 +133,7 @@ fn refused(from: &str, to: &str) -> (ExperimentError, String) {
     let text = EXPERIMENT.replace(from, to);
     assert_ne!(text, EXPERIMENT);
     let experiment = experiment(&text);
-    let error = laws::stage(&experiment, &fields(), &[]).unwrap_err();
+    let error = laws::stage(&experiment, &fields(), Known::default()).unwrap_err();
     let located = error.located(&experiment).to_string();
     (error, located)
 }
@@ -153,7 +157,9 @@ fn a_state_that_is_no_load_step_is_told_of_and_left_out() {
     let laws_begin = EXPERIMENT.find("[[laws]]\nname = \"static").unwrap();
     let text = EXPERIMENT[..laws_begin].replace("1210 lbf", "1240 lbf");
     let experiment = experiment(&text);
-    let stage = laws::stage(&experiment, &fields(), &[]).unwrap().unwrap();
+    let stage = laws::stage(&experiment, &fields(), Known::default())
+        .unwrap()
+        .unwrap();
     assert_eq!(stage.states, [0]);
     assert!(
         stage.warnings[0]

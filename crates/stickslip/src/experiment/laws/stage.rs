@@ -1,18 +1,22 @@
 //! From an experiment and its measured fields to fitted laws.
 
+use std::sync::Arc;
+
 use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::calibrate::{Parameter, Settings};
 
+use super::shared_null::shared_nulls;
 use super::{
-    Candidate, Comparison, ContactModel, Nuisance, Observation, Sensitivity, decimated, fit,
-    sensitivity,
+    Candidate, Comparison, ContactModel, Discrepancy, Fit, LawsError, Nuisance, Observation, Scale,
+    Sensitivity, SharedNull, decimated, discrepancies, fit, sensitivity,
 };
 use crate::experiment::analysed::Analysed;
-use crate::experiment::analysed::scale::IN_A_BLOCK;
 use crate::experiment::error::ExperimentError;
 use crate::experiment::history::History;
 use crate::experiment::measured::Measured;
 use crate::experiment::plan::{Experiment, Source, State};
+use crate::experiment::truth::Truth;
+use crate::experiment::whole::WholeState;
 
 /// Places of a state that are compared with predictions.
 const MOST_PLACES: usize = 1000;
@@ -26,32 +30,50 @@ pub struct LawStage {
     pub observations: Vec<Observation>,
     /// Index of the state of each observation.
     pub states: Vec<usize>,
-    /// How far each free parameter of the best law moves the edge: its index, its change, and the displacements in fringes of the
-    /// experiment's grating, or of one of a line per mm.
-    pub sensitivities: Vec<(usize, Sensitivity)>,
+    /// How far each free parameter of each law moves the edge: index of the law, index of the parameter, its change, and the
+    /// displacements in fringes of the experiment's grating, or of one of a line per mm.
+    pub sensitivities: Vec<(usize, usize, Sensitivity)>,
     /// Nodes of the edge in contact.
     pub edge_nodes: usize,
-    /// The variance of each observation was multiplied by this.
-    pub scales: Vec<f64>,
+    /// The longest slip path of any contact point by the best law, up to the last state `[mm]`.
+    pub slipped: f64,
+    /// By what the variance of each observation was multiplied.
+    pub scales: Vec<Scale>,
+    /// States that share a null field, whose errors are not independent of each other.
+    pub shared_nulls: Vec<SharedNull>,
+    /// How far the model is from the truth at the data of each observation, where that is known.
+    pub discrepancies: Vec<Option<Discrepancy>>,
     /// States that could not be used, and why; load steps that were assumed; solves that failed.
     pub warnings: Vec<String>,
 }
 
-/// Fits the laws of `experiment` to its measured fields; `None` where it names none. Where a state was analysed around the edge, the
-/// residuals of that fit, which knows of no law, say how much its errors exceed their stated deviation, and its variance is scaled so.
+/// What earlier stages know of the measured fields.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Known<'a> {
+    /// States that were analysed around the edge.
+    pub analysed: &'a [Analysed],
+    /// States that were analysed as whole plates.
+    pub plates: &'a [WholeState],
+    /// The solved scene of synthetic states.
+    pub truth: Option<&'a Truth>,
+}
+
+/// Fits the laws of `experiment` to its measured fields; `None` where it names none. Where a state was analysed around the edge or as a
+/// whole plate, the residuals of that fit, which knows of no law, say how much its errors exceed their stated deviation, and its variance
+/// is scaled so.
 ///
 /// # Errors
 /// [`ExperimentError`]: no scene, no state that is a load step of it, a parameter that a law does not have, solves that fail.
 pub fn stage(
     experiment: &Experiment,
     fields: &[Measured],
-    analysed: &[Analysed],
+    known: Known<'_>,
 ) -> Result<Option<LawStage>, ExperimentError> {
     if experiment.laws.is_empty() {
         return Ok(None);
     }
     let laws = candidates(experiment)?;
-    let Some(own) = &experiment.specimen.scene else {
+    let Some(own) = &experiment.specimen.model else {
         return Err(ExperimentError::Missing {
             key: "laws".to_owned(),
             what: "laws are fitted by contact solves, and there is no scene to solve".to_owned(),
@@ -68,8 +90,7 @@ pub fn stage(
     let mut scales = Vec::new();
     for measured in fields {
         let state = &experiment.states[measured.state];
-        let fit = analysed.iter().find(|own| own.state == measured.state);
-        match observed(&model, &history, state, measured, fit) {
+        match observed(&model, &history, state, measured, known) {
             Ok(own) => {
                 observations.push(own.observation);
                 scales.push(own.scale);
@@ -94,16 +115,44 @@ pub fn stage(
         ..Settings::default()
     };
     let comparison = fit(&model, &laws, &observations, &settings).map_err(failed)?;
+    warnings.extend(experiment.warning_of_shared_mesh());
+    let discrepancies = match known.truth {
+        Some(truth) => discrepancies_of(experiment, &model, truth, &observations, &states),
+        None => Ok(vec![None; states.len()]),
+    };
+    let discrepancies = discrepancies.map_err(failed)?;
+    let count = observations.iter().map(|own| own.step + 1).max();
+    let slipped = slipped(&model, comparison.best(), count.unwrap_or(0)).map_err(failed)?;
     let sensitivities = sensitivities(experiment, &model, &comparison, &mut warnings);
     Ok(Some(LawStage {
+        shared_nulls: shared_nulls(experiment, &states, &observations, comparison.best()),
         comparison,
         observations,
         states,
         sensitivities,
         edge_nodes: model.edge().len(),
+        slipped,
         scales,
+        discrepancies,
         warnings,
     }))
+}
+
+/// Those of synthetic states, whose data come from the truth.
+fn discrepancies_of(
+    experiment: &Experiment,
+    model: &ContactModel,
+    truth: &Truth,
+    observations: &[Observation],
+    states: &[usize],
+) -> Result<Vec<Option<Discrepancy>>, LawsError> {
+    let mut found = discrepancies(model, truth, observations)?;
+    for (own, &state) in found.iter_mut().zip(states) {
+        if !experiment.states[state].source.is_synthetic() {
+            *own = None;
+        }
+    }
+    Ok(found)
 }
 
 fn candidates(experiment: &Experiment) -> Result<Vec<Candidate>, ExperimentError> {
@@ -131,23 +180,8 @@ fn candidates(experiment: &Experiment) -> Result<Vec<Candidate>, ExperimentError
 /// A state as laws are fitted to it.
 struct Observed {
     observation: Observation,
-    scale: f64,
+    scale: Scale,
     assumed: Option<String>,
-}
-
-/// By what the variance of a state is multiplied, of which `kept` of `all` places are compared; never less than 1, for where residuals
-/// say less than was stated, the statement holds.
-///
-/// Places that are farther apart than blocks of neighbours have errors of their own, whose variance is that of single residuals. Nearer
-/// ones go together, and count by the means of blocks.
-fn variance_scale(analysed: Option<&Analysed>, kept: usize, all: usize) -> f64 {
-    let Some((own, fit)) = analysed.and_then(|own| own.fit.map(|fit| (own, fit))) else {
-        return 1.0;
-    };
-    let single = fit.residual / (fit.data as f64 - fit.parameters).max(1.0);
-    let apart = kept as f64 * IN_A_BLOCK <= all as f64;
-    let scale = if apart { single } else { single.max(own.scale) };
-    scale.max(1.0)
 }
 
 /// The displacements of a state, or in words why they cannot be compared.
@@ -156,7 +190,7 @@ fn observed(
     history: &History<'_>,
     state: &State,
     measured: &Measured,
-    analysed: Option<&Analysed>,
+    known: Known<'_>,
 ) -> Result<Observed, String> {
     let tied = history.tied(state)?;
     let inside = model.inside(&measured.measurement.places);
@@ -173,9 +207,9 @@ fn observed(
     if data.places.is_empty() {
         return Err("none of its places lies in the specimen of the scene".to_owned());
     }
-    let scale = variance_scale(analysed, data.places.len(), all);
+    let scale = Scale::of(measured.state, known, data.places.len(), all);
     for deviation in &mut data.deviation {
-        *deviation *= scale.sqrt();
+        *deviation *= scale.factor.sqrt();
     }
     let carriers_unknown =
         |source: &Source| matches!(source, Source::Pictures(own) if own.carrier.is_none());
@@ -195,38 +229,56 @@ fn observed(
     })
 }
 
-/// Each free parameter of the best law moved up and down; changes that have no solution are left out, with a warning.
+/// Each free parameter of each law moved up and down; changes that have no solution are left out, with a warning.
 fn sensitivities(
     experiment: &Experiment,
     model: &ContactModel,
     comparison: &Comparison,
     warnings: &mut Vec<String>,
-) -> Vec<(usize, Sensitivity)> {
+) -> Vec<(usize, usize, Sensitivity)> {
     let frequency = experiment
         .grating
         .map_or(1.0, |grating| grating.frequency());
-    let best = comparison.best();
-    let from = best.calibration.values();
     let mut rows = Vec::new();
-    for (index, parameter) in best.law.parameters.iter().enumerate() {
-        for up in [false, true] {
-            let mut to = from.clone();
-            to[index] = changed(parameter, from[index], up);
-            if best.law.law(&to).is_err() {
-                continue;
-            }
-            match sensitivity(model, &best.law, &from, &[to], frequency) {
-                Ok(found) => rows.extend(found.into_iter().map(|own| (index, own))),
+    for (law, fit) in comparison.fits.iter().enumerate() {
+        for (index, to) in changes(fit) {
+            let from = fit.calibration.values();
+            match sensitivity(model, &fit.law, &from, std::slice::from_ref(&to), frequency) {
+                Ok(found) => rows.extend(found.into_iter().map(|own| (law, index, own))),
                 Err(cause) => warnings.push(format!(
-                    "How far the edge moves with a {} '{}' of law '{}' is not told: {cause}.",
-                    if up { "greater" } else { "smaller" },
-                    parameter.name,
-                    best.law.name
+                    "How far the edge moves with '{}' = {} of law '{}' is not told: {cause}.",
+                    fit.law.parameters[index].name, to[index], fit.law.name
                 )),
             }
         }
     }
     rows
+}
+
+/// Each parameter of a law changed to either side, as far as the law exists there.
+fn changes(fit: &Fit) -> Vec<(usize, Vec<f64>)> {
+    let from = fit.calibration.values();
+    let mut all = Vec::new();
+    for (index, parameter) in fit.law.parameters.iter().enumerate() {
+        for up in [false, true] {
+            let mut to = from.clone();
+            to[index] = changed(parameter, from[index], up);
+            if to != from && fit.law.law(&to).is_ok() {
+                all.push((index, to));
+            }
+        }
+    }
+    all
+}
+
+/// The longest slip path `[mm]` of any contact point by the best law after `count` load steps.
+fn slipped(model: &ContactModel, best: &Fit, count: usize) -> Result<f64, LawsError> {
+    let law = best.law.law(&best.calibration.values())?;
+    let states = model.states(Arc::from(law), count)?;
+    let history = states.last().map_or(&[][..], |state| &state.history);
+    Ok(history
+        .iter()
+        .fold(0.0, |most, own| own.slip_path().max(most)))
 }
 
 /// Twice and half of what is looked for by its order of magnitude, a part of the range more and less of other parameters, as far as zero.

@@ -1,13 +1,14 @@
-//! Fitted laws on the page, as tables, and in the summary.
+//! Fitted laws on the page.
 
-use serde_json::{Value, json};
+mod files;
+
 use stickslip_hybrid::calibrate::Estimate;
 use stickslip_hybrid::identify::Bounds;
 use stickslip_report::table::{Column, Table};
 
-use super::{Fit, LawStage, figures};
+use super::{Fit, LawStage, Scale, ScaleSource, SharedNull, figures, passage};
 use crate::experiment::plan::Experiment;
-use crate::experiment::story::{Story, csv_table};
+use crate::experiment::story::Story;
 use crate::output::short;
 
 /// Tells of the fitted laws.
@@ -25,27 +26,16 @@ pub fn tell(experiment: &Experiment, stage: &LawStage, story: &mut Story) {
         short(1e3 * comparison.evaluation_seconds),
         stage.edge_nodes,
     ));
-    if stage.scales.iter().any(|scale| *scale > 1.0) {
-        story.text(scaled(experiment, stage));
+    story.text(scaled(experiment, stage));
+    for own in &stage.shared_nulls {
+        story.text(sharing(experiment, own));
+    }
+    if let Some(words) = meshed(experiment, stage) {
+        story.text(words);
     }
     story.table(laws(stage));
     story.table(parameters(experiment, stage));
-    story.figure(
-        "law-profiles",
-        "How much χ² grows when one parameter is held at a value and all others follow; the data rule out what lies above the line.",
-        figures::profiles(experiment, stage),
-    );
-    story.figure(
-        "law-residuals",
-        "What each law leaves of the measured displacements within 0.3 radii of the edge, means over 5°: a law that does not hold leaves \
-         waves.",
-        figures::residuals(experiment, stage),
-    );
-    story.figure(
-        "law-predictions",
-        "Measured displacements within 0.3 radii of the edge and those of the best law, means over 5°.",
-        figures::predictions(experiment, stage),
-    );
+    pictures(experiment, stage, story);
     if !stage.sensitivities.is_empty() {
         story.table(sensitivities(experiment, stage));
     }
@@ -83,36 +73,119 @@ pub fn tell(experiment: &Experiment, stage: &LawStage, story: &mut Story) {
     story.file(
         "laws.csv",
         "the fitted laws and their parameters",
-        csv(experiment, stage),
+        files::csv(experiment, stage),
     );
     for (observation, &state) in stage.states.iter().enumerate() {
         let name = &experiment.states[state].name;
         story.file(
             format!("law-fit-{name}.csv"),
             "measured and predicted displacements",
-            fit_csv(experiment, stage, observation),
+            files::fit_csv(experiment, stage, observation),
         );
     }
-    story.entry("laws", entry(experiment, stage));
+    story.entry("laws", files::entry(experiment, stage));
+}
+
+/// Profiles, residuals, predictions and the passage.
+fn pictures(experiment: &Experiment, stage: &LawStage, story: &mut Story) {
+    story.figure(
+        "law-profiles",
+        "How much χ² grows when one parameter is held at a value and all others follow; the data rule out what lies above the line.",
+        figures::profiles(experiment, stage),
+    );
+    story.figure(
+        "law-residuals",
+        "What each law leaves of the measured displacements within 0.3 radii of the edge, means over 5°: a law that does not hold leaves \
+         waves.",
+        figures::residuals(experiment, stage),
+    );
+    story.figure(
+        "law-predictions",
+        "Measured displacements within 0.3 radii of the edge and those of the best law, means over 5°.",
+        figures::predictions(experiment, stage),
+    );
+    if let Some(figure) = passage::figure(experiment, stage) {
+        story.figure(
+            "law-passage",
+            &format!(
+                "The coefficient of a slipping point along its slip path, as far as the best law lets a point slip; dashed: {} %, by the \
+                 covariance of the parameters.",
+                short(100.0 * experiment.identify.confidence)
+            ),
+            figure,
+        );
+    }
 }
 
 /// By what the variances of the states were multiplied.
 fn scaled(experiment: &Experiment, stage: &LawStage) -> String {
+    let stated = |scale: &Scale| scale.source == ScaleSource::Stated;
+    if stage.scales.iter().all(stated) {
+        return "No fit says by how much the errors of the data exceed their deviation: it is taken as stated.".to_owned();
+    }
     let each = stage.states.iter().zip(&stage.scales);
     let each: Vec<String> = each
         .map(|(&state, scale)| {
             format!(
-                "{} in state '{}'",
-                short(*scale),
-                experiment.states[state].name
+                "{} in state '{}', by {}",
+                short(scale.factor),
+                experiment.states[state].name,
+                scale.source.words()
             )
         })
         .collect();
     format!(
-        "The variance of the data was multiplied by what the residuals of the localized analysis, which knows of no friction law, say of \
-         their deviation: {}.",
-        each.join(", ")
+        "The variance of the data was multiplied by what fits that know of no friction law say of their deviation: {}.",
+        each.join("; ")
     )
+}
+
+/// What the errors of one null field do to several states.
+fn sharing(experiment: &Experiment, own: &SharedNull) -> String {
+    let names = own
+        .states
+        .iter()
+        .map(|&state| &experiment.states[state].name);
+    let names: Vec<String> = names.map(|name| format!("'{name}'")).collect();
+    format!(
+        "States {} have one null field, whose errors are in all of them: at {} common data what the best law leaves correlates by {}. The \
+         fit takes states for independent of each other. That makes intervals too narrow by a factor of {} at most, for a parameter that \
+         moves all of these states alike, and too wide for one that moves them oppositely.",
+        names.join(", "),
+        own.data,
+        short(own.correlation),
+        short(own.too_narrow()),
+    )
+}
+
+/// What the model's mesh makes of the true friction, where that is known.
+fn meshed(experiment: &Experiment, stage: &LawStage) -> Option<String> {
+    let (scale, unit) = figures::scale(experiment);
+    let each = stage
+        .states
+        .iter()
+        .zip(&stage.discrepancies)
+        .zip(&stage.observations);
+    let each: Vec<String> = each
+        .filter_map(|((&state, own), observation)| {
+            let own = own.as_ref()?;
+            Some(format!(
+                "{} {unit} rms and {} {unit} at most in state '{}', χ² = {} of {} data",
+                short(scale * own.rms),
+                short(scale * own.largest),
+                experiment.states[state].name,
+                short(own.chi_squared),
+                observation.values.len(),
+            ))
+        })
+        .collect();
+    (!each.is_empty()).then(|| {
+        format!(
+            "The data are synthetic, so that the error of the model's own mesh is known: with the friction of the scene its displacements \
+             differ from the truth's by {}.",
+            each.join("; ")
+        )
+    })
 }
 
 fn free_motion(stage: &LawStage) -> &'static str {
@@ -222,31 +295,24 @@ fn words(experiment: &Experiment, fit: &Fit, index: usize, own: &Estimate) -> St
 }
 
 fn sensitivities(experiment: &Experiment, stage: &LawStage) -> Table {
-    let best = stage.comparison.best();
     let (_, unit) = figures::scale(experiment);
     let factor = match experiment.grating {
         Some(_) => 1.0,
         None => experiment.display.length.from_base(1.0),
     };
-    let mut columns = vec![
-        Column::new("parameter", ""),
-        Column::new("from", ""),
-        Column::new("to", ""),
-    ];
+    let mut columns = ["law", "parameter", "from", "to"]
+        .map(|name| Column::new(name, ""))
+        .to_vec();
     for &state in &stage.states {
         columns.push(Column::new(&experiment.states[state].name, unit));
     }
-    let mut table = Table::new(
-        format!(
-            "How far the edge moves with a parameter of '{}'",
-            best.law.name
-        ),
-        columns,
-    );
-    for (index, own) in &stage.sensitivities {
-        let (scale, _) = figures::unit(experiment, best.law.dimensions[*index]);
-        let estimate = &best.calibration.estimates[*index];
+    let mut table = Table::new("How far the edge moves with a parameter", columns);
+    for (law, index, own) in &stage.sensitivities {
+        let fit = &stage.comparison.fits[*law];
+        let (scale, _) = figures::unit(experiment, fit.law.dimensions[*index]);
+        let estimate = &fit.calibration.estimates[*index];
         let mut row = vec![
+            fit.law.name.clone(),
             estimate.name.clone(),
             short(scale * estimate.value),
             short(scale * own.values[*index]),
@@ -259,107 +325,6 @@ fn sensitivities(experiment: &Experiment, stage: &LawStage) -> Table {
         table.push(row);
     }
     table.note(
-        "Largest change of a displacement along the edge, less the rigid motion that fits best.",
+        "Largest change of a displacement along the edge, less the rigid motion that fits best, all other parameters at their best fit.",
     )
-}
-
-fn csv(experiment: &Experiment, stage: &LawStage) -> Vec<u8> {
-    let header =
-        "law,parameter,unit,best,low,high,deviation,chi_squared,degrees_of_freedom,AICc,BIC";
-    let mut text = header.to_owned() + "\n";
-    for fit in &stage.comparison.fits {
-        let calibration = &fit.calibration;
-        for (index, own) in calibration.estimates.iter().enumerate() {
-            let (factor, unit) = figures::unit(experiment, fit.law.dimensions[index]);
-            let [low, high] = ends(own.bounds).map(|end| number(end.map(|end| factor * end)));
-            let cells = [
-                format!("\"{}\"", fit.law.name.replace('"', "\"\"")),
-                own.name.clone(),
-                unit.to_owned(),
-                format!("{}", factor * own.value),
-                low,
-                high,
-                number(own.deviation.map(|own| factor * own)),
-                format!("{}", calibration.chi_squared),
-                calibration.degrees().to_string(),
-                format!("{}", calibration.aicc()),
-                format!("{}", calibration.bic()),
-            ];
-            text += &(cells.join(",") + "\n");
-        }
-    }
-    text.into_bytes()
-}
-
-fn ends(bounds: Bounds) -> [Option<f64>; 2] {
-    match bounds {
-        Bounds::Between(low, high) => [Some(low), Some(high)],
-        Bounds::AtMost(high) => [None, Some(high)],
-        Bounds::AtLeast(low) => [Some(low), None],
-        Bounds::Nothing => [None, None],
-    }
-}
-
-fn number(value: Option<f64>) -> String {
-    value.map_or_else(String::new, |value| format!("{value}"))
-}
-
-fn fit_csv(experiment: &Experiment, stage: &LawStage, observation: usize) -> Vec<u8> {
-    let unit = experiment.display.length;
-    let mut header: Vec<String> = ["x", "y"]
-        .map(|name| format!("{name} [{}]", unit.name))
-        .into();
-    header.push("component (0: u, 1: v)".to_owned());
-    header.push(format!("measured [{}]", unit.name));
-    let names = stage.comparison.fits.iter().map(|fit| &fit.law.name);
-    header.extend(names.map(|name| format!("\"{} [{}]\"", name.replace('"', "\"\""), unit.name)));
-    let own = &stage.observations[observation];
-    let rows = own.values.iter().enumerate().map(|(datum, value)| {
-        let [x, y] = stage.place(observation, datum);
-        let mut row = vec![unit.from_base(x), unit.from_base(y)];
-        row.push(own.components[datum].1 as f64);
-        row.push(unit.from_base(*value));
-        let fits = stage.comparison.fits.iter();
-        row.extend(fits.map(|fit| unit.from_base(fit.states[observation].predicted[datum])));
-        row
-    });
-    csv_table(&header, rows)
-}
-
-fn entry(experiment: &Experiment, stage: &LawStage) -> Value {
-    let law = |fit: &Fit| {
-        let own = &fit.calibration;
-        let parameter = |(index, estimate): (usize, &Estimate)| {
-            let (factor, unit) = figures::unit(experiment, fit.law.dimensions[index]);
-            let [low, high] = ends(estimate.bounds).map(|end| end.map(|end| factor * end));
-            json!({
-                "name": estimate.name,
-                "unit": unit,
-                "best": factor * estimate.value,
-                "low": low,
-                "high": high,
-                "identifiable": estimate.bounds != Bounds::Nothing,
-            })
-        };
-        json!({
-            "name": fit.law.name,
-            "law": fit.law.kind,
-            "parameters": own.estimates.iter().enumerate().map(parameter).collect::<Vec<_>>(),
-            "chi_squared": own.chi_squared,
-            "degrees_of_freedom": own.degrees(),
-            "aicc": own.aicc(),
-            "bic": own.bic(),
-            "solves": own.evaluations,
-            "refused": own.refusals,
-            "first_refusal": own.first_refusal,
-            "verdict": fit.words(),
-        })
-    };
-    json!({
-        "best": stage.comparison.best().law.name,
-        "data": stage.comparison.data,
-        "variance_scales": stage.scales,
-        "confidence": experiment.identify.confidence,
-        "fits": stage.comparison.fits.iter().map(law).collect::<Vec<_>>(),
-    })
 }

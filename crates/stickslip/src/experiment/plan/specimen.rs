@@ -102,19 +102,59 @@ fn of_scene(
         let known = scene.materials.keys().cloned().collect();
         return Err(undefined("material", "specimen.body", material, known));
     };
+    let (plane, thickness) = (scene.analysis.plane, *thickness);
+    let own = SpecimenScene {
+        scene: Arc::new(scene),
+        body,
+        edge,
+    };
     Ok(Specimen {
         material,
-        plane: scene.analysis.plane,
-        thickness: *thickness,
+        plane,
+        thickness,
         hole: Hole {
-            centre: centre_of(&scene, &body),
+            centre: centre_of(&own.scene, &own.body),
             radius,
         },
-        scene: Some(SpecimenScene {
-            scene: Arc::new(scene),
-            body,
-            edge,
-        }),
+        model: Some(model_of(refuse, given, path, &own)?),
+        scene: Some(own),
+    })
+}
+
+/// The scene as it is fitted: with `model_overrides` on top of the others. Its hole and its load steps are those of the experiment.
+fn model_of(
+    refuse: Refuse<'_>,
+    given: &SpecimenFormat,
+    path: &Path,
+    own: &SpecimenScene,
+) -> Result<SpecimenScene, SceneError> {
+    if given.model_overrides.is_empty() {
+        return Ok(own.clone());
+    }
+    let overrides = given.overrides.iter().chain(&given.model_overrides);
+    let scene = Scene::from_file(path, &overrides.collect::<Vec<_>>())?;
+    let circle = |scene: &Scene| {
+        let body = scene.bodies.get(&own.body)?;
+        Some((
+            centre_of(scene, &own.body),
+            body.shape.circle(&own.edge)?,
+            scene.steps(),
+        ))
+    };
+    if circle(&scene) != circle(&own.scene) {
+        return Err(refuse.conflict(
+            "specimen.model_overrides",
+            format!(
+                "the model's '{}.{}' is not the circle of the scene, or it has other load steps",
+                own.body, own.edge
+            ),
+            "override the model's mesh or constants, and leave its hole and its number of load steps alone",
+        ));
+    }
+    Ok(SpecimenScene {
+        scene: Arc::new(scene),
+        body: own.body.clone(),
+        edge: own.edge.clone(),
     })
 }
 
@@ -128,6 +168,7 @@ fn alone(
         ("body", given.body.is_some()),
         ("edge", given.edge.is_some()),
         ("overrides", !given.overrides.is_empty()),
+        ("model_overrides", !given.model_overrides.is_empty()),
     ] {
         if unfit {
             return Err(refuse.conflict(
@@ -182,6 +223,7 @@ fn alone(
             radius,
         },
         scene: None,
+        model: None,
     })
 }
 

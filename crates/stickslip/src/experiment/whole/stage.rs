@@ -62,7 +62,7 @@ pub fn stage(
     else {
         return Ok((states, warnings));
     };
-    let Some(own) = &experiment.specimen.scene else {
+    let Some(own) = &experiment.specimen.model else {
         return Err(ExperimentError::Missing {
             key: "region.whole_plate".to_owned(),
             what: "the whole plate is that of a scene, and none is given".to_owned(),
@@ -73,6 +73,10 @@ pub fn stage(
         key: "region.whole_plate".to_owned(),
         cause: Box::new(cause),
     };
+    if experiment.laws.is_empty() {
+        // Where laws are fitted, it is told there.
+        warnings.extend(experiment.warning_of_shared_mesh());
+    }
     let plate = WholePlate::new(own).map_err(failed)?;
     let history = History::of(&own.scene);
     for measured in fields {

@@ -1,0 +1,168 @@
+//! The coefficient along the slip path, of laws in which it passes from one value to another.
+//!
+//! ```text
+//! μ(s) = |τ|/p of a slipping point with slip path s,     band: μ(s; θ̂) ± z √(gᵀ C g),   g = ∂μ/∂θ
+//! ```
+//!
+//! C is the covariance of the parameters by the curvature of χ²: parameters that make up for each other widen their own intervals, and
+//! not the band.
+
+use stickslip_friction::{FrictionLaw, History, Place, PointStatus};
+use stickslip_hybrid::identify::chi_squared_of_one;
+use stickslip_report::FigureError;
+use stickslip_report::axis::Axis;
+use stickslip_report::chart::{Dash, LineChart, Series};
+use stickslip_report::color::Color;
+use stickslip_report::svg::Svg;
+
+use super::{Fit, LawStage};
+use crate::experiment::plan::{Experiment, SpecimenScene};
+
+/// Places along the slip path.
+const PLACES: usize = 60;
+
+/// Coefficient of a slipping point with slip path `slip` `[mm]`; `None` where it depends on the pressure as well, or is none.
+pub fn coefficient(law: &dyn FrictionLaw, slip: f64) -> Option<f64> {
+    /// Pressures `[MPa]` at which a coefficient of the slip path alone is the same.
+    const PRESSURES: [f64; 2] = [1.0, 100.0];
+    let place = Place {
+        position: [0.0; 2],
+        tangent: [0.0, 1.0],
+        material_angle: 0.0,
+    };
+    let past = History::default().commit(PointStatus::Slip, slip);
+    let [low, high] = PRESSURES.map(|p| law.bound(p, 0.0, &place, &past).slip / p);
+    (low.is_finite() && (low - high).abs() <= 1e-9 * low.abs()).then_some(low)
+}
+
+/// Whether the coefficient of `law` changes along a slip path of `slip` `[mm]`.
+fn passes(law: &dyn FrictionLaw, slip: f64) -> bool {
+    match [0.0, slip].map(|slip| coefficient(law, slip)) {
+        [Some(first), Some(last)] => (first - last).abs() > 1e-9,
+        _ => false,
+    }
+}
+
+/// The band of `fit` at `slip`: half its width; `None` where not all parameters have a deviation.
+fn half_width(fit: &Fit, slip: f64, confidence: f64) -> Option<f64> {
+    /// Parts of the values by which they are changed.
+    const CHANGE: f64 = 1e-4;
+    let values = fit.calibration.values();
+    let covariance = &fit.calibration.covariance;
+    if covariance.is_empty() {
+        return None;
+    }
+    let mut gradient = Vec::new();
+    for (k, &value) in values.iter().enumerate() {
+        let step = CHANGE * value.abs().max(CHANGE);
+        let at = |sign: f64| {
+            let mut moved = values.clone();
+            moved[k] += sign * step;
+            coefficient(fit.law.law(&moved).ok()?.as_ref(), slip)
+        };
+        gradient.push((at(1.0)? - at(-1.0)?) / (2.0 * step));
+    }
+    let size = gradient.len();
+    let product = |i: usize| -> f64 {
+        (0..size)
+            .map(|j| covariance[i * size + j] * gradient[j])
+            .sum()
+    };
+    let variance: f64 = (0..size).map(|i| gradient[i] * product(i)).sum();
+    Some((chi_squared_of_one(confidence) * variance.max(0.0)).sqrt())
+}
+
+/// The law of the scene at the edge of `own`.
+pub(super) fn law_of(own: &SpecimenScene) -> Option<&dyn FrictionLaw> {
+    let mut contacts = own.scene.contacts.iter();
+    let at_edge = |set: &crate::scene::schema::SetRef| set.body == own.body && set.set == own.edge;
+    let contact = contacts.find(|own| at_edge(&own.first) || at_edge(&own.second))?;
+    Some(contact.law.as_ref())
+}
+
+/// Coefficients along the slip path that was reached, with the band of the laws in which they change and the truth of synthetic data;
+/// `None` where no fitted law has a passage.
+pub(super) fn figure(
+    experiment: &Experiment,
+    stage: &LawStage,
+) -> Option<Result<Svg, FigureError>> {
+    let reach = stage.slipped;
+    let laws: Vec<(&Fit, Box<dyn FrictionLaw>)> = (stage.comparison.fits.iter())
+        .filter_map(|fit| Some((fit, fit.law.law(&fit.calibration.values()).ok()?)))
+        .collect();
+    if reach <= 0.0 || !laws.iter().any(|(_, law)| passes(law.as_ref(), reach)) {
+        return None;
+    }
+    let unit = experiment.display.length;
+    let slips: Vec<f64> = (0..=PLACES)
+        .map(|k| reach * (k as f64 / PLACES as f64).powi(2))
+        .collect();
+    let along = |of: &dyn Fn(f64) -> Option<f64>| -> Vec<[f64; 2]> {
+        let points = slips.iter().filter_map(|&slip| Some((slip, of(slip)?)));
+        points
+            .map(|(slip, value)| [unit.from_base(slip), value])
+            .collect()
+    };
+    let mut chart = LineChart::new(
+        "Coefficient along the slip path",
+        Axis::linear(format!("slip path [{}]", unit.name)),
+        Axis::linear("μ"),
+    );
+    let synthetic = experiment
+        .states
+        .iter()
+        .any(|own| own.source.is_synthetic());
+    let truth = (experiment.specimen.scene.as_ref())
+        .filter(|_| synthetic)
+        .and_then(law_of);
+    if let Some(truth) = truth {
+        let points = along(&|slip| coefficient(truth, slip));
+        let line = Series::new("truth", points).color(Color::rgb(0, 0, 0));
+        chart = chart.with(line.width(3.0));
+    }
+    for (index, (fit, law)) in laws.iter().enumerate() {
+        let color = Color::category(index);
+        let points = along(&|slip| coefficient(law.as_ref(), slip));
+        if !points.is_empty() {
+            chart = chart.with(Series::new(&fit.law.name, points).color(color));
+        }
+        if !passes(law.as_ref(), reach) {
+            continue;
+        }
+        let confidence = experiment.identify.confidence;
+        for sign in [-1.0, 1.0] {
+            let end = along(&|slip| {
+                Some(coefficient(law.as_ref(), slip)? + sign * half_width(fit, slip, confidence)?)
+            });
+            if !end.is_empty() {
+                let line = Series::new("", end).color(color).dash(Dash::Dashed);
+                chart = chart.with(line.width(1.2));
+            }
+        }
+    }
+    Some(chart.render())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn law(text: &str) -> Box<dyn FrictionLaw> {
+        serde_json::from_str(text).unwrap()
+    }
+
+    #[test]
+    fn a_coefficient_is_that_of_the_slip_path_alone() {
+        let text = r#"{ "slip_power": { "static": 0.4, "dynamic": 0.2, "slip_scale": 0.002, "exponent": 2.0 } }"#;
+        let passage = law(text);
+        assert_eq!(coefficient(passage.as_ref(), 0.0), Some(0.4));
+        let after = coefficient(passage.as_ref(), 0.002).unwrap();
+        assert!((after - 0.25).abs() < 1e-12, "{after}");
+        assert!(passes(passage.as_ref(), 0.001));
+        let constant = law(r#"{ "coulomb": { "mu": 0.3 } }"#);
+        assert!(!passes(constant.as_ref(), 1.0));
+        let text =
+            r#"{ "pressure_power": { "mu": 0.3, "reference_pressure": 100.0, "exponent": 0.8 } }"#;
+        assert_eq!(coefficient(law(text).as_ref(), 0.0), None);
+    }
+}

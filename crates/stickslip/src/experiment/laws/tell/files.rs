@@ -1,0 +1,132 @@
+//! Fitted laws in files and in the summary.
+
+use serde_json::{Value, json};
+use stickslip_hybrid::calibrate::Estimate;
+use stickslip_hybrid::identify::Bounds;
+
+use crate::experiment::laws::{Discrepancy, Fit, LawStage, SharedNull, figures};
+use crate::experiment::plan::Experiment;
+use crate::experiment::story::csv_table;
+
+pub(super) fn csv(experiment: &Experiment, stage: &LawStage) -> Vec<u8> {
+    let header =
+        "law,parameter,unit,best,low,high,deviation,chi_squared,degrees_of_freedom,AICc,BIC";
+    let mut text = header.to_owned() + "\n";
+    for fit in &stage.comparison.fits {
+        let calibration = &fit.calibration;
+        for (index, own) in calibration.estimates.iter().enumerate() {
+            let (factor, unit) = figures::unit(experiment, fit.law.dimensions[index]);
+            let [low, high] = ends(own.bounds).map(|end| number(end.map(|end| factor * end)));
+            let cells = [
+                format!("\"{}\"", fit.law.name.replace('"', "\"\"")),
+                own.name.clone(),
+                unit.to_owned(),
+                format!("{}", factor * own.value),
+                low,
+                high,
+                number(own.deviation.map(|own| factor * own)),
+                format!("{}", calibration.chi_squared),
+                calibration.degrees().to_string(),
+                format!("{}", calibration.aicc()),
+                format!("{}", calibration.bic()),
+            ];
+            text += &(cells.join(",") + "\n");
+        }
+    }
+    text.into_bytes()
+}
+
+fn ends(bounds: Bounds) -> [Option<f64>; 2] {
+    match bounds {
+        Bounds::Between(low, high) => [Some(low), Some(high)],
+        Bounds::AtMost(high) => [None, Some(high)],
+        Bounds::AtLeast(low) => [Some(low), None],
+        Bounds::Nothing => [None, None],
+    }
+}
+
+fn number(value: Option<f64>) -> String {
+    value.map_or_else(String::new, |value| format!("{value}"))
+}
+
+pub(super) fn fit_csv(experiment: &Experiment, stage: &LawStage, observation: usize) -> Vec<u8> {
+    let unit = experiment.display.length;
+    let mut header: Vec<String> = ["x", "y"]
+        .map(|name| format!("{name} [{}]", unit.name))
+        .into();
+    header.push("component (0: u, 1: v)".to_owned());
+    header.push(format!("measured [{}]", unit.name));
+    let names = stage.comparison.fits.iter().map(|fit| &fit.law.name);
+    header.extend(names.map(|name| format!("\"{} [{}]\"", name.replace('"', "\"\""), unit.name)));
+    let own = &stage.observations[observation];
+    let rows = own.values.iter().enumerate().map(|(datum, value)| {
+        let [x, y] = stage.place(observation, datum);
+        let mut row = vec![unit.from_base(x), unit.from_base(y)];
+        row.push(own.components[datum].1 as f64);
+        row.push(unit.from_base(*value));
+        let fits = stage.comparison.fits.iter();
+        row.extend(fits.map(|fit| unit.from_base(fit.states[observation].predicted[datum])));
+        row
+    });
+    csv_table(&header, rows)
+}
+
+pub(super) fn entry(experiment: &Experiment, stage: &LawStage) -> Value {
+    let law = |fit: &Fit| {
+        let own = &fit.calibration;
+        let parameter = |(index, estimate): (usize, &Estimate)| {
+            let (factor, unit) = figures::unit(experiment, fit.law.dimensions[index]);
+            let [low, high] = ends(estimate.bounds).map(|end| end.map(|end| factor * end));
+            json!({
+                "name": estimate.name,
+                "unit": unit,
+                "best": factor * estimate.value,
+                "low": low,
+                "high": high,
+                "identifiable": estimate.bounds != Bounds::Nothing,
+            })
+        };
+        json!({
+            "name": fit.law.name,
+            "law": fit.law.kind,
+            "parameters": own.estimates.iter().enumerate().map(parameter).collect::<Vec<_>>(),
+            "chi_squared": own.chi_squared,
+            "degrees_of_freedom": own.degrees(),
+            "aicc": own.aicc(),
+            "bic": own.bic(),
+            "solves": own.evaluations,
+            "refused": own.refusals,
+            "first_refusal": own.first_refusal,
+            "verdict": fit.words(),
+        })
+    };
+    let discrepancy = |own: &Option<Discrepancy>| {
+        let length = experiment.display.length;
+        own.map(|own| {
+            json!({
+                "rms": length.from_base(own.rms),
+                "largest": length.from_base(own.largest),
+                "chi_squared": own.chi_squared,
+            })
+        })
+    };
+    let shared = |own: &SharedNull| {
+        let name = |&state: &usize| experiment.states[state].name.as_str();
+        json!({
+            "states": own.states.iter().map(name).collect::<Vec<_>>(),
+            "data": own.data,
+            "correlation": own.correlation,
+        })
+    };
+    json!({
+        "best": stage.comparison.best().law.name,
+        "data": stage.comparison.data,
+        "variance_scales": stage.scales.iter().map(|own| own.factor).collect::<Vec<_>>(),
+        "variance_scales_by": stage.scales.iter().map(|own| own.source.words()).collect::<Vec<_>>(),
+        "shared_nulls": stage.shared_nulls.iter().map(shared).collect::<Vec<_>>(),
+        "longest_slip_path": experiment.display.length.from_base(stage.slipped),
+        "mesh_discrepancies": stage.discrepancies.iter().map(discrepancy).collect::<Vec<_>>(),
+        "confidence": experiment.identify.confidence,
+        "fits": stage.comparison.fits.iter().map(law).collect::<Vec<_>>(),
+    })
+}

@@ -1,0 +1,93 @@
+//! What error bars cost on a region of 20 150 displacements, in pairs of triangular solves of one right-hand side.
+
+use std::hint::black_box;
+use std::sync::Arc;
+use std::time::Instant;
+
+use stickslip_fem_core::ElasticBody;
+use stickslip_fem_core::material::{Isotropic, Material, PlaneState};
+use stickslip_fem_core::mesh::ElementKind;
+use stickslip_hybrid::data::NodalDisplacements;
+use stickslip_hybrid::region::outputs::EdgeRows;
+use stickslip_hybrid::region::sector::ArcSector;
+use stickslip_hybrid::region::{Region, independent_covariance};
+
+use super::check::Checks;
+use super::laboratory::Trouble;
+
+const DRAWS: usize = 1000;
+/// Times behind a median.
+const SAMPLES: usize = 5;
+/// Most that everything may cost, in pairs of triangular solves.
+const MOST: f64 = 500.0;
+
+fn stopped(cause: impl std::fmt::Display) -> Trouble {
+    Trouble::Missing(cause.to_string())
+}
+
+/// One factorisation, the exact covariance of the edge stresses and [`DRAWS`] draws.
+pub(super) fn checks(checks: &mut Checks) -> Result<(), Trouble> {
+    let sector = ArcSector {
+        centre: [0.0, 0.0],
+        hole: 9.525,
+        stand_off: 0.0,
+        outer: 19.05,
+        angles: [-1.0, 1.0],
+        cells: [84, 39],
+        growth: 1.5,
+        kind: ElementKind::Q8,
+    };
+    let mesh = Arc::new(sector.mesh().map_err(stopped)?);
+    let aluminium = Isotropic::new(70.3e3, 0.34, PlaneState::Stress).map_err(stopped)?;
+    let materials: Vec<Arc<dyn Material>> = vec![Arc::new(aluminium)];
+    let body = ElasticBody::new(mesh, materials, 1.524).map_err(stopped)?;
+    let body = Arc::new(body);
+    let region = Region::new(&body, &[]).map_err(stopped)?;
+    let nodes = region.prescribed_nodes();
+    let places = body.mesh().nodes();
+    let measured = NodalDisplacements {
+        values: (nodes.iter())
+            .flat_map(|&node| places[node].map(|x| 1e-3 * x))
+            .collect(),
+        covariance: independent_covariance(nodes.len(), [6e-5; 2]),
+        nodes,
+    };
+    let rows = EdgeRows::new(&body, "inner").map_err(stopped)?.rows;
+    let values = region.values(&measured).map_err(stopped)?;
+    let propagated = region.propagate(&rows, &measured).map_err(stopped)?;
+    let displacements = 2 * places.len();
+    checks.completes(
+        format!("region of {displacements} displacements: solves that the covariance of {} stresses takes", rows.len()),
+        format!("the fewer of {} and {}", rows.len(), region.prescribed().len()),
+        propagated.solves.to_string(),
+        propagated.solves == rows.len().min(region.prescribed().len()),
+    );
+    let one = median(|| drop(black_box(region.outputs_of(&[], &values))));
+    let all = [
+        median(|| drop(black_box(Region::new(&body, &[])))),
+        median(|| drop(black_box(region.propagate(&rows, &measured)))),
+        median(|| drop(black_box(region.simulate(&rows, &measured, DRAWS, 7)))),
+    ]
+    .map(|time| time / one);
+    let sum: f64 = all.iter().sum();
+    checks.completes(
+        format!("the same: one factorisation, the covariance and {DRAWS} draws, in pairs of triangular solves"),
+        format!("{MOST} at most"),
+        format!("{:.0} + {:.0} + {:.0} = {sum:.0}", all[0], all[1], all[2]),
+        sum <= MOST,
+    );
+    Ok(())
+}
+
+/// Median time of `work` `[s]`.
+fn median(work: impl Fn()) -> f64 {
+    let mut times: Vec<f64> = (0..SAMPLES)
+        .map(|_| {
+            let start = Instant::now();
+            work();
+            start.elapsed().as_secs_f64()
+        })
+        .collect();
+    times.sort_by(f64::total_cmp);
+    times[SAMPLES / 2]
+}
