@@ -41,6 +41,11 @@ pub struct Measured {
     pub pictures: [Option<PictureField>; 2],
     /// Front against back along the chosen line, U and V, before the null field is taken off.
     pub symmetry: Vec<(Field, Symmetry)>,
+    /// Indices of the places of a table that are masked as outliers.
+    pub outliers: Vec<usize>,
+    /// Standard deviation `[mm]` that errors of U and V have at least, whatever residuals say: as stated, or as digits are rounded; 0
+    /// where nothing says.
+    pub floor: [f64; 2],
     /// What was assumed or left out.
     pub remarks: Vec<String>,
     /// What a reader must know before trusting the field.
@@ -238,11 +243,8 @@ impl Scope<'_> {
 /// A source as it was read, before anything is taken off.
 #[derive(Clone, Debug)]
 enum Reading {
-    /// Displacements at places, and whether their deviation was estimated.
-    Scattered {
-        measurement: Measurement,
-        remarks: Vec<String>,
-    },
+    /// Displacements at places of a table.
+    Scattered(table::Scattered),
     /// Orders at the pixels of the U and the V field.
     Pictures(Box<[Option<phase::Unwound>; 2]>),
     /// Fringe lines of the U and the V field, and the deviation of an order `[fringes]`.

@@ -70,6 +70,8 @@ fn fields() -> Vec<Measured> {
             lines: None,
             pictures: [None, None],
             symmetry: Vec::new(),
+            outliers: Vec::new(),
+            floor: [0.0; 2],
             remarks: Vec::new(),
             warnings: Vec::new(),
         })

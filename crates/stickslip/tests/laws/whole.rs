@@ -72,6 +72,8 @@ fn the_whole_plate_balances_its_load_and_tells_the_friction_of_the_truth() {
         lines: None,
         pictures: [None, None],
         symmetry: Vec::new(),
+        outliers: Vec::new(),
+        floor: [0.0; 2],
         remarks: Vec::new(),
         warnings: Vec::new(),
     };

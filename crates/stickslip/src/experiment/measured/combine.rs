@@ -23,6 +23,8 @@ pub(super) fn combined(
         lines: None,
         pictures: [None, None],
         symmetry: Vec::new(),
+        outliers: Vec::new(),
+        floor: [0.0; 2],
         remarks: Vec::new(),
         warnings: Vec::new(),
     };
@@ -65,16 +67,27 @@ fn scattered(
     reading: Reading,
     of_null: bool,
 ) -> Result<Measurement, ExperimentError> {
-    let (found, mut pictures, remarks, warnings) = match reading {
-        Reading::Scattered {
-            measurement,
-            remarks,
-        } => (measurement, [None, None], remarks, Vec::new()),
-        other => {
-            let own = combined(scope, other, None)?;
-            (own.measurement, own.pictures, own.remarks, own.warnings)
-        }
+    let own = match reading {
+        Reading::Scattered(own) => Measured {
+            state: scope.state,
+            measurement: own.measurement,
+            lines: None,
+            pictures: [None, None],
+            symmetry: Vec::new(),
+            outliers: own.outliers,
+            floor: own.floor,
+            remarks: own.remarks,
+            warnings: own.warnings,
+        },
+        other => combined(scope, other, None)?,
     };
+    let mut pictures = own.pictures;
+    for (floor, own) in measured.floor.iter_mut().zip(own.floor) {
+        *floor = floor.hypot(own);
+    }
+    if !of_null {
+        measured.outliers = own.outliers;
+    }
     let said = |of: &str, words: String| {
         if of_null {
             format!("{of}: {words}")
@@ -82,9 +95,9 @@ fn scattered(
             words
         }
     };
-    let remarks = remarks.into_iter();
+    let remarks = own.remarks.into_iter();
     (measured.remarks).extend(remarks.map(|words| said("the null field", words)));
-    let warnings = warnings.into_iter();
+    let warnings = own.warnings.into_iter();
     (measured.warnings).extend(warnings.map(|words| said("The null field", words)));
     if pictures.iter().any(Option::is_some) {
         for field in pictures.iter_mut().flatten() {
@@ -92,7 +105,7 @@ fn scattered(
         }
         measured.pictures = pictures;
     }
-    Ok(found)
+    Ok(own.measurement)
 }
 
 fn minus(
@@ -332,8 +345,9 @@ fn fringe_lines(
     deviation: f64,
 ) -> Result<(), ExperimentError> {
     let grating = grating(scope)?;
+    measured.floor = [grating.displacement(deviation); 2];
     let field = &mut measured.measurement;
-    field.deviation = [grating.displacement(deviation); 2];
+    field.deviation = measured.floor;
     let mut seen: Vec<Point> = Vec::new();
     for own in &lines {
         let c = own.field.component();

@@ -65,6 +65,15 @@ fn settings(experiment: &Experiment) -> String {
         length.show(reduce.margin),
         reduce.mask.len()
     );
+    if experiment.states.iter().any(State::has_table) {
+        words.push_str(&match reduce.outliers {
+            Some(threshold) => format!(
+                " Places of tables are masked as outliers where U or V is off a plane through its neighbours by more than {threshold} \
+                 times what is usual there ([reduce] outliers)."
+            ),
+            None => " No outliers are looked for.".to_owned(),
+        });
+    }
     let pictured = |state: &State| matches!(state.source, Source::Step(_) | Source::Pictures(_));
     if experiment.states.iter().any(pictured) {
         let pictures = format!(
@@ -139,6 +148,7 @@ fn table(experiment: &Experiment, fields: &[Measured]) -> Table {
         Column::new("field", ""),
         Column::new("places", ""),
         Column::new("masked", ""),
+        Column::new("as outliers", ""),
         Column::new("least", length.name),
         Column::new("greatest", length.name),
         Column::new("deviation", length.name),
@@ -181,6 +191,7 @@ fn row(experiment: &Experiment, measured: &Measured, field: Field) -> Vec<String
         field_name(field).to_owned(),
         data.places.len().to_string(),
         (data.places.len() - count).to_string(),
+        number(is_table(experiment, measured).then_some(measured.outliers.len())),
         shown(values().fold(f64::INFINITY, f64::min)),
         shown(values().fold(f64::NEG_INFINITY, f64::max)),
         shown(deviation),
@@ -188,6 +199,10 @@ fn row(experiment: &Experiment, measured: &Measured, field: Field) -> Vec<String
         number(picture.map(|picture| picture.residues.len())),
         number(picture.map(|picture| picture.cuts.len())),
     ]
+}
+
+fn is_table(experiment: &Experiment, measured: &Measured) -> bool {
+    matches!(experiment.states[measured.state].source, Source::Table(_))
 }
 
 fn symmetry(experiment: &Experiment, fields: &[Measured]) -> Table {
@@ -239,6 +254,7 @@ fn entry(experiment: &Experiment, measured: &Measured) -> Value {
     json!({
         "state": experiment.states[measured.state].name,
         "length_unit": unit.name,
+        "outliers": is_table(experiment, measured).then_some(measured.outliers.len()),
         "u": field(Field::U),
         "v": field(Field::V),
     })
