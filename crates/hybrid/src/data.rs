@@ -48,6 +48,11 @@ pub struct Measurement {
     pub deviation: [f64; 2],
 }
 
+/// What a component is called in messages: U along x, V along y.
+pub(crate) fn letter(component: usize) -> &'static str {
+    if component == 0 { "U" } else { "V" }
+}
+
 /// Displacements of nodes, as a region takes them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct NodalDisplacements {

@@ -9,6 +9,7 @@
 
 mod combine;
 mod coverage;
+mod elsewhere;
 mod figures;
 mod lines;
 mod phase;
@@ -211,6 +212,8 @@ impl Scope<'_> {
         ExperimentError::Fringes {
             state: self.name(),
             field,
+            file: String::new(),
+            hint: String::new(),
             key: self.key.clone(),
             cause: Box::new(cause),
         }

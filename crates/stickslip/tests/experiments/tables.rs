@@ -320,3 +320,55 @@ fn outliers_of_a_null_field_are_told_of_as_its_own() {
         );
     }
 }
+
+/// Places of the null field elsewhere: how far, and what to do about it.
+#[test]
+fn a_null_field_measured_elsewhere_is_refused_with_a_remedy() {
+    let null = "null.table = { file = \"initial.csv\", scale = \"1 mm\", y_axis = \"up\", deviation = \"1e-4 mm\", origin = [0.5, 0] }\n";
+    let folder = folder_with(&[
+        (
+            "e.toml",
+            &format!("{TABLE}{null}[reduce]\ncommon_places = \"0.1 mm\"\n"),
+        ),
+        ("up.csv", &grid("x,y,u,v", linear)),
+        ("initial.csv", &grid("x,y,u,v", linear)),
+    ]);
+    let path = folder.path();
+    let error = fails(path, &["reduce", "e.toml"]);
+    for part in [
+        "common_places = 0.1 mm",
+        "0.5 mm apart",
+        "leave common_places out",
+        "e.toml:9",
+    ] {
+        assert!(error.contains(part), "{part}: {error}");
+    }
+    let far = [
+        "reduce",
+        "e.toml",
+        "--set",
+        "states.0.null.table.origin=[100, 0]",
+    ];
+    let elsewhere = [&far[..], &["--set", "reduce.common_places=0.1 mm"]].concat();
+    assert!(fails(path, &elsewhere).contains("apart"));
+    let text = fs::read_to_string(path.join("e.toml")).unwrap();
+    let interpolated = text.replace("common_places = \"0.1 mm\"", "");
+    fs::write(path.join("e.toml"), interpolated).unwrap();
+    let error = fails(path, &far);
+    for part in ["x = −112 … −88 mm", "check scale, origin and y_axis"] {
+        assert!(error.contains(part), "{part}: {error}");
+    }
+}
+
+/// U and V, as everywhere, not numbers of components.
+#[test]
+fn components_are_named_in_errors() {
+    let text = "x,y,u,v\n6,0,1e-3,1e-3\n7,0,1e-3,1e-3\n8,0,1e-3,1e-3\n9,1,1e-3,\n";
+    let folder = folder_with(&[
+        ("e.toml", &TABLE.replace(", deviation = \"1e-4 mm\"", "")),
+        ("up.csv", text),
+    ]);
+    let error = fails(folder.path(), &["reduce", "e.toml"]);
+    assert!(error.contains("U is valid at"), "{error}");
+    assert!(error.contains("deviation"), "{error}");
+}

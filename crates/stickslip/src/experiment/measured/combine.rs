@@ -1,10 +1,11 @@
 //! The null field taken off, displacements from orders.
 
-use stickslip_fem_core::mesh::Point;
-use stickslip_hybrid::data::{DataError, Field, FringeLines, Measurement, NullField};
+use stickslip_hybrid::data::{DataError, Field, Measurement, NullField};
 use stickslip_hybrid::fringe::{FringeError, PixelMap, Plane, measurement};
 use stickslip_hybrid::moire::Grating;
 
+use super::elsewhere::elsewhere;
+use super::lines::{fringe_lines, less_null};
 use super::phase::Unwound;
 use super::{Measured, PictureField, Reading, Scope};
 use crate::experiment::error::ExperimentError;
@@ -124,7 +125,10 @@ fn minus(
             return Err(lacking(scope, field, NOT_MEASURED));
         }
     }
-    let difference = own.minus(null, how).map_err(|cause| scope.data(cause))?;
+    let difference = own.minus(null, how).map_err(|cause| match cause {
+        DataError::AllMasked { .. } => elsewhere(scope, own, null, how),
+        cause => scope.data(cause),
+    })?;
     for field in Field::BOTH {
         if own.count(field) > 0 && difference.count(field) == 0 {
             return Err(lacking(scope, field, " where the state has one"));
@@ -335,67 +339,4 @@ fn tell_of_unwrapping(measured: &mut Measured) {
     measured.warnings.push(format!(
         "Unwrapping {counts}. They are marked on the map of the phase; pixels at the jumps are masked."
     ));
-}
-
-/// Places of a component's own centres carry that component alone.
-fn fringe_lines(
-    scope: &Scope<'_>,
-    measured: &mut Measured,
-    lines: [FringeLines; 2],
-    deviation: f64,
-) -> Result<(), ExperimentError> {
-    let grating = grating(scope)?;
-    measured.floor = [grating.displacement(deviation); 2];
-    let field = &mut measured.measurement;
-    field.deviation = measured.floor;
-    let mut seen: Vec<Point> = Vec::new();
-    for own in &lines {
-        let c = own.field.component();
-        for line in &own.lines {
-            for (&place, &order) in line.places().iter().zip(line.orders()) {
-                let valid = scope.shows(place) && scope.is_away(place);
-                seen.push(place);
-                field.places.push(place);
-                for axis in 0..2 {
-                    let mine = axis == c && valid;
-                    let value = grating.displacement(order);
-                    field.displacements[axis].push(if mine { value } else { f64::NAN });
-                    field.valid[axis].push(mine);
-                }
-            }
-        }
-    }
-    if field.valid.iter().flatten().all(|valid| !valid) {
-        return Err(scope.data(DataError::AllMasked {
-            file: "fringe lines".to_owned(),
-            rows: seen.len(),
-            remedy: "all centres lie in the hole or under a mask: check scale and y_axis",
-        }));
-    }
-    measured.lines = Some(lines);
-    Ok(())
-}
-
-fn less_null(
-    scope: &Scope<'_>,
-    measured: &mut Measured,
-    lines: &[FringeLines; 2],
-    null: &[FringeLines; 2],
-) -> Result<[FringeLines; 2], ExperimentError> {
-    let mut less = |k: usize| -> Result<FringeLines, ExperimentError> {
-        let found = lines[k]
-            .minus(&null[k])
-            .map_err(|cause| scope.data(cause))?;
-        if !found.left_out.is_empty() {
-            let (line, place) = &found.left_out[0];
-            measured.remarks.push(format!(
-                "{} fringe centres lie beyond the null field's lines and are left out, the first of line '{line}' at ({}, {}) mm",
-                found.left_out.len(),
-                place[0],
-                place[1]
-            ));
-        }
-        Ok(found.lines)
-    };
-    Ok([less(0)?, less(1)?])
 }

@@ -8,6 +8,9 @@ use crate::experiment::plan::TableSource;
 use crate::experiment::synthesis::field_name;
 use crate::output::short;
 
+/// Scatter of less than this part of the range is no measurement's: a hundredth of a fringe of a thousand fringes.
+const CALCULATED: f64 = 1e-5;
+
 /// What a table says.
 #[derive(Clone, Debug)]
 pub(super) struct Scattered {
@@ -127,16 +130,45 @@ fn estimated(
         return Ok(0.0);
     }
     let deviation = scatter::deviation(&found.measurement, field);
-    let deviation = deviation.map_err(|cause| ExperimentError::Reduction {
-        state: scope.name(),
+    let deviation = deviation.map_err(|cause| ExperimentError::Missing {
         key: scope.key.clone(),
-        cause: Box::new(cause),
+        what: format!(
+            "state '{}': no deviation is stated, and it cannot be estimated from the scatter of neighbours: {cause}",
+            scope.name()
+        ),
+        remedy: "state it: deviation = \"0.5 um\"".to_owned(),
     })?;
     let length = scope.experiment.display.length;
+    let range = range(&found.measurement, field);
+    if deviation < CALCULATED * range {
+        found.warnings.push(format!(
+            "{} scatters by {} {} only, {} of its range, as calculated data do: bands hold this, not the error of a measurement or of a \
+             mesh. State the deviation that a measurement has.",
+            field_name(field),
+            short(length.from_base(deviation)),
+            length.name,
+            short(deviation / range)
+        ));
+    }
     found.remarks.push(format!(
-        "deviation of {} estimated from the scatter of neighbours: {}",
+        "deviation of {} estimated from the scatter of neighbours: {} {}",
         field_name(field),
-        length.show(deviation)
+        short(length.from_base(deviation)),
+        length.name
     ));
     Ok(deviation)
+}
+
+/// Largest less least valid displacement `[mm]`.
+fn range(measurement: &Measurement, field: Field) -> f64 {
+    let c = field.component();
+    let values = measurement.displacements[c].iter();
+    let valid = values
+        .zip(&measurement.valid[c])
+        .filter(|(_, valid)| **valid);
+    let [low, high] = valid.fold(
+        [f64::INFINITY, f64::NEG_INFINITY],
+        |[low, high], (&u, _)| [low.min(u), high.max(u)],
+    );
+    (high - low).max(0.0)
 }

@@ -37,7 +37,11 @@ pub(in crate::experiment) fn tell(experiment: &Experiment, fields: &[Measured], 
         .sum();
     story.answer(
         "Measured fields",
-        format!("{} states, {valid} displacements", fields.len()),
+        format!(
+            "{} state{}, {valid} displacements",
+            fields.len(),
+            if fields.len() == 1 { "" } else { "s" }
+        ),
     );
     story.entry(
         "measured",
@@ -66,13 +70,14 @@ fn settings(experiment: &Experiment) -> String {
         reduce.mask.len()
     );
     if experiment.states.iter().any(State::has_table) {
-        words.push_str(&match reduce.outliers {
+        let outliers = match reduce.outliers {
             Some(threshold) => format!(
                 " Places of tables are masked as outliers where U or V is off a plane through its neighbours by more than {threshold} \
                  times what is usual there ([reduce] outliers)."
             ),
             None => " No outliers are looked for.".to_owned(),
-        });
+        };
+        words.push_str(&outliers);
     }
     let pictured = |state: &State| matches!(state.source, Source::Step(_) | Source::Pictures(_));
     if experiment.states.iter().any(pictured) {
