@@ -2,8 +2,10 @@
 
 mod backs;
 mod chain;
+mod commands;
 mod pictures;
 mod refusals;
+mod stresses;
 mod tables;
 
 use std::fmt::Write as _;
