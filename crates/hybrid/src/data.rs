@@ -11,6 +11,7 @@
 //! | what | where |
 //! | --- | --- |
 //! | displacements at scattered places from a table | [`Measurement::read`] with a [`Format`] and a [`Reading`] |
+//! | places that do not go with their neighbours | [`Measurement::outliers`] |
 //! | digitised fringe centres along lines | [`FringeLines::read`] with a [`LineReading`] |
 //! | the initial load taken off | [`Measurement::minus`], [`FringeLines::minus`] |
 //! | front against back | [`FringeLine::symmetry`] |
@@ -19,6 +20,7 @@ mod error;
 mod format;
 mod lines;
 mod null;
+mod outliers;
 mod read;
 mod table;
 mod track;
@@ -29,6 +31,8 @@ pub use error::DataError;
 pub use format::{Format, Places, Reading, YAxis};
 pub use lines::{Field, FringeLines, LineReading};
 pub use null::{Difference, NullField, Symmetry};
+pub use outliers::Outlier;
+pub use read::Rows;
 pub use track::{FringeLine, Located, Step, Track};
 
 /// Displacements measured at scattered places.
@@ -42,6 +46,11 @@ pub struct Measurement {
     pub valid: [Vec<bool>; 2],
     /// Standard deviation of each component `[length]`, the same at all places, independent from place to place.
     pub deviation: [f64; 2],
+}
+
+/// What a component is called in messages: U along x, V along y.
+pub(crate) fn letter(component: usize) -> &'static str {
+    if component == 0 { "U" } else { "V" }
 }
 
 /// Displacements of nodes, as a region takes them.

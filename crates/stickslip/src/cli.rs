@@ -7,7 +7,7 @@
 //! stickslip reduce EXPERIMENT [--output DIR]     measured fields from tables, fringe lines and pictures
 //! stickslip hybrid EXPERIMENT [--output DIR]     edge stresses from measured fields, with bands and checks
 //! stickslip identify EXPERIMENT [--output DIR]   friction from edge stresses, with intervals
-//! stickslip check SCENE                          check a scene and print it with all defaults
+//! stickslip check FILE                           check a scene and print it with all defaults, or check an experiment
 //! stickslip init TEMPLATE [FILE]                 write a commented scene to start from
 //! stickslip list [TOPIC]                         laws and their parameters, templates, elements, solvers, units, signs
 //! ```
@@ -78,7 +78,7 @@ enum Command {
     Hybrid(experiment::ExperimentArguments),
     /// Find where an edge slips and its friction coefficients from measured displacements, with intervals
     Identify(experiment::ExperimentArguments),
-    /// Check a scene, and print it with overrides applied and defaults filled in
+    /// Check a scene, and print it with overrides applied and defaults filled in; or check an experiment with its data
     Check(SceneArguments),
     /// Write a commented scene to start from; never overwrites
     Init(init::InitArguments),

@@ -9,6 +9,7 @@
 //! | module | subject |
 //! | --- | --- |
 //! | [`plan`] | what the file says, checked, in base units |
+//! | [`check`] | an experiment read with its data, in a few lines |
 //! | [`chain`], [`story`] | the stages one after the other, and the page that tells of them |
 //! | [`measured`] | displacements with their deviation and mask |
 //! | [`laws`] | friction laws fitted by contact solves, and compared |
@@ -21,6 +22,7 @@
 
 pub mod analysed;
 pub mod chain;
+pub mod check;
 mod error;
 mod format;
 mod gallery;

@@ -16,7 +16,7 @@
 
 mod csv_files;
 mod display;
-pub(crate) use display::short;
+pub(crate) use display::{short, significant};
 mod failure;
 mod figures;
 mod loads;

@@ -259,7 +259,7 @@ pub enum DataError {
         values: [f64; 2],
     },
     /// Points do not span a plane, or lie beyond what can be triangulated.
-    #[error("the valid points of component {component} cannot be triangulated: {cause}")]
+    #[error("the valid points of {} cannot be triangulated: {cause}", super::letter(*component))]
     Triangulation {
         /// Component, 0 for x and 1 for y.
         component: usize,

@@ -25,6 +25,19 @@ impl Measurement {
         format: &Format,
         reading: &Reading,
     ) -> Result<Self, DataError> {
+        Self::read_rows(reader, name, format, reading).map(|(measurement, _)| measurement)
+    }
+
+    /// As [`read`](Self::read), with what the table's rows say besides.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn read_rows(
+        reader: impl Read,
+        name: &str,
+        format: &Format,
+        reading: &Reading,
+    ) -> Result<(Self, Rows), DataError> {
         let scales = scales(name, format, reading)?;
         let table = Table::read(reader, name)?;
         let columns = Columns {
@@ -45,6 +58,8 @@ impl Measurement {
             deviation: reading.deviation,
             ..Self::default()
         };
+        let mut rows = Rows::default();
+        let mut steps = [Vec::new(), Vec::new()];
         let mut seen = BTreeMap::new();
         for row in 0..table.len() {
             let raw = columns.row(&table, row)?;
@@ -64,13 +79,20 @@ impl Measurement {
                 });
             }
             measurement.places.push(place);
+            rows.lines.push(table.line(row));
             for c in 0..2 {
+                if let (Some(column), Some(_)) = (columns.displacements[c], values[c]) {
+                    steps[c].extend(last_digit(table.text(row, column)));
+                }
                 measurement.displacements[c].push(values[c].unwrap_or(f64::NAN));
                 measurement.valid[c].push(values[c].is_some());
             }
         }
+        for c in 0..2 {
+            rows.step[c] = scales.displacements[c].abs() * tenth(&mut steps[c]);
+        }
         if measurement.valid.iter().flatten().any(|&valid| valid) {
-            Ok(measurement)
+            Ok((measurement, rows))
         } else {
             Err(DataError::AllMasked {
                 file: name.into(),
@@ -128,6 +150,35 @@ impl Measurement {
             .filter(|&&valid| valid)
             .count()
     }
+}
+
+/// What the rows of a table say besides displacements.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Rows {
+    /// Line of each place in the file, counted from 1.
+    pub lines: Vec<u64>,
+    /// What one step of the last digit is `[length]`, to which displacements x and y are rounded; of numbers that are not zero, one in ten
+    /// has a finer one. 0 where all are zero.
+    pub step: [f64; 2],
+}
+
+/// What one step of a number's last digit is; nothing of zero, whose digits say little.
+fn last_digit(text: &str) -> Option<f64> {
+    let value: f64 = text.parse().ok().filter(|value| *value != 0.0)?;
+    let (digits, power) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+    let decimals = digits.split_once('.').map_or(0, |(_, after)| after.len());
+    let power: i32 = power.parse().ok()?;
+    let step = 10.0_f64.powi(power.saturating_sub(decimals.try_into().ok()?));
+    Some(step.max(f64::EPSILON * value.abs()))
+}
+
+/// The step that one in ten are finer than. Round numbers lack digits that others have, and small ones may have more than others.
+fn tenth(steps: &mut [f64]) -> f64 {
+    if steps.is_empty() {
+        return 0.0;
+    }
+    let index = steps.len() / 10;
+    *steps.select_nth_unstable_by(index, f64::total_cmp).1
 }
 
 /// The same question to two things.

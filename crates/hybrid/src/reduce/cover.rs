@@ -4,6 +4,8 @@ use std::fmt;
 
 use stickslip_fem_core::mesh::Point;
 
+use crate::data::letter;
+
 /// A node that the data do not cover.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Uncovered {
@@ -20,11 +22,12 @@ pub struct Uncovered {
 impl fmt::Display for Uncovered {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [x, y] = self.place;
-        let component = ["x", "y"][self.component.min(1)];
         write!(
             f,
-            "node {} at ({x}, {y}), component {component}: {}",
-            self.node, self.reason
+            "{} of node {} at ({x}, {y}): {}",
+            letter(self.component),
+            self.node,
+            self.reason
         )
     }
 }

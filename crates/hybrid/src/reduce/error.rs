@@ -4,7 +4,7 @@ use stickslip_fem_core::mesh::Point;
 use thiserror::Error;
 
 use super::Uncovered;
-use crate::data::{DataError, Field};
+use crate::data::{DataError, Field, letter};
 
 /// How many nodes an error shows in words.
 const SHOWN: usize = 3;
@@ -55,7 +55,8 @@ pub enum ReduceError {
     },
     /// There are fewer valid places than a fit's neighbours.
     #[error(
-        "component {component} is valid at {valid} places; {needed} are needed around each node"
+        "{} is valid at {valid} places; {needed} are needed around each node",
+        letter(*component)
     )]
     TooFew {
         /// Component, 0 for x and 1 for y.
@@ -66,7 +67,7 @@ pub enum ReduceError {
         needed: usize,
     },
     /// Valid places cannot be triangulated.
-    #[error("the valid places of component {component} cannot be triangulated: {cause}")]
+    #[error("the valid places of {} cannot be triangulated: {cause}", letter(*component))]
     Triangulation {
         /// Component, 0 for x and 1 for y.
         component: usize,
@@ -92,7 +93,7 @@ pub enum ReduceError {
         nodes: Vec<Uncovered>,
     },
     /// A reduction meets data of another size.
-    #[error("component {component} has {found} data; the reduction was made for {needed}")]
+    #[error("{} has {found} data; the reduction was made for {needed}", letter(*component))]
     Size {
         /// Component, 0 for x and 1 for y.
         component: usize,
@@ -103,7 +104,8 @@ pub enum ReduceError {
     },
     /// A reduction meets data that are masked where those it was made for were not.
     #[error(
-        "component {component} is masked at ({}, {}), which the reduction uses; make it for both masks together",
+        "{} is masked at ({}, {}), which the reduction uses; make it for both masks together",
+        letter(*component),
         .place[0],
         .place[1]
     )]

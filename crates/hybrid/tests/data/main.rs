@@ -3,7 +3,11 @@
 
 mod combine;
 mod gratings;
+#[path = "../kirsch/mod.rs"]
+#[allow(dead_code)]
+mod kirsch;
 mod lines;
+mod outliers;
 mod tables;
 
 use stickslip_hybrid::data::{DataError, Format, Measurement, Reading, Track};

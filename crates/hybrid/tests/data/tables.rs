@@ -207,3 +207,29 @@ fn deformed_places_may_be_stated_for_any_table() {
     let m = read("x,y,u,v\n5,6,1,2\n", &format, &Reading::default()).unwrap();
     assert_eq!(m.places, [[4.0, 4.0]]);
 }
+
+/// The step of last digits, by any way of writing numbers, and the line of each place.
+#[test]
+fn rows_tell_their_lines_and_the_step_of_their_digits() {
+    let rows = |text: &str, reading: &Reading| {
+        let read = Measurement::read_rows(text.as_bytes(), "t", &Format::plain(), reading);
+        read.unwrap().1
+    };
+    let text = "# made\nx,y,u,v\n0,0,0.125,0\n\n1,0,0.5,-3.25e-3\n2,0,1.025,4.5E-4\n3,0,,1.25e-3\n";
+    let found = rows(text, &Reading::default());
+    assert_eq!(found.lines, [3, 5, 6, 7]);
+    for (step, expected) in found.step.into_iter().zip([1e-3, 1e-5]) {
+        assert!((step - expected).abs() < 1e-12 * expected, "{step}");
+    }
+    let scaled = Reading {
+        scale: Some(2.0),
+        displacement_scale: Some(0.5),
+        reversed: [true, false],
+        ..Reading::default()
+    };
+    assert!((rows(text, &scaled).step[0] - 5e-4).abs() < 1e-15);
+    // Digits beyond those of a number are none.
+    let all = "x,y,u,v\n0,0,0.30000000000000004441,0\n";
+    let [u, v] = rows(all, &Reading::default()).step;
+    assert!((u / (0.3 * f64::EPSILON) - 1.0).abs() < 1e-12 && v == 0.0);
+}

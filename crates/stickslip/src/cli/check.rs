@@ -5,6 +5,7 @@ use stickslip_laminate::Curvature;
 
 use super::SceneArguments;
 use super::console::Console;
+use super::experiment::{self, Kind, kind_of};
 use super::failure::Failure;
 use super::located::locate;
 use crate::model::{Model, ModelBodyKind};
@@ -18,8 +19,11 @@ const DEGREE: Unit = Unit {
     in_base: std::f64::consts::PI / 180.0,
 };
 
-/// Prints the resolved scene. The summary stands in comments, so that the output is a scene again.
+/// Prints the resolved scene, or what an experiment says. The summary of a scene stands in comments, so that the output is a scene again.
 pub(super) fn check(arguments: &SceneArguments, console: Console) -> Result<(), Failure> {
+    if kind_of(&arguments.scene) == Some(Kind::Experiment) {
+        return experiment::check(&arguments.scene, &arguments.overrides, console);
+    }
     let scene = arguments.read()?;
     let model = Model::build(&scene).map_err(|error| locate(&scene, &error))?;
     let outline = outline(&scene, &model);

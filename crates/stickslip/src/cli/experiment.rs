@@ -1,19 +1,23 @@
 //! `stickslip fringes`, `reduce`, `hybrid` and `identify`: an experiment to one depth of its chain.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use miette::Diagnostic;
+use serde_json::json;
 use stickslip_report::folder::{FolderError, Overwrite, ResultFolder};
 use thiserror::Error;
 
 use super::console::Console;
-use super::failure::Failure;
+use super::failure::{CommandError, Failure};
 use super::interrupt::guarded;
 use super::run::located;
+use crate::diagnostic::{SceneError, SourceText};
 use crate::experiment::chain::{Depth, tell};
 use crate::experiment::story::StoryError;
 use crate::experiment::{Experiment, ExperimentError};
+use crate::scene::Format;
+use crate::scene::document::Document;
 
 #[derive(Debug, Args)]
 pub(super) struct ExperimentArguments {
@@ -52,6 +56,10 @@ pub(super) fn experiment(
     depth: Depth,
     console: Console,
 ) -> Result<(), Failure> {
+    if kind_of(&arguments.experiment) == Some(Kind::Scene) {
+        let path = arguments.experiment.display().to_string();
+        return Err(CommandError::SceneGiven { path }.into());
+    }
     let experiment = Experiment::from_file(&arguments.experiment, &arguments.overrides)?;
     let overwrite = if arguments.force {
         Overwrite::Force
@@ -61,16 +69,65 @@ pub(super) fn experiment(
     let path = arguments.folder();
     let folder =
         guarded(console, || ResultFolder::create(&path, overwrite)).map_err(KeepError::from)?;
-    let story = tell(&experiment, depth, &mut |_| ()).map_err(|error| match &error {
-        ExperimentError::Run(cause) => match &experiment.specimen.scene {
-            Some(own) => located(&own.scene, cause),
-            None => error.located(&experiment),
-        },
-        _ => error.located(&experiment),
-    })?;
+    let told = tell(&experiment, depth, folder.path(), &mut |_| ());
+    let story = told.map_err(|error| at_its_line(&experiment, &error))?;
     let (answers, summary) = (story.text_answers(), story.summary());
     let path = story.write(folder).map_err(KeepError::from)?;
     let text = || format!("{answers}\nresults in {}\n", path.display());
+    console.result(text, &summary)
+}
+
+/// The error at its line, in the experiment or in its scene.
+fn at_its_line(experiment: &Experiment, error: &ExperimentError) -> SceneError {
+    match (error, &experiment.specimen.scene) {
+        (ExperimentError::Run(cause), Some(own)) => located(&own.scene, cause),
+        _ => error.located(experiment),
+    }
+}
+
+/// What a file is by its tables.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Scene,
+    Experiment,
+}
+
+/// What a file is, if it can be read so far.
+pub(super) fn kind_of(path: &Path) -> Option<Kind> {
+    let source = SourceText {
+        name: String::new(),
+        text: std::fs::read_to_string(path).ok()?,
+    };
+    let document = Document::parse(source, Format::of_path(path)).ok()?;
+    let has = |key: &str| document.root.get(key).is_some();
+    if has("specimen") {
+        Some(Kind::Experiment)
+    } else if has("bodies") {
+        Some(Kind::Scene)
+    } else {
+        None
+    }
+}
+
+/// Checks an experiment: what it says, its data files, that they cover its region, and that this can be analysed.
+pub(super) fn check(path: &Path, overrides: &[String], console: Console) -> Result<(), Failure> {
+    let experiment = Experiment::from_file(path, overrides)?;
+    let refuse = |error: ExperimentError| at_its_line(&experiment, &error);
+    let checked = crate::experiment::check::check(&experiment).map_err(refuse)?;
+    let text = || {
+        let line = |(name, text): &(&str, String)| format!("{name:10} {text}");
+        let lines: Vec<String> = checked.iter().map(line).collect();
+        lines.join("\n") + "\n"
+    };
+    let lines: Vec<_> = (checked.iter())
+        .map(|(name, text)| json!({ "what": name, "text": text }))
+        .collect();
+    let summary = json!({
+        "experiment": experiment.source_name,
+        "title": experiment.title,
+        "hash": experiment.hash,
+        "checked": lines,
+    });
     console.result(text, &summary)
 }
 

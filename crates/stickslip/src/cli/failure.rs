@@ -26,6 +26,25 @@ pub(super) enum CommandError {
         help("check that its folder exists and can be written to")
     )]
     Write { path: String, cause: String },
+    /// A scene where an experiment is asked for.
+    #[error("'{path}' is a scene, not an experiment")]
+    #[diagnostic(
+        code(experiment::scene),
+        help(
+            "`stickslip run {path}` solves it; an experiment names it by [specimen] scene = \"…\", and `stickslip init experiment` writes one"
+        )
+    )]
+    SceneGiven { path: String },
+    /// An experiment where a scene is asked for.
+    #[error("'{path}' is an experiment, not a scene")]
+    #[diagnostic(
+        code(run::experiment),
+        help(
+            "`stickslip reduce {path}` makes its measured fields, `stickslip hybrid` edge stresses too, `stickslip identify` friction too; \
+             `stickslip check` checks it"
+        )
+    )]
+    ExperimentGiven { path: String },
     /// Arguments that make no sense.
     #[error("{message}")]
     #[diagnostic(code(command::usage), help("{usage}"))]

@@ -12,7 +12,8 @@ use thiserror::Error;
 
 use super::SceneArguments;
 use super::console::Console;
-use super::failure::Failure;
+use super::experiment::{Kind, kind_of};
+use super::failure::{CommandError, Failure};
 use super::interrupt::guarded;
 use super::located::locate;
 use crate::diagnostic::{SceneError, SceneProblem};
@@ -57,6 +58,10 @@ enum KeepError {
 
 /// Solves the scene. The folder is made first, so that a long run does not end in front of a closed door.
 pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Failure> {
+    if kind_of(&arguments.scene.scene) == Some(Kind::Experiment) {
+        let path = arguments.scene.scene.display().to_string();
+        return Err(CommandError::ExperimentGiven { path }.into());
+    }
     let scene = arguments.scene.read()?;
     let overwrite = if arguments.force {
         Overwrite::Force

@@ -6,11 +6,13 @@
 //!
 //! Errors of neighbouring data may go together (a phase from a band of the spectrum, speckles of several pixels), and the fit, which is
 //! smoother than their spacing, sees only what is left of them in the mean. s² is therefore the χ² of the means of blocks of
-//! neighbouring residuals over its degrees of freedom. b is the bias that smoothing is estimated to leave: a declared systematic
+//! neighbouring residuals over its degrees of freedom, but at least what makes the deviation that was stated, or that of the digits'
+//! rounding: residuals of smoothed data are small whatever their errors, those of calculated ones vanish. b is the bias that smoothing is estimated to leave: a declared systematic
 //! deviation, not a correction.
 
 mod edge;
 pub(super) mod figures;
+mod held_out;
 mod imported;
 mod region;
 pub(super) mod scale;
@@ -31,7 +33,7 @@ pub use region::Workbench;
 pub(super) use tell::tell;
 pub use truth::{TruePlace, true_edge};
 
-/// One of so many places is kept out of a fit, to check it.
+/// One of so many places is kept out of a fit, to check it; evenly over the plane.
 pub const UNUSED: usize = 16;
 
 /// Edge stresses of one state.
@@ -84,6 +86,8 @@ pub struct FitFacts {
     pub data: usize,
     /// χ² of the residuals with the stated deviations.
     pub residual: f64,
+    /// s² as residuals alone say; [`Analysed::scale`] is larger where a deviation was stated, or digits are coarse.
+    pub of_residuals: f64,
 }
 
 /// Measured less calculated displacement at a place.

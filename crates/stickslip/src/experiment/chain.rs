@@ -1,5 +1,7 @@
 //! The chain of stages, to the depth that a command asks for.
 
+use std::path::Path;
+
 use super::analysed;
 use super::error::ExperimentError;
 use super::gallery::Gallery;
@@ -26,13 +28,15 @@ pub enum Depth {
     Identify,
 }
 
-/// Goes through the stages of `experiment` and tells of them.
+/// Goes through the stages of `experiment` and tells of them. Files of the story that name others do so from `folder`, where it will be
+/// written.
 ///
 /// # Errors
 /// [`ExperimentError`] of the stage that fails.
 pub fn tell(
     experiment: &Experiment,
     depth: Depth,
+    folder: &Path,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Story, ExperimentError> {
     let mut story = Story::new(experiment);
@@ -44,7 +48,12 @@ pub fn tell(
             remedy: "give a state the load step of a scene, step = 1; measured states are read by `stickslip reduce`".to_owned(),
         });
     }
-    let fields = measured(experiment, depth, truth.as_ref(), &mut story, progress)?;
+    let stage = Stage {
+        experiment,
+        depth,
+        folder,
+    };
+    let fields = measured(&stage, truth.as_ref(), &mut story, progress)?;
     if depth < Depth::Hybrid {
         return Ok(story);
     }
@@ -96,10 +105,20 @@ fn truth(
     }
 }
 
+/// What is gone through, how far, and where its results will be.
+struct Stage<'a> {
+    experiment: &'a Experiment,
+    depth: Depth,
+    folder: &'a Path,
+}
+
 /// Pictures and measured fields, state by state, so that only one state's pictures are held at a time.
 fn measured(
-    experiment: &Experiment,
-    depth: Depth,
+    &Stage {
+        experiment,
+        depth,
+        folder,
+    }: &Stage<'_>,
     truth: Option<&Truth>,
     story: &mut Story,
     progress: &mut dyn FnMut(Progress),
@@ -123,7 +142,7 @@ fn measured(
         }
     }
     if let Some(camera) = &camera {
-        gallery.tell(camera, story);
+        gallery.tell(camera, folder, story);
     }
     if depth >= Depth::Reduce {
         measured::tell(experiment, &fields, story);

@@ -53,12 +53,16 @@ pub enum ExperimentError {
         cause: Box<DataError>,
     },
     /// Fringe pictures that cannot be made or read.
-    #[error("state '{state}', {field} field: {cause}")]
+    #[error("state '{state}', {field} field{file}: {cause}{hint}")]
     Fringes {
         /// Name of the state.
         state: String,
         /// U, V, or both.
         field: &'static str,
+        /// The picture in words, ", 'up-u.png'"; empty for synthetic ones.
+        file: String,
+        /// What else was found, in words; may be empty.
+        hint: String,
         /// Key of the pictures.
         key: String,
         /// What is wrong.
@@ -153,10 +157,22 @@ impl ExperimentError {
             }
             Self::Missing { remedy, .. } => return remedy.clone(),
             Self::File { .. } => "paths are relative to the folder of the experiment file",
-            Self::Data { .. } => {
-                "`stickslip list presets` shows the columns of each preset; columns = { u = \"…\" } names others"
-            }
+            Self::Data { cause, .. } => match cause.as_ref() {
+                DataError::MissingColumn { .. } | DataError::RepeatedColumn { .. } => {
+                    "`stickslip list presets` shows the columns of each preset; columns = { u = \"…\" } names others"
+                }
+                _ => "correct the file, or what the experiment says of it",
+            },
             Self::Fringes { cause, .. } => match cause.as_ref() {
+                FringeError::File(_) | FringeError::Colour(_) => {
+                    "save the picture as PNG or TIFF in grey, 8 or 16 bits: `magick photo.jpg -colorspace Gray -depth 8 up-u.png`"
+                }
+                FringeError::Frames(_) => {
+                    "pictures of one state, and of its null field, need the same pixels: state them with one pixel, top_left and size"
+                }
+                FringeError::CarrierRange { .. } => {
+                    "check carrier and pixel: a carrier counts fringes per length, not per pixel"
+                }
                 FringeError::NoCarrier { .. } | FringeError::Crowded { .. } => {
                     "look at the picture: fringes must not turn back; four = pictures with shifted phase need no carrier"
                 }

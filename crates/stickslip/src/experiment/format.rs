@@ -11,7 +11,8 @@ use crate::scene::UnitsFormat;
 use crate::units::{Angle, Length, PerLength, Quantity};
 
 pub(super) use settings::{
-    IdentifyFormat, LawFormat, MaskFormat, MethodFormat, ReduceFormat, RegionFormat, SymmetryFormat,
+    IdentifyFormat, LawFormat, MaskFormat, MethodFormat, OutliersFormat, ReduceFormat,
+    RegionFormat, SymmetryFormat,
 };
 pub(super) use states::{
     AxisFormat, ColumnsFormat, DirectionFormat, FilesFormat, LinesFormat, PicturesFormat,

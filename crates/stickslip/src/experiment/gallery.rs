@@ -2,6 +2,8 @@
 
 mod restart;
 
+use std::path::Path;
+
 use stickslip_hybrid::data::Field;
 use stickslip_hybrid::fringe::PixelMap;
 use stickslip_report::FigureError;
@@ -131,7 +133,7 @@ impl<'a> Gallery<'a> {
     }
 
     /// Puts the gallery on the page, and the experiment file that restarts from its pictures into the folder.
-    pub(super) fn tell(mut self, camera: &Camera<'_>, story: &mut Story) {
+    pub(super) fn tell(mut self, camera: &Camera<'_>, folder: &Path, story: &mut Story) {
         story.section("Fringe pictures");
         story.text(self.words(camera));
         story.table(self.table());
@@ -153,7 +155,7 @@ impl<'a> Gallery<'a> {
         story.file(
             "measured.toml",
             "an experiment file that reads these pictures as measured ones",
-            restart::text(experiment, camera).into_bytes(),
+            restart::text(experiment, camera, folder).into_bytes(),
         );
         story.answer(
             "Fringe pictures",

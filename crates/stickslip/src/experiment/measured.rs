@@ -9,6 +9,7 @@
 
 mod combine;
 mod coverage;
+mod elsewhere;
 mod figures;
 mod lines;
 mod phase;
@@ -41,10 +42,32 @@ pub struct Measured {
     pub pictures: [Option<PictureField>; 2],
     /// Front against back along the chosen line, U and V, before the null field is taken off.
     pub symmetry: Vec<(Field, Symmetry)>,
+    /// Indices of the places of a table that are masked as outliers.
+    pub outliers: Vec<usize>,
+    /// Standard deviation `[mm]` that errors of U and V have at least, whatever residuals say: as stated, or as digits are rounded; 0
+    /// where nothing says.
+    pub floor: [f64; 2],
     /// What was assumed or left out.
     pub remarks: Vec<String>,
     /// What a reader must know before trusting the field.
     pub warnings: Vec<String>,
+}
+
+impl Measured {
+    /// A field of displacements that is known in full, without lines, pictures or remarks.
+    pub fn new(state: usize, measurement: Measurement) -> Self {
+        Self {
+            state,
+            measurement,
+            lines: None,
+            pictures: [None, None],
+            symmetry: Vec::new(),
+            outliers: Vec::new(),
+            floor: [0.0; 2],
+            remarks: Vec::new(),
+            warnings: Vec::new(),
+        }
+    }
 }
 
 /// One field as its pictures show it.
@@ -206,6 +229,8 @@ impl Scope<'_> {
         ExperimentError::Fringes {
             state: self.name(),
             field,
+            file: String::new(),
+            hint: String::new(),
             key: self.key.clone(),
             cause: Box::new(cause),
         }
@@ -238,11 +263,8 @@ impl Scope<'_> {
 /// A source as it was read, before anything is taken off.
 #[derive(Clone, Debug)]
 enum Reading {
-    /// Displacements at places, and whether their deviation was estimated.
-    Scattered {
-        measurement: Measurement,
-        remarks: Vec<String>,
-    },
+    /// Displacements at places of a table.
+    Scattered(table::Scattered),
     /// Orders at the pixels of the U and the V field.
     Pictures(Box<[Option<phase::Unwound>; 2]>),
     /// Fringe lines of the U and the V field, and the deviation of an order `[fringes]`.

@@ -218,6 +218,14 @@ pub struct State {
     pub back: Option<Source>,
 }
 
+impl State {
+    /// Whether any of its data are a table.
+    pub fn has_table(&self) -> bool {
+        let also = self.null.iter().chain(&self.back);
+        (also.chain([&self.source])).any(|source| matches!(source, Source::Table(_)))
+    }
+}
+
 /// Where data come from.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Source {

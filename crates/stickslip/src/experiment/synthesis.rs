@@ -83,6 +83,8 @@ impl<'a> Camera<'a> {
         let refused = |cause| ExperimentError::Fringes {
             state: "all".to_owned(),
             field: "U and V",
+            file: String::new(),
+            hint: String::new(),
             key: "fringes".to_owned(),
             cause: Box::new(cause),
         };
@@ -161,6 +163,8 @@ impl<'a> Camera<'a> {
                 .map_err(|cause| ExperimentError::Fringes {
                     state: self.experiment.states[state].name.clone(),
                     field: field_name(field),
+                    file: String::new(),
+                    hint: String::new(),
                     key: "fringes.window".to_owned(),
                     cause: Box::new(cause),
                 })
@@ -232,6 +236,8 @@ impl<'a> Camera<'a> {
                 let bytes = bytes.map_err(|cause| ExperimentError::Fringes {
                     state: self.experiment.states[state].name.clone(),
                     field: field_name(field),
+                    file: String::new(),
+                    hint: String::new(),
                     key: "fringes".to_owned(),
                     cause: Box::new(cause),
                 })?;

@@ -159,7 +159,7 @@ pub(crate) fn short(value: f64) -> String {
 }
 
 /// `digits` significant digits for a reader; whole numbers are not cut below 10⁶.
-pub(super) fn significant(value: f64, digits: usize) -> String {
+pub(crate) fn significant(value: f64, digits: usize) -> String {
     if value == 0.0 {
         return "0".into();
     }

@@ -207,3 +207,43 @@ fn an_experiment_without_synthetic_states_has_no_pictures_to_make() {
     );
     assert!(!folder.path().join("e-results").exists());
 }
+
+/// The scene, a mesh and the pictures are found again when all are moved together; a line of symmetry goes with its backs.
+#[test]
+fn the_experiment_written_beside_pictures_moves_with_its_folder() {
+    let text = format!(
+        "{FRINGES}{STATES}back.table = {{ file = \"back.csv\", scale = \"1 mm\", y_axis = \"up\", deviation = \"1e-4 mm\" }}\n\
+         [reduce]\nsymmetry = {{ from = [\"7 mm\", \"0 mm\"], to = [\"9 mm\", \"1 mm\"], tolerance = 1e9 }}\n"
+    );
+    let back = super::grid("x,y,u,v", |x, y| [1e-3 * x, 1e-3 * y]);
+    let folder = folder_with(&[("back.csv", &back)]);
+    let inner = folder.path().join("first/scenes");
+    fs::create_dir_all(&inner).unwrap();
+    for (name, text) in [
+        ("scene.toml", SCENE),
+        ("e.toml", &text),
+        ("back.csv", &back),
+    ] {
+        fs::write(inner.join(name), text).unwrap();
+    }
+    let from = folder.path().join("first");
+    succeeds(
+        &from,
+        &["fringes", "scenes/e.toml", "--output", "out/pictures"],
+    );
+    let written = fs::read_to_string(from.join("out/pictures/measured.toml")).unwrap();
+    assert!(
+        written.contains("scene = \"../../scenes/scene.toml\""),
+        "{written}"
+    );
+    assert!(
+        !written.contains("symmetry") && !written.contains("back"),
+        "{written}"
+    );
+    let moved = folder.path().join("elsewhere");
+    fs::rename(&from, &moved).unwrap();
+    succeeds(
+        &moved,
+        &["reduce", "out/pictures/measured.toml", "--output", "read"],
+    );
+}

@@ -2,10 +2,12 @@
 
 mod backs;
 mod chain;
+mod commands;
 mod friction;
 mod margins;
 mod pictures;
 mod refusals;
+mod stresses;
 mod tables;
 
 use std::fmt::Write as _;

@@ -253,3 +253,35 @@ fn warnings_of_the_back_are_told() {
         "{summary}"
     );
 }
+
+/// Which file it is, what it should be, and where the fringes are that were looked for elsewhere.
+#[test]
+fn pictures_that_are_refused_are_named_with_a_remedy() {
+    let folder = folder_with(&[("e.toml", &experiment(CARRIER)), ("u.png", "no picture")]);
+    let path = folder.path();
+    let error = fails(path, &["reduce", "e.toml"]);
+    for part in [
+        "U field, 'u.png'",
+        "PNG or TIFF in grey, 8 or 16",
+        "-colorspace Gray",
+    ] {
+        assert!(error.contains(part), "{part}: {error}");
+    }
+    write(&path.join("u.png"), Some(&|x, _| 9.0 * x));
+    let error = fails(path, &["reduce", "e.toml"]);
+    let error = error
+        .split_whitespace()
+        .filter(|word| *word != "│")
+        .collect::<Vec<_>>();
+    let error = error.join(" ");
+    for part in [
+        "'u.png'",
+        "carrier stated is (4, 0) fringes/mm",
+        "strongest fringes have (9.0",
+    ] {
+        assert!(error.contains(part), "{part}: {error}");
+    }
+    let per_pixel = "states.0.pictures.carrier={ u = [\"0.2 1/mm\", \"0 1/mm\"], v = [\"0 1/mm\", \"0.2 1/mm\"] }";
+    let error = fails(path, &["reduce", "e.toml", "--set", per_pixel]);
+    assert!(error.contains("not per pixel"), "{error}");
+}

@@ -216,3 +216,159 @@ fn a_null_field_that_lacks_a_component_is_refused() {
     std::fs::write(folder.path().join("up.csv"), u_alone).unwrap();
     succeeds(folder.path(), &["reduce", "e.toml"]);
 }
+
+/// Two gross errors, one of each kind people meet: a slipped decimal point, and a correlation that failed.
+#[test]
+fn outliers_of_a_table_are_masked_and_told_of() {
+    let spoil = |text: &str| {
+        let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+        for (line, u) in [(101, "0.5"), (203, "-0.01")] {
+            let cells: Vec<&str> = lines[line - 1].split(',').collect();
+            lines[line - 1] = format!("{},{},{u},{}", cells[0], cells[1], cells[3]);
+        }
+        lines.join("\n") + "\n"
+    };
+    let clean = grid("x,y,u,v", linear);
+    let folder = folder_with(&[("e.toml", TABLE), ("up.csv", &spoil(&clean))]);
+    let path = folder.path();
+    let reduce = |output: &str, set: &str| {
+        let arguments = ["reduce", "e.toml", "--output", output, "--set", set];
+        succeeds(path, &arguments)
+    };
+    let summary = reduce("default", "version=1");
+    let measured = &summary["measured"][0];
+    assert_eq!(measured["outliers"], 2, "{summary}");
+    let places = measured["u"]["places"].as_u64().unwrap();
+    for field in ["u", "v"] {
+        assert_eq!(measured[field]["valid"].as_u64().unwrap(), places - 2);
+    }
+    let warning = summary["warnings"][0].as_str().unwrap();
+    for part in [
+        "2 of",
+        "up.csv",
+        "line 101",
+        "U = 0.5 mm",
+        "outliers = false",
+    ] {
+        assert!(warning.contains(part), "{part}: {warning}");
+    }
+    let page = fs::read_to_string(path.join("default/index.html")).unwrap();
+    assert!(page.contains("as outliers") && page.contains("outliers, masked: 2"));
+    for row in numbers(&path.join("default/measured-up.csv")) {
+        if !row[2].is_nan() {
+            assert!(
+                (row[2] - linear(row[0], row[1])[0]).abs() < 1e-12,
+                "{row:?}"
+            );
+        }
+    }
+    for (output, set, expected) in [
+        ("off", "reduce.outliers=false", Some(0)),
+        ("on", "reduce.outliers=true", Some(2)),
+        ("coarse", "reduce.outliers=1e9", Some(0)),
+    ] {
+        let summary = reduce(output, set);
+        assert_eq!(
+            summary["measured"][0]["outliers"].as_u64(),
+            expected,
+            "{set}"
+        );
+        assert_eq!(
+            summary["warnings"].as_array().unwrap().is_empty(),
+            expected == Some(0)
+        );
+    }
+    for wrong in ["0.0", "-3", "\"many\""] {
+        let set = format!("reduce.outliers={wrong}");
+        let error = fails(path, &["reduce", "e.toml", "--output", "no", "--set", &set]);
+        assert!(
+            error.contains("outliers") && error.contains("false"),
+            "{error}"
+        );
+    }
+}
+
+/// The null field's outliers are told of as its own.
+#[test]
+fn outliers_of_a_null_field_are_told_of_as_its_own() {
+    let null = "null.table = { file = \"initial.csv\", scale = \"1 mm\", y_axis = \"up\", deviation = \"1e-4 mm\" }\n";
+    let initial = grid("x,y,u,v", |x, y| {
+        let [u, v] = linear(x, y);
+        [u, if [x, y] == [7.0, 3.0] { 1.0 } else { v }]
+    });
+    let folder = folder_with(&[
+        ("e.toml", &format!("{TABLE}{null}")),
+        (
+            "up.csv",
+            &grid("x,y,u,v", |x, y| linear(x, y).map(|u| 3.0 * u)),
+        ),
+        ("initial.csv", &initial),
+    ]);
+    let summary = succeeds(folder.path(), &["reduce", "e.toml"]);
+    assert_eq!(summary["measured"][0]["outliers"], 0);
+    let warning = summary["warnings"][0].as_str().unwrap();
+    assert!(
+        warning.contains("The null field: 1 of") && warning.contains("V = 1 mm"),
+        "{warning}"
+    );
+    for row in numbers(&folder.path().join("e-results/measured-up.csv")) {
+        // Interpolated over the gap.
+        let v = linear(row[0], row[1])[1];
+        assert!(
+            row[3].is_nan() || (row[3] - 2.0 * v).abs() < 1e-12,
+            "{row:?}"
+        );
+    }
+}
+
+/// Places of the null field elsewhere: how far, and what to do about it.
+#[test]
+fn a_null_field_measured_elsewhere_is_refused_with_a_remedy() {
+    let null = "null.table = { file = \"initial.csv\", scale = \"1 mm\", y_axis = \"up\", deviation = \"1e-4 mm\", origin = [0.5, 0] }\n";
+    let folder = folder_with(&[
+        (
+            "e.toml",
+            &format!("{TABLE}{null}[reduce]\ncommon_places = \"0.1 mm\"\n"),
+        ),
+        ("up.csv", &grid("x,y,u,v", linear)),
+        ("initial.csv", &grid("x,y,u,v", linear)),
+    ]);
+    let path = folder.path();
+    let error = fails(path, &["reduce", "e.toml"]);
+    for part in [
+        "common_places = 0.1 mm",
+        "0.5 mm apart",
+        "leave common_places out",
+        "e.toml:9",
+    ] {
+        assert!(error.contains(part), "{part}: {error}");
+    }
+    let far = [
+        "reduce",
+        "e.toml",
+        "--set",
+        "states.0.null.table.origin=[100, 0]",
+    ];
+    let elsewhere = [&far[..], &["--set", "reduce.common_places=0.1 mm"]].concat();
+    assert!(fails(path, &elsewhere).contains("apart"));
+    let text = fs::read_to_string(path.join("e.toml")).unwrap();
+    let interpolated = text.replace("common_places = \"0.1 mm\"", "");
+    fs::write(path.join("e.toml"), interpolated).unwrap();
+    let error = fails(path, &far);
+    for part in ["x = −112 … −88 mm", "check scale, origin and y_axis"] {
+        assert!(error.contains(part), "{part}: {error}");
+    }
+}
+
+/// U and V, as everywhere, not numbers of components.
+#[test]
+fn components_are_named_in_errors() {
+    let text = "x,y,u,v\n6,0,1e-3,1e-3\n7,0,1e-3,1e-3\n8,0,1e-3,1e-3\n9,1,1e-3,\n";
+    let folder = folder_with(&[
+        ("e.toml", &TABLE.replace(", deviation = \"1e-4 mm\"", "")),
+        ("up.csv", text),
+    ]);
+    let error = fails(folder.path(), &["reduce", "e.toml"]);
+    assert!(error.contains("U is valid at"), "{error}");
+    assert!(error.contains("deviation"), "{error}");
+}

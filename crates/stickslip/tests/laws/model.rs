@@ -70,15 +70,7 @@ fn read(text: &str) -> Result<Experiment, String> {
 fn as_measured(fields: Vec<Measurement>) -> Vec<Measured> {
     let numbered = fields.into_iter().enumerate();
     numbered
-        .map(|(state, measurement)| Measured {
-            state,
-            measurement,
-            lines: None,
-            pictures: [None, None],
-            symmetry: Vec::new(),
-            remarks: Vec::new(),
-            warnings: Vec::new(),
-        })
+        .map(|(state, measurement)| Measured::new(state, measurement))
         .collect()
 }
 

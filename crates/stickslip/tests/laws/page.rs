@@ -65,15 +65,7 @@ fn fields() -> Vec<Measured> {
     let all = measured_fields(&truth, Arc::from(law(text)), &[6, 9], &places, 0.25, 1);
     let numbered = all.into_iter().enumerate();
     numbered
-        .map(|(state, measurement)| Measured {
-            state,
-            measurement,
-            lines: None,
-            pictures: [None, None],
-            symmetry: Vec::new(),
-            remarks: Vec::new(),
-            warnings: Vec::new(),
-        })
+        .map(|(state, measurement)| Measured::new(state, measurement))
         .collect()
 }
 

@@ -66,15 +66,7 @@ fn the_whole_plate_balances_its_load_and_tells_the_friction_of_the_truth() {
     };
     let whole = coefficient(state.edge());
     // The localized analysis of the same data: a sector every side of which is measured.
-    let fields = Measured {
-        state: 0,
-        measurement: data,
-        lines: None,
-        pictures: [None, None],
-        symmetry: Vec::new(),
-        remarks: Vec::new(),
-        warnings: Vec::new(),
-    };
+    let fields = Measured::new(0, data);
     let localized = coefficient(analysed::all(&experiment, &[fields]).unwrap().remove(0));
     assert!((whole - 0.25).abs() < 0.01, "{whole}");
     assert!((localized - 0.25).abs() < 0.015, "{localized}");

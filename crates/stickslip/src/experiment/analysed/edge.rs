@@ -13,6 +13,9 @@ use super::Analysed;
 
 /// Deviations by which a pressure has to exceed zero, and part of the largest, to count as contact.
 const CONTACT: [f64; 2] = [3.0, 0.05];
+/// Part of the largest hoop stress that the largest pressure has to exceed as well: what noise and smoothing leave on the edge of an
+/// open hole does not.
+const OPEN: f64 = 0.03;
 /// Cells between the last place in contact and the part of the edge that is taken as free.
 const CELLS_BEYOND: f64 = 2.0;
 
@@ -137,7 +140,8 @@ impl Analysed {
             .max_by(|a, b| pressure[*a].total_cmp(&pressure[*b]))?;
         let least = |k: usize| (CONTACT[0] * deviation[k]).max(CONTACT[1] * pressure[peak]);
         let bears = |k: &usize| pressure[*k] > least(*k);
-        if !bears(&peak) {
+        let hoop = inner.clone().map(|k| self.hoop[k].abs());
+        if !bears(&peak) || pressure[peak] < OPEN * hoop.fold(0.0, f64::max) {
             return None;
         }
         let last = (peak..inner.end).take_while(bears).last()?;

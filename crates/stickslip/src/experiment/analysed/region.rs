@@ -16,9 +16,10 @@ use stickslip_hybrid::region::transfer::Propagated;
 use stickslip_hybrid::region::{Region, RegionError};
 
 use super::edge::Edge;
+use super::held_out::split;
 use super::imported;
-use super::scale::{Residual, scale};
-use super::{Analysed, FitFacts, MisfitAt, UNUSED};
+use super::scale::{Residual, least_scale, scale};
+use super::{Analysed, FitFacts, MisfitAt};
 use crate::experiment::error::ExperimentError;
 use crate::experiment::measured::Measured;
 use crate::experiment::plan::{Experiment, Method, RegionPlan, RegionShape, Source};
@@ -184,7 +185,7 @@ impl<'a> Workbench<'a> {
     ) -> Result<Boundary, ExperimentError> {
         let reduced = match self.experiment.reduce.method {
             Method::Fit => {
-                let fitted = self.fitted(used);
+                let fitted = self.fitted(used, measured.floor);
                 return fitted.map_err(|cause| self.refuse(measured, cause));
             }
             Method::Linear { longest_side } => {
@@ -249,12 +250,14 @@ impl<'a> Workbench<'a> {
             })
     }
 
-    fn fitted(&self, used: &Measurement) -> Result<Boundary, RegionError> {
+    /// The fit to all data, whose errors have at least the deviations `floor`.
+    fn fitted(&self, used: &Measurement, floor: [f64; 2]) -> Result<Boundary, RegionError> {
         let smoothing = self.plan.smoothing;
         let fitter = Fitter::new(&self.region, used, smoothing.order)?;
         let mut fit = fitter.fit(&used.displacements, smoothing.amount)?;
         let residuals = self.residuals(used, &fit.displacements)?;
-        let scale = scale(&residuals, fit.parameters);
+        let of_residuals = scale(&residuals, fit.parameters);
+        let scale = of_residuals.max(least_scale(used.deviation, floor));
         for entry in &mut fit.displacements.covariance {
             *entry *= scale;
         }
@@ -268,6 +271,7 @@ impl<'a> Workbench<'a> {
                 kept: self.kept(&fit.kept),
                 data: fit.data,
                 residual: fit.residual,
+                of_residuals,
             }),
             displacements: fit.displacements,
         })
@@ -395,18 +399,4 @@ impl Boundary {
             scale: 1.0,
         }
     }
-}
-
-/// The places that are used, and one of [`UNUSED`] that is kept out.
-fn split(all: &Measurement) -> (Measurement, Measurement) {
-    let part = |kept_out: bool| {
-        let mut part = all.clone();
-        for valid in &mut part.valid {
-            for (k, valid) in valid.iter_mut().enumerate() {
-                *valid &= (k % UNUSED == UNUSED / 2) == kept_out;
-            }
-        }
-        part
-    };
-    (part(false), part(true))
 }

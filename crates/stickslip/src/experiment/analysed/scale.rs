@@ -48,6 +48,13 @@ pub(in crate::experiment) fn scale(residuals: &[Residual], parameters: f64) -> f
     }
 }
 
+/// The scale at which errors have the deviations `floor`, where `deviation` are those that residuals were divided by.
+pub(super) fn least_scale(deviation: [f64; 2], floor: [f64; 2]) -> f64 {
+    let parts = floor.into_iter().zip(deviation);
+    let squares = parts.map(|(least, deviation)| (least / deviation).powi(2));
+    squares.fold(0.0, f64::max)
+}
+
 /// Edge of a square that holds as many data as a block should.
 fn block_size(residuals: &[&Residual]) -> Option<f64> {
     let mut area = 0.0;
@@ -95,6 +102,13 @@ mod tests {
         let found = scale(&field(120, |i, j| noise(121 * i + j)), 0.0);
         // About 1600 blocks: √(2/1600), to three deviations.
         assert!((found - 1.0).abs() < 0.11, "{found}");
+    }
+
+    #[test]
+    fn the_least_scale_is_that_of_the_component_that_needs_it_most() {
+        assert_eq!(least_scale([2.0, 4.0], [1.0, 4.0]), 1.0);
+        assert_eq!(least_scale([2.0, 4.0], [0.0, 1.0]), 0.0625);
+        assert_eq!(least_scale([1e-4; 2], [0.0; 2]), 0.0);
     }
 
     #[test]

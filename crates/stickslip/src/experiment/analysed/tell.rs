@@ -6,10 +6,10 @@ use stickslip_report::table::{Column, Table};
 
 use super::truth::{TruePlace, true_edge};
 use super::{Analysed, UNUSED, figures};
-use crate::experiment::plan::{Experiment, Method, RegionShape};
+use crate::experiment::plan::{Experiment, Method, RegionShape, Source};
 use crate::experiment::story::{Story, csv_table};
 use crate::experiment::truth::Truth;
-use crate::output::short;
+use crate::output::{short, significant};
 
 /// Standard deviations above its mean at which a χ² is told of as too large.
 const LARGE: f64 = 4.0;
@@ -27,8 +27,11 @@ pub(in crate::experiment) fn tell(
 ) {
     story.section("Edge stresses");
     story.text(words(experiment));
-    story.table(table(experiment, analysed));
+    story.table(stresses(experiment, analysed));
+    story.table(checks(experiment, analysed));
     for found in analysed {
+        let name = &experiment.states[found.state].name;
+        story.answer(&format!("State '{name}'"), answer(experiment, found));
         let truth = true_edge(experiment, truth, found.state);
         state(experiment, found, &truth, story);
     }
@@ -40,8 +43,7 @@ fn words(experiment: &Experiment) -> String {
     let how = match experiment.reduce.method {
         Method::Fit => {
             "The displacements of the region's boundary are fitted to all data with equilibrium inside and the stated smoothing along \
-             the boundary. The noise factor is the variance of means of neighbouring residuals over that of independent ones: errors \
-             of neighbouring data go together, and the fit sees what is left of them in the mean. "
+             the boundary. "
         }
         Method::Linear { .. } | Method::Polynomial { .. } | Method::Lines { .. } => {
             "The displacements of the region's boundary are interpolated between the data. "
@@ -62,8 +64,9 @@ fn words(experiment: &Experiment) -> String {
     format!(
         "A region of finite elements moves at its boundary as measured and is in balance inside; its stresses on the edge are linear in \
          the data, so that their covariance is exact. {place}{how}Bands hold the noise and, as a declared systematic deviation, the estimated \
-         bias of the smoothing; the error of the mesh is not in them; friction is identified on half of the cells too, to show it. θ is counted from +x towards +y. Balance \
-         is the force on the edge by its stresses against that by its nodes; the ends of the edge leave some per cent. One of {UNUSED} places is not used; the misfit there checks the data. Direct interpolation is what the \
+         bias of the smoothing; the error of the mesh is not in them, and friction is identified on half of the cells too, to show it. θ is counted from +x \
+         towards +y. \
+         One of {UNUSED} places, evenly over the plane, is not used and checks the others. Direct interpolation is what the \
          elements alone make of a local polynomial fit, without equilibrium."
     )
 }
@@ -100,7 +103,7 @@ fn state(experiment: &Experiment, found: &Analysed, truth: &[TruePlace], story: 
             ));
         }
     }
-    for warning in doubts(found) {
+    for warning in doubts(experiment, found) {
         story.warn(format!("State '{name}': {warning}"));
     }
     story.file(
@@ -111,7 +114,7 @@ fn state(experiment: &Experiment, found: &Analysed, truth: &[TruePlace], story: 
 }
 
 /// What makes the bands of a state doubtful.
-fn doubts(found: &Analysed) -> Vec<String> {
+fn doubts(experiment: &Experiment, found: &Analysed) -> Vec<String> {
     let mut doubts = Vec::new();
     let Some(fit) = &found.fit else {
         return doubts;
@@ -123,10 +126,16 @@ fn doubts(found: &Analysed) -> Vec<String> {
             fit.data, fit.parameters
         ));
     }
-    if !(FACTORS[0]..=FACTORS[1]).contains(&found.scale) {
+    let single = fit.residual / (fit.data as f64 - fit.parameters).max(1.0);
+    let least = fit.of_residuals.min(single);
+    let source = &experiment.states[found.state].source;
+    let pictured = matches!(source, Source::Step(_) | Source::Pictures(_));
+    if !pictured && least < FACTORS[0] {
+        doubts.push(smooth(experiment, found.state, least));
+    } else if !(FACTORS[0]..=FACTORS[1]).contains(&fit.of_residuals) {
         doubts.push(format!(
-            "the variance of the residuals is {} times the one stated; bands follow the residuals. Check the deviation.",
-            short(found.scale)
+            "the variance of the residuals is {} times that of the deviation; bands follow the residuals. Check the deviation.",
+            short(fit.of_residuals)
         ));
     }
     doubts
@@ -156,59 +165,154 @@ fn csv(experiment: &Experiment, found: &Analysed) -> Vec<u8> {
     csv_table(&header, rows)
 }
 
-fn table(experiment: &Experiment, analysed: &[Analysed]) -> Table {
+/// What it means that residuals are far below the deviation of the data.
+fn smooth(experiment: &Experiment, state: usize, of_residuals: f64) -> String {
+    let found = format!(
+        "the residuals have {} of the variance of the deviation",
+        short(of_residuals)
+    );
+    let is_stated = |source: &Source| match source {
+        Source::Table(table) => table.deviation.is_some(),
+        Source::Lines(_) => true,
+        Source::Step(_) | Source::Pictures(_) => false,
+    };
+    let plan = &experiment.states[state];
+    let mut sources = plan.null.iter().chain([&plan.source]);
+    if sources.all(is_stated) {
+        format!(
+            "{found} that was stated, which bands follow: smoothed data have small residuals whatever their errors are. If the data are not \
+             smoothed, state a smaller deviation; if they are, state the smoothing amount, which is found from residuals."
+        )
+    } else {
+        format!(
+            "{found} that was estimated: the data are calculated or smoothed, and bands hold what rounds their digits and the bias of \
+             smoothing, not the error of a measurement or of the mesh. State the deviation that the measurement has."
+        )
+    }
+}
+
+/// A largest stress and where it is.
+struct Largest {
+    value: f64,
+    deviation: f64,
+    angle: f64,
+}
+
+/// The largest pressure, and the shear and the hoop stress of the largest magnitude, at places that can be trusted.
+fn largest(found: &Analysed) -> [Option<Largest>; 3] {
+    let [pressure, shear] = found.deviations();
+    let of = |values: &[f64], deviations: &[f64], size: fn(f64) -> f64| {
+        let inner = found.inner();
+        let place = inner.max_by(|a, b| size(values[*a]).total_cmp(&size(values[*b])))?;
+        Some(Largest {
+            value: values[place],
+            deviation: deviations[place],
+            // Without minus zero.
+            angle: (1e4 * found.angle[place].to_degrees()).round() / 1e4 + 0.0,
+        })
+    };
+    [
+        of(&found.tractions.pressure, &pressure, |value| value),
+        of(&found.tractions.shear, &shear, f64::abs),
+        of(&found.hoop, &found.hoop_deviation, f64::abs),
+    ]
+}
+
+/// The stresses of a state in one line.
+fn answer(experiment: &Experiment, found: &Analysed) -> String {
+    let unit = experiment.display.stress;
+    let names = ["peak pressure", "largest shear τ_rθ", "largest hoop stress"];
+    let parts = names.into_iter().zip(largest(found));
+    let told = parts.filter_map(|(name, largest)| {
+        let Largest {
+            value,
+            deviation,
+            angle,
+        } = largest?;
+        Some(format!(
+            "{name} {} ± {} {} at θ = {angle:.1}°",
+            short(unit.from_base(value)),
+            significant(unit.from_base(deviation), 2),
+            unit.name
+        ))
+    });
+    let mut told: Vec<String> = told.collect();
+    if told.is_empty() {
+        told.push("no place that is two cells from the region's ends".to_owned());
+    }
+    if found.contact().is_none() {
+        told.push(
+            "no contact: no pressure beyond its uncertainty and 3 % of the hoop stress".to_owned(),
+        );
+    }
+    told.join("; ")
+}
+
+fn stresses(experiment: &Experiment, analysed: &[Analysed]) -> Table {
     let stress = experiment.display.stress.name;
+    let mut columns = vec![Column::new("state", "")];
+    for name in ["peak pressure", "largest shear", "largest hoop stress"] {
+        columns.extend([
+            Column::new(name, stress),
+            Column::new("±", stress),
+            Column::new("at θ", "deg"),
+        ]);
+    }
+    let mut table = Table::new("Largest stresses, with standard deviations", columns);
+    let unit = experiment.display.stress;
+    for found in analysed {
+        let mut row = vec![experiment.states[found.state].name.clone()];
+        for largest in largest(found) {
+            row.extend(largest.map_or_else(Default::default, |largest| {
+                let [value, deviation] =
+                    [largest.value, largest.deviation].map(|value| short(unit.from_base(value)));
+                [value, deviation, format!("{:.1}", largest.angle)]
+            }));
+        }
+        table.push(row);
+    }
+    table
+}
+
+/// What each check says, in the order of its columns.
+const MEANINGS: [&str; 6] = [
+    "Data and parameters: displacements that were fitted, and how many of them the fit uses up; far more data than parameters are good.",
+    "Smoothing: the order of the differences along the boundary that are kept small, and how much they count.",
+    "Noise factor: the variance of means of neighbouring residuals over that of independent errors of the deviation, at least that which \
+     was stated or rounding leaves; bands are its root wider.",
+    "Misfit: squares of measured less calculated displacements at places that were not used, over their variances; much above the \
+     expected number data, region or material do not fit together.",
+    "Free edge: the same of tractions on the edge beyond contact, which should vanish.",
+    "Balance: the force on the edge by its stresses less that by its nodes; the ends of the edge leave some per cent.",
+];
+
+fn checks(experiment: &Experiment, analysed: &[Analysed]) -> Table {
     let columns = vec![
         Column::new("state", ""),
         Column::new("data", ""),
         Column::new("parameters", ""),
         Column::new("smoothing", ""),
         Column::new("noise factor", ""),
-        Column::new("peak pressure", stress),
-        Column::new("deviation", stress),
-        Column::new("largest shear", stress),
-        Column::new("deviation", stress),
-        Column::new("misfit χ² (expected)", ""),
-        Column::new("free edge χ² (expected)", ""),
+        Column::new("misfit χ²", "(expected)"),
+        Column::new("free edge χ²", "(expected)"),
         Column::new("balance", "% of the force"),
     ];
-    let mut table = Table::new("Hybrid analysis", columns);
+    let mut table = Table::new("Checks of the data", columns);
     for found in analysed {
-        table.push(row(experiment, found));
+        let facts = found.fit.as_ref();
+        let told = |value: Option<String>| value.unwrap_or_default();
+        table.push(vec![
+            experiment.states[found.state].name.clone(),
+            told(facts.map(|fit| fit.data.to_string())),
+            told(facts.map(|fit| format!("{:.0}", fit.parameters))),
+            told(facts.map(|fit| format!("order {}: {}", fit.order, short(fit.amount)))),
+            format!("{:.2}", found.scale),
+            told(found.unused.as_ref().map(chi_squared)),
+            told(found.free_edge.as_ref().map(chi_squared)),
+            format!("{:.1}", 100.0 * imbalance(found)),
+        ]);
     }
-    table
-}
-
-fn row(experiment: &Experiment, found: &Analysed) -> Vec<String> {
-    let unit = experiment.display.stress;
-    let stress = |value: f64| short(unit.from_base(value));
-    let [pressure, shear] = found.deviations();
-    let peak = |values: &[f64]| {
-        let inner = found.inner();
-        inner.max_by(|a, b| values[*a].abs().total_cmp(&values[*b].abs()))
-    };
-    let largest = |values: &[f64], deviation: &[f64]| match peak(values) {
-        Some(k) => [stress(values[k]), stress(deviation[k])],
-        None => [String::new(), String::new()],
-    };
-    let [p, dp] = largest(&found.tractions.pressure, &pressure);
-    let [t, dt] = largest(&found.tractions.shear, &shear);
-    let facts = found.fit.as_ref();
-    let told = |value: Option<String>| value.unwrap_or_default();
-    vec![
-        experiment.states[found.state].name.clone(),
-        told(facts.map(|fit| fit.data.to_string())),
-        told(facts.map(|fit| format!("{:.0}", fit.parameters))),
-        told(facts.map(|fit| format!("order {}, amount {}", fit.order, short(fit.amount)))),
-        format!("{:.2}", found.scale),
-        p,
-        dp,
-        t,
-        dt,
-        told(found.unused.as_ref().map(chi_squared)),
-        told(found.free_edge.as_ref().map(chi_squared)),
-        format!("{:.1}", 100.0 * imbalance(found)),
-    ]
+    MEANINGS.into_iter().fold(table, Table::note)
 }
 
 fn chi_squared(check: &ChiSquared) -> String {
@@ -239,10 +343,27 @@ fn entry(experiment: &Experiment, found: &Analysed) -> Value {
             json!({ "value": check.value, "count": check.count, "deviation": check.deviation })
         })
     };
+    let unit = experiment.display.stress;
+    let most = largest(found).map(|largest| {
+        largest.map(|largest| {
+            json!({
+                "value": unit.from_base(largest.value),
+                "deviation": unit.from_base(largest.deviation),
+                "theta_degrees": largest.angle,
+            })
+        })
+    });
     json!({
         "state": experiment.states[found.state].name,
         "noise_factor": found.scale,
         "resolution_degrees": found.resolution.to_degrees(),
+        "largest": {
+            "stress_unit": experiment.display.stress.name,
+            "pressure": most[0],
+            "shear": most[1],
+            "hoop": most[2],
+        },
+        "contact": found.contact().is_some(),
         "fit": found.fit.map(|fit| json!({
             "data": fit.data,
             "parameters": fit.parameters,
@@ -250,6 +371,7 @@ fn entry(experiment: &Experiment, found: &Analysed) -> Value {
             "order": fit.order,
             "amount": fit.amount,
             "chi_squared": fit.residual,
+            "noise_factor_of_residuals": fit.of_residuals,
         })),
         "unused_misfit": check(found.unused.as_ref()),
         "free_edge": check(found.free_edge.as_ref()),

@@ -50,6 +50,15 @@ pub(in crate::experiment) struct ReduceFormat {
     pub(in crate::experiment) mask: Vec<MaskFormat>,
     pub(in crate::experiment) common_places: Option<Quantity<Length>>,
     pub(in crate::experiment) symmetry: Option<SymmetryFormat>,
+    pub(in crate::experiment) outliers: Option<OutliersFormat>,
+}
+
+/// `reduce.outliers`: from what on displacements of tables are outliers, or whether any are looked for.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(untagged, expecting = "a number, or false")]
+pub(in crate::experiment) enum OutliersFormat {
+    Asked(bool),
+    Beyond(f64),
 }
 
 /// `reduce.symmetry`: a line along which front and back are compared.

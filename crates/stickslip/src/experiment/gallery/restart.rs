@@ -6,38 +6,76 @@ use serde_json::{Map, Value, json};
 use stickslip_hybrid::data::Field;
 
 use super::{FOLDER, letter};
-use crate::experiment::plan::{Experiment, Fringes, Source};
+use crate::experiment::plan::{Experiment, Fringes, RegionShape, Source};
 use crate::experiment::synthesis::{Camera, Shot, file_names};
 
-/// The text of the file, which stands in the result folder.
-pub(super) fn text(experiment: &Experiment, camera: &Camera<'_>) -> String {
+/// The text of the file, which will stand in the result folder `folder`.
+pub(super) fn text(experiment: &Experiment, camera: &Camera<'_>, folder: &Path) -> String {
     let mut root = experiment.spelled();
     root.remove("fringes");
     root.insert(
         "title".to_owned(),
         format!("{}, from its pictures", experiment.title).into(),
     );
-    absolute_scene(experiment, &mut root);
+    paths(experiment, folder, &mut root);
     let synthetic = |state: &usize| matches!(experiment.states[*state].source, Source::Step(_));
     let states = (0..experiment.states.len()).filter(synthetic);
     let states = states.map(|state| entry(experiment, camera, state));
-    root.insert("states".to_owned(), states.collect());
+    let states: Vec<Value> = states.collect();
+    if states.iter().all(|state| state.get("back").is_none()) {
+        // A line of symmetry without a back to compare would be refused.
+        if let Some(reduce) = root.get_mut("reduce").and_then(Value::as_object_mut) {
+            reduce.remove("symmetry");
+        }
+    }
+    root.insert("states".to_owned(), states.into());
     let comment = "# The pictures in the folder 'fringes', read as measured ones: `stickslip reduce measured.toml`.\n";
     // The tree came from a file and holds no null, so TOML can spell it.
     let body = toml::to_string(&Value::Object(root)).unwrap_or_default();
     format!("{comment}{body}")
 }
 
-/// The result folder may stand anywhere, so the scene is named by its whole path.
-fn absolute_scene(experiment: &Experiment, root: &mut Map<String, Value>) {
-    let Some(specimen) = root.get_mut("specimen").and_then(Value::as_object_mut) else {
-        return;
+/// Files that the experiment names, as they are found from the result folder: all may be moved together.
+fn paths(experiment: &Experiment, folder: &Path, root: &mut Map<String, Value>) {
+    let mut name = |keys: [&str; 2], file: Option<&str>, path: &Path| {
+        let mut table = root.get_mut(keys[0]).and_then(Value::as_object_mut);
+        if let Some(file) = file {
+            table = table
+                .and_then(|table| table.get_mut(file))
+                .and_then(Value::as_object_mut);
+        }
+        if let Some(table) = table {
+            table.insert(keys[1].to_owned(), seen_from(folder, path).into());
+        }
     };
     if let Some(own) = &experiment.specimen.scene {
-        let path = Path::new(&own.scene.source_name);
-        let whole = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
-        specimen.insert("scene".to_owned(), whole.display().to_string().into());
+        name(
+            ["specimen", "scene"],
+            None,
+            Path::new(&own.scene.source_name),
+        );
     }
+    let shape = experiment.region.as_ref().map(|region| &region.shape);
+    if let Some(RegionShape::Mesh(mesh)) = shape {
+        name(["region", "file"], Some("mesh"), &mesh.file);
+    }
+}
+
+/// A path as it is found from a folder: over the folders that both are in, with slashes, or whole where there is none.
+fn seen_from(folder: &Path, path: &Path) -> String {
+    let whole = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    let (folder, path) = (whole(folder), whole(path));
+    let [from, to] = [&folder, &path].map(|path| path.components().collect::<Vec<_>>());
+    let common = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
+    // An absolute path begins with its root: without a common one, as of drives, there is no way between them.
+    if common == 0 {
+        return path.display().to_string();
+    }
+    let up = from[common..].iter().map(|_| "..".to_owned());
+    let down = to[common..]
+        .iter()
+        .map(|part| part.as_os_str().to_string_lossy().into_owned());
+    up.chain(down).collect::<Vec<_>>().join("/")
 }
 
 fn entry(experiment: &Experiment, camera: &Camera<'_>, state: usize) -> Value {
@@ -89,4 +127,24 @@ fn pictures(experiment: &Experiment, camera: &Camera<'_>, state: usize, shot: Sh
         "carrier": { "u": per_length(carrier[0]), "v": per_length(carrier[1]) },
         "dark": 0.0,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_lead_from_the_folder_to_the_file() {
+        for (folder, path, expected) in [
+            ("/a/b/results", "/a/b/scene.toml", "../scene.toml"),
+            (
+                "/a/b/results",
+                "/a/scenes/pin/scene.toml",
+                "../../scenes/pin/scene.toml",
+            ),
+            ("/a/results", "/a/results/scene.toml", "scene.toml"),
+        ] {
+            assert_eq!(seen_from(Path::new(folder), Path::new(path)), expected);
+        }
+    }
 }

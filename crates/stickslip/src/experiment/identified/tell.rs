@@ -1,5 +1,7 @@
 //! Friction on the page, as a table, and in the summary.
 
+use std::fmt::Write as _;
+
 use serde_json::{Value, json};
 use stickslip_hybrid::identify::{Bounds, SlipFit};
 use stickslip_report::table::{Column, Table};
@@ -7,11 +9,14 @@ use stickslip_report::table::{Column, Table};
 use super::{Coarser, Grip, Identified, SlipZone, figures, ratio, words};
 use crate::experiment::analysed::{Analysed, true_edge};
 use crate::experiment::plan::Experiment;
-use crate::experiment::story::{Story, csv_table};
+use crate::experiment::story::Story;
 use crate::experiment::truth::Truth;
 
 /// Deviations by which χ² of all zones may exceed its mean before one coefficient is doubted.
 const CONSISTENT: f64 = 3.0;
+
+/// What is said of either coefficient where nothing touches the edge.
+const NO_CONTACT: &str = "no pressure on the edge: no contact, no friction to identify";
 
 /// What is told, and of what.
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +40,7 @@ pub(in crate::experiment) fn tell(told: &Told<'_>, story: &mut Story) {
          resolves is left out, where stresses are not smooth. That angle is a cell, or more where the smoothing goes on beyond cells.",
     );
     let confidence = 100.0 * experiment.identify.confidence;
+    let is_free = told.analysed.iter().all(|found| found.contact().is_none());
     match &identified.dynamic {
         Some(fit) => {
             story.answer("Dynamic friction μd", dynamic_words(fit, confidence));
@@ -45,15 +51,18 @@ pub(in crate::experiment) fn tell(told: &Told<'_>, story: &mut Story) {
                 ));
             }
         }
+        None if is_free => story.answer("Dynamic friction μd", NO_CONTACT),
         None => story.answer(
             "Dynamic friction μd",
             "not identifiable: no slip zone is recognised",
         ),
     }
-    story.answer(
-        "Static friction μs",
-        static_words(experiment, identified, confidence),
-    );
+    let hold = hold(identified);
+    let of_static = match identified.dynamic {
+        None if is_free => NO_CONTACT.to_owned(),
+        _ => static_words(experiment, hold, confidence),
+    };
+    story.answer("Static friction μs", of_static.clone());
     if let Some(simulation) = &identified.simulation {
         story.text(format!(
             "Monte Carlo simulation of {} draws around the fit: mean {:.4}, standard deviation {:.4}, {confidence} % of them between \
@@ -66,25 +75,27 @@ pub(in crate::experiment) fn tell(told: &Told<'_>, story: &mut Story) {
         ));
     }
     mesh(told, story);
-    story.table(table(experiment, told.analysed, identified));
-    let truth: Vec<_> = (told.analysed.iter())
-        .map(|found| true_edge(experiment, told.truth, found.state))
-        .collect();
-    story.figure(
-        "friction",
-        "Shear over pressure along the edge, the zones that slip, and the coefficient that they share with its interval; where the truth \
-         is known it is a thin line.",
-        figures::friction(experiment, told.analysed, identified, &truth),
-    );
+    if !is_free || identified.dynamic.is_some() {
+        story.table(table(experiment, told.analysed, identified));
+        let truth: Vec<_> = (told.analysed.iter())
+            .map(|found| true_edge(experiment, told.truth, found.state))
+            .collect();
+        story.figure(
+            "friction",
+            "Shear over pressure along the edge, the zones that slip, and the coefficient that they share with its interval; where the \
+             truth is known it is a thin line.",
+            figures::friction(experiment, told.analysed, identified, &truth),
+        );
+    }
     for remark in &identified.remarks {
         story.note(format!("{remark}."));
     }
     story.file(
         "friction.csv",
         "shear over pressure at all places in contact",
-        csv(told.analysed),
+        csv(experiment, told.analysed),
     );
-    story.entry("friction", entry(told));
+    story.entry("friction", entry(told, hold, &of_static));
 }
 
 /// What half of the cells say.
@@ -115,22 +126,40 @@ fn dynamic_words(fit: &SlipFit, confidence: f64) -> String {
 }
 
 /// What sticking places say of μs beyond what slipping ones say of μd.
-fn static_words(experiment: &Experiment, identified: &Identified, confidence: f64) -> String {
+#[derive(Clone, Copy)]
+enum Hold<'a> {
+    /// At least this.
+    AtLeast(&'a Grip),
+    /// No more than μd.
+    NoMore,
+    /// Nothing sticks beside a slip zone.
+    Nothing,
+}
+
+fn hold(identified: &Identified) -> Hold<'_> {
     let highest = identified.dynamic.as_ref().map(|fit| match fit.bounds {
         Bounds::Between(_, high) | Bounds::AtMost(high) => high,
         Bounds::AtLeast(_) | Bounds::Nothing => f64::INFINITY,
     });
     match (&identified.grip, highest) {
-        (Some(grip), Some(highest)) if grip.at_least > highest => format!(
+        (Some(grip), Some(highest)) if grip.at_least > highest => Hold::AtLeast(grip),
+        (Some(_), Some(_)) => Hold::NoMore,
+        _ => Hold::Nothing,
+    }
+}
+
+fn static_words(experiment: &Experiment, hold: Hold<'_>, confidence: f64) -> String {
+    match hold {
+        Hold::AtLeast(grip) => format!(
             "at least {:.4} ({confidence} %), by what sticks at θ = {:.1}° in state '{}'; no upper bound: not identifiable beyond that",
             grip.at_least,
             grip.angle.to_degrees(),
             experiment.states[grip.state].name
         ),
-        (Some(_), Some(_)) => {
+        Hold::NoMore => {
             "not identifiable: at least μd, and no place sticks beyond doubt at a larger ratio than slip has".to_owned()
         }
-        _ => "not identifiable: no sticking place beside a slip zone".to_owned(),
+        Hold::Nothing => "not identifiable: no sticking place beside a slip zone".to_owned(),
     }
 }
 
@@ -201,25 +230,27 @@ fn angles(analysed: &[Analysed], zone: &SlipZone) -> [f64; 2] {
     [at(zone.places.start), at(zone.places.end.saturating_sub(1))]
 }
 
-fn csv(analysed: &[Analysed]) -> Vec<u8> {
-    let header = ["state", "theta [deg]", "ratio tau/p", "deviation"].map(str::to_owned);
-    let rows = analysed.iter().flat_map(|found| {
-        let contact = found.contact().unwrap_or(0..0);
-        contact.map(|k| {
+fn csv(experiment: &Experiment, analysed: &[Analysed]) -> Vec<u8> {
+    let mut text = "state,theta [deg],ratio tau/p,deviation\n".to_owned();
+    for found in analysed {
+        // Names of states have no characters that a table would have to quote.
+        let name = &experiment.states[found.state].name;
+        for k in found.contact().unwrap_or(0..0) {
             let (ratio, deviation) = ratio(found, k);
-            vec![
-                (found.state + 1) as f64,
-                found.angle[k].to_degrees(),
-                ratio,
-                deviation,
-            ]
-        })
-    });
-    csv_table(&header, rows)
+            let angle = found.angle[k].to_degrees();
+            // Writing into a string does not fail.
+            let _ = writeln!(text, "{name},{angle},{ratio},{deviation}");
+        }
+    }
+    text.into_bytes()
 }
 
-fn entry(told: &Told<'_>) -> Value {
+fn entry(told: &Told<'_>, hold: Hold<'_>, of_static: &str) -> Value {
     let (experiment, identified) = (told.experiment, told.identified);
+    let grip = match hold {
+        Hold::AtLeast(grip) => Some(grip),
+        Hold::NoMore | Hold::Nothing => None,
+    };
     let zones = identified.zones.iter().map(|zone| {
         json!({
             "state": experiment.states[zone.state].name,
@@ -242,7 +273,12 @@ fn entry(told: &Told<'_>) -> Value {
             "deviation": simulation.deviation,
             "interval": simulation.interval,
         })),
-        "mu_static_at_least": identified.grip.as_ref().map(|grip| grip_entry(experiment, grip)),
+        "mu_static": {
+            "low": grip.map(|grip| grip.at_least),
+            "high": null,
+            "by": grip.map(|grip| grip_entry(experiment, grip)),
+            "in_words": of_static,
+        },
         "zones": zones.collect::<Vec<_>>(),
     })
 }
@@ -252,7 +288,6 @@ fn grip_entry(experiment: &Experiment, grip: &Grip) -> Value {
         "state": experiment.states[grip.state].name,
         "theta_degrees": grip.angle.to_degrees(),
         "ratio": grip.ratio,
-        "at_least": grip.at_least,
     })
 }
 

@@ -1,10 +1,11 @@
 //! The null field taken off, displacements from orders.
 
-use stickslip_fem_core::mesh::Point;
-use stickslip_hybrid::data::{DataError, Field, FringeLines, Measurement, NullField};
+use stickslip_hybrid::data::{DataError, Field, Measurement, NullField};
 use stickslip_hybrid::fringe::{FringeError, PixelMap, Plane, measurement};
 use stickslip_hybrid::moire::Grating;
 
+use super::elsewhere::elsewhere;
+use super::lines::{fringe_lines, less_null};
 use super::phase::Unwound;
 use super::{Measured, PictureField, Reading, Scope};
 use crate::experiment::error::ExperimentError;
@@ -17,15 +18,7 @@ pub(super) fn combined(
     own: Reading,
     null: Option<Reading>,
 ) -> Result<Measured, ExperimentError> {
-    let mut measured = Measured {
-        state: scope.state,
-        measurement: Measurement::default(),
-        lines: None,
-        pictures: [None, None],
-        symmetry: Vec::new(),
-        remarks: Vec::new(),
-        warnings: Vec::new(),
-    };
+    let mut measured = Measured::new(scope.state, Measurement::default());
     match (own, null) {
         (Reading::Pictures(fields), Some(Reading::Pictures(null))) => {
             pictures(scope, &mut measured, *fields, Some(&null))?;
@@ -65,16 +58,23 @@ fn scattered(
     reading: Reading,
     of_null: bool,
 ) -> Result<Measurement, ExperimentError> {
-    let (found, mut pictures, remarks, warnings) = match reading {
-        Reading::Scattered {
-            measurement,
-            remarks,
-        } => (measurement, [None, None], remarks, Vec::new()),
-        other => {
-            let own = combined(scope, other, None)?;
-            (own.measurement, own.pictures, own.remarks, own.warnings)
-        }
+    let own = match reading {
+        Reading::Scattered(own) => Measured {
+            outliers: own.outliers,
+            floor: own.floor,
+            remarks: own.remarks,
+            warnings: own.warnings,
+            ..Measured::new(scope.state, own.measurement)
+        },
+        other => combined(scope, other, None)?,
     };
+    let mut pictures = own.pictures;
+    for (floor, own) in measured.floor.iter_mut().zip(own.floor) {
+        *floor = floor.hypot(own);
+    }
+    if !of_null {
+        measured.outliers = own.outliers;
+    }
     let said = |of: &str, words: String| {
         if of_null {
             format!("{of}: {words}")
@@ -82,9 +82,9 @@ fn scattered(
             words
         }
     };
-    let remarks = remarks.into_iter();
+    let remarks = own.remarks.into_iter();
     (measured.remarks).extend(remarks.map(|words| said("the null field", words)));
-    let warnings = warnings.into_iter();
+    let warnings = own.warnings.into_iter();
     (measured.warnings).extend(warnings.map(|words| said("The null field", words)));
     if pictures.iter().any(Option::is_some) {
         for field in pictures.iter_mut().flatten() {
@@ -92,7 +92,7 @@ fn scattered(
         }
         measured.pictures = pictures;
     }
-    Ok(found)
+    Ok(own.measurement)
 }
 
 fn minus(
@@ -111,7 +111,10 @@ fn minus(
             return Err(lacking(scope, field, NOT_MEASURED));
         }
     }
-    let difference = own.minus(null, how).map_err(|cause| scope.data(cause))?;
+    let difference = own.minus(null, how).map_err(|cause| match cause {
+        DataError::AllMasked { .. } => elsewhere(scope, own, null, how),
+        cause => scope.data(cause),
+    })?;
     for field in Field::BOTH {
         if own.count(field) > 0 && difference.count(field) == 0 {
             return Err(lacking(scope, field, " where the state has one"));
@@ -322,66 +325,4 @@ fn tell_of_unwrapping(measured: &mut Measured) {
     measured.warnings.push(format!(
         "Unwrapping {counts}. They are marked on the map of the phase; pixels at the jumps are masked."
     ));
-}
-
-/// Places of a component's own centres carry that component alone.
-fn fringe_lines(
-    scope: &Scope<'_>,
-    measured: &mut Measured,
-    lines: [FringeLines; 2],
-    deviation: f64,
-) -> Result<(), ExperimentError> {
-    let grating = grating(scope)?;
-    let field = &mut measured.measurement;
-    field.deviation = [grating.displacement(deviation); 2];
-    let mut seen: Vec<Point> = Vec::new();
-    for own in &lines {
-        let c = own.field.component();
-        for line in &own.lines {
-            for (&place, &order) in line.places().iter().zip(line.orders()) {
-                let valid = scope.shows(place) && scope.is_away(place, 0.0);
-                seen.push(place);
-                field.places.push(place);
-                for axis in 0..2 {
-                    let mine = axis == c && valid;
-                    let value = grating.displacement(order);
-                    field.displacements[axis].push(if mine { value } else { f64::NAN });
-                    field.valid[axis].push(mine);
-                }
-            }
-        }
-    }
-    if field.valid.iter().flatten().all(|valid| !valid) {
-        return Err(scope.data(DataError::AllMasked {
-            file: "fringe lines".to_owned(),
-            rows: seen.len(),
-            remedy: "all centres lie in the hole or under a mask: check scale and y_axis",
-        }));
-    }
-    measured.lines = Some(lines);
-    Ok(())
-}
-
-fn less_null(
-    scope: &Scope<'_>,
-    measured: &mut Measured,
-    lines: &[FringeLines; 2],
-    null: &[FringeLines; 2],
-) -> Result<[FringeLines; 2], ExperimentError> {
-    let mut less = |k: usize| -> Result<FringeLines, ExperimentError> {
-        let found = lines[k]
-            .minus(&null[k])
-            .map_err(|cause| scope.data(cause))?;
-        if !found.left_out.is_empty() {
-            let (line, place) = &found.left_out[0];
-            measured.remarks.push(format!(
-                "{} fringe centres lie beyond the null field's lines and are left out, the first of line '{line}' at ({}, {}) mm",
-                found.left_out.len(),
-                place[0],
-                place[1]
-            ));
-        }
-        Ok(found.lines)
-    };
-    Ok([less(0)?, less(1)?])
 }

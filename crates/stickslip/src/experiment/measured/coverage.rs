@@ -7,6 +7,7 @@ use stickslip_hybrid::data::Field;
 use stickslip_hybrid::region::outline::boundary_nodes;
 use stickslip_hybrid::region::sector::ArcSector;
 
+use super::elsewhere::extent;
 use super::{Measured, Scope};
 use crate::experiment::error::ExperimentError;
 use crate::experiment::plan::{Method, RegionShape};
@@ -56,15 +57,17 @@ pub(super) fn check(scope: &Scope<'_>, measured: &Measured) -> Result<(), Experi
                 key: "region".to_owned(),
                 what: format!(
                     "state '{}': the {} data do not cover the region: {} of {all} nodes of its boundary have none near, the first at \
-                     ({}, {}), θ = {:.1}°",
+                     ({}, {}), θ = {:.1}°; the data are {}",
                     scope.name(),
                     field_name(field),
                     bare.len(),
                     length.show(x),
                     length.show(y),
-                    (y - hole.centre[1]).atan2(x - hole.centre[0]).to_degrees()
+                    (y - hole.centre[1]).atan2(x - hole.centre[0]).to_degrees(),
+                    extent(scope, &measured.measurement)
                 ),
-                remedy: "make the region smaller, give it a stand-off, mask less, or measure there"
+                remedy: "check scale, origin and y_axis of the data; or make the region smaller, give it a stand-off, mask less, or \
+                         measure there"
                     .to_owned(),
             });
         }

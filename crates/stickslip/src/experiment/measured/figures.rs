@@ -1,7 +1,7 @@
 //! Pictures of measured fields: data with mask, orders, phase with its inconsistent loops.
 
 use stickslip_fem_core::mesh::Point;
-use stickslip_hybrid::data::{Field, Measurement};
+use stickslip_hybrid::data::Field;
 use stickslip_report::FigureError;
 use stickslip_report::chart::tile;
 use stickslip_report::color::{Color, Colormap};
@@ -110,16 +110,17 @@ pub(super) fn data(experiment: &Experiment, measured: &Measured) -> Result<Svg, 
         .into_iter()
         .filter(|field| measured.measurement.count(*field) > 0);
     let drawn: Result<Vec<Svg>, FigureError> = own
-        .map(|field| scattered(experiment, &measured.measurement, field))
+        .map(|field| scattered(experiment, measured, field))
         .collect();
     tile(&caption(experiment, measured.state), 2, &drawn?)
 }
 
 fn scattered(
     experiment: &Experiment,
-    measurement: &Measurement,
+    measured: &Measured,
     field: Field,
 ) -> Result<Svg, FigureError> {
+    let measurement = &measured.measurement;
     let unit = experiment.display.length;
     let c = field.component();
     let dots: Vec<([f64; 2], f64)> = (0..measurement.places.len())
@@ -144,6 +145,15 @@ fn scattered(
     plot.dots = &dots;
     plot.subtitle = Some("masked: grey".to_owned());
     plot.marks = vec![hole(experiment, unit)];
+    let bad = &measured.outliers;
+    if !bad.is_empty() {
+        plot.marks.push(Marks {
+            label: format!("outliers, masked: {}", bad.len()),
+            color: Color::rgb(0xd6, 0x27, 0x28),
+            points: bad.iter().map(|&k| dots[k].0).collect(),
+            paths: Vec::new(),
+        });
+    }
     plot.width = WIDTH;
     plot.render()
 }

@@ -1,9 +1,9 @@
 //! Pictures of a state: synthetic ones, or files.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use stickslip_hybrid::data::Field;
-use stickslip_hybrid::fringe::{PixelMap, decode};
+use stickslip_hybrid::fringe::{FringeError, PixelMap, decode};
 
 use super::phase::{FieldInput, orders};
 use super::{Reading, Scope};
@@ -45,14 +45,21 @@ pub(super) fn read(scope: &Scope<'_>, source: &PictureSource) -> Result<Reading,
         }
         let pictures = source.files[c].iter();
         let pictures = pictures.map(|file| picture(scope, source, field, file));
+        let pictures: Vec<PixelMap> = pictures.collect::<Result<_, _>>()?;
+        let carrier = source.carrier.map(|carriers| carriers[c]);
+        let rising = source.rising[c];
         let input = FieldInput {
-            pictures: pictures.collect::<Result<_, _>>()?,
-            carrier: source.carrier.map(|carriers| carriers[c]),
-            rising: source.rising[c],
+            pictures: pictures.clone(),
+            carrier,
+            rising,
         };
-        orders(scope, input)
-            .map(Some)
-            .map_err(|cause| scope.fringes(field_name(field), cause))
+        orders(scope, input).map(Some).map_err(|cause| {
+            let hint = match carrier {
+                Some(stated) => other_carrier(scope, pictures, stated, rising),
+                None => String::new(),
+            };
+            failed(scope, field, &source.files[c], cause, hint)
+        })
     };
     let (u, v) = rayon::join(|| of(Field::U), || of(Field::V));
     Ok(Reading::Pictures(Box::new([u?, v?])))
@@ -69,5 +76,53 @@ fn picture(
     let step = [source.pixel, down * source.pixel];
     let first = [0, 1].map(|axis| source.top_left[axis] + 0.5 * step[axis]);
     let placed = decode(&bytes).and_then(|raster| raster.placed(first, step, source.dark));
-    placed.map_err(|cause| scope.fringes(field_name(field), cause))
+    let files = [file.to_owned()];
+    placed.map_err(|cause| failed(scope, field, &files, cause, String::new()))
+}
+
+/// The carrier that a picture has where the one that was stated is not found, in words.
+fn other_carrier(
+    scope: &Scope<'_>,
+    pictures: Vec<PixelMap>,
+    stated: [f64; 2],
+    rising: [f64; 2],
+) -> String {
+    if pictures.len() != 1 {
+        return String::new();
+    }
+    let input = FieldInput {
+        pictures,
+        carrier: None,
+        rising,
+    };
+    orders(scope, input).map_or_else(
+        |_| String::new(),
+        |found| {
+            let [x, y] = found.carrier;
+            format!(
+                ". The carrier stated is ({}, {}) fringes/mm; the picture's strongest fringes have ({x:.2}, {y:.2}), the plate's strain included",
+                stated[0], stated[1]
+            )
+        },
+    )
+}
+
+fn failed(
+    scope: &Scope<'_>,
+    field: Field,
+    files: &[PathBuf],
+    cause: FringeError,
+    hint: String,
+) -> ExperimentError {
+    let names: Vec<String> = (files.iter())
+        .map(|file| format!("'{}'", file.display()))
+        .collect();
+    ExperimentError::Fringes {
+        state: scope.name(),
+        field: field_name(field),
+        file: format!(", {}", names.join(", ")),
+        hint,
+        key: scope.key.clone(),
+        cause: Box::new(cause),
+    }
 }

@@ -1,20 +1,38 @@
 //! Displacements from a table.
 
-use stickslip_hybrid::data::{DataError, Field, Measurement};
+use stickslip_hybrid::data::{DataError, Field, Measurement, Outlier, Rows, YAxis};
 
 use super::{Reading, Scope, scatter};
 use crate::experiment::error::ExperimentError;
 use crate::experiment::plan::TableSource;
 use crate::experiment::synthesis::field_name;
+use crate::output::short;
 
-/// A table as its source says, its origin moved to the body's, masked where it shows no specimen.
+/// Scatter of less than this part of the range is no measurement's: a hundredth of a fringe of a thousand fringes.
+const CALCULATED: f64 = 1e-5;
+
+/// What a table says.
+#[derive(Clone, Debug)]
+pub(super) struct Scattered {
+    pub(super) measurement: Measurement,
+    /// Places that are masked as outliers.
+    pub(super) outliers: Vec<usize>,
+    /// Standard deviation of errors at least, by statement or by digits `[mm]`.
+    pub(super) floor: [f64; 2],
+    pub(super) remarks: Vec<String>,
+    pub(super) warnings: Vec<String>,
+}
+
+/// A table as its source says, its origin moved to the body's, masked where it shows no specimen and where places do not go with their
+/// neighbours.
 pub(super) fn read(scope: &Scope<'_>, source: &TableSource) -> Result<Reading, ExperimentError> {
     let bytes = scope.bytes(&source.file)?;
     let name = source.file.display().to_string();
-    let mut measurement = Measurement::read(&bytes[..], &name, &source.format, &source.reading)
-        .map_err(|cause| scope.data(cause))?;
+    let (mut measurement, rows) =
+        Measurement::read_rows(&bytes[..], &name, &source.format, &source.reading)
+            .map_err(|cause| scope.data(cause))?;
     let scale = source.reading.scale.unwrap_or(1.0);
-    let upright = source.reading.y_axis == stickslip_hybrid::data::YAxis::Up;
+    let upright = source.reading.y_axis == YAxis::Up;
     let down = if upright { 1.0 } else { -1.0 };
     let shift = [scale * source.origin[0], down * scale * source.origin[1]];
     for place in &mut measurement.places {
@@ -33,39 +51,124 @@ pub(super) fn read(scope: &Scope<'_>, source: &TableSource) -> Result<Reading, E
             remedy: "all its points lie in the hole or under a mask: check scale, origin and y_axis",
         }));
     }
-    let mut remarks = Vec::new();
+    // Rounding to a step is an error that is uniform in it.
+    let rounding = rows.step.map(|step| step / 12.0_f64.sqrt());
+    let floor = rounding.map(|rounding| source.deviation.unwrap_or(rounding));
+    measurement.deviation = [0, 1].map(|c| floor[c].max(rounding[c]));
+    let mut found = Scattered {
+        outliers: Vec::new(),
+        floor,
+        remarks: Vec::new(),
+        warnings: Vec::new(),
+        measurement,
+    };
+    mask_outliers(scope, &name, &rows, &mut found)?;
     for field in Field::BOTH {
-        measurement.deviation[field.component()] = match source.deviation {
+        let c = field.component();
+        found.measurement.deviation[c] = match source.deviation {
             Some(deviation) => deviation,
-            None => estimated(scope, &measurement, field, &mut remarks)?,
+            None => estimated(scope, field, &mut found)?.max(rounding[c]),
         };
     }
-    Ok(Reading::Scattered {
-        measurement,
-        remarks,
-    })
+    Ok(Reading::Scattered(found))
+}
+
+/// Masks places that do not go with their neighbours: of both components, for what spoils one spoils mostly the other.
+fn mask_outliers(
+    scope: &Scope<'_>,
+    name: &str,
+    rows: &Rows,
+    found: &mut Scattered,
+) -> Result<(), ExperimentError> {
+    let Some(threshold) = scope.experiment.reduce.outliers else {
+        return Ok(());
+    };
+    let data = &mut found.measurement;
+    let outliers = data
+        .outliers(threshold)
+        .map_err(|cause| scope.data(cause))?;
+    let Some(worst) = (outliers.iter()).max_by(|a, b| a.ratio.total_cmp(&b.ratio)) else {
+        return Ok(());
+    };
+    let places = data.places.len();
+    let mut bad: Vec<usize> = outliers.iter().map(|one| one.place).collect();
+    bad.dedup();
+    let mut marks = vec![false; places];
+    for &place in &bad {
+        marks[place] = true;
+    }
+    let worst = told(scope, worst, rows.lines[worst.place]);
+    for field in Field::BOTH {
+        data.mask(field, |k| marks[k]);
+    }
+    found.warnings.push(format!(
+        "{} of {places} places of '{name}' do not go with their neighbours and are masked as outliers; the worst is {worst}. [reduce] \
+         outliers = false keeps them.",
+        bad.len()
+    ));
+    found.outliers = bad;
+    Ok(())
+}
+
+fn told(scope: &Scope<'_>, one: &Outlier, line: u64) -> String {
+    let unit = scope.experiment.display.length;
+    let shown = |value: f64| format!("{} {}", short(unit.from_base(value)), unit.name);
+    format!(
+        "in line {line}, with {} = {} where its neighbours say {}",
+        field_name(one.field),
+        shown(one.value),
+        shown(one.expected)
+    )
 }
 
 fn estimated(
     scope: &Scope<'_>,
-    measurement: &Measurement,
     field: Field,
-    remarks: &mut Vec<String>,
+    found: &mut Scattered,
 ) -> Result<f64, ExperimentError> {
-    if measurement.count(field) == 0 {
+    if found.measurement.count(field) == 0 {
         return Ok(0.0);
     }
-    let found = scatter::deviation(measurement, field);
-    let deviation = found.map_err(|cause| ExperimentError::Reduction {
-        state: scope.name(),
+    let deviation = scatter::deviation(&found.measurement, field);
+    let deviation = deviation.map_err(|cause| ExperimentError::Missing {
         key: scope.key.clone(),
-        cause: Box::new(cause),
+        what: format!(
+            "state '{}': no deviation is stated, and it cannot be estimated from the scatter of neighbours: {cause}",
+            scope.name()
+        ),
+        remedy: "state it: deviation = \"0.5 um\"".to_owned(),
     })?;
     let length = scope.experiment.display.length;
-    remarks.push(format!(
-        "deviation of {} estimated from the scatter of neighbours: {}",
+    let range = range(&found.measurement, field);
+    if deviation < CALCULATED * range {
+        found.warnings.push(format!(
+            "{} scatters by {} {} only, {} of its range, as calculated data do: bands hold this, not the error of a measurement or of a \
+             mesh. State the deviation that a measurement has.",
+            field_name(field),
+            short(length.from_base(deviation)),
+            length.name,
+            short(deviation / range)
+        ));
+    }
+    found.remarks.push(format!(
+        "deviation of {} estimated from the scatter of neighbours: {} {}",
         field_name(field),
-        length.show(deviation)
+        short(length.from_base(deviation)),
+        length.name
     ));
     Ok(deviation)
+}
+
+/// Largest less least valid displacement `[mm]`.
+fn range(measurement: &Measurement, field: Field) -> f64 {
+    let c = field.component();
+    let values = measurement.displacements[c].iter();
+    let valid = values
+        .zip(&measurement.valid[c])
+        .filter(|(_, valid)| **valid);
+    let [low, high] = valid.fold(
+        [f64::INFINITY, f64::NEG_INFINITY],
+        |[low, high], (&u, _)| [low.min(u), high.max(u)],
+    );
+    (high - low).max(0.0)
 }

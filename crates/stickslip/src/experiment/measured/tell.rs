@@ -37,7 +37,11 @@ pub(in crate::experiment) fn tell(experiment: &Experiment, fields: &[Measured], 
         .sum();
     story.answer(
         "Measured fields",
-        format!("{} states, {valid} displacements", fields.len()),
+        format!(
+            "{} state{}, {valid} displacements",
+            fields.len(),
+            if fields.len() == 1 { "" } else { "s" }
+        ),
     );
     story.entry(
         "measured",
@@ -68,6 +72,16 @@ fn settings(experiment: &Experiment) -> String {
         "Masked: the hole, {margin}, and {} further areas. Displacements of nodes by {method}.",
         reduce.mask.len()
     );
+    if experiment.states.iter().any(State::has_table) {
+        let outliers = match reduce.outliers {
+            Some(threshold) => format!(
+                " Places of tables are masked as outliers where U or V is off a plane through its neighbours by more than {threshold} \
+                 times what is usual there ([reduce] outliers)."
+            ),
+            None => " No outliers are looked for.".to_owned(),
+        };
+        words.push_str(&outliers);
+    }
     let pictured = |state: &State| matches!(state.source, Source::Step(_) | Source::Pictures(_));
     if experiment.states.iter().any(pictured) {
         let pictures = format!(
@@ -142,6 +156,7 @@ fn table(experiment: &Experiment, fields: &[Measured]) -> Table {
         Column::new("field", ""),
         Column::new("places", ""),
         Column::new("masked", ""),
+        Column::new("as outliers", ""),
         Column::new("least", length.name),
         Column::new("greatest", length.name),
         Column::new("deviation", length.name),
@@ -184,6 +199,7 @@ fn row(experiment: &Experiment, measured: &Measured, field: Field) -> Vec<String
         field_name(field).to_owned(),
         data.places.len().to_string(),
         (data.places.len() - count).to_string(),
+        number(is_table(experiment, measured).then_some(measured.outliers.len())),
         shown(values().fold(f64::INFINITY, f64::min)),
         shown(values().fold(f64::NEG_INFINITY, f64::max)),
         shown(deviation),
@@ -191,6 +207,10 @@ fn row(experiment: &Experiment, measured: &Measured, field: Field) -> Vec<String
         number(picture.map(|picture| picture.residues.len())),
         number(picture.map(|picture| picture.cuts.len())),
     ]
+}
+
+fn is_table(experiment: &Experiment, measured: &Measured) -> bool {
+    matches!(experiment.states[measured.state].source, Source::Table(_))
 }
 
 fn symmetry(experiment: &Experiment, fields: &[Measured]) -> Table {
@@ -242,6 +262,7 @@ fn entry(experiment: &Experiment, measured: &Measured) -> Value {
     json!({
         "state": experiment.states[measured.state].name,
         "length_unit": unit.name,
+        "outliers": is_table(experiment, measured).then_some(measured.outliers.len()),
         "u": field(Field::U),
         "v": field(Field::V),
     })

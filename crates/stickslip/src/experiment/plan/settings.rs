@@ -11,11 +11,14 @@ use super::{
 };
 use crate::diagnostic::{SceneError, SceneProblem, nearest};
 use crate::experiment::format::{
-    IdentifyFormat, MethodFormat, ReduceFormat, RegionFormat, SymmetryFormat,
+    IdentifyFormat, MethodFormat, OutliersFormat, ReduceFormat, RegionFormat, SymmetryFormat,
 };
 
 /// Part of the cross-validated smoothing that keeps the bias of stresses below half of their noise.
 const SHARE: f64 = 0.4;
+/// How far off its neighbours an outlier is, over what is usual: smooth fields stay below 6.4 with any noise, and all gross errors of 100
+/// deviations are beyond.
+const OUTLIERS: f64 = 8.0;
 /// A whole turn and rounding.
 const WHOLE_TURN: f64 = std::f64::consts::TAU + 1e-9;
 
@@ -50,6 +53,7 @@ pub(super) fn reduce(refuse: Refuse<'_>, given: &ReduceFormat) -> Result<Reduce,
         )?,
         margin,
         mask: refuse.areas("reduce.mask", &given.mask)?,
+        outliers: outliers(refuse, given.outliers)?,
         common_places: given
             .common_places
             .as_ref()
@@ -61,6 +65,20 @@ pub(super) fn reduce(refuse: Refuse<'_>, given: &ReduceFormat) -> Result<Reduce,
             .map(|line| symmetry(refuse, line))
             .transpose()?,
     })
+}
+
+fn outliers(refuse: Refuse<'_>, given: Option<OutliersFormat>) -> Result<Option<f64>, SceneError> {
+    match given {
+        Some(OutliersFormat::Asked(false)) => Ok(None),
+        Some(OutliersFormat::Asked(true)) | None => Ok(Some(OUTLIERS)),
+        Some(OutliersFormat::Beyond(threshold)) => {
+            let fits = threshold > 0.0 && threshold.is_finite();
+            let allowed = "greater than 0, or false where none are to be looked for";
+            refuse
+                .within("reduce.outliers", threshold, fits, allowed)
+                .map(Some)
+        }
+    }
 }
 
 fn method(refuse: Refuse<'_>, given: &ReduceFormat) -> Result<Method, SceneError> {

@@ -53,6 +53,9 @@ pub struct Reduce {
     pub mask: Vec<Area>,
     /// How far places of the null field may be off and still be the same `[mm]`; interpolated where not stated.
     pub common_places: Option<f64>,
+    /// Displacements of tables that are off their neighbours by more than so many times what is usual are masked; none where they are
+    /// not looked for.
+    pub outliers: Option<f64>,
     /// Line along which front and back are compared.
     pub symmetry: Option<SymmetryPlan>,
 }
