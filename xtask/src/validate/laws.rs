@@ -29,7 +29,7 @@ const FREQUENCY: f64 = 2400.0;
 const ERROR: f64 = 0.25;
 /// Corner nodes of the mesh that makes the data, and of the one that is fitted, are so far apart `[deg]`.
 ///
-/// The answer for the passage depends on this pair: with 1.125° and 2.25° intervals hold the static coefficient in 1 of the same 4 seeds
+/// The answer for the passage depends on this pair: with 1.125° and 2.25° intervals hold the static coefficient in 2 of the same 4 seeds
 /// and the exponent in 2, which runs to the end of its range in 3. What the model's mesh makes of the true law is not in the intervals.
 const FINE: f64 = 2.25;
 const COARSE: f64 = 4.5;
