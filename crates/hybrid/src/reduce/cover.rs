@@ -24,9 +24,9 @@ impl fmt::Display for Uncovered {
         let [x, y] = self.place;
         write!(
             f,
-            "{} of node {} at ({x}, {y}): {}",
-            letter(self.component),
+            "node {} at ({x}, {y}), {}: {}",
             self.node,
+            letter(self.component),
             self.reason
         )
     }

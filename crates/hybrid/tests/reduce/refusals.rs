@@ -29,12 +29,12 @@ fn nodes_without_data_are_named_with_their_place() {
     let words = linear.complete().unwrap_err().to_string();
     assert!(
         words.starts_with(
-            "2 of 5 nodes are not covered by the data: node 0 at (0.5, 0.5), component x: in a gap"
+            "2 of 5 nodes are not covered by the data: node 0 at (0.5, 0.5), U: in a gap"
         ),
         "{words}"
     );
     assert!(
-        words.ends_with("node 2 at (1.2, 0.5), component x: outside the data"),
+        words.ends_with("node 2 at (1.2, 0.5), U: outside the data"),
         "{words}"
     );
 
