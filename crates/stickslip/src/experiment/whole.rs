@@ -29,8 +29,9 @@ use stickslip_hybrid::region::outputs::EdgeRows;
 use stickslip_hybrid::region::{Region, RegionError};
 use thiserror::Error;
 
-use super::analysed::scale::{Residual, scale};
+use super::analysed::scale::{Residual, least_scale, scale};
 use super::analysed::smoothing_reach;
+use super::measured::Measured;
 use super::plan::SpecimenScene;
 use crate::model::{Model, ModelBodyKind, ModelError};
 use crate::scene::schema::ModelChoice;
@@ -103,7 +104,8 @@ pub struct WholeSolution {
     pub load: [f64; 2],
     /// χ² of the fit with the stated deviations, number of data, and effective number of parameters.
     pub fit: (f64, usize, f64),
-    /// The variance of the data was multiplied by this: χ² of the means of blocks of neighbouring residuals over its degrees of freedom.
+    /// The variance of the data was multiplied by this: χ² of the means of blocks of neighbouring residuals over its degrees of freedom,
+    /// or what a stated deviation asks for, if that is more.
     pub scale: f64,
     /// Bias of pressure, shear and hoop stress that the smoothing makes, estimated, per place `[MPa]`.
     pub bias: Vec<[f64; 3]>,
@@ -180,17 +182,19 @@ impl WholePlate {
         sum
     }
 
-    /// Fits the hole's displacements to `measured` under the remote load of step `step`, less that of step `null`, and takes the tractions.
+    /// Fits the hole's displacements to the field `of` a state under the remote load of step `step`, less that of step `null`, and takes
+    /// the tractions.
     ///
     /// # Errors
     /// [`WholeError::Region`]: data that are none, that do not cover the surroundings of the hole, or a smoothing that is none.
     pub fn analyse(
         &self,
-        measured: &Measurement,
+        of: &Measured,
         step: usize,
         null: Option<usize>,
         smoothing: Smoothing,
     ) -> Result<WholeSolution, WholeError> {
+        let measured = &of.measurement;
         let forces = self.forces(step, null);
         let held = NodalDisplacements {
             nodes: self.edge.nodes.clone(),
@@ -202,7 +206,8 @@ impl WholePlate {
         let mut fit = self.region.fit(&data, smoothing)?;
         let solution = self.region.solve_loaded(&fit.displacements, &forces)?;
         let residuals = self.residuals(measured, &solution.displacements);
-        let scale = scale(&residuals, fit.parameters);
+        let scale =
+            scale(&residuals, fit.parameters).max(least_scale(measured.deviation, of.floor));
         for entry in &mut fit.displacements.covariance {
             *entry *= scale;
         }

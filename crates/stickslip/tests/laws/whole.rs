@@ -25,7 +25,8 @@ fn the_whole_plate_balances_its_load_and_tells_the_friction_of_the_truth() {
     let places = window(20.0, 0.7, 0.1);
     let law = Arc::clone(truth.own_law());
     let data = measured_fields(&truth, law, &[6], &places, 0.25, 1).remove(0);
-    let found: WholeSolution = plate.analyse(&data, 6, None, SMOOTHING).unwrap();
+    let measured = Measured::new(0, data);
+    let found: WholeSolution = plate.analyse(&measured, 6, None, SMOOTHING).unwrap();
     // 1980 lbf; the reactions of a solved plate balance the load to rounding.
     let load = 1980.0 * 4.448_221_615_260_5;
     assert!((found.load[0] + load).abs() < 1e-6 * load);
@@ -66,8 +67,7 @@ fn the_whole_plate_balances_its_load_and_tells_the_friction_of_the_truth() {
     };
     let whole = coefficient(state.edge());
     // The localized analysis of the same data: a sector every side of which is measured.
-    let fields = Measured::new(0, data);
-    let localized = coefficient(analysed::all(&experiment, &[fields]).unwrap().remove(0));
+    let localized = coefficient(analysed::all(&experiment, &[measured]).unwrap().remove(0));
     assert!((whole - 0.25).abs() < 0.01, "{whole}");
     assert!((localized - 0.25).abs() < 0.015, "{localized}");
     assert!((whole - localized).abs() < 0.015);

@@ -49,7 +49,7 @@ pub(in crate::experiment) fn scale(residuals: &[Residual], parameters: f64) -> f
 }
 
 /// The scale at which errors have the deviations `floor`, where `deviation` are those that residuals were divided by.
-pub(super) fn least_scale(deviation: [f64; 2], floor: [f64; 2]) -> f64 {
+pub(in crate::experiment) fn least_scale(deviation: [f64; 2], floor: [f64; 2]) -> f64 {
     let parts = floor.into_iter().zip(deviation);
     let squares = parts.map(|(least, deviation)| (least / deviation).powi(2));
     squares.fold(0.0, f64::max)

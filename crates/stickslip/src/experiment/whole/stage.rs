@@ -84,12 +84,7 @@ pub fn stage(
         match history.tied(state) {
             Ok(tied) => {
                 let solution = plate
-                    .analyse(
-                        &measured.measurement,
-                        tied.step,
-                        tied.null,
-                        region.smoothing,
-                    )
+                    .analyse(measured, tied.step, tied.null, region.smoothing)
                     .map_err(failed)?;
                 warnings.extend(tied.assumed);
                 states.push(WholeState {
