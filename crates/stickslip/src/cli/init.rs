@@ -104,11 +104,18 @@ pub(super) fn init(arguments: &InitArguments, console: Console) -> Result<(), Fa
     let default = || PathBuf::from(format!("{}.toml", template.name));
     let file = arguments.file.clone().unwrap_or_else(default);
     let folder = file.parent().unwrap_or(Path::new(""));
-    let data = template
-        .data
-        .iter()
-        .map(|(name, text)| (folder.join(name), *text));
-    let files: Vec<_> = data.chain([(file.clone(), template.text)]).collect();
+    // A sample is named after the file that reads it, so that a folder may hold several.
+    let mut own = template.text.to_owned();
+    let mut files = Vec::new();
+    for (name, text) in template.data {
+        let kind = Path::new(name).extension().unwrap_or_default();
+        let path = folder.join(file.with_extension(kind).file_name().unwrap_or_default());
+        if let Some(named) = path.file_name() {
+            own = own.replace(name, &named.to_string_lossy());
+        }
+        files.push((path, (*text).to_owned()));
+    }
+    files.push((file.clone(), own));
     if let Some((path, _)) = files.iter().find(|(path, _)| path.exists()) {
         return Err(exists(path, template).into());
     }

@@ -12,6 +12,7 @@
 
 mod edge;
 pub(super) mod figures;
+mod forces;
 mod held_out;
 mod imported;
 mod region;

@@ -70,8 +70,7 @@ pub fn tell(
             experiment,
             analysed: &analysed,
             identified: &identified,
-            // Data that do not do for fewer cells leave the question open.
-            coarser: coarser.as_ref().ok().and_then(Option::as_ref),
+            coarser: &coarser,
             truth: truth.as_ref(),
         };
         identified::tell(&told, &mut story);

@@ -23,7 +23,7 @@ use super::plan::{Experiment, RegionShape};
 use crate::output::short;
 
 pub use coarser::{Coarser, on_half_the_cells};
-pub(super) use tell::{Told, tell};
+pub(super) use tell::{Told, dynamic_words, tell};
 
 /// A zone that slips.
 #[derive(Clone, Debug)]

@@ -173,7 +173,7 @@ pub fn state(
 
 /// Words on displacements that differ by more than small strains allow: the mark of a wrong scale.
 fn large(measurement: &Measurement) -> Option<String> {
-    const STRAIN: f64 = 0.05;
+    const STRAIN: f64 = 0.02;
     let spread = |values: &mut dyn Iterator<Item = f64>| {
         let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
             [low.min(value), high.max(value)]

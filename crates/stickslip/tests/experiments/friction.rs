@@ -35,3 +35,29 @@ fn the_mesh_and_the_order_of_smoothing_do_not_decide_the_coefficient() {
         }
     }
 }
+
+/// Noise that hides the pressure does not make an edge free.
+#[test]
+fn a_pressure_within_its_uncertainty_is_not_identifiable_rather_than_none() {
+    let folder = folder_with(&[]);
+    let path = folder.path();
+    succeeds(path, &["init", "experiment", "mine.toml"]);
+    let sector = "region.sector={ angles = [\"-10 deg\", \"110 deg\"], outer = \"13 mm\", cells = [40, 10], growth = 2.0 }";
+    let arguments = [
+        "identify",
+        "mine.toml",
+        "--set",
+        sector,
+        "--set",
+        "states.0.table.deviation=20 um",
+    ];
+    let summary = succeeds(path, &arguments);
+    let words = summary["friction"]["mu_static"]["in_words"].as_str();
+    assert!(words.unwrap().starts_with("not identifiable"), "{summary}");
+    let page = std::fs::read_to_string(path.join("mine-results/index.html")).unwrap();
+    assert!(
+        page.contains("no pressure on the edge exceeds its uncertainty"),
+        "{page}"
+    );
+    assert!(!page.contains("no contact"), "{page}");
+}

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use super::{FRINGES, SCENE, TABLE, fails, folder_with, grid};
+use super::{FRINGES, SCENE, TABLE, fails, folder_with, grid, succeeds};
 
 pub(super) fn field(x: f64, y: f64) -> [f64; 2] {
     [1e-3 * x, -3e-4 * y]
@@ -331,4 +331,18 @@ fn ranges_of_free_parameters_have_the_dimension_of_the_parameter() {
     let fits = law("static = [0.0, 1.0], slip_scale = [\"0.1 um\", \"0.1 mm\"]");
     let folder = folder_with(&[("e.toml", &fits), ("up.csv", &table)]);
     super::succeeds(folder.path(), &["reduce", "e.toml"]);
+}
+
+#[test]
+fn a_column_is_one_thing_only() {
+    let folder = folder_with(&[]);
+    let path = folder.path();
+    succeeds(path, &["init", "experiment", "mine.toml"]);
+    let columns =
+        "states.0.table.columns={ x = \"X_mm\", y = \"Y_mm\", u = \"DX_um\", v = \"dx_um\" }";
+    let error = fails(path, &["reduce", "mine.toml", "--set", columns]);
+    assert!(
+        error.contains("column 'dx_um' is named for two of x, y, u and v"),
+        "{error}"
+    );
 }

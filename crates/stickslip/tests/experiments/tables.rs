@@ -19,11 +19,11 @@ fn a_table_of_ones_own_needs_other_column_names_only() {
         first["measured"][0]["u"]["valid"].as_u64().unwrap() > 500,
         "{first}"
     );
-    let table = fs::read_to_string(path.join("experiment.csv")).unwrap();
+    let table = fs::read_to_string(path.join("mine.csv")).unwrap();
     let renamed = table
         .replacen("X_mm,Y_mm,DX_um,DY_um", "east;north;ue;un", 1)
         .replace(',', ";");
-    fs::write(path.join("experiment.csv"), renamed).unwrap();
+    fs::write(path.join("mine.csv"), renamed).unwrap();
     let columns = "states.0.table.columns={ x = \"East\", y = \"north\", u = \"ue\", v = \"un\" }";
     let second = succeeds(
         path,

@@ -16,7 +16,9 @@ const CONTACT: [f64; 2] = [3.0, 0.05];
 /// Part of the largest hoop stress that the largest pressure has to exceed as well: what noise and smoothing leave on the edge of an
 /// open hole does not.
 const OPEN: f64 = 0.03;
-/// Cells between the last place in contact and the part of the edge that is taken as free.
+/// Part of the largest hoop stress below which a pressure with its uncertainty is none.
+const HIDDEN: f64 = 0.1;
+/// Resolved angles between the last place in contact and the part of the edge that is taken as free.
 const CELLS_BEYOND: f64 = 2.0;
 
 /// Places and rows of an arc.
@@ -51,9 +53,9 @@ fn cell(
 /// How far smoothing spreads what happens at a place, where nodes are `spacing` apart and the part `kept` of a displacement is decided by
 /// its own data.
 ///
-/// Small second differences pass waves of number k by 1/(1 + (k/k_c)⁴). Of the waves that the nodes can have that is the part
-/// h k_c/(2√2), the one that is kept; and its kernel, e^(−x k_c/√2) (cos + sin)(x k_c/√2), is zero first at x = 3π/(2√2 k_c) and within
-/// 5 % beyond.
+/// Small second differences pass waves of number k by 1/(1 + (k/k_c)⁴). Of the waves that nodes h apart can have that is the part
+/// h k_c/(2√2), the one that is kept; and its kernel, e^(−x k_c/√2) (cos + sin)(x k_c/√2), is zero first at x = 3π/(2√2 k_c), or 3π/8 of h
+/// over that part, and within 5 % beyond. Third differences reach 1.05 of it, with 10 %.
 pub(in crate::experiment) fn smoothing_reach(spacing: f64, kept: f64) -> f64 {
     3.0 * std::f64::consts::PI / 8.0 * spacing / kept
 }
@@ -62,7 +64,8 @@ impl Edge {
     pub(super) fn new(body: &ElasticBody, name: &str, radius: f64) -> Result<Self, RegionError> {
         let rows = EdgeRows::new(body, name)?;
         let middle = rows.parameter[rows.parameter.len() / 2] / radius;
-        let turns = (middle / std::f64::consts::TAU).round() * std::f64::consts::TAU;
+        // Half a turn is within half a turn, whatever the last digit.
+        let turns = (middle / std::f64::consts::TAU - 1e-9).round() * std::f64::consts::TAU;
         let stresses = [0, 2, 1].map(|component| rows.component(component));
         Ok(Self {
             angle: rows.parameter.iter().map(|s| s / radius - turns).collect(),
@@ -75,7 +78,7 @@ impl Edge {
     }
 
     /// Angle that can be resolved where the part `kept` of a displacement is decided by its own data `[rad]`: a cell, or half of the
-    /// [reach of smoothing](smoothing_reach) where that is more.
+    /// [reach of smoothing](smoothing_reach) where that is more: wherever stresses are not smooth twice this is left out.
     pub(super) fn resolution(&self, kept: f64) -> f64 {
         let nodes = self.angle.last().zip(self.angle.first());
         let spacing = nodes.map_or(0.0, |(last, first)| last - first)
@@ -130,6 +133,17 @@ impl Edge {
 }
 
 impl Analysed {
+    /// Whether the edge is free beyond doubt: nowhere may there be a pressure that counts beside the hoop stress.
+    pub fn is_free(&self) -> bool {
+        let inner = self.inner();
+        let [deviation, _] = self.deviations();
+        let pressure = &self.tractions.pressure;
+        let hoop = inner.clone().map(|k| self.hoop[k].abs());
+        let most = HIDDEN * hoop.fold(0.0, f64::max);
+        let may_be = |k: usize| pressure[k] + CONTACT[0] * deviation[k];
+        !inner.is_empty() && self.contact().is_none() && inner.clone().all(|k| may_be(k) < most)
+    }
+
     /// First and last place that bear pressure beyond doubt around the place of the largest, if any does.
     pub fn contact(&self) -> Option<Range<usize>> {
         let inner = self.inner();
@@ -165,4 +179,34 @@ pub(super) fn beyond_contact(found: &Analysed) -> Vec<Range<usize>> {
         .into_iter()
         .filter(|range| range.len() > 2)
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Integral of what order n passes, 1/(1 + k²ⁿ), times cos(kx), over k from 0 to where it no longer counts.
+    fn kernel(order: i32, x: f64) -> f64 {
+        let step = 1e-3;
+        let waves = (0..60_000).map(|i| (f64::from(i) + 0.5) * step);
+        waves
+            .map(|k| (k * x).cos() / (1.0 + k.powi(2 * order)) * step)
+            .sum()
+    }
+
+    #[test]
+    fn beyond_its_reach_smoothing_spreads_no_more_than_a_tenth() {
+        for (order, least, beyond) in [(2, 0.0, 0.05), (3, -0.08, 0.1)] {
+            // With k_c = 1 and nodes 1 apart, of waves up to π.
+            let kept = kernel(order, 0.0) / std::f64::consts::PI;
+            let reach = smoothing_reach(1.0, kept);
+            let part = |x: f64| kernel(order, x) / kernel(order, 0.0);
+            println!("order {order}: reach {reach:.3}, {:.4} there", part(reach));
+            assert!((part(reach) - least).abs() < 0.02, "{}", part(reach));
+            for k in 0..100 {
+                let x = reach * (1.0 + 0.05 * f64::from(k));
+                assert!(part(x).abs() < beyond, "{x} {}", part(x));
+            }
+        }
+    }
 }

@@ -5,7 +5,7 @@ use stickslip_hybrid::region::checks::ChiSquared;
 use stickslip_report::table::{Column, Table};
 
 use super::truth::{TruePlace, true_edge};
-use super::{Analysed, UNUSED, figures};
+use super::{Analysed, UNUSED, figures, forces};
 use crate::experiment::plan::{Experiment, Method, RegionShape, Source};
 use crate::experiment::story::{Story, csv_table};
 use crate::experiment::truth::Truth;
@@ -28,6 +28,7 @@ pub(in crate::experiment) fn tell(
     story.section("Edge stresses");
     story.text(words(experiment));
     story.table(stresses(experiment, analysed));
+    story.table(forces::table(experiment, analysed));
     story.table(checks(experiment, analysed));
     for found in analysed {
         let name = &experiment.states[found.state].name;
@@ -64,8 +65,7 @@ fn words(experiment: &Experiment) -> String {
     format!(
         "A region of finite elements moves at its boundary as measured and is in balance inside; its stresses on the edge are linear in \
          the data, so that their covariance is exact. {place}{how}Bands hold the noise and, as a declared systematic deviation, the estimated \
-         bias of the smoothing; the error of the mesh is not in them, and friction is identified on half of the cells too, to show it. θ is counted from +x \
-         towards +y. \
+         bias of the smoothing; the error of the mesh is not in them. θ is counted from +x towards +y. \
          One of {UNUSED} places, evenly over the plane, is not used and checks the others. Direct interpolation is what the \
          elements alone make of a local polynomial fit, without equilibrium."
     )
@@ -238,11 +238,17 @@ fn answer(experiment: &Experiment, found: &Analysed) -> String {
     });
     let mut told: Vec<String> = told.collect();
     if told.is_empty() {
-        told.push("no place that is two cells from the region's ends".to_owned());
-    }
-    if found.contact().is_none() {
         told.push(
-            "no contact: no pressure beyond its uncertainty and 3 % of the hoop stress".to_owned(),
+            "no place is far enough from the region's ends to be trusted: take more cells"
+                .to_owned(),
+        );
+    }
+    if found.is_free() {
+        told.push("no contact: no pressure that counts beside the hoop stress".to_owned());
+    } else if found.contact().is_none() {
+        told.push(
+            "whether it is in contact cannot be told: no pressure exceeds its uncertainty"
+                .to_owned(),
         );
     }
     told.join("; ")
@@ -275,7 +281,7 @@ fn stresses(experiment: &Experiment, analysed: &[Analysed]) -> Table {
 }
 
 /// What each check says, in the order of its columns.
-const MEANINGS: [&str; 6] = [
+const MEANINGS: [&str; 5] = [
     "Data and parameters: displacements that were fitted, and how many of them the fit uses up; far more data than parameters are good.",
     "Smoothing: the order of the differences along the boundary that are kept small, and how much they count.",
     "Noise factor: the variance of means of neighbouring residuals over that of independent errors of the deviation, at least that which \
@@ -283,7 +289,6 @@ const MEANINGS: [&str; 6] = [
     "Misfit: squares of measured less calculated displacements at places that were not used, over their variances; much above the \
      expected number data, region or material do not fit together.",
     "Free edge: the same of tractions on the edge beyond contact, which should vanish.",
-    "Balance: the force on the edge by its stresses less that by its nodes; the ends of the edge leave some per cent.",
 ];
 
 fn checks(experiment: &Experiment, analysed: &[Analysed]) -> Table {
@@ -295,7 +300,6 @@ fn checks(experiment: &Experiment, analysed: &[Analysed]) -> Table {
         Column::new("noise factor", ""),
         Column::new("misfit χ²", "(expected)"),
         Column::new("free edge χ²", "(expected)"),
-        Column::new("balance", "% of the force"),
     ];
     let mut table = Table::new("Checks of the data", columns);
     for found in analysed {
@@ -309,7 +313,6 @@ fn checks(experiment: &Experiment, analysed: &[Analysed]) -> Table {
             format!("{:.2}", found.scale),
             told(found.unused.as_ref().map(chi_squared)),
             told(found.free_edge.as_ref().map(chi_squared)),
-            format!("{:.1}", 100.0 * imbalance(found)),
         ]);
     }
     MEANINGS.into_iter().fold(table, Table::note)
@@ -322,19 +325,6 @@ fn chi_squared(check: &ChiSquared) -> String {
         check.count,
         short(check.deviation)
     )
-}
-
-/// Force on the edge by its stresses plus that by its nodes, over the latter. Where the edge ends, its last nodes carry forces of the
-/// neighbouring edges too, so that some per cent remain on any mesh.
-fn imbalance(found: &Analysed) -> f64 {
-    let values = &found.forces.values;
-    let size = |x: f64, y: f64| x.hypot(y);
-    let force = size(values[2], values[3]);
-    if force > 0.0 {
-        size(values[0] + values[2], values[1] + values[3]) / force
-    } else {
-        0.0
-    }
 }
 
 fn entry(experiment: &Experiment, found: &Analysed) -> Value {
@@ -375,6 +365,6 @@ fn entry(experiment: &Experiment, found: &Analysed) -> Value {
         })),
         "unused_misfit": check(found.unused.as_ref()),
         "free_edge": check(found.free_edge.as_ref()),
-        "imbalance": imbalance(found),
+        "force": forces::entry(experiment, found),
     })
 }

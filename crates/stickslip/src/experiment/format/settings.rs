@@ -126,14 +126,14 @@ fn quadratic() -> ElementKind {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
 pub(in crate::experiment) struct SmoothingFormat {
-    #[serde(default = "third")]
+    #[serde(default = "second")]
     pub(in crate::experiment) order: usize,
     pub(in crate::experiment) amount: Option<f64>,
     pub(in crate::experiment) share: Option<f64>,
 }
 
-fn third() -> usize {
-    3
+fn second() -> usize {
+    2
 }
 
 /// `[identify]`.

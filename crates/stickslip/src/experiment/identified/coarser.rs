@@ -73,3 +73,31 @@ impl Coarser {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn fit(mu: f64, bounds: Bounds) -> SlipFit {
+        SlipFit {
+            mu,
+            bounds,
+            chi_squared: 10.0,
+            degrees: 10,
+        }
+    }
+
+    #[test]
+    fn a_mesh_that_moves_the_coefficient_beyond_both_intervals_is_doubted() {
+        let fine = fit(0.25, Bounds::Between(0.24, 0.26));
+        let doubted = |dynamic| {
+            let cells = [20, 5];
+            Coarser { cells, dynamic }.doubts(&fine)
+        };
+        assert!(doubted(Some(fit(0.27, Bounds::Between(0.265, 0.275)))));
+        assert!(!doubted(Some(fit(0.255, Bounds::Between(0.25, 0.26)))));
+        assert!(!doubted(Some(fit(0.27, Bounds::Between(0.245, 0.295)))));
+        assert!(!doubted(Some(fit(0.1, Bounds::AtMost(0.3)))));
+        assert!(!doubted(None));
+    }
+}

@@ -8,6 +8,7 @@ use stickslip_report::table::{Column, Table};
 
 use super::{Coarser, Grip, Identified, SlipZone, figures, ratio, words};
 use crate::experiment::analysed::{Analysed, true_edge};
+use crate::experiment::error::ExperimentError;
 use crate::experiment::plan::Experiment;
 use crate::experiment::story::Story;
 use crate::experiment::truth::Truth;
@@ -17,6 +18,8 @@ const CONSISTENT: f64 = 3.0;
 
 /// What is said of either coefficient where nothing touches the edge.
 const NO_CONTACT: &str = "no pressure on the edge: no contact, no friction to identify";
+/// And where that cannot be told.
+const HIDDEN: &str = "not identifiable: no pressure on the edge exceeds its uncertainty";
 
 /// What is told, and of what.
 #[derive(Clone, Copy, Debug)]
@@ -25,7 +28,7 @@ pub(in crate::experiment) struct Told<'a> {
     pub(in crate::experiment) analysed: &'a [Analysed],
     pub(in crate::experiment) identified: &'a Identified,
     /// The same on half of the cells.
-    pub(in crate::experiment) coarser: Option<&'a Coarser>,
+    pub(in crate::experiment) coarser: &'a Result<Option<Coarser>, ExperimentError>,
     pub(in crate::experiment) truth: Option<&'a Truth>,
 }
 
@@ -40,18 +43,23 @@ pub(in crate::experiment) fn tell(told: &Told<'_>, story: &mut Story) {
          resolves is left out, where stresses are not smooth. That angle is a cell, or more where the smoothing goes on beyond cells.",
     );
     let confidence = 100.0 * experiment.identify.confidence;
-    let is_free = told.analysed.iter().all(|found| found.contact().is_none());
+    let bears = told.analysed.iter().any(|found| found.contact().is_some());
+    let without = if told.analysed.iter().all(Analysed::is_free) {
+        NO_CONTACT
+    } else {
+        HIDDEN
+    };
     match &identified.dynamic {
         Some(fit) => {
             story.answer("Dynamic friction μd", dynamic_words(fit, confidence));
             if !fit.is_consistent(CONSISTENT) {
-                story.warn(format!(
-                    "One coefficient does not explain all slip zones together: χ² = {:.1} with {} degrees of freedom.",
-                    fit.chi_squared, fit.degrees
-                ));
+                story.warn(
+                    "One coefficient does not explain all slip zones together: friction changes within them, or the edge does not slip \
+                     all over them. Its interval does not hold; fit laws by [[laws]], or state [identify] zones.",
+                );
             }
         }
-        None if is_free => story.answer("Dynamic friction μd", NO_CONTACT),
+        None if !bears => story.answer("Dynamic friction μd", without),
         None => story.answer(
             "Dynamic friction μd",
             "not identifiable: no slip zone is recognised",
@@ -59,7 +67,7 @@ pub(in crate::experiment) fn tell(told: &Told<'_>, story: &mut Story) {
     }
     let hold = hold(identified);
     let of_static = match identified.dynamic {
-        None if is_free => NO_CONTACT.to_owned(),
+        None if !bears => without.to_owned(),
         _ => static_words(experiment, hold, confidence),
     };
     story.answer("Static friction μs", of_static.clone());
@@ -75,7 +83,7 @@ pub(in crate::experiment) fn tell(told: &Told<'_>, story: &mut Story) {
         ));
     }
     mesh(told, story);
-    if !is_free || identified.dynamic.is_some() {
+    if bears || identified.dynamic.is_some() {
         story.table(table(experiment, told.analysed, identified));
         let truth: Vec<_> = (told.analysed.iter())
             .map(|found| true_edge(experiment, told.truth, found.state))
@@ -100,8 +108,15 @@ pub(in crate::experiment) fn tell(told: &Told<'_>, story: &mut Story) {
 
 /// What half of the cells say.
 fn mesh(told: &Told<'_>, story: &mut Story) {
-    let Some(coarser) = told.coarser else {
-        return;
+    let coarser = match told.coarser {
+        Ok(Some(coarser)) => coarser,
+        Ok(None) => return,
+        Err(cause) => {
+            story.text(format!(
+                "The interval does not hold the error of the mesh, and half of the cells do not show it: {cause}."
+            ));
+            return;
+        }
     };
     story.text(format!(
         "{} The interval does not hold the error of the mesh; this is its size on the coarser one.",
@@ -110,14 +125,21 @@ fn mesh(told: &Told<'_>, story: &mut Story) {
     let fit = told.identified.dynamic.as_ref();
     if fit.is_some_and(|fit| coarser.doubts(fit)) {
         story.warn(format!(
-            "The mesh moves μd by more than its interval. {} Take more cells until it stays.",
+            "The mesh moves μd by more than either interval leaves to noise. {} Take more cells until it stays.",
             coarser.words()
         ));
     }
 }
 
-fn dynamic_words(fit: &SlipFit, confidence: f64) -> String {
+/// The coefficient of all zones with its bounds, or that there is none.
+pub(in crate::experiment) fn dynamic_words(fit: &SlipFit, confidence: f64) -> String {
     let bounds = words(fit.bounds);
+    if !fit.is_consistent(CONSISTENT) {
+        return format!(
+            "{:.4} at best, but one coefficient does not explain the zones that slip: χ² = {:.1} with {} degrees of freedom",
+            fit.mu, fit.chi_squared, fit.degrees
+        );
+    }
     match fit.bounds {
         Bounds::Between(..) => format!("{:.4}, {bounds} ({confidence} %)", fit.mu),
         Bounds::AtMost(_) | Bounds::AtLeast(_) => format!("{bounds} ({confidence} %)"),
@@ -263,7 +285,7 @@ fn entry(told: &Told<'_>, hold: Hold<'_>, of_static: &str) -> Value {
     json!({
         "confidence": experiment.identify.confidence,
         "mu_dynamic": identified.dynamic.as_ref().map(fit_entry),
-        "half_the_cells": told.coarser.map(|coarser| json!({
+        "half_the_cells": told.coarser.as_ref().ok().and_then(Option::as_ref).map(|coarser| json!({
             "cells": coarser.cells,
             "mu_dynamic": coarser.dynamic.as_ref().map(fit_entry),
         })),

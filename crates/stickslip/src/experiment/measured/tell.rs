@@ -64,9 +64,13 @@ fn settings(experiment: &Experiment) -> String {
         }
         Method::Lines { .. } => "linear interpolation between fringe centres".to_owned(),
     };
+    let pictured = |state: &State| matches!(state.source, Source::Step(_) | Source::Pictures(_));
     let margin = match reduce.margin {
         Some(margin) => format!("{} beyond its edge", length.show(margin)),
-        None => "what a phase of fringes with a carrier resolves beyond its edge".to_owned(),
+        None if experiment.states.iter().any(pictured) => {
+            "what a phase of fringes with a carrier resolves beyond its edge".to_owned()
+        }
+        None => "nothing beyond its edge".to_owned(),
     };
     let mut words = format!(
         "Masked: the hole, {margin}, and {} further areas. Displacements of nodes by {method}.",
@@ -82,7 +86,6 @@ fn settings(experiment: &Experiment) -> String {
         };
         words.push_str(&outliers);
     }
-    let pictured = |state: &State| matches!(state.source, Source::Step(_) | Source::Pictures(_));
     if experiment.states.iter().any(pictured) {
         let pictures = format!(
             " Pictures: a band of {} around the carrier, fringes below {} of their median amplitude masked.",

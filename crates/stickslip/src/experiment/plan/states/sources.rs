@@ -56,6 +56,8 @@ impl Scope<'_> {
                 "name x, y, u, v or flag",
             ));
         }
+        let format = renamed(preset, &given.columns);
+        self.check_columns(key, &format)?;
         let scale = self
             .refuse
             .positive(&format!("{key}.scale"), &given.scale)?;
@@ -74,7 +76,7 @@ impl Scope<'_> {
             .transpose()?;
         Ok(Source::Table(TableSource {
             file: self.folder.join(&given.file),
-            format: renamed(preset, &given.columns),
+            format,
             reading: Reading {
                 scale: Some(scale),
                 displacement_scale,
@@ -205,6 +207,27 @@ impl Scope<'_> {
         }
         let example = "[grating] frequency = \"2400 1/mm\"";
         Err(self.refuse.missing("", "grating", example))
+    }
+
+    /// Refuses a column that is named for two things; upper and lower case are the same to a table.
+    fn check_columns(&self, key: &str, format: &data::Format) -> Result<(), SceneError> {
+        let named = format
+            .places
+            .iter()
+            .chain(format.displacements.iter().flatten());
+        let names: Vec<String> = named.map(|name| name.trim().to_lowercase()).collect();
+        let twice = names
+            .iter()
+            .enumerate()
+            .find(|(k, name)| names[..*k].contains(name));
+        match twice {
+            Some((_, name)) => Err(self.refuse.conflict(
+                &format!("{key}.columns"),
+                format!("column '{name}' is named for two of x, y, u and v"),
+                "name a column for each",
+            )),
+            None => Ok(()),
+        }
     }
 }
 
