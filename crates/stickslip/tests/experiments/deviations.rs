@@ -26,7 +26,7 @@ fn of_rounded_data_the_deviation_of_rounding_is_told() {
     let page = fs::read_to_string(folder.path().join("e-results/index.html")).unwrap();
     let told = page.split("deviation of U: ").nth(1).unwrap_or_default();
     assert!(
-        told.starts_with("2.887e-4 mm, by which its digits are rounded"),
+        told.starts_with("0.0002887 mm, by which its digits are rounded"),
         "{told:.60}"
     );
     assert!(!page.contains("estimated from the scatter of neighbours: 0 mm"));
