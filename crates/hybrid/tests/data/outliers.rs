@@ -55,8 +55,8 @@ fn noisy(mut data: Measurement, noise: fn(f64, f64) -> f64, seed: u64) -> Measur
     data
 }
 
-/// Adds 100 deviations up or down to one component of one of so many places; their marks.
-fn spoilt(data: &mut Measurement, one_of: usize, seed: u64) -> Vec<[bool; 2]> {
+/// Adds so many deviations up or down to one component of one of so many places; their marks.
+fn spoilt(data: &mut Measurement, deviations: f64, one_of: usize, seed: u64) -> Vec<[bool; 2]> {
     let mut random = StdRng::seed_from_u64(seed);
     let mut marks = vec![[false; 2]; data.places.len()];
     for _ in 0..data.places.len() / one_of {
@@ -67,7 +67,7 @@ fn spoilt(data: &mut Measurement, one_of: usize, seed: u64) -> Vec<[bool; 2]> {
         if !marks[k][c] {
             marks[k][c] = true;
             let sign = if random.random::<bool>() { 1.0 } else { -1.0 };
-            data.displacements[c][k] += sign * 100.0 * SIGMA;
+            data.displacements[c][k] += sign * deviations * SIGMA;
         }
     }
     marks
@@ -109,7 +109,7 @@ fn values_off_by_a_hundred_deviations_are_found_alone_and_one_in_a_hundred() {
         for noise in noises() {
             for one_of in [100, clean.places.len()] {
                 let mut data = noisy(clean.clone(), noise, seed);
-                let marks = spoilt(&mut data, one_of, seed + 7);
+                let marks = spoilt(&mut data, 100.0, one_of, seed + 7);
                 data.deviation = [SIGMA; 2];
                 let found = data.outliers(THRESHOLD).unwrap();
                 let spoilt = marks.iter().flatten().filter(|mark| **mark).count();
@@ -124,6 +124,35 @@ fn values_off_by_a_hundred_deviations_are_found_alone_and_one_in_a_hundred() {
             }
         }
     }
+}
+
+/// The limit: of displacements that are off by twenty deviations of the noise, half are found.
+#[test]
+fn half_of_the_values_that_are_off_by_twenty_deviations_are_found() {
+    let fields = [grid(30, 0.2), scattered(2000, 5), scattered(20_000, 6)];
+    let found = |deviations: f64| {
+        let (mut found, mut all) = (0, 0);
+        for (seed, clean) in (1..).zip(&fields) {
+            for noise in &noises()[1..] {
+                let mut data = noisy(clean.clone(), *noise, seed);
+                let marks = spoilt(&mut data, deviations, 100, seed + 7);
+                data.deviation = [SIGMA; 2];
+                all += marks.iter().flatten().filter(|mark| **mark).count();
+                let outliers = data.outliers(THRESHOLD).unwrap();
+                found += (outliers.iter())
+                    .filter(|one| marks[one.place][one.field.component()])
+                    .count();
+            }
+        }
+        println!("{deviations} deviations: {found} of {all} found");
+        found as f64 / all as f64
+    };
+    let parts = [12.0, 16.0, 20.0, 25.0, 30.0].map(found);
+    assert!(parts.is_sorted(), "{parts:?}");
+    assert!(
+        parts[0] < 0.02 && (0.3..0.7).contains(&parts[2]) && parts[4] > 0.95,
+        "{parts:?}"
+    );
 }
 
 /// Two that are neighbours, and a row of them, do not hide each other or make their good neighbours bad.

@@ -152,11 +152,16 @@ impl<'a> Gallery<'a> {
                 "The sheet of all pictures cannot be drawn: {cause}."
             )),
         }
-        story.file(
-            "measured.toml",
-            "an experiment file that reads these pictures as measured ones",
-            restart::text(experiment, camera, folder).into_bytes(),
-        );
+        match restart::text(experiment, camera, folder) {
+            Ok(text) => story.file(
+                "measured.toml",
+                "an experiment file that reads these pictures as measured ones",
+                text.into_bytes(),
+            ),
+            Err(cause) => story.warn(format!(
+                "The experiment file that would read these pictures cannot be written: {cause}."
+            )),
+        }
         story.answer(
             "Fringe pictures",
             format!("{} states", experiment.states.len()),

@@ -3,6 +3,7 @@
 use super::plan::{Direction, Source, State};
 use crate::scene::Scene;
 use crate::scene::schema::{Load, LoadKind};
+use crate::units::Unit;
 
 /// The load steps of a scene that a state is compared with.
 #[derive(Debug, PartialEq)]
@@ -19,6 +20,8 @@ pub(super) struct Tied {
 pub(super) struct History<'a> {
     steps: usize,
     load: Option<&'a Load>,
+    /// What forces are shown in.
+    force: &'static Unit,
 }
 
 impl<'a> History<'a> {
@@ -31,6 +34,7 @@ impl<'a> History<'a> {
         Self {
             steps: scene.steps(),
             load: load.or(scene.loads.first()),
+            force: scene.display.force,
         }
     }
 
@@ -96,7 +100,7 @@ impl<'a> History<'a> {
 
     fn assumption(&self, state: &State, null: usize) -> String {
         let load = self.load(null);
-        let load = load.map_or_else(String::new, |load| format!(" of {load:.6} N"));
+        let load = load.map_or_else(String::new, |load| format!(" of {}", self.force.show(load)));
         format!(
             "The load of the measured null field of state '{}' is not known: it is taken for that of step {} of the scene, the smallest \
              load{load} before it.",
@@ -116,7 +120,8 @@ impl<'a> History<'a> {
         };
         (0..self.steps).find(same).ok_or_else(|| {
             let direction = state.direction.name();
-            format!("no load step of the scene has {load:.6} N in {direction}")
+            let load = self.force.show(load);
+            format!("no load step of the scene has {load} in {direction}")
         })
     }
 
@@ -130,6 +135,53 @@ impl<'a> History<'a> {
             source: Source::Step(step),
             null: None,
             back: None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::experiment::Experiment;
+    use crate::scene::Format;
+
+    #[test]
+    fn forces_are_told_in_the_units_of_the_experiment() {
+        let text = r#"
+            version = 1
+            units = { length = "in", force = "lbf", stress = "psi" }
+            [specimen]
+            scene = "pin-loaded-aluminium.toml"
+            body = "plate"
+            [[states]]
+            name = "up"
+            load = "1250 lbf"
+            table = { file = "up.csv", scale = "1 mm", y_axis = "up" }
+        "#;
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
+        for units in ["\"lbf\"", "\"kN\""] {
+            let text = text.replace("\"lbf\"", units);
+            let none: [&str; 0] = [];
+            let own = Experiment::from_text(&text, Format::Toml, "e.toml", &folder, &none).unwrap();
+            let history = History::of(&own.specimen.model.as_ref().unwrap().scene);
+            let state = State {
+                load: Some(1e5),
+                ..own.states[0].clone()
+            };
+            let words = history.tied(&state).unwrap_err();
+            let expected = own.display.force.show(1e5);
+            assert!(
+                words.contains(&format!("has {expected} in loading")),
+                "{words}"
+            );
+            let assumed = history.assumption(&own.states[0], 0);
+            let expected = own.display.force.show(history.load(0).unwrap());
+            assert!(
+                assumed.contains(&format!("the smallest load of {expected} before")),
+                "{assumed}"
+            );
         }
     }
 }

@@ -237,7 +237,7 @@ fn the_experiment_written_beside_pictures_moves_with_its_folder() {
         "{written}"
     );
     assert!(
-        !written.contains("symmetry") && !written.contains("back"),
+        written.contains("symmetry") && written.contains("file = \"../../scenes/back.csv\""),
         "{written}"
     );
     let moved = folder.path().join("elsewhere");
@@ -246,4 +246,35 @@ fn the_experiment_written_beside_pictures_moves_with_its_folder() {
         &moved,
         &["reduce", "out/pictures/measured.toml", "--output", "read"],
     );
+}
+
+/// A measured null field of synthetic pictures, and a measured state that a slip zone names, are read from where they are.
+#[test]
+fn measured_data_beside_synthetic_pictures_are_kept() {
+    let table = |file: &str| {
+        format!(
+            "table = {{ file = \"{file}\", scale = \"1 mm\", y_axis = \"up\", deviation = \"1e-4 mm\" }}\n"
+        )
+    };
+    let text = format!(
+        "{FRINGES}[[states]]\nname = \"up\"\nstep = 2\nnull.{}[[states]]\nname = \"other\"\nload = \"1 kN\"\n{}\
+         [identify]\nzones = [{{ state = \"other\", from = \"10 deg\", to = \"20 deg\" }}]\n",
+        table("null.csv"),
+        table("other.csv")
+    );
+    let small = super::grid("x,y,u,v", |x, y| [1e-4 * x, 1e-4 * y]);
+    let folder = folder_with(&[
+        ("scene.toml", SCENE),
+        ("e.toml", &text),
+        ("null.csv", &small),
+        ("other.csv", &small),
+    ]);
+    let path = folder.path();
+    let own = succeeds(path, &["reduce", "e.toml", "--output", "deep/own"]);
+    let read = succeeds(
+        path,
+        &["reduce", "deep/own/measured.toml", "--output", "read"],
+    );
+    assert_eq!(own["measured"].as_array().unwrap().len(), 2);
+    assert_eq!(own["measured"], read["measured"]);
 }

@@ -3,8 +3,11 @@
 mod backs;
 mod chain;
 mod commands;
+mod deviations;
 mod friction;
 mod margins;
+mod materials;
+mod models;
 mod pictures;
 mod refusals;
 mod stresses;

@@ -10,7 +10,14 @@ use crate::experiment::plan::{Experiment, Fringes, RegionShape, Source};
 use crate::experiment::synthesis::{Camera, Shot, file_names};
 
 /// The text of the file, which will stand in the result folder `folder`.
-pub(super) fn text(experiment: &Experiment, camera: &Camera<'_>, folder: &Path) -> String {
+///
+/// # Errors
+/// What TOML cannot spell.
+pub(super) fn text(
+    experiment: &Experiment,
+    camera: &Camera<'_>,
+    folder: &Path,
+) -> Result<String, toml::ser::Error> {
     let mut root = experiment.spelled();
     root.remove("fringes");
     root.insert(
@@ -18,21 +25,17 @@ pub(super) fn text(experiment: &Experiment, camera: &Camera<'_>, folder: &Path) 
         format!("{}, from its pictures", experiment.title).into(),
     );
     paths(experiment, folder, &mut root);
-    let synthetic = |state: &usize| matches!(experiment.states[*state].source, Source::Step(_));
-    let states = (0..experiment.states.len()).filter(synthetic);
-    let states = states.map(|state| entry(experiment, camera, state));
-    let states: Vec<Value> = states.collect();
-    if states.iter().all(|state| state.get("back").is_none()) {
-        // A line of symmetry without a back to compare would be refused.
-        if let Some(reduce) = root.get_mut("reduce").and_then(Value::as_object_mut) {
-            reduce.remove("symmetry");
-        }
-    }
-    root.insert("states".to_owned(), states.into());
-    let comment = "# The pictures in the folder 'fringes', read as measured ones: `stickslip reduce measured.toml`.\n";
-    // The tree came from a file and holds no null, so TOML can spell it.
-    let body = toml::to_string(&Value::Object(root)).unwrap_or_default();
-    format!("{comment}{body}")
+    // Absent where every load step is a state.
+    let spelled = root.remove("states").unwrap_or_default();
+    let states = (0..experiment.states.len()).map(|state| {
+        let spelled = spelled.get(state).cloned().unwrap_or_default();
+        entry(experiment, camera, folder, state, &spelled)
+    });
+    root.insert("states".to_owned(), states.collect());
+    let comment = "# The pictures in the folder 'fringes', read as measured ones: `stickslip reduce measured.toml`. What was measured before is\n\
+                   # read from where it is.\n";
+    let body = toml::to_string(&Value::Object(root))?;
+    Ok(format!("{comment}{body}"))
 }
 
 /// Files that the experiment names, as they are found from the result folder: all may be moved together.
@@ -78,26 +81,65 @@ fn seen_from(folder: &Path, path: &Path) -> String {
     up.chain(down).collect::<Vec<_>>().join("/")
 }
 
-fn entry(experiment: &Experiment, camera: &Camera<'_>, state: usize) -> Value {
+/// A state: its synthetic pictures by their files, all else as it was spelled.
+fn entry(
+    experiment: &Experiment,
+    camera: &Camera<'_>,
+    folder: &Path,
+    state: usize,
+    spelled: &Value,
+) -> Value {
     let plan = &experiment.states[state];
-    let mut entry = json!({
-        "name": plan.name,
-        "direction": plan.direction.name(),
-    });
-    if let Some(load) = plan.load {
-        entry["load"] = format!("{load} N").into();
-    }
-    let own = pictures(experiment, camera, state, Shot::State);
-    entry["pictures"] = own;
+    let mut entry = if plan.source.is_synthetic() {
+        let mut entry = json!({
+            "name": plan.name,
+            "direction": plan.direction.name(),
+        });
+        if let Some(load) = plan.load {
+            entry["load"] = format!("{load} N").into();
+        }
+        entry["pictures"] = pictures(experiment, camera, state, Shot::State);
+        entry
+    } else {
+        moved(experiment, folder, spelled)
+    };
     for (key, shot, source) in [
         ("null", Shot::Null, &plan.null),
         ("back", Shot::Back, &plan.back),
     ] {
-        if matches!(source, Some(Source::Step(_))) {
-            entry[key] = json!({ "pictures": pictures(experiment, camera, state, shot) });
+        match source {
+            Some(Source::Step(_)) => {
+                entry[key] = json!({ "pictures": pictures(experiment, camera, state, shot) });
+            }
+            Some(_) => entry[key] = moved(experiment, folder, &spelled[key]),
+            None => (),
         }
     }
     entry
+}
+
+/// Data as they were spelled, their files named from the result folder.
+fn moved(experiment: &Experiment, folder: &Path, spelled: &Value) -> Value {
+    let name = |value: &mut Value| {
+        if let Some(file) = value.as_str() {
+            *value = seen_from(folder, &experiment.folder.join(file)).into();
+        }
+    };
+    let mut data = spelled.clone();
+    for (way, key) in [
+        ("table", "file"),
+        ("pictures", "u"),
+        ("pictures", "v"),
+        ("lines", "u"),
+        ("lines", "v"),
+    ] {
+        match data.get_mut(way).and_then(|data| data.get_mut(key)) {
+            Some(Value::Array(files)) => files.iter_mut().for_each(name),
+            Some(file) => name(file),
+            None => (),
+        }
+    }
+    data
 }
 
 fn pictures(experiment: &Experiment, camera: &Camera<'_>, state: usize, shot: Shot) -> Value {

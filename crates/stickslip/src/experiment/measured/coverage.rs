@@ -10,16 +10,25 @@ use stickslip_hybrid::region::sector::ArcSector;
 use super::elsewhere::extent;
 use super::{Measured, Scope};
 use crate::experiment::error::ExperimentError;
-use crate::experiment::plan::{Method, RegionShape};
+use crate::experiment::plan::{Method, RegionShape, Source};
 use crate::experiment::synthesis::field_name;
 
 /// Data nearer than this many of their spacings cover a node.
 const SPACINGS: f64 = 3.0;
 
-/// Refuses a state without one of the components, or that leaves a node of a sector's boundary without data near it. Fringe lines along which nodes are interpolated
+/// Refuses a state without one of the components or its deviation, or that leaves a node of a sector's boundary without data near it. Fringe lines along which nodes are interpolated
 /// cover what is near a line, and that is asked when the nodes' displacements are made.
 pub(super) fn check(scope: &Scope<'_>, measured: &Measured) -> Result<(), ExperimentError> {
-    let Some(region) = &scope.experiment.region else {
+    let region = &scope.experiment.region;
+    if region.is_some() || !scope.experiment.laws.is_empty() {
+        for field in Field::BOTH {
+            let data = &measured.measurement;
+            if data.count(field) > 0 && data.deviation[field.component()] <= 0.0 {
+                return Err(without_deviation(scope, field));
+            }
+        }
+    }
+    let Some(region) = region else {
         return Ok(());
     };
     for field in Field::BOTH {
@@ -87,6 +96,22 @@ fn lacking(scope: &Scope<'_>, field: Field) -> ExperimentError {
         remedy: format!(
             "give the {name} field too, or mask less of it; without [region], `stickslip reduce` shows the other field alone"
         ),
+    }
+}
+
+/// A component whose neighbours agree to the last digit, as of a table that is zero everywhere, with nothing to weigh it by.
+fn without_deviation(scope: &Scope<'_>, field: Field) -> ExperimentError {
+    let name = field_name(field);
+    let source = &scope.experiment.states[scope.state].source;
+    let table = matches!(source, Source::Table(_));
+    ExperimentError::Missing {
+        key: format!("{}{}", scope.key, if table { ".table" } else { "" }),
+        what: format!(
+            "state '{}': the {name} data do not scatter at all, as zeros everywhere do not, and tell no deviation to weigh them by",
+            scope.name()
+        ),
+        remedy: "state the deviation that a measurement has: table = { …, deviation = \"0.5 um\" }"
+            .to_owned(),
     }
 }
 

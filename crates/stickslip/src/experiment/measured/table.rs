@@ -67,7 +67,7 @@ pub(super) fn read(scope: &Scope<'_>, source: &TableSource) -> Result<Reading, E
         let c = field.component();
         found.measurement.deviation[c] = match source.deviation {
             Some(deviation) => deviation,
-            None => estimated(scope, field, &mut found)?.max(rounding[c]),
+            None => estimated(scope, field, rounding[c], &mut found)?,
         };
     }
     Ok(Reading::Scattered(found))
@@ -121,16 +121,18 @@ fn told(scope: &Scope<'_>, one: &Outlier, line: u64) -> String {
     )
 }
 
+/// The deviation `[mm]` that errors of a component have by the scatter of neighbours, and at least by what rounds its digits.
 fn estimated(
     scope: &Scope<'_>,
     field: Field,
+    rounding: f64,
     found: &mut Scattered,
 ) -> Result<f64, ExperimentError> {
     if found.measurement.count(field) == 0 {
         return Ok(0.0);
     }
-    let deviation = scatter::deviation(&found.measurement, field);
-    let deviation = deviation.map_err(|cause| ExperimentError::Missing {
+    let scatter = scatter::deviation(&found.measurement, field);
+    let scatter = scatter.map_err(|cause| ExperimentError::Missing {
         key: scope.key.clone(),
         what: format!(
             "state '{}': no deviation is stated, and it cannot be estimated from the scatter of neighbours: {cause}",
@@ -138,24 +140,30 @@ fn estimated(
         ),
         remedy: "state it: deviation = \"0.5 um\"".to_owned(),
     })?;
+    let deviation = scatter.max(rounding);
     let length = scope.experiment.display.length;
+    let shown = |value: f64| format!("{} {}", short(length.from_base(value)), length.name);
+    let name = field_name(field);
     let range = range(&found.measurement, field);
     if deviation < CALCULATED * range {
         found.warnings.push(format!(
-            "{} scatters by {} {} only, {} of its range, as calculated data do: bands hold this, not the error of a measurement or of a \
+            "{name} scatters by {} only, {} of its range, as calculated data do: bands hold this, not the error of a measurement or of a \
              mesh. State the deviation that a measurement has.",
-            field_name(field),
-            short(length.from_base(deviation)),
-            length.name,
+            shown(deviation),
             short(deviation / range)
         ));
     }
-    found.remarks.push(format!(
-        "deviation of {} estimated from the scatter of neighbours: {} {}",
-        field_name(field),
-        short(length.from_base(deviation)),
-        length.name
-    ));
+    found.remarks.push(if deviation > scatter {
+        format!(
+            "deviation of {name}: {}, by which its digits are rounded; its neighbours scatter by less",
+            shown(deviation)
+        )
+    } else {
+        format!(
+            "deviation of {name} estimated from the scatter of neighbours: {}",
+            shown(deviation)
+        )
+    });
     Ok(deviation)
 }
 

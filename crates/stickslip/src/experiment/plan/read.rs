@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 use std::path::Path;
+use std::sync::Arc;
 
 use serde::Deserialize as _;
 use sha2::{Digest as _, Sha256};
@@ -36,7 +37,17 @@ pub(super) fn experiment(
         document.error(key, error.part, *error.problem)
     })?;
     let refuse = Refuse(&document);
-    let specimen = specimen::read(refuse, &read, folder)?;
+    let mut specimen = specimen::read(refuse, &read, folder)?;
+    let display = match (&read.units, &specimen.scene) {
+        (None, Some(own)) => own.scene.display,
+        (given, _) => given.as_ref().unwrap_or(&UnitsFormat::default()).display(),
+    };
+    // What is said of the scene is said in the units of the experiment.
+    for own in specimen.scene.iter_mut().chain(&mut specimen.model) {
+        if own.scene.display != display {
+            Arc::make_mut(&mut own.scene).display = display;
+        }
+    }
     let grating = read
         .grating
         .as_ref()
@@ -60,10 +71,6 @@ pub(super) fn experiment(
         .as_ref()
         .map(|given| settings::region(refuse, given, &specimen.hole, folder))
         .transpose()?;
-    let display = match (&read.units, &specimen.scene) {
-        (None, Some(own)) => own.scene.display,
-        (given, _) => given.as_ref().unwrap_or(&UnitsFormat::default()).display(),
-    };
     let reduce = settings::reduce(refuse, &read.reduce)?;
     check_symmetry(refuse, &reduce, &states)?;
     let stem = Path::new(&source_name).file_stem();

@@ -121,7 +121,7 @@ fn of_scene(
     })
 }
 
-/// The scene as it is fitted: with `model_overrides` on top of the others. Its hole and its load steps are those of the experiment.
+/// The scene as it is fitted: with `model_overrides` on top of the others. Its hole and its loads are those of the experiment.
 fn model_of(
     refuse: Refuse<'_>,
     given: &SpecimenFormat,
@@ -135,20 +135,23 @@ fn model_of(
     let scene = Scene::from_file(path, &overrides.collect::<Vec<_>>())?;
     let circle = |scene: &Scene| {
         let body = scene.bodies.get(&own.body)?;
-        Some((
-            centre_of(scene, &own.body),
-            body.shape.circle(&own.edge)?,
-            scene.steps(),
-        ))
+        Some((centre_of(scene, &own.body), body.shape.circle(&own.edge)?))
     };
     if circle(&scene) != circle(&own.scene) {
         return Err(refuse.conflict(
             "specimen.model_overrides",
             format!(
-                "the model's '{}.{}' is not the circle of the scene, or it has other load steps",
+                "the model's '{}.{}' is not the circle of the scene",
                 own.body, own.edge
             ),
-            "override the model's mesh or constants, and leave its hole and its number of load steps alone",
+            "override the model's mesh or constants, and leave its hole alone",
+        ));
+    }
+    if let Some(difference) = other_load(&scene, &own.scene) {
+        return Err(refuse.conflict(
+            "specimen.model_overrides",
+            format!("the model is not loaded as the scene: {difference}; states would be fitted under loads that they were not made with"),
+            "override the model's mesh or constants, and leave its loads alone; overrides = [\"key=value\"] changes the loads of both",
         ));
     }
     Ok(SpecimenScene {
@@ -156,6 +159,35 @@ fn model_of(
         body: own.body.clone(),
         edge: own.edge.clone(),
     })
+}
+
+/// The first load of a model that is not that of the scene, in words.
+fn other_load(model: &Scene, scene: &Scene) -> Option<String> {
+    let [of_model, of_scene] = [model.loads.len(), scene.loads.len()];
+    if of_model != of_scene {
+        return Some(format!("it has {of_model} loads, and the scene {of_scene}"));
+    }
+    let mut pairs = model.loads.iter().zip(&scene.loads);
+    let (own, load) = pairs.find(|(own, load)| own.kind != load.kind)?;
+    let [steps, expected] = [own, load].map(|load| load.kind.steps());
+    if steps.len() != expected.len() {
+        let [steps, expected] = [steps, expected].map(<[f64]>::len);
+        return Some(format!(
+            "its load '{}' has {steps} steps, and that of the scene {expected}",
+            own.name
+        ));
+    }
+    let other = (0..steps.len()).find(|&step| steps[step] != expected[step]);
+    Some(other.map_or_else(
+        || format!("its load '{}' is another one", own.name),
+        |step| {
+            format!(
+                "its load '{}' is another one in step {}",
+                own.name,
+                step + 1
+            )
+        },
+    ))
 }
 
 /// A specimen without a scene. Its material is read as one of a small scene, so that it has the grammar of scenes to the last key.
