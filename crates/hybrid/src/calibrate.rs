@@ -7,7 +7,8 @@
 //! ```
 //!
 //! m are the data with covariance Σ, h the model's prediction, and Z b what nobody can predict and no one asks for: the rigid motion
-//! of a grating, whole fringe orders, what is left of a carrier. It is projected out before anything is weighed.
+//! of a grating, whole fringe orders, what is left of a carrier. It is projected out before anything is weighed. An error of known shape d
+//! whose amount is known no better than by its order, as that of a mesh, adds d dᵀ to Σ ([`Data::with_shapes`]).
 //!
 //! Models with contact inside are smooth only as long as no point changes its status, and refuse parameters that make no law. So the
 //! search starts on a coarse grid, goes on from its best minima by Levenberg's and Marquardt's method within the ranges, and ends with
@@ -44,9 +45,9 @@ mod profile;
 mod result;
 mod search;
 
-pub use data::{Block, Data, Noise};
+pub use data::{Amount, Block, Data, Noise};
 pub use error::CalibrateError;
-pub use result::{Calibration, Estimate};
+pub use result::{Calibration, Estimate, Least};
 
 use crate::identify::chi_squared_of_one;
 use information::Information;
@@ -185,6 +186,30 @@ pub fn calibrate<E: std::fmt::Display>(
         evaluations: search.evaluations,
         refusals: search.refusals,
         first_refusal: search.first_refusal,
+    })
+}
+
+/// The best fit alone, without intervals; a small part of the evaluations of [`calibrate`].
+///
+/// # Errors
+/// Those of [`calibrate`].
+pub fn least<E: std::fmt::Display>(
+    model: &(impl Fn(&[f64]) -> Result<Vec<f64>, E> + Sync),
+    parameters: &[Parameter],
+    data: &Data,
+    settings: &Settings,
+) -> Result<Least, CalibrateError> {
+    check(parameters, data, settings)?;
+    let predict = |at: &[f64]| model(at).map_err(|error| error.to_string());
+    let mut search = Search::new(&predict, parameters, data);
+    let grid = search.grid(settings.grid[parameters.len() - 1].max(2))?;
+    let best = search.best_of(&grid, settings.starts.max(1))?;
+    let unknowns = parameters.len() + data.nuisances();
+    Ok(Least {
+        values: search.values(&best.parts),
+        chi_squared: best.chi_squared,
+        aicc: result::aicc(best.chi_squared, unknowns, data.count()),
+        evaluations: search.evaluations,
     })
 }
 

@@ -122,3 +122,52 @@ fn errors_in_common_make_deviations_wrong_by_the_root_of_the_largest_eigenvalue_
     assert!(near(alike, 1.5_f64.sqrt()), "{alike}");
     assert!(near(opposite, 0.5_f64.sqrt()), "{opposite}");
 }
+
+#[test]
+fn an_error_of_known_shape_adds_its_square_to_the_covariance() {
+    let values = vec![1.0, -0.5, 2.0, 0.25];
+    let shape = vec![0.3, 0.1, -0.7, 0.2];
+    let predicted = [0.2, 0.1, 1.0, 0.0];
+    let nuisance = vec![vec![1.0; 4]];
+    let own = Block {
+        values: values.clone(),
+        noise: Noise::Independent(vec![0.5; 4]),
+        nuisance: nuisance.clone(),
+    };
+    let entry = |k: usize| {
+        let (i, j) = (k / 4, k % 4);
+        shape[i] * shape[j] + if i == j { 0.25 } else { 0.0 }
+    };
+    let whole = Block {
+        noise: Noise::Correlated((0..16).map(entry).collect()),
+        ..own.clone()
+    };
+    let plain = Data::new(vec![own.clone()]).unwrap();
+    assert_eq!(plain.amounts(&predicted), [None]);
+    let data = plain
+        .clone()
+        .with_shapes(std::slice::from_ref(&shape))
+        .unwrap();
+    let expected = Data::new(vec![whole]).unwrap().chi_squared(&predicted);
+    let found = data.chi_squared(&predicted);
+    assert!((found - expected).abs() < 1e-12, "{found} {expected}");
+    // The most likely amount is where χ² of the data and its own square are least together.
+    let amount = data.amounts(&predicted)[0].unwrap();
+    let at = |c: f64| {
+        let moved: Vec<f64> = (0..4).map(|k| predicted[k] + c * shape[k]).collect();
+        plain.chi_squared(&moved) + c * c
+    };
+    assert!((at(amount.value) - found).abs() < 1e-12);
+    let beside = at(amount.value + amount.deviation) - found;
+    assert!((beside - 1.0).abs() < 1e-12, "{beside}");
+    let moved: Vec<f64> = (0..4)
+        .map(|k| predicted[k] + amount.value * shape[k])
+        .collect();
+    for (a, b) in data.fitted(&predicted).iter().zip(plain.fitted(&moved)) {
+        assert!((a - b).abs() < 1e-12);
+    }
+    // What nuisances take already is no error, and a shape is as long as its block.
+    let taken = plain.clone().with_shapes(&[vec![0.0; 4]]).unwrap();
+    assert_eq!(taken.amounts(&predicted), [None]);
+    assert!(plain.with_shapes(&[vec![1.0; 3]]).is_err());
+}

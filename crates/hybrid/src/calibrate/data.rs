@@ -38,6 +38,23 @@ struct Whitened {
     scale: Scale,
     /// Orthonormal columns that span the whitened nuisances.
     nuisance: Vec<Vec<f64>>,
+    shape: Option<Shape>,
+}
+
+/// The shape of a further error, whitened, without what nuisances take: a unit vector, and its size in standard deviations.
+#[derive(Clone, Debug)]
+struct Shape {
+    unit: Vec<f64>,
+    size: f64,
+}
+
+/// How much of the shape of an error a prediction leaves in a block of data.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Amount {
+    /// The most likely amount.
+    pub value: f64,
+    /// Its standard deviation by the data and by what was known before, which is 1.
+    pub deviation: f64,
 }
 
 #[derive(Clone, Debug)]
@@ -87,6 +104,44 @@ impl Data {
         Ok(Self { blocks })
     }
 
+    /// The same data with one more error in each block: its shape, times an amount that nobody knows, normal about zero with deviation 1.
+    ///
+    /// It adds d dᵀ to the covariance of a block with shape d. A shape that is small beside the errors changes nothing, and one that is
+    /// large takes away all that the data say along it, as a nuisance does.
+    ///
+    /// # Errors
+    /// [`CalibrateError::Length`] and [`CalibrateError::Value`] where a shape is none; blocks beyond `shapes` keep their errors.
+    pub fn with_shapes(mut self, shapes: &[Vec<f64>]) -> Result<Self, CalibrateError> {
+        for (index, (block, shape)) in self.blocks.iter_mut().zip(shapes).enumerate() {
+            length("shape", index, block.values.len(), shape)?;
+            let mut unit = block.scale.whitened(shape.clone());
+            remove(&block.nuisance, &mut unit);
+            let size = dot(&unit, &unit).sqrt();
+            block.shape = (size > 0.0).then(|| {
+                let unit = unit.into_iter().map(|x| x / size).collect();
+                Shape { unit, size }
+            });
+        }
+        Ok(self)
+    }
+
+    /// The amount of its [shape](Self::with_shapes) that each block shows beside a prediction; `None` for blocks without.
+    pub fn amounts(&self, predicted: &[f64]) -> Vec<Option<Amount>> {
+        let mut rest = predicted;
+        let each = self.blocks.iter().map(|block| {
+            let (own, next) = rest.split_at(block.values.len().min(rest.len()));
+            rest = next;
+            let shape = block.shape.as_ref()?;
+            let left = dot(&shape.unit, &block.left(own));
+            let variance = 1.0 / (1.0 + shape.size * shape.size);
+            Some(Amount {
+                value: left * shape.size * variance,
+                deviation: variance.sqrt(),
+            })
+        });
+        each.collect()
+    }
+
     /// Number of data.
     pub fn count(&self) -> usize {
         self.blocks.iter().map(|block| block.values.len()).sum()
@@ -108,10 +163,14 @@ impl Data {
         self.residual(predicted).iter().map(|r| r * r).sum()
     }
 
-    /// The prediction with the amounts of the nuisances that fit best.
+    /// The prediction with the amounts of nuisances and shapes that fit best.
     pub fn fitted(&self, predicted: &[f64]) -> Vec<f64> {
         self.each(predicted, |block, predicted| {
-            let left = block.scale.coloured(&block.residual(predicted));
+            let mut left = block.left(predicted);
+            if let Some(shape) = &block.shape {
+                shape.shrink(&mut left, 1.0 / (1.0 + shape.size * shape.size));
+            }
+            let left = block.scale.coloured(&left);
             block.values.iter().zip(left).map(|(m, r)| m - r).collect()
         })
     }
@@ -128,11 +187,32 @@ impl Data {
     }
 }
 
+impl Shape {
+    /// Leaves the part `part` of what `vector` has along the shape.
+    fn shrink(&self, vector: &mut [f64], part: f64) {
+        let amount = (1.0 - part) * dot(&self.unit, vector);
+        vector
+            .iter_mut()
+            .zip(&self.unit)
+            .for_each(|(x, unit)| *x -= amount * unit);
+    }
+}
+
 impl Whitened {
-    fn residual(&self, predicted: &[f64]) -> Vec<f64> {
+    /// What the nuisances leave.
+    fn left(&self, predicted: &[f64]) -> Vec<f64> {
         let differences = self.values.iter().zip(predicted).map(|(m, h)| m - h);
-        let mut residual = self.scale.whitened(differences.collect());
-        remove(&self.nuisance, &mut residual);
+        let mut left = self.scale.whitened(differences.collect());
+        remove(&self.nuisance, &mut left);
+        left
+    }
+
+    /// (I + d dᵀ)^(−1/2) of that.
+    fn residual(&self, predicted: &[f64]) -> Vec<f64> {
+        let mut residual = self.left(predicted);
+        if let Some(shape) = &self.shape {
+            shape.shrink(&mut residual, 1.0 / 1.0_f64.hypot(shape.size));
+        }
         residual
     }
 }
@@ -140,18 +220,7 @@ impl Whitened {
 impl Block {
     fn whitened(self, block: usize) -> Result<Whitened, CalibrateError> {
         let count = self.values.len();
-        let length = |what: &'static str, expected: usize, values: &[f64]| {
-            if values.len() == expected {
-                return finite(what, block, values);
-            }
-            let found = values.len();
-            Err(CalibrateError::Length {
-                what,
-                block,
-                expected,
-                found,
-            })
-        };
+        let length = |what, expected, values: &[f64]| length(what, block, expected, values);
         finite("value", block, &self.values)?;
         let scale = match self.noise {
             Noise::Independent(deviations) => {
@@ -185,8 +254,28 @@ impl Block {
             values,
             scale,
             nuisance,
+            shape: None,
         })
     }
+}
+
+/// Whether `values` are `expected` finite numbers.
+fn length(
+    what: &'static str,
+    block: usize,
+    expected: usize,
+    values: &[f64],
+) -> Result<(), CalibrateError> {
+    if values.len() == expected {
+        return finite(what, block, values);
+    }
+    let found = values.len();
+    Err(CalibrateError::Length {
+        what,
+        block,
+        expected,
+        found,
+    })
 }
 
 fn finite(what: &'static str, block: usize, values: &[f64]) -> Result<(), CalibrateError> {

@@ -17,6 +17,30 @@ pub struct Estimate {
     pub profile: Vec<(f64, f64)>,
 }
 
+/// The best fit of a model, without what the data say of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Least {
+    /// Values of the parameters.
+    pub values: Vec<f64>,
+    /// The least χ².
+    pub chi_squared: f64,
+    /// Akaike's criterion corrected for few data, as [`Calibration::aicc`].
+    pub aicc: f64,
+    /// How often the model was asked.
+    pub evaluations: usize,
+}
+
+/// Akaike's criterion corrected for few data; infinite where there are too few for it.
+pub(super) fn aicc(chi_squared: f64, unknowns: usize, data: usize) -> f64 {
+    let k = unknowns as f64;
+    let left = data as f64 - k - 1.0;
+    if left > 0.0 {
+        chi_squared + 2.0 * k + 2.0 * k * (k + 1.0) / left
+    } else {
+        f64::INFINITY
+    }
+}
+
 /// A fitted model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Calibration {
@@ -65,13 +89,8 @@ impl Calibration {
 
     /// Akaike's criterion corrected for few data, up to a constant of the data; infinite where there are too few for it.
     pub fn aicc(&self) -> f64 {
-        let k = self.unknowns();
-        let left = self.data as f64 - k - 1.0;
-        if left > 0.0 {
-            self.aic() + 2.0 * k * (k + 1.0) / left
-        } else {
-            f64::INFINITY
-        }
+        let unknowns = self.estimates.len() + self.nuisances;
+        aicc(self.chi_squared, unknowns, self.data)
     }
 
     /// Schwarz's criterion, up to a constant of the data.

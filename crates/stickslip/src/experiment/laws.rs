@@ -19,6 +19,7 @@
 //! | [`Sensitivity`] | how far the edge moves when a parameter does, in fringes |
 //! | [`Scale`] | by what the variance of a state is multiplied, and who says so |
 //! | [`SharedNull`] | states whose errors are not independent of each other |
+//! | [`MeshError`], [`fit_on_two_meshes`] | intervals that hold the error of the model's mesh |
 //! | [`coefficient`] | the coefficient along the slip path |
 //! | [`Discrepancy`] | what the mesh of the model costs, where the truth is known |
 
@@ -27,6 +28,7 @@ mod compare;
 mod contact;
 mod discrepancy;
 mod figures;
+mod mesh_error;
 mod observation;
 mod passage;
 mod rings;
@@ -41,9 +43,10 @@ use stickslip_hybrid::calibrate::CalibrateError;
 use thiserror::Error;
 
 pub use candidate::Candidate;
-pub use compare::{Comparison, Fit, StateFit, Verdict, fit};
+pub use compare::{Comparison, Fit, StateFit, Verdict, fit, fit_on_two_meshes};
 pub use contact::{ContactModel, View};
 pub use discrepancy::{Discrepancy, discrepancies};
+pub use mesh_error::{MeshError, StateMeshError, coarser};
 pub use observation::{Nuisance, Observation, decimated};
 pub use passage::coefficient;
 pub use scale::{Scale, ScaleSource};

@@ -3,6 +3,7 @@
 mod common;
 mod contact;
 mod fits;
+mod mesh_error;
 mod model;
 mod page;
 mod sensitivity;

@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
-use stickslip_hybrid::calibrate::{Block, Calibration, Data, Settings, calibrate};
+use stickslip_hybrid::calibrate::{Block, Calibration, Data, Settings, calibrate, least};
 use stickslip_hybrid::identify::Bounds;
 
+use super::mesh_error::{MeshError, shapes};
 use super::{Candidate, ContactModel, LawsError, Observation, View};
 
 /// Criteria that differ by less do not decide (Burnham & Anderson 2002).
@@ -117,6 +118,8 @@ pub struct Comparison {
     pub data: usize,
     /// Wall time of one evaluation at the best law, a history of contact solves with what is seen of it, nothing else being done `[s]`.
     pub evaluation_seconds: f64,
+    /// The error of the model's mesh that intervals hold; `None` where they hold the errors of the data alone.
+    pub mesh_error: Option<MeshError>,
 }
 
 impl Comparison {
@@ -127,7 +130,7 @@ impl Comparison {
     }
 }
 
-/// Fits each of `laws` to all of `observations`.
+/// Fits each of `laws` to all of `observations`. Intervals hold the errors of the data alone.
 ///
 /// # Errors
 /// [`LawsError::NoLaw`], [`LawsError::Step`], [`LawsError::Outside`], and [`LawsError::Calibrate`] for data that cannot be fitted.
@@ -137,6 +140,85 @@ pub fn fit(
     observations: &[Observation],
     settings: &Settings,
 ) -> Result<Comparison, LawsError> {
+    let (views, count, data) = prepared(model, laws, observations)?;
+    let seen = Seen {
+        model,
+        views: &views,
+        count,
+    };
+    compared(&seen, laws, (observations, &data), settings)
+}
+
+/// The same with intervals that hold the error of the model's mesh as well, so far as it has the shape of the difference to `coarser`, a
+/// model of the same scene.
+///
+/// The laws are fitted twice. The best law of the first time gives the shapes, one for each state, which are then errors of the data for
+/// all laws: their criteria compare the same data with the same covariance. That of a law which does not hold would be the error of
+/// displacements that are not there.
+///
+/// # Errors
+/// Those of [`fit`], and of the history on the coarser mesh.
+pub fn fit_on_two_meshes(
+    model: &ContactModel,
+    coarser: &ContactModel,
+    laws: &[Candidate],
+    observations: &[Observation],
+    settings: &Settings,
+) -> Result<Comparison, LawsError> {
+    let (views, count, data) = prepared(model, laws, observations)?;
+    let seen = Seen {
+        model,
+        views: &views,
+        count,
+    };
+    let mut firsts = Vec::new();
+    for law in laws {
+        let start = std::time::Instant::now();
+        let predict = |values: &[f64]| seen.predicted(law, values);
+        let found = least(&predict, &law.parameters, &data, settings).map_err(failed(law))?;
+        firsts.push((found, start.elapsed().as_secs_f64()));
+    }
+    let order = |&a: &usize, &b: &usize| {
+        let [a, b] = [a, b].map(|k| &firsts[k].0);
+        (a.aicc.total_cmp(&b.aicc)).then(a.chi_squared.total_cmp(&b.chi_squared))
+    };
+    // `prepared` refuses an empty list of laws.
+    let first = (0..laws.len()).min_by(order).unwrap_or(0);
+    let (law, values) = (&laws[first], &firsts[first].0.values);
+    let own = seen.predicted(law, values)?;
+    let shapes = shapes(coarser, law.law(values)?, observations, &own)?;
+    let data = data.with_shapes(&shapes).map_err(LawsError::Data)?;
+    let mut found = compared(&seen, laws, (observations, &data), settings)?;
+    for (fit, (first, seconds)) in found.fits.iter_mut().zip(&firsts) {
+        fit.calibration.evaluations += first.evaluations;
+        fit.seconds += seconds;
+    }
+    let best = found.best();
+    let predicted = seen.predicted(&best.law, &best.calibration.values())?;
+    found.mesh_error = Some(MeshError::of(
+        law.name.clone(),
+        observations,
+        &shapes,
+        &data.amounts(&predicted),
+    )?);
+    Ok(found)
+}
+
+fn failed(
+    law: &Candidate,
+) -> impl FnOnce(stickslip_hybrid::calibrate::CalibrateError) -> LawsError {
+    let law = law.name.clone();
+    |cause| LawsError::Calibrate { law, cause }
+}
+
+/// What can be seen of the model at each observation, up to which load step, and the data.
+type Prepared<'a> = (Vec<(&'a Observation, View<'a>)>, usize, Data);
+
+fn prepared<'a>(
+    model: &'a ContactModel,
+    laws: &[Candidate],
+    observations: &'a [Observation],
+) -> Result<Prepared<'a>, LawsError> {
     if laws.is_empty() {
         return Err(LawsError::NoLaw);
     }
@@ -154,16 +236,21 @@ pub fn fit(
         views.push((own, model.view(&own.places)?));
     }
     let blocks: Vec<Block> = observations.iter().map(Observation::block).collect();
-    let data = Data::new(blocks).map_err(LawsError::Data)?;
+    Ok((views, count, Data::new(blocks).map_err(LawsError::Data)?))
+}
+
+fn compared(
+    seen: &Seen<'_>,
+    laws: &[Candidate],
+    (observations, data): (&[Observation], &Data),
+    settings: &Settings,
+) -> Result<Comparison, LawsError> {
     let mut fits = Vec::new();
     for law in laws {
-        let failed = |cause| LawsError::Calibrate {
-            law: law.name.clone(),
-            cause,
-        };
-        let predict = |values: &[f64]| predicted(model, law, &views, count, values);
+        let predict = |values: &[f64]| seen.predicted(law, values);
         let start = std::time::Instant::now();
-        let calibration = calibrate(&predict, &law.parameters, &data, settings).map_err(failed)?;
+        let calibration =
+            calibrate(&predict, &law.parameters, data, settings).map_err(failed(law))?;
         fits.push(Fit {
             law: law.clone(),
             states: state_fits(observations, &calibration),
@@ -177,35 +264,39 @@ pub fn fit(
     let best = judge(&mut fits);
     let (law, values) = (&laws[best], fits[best].calibration.values());
     let start = std::time::Instant::now();
-    predicted(model, law, &views, count, &values)?;
+    seen.predicted(law, &values)?;
     let evaluation_seconds = start.elapsed().as_secs_f64();
     Ok(Comparison {
         data: fits[best].calibration.data,
         fits,
         best,
         evaluation_seconds,
+        mesh_error: None,
     })
 }
 
-/// Displacements at the data of all observations.
-fn predicted(
-    model: &ContactModel,
-    law: &Candidate,
-    views: &[(&Observation, View<'_>)],
+/// A model as it is seen at the data.
+struct Seen<'a> {
+    model: &'a ContactModel,
+    views: &'a [(&'a Observation, View<'a>)],
     count: usize,
-    values: &[f64],
-) -> Result<Vec<f64>, LawsError> {
-    let states = model.states(Arc::from(law.law(values)?), count)?;
-    let mut all = Vec::new();
-    for (own, view) in views {
-        let mut seen = view.displacements(&states[own.step]);
-        if let Some(null) = own.null {
-            seen -= view.displacements(&states[null]);
+}
+
+impl Seen<'_> {
+    /// Displacements at the data of all observations.
+    fn predicted(&self, law: &Candidate, values: &[f64]) -> Result<Vec<f64>, LawsError> {
+        let states = (self.model).states(Arc::from(law.law(values)?), self.count)?;
+        let mut all = Vec::new();
+        for (own, view) in self.views {
+            let mut seen = view.displacements(&states[own.step]);
+            if let Some(null) = own.null {
+                seen -= view.displacements(&states[null]);
+            }
+            let components = own.components.iter();
+            all.extend(components.map(|&(place, axis)| seen[2 * place + axis]));
         }
-        let components = own.components.iter();
-        all.extend(components.map(|&(place, axis)| seen[2 * place + axis]));
+        Ok(all)
     }
-    Ok(all)
 }
 
 fn state_fits(observations: &[Observation], calibration: &Calibration) -> Vec<StateFit> {

@@ -8,7 +8,8 @@ use stickslip_hybrid::calibrate::{Parameter, Settings};
 use super::shared_null::shared_nulls;
 use super::{
     Candidate, Comparison, ContactModel, Discrepancy, Fit, LawsError, Nuisance, Observation, Scale,
-    Sensitivity, SharedNull, decimated, discrepancies, fit, sensitivity,
+    Sensitivity, SharedNull, coarser, decimated, discrepancies, fit, fit_on_two_meshes,
+    sensitivity,
 };
 use crate::experiment::analysed::Analysed;
 use crate::experiment::error::ExperimentError;
@@ -114,7 +115,20 @@ pub fn stage(
         confidence: experiment.identify.confidence,
         ..Settings::default()
     };
-    let comparison = fit(&model, &laws, &observations, &settings).map_err(failed)?;
+    let two_meshes = ContactModel::new(&coarser(own))
+        .and_then(|coarser| fit_on_two_meshes(&model, &coarser, &laws, &observations, &settings));
+    let comparison = match two_meshes {
+        Ok(found) => found,
+        Err(cause) => {
+            // Where data or laws are at fault and not the coarser mesh, this says so.
+            let found = fit(&model, &laws, &observations, &settings).map_err(failed)?;
+            warnings.push(format!(
+                "Intervals hold the errors of the data alone and not that of the model's mesh: a mesh twice as coarse, which would tell, \
+                 cannot be solved: {cause}."
+            ));
+            found
+        }
+    };
     warnings.extend(experiment.warning_of_shared_mesh());
     let discrepancies = match known.truth {
         Some(truth) => discrepancies_of(experiment, &model, truth, &observations, &states),

@@ -30,6 +30,7 @@ pub fn tell(experiment: &Experiment, stage: &LawStage, story: &mut Story) {
     for own in &stage.shared_nulls {
         story.text(sharing(experiment, own));
     }
+    story.text(mesh_error(experiment, stage));
     if let Some(words) = meshed(experiment, stage) {
         story.text(words);
     }
@@ -155,6 +156,34 @@ fn sharing(experiment: &Experiment, own: &SharedNull) -> String {
         own.data,
         short(own.correlation),
         short(own.too_narrow()),
+    )
+}
+
+/// Whether intervals hold the error of the model's mesh, and how much of it the data show.
+fn mesh_error(experiment: &Experiment, stage: &LawStage) -> String {
+    let Some(own) = &stage.comparison.mesh_error else {
+        return "Intervals hold the errors of the data alone, not that of the model's mesh."
+            .to_owned();
+    };
+    let (scale, unit) = figures::scale(experiment);
+    let each = stage.states.iter().zip(&own.states);
+    let each: Vec<String> = each
+        .map(|(&state, own)| {
+            format!(
+                "{} ± {} times {} {unit} rms in state '{}'",
+                short(own.amount.value),
+                short(own.amount.deviation),
+                short(scale * own.rms),
+                experiment.states[state].name,
+            )
+        })
+        .collect();
+    format!(
+        "Intervals hold the error of the model's mesh so far as it has the shape of the difference to a mesh twice as coarse, solved with \
+         '{}': its amount is free in each state, normal about zero with a deviation of once that difference, and the same for all laws. \
+         The data show, beside the best law, {}.",
+        own.law,
+        each.join("; ")
     )
 }
 

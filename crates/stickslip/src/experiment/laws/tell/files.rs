@@ -4,7 +4,9 @@ use serde_json::{Value, json};
 use stickslip_hybrid::calibrate::Estimate;
 use stickslip_hybrid::identify::Bounds;
 
-use crate::experiment::laws::{Discrepancy, Fit, LawStage, SharedNull, figures};
+use crate::experiment::laws::{
+    Discrepancy, Fit, LawStage, MeshError, SharedNull, StateMeshError, figures,
+};
 use crate::experiment::plan::Experiment;
 use crate::experiment::story::csv_table;
 
@@ -110,6 +112,18 @@ pub(super) fn entry(experiment: &Experiment, stage: &LawStage) -> Value {
             })
         })
     };
+    let mesh_error = |own: &MeshError| {
+        let state = |(&state, own): (&usize, &StateMeshError)| {
+            json!({
+                "state": experiment.states[state].name,
+                "rms": experiment.display.length.from_base(own.rms),
+                "amount": own.amount.value,
+                "deviation": own.amount.deviation,
+            })
+        };
+        let states = stage.states.iter().zip(&own.states).map(state);
+        json!({ "law": own.law, "states": states.collect::<Vec<_>>() })
+    };
     let shared = |own: &SharedNull| {
         let name = |&state: &usize| experiment.states[state].name.as_str();
         json!({
@@ -125,6 +139,8 @@ pub(super) fn entry(experiment: &Experiment, stage: &LawStage) -> Value {
         "variance_scales_by": stage.scales.iter().map(|own| own.source.words()).collect::<Vec<_>>(),
         "shared_nulls": stage.shared_nulls.iter().map(shared).collect::<Vec<_>>(),
         "longest_slip_path": experiment.display.length.from_base(stage.slipped),
+        "bounds_hold_mesh_error": stage.comparison.mesh_error.is_some(),
+        "mesh_error": stage.comparison.mesh_error.as_ref().map(mesh_error),
         "mesh_discrepancies": stage.discrepancies.iter().map(discrepancy).collect::<Vec<_>>(),
         "confidence": experiment.identify.confidence,
         "fits": stage.comparison.fits.iter().map(law).collect::<Vec<_>>(),
