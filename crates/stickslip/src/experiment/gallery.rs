@@ -138,6 +138,10 @@ impl<'a> Gallery<'a> {
         story.text(self.words(camera));
         story.table(self.table());
         let experiment = self.experiment;
+        story.answer(
+            "Fringe pictures",
+            format!("{} states", experiment.states.len()),
+        );
         for (state, figure) in std::mem::take(&mut self.figures) {
             let name = format!("fringes-{}", experiment.states[state].name);
             let text = format!(
@@ -152,6 +156,14 @@ impl<'a> Gallery<'a> {
                 "The sheet of all pictures cannot be drawn: {cause}."
             )),
         }
+        let fringes = camera.fringes();
+        if !fringes.four && fringes.carrier.contains(&[0.0; 2]) {
+            story.note(
+                "Single pictures without a carrier cannot be read back: whether orders rise or fall is not in them. State a carrier, or \
+                 pictures = \"four\".",
+            );
+            return;
+        }
         match restart::text(experiment, camera, folder) {
             Ok(text) => story.file(
                 "measured.toml",
@@ -162,10 +174,6 @@ impl<'a> Gallery<'a> {
                 "The experiment file that would read these pictures cannot be written: {cause}."
             )),
         }
-        story.answer(
-            "Fringe pictures",
-            format!("{} states", experiment.states.len()),
-        );
     }
 
     fn words(&self, camera: &Camera<'_>) -> String {

@@ -48,7 +48,7 @@ pub fn discrepancies(
                 for axis in 0..2 {
                     let exact = truth.component(&sampling, step, axis);
                     for (place, exact) in exact.into_iter().enumerate() {
-                        // A place beside the coarser of two polygons is compared with nothing.
+                        // A place beside the coarser of two polygons counts as one without a difference.
                         let exact = exact.unwrap_or(seen[2 * place + axis]);
                         difference[2 * place + axis] += sign * (seen[2 * place + axis] - exact);
                     }

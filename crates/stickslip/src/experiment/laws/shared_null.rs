@@ -1,7 +1,7 @@
 //! States that have one null field in common.
 //!
 //! ```text
-//! d_k = m_k − n,     cov(d_j, d_k) = σ_n²,     ρ = mean over common data and pairs of r_j r_k / √(⟨r_j²⟩ ⟨r_k²⟩)
+//! d_k = m_k − n,     cov(d_j, d_k) = σ_n²,     ρ = ⟨r_j r_k⟩ / ½⟨r_j² + r_k²⟩ over common data and pairs
 //! ```
 //!
 //! The errors of n are in all of them. A fit that takes K such states for independent of each other makes deviations wrong by a factor

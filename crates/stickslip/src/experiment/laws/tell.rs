@@ -148,6 +148,13 @@ fn sharing(experiment: &Experiment, own: &SharedNull) -> String {
         .iter()
         .map(|&state| &experiment.states[state].name);
     let names: Vec<String> = names.map(|name| format!("'{name}'")).collect();
+    if own.data == 0 {
+        return format!(
+            "States {} have one null field, whose errors are in all of them, but no places in common at which these would show. The fit \
+             takes states for independent of each other; how much that does to intervals is not known.",
+            names.join(", ")
+        );
+    }
     format!(
         "States {} have one null field, whose errors are in all of them: at {} common data what the best law leaves correlates by {}. The \
          fit takes states for independent of each other. That makes intervals too narrow by a factor of {} at most, for a parameter that \
