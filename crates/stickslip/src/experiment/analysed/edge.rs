@@ -196,13 +196,15 @@ mod tests {
 
     #[test]
     fn beyond_its_reach_smoothing_spreads_no_more_than_a_tenth() {
-        for (order, least, beyond) in [(2, 0.0, 0.05), (3, -0.08, 0.1)] {
+        for (order, beyond) in [(2, 0.05), (3, 0.1)] {
             // With k_c = 1 and nodes 1 apart, of waves up to π.
             let kept = kernel(order, 0.0) / std::f64::consts::PI;
             let reach = smoothing_reach(1.0, kept);
             let part = |x: f64| kernel(order, x) / kernel(order, 0.0);
             println!("order {order}: reach {reach:.3}, {:.4} there", part(reach));
-            assert!((part(reach) - least).abs() < 0.02, "{}", part(reach));
+            // Second differences have their first zero there, third ones before.
+            assert!(part(reach) < 1e-3, "{}", part(reach));
+            assert!(order == 3 || part(reach).abs() < 1e-3);
             for k in 0..100 {
                 let x = reach * (1.0 + 0.05 * f64::from(k));
                 assert!(part(x).abs() < beyond, "{x} {}", part(x));

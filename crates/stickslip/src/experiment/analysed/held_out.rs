@@ -134,10 +134,9 @@ mod tests {
         let places = grid(20, 20);
         let marks = held_out(&places, |k| k % 3 == 0, 16);
         assert!((0..400).all(|k| !marks[k] || k % 3 == 0));
-        assert_eq!(
-            marks.iter().filter(|mark| **mark).count(),
-            134_usize.div_ceil(16)
-        );
+        // One of each whole group of 134 known places; the last group of six has it only by chance.
+        let count = marks.iter().filter(|mark| **mark).count();
+        assert!((8..=9).contains(&count), "{count}");
         assert!(held_out(&[], |_| true, 16).is_empty());
         assert_eq!(held_out(&[[1.0, 1.0]], |_| true, 16), [true]);
         assert_eq!(
