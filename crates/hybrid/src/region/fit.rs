@@ -77,7 +77,8 @@ pub struct Fit {
     /// Effective number of fitted parameters, tr A.
     pub parameters: f64,
     /// Diagonal of M⁻¹ G, in the order of the prescribed displacements: the part of each that the data at its own place decide, and not
-    /// the smoothing with its neighbours. Its sum is [`parameters`](Self::parameters).
+    /// the smoothing with its neighbours; of single ones, as at corners, it may lie beyond 0 and 1. Its sum is
+    /// [`parameters`](Self::parameters).
     pub kept: Vec<f64>,
     /// Number of data.
     pub data: usize,

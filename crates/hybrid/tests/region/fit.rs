@@ -284,7 +284,7 @@ fn a_fit_states_what_it_did() {
     // What is kept of each displacement adds up to the parameters, and all of it is kept without smoothing.
     let kept: f64 = fit.kept.iter().sum();
     assert!((kept / fit.parameters - 1.0).abs() < 1e-8, "{kept}");
-    assert!(fit.kept.iter().all(|part| (0.0..1.0).contains(part)));
+    assert!(fit.parameters < fit.kept.len() as f64);
     let given = |amount| {
         fitter
             .fit(&data.displacements, Amount::Given(amount))

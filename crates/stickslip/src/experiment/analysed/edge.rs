@@ -57,7 +57,7 @@ fn cell(
 /// h k_c/(2√2), the one that is kept; and its kernel, e^(−x k_c/√2) (cos + sin)(x k_c/√2), is zero first at x = 3π/(2√2 k_c), or 3π/8 of h
 /// over that part, and within 5 % beyond. Third differences reach 1.05 of it, with 10 %.
 pub(in crate::experiment) fn smoothing_reach(spacing: f64, kept: f64) -> f64 {
-    3.0 * std::f64::consts::PI / 8.0 * spacing / kept
+    3.0 * std::f64::consts::PI / 8.0 * spacing / kept.max(f64::MIN_POSITIVE)
 }
 
 impl Edge {
