@@ -27,8 +27,8 @@ use super::laboratory::{Laboratory, Trouble};
 const FREQUENCY: f64 = 2400.0;
 /// Orders are off by up to so much, evenly spread.
 const ERROR: f64 = 0.25;
-/// Corner nodes of the mesh that makes the data, and of the one that is fitted, are so far apart `[deg]`: all pairs of one scene that take
-/// no more than a minute together. Intervals hold the error of the model's mesh.
+/// Corner nodes of the mesh that makes the data, and of the one that is fitted, are so far apart `[deg]`. Two pairs, so that intervals
+/// that hold the error of the model's mesh are seen where it is large and where it is small.
 const PAIRS: [[f64; 2]; 2] = [[1.125, 2.25], [2.25, 4.5]];
 /// A count of intervals of 95 % is asserted to be one that chance alone goes below with less than this probability.
 const UNLIKELY: f64 = 0.01;

@@ -49,8 +49,17 @@ pub(crate) enum Distortion {
     Curved,
 }
 
-/// A parallelogram of 4 × 3 cells whose nodes are moved by up to a fifth of a cell (mid-side nodes: a twentieth).
+/// A parallelogram of 4 × 3 cells, no draw of which is inverted.
+///
+/// Corners move by up to `shift` of a cell's side and the other nodes by up to `bulge` of it, in each direction. Both
+/// columns of the Jacobian, scaled to a cell of unit sides, then lie within `d = 2·shift + 9·bulge` of the unit
+/// vectors (9 bounds the derivatives of the quadratic shape functions of Q9 and T6), so that its determinant is
+/// at least `(1 − d)² − d² = 1 − 2d > 0`.
 pub(crate) fn scattered(kind: ElementKind, distortion: Distortion, seed: u64) -> Mesh {
+    let (shift, bulge) = match distortion {
+        Distortion::Straight => (0.2, 0.0),
+        Distortion::Curved => (0.1, 0.03),
+    };
     let cells = [4, 3];
     let step = [0, 1].map(|i| 1.0 / cells[i] as f64);
     let mut parts = rectangle(kind, [0.0, 1.0], [0.0, 1.0], cells).into_parts();
@@ -61,7 +70,7 @@ pub(crate) fn scattered(kind: ElementKind, distortion: Distortion, seed: u64) ->
     for node in connectivity.chunks_exact(kind.nodes()).flat_map(corners) {
         let inside = parts.nodes[node].iter().all(|c| (0.01..0.99).contains(c));
         if inside && !std::mem::replace(&mut moved[node], true) {
-            (0..2).for_each(|i| parts.nodes[node][i] += 0.2 * step[i] * noise.next());
+            (0..2).for_each(|i| parts.nodes[node][i] += shift * step[i] * noise.next());
         }
     }
     for cell in connectivity.chunks_exact(kind.nodes()) {
@@ -78,11 +87,6 @@ pub(crate) fn scattered(kind: ElementKind, distortion: Distortion, seed: u64) ->
             if std::mem::replace(&mut moved[cell[k]], true) {
                 continue;
             }
-            let bulge = if distortion == Distortion::Curved {
-                0.05
-            } else {
-                0.0
-            };
             parts.nodes[cell[k]] = [0, 1].map(|i| mean[i] + bulge * step[i] * noise.next());
         }
     }
