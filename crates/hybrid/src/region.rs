@@ -122,7 +122,7 @@ pub enum RegionError {
     },
     /// The data do not determine the fit.
     #[error(
-        "the data do not determine the displacement of the region's boundary near ({}, {}): no measurement is near enough",
+        "the data do not determine the displacement of the region's node at ({}, {}): no measurement is near enough",
         place[0], place[1]
     )]
     NotDetermined {

@@ -10,6 +10,7 @@
 //! rounding: residuals of smoothed data are small whatever their errors, those of calculated ones vanish. b is the bias that smoothing is estimated to leave: a declared systematic
 //! deviation, not a correction.
 
+mod boundary;
 mod edge;
 pub(super) mod figures;
 mod forces;
@@ -61,15 +62,42 @@ pub struct Analysed {
     pub fit: Option<FitFacts>,
     /// The variance of the data was multiplied by this, s².
     pub scale: f64,
+    /// What the checks of the data say.
+    pub checks: Checked,
+    /// Forces along x and y `[N]`, with their covariance: what the region exerts through the edge by its stresses, then what acts on the
+    /// region at the edge's nodes. In balance their sums vanish.
+    pub forces: Propagated,
+    /// Forces that hold the region, at the nodes that move as measured.
+    pub nodal_forces: Vec<NodalForce>,
+}
+
+/// Checks of the data of one state.
+#[derive(Clone, Debug, Default)]
+pub struct Checked {
     /// Misfits at places that were not used.
     pub misfit: Vec<MisfitAt>,
     /// χ² of these misfits.
     pub unused: Option<ChiSquared>,
     /// χ² of the tractions on the edge beyond contact, where the region has such a part.
     pub free_edge: Option<ChiSquared>,
-    /// Forces along x and y `[N]`, with their covariance: what the region exerts through the edge by its stresses, then what acts on the
-    /// region at the edge's nodes. In balance their sums vanish.
-    pub forces: Propagated,
+    /// χ² of the forces that hold nodes inside of the region, where nothing acts, if any are held.
+    pub interior: Option<ChiSquared>,
+    /// Force along x and y on the region by the stresses on its edge less the known one, where it is known, and the standard
+    /// deviation of that `[N]`.
+    pub excess: [Option<[f64; 2]>; 2],
+}
+
+/// Force on a region at a node that moves as measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NodalForce {
+    /// Where the node is `[mm]`.
+    pub place: Point,
+    /// Force along x and y `[N]`.
+    pub force: [f64; 2],
+    /// Its standard deviations `[N]`.
+    pub deviation: [f64; 2],
+    /// Whether the node lies inside, where nothing should act.
+    pub inside: bool,
 }
 
 /// What a fit did.

@@ -190,7 +190,7 @@ impl ExperimentError {
                 "`stickslip run` with the scene and the law shows where its solution fails; narrow the ranges of free parameters"
             }
             Self::Region { .. } => {
-                "make the region smaller or its cells fewer, or measure where it has no data"
+                "make the region smaller, its cells fewer or the areas of `interior` smaller, or measure where it has no data"
             }
             Self::Identify(_) => "give the slip zones by hand, [[identify.zones]]",
             Self::Grating(_) => "give a grating that can exist",

@@ -132,6 +132,7 @@ impl<'a> History<'a> {
             name: format!("step-{:0width$}", step + 1),
             direction: self.direction(step),
             load: self.load(step),
+            edge_force: [None; 2],
             source: Source::Step(step),
             null: None,
             back: None,

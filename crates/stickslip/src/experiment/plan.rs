@@ -210,6 +210,8 @@ pub struct State {
     pub direction: Direction,
     /// Remote load `[N]`.
     pub load: Option<f64>,
+    /// Known components along x and y of the force on the region through its edge `[N]`.
+    pub edge_force: [Option<f64>; 2],
     /// Where its data come from.
     pub source: Source,
     /// The initial load's data, to be taken off.

@@ -1,6 +1,7 @@
 //! Experiments as their users meet them: synthetic pictures, measured fields from every kind of data, and what bad data say.
 
 mod backs;
+mod balance;
 mod chain;
 mod commands;
 mod deviations;

@@ -147,7 +147,7 @@ pub(in crate::experiment) fn truth_within<'a>(
 pub(super) fn misfit(experiment: &Experiment, found: &Analysed) -> Result<Svg, FigureError> {
     let unit = experiment.display.length;
     let drawn = [0, 1].map(|axis| {
-        let dots: Vec<([f64; 2], f64)> = (found.misfit.iter())
+        let dots: Vec<([f64; 2], f64)> = (found.checks.misfit.iter())
             .filter(|one| one.axis == axis)
             .map(|one| (one.place.map(|x| unit.from_base(x)), one.relative))
             .collect();

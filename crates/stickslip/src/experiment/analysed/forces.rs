@@ -5,12 +5,22 @@ use stickslip_report::table::{Column, Table};
 
 use super::Analysed;
 use crate::experiment::plan::Experiment;
+use crate::experiment::story::csv_table;
 use crate::output::short;
+
+const AXES: [&str; 2] = ["x", "y"];
+/// Deviations, and part of the known force, by which stresses may miss it before it is told of: the mesh is in no deviation.
+const ALLOWED: [f64; 2] = [3.0, 0.05];
 
 /// Forces on the edges of all states, by their nodes, and how well the stresses agree.
 pub(super) fn table(experiment: &Experiment, analysed: &[Analysed]) -> Table {
     let unit = experiment.display.force;
-    let columns = vec![
+    let is_known = |axis: &usize| {
+        let mut all = analysed.iter();
+        all.any(|found| found.checks.excess[*axis].is_some())
+    };
+    let known: Vec<usize> = (0..2).filter(is_known).collect();
+    let mut columns = vec![
         Column::new("state", ""),
         Column::new("along x", unit.name),
         Column::new("±", unit.name),
@@ -18,6 +28,10 @@ pub(super) fn table(experiment: &Experiment, analysed: &[Analysed]) -> Table {
         Column::new("±", unit.name),
         Column::new("balance", "% of the force"),
     ];
+    for &axis in &known {
+        let what = format!("excess over known, {}", AXES[axis]);
+        columns.extend([Column::new(what, unit.name), Column::new("±", unit.name)]);
+    }
     let mut table = Table::new(
         "Force on the region through its edge, with standard deviations",
         columns,
@@ -28,19 +42,83 @@ pub(super) fn table(experiment: &Experiment, analysed: &[Analysed]) -> Table {
             row.extend([force, deviation].map(|value| short(unit.from_base(value))));
         }
         row.push(imbalance(found).map_or_else(String::new, |part| format!("{:.1}", 100.0 * part)));
+        for &axis in &known {
+            let excess = found.checks.excess[axis];
+            let told = excess.map(|own| own.map(|value| short(unit.from_base(value))));
+            row.extend(told.unwrap_or_default());
+        }
         table.push(row);
     }
-    table.note(
+    let table = table.note(
         "By the forces that hold the edge's nodes, of the whole edge of a sector and not only where it is in contact. Balance: what these \
          and the integral of the edge's stresses differ by, a check of the mesh; the ends of the edge leave some per cent.",
+    );
+    if known.is_empty() {
+        return table;
+    }
+    table.note(
+        "Excess over known: the force by the edge's stresses less the one stated as edge_force; deviations hold the noise alone.",
     )
+}
+
+/// A known force that the stresses on the edge are not in balance with.
+pub(super) fn doubt(experiment: &Experiment, found: &Analysed) -> Option<String> {
+    let known = experiment.states[found.state].edge_force;
+    let size = known[0].unwrap_or(0.0).hypot(known[1].unwrap_or(0.0));
+    let allowed = |deviation: f64| ALLOWED[0] * deviation + ALLOWED[1] * size;
+    let each = AXES.into_iter().zip(found.checks.excess);
+    let (axis, [excess, deviation]) = each
+        .filter_map(|(axis, own)| own.map(|own| (axis, own)))
+        .find(|(_, [excess, deviation])| excess.abs() > allowed(*deviation))?;
+    let unit = experiment.display.force;
+    Some(format!(
+        "by its stresses the force on the edge along {axis} is {} {} off the stated edge_force, where {} were to be expected at most: \
+         check that the region's edge holds all of the contact, and scale, thickness and material.",
+        short(unit.from_base(excess.abs())),
+        unit.name,
+        short(unit.from_base(allowed(deviation))),
+    ))
+}
+
+/// Forces at the nodes that move as measured.
+pub(super) fn csv(experiment: &Experiment, found: &Analysed) -> Vec<u8> {
+    let (length, force) = (experiment.display.length, experiment.display.force);
+    let header = [
+        format!("x [{}]", length.name),
+        format!("y [{}]", length.name),
+        format!("force x [{}]", force.name),
+        format!("force x deviation [{}]", force.name),
+        format!("force y [{}]", force.name),
+        format!("force y deviation [{}]", force.name),
+        "inside".to_owned(),
+    ];
+    let rows = found.nodal_forces.iter().map(|own| {
+        let [x, y] = own.place.map(|x| length.from_base(x));
+        let [fx, fy] = own.force.map(|value| force.from_base(value));
+        let [dx, dy] = own.deviation.map(|value| force.from_base(value));
+        vec![x, y, fx, dx, fy, dy, f64::from(u8::from(own.inside))]
+    });
+    csv_table(&header, rows)
 }
 
 /// The same for the summary.
 pub(super) fn entry(experiment: &Experiment, found: &Analysed) -> Value {
     let unit = experiment.display.force;
     let [x, y] = by_nodes(found).map(|own| own.map(|value| unit.from_base(value)));
-    json!({ "unit": unit.name, "x": x[0], "x_deviation": x[1], "y": y[0], "y_deviation": y[1], "imbalance": imbalance(found) })
+    let excess = found
+        .checks
+        .excess
+        .map(|own| own.map(|own| own.map(|value| unit.from_base(value))));
+    json!({
+        "unit": unit.name,
+        "x": x[0],
+        "x_deviation": x[1],
+        "y": y[0],
+        "y_deviation": y[1],
+        "imbalance": imbalance(found),
+        "excess_over_known": excess.map(|own| own.map(|own| own[0])),
+        "excess_deviation": excess.map(|own| own.map(|own| own[1])),
+    })
 }
 
 /// Force along x and y at the edge's nodes and its standard deviation `[N]`.

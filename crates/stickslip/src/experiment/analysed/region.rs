@@ -5,24 +5,23 @@ use std::sync::Arc;
 use stickslip_fem_core::ElasticBody;
 use stickslip_fem_core::body::SparseRow;
 use stickslip_fem_core::material::Material;
-use stickslip_hybrid::data::{Measurement, NodalDisplacements};
-use stickslip_hybrid::reduce::{LocalPolynomial, Reduction};
-use stickslip_hybrid::region::checks::{CheckInput, FreeEdge};
+use stickslip_fem_core::mesh::Mesh;
+use stickslip_hybrid::data::Measurement;
+use stickslip_hybrid::region::checks::{CheckInput, FreeEdge, KnownForce};
 use stickslip_hybrid::region::direct::interpolate;
-use stickslip_hybrid::region::fit::Fitter;
-use stickslip_hybrid::region::locate::Locator;
+use stickslip_hybrid::region::outline::boundary_nodes;
 use stickslip_hybrid::region::sector::ArcSector;
 use stickslip_hybrid::region::transfer::Propagated;
 use stickslip_hybrid::region::{Region, RegionError};
 
+use super::boundary::Boundary;
 use super::edge::Edge;
 use super::held_out::split;
 use super::imported;
-use super::scale::{Residual, least_scale, scale};
-use super::{Analysed, FitFacts, MisfitAt};
+use super::{Analysed, Checked, MisfitAt, NodalForce};
 use crate::experiment::error::ExperimentError;
 use crate::experiment::measured::Measured;
-use crate::experiment::plan::{Experiment, Method, RegionPlan, RegionShape, Source};
+use crate::experiment::plan::{Area, Experiment, Hole, RegionPlan, RegionShape};
 
 /// The edge set on which stresses are asked for.
 const EDGE: &str = "inner";
@@ -30,87 +29,103 @@ const EDGE: &str = "inner";
 /// A factorised region with the rows of its edge.
 #[derive(Debug)]
 pub struct Workbench<'a> {
-    experiment: &'a Experiment,
-    plan: &'a RegionPlan,
-    region: Region,
-    edge: Edge,
+    pub(super) experiment: &'a Experiment,
+    pub(super) plan: &'a RegionPlan,
+    pub(super) region: Region,
+    pub(super) edge: Edge,
+    /// Nodes inside that move as measured, ascending.
+    interior: Vec<usize>,
 }
 
-/// Displacements of the region's boundary, and how they were found.
-struct Boundary {
-    displacements: NodalDisplacements,
-    /// Bias of the prescribed displacements `[mm]`; empty where nothing was smoothed.
-    bias: Vec<f64>,
-    fit: Option<FitFacts>,
-    scale: f64,
+fn missing(key: &str, what: &str, remedy: &str) -> ExperimentError {
+    ExperimentError::Missing {
+        key: key.to_owned(),
+        what: what.to_owned(),
+        remedy: remedy.to_owned(),
+    }
+}
+
+fn unusable(cause: RegionError) -> ExperimentError {
+    ExperimentError::Region {
+        state: "all".to_owned(),
+        key: "region".to_owned(),
+        cause: Box::new(cause),
+    }
+}
+
+/// The mesh of a region, and the radius of its edge `[mm]`.
+fn meshed(plan: &RegionPlan, hole: &Hole) -> Result<(Mesh, f64), ExperimentError> {
+    match &plan.shape {
+        RegionShape::Sector(sector) => {
+            let sector = ArcSector {
+                centre: hole.centre,
+                hole: hole.radius,
+                stand_off: sector.stand_off,
+                outer: sector.outer,
+                angles: sector.angles,
+                cells: sector.cells,
+                growth: sector.growth,
+                kind: sector.element,
+            };
+            Ok((sector.mesh().map_err(unusable)?, sector.inner()))
+        }
+        RegionShape::Mesh(mesh) => Ok((imported::mesh(mesh, hole, EDGE)?, hole.radius)),
+    }
+}
+
+/// Nodes inside of the mesh that lie in one of the areas, ascending.
+fn interior(mesh: &Mesh, areas: &[Area]) -> Result<Vec<usize>, ExperimentError> {
+    let boundary = boundary_nodes(mesh);
+    let nodes = mesh.nodes().iter().enumerate();
+    let inside: Vec<usize> = nodes
+        .filter(|(node, place)| {
+            boundary.binary_search(node).is_err() && areas.iter().any(|area| area.contains(**place))
+        })
+        .map(|(node, _)| node)
+        .collect();
+    if inside.is_empty() && !areas.is_empty() {
+        return Err(missing(
+            "region.interior",
+            "no node inside of the region lies in its areas",
+            "make them larger, or the cells smaller; nodes on the boundary move as measured anyway",
+        ));
+    }
+    Ok(inside)
 }
 
 impl<'a> Workbench<'a> {
     /// Meshes and factorises the region of `experiment`.
     ///
     /// # Errors
-    /// [`ExperimentError::Missing`] without `[region]`, [`ExperimentError::Region`] for one that cannot be analysed.
+    /// [`ExperimentError::Missing`] without `[region]` or for areas without a node, [`ExperimentError::Region`] for one that cannot be
+    /// analysed.
     pub fn new(experiment: &'a Experiment) -> Result<Self, ExperimentError> {
         const SECTOR: &str = "write [region] sector = { angles = [\"-10 deg\", \"110 deg\"], outer = \"13 mm\", cells = [40, 10] }";
-        let missing = |what: &str, remedy: &str| ExperimentError::Missing {
-            key: "region".to_owned(),
-            what: what.to_owned(),
-            remedy: remedy.to_owned(),
-        };
         let plan = experiment
             .region
             .as_ref()
-            .ok_or_else(|| missing("edge stresses need a [region]", SECTOR))?;
-        let refuse = |cause: RegionError| ExperimentError::Region {
-            state: "all".to_owned(),
-            key: "region".to_owned(),
-            cause: Box::new(cause),
-        };
+            .ok_or_else(|| missing("region", "edge stresses need a [region]", SECTOR))?;
         let specimen = &experiment.specimen;
-        let (mesh, radius) = match &plan.shape {
-            RegionShape::Sector(sector) => {
-                let sector = ArcSector {
-                    centre: specimen.hole.centre,
-                    hole: specimen.hole.radius,
-                    stand_off: sector.stand_off,
-                    outer: sector.outer,
-                    angles: sector.angles,
-                    cells: sector.cells,
-                    growth: sector.growth,
-                    kind: sector.element,
-                };
-                (sector.mesh().map_err(refuse)?, sector.inner())
-            }
-            RegionShape::Mesh(mesh) => (
-                imported::mesh(mesh, &specimen.hole, EDGE)?,
-                specimen.hole.radius,
-            ),
-        };
+        let (mesh, radius) = meshed(plan, &specimen.hole)?;
         let mesh = Arc::new(mesh);
-        let material = specimen
-            .material
-            .in_plane(specimen.plane)
-            .map_err(|cause| {
-                missing(
-                    &format!("the specimen's material is none: {cause}"),
-                    "correct its constants",
-                )
-            })?;
+        let material = (specimen.material.in_plane(specimen.plane)).map_err(|cause| {
+            let what = format!("the specimen's material is none: {cause}");
+            missing("specimen.material", &what, "correct its constants")
+        })?;
         let material: Arc<dyn Material> = Arc::from(material);
-        let materials = mesh
-            .blocks()
-            .iter()
-            .map(|_| Arc::clone(&material))
-            .collect();
+        let blocks = mesh.blocks().iter();
+        let materials = blocks.map(|_| Arc::clone(&material)).collect();
         let body = ElasticBody::new(mesh, materials, specimen.thickness);
-        let body = Arc::new(body.map_err(|cause| refuse(cause.into()))?);
-        let region = Region::new(&body, &[]).map_err(refuse)?;
-        let edge = Edge::new(&body, EDGE, radius).map_err(refuse)?;
+        let body = Arc::new(body.map_err(|cause| unusable(cause.into()))?);
+        let interior = interior(body.mesh(), &plan.interior)?;
+        let region = Region::new(&body, &interior).map_err(unusable)?;
+        let edge = Edge::new(&body, EDGE, radius).map_err(unusable)?;
         Ok(Self {
             experiment,
             plan,
             region,
             edge,
+            interior,
         })
     }
 
@@ -122,9 +137,10 @@ impl<'a> Workbench<'a> {
         let (used, unused) = split(&measured.measurement);
         let boundary = self.boundary(measured, &used)?;
         let mut found = self.unchecked(measured, &boundary)?;
+        let refuse = |cause| self.refuse(measured, cause);
         found.direct = self.direct(&used);
-        self.check(&mut found, &boundary, &unused)
-            .map_err(|cause| self.refuse(measured, cause))?;
+        found.checks = self.checked(&found, &boundary, unused).map_err(refuse)?;
+        found.nodal_forces = self.nodal_forces(&boundary).map_err(refuse)?;
         Ok(found)
     }
 
@@ -163,156 +179,18 @@ impl<'a> Workbench<'a> {
             direct: None,
             fit: boundary.fit,
             scale: boundary.scale,
-            misfit: Vec::new(),
-            unused: None,
-            free_edge: None,
+            checks: Checked::default(),
             forces: self.forces(boundary).map_err(refuse)?,
+            nodal_forces: Vec::new(),
         })
     }
 
-    fn refuse(&self, measured: &Measured, cause: RegionError) -> ExperimentError {
+    pub(super) fn refuse(&self, measured: &Measured, cause: RegionError) -> ExperimentError {
         ExperimentError::Region {
             state: self.experiment.states[measured.state].name.clone(),
             key: "region".to_owned(),
             cause: Box::new(cause),
         }
-    }
-
-    fn boundary(
-        &self,
-        measured: &Measured,
-        used: &Measurement,
-    ) -> Result<Boundary, ExperimentError> {
-        let reduced = match self.experiment.reduce.method {
-            Method::Fit => {
-                let fitted = self.fitted(used, measured.floor);
-                return fitted.map_err(|cause| self.refuse(measured, cause));
-            }
-            Method::Linear { longest_side } => {
-                let nodes = self.region.prescribed_nodes();
-                Reduction::linear(used, self.region.mesh().nodes(), &nodes, longest_side)
-                    .and_then(Reduction::complete)
-                    .and_then(|reduction| reduction.displacements(used))
-            }
-            Method::Polynomial { order, neighbours } => self
-                .polynomial(used, &self.region.prescribed_nodes(), order, neighbours)
-                .and_then(|reduction| reduction.displacements(used)),
-            Method::Lines { reach } => return self.along_lines(measured, reach),
-        };
-        let displacements = reduced.map_err(|cause| ExperimentError::Reduction {
-            state: self.experiment.states[measured.state].name.clone(),
-            key: "reduce".to_owned(),
-            cause: Box::new(cause),
-        })?;
-        Ok(Boundary::plain(displacements))
-    }
-
-    fn polynomial(
-        &self,
-        used: &Measurement,
-        nodes: &[usize],
-        order: usize,
-        neighbours: usize,
-    ) -> Result<Reduction, stickslip_hybrid::reduce::ReduceError> {
-        // Nodes on the hole's edge lie outside of the data; how uncertain that makes them the covariance says.
-        let fit = LocalPolynomial {
-            order,
-            neighbours,
-            largest_radius: f64::INFINITY,
-            extrapolate: true,
-        };
-        Reduction::polynomial(used, self.region.mesh().nodes(), nodes, &fit)
-            .and_then(Reduction::complete)
-    }
-
-    fn along_lines(&self, measured: &Measured, reach: f64) -> Result<Boundary, ExperimentError> {
-        let state = &self.experiment.states[measured.state];
-        let (Some([u, v]), Some(grating), Source::Lines(source)) =
-            (&measured.lines, &self.experiment.grating, &state.source)
-        else {
-            return Err(ExperimentError::Missing {
-                key: "reduce.method".to_owned(),
-                what: format!("state '{}' has no fringe lines", state.name),
-                remedy: "choose method = \"fit\", or give lines = { … }".to_owned(),
-            });
-        };
-        let nodes = self.region.prescribed_nodes();
-        Reduction::along_lines([u, v], self.region.mesh().nodes(), &nodes, reach)
-            .and_then(Reduction::complete)
-            .and_then(|reduction| {
-                reduction.fringe_displacements([u, v], grating, [source.deviation; 2])
-            })
-            .map(Boundary::plain)
-            .map_err(|cause| ExperimentError::Reduction {
-                state: state.name.clone(),
-                key: "reduce".to_owned(),
-                cause: Box::new(cause),
-            })
-    }
-
-    /// The fit to all data, whose errors have at least the deviations `floor`.
-    fn fitted(&self, used: &Measurement, floor: [f64; 2]) -> Result<Boundary, RegionError> {
-        let smoothing = self.plan.smoothing;
-        let fitter = Fitter::new(&self.region, used, smoothing.order)?;
-        let mut fit = fitter.fit(&used.displacements, smoothing.amount)?;
-        let residuals = self.residuals(used, &fit.displacements)?;
-        let of_residuals = scale(&residuals, fit.parameters);
-        let scale = of_residuals.max(least_scale(used.deviation, floor));
-        for entry in &mut fit.displacements.covariance {
-            *entry *= scale;
-        }
-        Ok(Boundary {
-            scale,
-            bias: fit.bias,
-            fit: Some(FitFacts {
-                order: smoothing.order,
-                amount: fit.amount,
-                parameters: fit.parameters,
-                kept: self.kept(&fit.kept),
-                data: fit.data,
-                residual: fit.residual,
-                of_residuals,
-            }),
-            displacements: fit.displacements,
-        })
-    }
-
-    /// Mean over the edge of the part of displacements that their own data decide.
-    fn kept(&self, parts: &[f64]) -> f64 {
-        let prescribed = self.region.prescribed().iter().zip(parts);
-        let own = prescribed.filter(|(dof, _)| self.edge.nodes.contains(&(*dof / 2)));
-        let (sum, count) = own.fold((0.0, 0.0), |(sum, count), (_, part)| {
-            (sum + part, count + 1.0)
-        });
-        sum / f64::max(count, 1.0)
-    }
-
-    /// Measured less calculated displacements over the stated deviations, of all valid data in the region.
-    fn residuals(
-        &self,
-        data: &Measurement,
-        boundary: &NodalDisplacements,
-    ) -> Result<Vec<Residual>, RegionError> {
-        let solution = self.region.solve(boundary)?;
-        let locator = Locator::new(self.region.mesh());
-        let mut residuals = Vec::new();
-        for (k, &place) in data.places.iter().enumerate() {
-            let Some(located) = locator.locate(place) else {
-                continue;
-            };
-            for axis in (0..2).filter(|&axis| data.valid[axis][k]) {
-                let parts = located.shape.iter();
-                let calculated: f64 = parts
-                    .map(|&(node, weight)| weight * solution.displacements[2 * node + axis])
-                    .sum();
-                residuals.push(Residual {
-                    place,
-                    axis,
-                    value: (data.displacements[axis][k] - calculated) / data.deviation[axis],
-                });
-            }
-        }
-        Ok(residuals)
     }
 
     /// Bias of pressure, shear and hoop stress at each place.
@@ -348,19 +226,34 @@ impl<'a> Workbench<'a> {
         self.region.propagate(&rows, &boundary.displacements)
     }
 
-    fn check(
+    /// Forces at all nodes that move as measured.
+    fn nodal_forces(&self, boundary: &Boundary) -> Result<Vec<NodalForce>, RegionError> {
+        let region = &self.region;
+        let forces = region.propagate(region.reaction_rows(), &boundary.displacements)?;
+        let deviations = forces.deviations();
+        // Both components of each node are prescribed, in turn.
+        let nodes = region.prescribed().iter().step_by(2).enumerate();
+        let force = |(k, dof): (usize, &usize)| NodalForce {
+            place: region.mesh().nodes()[dof / 2],
+            force: [0, 1].map(|axis| forces.values[2 * k + axis]),
+            deviation: [0, 1].map(|axis| deviations[2 * k + axis]),
+            inside: self.interior.binary_search(&(dof / 2)).is_ok(),
+        };
+        Ok(nodes.map(force).collect())
+    }
+
+    fn checked(
         &self,
-        found: &mut Analysed,
+        found: &Analysed,
         boundary: &Boundary,
-        unused: &Measurement,
-    ) -> Result<(), RegionError> {
+        mut unused: Measurement,
+    ) -> Result<Checked, RegionError> {
         let free: Vec<FreeEdge> = (super::edge::beyond_contact(found).into_iter())
             .map(|places| FreeEdge {
                 edge: EDGE.to_owned(),
                 range: [places.start, places.end - 1].map(|k| self.edge.parameter[k]),
             })
             .collect();
-        let mut unused = unused.clone();
         // What the residuals say of the deviation of a single place; where they say less than was stated, the statement holds.
         if let Some(fit) = &found.fit {
             let single = fit.residual / (fit.data as f64 - fit.parameters).max(1.0);
@@ -369,34 +262,34 @@ impl<'a> Workbench<'a> {
             }
         }
         let any = (0..2).any(|axis| unused.valid[axis].contains(&true));
+        let known = self.experiment.states[found.state].edge_force;
+        // The stresses are those that the region exerts on what lies inside of its edge.
+        let through_edge = KnownForce {
+            edge: EDGE.to_owned(),
+            force: known.map(|component| -component.unwrap_or(0.0)),
+        };
         let input = CheckInput {
             unused: any.then_some(&unused),
             free_edges: &free,
-            known_forces: &[],
+            known_forces: &[through_edge],
         };
         let checks = self.region.check(&boundary.displacements, input)?;
-        found.free_edge = checks.free_edges.into_iter().next();
-        if let Some(misfit) = checks.misfit {
-            found.misfit = (misfit.points.iter())
-                .map(|point| MisfitAt {
-                    place: point.place,
-                    axis: point.axis,
-                    relative: point.misfit / point.deviation,
-                })
-                .collect();
-            found.unused = Some(misfit.chi_squared);
-        }
-        Ok(())
-    }
-}
-
-impl Boundary {
-    fn plain(displacements: NodalDisplacements) -> Self {
-        Self {
-            displacements,
-            bias: Vec::new(),
-            fit: None,
-            scale: 1.0,
-        }
+        let misfit = checks.misfit.as_ref();
+        let points = misfit.into_iter().flat_map(|misfit| &misfit.points);
+        let own = points.map(|point| MisfitAt {
+            place: point.place,
+            axis: point.axis,
+            relative: point.misfit / point.deviation,
+        });
+        Ok(Checked {
+            misfit: own.collect(),
+            unused: misfit.map(|misfit| misfit.chi_squared),
+            free_edge: checks.free_edges.into_iter().next(),
+            interior: checks.interior_forces,
+            excess: [0, 1].map(|axis| {
+                let balance = checks.balance.first().filter(|_| known[axis].is_some());
+                balance.map(|balance| [-balance.excess[axis], balance.deviation[axis]])
+            }),
+        })
     }
 }

@@ -83,7 +83,7 @@ fn state(experiment: &Experiment, found: &Analysed, truth: &[TruePlace], story: 
         &format!("Stresses on the edge with bands of two standard deviations{beside}."),
         figures::edge(experiment, found, truth),
     );
-    if !found.misfit.is_empty() {
+    if !found.checks.misfit.is_empty() {
         story.figure(
             &format!("misfit-{name}"),
             "Measured less calculated displacements at places that were not used, in standard deviations. Noise has no pattern.",
@@ -91,8 +91,12 @@ fn state(experiment: &Experiment, found: &Analysed, truth: &[TruePlace], story: 
         );
     }
     for (what, check) in [
-        ("the misfit at unused places", &found.unused),
-        ("the traction on the free edge", &found.free_edge),
+        ("the misfit at unused places", &found.checks.unused),
+        ("the traction on the free edge", &found.checks.free_edge),
+        (
+            "the force on the nodes inside that move as measured",
+            &found.checks.interior,
+        ),
     ] {
         if let Some(check) = check.as_ref().filter(|check| check.excess() > LARGE) {
             story.warn(format!(
@@ -103,13 +107,21 @@ fn state(experiment: &Experiment, found: &Analysed, truth: &[TruePlace], story: 
             ));
         }
     }
-    for warning in doubts(experiment, found) {
+    for warning in doubts(experiment, found)
+        .into_iter()
+        .chain(forces::doubt(experiment, found))
+    {
         story.warn(format!("State '{name}': {warning}"));
     }
     story.file(
         format!("edge-{name}.csv"),
         "stresses on the edge with standard deviations",
         csv(experiment, found),
+    );
+    story.file(
+        format!("forces-{name}.csv"),
+        "forces that hold the region, at the nodes that move as measured, with standard deviations",
+        forces::csv(experiment, found),
     );
 }
 
@@ -290,9 +302,11 @@ const MEANINGS: [&str; 5] = [
      expected number data, region or material do not fit together.",
     "Free edge: the same of tractions on the edge beyond contact, which should vanish.",
 ];
+const INSIDE: &str = "Nodes inside: the same of the forces on nodes inside of the region that move as measured, where nothing acts.";
 
 fn checks(experiment: &Experiment, analysed: &[Analysed]) -> Table {
-    let columns = vec![
+    let inside = (analysed.iter()).any(|found| found.checks.interior.is_some());
+    let mut columns = vec![
         Column::new("state", ""),
         Column::new("data", ""),
         Column::new("parameters", ""),
@@ -301,21 +315,29 @@ fn checks(experiment: &Experiment, analysed: &[Analysed]) -> Table {
         Column::new("misfit χ²", "(expected)"),
         Column::new("free edge χ²", "(expected)"),
     ];
+    if inside {
+        columns.push(Column::new("nodes inside χ²", "(expected)"));
+    }
     let mut table = Table::new("Checks of the data", columns);
     for found in analysed {
         let facts = found.fit.as_ref();
         let told = |value: Option<String>| value.unwrap_or_default();
-        table.push(vec![
+        let mut row = vec![
             experiment.states[found.state].name.clone(),
             told(facts.map(|fit| fit.data.to_string())),
             told(facts.map(|fit| format!("{:.0}", fit.parameters))),
             told(facts.map(|fit| format!("order {}: {}", fit.order, short(fit.amount)))),
             format!("{:.2}", found.scale),
-            told(found.unused.as_ref().map(chi_squared)),
-            told(found.free_edge.as_ref().map(chi_squared)),
-        ]);
+            told(found.checks.unused.as_ref().map(chi_squared)),
+            told(found.checks.free_edge.as_ref().map(chi_squared)),
+        ];
+        if inside {
+            row.push(told(found.checks.interior.as_ref().map(chi_squared)));
+        }
+        table.push(row);
     }
-    MEANINGS.into_iter().fold(table, Table::note)
+    let meanings = MEANINGS.into_iter().chain(inside.then_some(INSIDE));
+    meanings.fold(table, Table::note)
 }
 
 fn chi_squared(check: &ChiSquared) -> String {
@@ -363,8 +385,9 @@ fn entry(experiment: &Experiment, found: &Analysed) -> Value {
             "chi_squared": fit.residual,
             "noise_factor_of_residuals": fit.of_residuals,
         })),
-        "unused_misfit": check(found.unused.as_ref()),
-        "free_edge": check(found.free_edge.as_ref()),
+        "unused_misfit": check(found.checks.unused.as_ref()),
+        "free_edge": check(found.checks.free_edge.as_ref()),
+        "nodes_inside": check(found.checks.interior.as_ref()),
         "force": forces::entry(experiment, found),
     })
 }

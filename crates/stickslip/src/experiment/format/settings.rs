@@ -88,6 +88,8 @@ pub(in crate::experiment) struct RegionFormat {
     pub(in crate::experiment) sector: Option<SectorFormat>,
     pub(in crate::experiment) mesh: Option<MeshFormat>,
     #[serde(default)]
+    pub(in crate::experiment) interior: Vec<MaskFormat>,
+    #[serde(default)]
     pub(in crate::experiment) whole_plate: bool,
     pub(in crate::experiment) smoothing: Option<SmoothingFormat>,
 }

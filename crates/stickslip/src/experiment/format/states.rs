@@ -12,12 +12,26 @@ pub(in crate::experiment) struct StateFormat {
     pub(in crate::experiment) name: String,
     pub(in crate::experiment) direction: Option<DirectionFormat>,
     pub(in crate::experiment) load: Option<Quantity<Force>>,
+    #[serde(default)]
+    pub(in crate::experiment) edge_force: ForceFormat,
     pub(in crate::experiment) step: Option<usize>,
     pub(in crate::experiment) table: Option<TableFormat>,
     pub(in crate::experiment) pictures: Option<PicturesFormat>,
     pub(in crate::experiment) lines: Option<LinesFormat>,
     pub(in crate::experiment) null: Option<SourceFormat>,
     pub(in crate::experiment) back: Option<SourceFormat>,
+}
+
+/// Known components of a force.
+#[derive(Debug, Default, Deserialize)]
+#[serde(
+    default,
+    deny_unknown_fields,
+    expecting = "a table, such as { x = \"5516 N\" }"
+)]
+pub(in crate::experiment) struct ForceFormat {
+    pub(in crate::experiment) x: Option<Quantity<Force>>,
+    pub(in crate::experiment) y: Option<Quantity<Force>>,
 }
 
 /// Data that a state, its null field or its back is read from: exactly one of these.

@@ -98,6 +98,11 @@ fn entry(
         if let Some(load) = plan.load {
             entry["load"] = format!("{load} N").into();
         }
+        for (axis, force) in ["x", "y"].into_iter().zip(plan.edge_force) {
+            if let Some(force) = force {
+                entry["edge_force"][axis] = format!("{force} N").into();
+            }
+        }
         entry["pictures"] = pictures(experiment, camera, state, Shot::State);
         entry
     } else {

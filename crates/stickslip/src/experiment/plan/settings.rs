@@ -157,6 +157,7 @@ pub(super) fn region(
     };
     Ok(RegionPlan {
         shape,
+        interior: refuse.areas("region.interior", &given.interior)?,
         whole_plate: given.whole_plate,
         smoothing: smoothing(refuse, given)?,
     })

@@ -13,6 +13,7 @@ use crate::experiment::format::{
     DirectionFormat, LinesFormat, PicturesFormat, SourceFormat, StateFormat, TableFormat,
 };
 use crate::experiment::history::History;
+use crate::units::Quantity;
 
 /// Longest name of a state, which is a part of file names.
 const LONGEST_NAME: usize = 64;
@@ -98,6 +99,8 @@ impl Scope<'_> {
                 name: state.name.clone(),
                 direction,
                 load,
+                edge_force: [&state.edge_force.x, &state.edge_force.y]
+                    .map(|force| force.as_ref().map(Quantity::value)),
                 source,
                 null,
                 back,

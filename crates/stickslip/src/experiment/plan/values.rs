@@ -76,6 +76,8 @@ pub struct SymmetryPlan {
 pub struct RegionPlan {
     /// What it covers.
     pub shape: RegionShape,
+    /// Nodes inside of the region that lie in one of these areas move as measured too.
+    pub interior: Vec<Area>,
     /// Whether the whole plate is analysed too, with the measured displacements on the hole and the remote load.
     pub whole_plate: bool,
     /// Smoothing along its boundary, for fitted displacements.

@@ -3,7 +3,7 @@
 use stickslip_hybrid::region::transfer::Propagated;
 
 use super::{WholeError, WholePlate, WholeSolution};
-use crate::experiment::analysed::Analysed;
+use crate::experiment::analysed::{Analysed, Checked};
 use crate::experiment::error::ExperimentError;
 use crate::experiment::history::History;
 use crate::experiment::measured::Measured;
@@ -33,9 +33,8 @@ impl WholeState {
             direct: None,
             fit: None,
             scale: own.scale,
-            misfit: Vec::new(),
-            unused: None,
-            free_edge: None,
+            checks: Checked::default(),
+            nodal_forces: Vec::new(),
             forces: Propagated {
                 values: Vec::new(),
                 covariance: Vec::new(),

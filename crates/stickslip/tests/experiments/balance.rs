@@ -1,0 +1,103 @@
+//! Forces that hold a region, on the sample table of `stickslip init experiment`: half of the plate's load goes through the half of the edge
+//! that it covers.
+
+use std::fs;
+use std::path::Path;
+
+use serde_json::Value;
+use tempfile::TempDir;
+
+use super::{folder_with, stickslip, succeeds};
+
+const SECTOR: &str = "region.sector={ angles = [\"0 deg\", \"110 deg\"], outer = \"13 mm\", cells = [30, 8], growth = 2.0 }";
+const INSIDE: &str = "region.interior=[{ centre = [\"4 mm\", \"11 mm\"], radius = \"0.8 mm\" }]";
+
+fn sample() -> TempDir {
+    let folder = folder_with(&[]);
+    succeeds(folder.path(), &["init", "experiment", "mine.toml"]);
+    folder
+}
+
+fn hybrid(path: &Path, settings: &[&str]) -> Value {
+    let mut arguments = vec!["hybrid", "mine.toml", "--force", "--set", SECTOR];
+    for setting in settings {
+        arguments.extend(["--set", setting]);
+    }
+    succeeds(path, &arguments)
+}
+
+#[test]
+fn stresses_on_the_edge_carry_the_known_force_unless_the_material_is_wrong() {
+    let folder = sample();
+    let path = folder.path();
+    let known = "states.0.edge_force={ x = \"2758 N\" }";
+    let found = hybrid(path, &[known]);
+    let force = &found["edge_stresses"][0]["force"];
+    let excess = force["excess_over_known"][0].as_f64().unwrap();
+    let deviation = force["excess_deviation"][0].as_f64().unwrap();
+    println!("excess {excess:.1} ± {deviation:.1} N of 2758 N");
+    assert!(deviation > 0.0 && excess.abs() < 3.0 * deviation, "{force}");
+    assert!(force["excess_over_known"][1].is_null(), "{force}");
+    assert_eq!(found["warnings"].as_array().unwrap().len(), 0, "{found}");
+    let softer = [
+        known,
+        "specimen.material.isotropic={ young = \"60 GPa\", poisson = 0.33 }",
+    ];
+    let warnings = hybrid(path, &softer)["warnings"].to_string();
+    assert!(
+        warnings.contains("off the stated edge_force") && warnings.contains("along x"),
+        "{warnings}"
+    );
+}
+
+/// Columns x, y, force x, its deviation, force y, its deviation, and whether the node lies inside.
+fn forces(path: &Path) -> Vec<Vec<f64>> {
+    let text = fs::read_to_string(path.join("mine-results/forces-up.csv")).unwrap();
+    let rows = text.lines().skip(1);
+    rows.map(|row| {
+        row.split(',')
+            .map(|number| number.parse().unwrap())
+            .collect()
+    })
+    .collect()
+}
+
+#[test]
+fn forces_that_hold_a_region_are_in_balance_and_those_on_nodes_inside_are_noise() {
+    let folder = sample();
+    let path = folder.path();
+    for method in ["fit", "polynomial"] {
+        let method = format!("reduce.method=\"{method}\"");
+        let found = hybrid(path, &[INSIDE, &method, "region.sector.cells=[16, 4]"]);
+        let rows = forces(path);
+        let size: f64 = rows.iter().map(|row| row[2].hypot(row[4])).sum();
+        let sum = |term: fn(&[f64]) -> f64| rows.iter().map(|row| term(row)).sum::<f64>().abs();
+        assert!(sum(|row| row[2]) < 1e-9 * size, "along x");
+        assert!(sum(|row| row[4]) < 1e-9 * size, "along y");
+        let moment = sum(|row| row[0] * row[4] - row[1] * row[2]);
+        assert!(moment < 1e-9 * 13.0 * size, "moment");
+        let inside: Vec<&Vec<f64>> = rows.iter().filter(|row| row[6] > 0.0).collect();
+        let off = |row: &&Vec<f64>| (row[0] - 4.0).hypot(row[1] - 11.0) < 0.8;
+        assert!(!inside.is_empty() && inside.iter().all(off));
+        let check = &found["edge_stresses"][0]["nodes_inside"];
+        assert_eq!(check["count"].as_u64().unwrap() as usize, 2 * inside.len());
+        let number = |name: &str| check[name].as_f64().unwrap();
+        let excess = (number("value") - number("count")) / number("deviation");
+        println!("{method}: χ² of the forces inside {excess:.1} deviations above its mean");
+        assert!(excess < 4.0, "{check}");
+    }
+}
+
+#[test]
+fn areas_without_a_node_inside_are_refused() {
+    let folder = sample();
+    let nowhere = "region.interior=[{ centre = [\"4 mm\", \"30 mm\"], radius = \"0.8 mm\" }]";
+    let arguments = ["hybrid", "mine.toml", "--set", SECTOR, "--set", nowhere];
+    let output = stickslip(folder.path(), &arguments);
+    let text = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(!output.status.success());
+    for part in ["no node inside of the region", "region.interior", "larger"] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    assert!(!folder.path().join("mine-results").exists());
+}
