@@ -1,5 +1,4 @@
-//! Forces that hold a region, on the sample table of `stickslip init experiment`: half of the plate's load goes through the half of the edge
-//! that it covers.
+//! Forces that hold a region, on the sample table of `stickslip init experiment`.
 
 use std::fs;
 use std::path::Path;
@@ -10,6 +9,8 @@ use tempfile::TempDir;
 use super::{folder_with, stickslip, succeeds};
 
 const SECTOR: &str = "region.sector={ angles = [\"0 deg\", \"110 deg\"], outer = \"13 mm\", cells = [30, 8], growth = 2.0 }";
+/// All of the contact: the whole load goes through the edge.
+const WHOLE: &str = "region.sector={ angles = [\"-110 deg\", \"110 deg\"], outer = \"12 mm\", cells = [50, 8], growth = 2.0 }";
 const INSIDE: &str = "region.interior=[{ centre = [\"4 mm\", \"11 mm\"], radius = \"0.8 mm\" }]";
 
 fn sample() -> TempDir {
@@ -30,17 +31,24 @@ fn hybrid(path: &Path, settings: &[&str]) -> Value {
 fn stresses_on_the_edge_carry_the_known_force_unless_the_material_is_wrong() {
     let folder = sample();
     let path = folder.path();
-    let known = "states.0.edge_force={ x = \"2758 N\" }";
-    let found = hybrid(path, &[known]);
-    let force = &found["edge_stresses"][0]["force"];
-    let excess = force["excess_over_known"][0].as_f64().unwrap();
-    let deviation = force["excess_deviation"][0].as_f64().unwrap();
-    println!("excess {excess:.1} ± {deviation:.1} N of 2758 N");
-    assert!(deviation > 0.0 && excess.abs() < 3.0 * deviation, "{force}");
-    assert!(force["excess_over_known"][1].is_null(), "{force}");
-    assert_eq!(found["warnings"].as_array().unwrap().len(), 0, "{found}");
+    let both = "states.0.edge_force={ x = \"5516 N\", y = \"0 N\" }";
+    let half = "states.0.edge_force={ x = \"2758 N\" }";
+    for (sector, known, components) in [(WHOLE, both, 2), (SECTOR, half, 1)] {
+        let found = hybrid(path, &[sector, known]);
+        let force = &found["edge_stresses"][0]["force"];
+        for axis in 0..components {
+            let number = |name: &str| force[name][axis].as_f64().unwrap();
+            let (excess, deviation) = (number("excess_over_known"), number("excess_deviation"));
+            println!("excess {excess:.1} ± {deviation:.1} N");
+            assert!(deviation > 0.0 && deviation < 50.0, "{force}");
+            assert!(excess.abs() < 3.0 * deviation, "{force}");
+        }
+        let told = force["excess_over_known"].as_array().unwrap();
+        assert_eq!(told.iter().flat_map(Value::as_f64).count(), components);
+        assert_eq!(found["warnings"].as_array().unwrap().len(), 0, "{found}");
+    }
     let softer = [
-        known,
+        half,
         "specimen.material.isotropic={ young = \"60 GPa\", poisson = 0.33 }",
     ];
     let warnings = hybrid(path, &softer)["warnings"].to_string();

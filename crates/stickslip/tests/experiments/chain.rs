@@ -212,7 +212,7 @@ fn an_experiment_without_synthetic_states_has_no_pictures_to_make() {
 #[test]
 fn the_experiment_written_beside_pictures_moves_with_its_folder() {
     let text = format!(
-        "{FRINGES}{STATES}back.table = {{ file = \"back.csv\", scale = \"1 mm\", y_axis = \"up\", deviation = \"1e-4 mm\" }}\n\
+        "{FRINGES}{STATES}edge_force = {{ x = \"0.5 kN\" }}\nback.table = {{ file = \"back.csv\", scale = \"1 mm\", y_axis = \"up\", deviation = \"1e-4 mm\" }}\n\
          [reduce]\nsymmetry = {{ from = [\"7 mm\", \"0 mm\"], to = [\"9 mm\", \"1 mm\"], tolerance = 1e9 }}\n"
     );
     let back = super::grid("x,y,u,v", |x, y| [1e-3 * x, 1e-3 * y]);
@@ -234,6 +234,10 @@ fn the_experiment_written_beside_pictures_moves_with_its_folder() {
     let written = fs::read_to_string(from.join("out/pictures/measured.toml")).unwrap();
     assert!(
         written.contains("scene = \"../../scenes/scene.toml\""),
+        "{written}"
+    );
+    assert!(
+        written.contains("[states.edge_force]\nx = \"500 N\""),
         "{written}"
     );
     assert!(
