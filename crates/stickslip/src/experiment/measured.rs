@@ -152,23 +152,25 @@ pub fn state(
         let (front, of_carriers) =
             front.map_or((None, None), |(front, words)| (Some(front), words));
         let sides = symmetry::compared(&scope, line, front.as_ref().unwrap_or(&measured), &back)?;
-        measured.symmetry = sides.found;
-        let remarks = back
-            .remarks
-            .iter()
-            .map(|words| format!("the back: {words}"));
-        measured.remarks.extend(remarks.chain(sides.remarks));
-        let warnings = back
-            .warnings
-            .iter()
-            .map(|words| format!("The back: {words}"));
-        measured.warnings.extend(warnings.chain(of_carriers));
+        tell_of_back(&mut measured, &back, sides);
+        measured.warnings.extend(of_carriers);
     }
     if matches!(plan.source, Source::Table(_)) {
         measured.warnings.extend(large(&measured.measurement));
     }
     coverage::check(&scope, &measured)?;
     Ok(measured)
+}
+
+/// What a comparison with the back found, and what there is to say of the back itself.
+fn tell_of_back(measured: &mut Measured, back: &Measured, sides: symmetry::Comparison) {
+    measured.symmetry = sides.found;
+    let remarks = back.remarks.iter();
+    let remarks = remarks.map(|words| format!("the back: {words}"));
+    measured.remarks.extend(remarks.chain(sides.remarks));
+    let warnings = back.warnings.iter();
+    let warnings = warnings.map(|words| format!("The back: {words}"));
+    measured.warnings.extend(warnings);
 }
 
 /// Words on displacements that differ by more than small strains allow: the mark of a wrong scale.

@@ -10,7 +10,6 @@ use stickslip_hybrid::data::Measurement;
 use stickslip_hybrid::region::checks::{CheckInput, FreeEdge, KnownForce};
 use stickslip_hybrid::region::direct::interpolate;
 use stickslip_hybrid::region::outline::boundary_nodes;
-use stickslip_hybrid::region::sector::ArcSector;
 use stickslip_hybrid::region::transfer::Propagated;
 use stickslip_hybrid::region::{Region, RegionError};
 
@@ -57,16 +56,7 @@ fn unusable(cause: RegionError) -> ExperimentError {
 fn meshed(plan: &RegionPlan, hole: &Hole) -> Result<(Mesh, f64), ExperimentError> {
     match &plan.shape {
         RegionShape::Sector(sector) => {
-            let sector = ArcSector {
-                centre: hole.centre,
-                hole: hole.radius,
-                stand_off: sector.stand_off,
-                outer: sector.outer,
-                angles: sector.angles,
-                cells: sector.cells,
-                growth: sector.growth,
-                kind: sector.element,
-            };
+            let sector = sector.around(hole);
             Ok((sector.mesh().map_err(unusable)?, sector.inner()))
         }
         RegionShape::Mesh(mesh) => Ok((imported::mesh(mesh, hole, EDGE)?, hole.radius)),

@@ -42,48 +42,9 @@ pub(in crate::experiment) fn tell(told: &Told<'_>, story: &mut Story) {
          contact. A zone goes from there inwards as far as one coefficient explains it; at either end twice the angle that the edge \
          resolves is left out, where stresses are not smooth. That angle is a cell, or more where the smoothing goes on beyond cells.",
     );
-    let confidence = 100.0 * experiment.identify.confidence;
-    let bears = told.analysed.iter().any(|found| found.contact().is_some());
-    let without = if told.analysed.iter().all(Analysed::is_free) {
-        NO_CONTACT
-    } else {
-        HIDDEN
-    };
-    match &identified.dynamic {
-        Some(fit) => {
-            story.answer("Dynamic friction μd", dynamic_words(fit, confidence));
-            if !fit.is_consistent(CONSISTENT) {
-                story.warn(
-                    "One coefficient does not explain all slip zones together: friction changes within them, or the edge does not slip \
-                     all over them. Its interval does not hold; fit laws by [[laws]], or state [identify] zones.",
-                );
-            }
-        }
-        None if !bears => story.answer("Dynamic friction μd", without),
-        None => story.answer(
-            "Dynamic friction μd",
-            "not identifiable: no slip zone is recognised",
-        ),
-    }
-    let hold = hold(identified);
-    let of_static = match identified.dynamic {
-        None if !bears => without.to_owned(),
-        _ => static_words(experiment, hold, confidence),
-    };
-    story.answer("Static friction μs", of_static.clone());
-    if let Some(simulation) = &identified.simulation {
-        story.text(format!(
-            "Monte Carlo simulation of {} draws around the fit: mean {:.4}, standard deviation {:.4}, {confidence} % of them between \
-             {:.4} and {:.4}.",
-            simulation.samples,
-            simulation.mean,
-            simulation.deviation,
-            simulation.interval[0],
-            simulation.interval[1]
-        ));
-    }
+    answers(told, story);
     mesh(told, story);
-    if bears || identified.dynamic.is_some() {
+    if told.bears() || identified.dynamic.is_some() {
         story.table(table(experiment, told.analysed, identified));
         let truth: Vec<_> = (told.analysed.iter())
             .map(|found| true_edge(experiment, told.truth, found.state))
@@ -103,7 +64,68 @@ pub(in crate::experiment) fn tell(told: &Told<'_>, story: &mut Story) {
         "shear over pressure at all places in contact",
         csv(experiment, told.analysed),
     );
-    story.entry("friction", entry(told, hold, &of_static));
+    story.entry("friction", entry(told));
+}
+
+impl Told<'_> {
+    /// Whether any edge bears pressure beyond doubt.
+    fn bears(&self) -> bool {
+        self.analysed.iter().any(|found| found.contact().is_some())
+    }
+
+    /// Words on edges that do not.
+    fn without(&self) -> &'static str {
+        if self.analysed.iter().all(Analysed::is_free) {
+            NO_CONTACT
+        } else {
+            HIDDEN
+        }
+    }
+
+    /// What is known of static friction.
+    fn of_static(&self) -> String {
+        match self.identified.dynamic {
+            None if !self.bears() => self.without().to_owned(),
+            _ => {
+                let confidence = 100.0 * self.experiment.identify.confidence;
+                static_words(self.experiment, hold(self.identified), confidence)
+            }
+        }
+    }
+}
+
+/// Both coefficients and the simulation.
+fn answers(told: &Told<'_>, story: &mut Story) {
+    let (experiment, identified) = (told.experiment, told.identified);
+    let confidence = 100.0 * experiment.identify.confidence;
+    match &identified.dynamic {
+        Some(fit) => {
+            story.answer("Dynamic friction μd", dynamic_words(fit, confidence));
+            if !fit.is_consistent(CONSISTENT) {
+                story.warn(
+                    "One coefficient does not explain all slip zones together: friction changes within them, or the edge does not slip \
+                     all over them. Its interval does not hold; fit laws by [[laws]], or state [identify] zones.",
+                );
+            }
+        }
+        None if !told.bears() => story.answer("Dynamic friction μd", told.without()),
+        None => story.answer(
+            "Dynamic friction μd",
+            "not identifiable: no slip zone is recognised",
+        ),
+    }
+    story.answer("Static friction μs", told.of_static());
+    if let Some(simulation) = &identified.simulation {
+        story.text(format!(
+            "Monte Carlo simulation of {} draws around the fit: mean {:.4}, standard deviation {:.4}, {confidence} % of them between \
+             {:.4} and {:.4}.",
+            simulation.samples,
+            simulation.mean,
+            simulation.deviation,
+            simulation.interval[0],
+            simulation.interval[1]
+        ));
+    }
 }
 
 /// What half of the cells say.
@@ -171,17 +193,24 @@ fn hold(identified: &Identified) -> Hold<'_> {
 }
 
 fn static_words(experiment: &Experiment, hold: Hold<'_>, confidence: f64) -> String {
-    match hold {
-        Hold::AtLeast(grip) => format!(
-            "at least {:.4} ({confidence} %), by what sticks at θ = {:.1}° in state '{}'; no upper bound: not identifiable beyond that",
-            grip.at_least,
-            grip.angle.to_degrees(),
-            experiment.states[grip.state].name
-        ),
-        Hold::NoMore => {
-            "not identifiable: at least μd, and no place sticks beyond doubt at a larger ratio than slip has".to_owned()
+    let found = match hold {
+        Hold::AtLeast(grip) => {
+            return format!(
+                "at least {:.4} ({confidence} %), by what sticks at θ = {:.1}° in state '{}'; no upper bound: not identifiable beyond that",
+                grip.at_least,
+                grip.angle.to_degrees(),
+                experiment.states[grip.state].name
+            );
         }
-        Hold::Nothing => "not identifiable: no sticking place beside a slip zone".to_owned(),
+        Hold::NoMore => {
+            "not identifiable from stresses: at least μd, and no place sticks beyond doubt at a larger ratio than slip has"
+        }
+        Hold::Nothing => "not identifiable from stresses: no sticking place beside a slip zone",
+    };
+    if experiment.laws.is_empty() {
+        format!("{found}. Contact solves, [[laws]], bound it and tell how many fringes it moves")
+    } else {
+        found.to_owned()
     }
 }
 
@@ -267,9 +296,9 @@ fn csv(experiment: &Experiment, analysed: &[Analysed]) -> Vec<u8> {
     text.into_bytes()
 }
 
-fn entry(told: &Told<'_>, hold: Hold<'_>, of_static: &str) -> Value {
+fn entry(told: &Told<'_>) -> Value {
     let (experiment, identified) = (told.experiment, told.identified);
-    let grip = match hold {
+    let grip = match hold(identified) {
         Hold::AtLeast(grip) => Some(grip),
         Hold::NoMore | Hold::Nothing => None,
     };
@@ -299,7 +328,7 @@ fn entry(told: &Told<'_>, hold: Hold<'_>, of_static: &str) -> Value {
             "low": grip.map(|grip| grip.at_least),
             "high": null,
             "by": grip.map(|grip| grip_entry(experiment, grip)),
-            "in_words": of_static,
+            "in_words": told.of_static(),
         },
         "zones": zones.collect::<Vec<_>>(),
     })

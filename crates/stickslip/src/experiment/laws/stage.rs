@@ -86,49 +86,26 @@ pub fn stage(
         cause: Box::new(cause),
     };
     let model = ContactModel::new(own).map_err(failed)?;
-    let history = History::of(&own.scene);
-    let (mut observations, mut states, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
-    let mut scales = Vec::new();
-    for measured in fields {
-        let state = &experiment.states[measured.state];
-        match observed(&model, &history, state, measured, known) {
-            Ok(own) => {
-                observations.push(own.observation);
-                scales.push(own.scale);
-                states.push(measured.state);
-                warnings.extend(own.assumed);
-            }
-            Err(reason) => warnings.push(format!(
-                "State '{}' is not among the data of the laws: {reason}.",
-                state.name
-            )),
-        }
-    }
-    if observations.is_empty() {
-        return Err(ExperimentError::Missing {
-            key: "states".to_owned(),
-            what: format!("no state can be compared with the scene. {}", warnings.join(" ")),
-            remedy: "tie a state to the scene with step = 1, or with the load of one of its steps and its direction".to_owned(),
-        });
-    }
+    let Compared {
+        observations,
+        states,
+        scales,
+        mut warnings,
+    } = compared(experiment, &model, &History::of(&own.scene), fields, known)?;
     let settings = Settings {
         confidence: experiment.identify.confidence,
         ..Settings::default()
     };
-    let two_meshes = ContactModel::new(&coarser(own))
-        .and_then(|coarser| fit_on_two_meshes(&model, &coarser, &laws, &observations, &settings));
-    let comparison = match two_meshes {
-        Ok(found) => found,
-        Err(cause) => {
-            // Where data or laws are at fault and not the coarser mesh, this says so.
-            let found = fit(&model, &laws, &observations, &settings).map_err(failed)?;
-            warnings.push(format!(
-                "Intervals hold the errors of the data alone and not that of the model's mesh: a mesh twice as coarse, which would tell, \
-                 cannot be solved: {cause}."
-            ));
-            found
-        }
-    };
+    let coarser = ContactModel::new(&coarser(own));
+    let comparison = fitted(
+        &model,
+        coarser,
+        &laws,
+        &observations,
+        &settings,
+        &mut warnings,
+    );
+    let comparison = comparison.map_err(failed)?;
     warnings.extend(experiment.warning_of_shared_mesh());
     let discrepancies = match known.truth {
         Some(truth) => discrepancies_of(experiment, &model, truth, &observations, &states),
@@ -150,6 +127,70 @@ pub fn stage(
         discrepancies,
         warnings,
     }))
+}
+
+/// The states that are load steps of the scene.
+#[derive(Default)]
+struct Compared {
+    observations: Vec<Observation>,
+    states: Vec<usize>,
+    scales: Vec<Scale>,
+    warnings: Vec<String>,
+}
+
+fn compared(
+    experiment: &Experiment,
+    model: &ContactModel,
+    history: &History,
+    fields: &[Measured],
+    known: Known<'_>,
+) -> Result<Compared, ExperimentError> {
+    let mut all = Compared::default();
+    for measured in fields {
+        let state = &experiment.states[measured.state];
+        match observed(model, history, state, measured, known) {
+            Ok(own) => {
+                all.observations.push(own.observation);
+                all.scales.push(own.scale);
+                all.states.push(measured.state);
+                all.warnings.extend(own.assumed);
+            }
+            Err(reason) => all.warnings.push(format!(
+                "State '{}' is not among the data of the laws: {reason}.",
+                state.name
+            )),
+        }
+    }
+    if !all.observations.is_empty() {
+        return Ok(all);
+    }
+    Err(ExperimentError::Missing {
+        key: "states".to_owned(),
+        what: format!("no state can be compared with the scene. {}", all.warnings.join(" ")),
+        remedy: "tie a state to the scene with step = 1, or with the load of one of its steps and its direction".to_owned(),
+    })
+}
+
+/// The laws fitted with the error of the model's mesh in their intervals, as a coarser one tells it; without it where that cannot be had.
+fn fitted(
+    model: &ContactModel,
+    coarser: Result<ContactModel, LawsError>,
+    laws: &[Candidate],
+    observations: &[Observation],
+    settings: &Settings,
+    warnings: &mut Vec<String>,
+) -> Result<Comparison, LawsError> {
+    let two_meshes =
+        coarser.and_then(|own| fit_on_two_meshes(model, &own, laws, observations, settings));
+    two_meshes.or_else(|cause| {
+        // Where data or laws are at fault and not the coarser mesh, this says so.
+        let found = fit(model, laws, observations, settings)?;
+        warnings.push(format!(
+            "Intervals hold the errors of the data alone and not that of the model's mesh: a mesh twice as coarse, which would tell, \
+             cannot be solved: {cause}."
+        ));
+        Ok(found)
+    })
 }
 
 /// Those of synthetic states, whose data come from the truth.

@@ -40,6 +40,34 @@ pub fn tell(experiment: &Experiment, stage: &LawStage, story: &mut Story) {
     if !stage.sensitivities.is_empty() {
         story.table(sensitivities(experiment, stage));
     }
+    doubts(stage, story);
+    story.answer(
+        "Friction law",
+        format!("{}: {}", best.law.name, best.words()),
+    );
+    for (index, own) in best.calibration.estimates.iter().enumerate() {
+        let name = format!("{} of {}", own.name, best.law.name);
+        story.answer(&name, words(experiment, best, index, own));
+    }
+    story.file(
+        "laws.csv",
+        "the fitted laws and their parameters",
+        files::csv(experiment, stage),
+    );
+    for (observation, &state) in stage.states.iter().enumerate() {
+        let name = &experiment.states[state].name;
+        story.file(
+            format!("law-fit-{name}.csv"),
+            "measured and predicted displacements",
+            files::fit_csv(experiment, stage, observation),
+        );
+    }
+    story.entry("laws", files::entry(experiment, stage));
+}
+
+/// What makes the fits doubtful.
+fn doubts(stage: &LawStage, story: &mut Story) {
+    let (comparison, best) = (&stage.comparison, stage.comparison.best());
     if comparison
         .fits
         .iter()
@@ -63,28 +91,6 @@ pub fn tell(experiment: &Experiment, stage: &LawStage, story: &mut Story) {
             short(best.calibration.excess()),
         ));
     }
-    story.answer(
-        "Friction law",
-        format!("{}: {}", best.law.name, best.words()),
-    );
-    for (index, own) in best.calibration.estimates.iter().enumerate() {
-        let name = format!("{} of {}", own.name, best.law.name);
-        story.answer(&name, words(experiment, best, index, own));
-    }
-    story.file(
-        "laws.csv",
-        "the fitted laws and their parameters",
-        files::csv(experiment, stage),
-    );
-    for (observation, &state) in stage.states.iter().enumerate() {
-        let name = &experiment.states[state].name;
-        story.file(
-            format!("law-fit-{name}.csv"),
-            "measured and predicted displacements",
-            files::fit_csv(experiment, stage, observation),
-        );
-    }
-    story.entry("laws", files::entry(experiment, stage));
 }
 
 /// Profiles, residuals, predictions and the passage.

@@ -5,7 +5,6 @@ use std::collections::HashMap;
 use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_hybrid::data::Field;
 use stickslip_hybrid::region::outline::boundary_nodes;
-use stickslip_hybrid::region::sector::ArcSector;
 
 use super::elsewhere::extent;
 use super::{Measured, Scope};
@@ -43,17 +42,7 @@ pub(super) fn check(scope: &Scope<'_>, measured: &Measured) -> Result<(), Experi
         return Ok(());
     }
     let hole = scope.experiment.specimen.hole;
-    let sector = ArcSector {
-        centre: hole.centre,
-        hole: hole.radius,
-        stand_off: sector.stand_off,
-        outer: sector.outer,
-        angles: sector.angles,
-        cells: sector.cells,
-        growth: sector.growth,
-        kind: sector.element,
-    };
-    let Ok(mesh) = sector.mesh() else {
+    let Ok(mesh) = sector.around(&hole).mesh() else {
         // The hybrid analysis says why there is no such mesh.
         return Ok(());
     };

@@ -9,7 +9,10 @@ use sha2::{Digest as _, Sha256};
 use stickslip_hybrid::fringe::{Depth, Exposure, Format as FileFormat};
 use stickslip_hybrid::moire::Grating;
 
-use super::{Area, Experiment, Fringes, Reduce, State, VERSION, laws, settings, specimen, states};
+use super::{
+    Area, DisplayUnits, Experiment, Fringes, Reduce, Specimen, State, VERSION, laws, settings,
+    specimen, states,
+};
 use crate::diagnostic::{SceneError, SceneProblem, SourceText};
 use crate::experiment::format::{
     ExperimentFormat, FileKindFormat, FringesFormat, GratingFormat, MaskFormat, PlaceFormat,
@@ -38,25 +41,14 @@ pub(super) fn experiment(
     })?;
     let refuse = Refuse(&document);
     let mut specimen = specimen::read(refuse, &read, folder)?;
-    let display = match (&read.units, &specimen.scene) {
-        (None, Some(own)) => own.scene.display,
-        (given, _) => given.as_ref().unwrap_or(&UnitsFormat::default()).display(),
-    };
-    // What is said of the scene is said in the units of the experiment.
-    for own in specimen.scene.iter_mut().chain(&mut specimen.model) {
-        if own.scene.display != display {
-            Arc::make_mut(&mut own.scene).display = display;
-        }
-    }
-    let grating = read
-        .grating
-        .as_ref()
-        .map(|given| grating(refuse, given))
+    let display = shown_in(read.units.as_ref(), &mut specimen);
+    let grating = read.grating.as_ref();
+    let grating = grating
+        .map(|given| self::grating(refuse, given))
         .transpose()?;
-    let fringes = read
-        .fringes
-        .as_ref()
-        .map(|given| fringes(refuse, given))
+    let fringes = read.fringes.as_ref();
+    let fringes = fringes
+        .map(|given| self::fringes(refuse, given))
         .transpose()?;
     let scope = states::Scope {
         refuse,
@@ -97,6 +89,20 @@ pub(super) fn experiment(
         folder: folder.to_owned(),
         document,
     })
+}
+
+/// Units of results. What is said of the scene is said in them too.
+fn shown_in(given: Option<&UnitsFormat>, specimen: &mut Specimen) -> DisplayUnits {
+    let display = match (given, &specimen.scene) {
+        (None, Some(own)) => own.scene.display,
+        (given, _) => given.unwrap_or(&UnitsFormat::default()).display(),
+    };
+    for own in specimen.scene.iter_mut().chain(&mut specimen.model) {
+        if own.scene.display != display {
+            Arc::make_mut(&mut own.scene).display = display;
+        }
+    }
+    display
 }
 
 fn check_version(document: &Document) -> Result<(), SceneError> {

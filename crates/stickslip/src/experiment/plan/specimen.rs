@@ -56,36 +56,18 @@ fn of_scene(
         ));
     }
     let scene = Scene::from_file(path, &given.overrides)?;
-    let holes: Vec<&String> = scene
-        .bodies
-        .iter()
-        .filter(|(_, body)| body.shape.circle("hole").is_some())
-        .map(|(name, _)| name)
-        .collect();
-    let body = match (&given.body, &holes[..]) {
-        (Some(name), _) => name.clone(),
-        (None, [only]) => (*only).clone(),
-        (None, _) => return Err(refuse.missing("specimen", "body", "body = \"plate\"")),
-    };
-    let undefined = |what: &'static str, key: &str, name: &str, known: Vec<String>| {
-        let problem = SceneProblem::Undefined {
-            what,
-            name: name.to_owned(),
-            nearest: nearest(name, known.iter().map(String::as_str)).map(str::to_owned),
-            known,
-        };
-        refuse.at(key, problem)
-    };
+    let body = body_of(refuse, given, &scene)?;
     let Some(found) = scene.bodies.get(&body) else {
         let known = scene.bodies.keys().cloned().collect();
-        return Err(undefined("body", "specimen.body", &body, known));
+        return Err(undefined(refuse, "body", "specimen.body", &body, known));
     };
     let edge = given.edge.clone().unwrap_or_else(|| "hole".to_owned());
     let Some(radius) = found.shape.circle(&edge) else {
         let edges = found.shape.edges().iter();
         let round = edges.filter(|edge| found.shape.circle(edge).is_some());
         let known = round.map(|edge| (*edge).to_owned()).collect();
-        return Err(undefined("circular edge", "specimen.edge", &edge, known));
+        let what = "circular edge";
+        return Err(undefined(refuse, what, "specimen.edge", &edge, known));
     };
     let Substance::Elastic {
         material,
@@ -100,7 +82,8 @@ fn of_scene(
     };
     let Some(material) = scene.materials.get(material).cloned() else {
         let known = scene.materials.keys().cloned().collect();
-        return Err(undefined("material", "specimen.body", material, known));
+        let what = "material";
+        return Err(undefined(refuse, what, "specimen.body", material, known));
     };
     let (plane, thickness) = (scene.analysis.plane, *thickness);
     let own = SpecimenScene {
@@ -119,6 +102,41 @@ fn of_scene(
         model: Some(model_of(refuse, given, path, &own)?),
         scene: Some(own),
     })
+}
+
+/// The body that is named, or the only one with a hole.
+fn body_of(
+    refuse: Refuse<'_>,
+    given: &SpecimenFormat,
+    scene: &Scene,
+) -> Result<String, SceneError> {
+    let bodies = scene.bodies.iter();
+    let holes: Vec<&String> = bodies
+        .filter(|(_, body)| body.shape.circle("hole").is_some())
+        .map(|(name, _)| name)
+        .collect();
+    match (&given.body, &holes[..]) {
+        (Some(name), _) => Ok(name.clone()),
+        (None, [only]) => Ok((*only).clone()),
+        (None, _) => Err(refuse.missing("specimen", "body", "body = \"plate\"")),
+    }
+}
+
+/// A name of something that the scene does not have.
+fn undefined(
+    refuse: Refuse<'_>,
+    what: &'static str,
+    key: &str,
+    name: &str,
+    known: Vec<String>,
+) -> SceneError {
+    let problem = SceneProblem::Undefined {
+        what,
+        name: name.to_owned(),
+        nearest: nearest(name, known.iter().map(String::as_str)).map(str::to_owned),
+        known,
+    };
+    refuse.at(key, problem)
 }
 
 /// The scene as it is fitted: with `model_overrides` on top of the others. Its hole and its loads are those of the experiment.

@@ -6,8 +6,9 @@ use serde_json::Value;
 use stickslip_fem_core::mesh::{ElementKind, Point};
 use stickslip_friction::FrictionLaw;
 use stickslip_hybrid::region::fit::Smoothing;
+use stickslip_hybrid::region::sector::ArcSector;
 
-use super::Area;
+use super::{Area, Hole};
 
 /// How displacements of nodes are made from measured ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -117,6 +118,22 @@ pub struct SectorPlan {
     pub growth: f64,
     /// Kind of the cells.
     pub element: ElementKind,
+}
+
+impl SectorPlan {
+    /// The sector around `hole`.
+    pub fn around(&self, hole: &Hole) -> ArcSector {
+        ArcSector {
+            centre: hole.centre,
+            hole: hole.radius,
+            stand_off: self.stand_off,
+            outer: self.outer,
+            angles: self.angles,
+            cells: self.cells,
+            growth: self.growth,
+            kind: self.element,
+        }
+    }
 }
 
 /// How friction is identified.
