@@ -13,6 +13,9 @@ const STRIPS: usize = 128;
 const TICK: f64 = 4.0;
 const POINT: f64 = 11.0;
 const LABEL_GAP: f64 = 8.0;
+/// Without three ticks a colour's value cannot be told.
+const LEAST_TICKS: usize = 3;
+const MOST_WANTED: usize = 12;
 
 /// A colour bar, placed.
 #[derive(Debug)]
@@ -34,7 +37,13 @@ impl ColorBar {
         [left, top]: [f64; 2],
         height: f64,
     ) -> Result<Self, FigureError> {
-        let wanted = (height / 38.0).clamp(3.0, 9.0) as usize;
+        let mut wanted = (height / 38.0).clamp(3.0, 9.0) as usize;
+        let mut ticks = Ticks::new(axis, span, wanted)?;
+        // Round steps may leave a short bar with its zero alone.
+        while ticks.major.len() < LEAST_TICKS && wanted < MOST_WANTED {
+            wanted += 1;
+            ticks = Ticks::new(axis, span, wanted)?;
+        }
         Ok(Self {
             area: Area {
                 left,
@@ -43,7 +52,7 @@ impl ColorBar {
                 height,
             },
             span: *span,
-            ticks: Ticks::new(axis, span, wanted)?,
+            ticks,
             label: text::wrap(&axis.label, height, LABEL_SIZE, Weight::Regular),
         })
     }
@@ -131,4 +140,29 @@ fn draw_border(canvas: &mut Canvas, area: &Area, colormap: Colormap, [below, abo
         Px(area.bottom())
     );
     canvas.stroked_path(&data, &border);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::axis::Scale;
+
+    #[test]
+    fn bars_of_any_range_and_height_have_ticks_enough_to_read_a_value() {
+        for height in [40.0, 90.0, 200.0, 500.0] {
+            for k in 10..100 {
+                let end = 0.1 * f64::from(k);
+                for low in [-end, 0.0, 0.9 * end] {
+                    let span = Span {
+                        scale: Scale::Linear,
+                        low,
+                        high: end,
+                    };
+                    let bar = ColorBar::new(&Axis::linear("σ"), &span, [0.0; 2], height).unwrap();
+                    let count = bar.ticks.major.len();
+                    assert!((3..=13).contains(&count), "{low} … {end}: {count}");
+                }
+            }
+        }
+    }
 }
