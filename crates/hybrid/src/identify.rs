@@ -8,6 +8,9 @@
 //! of neighbouring places go together; a straight fit of τ over p would draw μ towards zero. χ² takes the covariance of both along, and μ
 //! is where it is least. The interval is that in which χ² stays within a bound of its least value (Fieller 1954); it need not have two
 //! ends. Where the data cannot tell μ from any other, it says so.
+//!
+//! A zone that slips goes on inwards until it sticks, where |τ| < μ p. χ² of many places hardly sees the first of them, so that the inner
+//! parts of a zone are asked for a coefficient of their own: if χ² falls by much with one that is less, the zone is too long.
 
 mod confidence;
 mod simulate;
@@ -22,6 +25,14 @@ use crate::region::dense;
 
 use confidence::CHI_SQUARED_95;
 pub use confidence::{chi_squared_of_one, normal_quantile};
+
+/// Parts of a zone at its inner end that may not have a lesser coefficient of their own.
+const INNER_PARTS: [f64; 2] = [0.5, 0.25];
+/// By so much χ² may fall with such a coefficient, that of 1.4 standard deviations: rather is a zone too short than that it holds places
+/// which stick.
+const LARGEST_FALL: f64 = 2.0;
+/// Part of the mean variance below which one is rounding: places closer than the data resolve move together.
+const ROUNDING: f64 = 1e-10;
 
 /// Coefficients that are looked at: a grid that is fine where coefficients usually lie.
 const LARGEST: f64 = 100.0;
@@ -184,8 +195,9 @@ impl Tractions {
         })
     }
 
-    /// The longest zone from place `end` inwards, towards `towards`, that one coefficient explains to `deviations`, with its fit. Slip
-    /// starts at the end of contact, so `end` is the last place that bears pressure.
+    /// The longest zone from place `end` inwards, towards `towards`, that one coefficient explains to `deviations`, with its fit, and
+    /// whose inner half and quarter do not ask for a lesser one. Slip starts at the end of contact, so `end` is the last place that
+    /// bears pressure.
     ///
     /// # Errors
     /// As [`slip`](Self::slip).
@@ -206,11 +218,35 @@ impl Tractions {
                 end - step
             };
             let fit = self.slip(zone(last), positive)?;
-            if fit.is_consistent(deviations) {
+            if fit.is_consistent(deviations) && !self.sticks(zone(last), last, positive, fit.mu)? {
                 found = (zone(last), fit);
             }
         }
         Ok(found)
+    }
+
+    /// Whether an inner part of `zone`, at its end `last`, has a lesser coefficient than the rest beyond doubt.
+    fn sticks(
+        &self,
+        zone: Range<usize>,
+        last: usize,
+        positive: bool,
+        mu: f64,
+    ) -> Result<bool, IdentifyError> {
+        let misfit = Misfit::new(self, zone.clone(), positive)?;
+        let lower = misfit.factor(mu)?;
+        for part in INNER_PARTS {
+            let count = (part * zone.len() as f64).round() as usize;
+            let inner = if last == zone.start {
+                0..count
+            } else {
+                zone.len() - count..zone.len()
+            };
+            if misfit.fall(&lower, &inner) > LARGEST_FALL {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     fn check(&self, zone: &Range<usize>) -> Result<(), IdentifyError> {
@@ -240,6 +276,14 @@ impl Tractions {
 /// Coefficients from 0 to [`LARGEST`], evenly spread at first.
 fn coefficient(part: f64) -> f64 {
     (part * (1.0 + LARGEST).ln()).exp_m1()
+}
+
+/// Lower factor of a covariance whose eigenvalues may be rounding.
+fn factored(mut covariance: Mat<f64>) -> Result<Mat<f64>, usize> {
+    let n = covariance.nrows();
+    let mean = (0..n).map(|i| covariance[(i, i)]).sum::<f64>() / n as f64;
+    (0..n).for_each(|i| covariance[(i, i)] += ROUNDING * mean);
+    dense::cholesky(covariance)
 }
 
 /// χ² of a zone.
@@ -281,7 +325,35 @@ impl Misfit {
         let spread = Mat::from_fn(n, n, |i, j| {
             mu * mu * pp[(i, j)] - mu * both[(i, j)] + tt[(i, j)]
         });
-        dense::cholesky(spread).map_err(|place| IdentifyError::Covariance { place })
+        factored(spread).map_err(|place| IdentifyError::Covariance { place })
+    }
+
+    /// By how much χ² falls when the places `inner` have a coefficient of their own, less than that of the others; 0 where it would not
+    /// be less. `lower` is the factor of C.
+    fn fall(&self, lower: &Mat<f64>, inner: &Range<usize>) -> f64 {
+        let n = self.places();
+        let mut whitened = Mat::from_fn(n, 3, |i, column| match (column, inner.contains(&i)) {
+            (0, _) => self.shear[i],
+            (1, false) | (2, true) => self.pressure[i],
+            _ => 0.0,
+        });
+        dense::solve_lower(lower, &mut whitened);
+        let dot = |i: usize, j: usize| -> f64 {
+            (0..n).map(|k| whitened[(k, i)] * whitened[(k, j)]).sum()
+        };
+        let (outer, own, both) = (dot(1, 1), dot(2, 2), dot(1, 2));
+        let (of_outer, of_own) = (dot(1, 0), dot(2, 0));
+        let determinant = outer * own - both * both;
+        if determinant <= ROUNDING * outer * own {
+            return 0.0;
+        }
+        let mu_outer = (own * of_outer - both * of_own) / determinant;
+        let mu_own = (outer * of_own - both * of_outer) / determinant;
+        if mu_own >= mu_outer {
+            return 0.0;
+        }
+        let together = (of_outer + of_own).powi(2) / (outer + 2.0 * both + own);
+        mu_outer * of_outer + mu_own * of_own - together
     }
 
     fn at(&self, mu: f64) -> Result<f64, IdentifyError> {

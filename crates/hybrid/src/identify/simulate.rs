@@ -10,7 +10,7 @@ use faer::Mat;
 use rand::SeedableRng;
 use rand::rngs::StdRng;
 
-use super::{Bounds, IdentifyError, Misfit, SlipFit, Tractions};
+use super::{Bounds, IdentifyError, Misfit, SlipFit, Tractions, factored};
 use crate::random::normal;
 use crate::region::dense;
 
@@ -75,7 +75,7 @@ fn root(data: &Tractions, zone: &Range<usize>, positive: bool) -> Result<Mat<f64
         let ((row, a), (column, b)) = (at(i), at(j));
         a * b * data.covariance[row * 2 * all + column]
     });
-    dense::cholesky(covariance).map_err(|row| IdentifyError::Covariance { place: row % n })
+    factored(covariance).map_err(|row| IdentifyError::Covariance { place: row % n })
 }
 
 /// Factors of C(μ) at evenly spread coefficients.

@@ -42,6 +42,13 @@ pub struct SlipZone {
     pub fit: SlipFit,
 }
 
+impl SlipZone {
+    /// Whether it was recognised up to the bearing point, so that nothing shows where it ends.
+    pub fn has_no_end(&self) -> bool {
+        !self.given && self.inside.is_empty()
+    }
+}
+
 /// Draws of the coefficient of all zones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Simulation {
@@ -75,6 +82,8 @@ pub struct Identified {
     pub zones: Vec<SlipZone>,
     /// The coefficient of all zones together; `None` where nothing slips beyond doubt.
     pub dynamic: Option<SlipFit>,
+    /// Whether the zones' own coefficients are the same, as far as their errors let tell.
+    pub zones_agree: bool,
     /// Monte Carlo simulation of that, where it has an upper end.
     pub simulation: Option<Simulation>,
     /// What asks for the greatest static friction, of all places inside of slip zones.
@@ -110,11 +119,24 @@ pub fn identify(
     }
     Ok(Identified {
         grip: grip(experiment, analysed, &zones),
+        zones_agree: dynamic.as_ref().is_none_or(|fit| agree(&zones, fit)),
         zones,
         dynamic,
         simulation,
         remarks,
     })
+}
+
+/// Whether χ² of one coefficient for all `zones` exceeds the sum of theirs by no more than chance makes of it.
+fn agree(zones: &[SlipZone], together: &SlipFit) -> bool {
+    const DEVIATIONS: f64 = 3.0;
+    let own: f64 = zones.iter().map(|zone| zone.fit.chi_squared).sum();
+    let difference = SlipFit {
+        chi_squared: (together.chi_squared - own).max(0.0),
+        degrees: zones.len().saturating_sub(1),
+        ..together.clone()
+    };
+    difference.is_consistent(DEVIATIONS)
 }
 
 /// Refuses a region that stands off from the hole: shear over pressure at a distance is not friction.

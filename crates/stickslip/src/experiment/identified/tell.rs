@@ -39,7 +39,7 @@ pub(in crate::experiment) fn tell(told: &Told<'_>, story: &mut Story) {
     story.text(
         "Where an edge slips, the shear is μ times the pressure, and both are uncertain with errors that go together; μ is where χ² of \
          τ − μp is least, and its interval is that in which χ² rises no further than chance would have it. Slip starts at the ends of \
-         contact. A zone goes from there inwards as far as one coefficient explains it; at either end twice the angle that the edge \
+         contact. A zone goes from there inwards as far as one coefficient explains it and its inner parts ask for no lesser one; at either end twice the angle that the edge \
          resolves is left out, where stresses are not smooth. That angle is a cell, or more where the smoothing goes on beyond cells.",
     );
     answers(told, story);
@@ -94,6 +94,29 @@ impl Told<'_> {
     }
 }
 
+/// What makes the coefficient doubtful.
+fn doubts(identified: &Identified, fit: &SlipFit, story: &mut Story) {
+    if !fit.is_consistent(CONSISTENT) {
+        story.warn(
+            "One coefficient does not explain all slip zones together: friction changes within them, or the edge does not slip all over \
+             them. Its interval does not hold; fit laws by [[laws]], or state [identify] zones.",
+        );
+    } else if !identified.zones_agree {
+        story.warn(
+            "The coefficients of the slip zones differ by more than their errors: at least one of them holds places that stick. The \
+             interval of all together does not hold; state [identify] zones, or fit laws by [[laws]].",
+        );
+    }
+    let has_friction = matches!(fit.bounds, Bounds::Between(..) | Bounds::AtLeast(_));
+    if has_friction && identified.zones.iter().any(SlipZone::has_no_end) {
+        story.warn(
+            "A slip zone reaches the bearing point, where friction turns: in this noise places that stick cannot be told from those that \
+             slip. Only the outer half of it is used, and μd may still be larger than its interval says. State [identify] zones near \
+             the end of contact, smooth more, or measure more data.",
+        );
+    }
+}
+
 /// Both coefficients and the simulation.
 fn answers(told: &Told<'_>, story: &mut Story) {
     let (experiment, identified) = (told.experiment, told.identified);
@@ -101,12 +124,7 @@ fn answers(told: &Told<'_>, story: &mut Story) {
     match &identified.dynamic {
         Some(fit) => {
             story.answer("Dynamic friction μd", dynamic_words(fit, confidence));
-            if !fit.is_consistent(CONSISTENT) {
-                story.warn(
-                    "One coefficient does not explain all slip zones together: friction changes within them, or the edge does not slip \
-                     all over them. Its interval does not hold; fit laws by [[laws]], or state [identify] zones.",
-                );
-            }
+            doubts(identified, fit, story);
         }
         None if !told.bears() => story.answer("Dynamic friction μd", told.without()),
         None => story.answer(

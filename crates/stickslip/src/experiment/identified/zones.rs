@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use stickslip_hybrid::identify::{IdentifyError, SlipFit, Tractions};
+use stickslip_hybrid::identify::{Bounds, IdentifyError, SlipFit, Tractions};
 
 use super::SlipZone;
 use crate::experiment::analysed::Analysed;
@@ -140,7 +140,13 @@ fn recognised(
     let data = &found.tractions;
     let positive = direction(data, leading)?;
     let (full, _) = data.slip_zone(end, bearing, positive, CONSISTENT)?;
-    // The first places of stick are hidden in the noise; but a zone that reaches the bearing point has no end there.
+    // The first places of stick are hidden in the noise. Of a zone that rubs as far as the bearing point, where friction turns, nobody
+    // knows where it ends: its outer half slips most surely.
+    let rubs = || -> Result<bool, IdentifyError> {
+        let bounds = data.slip_within(full.clone(), positive, rise)?.bounds;
+        Ok(matches!(bounds, Bounds::Between(..) | Bounds::AtLeast(_)))
+    };
+    let half = full.len() / 2;
     let places = match flank {
         Flank::After if full.start > bearing => {
             angle.partition_point(|a| *a < angle[full.start] + margin)..full.end
@@ -148,6 +154,8 @@ fn recognised(
         Flank::Before if full.end <= bearing => {
             full.start..angle.partition_point(|a| *a <= angle[full.end - 1] - margin)
         }
+        Flank::After if rubs()? => full.end - half..full.end,
+        Flank::Before if rubs()? => full.start..full.start + half,
         _ => full.clone(),
     };
     if places.len() < FEWEST {
