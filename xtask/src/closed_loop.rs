@@ -20,7 +20,7 @@ pub(crate) fn main(options: &Options) -> ExitCode {
 }
 
 /// The scene's settings were chosen with seeds 1 to 20: none of these is asked again.
-const FIRST: u64 = 1001;
+pub(crate) const FIRST: u64 = 1001;
 
 fn repeat(quick: bool) -> Result<Publication, Trouble> {
     let [many, some] = if quick { [20, 5] } else { [200, 20] };

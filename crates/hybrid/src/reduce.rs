@@ -25,7 +25,7 @@
 //! let measurement = Measurement::read(table.as_bytes(), "camera.csv", &format, &reading)?;
 //!
 //! let nodes = [[2.5, 0.0]];
-//! let reduction = Reduction::linear(&measurement, &nodes, &[0], f64::INFINITY)?.complete()?;
+//! let reduction = Reduction::linear(&measurement, &nodes, &[0], Some(f64::INFINITY))?.complete()?;
 //! let found = reduction.displacements(&measurement)?;
 //! assert!((found.values[0] - 0.05).abs() < 1e-12 && (found.covariance[0] - 0.5e-4).abs() < 1e-12);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -68,10 +68,13 @@ pub struct Reduction {
     uncovered: Vec<Uncovered>,
 }
 
+/// Median longest sides of triangles beyond which one is a gap unless another is stated.
+const GAP: f64 = 4.0;
+
 impl Reduction {
     /// Linear interpolation on the Delaunay triangles of the valid places. `places` are those of all nodes `[length]`, `nodes` the
     /// indices of the wanted ones. Triangles with a side above `longest_side` `[length]` (infinite: none) are gaps in the data: the
-    /// hole of a plate, masked regions, hollows of the outline.
+    /// hole of a plate, masked regions, hollows of the outline. Unless stated it is four times the median of all triangles' longest sides.
     ///
     /// # Errors
     /// [`ReduceError`]: a node that does not exist, numbers that are not finite, places that cannot be triangulated.
@@ -79,11 +82,13 @@ impl Reduction {
         measurement: &Measurement,
         places: &[Point],
         nodes: &[usize],
-        longest_side: f64,
+        longest_side: Option<f64>,
     ) -> Result<Self, ReduceError> {
         measurement.check()?;
         error::check_nodes(places, nodes)?;
-        error::positive("the longest side of a triangle", longest_side)?;
+        if let Some(side) = longest_side {
+            error::positive("the longest side of a triangle", side)?;
+        }
         let mesh = |c: usize| {
             Triangles::new(&measurement.places, &measurement.valid[c]).map_err(|cause| {
                 ReduceError::Triangulation {
@@ -93,9 +98,12 @@ impl Reduction {
             })
         };
         let meshes = [mesh(0)?, mesh(1)?];
+        let longest = meshes
+            .each_ref()
+            .map(|own| longest_side.unwrap_or_else(|| GAP * own.typical_side()));
         let found = nodes
             .iter()
-            .map(|&node| [0, 1].map(|c| meshes[c].weights(places[node], longest_side)))
+            .map(|&node| [0, 1].map(|c| meshes[c].weights(places[node], longest[c])))
             .collect();
         Ok(Self::new(
             places,

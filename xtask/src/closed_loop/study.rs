@@ -81,11 +81,6 @@ impl Series {
             .filter_map(|one| one.together.as_ref().map(|fit| fit.mu))
     }
 
-    /// The coefficient of the first seed.
-    pub(crate) fn first(&self) -> Option<f64> {
-        self.coefficients().next()
-    }
-
     /// Seeds whose bounds say that there is no friction or at most a little.
     pub(crate) fn none_found(&self) -> usize {
         let fits = self.outcomes.iter().filter_map(|one| one.together.as_ref());

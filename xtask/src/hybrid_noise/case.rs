@@ -183,7 +183,7 @@ impl Case {
         let nodes = analysis.region.prescribed_nodes();
         let places = analysis.region.mesh().nodes();
         let reduction = if self.method == Method::Linear {
-            Reduction::linear(exact, places, &nodes, LONGEST * self.spacing)?
+            Reduction::linear(exact, places, &nodes, Some(LONGEST * self.spacing))?
         } else {
             let fit = LocalPolynomial {
                 order: 2,

@@ -2,7 +2,7 @@
 
 use super::check::{Check, Checks, Tolerance};
 use super::laboratory::{Laboratory, Trouble};
-use crate::closed_loop::{Series, WITH_FRICTION, WITHOUT_FRICTION};
+use crate::closed_loop::{FIRST, Series, WITH_FRICTION, WITHOUT_FRICTION};
 
 /// How far an identified coefficient may be from the truth.
 const NEAR: f64 = 0.01;
@@ -12,13 +12,17 @@ const MISSED: usize = 2;
 pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
     let stopped = |cause: crate::publish::Trouble| Trouble::Missing(cause.to_string());
     let (seeds, others) = (laboratory.sized(2, 10), laboratory.sized(1, 2));
-    let rubbing = Series::of(WITH_FRICTION, 1..=seeds).map_err(stopped)?;
-    let smooth = Series::of(WITHOUT_FRICTION, 1..=others).map_err(stopped)?;
+    let [many, some] = [seeds, others].map(|count| FIRST..=FIRST + count - 1);
+    let rubbing = Series::of(WITH_FRICTION, many).map_err(stopped)?;
+    let smooth = Series::of(WITHOUT_FRICTION, some).map_err(stopped)?;
     let mut checks = Checks::against("the friction that the scene was solved with");
     let near = Tolerance::Absolute(NEAR);
-    if let Some(first) = rubbing.first() {
-        checks.near("μd, first seed", first, WITH_FRICTION.mu, "", near);
-    }
+    checks.holds(
+        format!("μd, the farthest of {seeds} seeds"),
+        format!("at most {NEAR} from {}", WITH_FRICTION.mu),
+        format!("{:.4}", rubbing.farthest()),
+        rubbing.farthest() <= NEAR,
+    );
     let [mean, _] = rubbing.mean_and_spread();
     checks.near(
         format!("μd, mean of {seeds} seeds"),

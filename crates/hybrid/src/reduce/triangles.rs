@@ -129,6 +129,19 @@ impl<'a> Triangles<'a> {
         Ok(stencil)
     }
 
+    /// Median of the longest sides of all triangles.
+    pub(crate) fn typical_side(&self) -> f64 {
+        let faces = self.mesh.inner_faces();
+        let corners = faces.map(|face| {
+            let corners = face.vertices().map(|vertex| (vertex.data().index, 0.0));
+            self.longest_side(&corners)
+        });
+        let mut sides: Vec<f64> = corners.collect();
+        let middle = sides.len() / 2;
+        // There is at least one triangle.
+        *sides.select_nth_unstable_by(middle, f64::total_cmp).1
+    }
+
     fn longest_side(&self, corners: &[(usize, f64)]) -> f64 {
         let mut longest: f64 = 0.0;
         for (n, &(a, _)) in corners.iter().enumerate() {

@@ -92,8 +92,8 @@ pub struct Misfit {
 pub struct FreeEdge {
     /// Edge set.
     pub edge: String,
-    /// First and last position along it `[length]`, as [`EdgeRows::parameter`]; on an arc radius times angle.
-    pub range: [f64; 2],
+    /// First and last position of each free part along it `[length]`, as [`EdgeRows::parameter`]; on an arc radius times angle.
+    pub ranges: Vec<[f64; 2]>,
 }
 
 /// An edge through which a known force goes.
@@ -244,8 +244,11 @@ impl State<'_> {
 
     fn free_edge(&self, free: &FreeEdge) -> Result<ChiSquared, RegionError> {
         let edge = EdgeRows::new(self.region.body(), &free.edge)?;
-        let [from, to] = free.range;
-        let inside = (0..edge.nodes.len()).filter(|&k| (from..=to).contains(&edge.parameter[k]));
+        let is_free = |k: &usize| {
+            let mut ranges = free.ranges.iter();
+            ranges.any(|[from, to]| (*from..=*to).contains(&edge.parameter[*k]))
+        };
+        let inside = (0..edge.nodes.len()).filter(is_free);
         let rows: Vec<SparseRow> = inside
             .flat_map(|k| [edge.rows[3 * k].clone(), edge.rows[3 * k + 2].clone()])
             .collect();

@@ -99,10 +99,11 @@ impl Region {
         Fitter::new(self, data, smoothing.order)?.fit(&data.displacements, smoothing.amount)
     }
 
-    /// Refuses a prescribed node farther from any datum than six times the distance of neighbouring data, or than the cells on the
-    /// boundary are long there.
+    /// Refuses a prescribed node on the boundary farther from any datum than six times the distance of neighbouring data, or than the
+    /// cells are long there, and one inside, which no smoothing holds, farther than twice that distance.
     fn check_coverage(&self, data: &Measurement, points: &Points) -> Result<(), RegionError> {
         const SPACINGS: f64 = 6.0;
+        const SPACINGS_INSIDE: f64 = 2.0;
         let lengths = self.boundary_lengths();
         for axis in 0..2 {
             let mut used = vec![false; data.places.len()];
@@ -113,10 +114,13 @@ impl Region {
             let spacing = near.spacing();
             for dof in self.prescribed().iter().filter(|dof| *dof % 2 == axis) {
                 let place = self.mesh().nodes()[dof / 2];
-                let length = lengths.get(&(dof / 2)).copied().unwrap_or_default();
+                let reach = match lengths.get(&(dof / 2)) {
+                    Some(length) => length.max(SPACINGS * spacing),
+                    None => SPACINGS_INSIDE * spacing,
+                };
                 let nearest = near.nearest(place, 1);
                 let distance = nearest.first().map_or(f64::INFINITY, |found| found.0);
-                if distance > length.max(SPACINGS * spacing) {
+                if distance > reach {
                     return Err(RegionError::NotDetermined { place });
                 }
             }

@@ -69,7 +69,7 @@ fn extreme_coordinates_are_no_trouble() {
         let m = measured(places, |[x, y]| [x / scale, y / scale]);
         let node = [[0.45 * scale, 0.55 * scale], [1e300, 0.0]];
         for reduction in [
-            Reduction::linear(&m, &node, &[0, 1], f64::INFINITY).unwrap(),
+            Reduction::linear(&m, &node, &[0, 1], Some(f64::INFINITY)).unwrap(),
             Reduction::polynomial(&m, &node, &[0, 1], &polynomial(2)).unwrap(),
         ] {
             assert_eq!(reduction.nodes(), [0]);

@@ -55,7 +55,7 @@ fn polynomial(order: usize) -> LocalPolynomial {
 
 fn methods(m: &Measurement, places: &[Point]) -> Vec<Reduction> {
     let wanted = all(places);
-    let mut list = vec![Reduction::linear(m, places, &wanted, f64::INFINITY).unwrap()];
+    let mut list = vec![Reduction::linear(m, places, &wanted, Some(f64::INFINITY)).unwrap()];
     list.extend(
         (1..=3).map(|order| Reduction::polynomial(m, places, &wanted, &polynomial(order)).unwrap()),
     );

@@ -128,7 +128,7 @@ fn neighbouring_nodes_share_data_and_components_do_not() {
         deviation: [2.0, 3.0],
         ..measured(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], |_| [0.0; 2])
     };
-    let reduction = Reduction::linear(&m, &places, &[0, 1], 2.0)
+    let reduction = Reduction::linear(&m, &places, &[0, 1], Some(2.0))
         .unwrap()
         .complete()
         .unwrap();

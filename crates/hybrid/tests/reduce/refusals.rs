@@ -22,7 +22,7 @@ fn nodes_without_data_are_named_with_their_place() {
         [1.0, 0.333],
     ];
     let wanted = all(&places);
-    let linear = Reduction::linear(&m, &places, &wanted, 0.15).unwrap();
+    let linear = Reduction::linear(&m, &places, &wanted, Some(0.15)).unwrap();
     assert_eq!(linear.nodes(), [1, 3, 4]);
     assert!(matches!(linear.uncovered()[0].reason, Reason::Gap { .. }));
     assert_eq!(linear.uncovered()[1].reason, Reason::Outside);
@@ -126,15 +126,15 @@ fn bad_settings_and_data_are_refused() {
     let good = measured(scattered(4, 1), |_| [0.0; 2]);
     let place = [[0.5, 0.5]];
     assert!(matches!(
-        Reduction::linear(&good, &place, &[1], 1.0),
+        Reduction::linear(&good, &place, &[1], Some(1.0)),
         Err(ReduceError::NoSuchNode { node: 1, count: 1 })
     ));
     assert!(matches!(
-        Reduction::linear(&good, &[[f64::NAN, 0.0]], &[0], 1.0),
+        Reduction::linear(&good, &[[f64::NAN, 0.0]], &[0], Some(1.0)),
         Err(ReduceError::NotFinite { .. })
     ));
     assert!(matches!(
-        Reduction::linear(&good, &place, &[0], f64::NAN),
+        Reduction::linear(&good, &place, &[0], Some(f64::NAN)),
         Err(ReduceError::Setting { .. })
     ));
     let row = measured(vec![[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]], |_| [0.0; 2]);
@@ -145,7 +145,7 @@ fn bad_settings_and_data_are_refused() {
         (&row, "all 3 lie on one line"),
         (&twice, "only 3 of 4 places are distinct"),
     ] {
-        let error = Reduction::linear(m, &place, &[0], 1.0).unwrap_err();
+        let error = Reduction::linear(m, &place, &[0], Some(1.0)).unwrap_err();
         assert!(error.to_string().ends_with(words), "{error}");
     }
     let fit = |order, neighbours| LocalPolynomial {
@@ -170,13 +170,13 @@ fn bad_settings_and_data_are_refused() {
     let mut broken = good.clone();
     broken.valid[1].pop();
     assert!(matches!(
-        Reduction::linear(&broken, &place, &[0], 1.0),
+        Reduction::linear(&broken, &place, &[0], Some(1.0)),
         Err(ReduceError::Data(_))
     ));
     let mut infinite = good;
     infinite.displacements[0][3] = f64::INFINITY;
     assert!(matches!(
-        Reduction::linear(&infinite, &place, &[0], 1.0),
+        Reduction::linear(&infinite, &place, &[0], Some(1.0)),
         Err(ReduceError::Data(_))
     ));
 }
@@ -199,7 +199,7 @@ proptest! {
             m.mask(Field::V, |k| data.get(k).is_some_and(|entry| !entry.3));
             let fit = LocalPolynomial { neighbours: 4, extrapolate: true, ..polynomial(1) };
             for reduction in [
-                Reduction::linear(&m, &nodes, &[0, 1, 2], f64::INFINITY),
+                Reduction::linear(&m, &nodes, &[0, 1, 2], Some(f64::INFINITY)),
                 Reduction::polynomial(&m, &nodes, &[0, 1, 2], &fit),
             ].into_iter().flatten() {
                 let found = reduction.displacements(&m).unwrap();

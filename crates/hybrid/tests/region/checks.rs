@@ -91,7 +91,7 @@ fn good_data_pass_and_bad_data_do_not() {
     let body = plate();
     let free = [FreeEdge {
         edge: "inner".into(),
-        range: [5.0 * 0.6, 5.0 * 2.5],
+        ranges: vec![[5.0 * 0.6, 5.0 * 2.5]],
     }];
     let inside = body.mesh().element(24 * 7 + 12).1[2];
     let region = Region::new(&body, &[inside]).unwrap();

@@ -11,6 +11,7 @@
 //! deviation, not a correction.
 
 mod boundary;
+mod doubts;
 mod edge;
 pub(super) mod figures;
 mod forces;

@@ -66,12 +66,15 @@ pub fn tell(
         progress(Progress::Phase("friction"));
         let identified = identified::identify(experiment, &analysed)?;
         let coarser = identified::on_half_the_cells(experiment, &fields);
+        let asked = experiment.laws.is_empty().then_some(&identified.dynamic);
+        let moves = asked.and_then(|fit| identified::moves(experiment, fit.as_ref()));
         let told = Told {
             experiment,
             analysed: &analysed,
             identified: &identified,
             coarser: &coarser,
             truth: truth.as_ref(),
+            moves: &moves,
         };
         identified::tell(&told, &mut story);
         progress(Progress::Phase("friction laws"));

@@ -10,6 +10,7 @@
 
 mod coarser;
 mod figures;
+mod static_friction;
 mod tell;
 mod zones;
 
@@ -23,6 +24,7 @@ use super::plan::{Experiment, RegionShape};
 use crate::output::short;
 
 pub use coarser::{Coarser, on_half_the_cells};
+pub use static_friction::moves;
 pub(super) use tell::{Told, dynamic_words, tell};
 
 /// A zone that slips.

@@ -33,9 +33,10 @@ impl Workbench<'_> {
                 let fitted = self.fitted(used, measured.floor);
                 return fitted.map_err(|cause| self.refuse(measured, cause));
             }
-            Method::Linear { longest_side } => {
+            Method::Linear => {
                 let nodes = self.region.prescribed_nodes();
-                Reduction::linear(used, self.region.mesh().nodes(), &nodes, longest_side)
+                let longest = self.experiment.reduce.longest_side;
+                Reduction::linear(used, self.region.mesh().nodes(), &nodes, longest)
                     .and_then(Reduction::complete)
                     .and_then(|reduction| reduction.displacements(used))
             }
@@ -49,7 +50,20 @@ impl Workbench<'_> {
             key: "reduce".to_owned(),
             cause: Box::new(cause),
         })?;
-        Ok(Boundary::plain(displacements))
+        let mut boundary = Boundary::plain(displacements);
+        boundary.scale = self.noise_factor(measured, used);
+        for entry in &mut boundary.displacements.covariance {
+            *entry *= boundary.scale;
+        }
+        Ok(boundary)
+    }
+
+    /// s² of displacements that were not fitted: that which a fit to the same data finds. Residuals of the displacements themselves would
+    /// hold their own errors too.
+    fn noise_factor(&self, measured: &Measured, used: &Measurement) -> f64 {
+        let fitted = self.fitted(used, measured.floor);
+        let least = least_scale(used.deviation, measured.floor);
+        fitted.map_or(least.max(1.0), |fit| fit.scale)
     }
 
     pub(super) fn polynomial(

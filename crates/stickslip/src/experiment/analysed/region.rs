@@ -5,9 +5,9 @@ use std::sync::Arc;
 use stickslip_fem_core::ElasticBody;
 use stickslip_fem_core::body::SparseRow;
 use stickslip_fem_core::material::Material;
-use stickslip_fem_core::mesh::Mesh;
+use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_hybrid::data::Measurement;
-use stickslip_hybrid::region::checks::{CheckInput, FreeEdge, KnownForce};
+use stickslip_hybrid::region::checks::{CheckInput, FreeEdge};
 use stickslip_hybrid::region::direct::interpolate;
 use stickslip_hybrid::region::outline::boundary_nodes;
 use stickslip_hybrid::region::transfer::Propagated;
@@ -67,20 +67,24 @@ fn meshed(plan: &RegionPlan, hole: &Hole) -> Result<(Mesh, f64), ExperimentError
 fn interior(mesh: &Mesh, areas: &[Area]) -> Result<Vec<usize>, ExperimentError> {
     let boundary = boundary_nodes(mesh);
     let nodes = mesh.nodes().iter().enumerate();
-    let inside: Vec<usize> = nodes
-        .filter(|(node, place)| {
-            boundary.binary_search(node).is_err() && areas.iter().any(|area| area.contains(**place))
-        })
-        .map(|(node, _)| node)
+    let mut inside: Vec<(usize, Point)> = nodes
+        .filter(|(node, _)| boundary.binary_search(node).is_err())
+        .map(|(node, place)| (node, *place))
         .collect();
-    if inside.is_empty() && !areas.is_empty() {
-        return Err(missing(
-            "region.interior",
-            "no node inside of the region lies in its areas",
-            "make them larger, or the cells smaller; nodes on the boundary move as measured anyway",
-        ));
+    for (index, area) in areas.iter().enumerate() {
+        if !inside.iter().any(|(_, place)| area.contains(*place)) {
+            return Err(missing(
+                &format!("region.interior.{index}"),
+                &format!(
+                    "area {} of region.interior holds no node inside of the region",
+                    index + 1
+                ),
+                "make it larger, or the cells smaller; nodes on the boundary move as measured anyway",
+            ));
+        }
     }
-    Ok(inside)
+    inside.retain(|(_, place)| areas.iter().any(|area| area.contains(*place)));
+    Ok(inside.into_iter().map(|(node, _)| node).collect())
 }
 
 impl<'a> Workbench<'a> {
@@ -238,12 +242,7 @@ impl<'a> Workbench<'a> {
         boundary: &Boundary,
         mut unused: Measurement,
     ) -> Result<Checked, RegionError> {
-        let free: Vec<FreeEdge> = (super::edge::beyond_contact(found).into_iter())
-            .map(|places| FreeEdge {
-                edge: EDGE.to_owned(),
-                range: [places.start, places.end - 1].map(|k| self.edge.parameter[k]),
-            })
-            .collect();
+        let free: Vec<FreeEdge> = self.free_edge(found).into_iter().collect();
         // What the residuals say of the deviation of a single place; where they say less than was stated, the statement holds.
         if let Some(fit) = &found.fit {
             let single = fit.residual / (fit.data as f64 - fit.parameters).max(1.0);
@@ -252,16 +251,10 @@ impl<'a> Workbench<'a> {
             }
         }
         let any = (0..2).any(|axis| unused.valid[axis].contains(&true));
-        let known = self.experiment.states[found.state].edge_force;
-        // The stresses are those that the region exerts on what lies inside of its edge.
-        let through_edge = KnownForce {
-            edge: EDGE.to_owned(),
-            force: known.map(|component| -component.unwrap_or(0.0)),
-        };
         let input = CheckInput {
             unused: any.then_some(&unused),
             free_edges: &free,
-            known_forces: &[through_edge],
+            known_forces: &[],
         };
         let checks = self.region.check(&boundary.displacements, input)?;
         let misfit = checks.misfit.as_ref();
@@ -276,10 +269,32 @@ impl<'a> Workbench<'a> {
             unused: misfit.map(|misfit| misfit.chi_squared),
             free_edge: checks.free_edges.into_iter().next(),
             interior: checks.interior_forces,
-            excess: [0, 1].map(|axis| {
-                let balance = checks.balance.first().filter(|_| known[axis].is_some());
-                balance.map(|balance| [-balance.excess[axis], balance.deviation[axis]])
-            }),
+            excess: self.excess(found),
+        })
+    }
+
+    /// The parts of the edge that are clear of contact; none of an edge that stands off from the hole, inside of the body.
+    fn free_edge(&self, found: &Analysed) -> Option<FreeEdge> {
+        let stands_off = match &self.plan.shape {
+            RegionShape::Sector(sector) => sector.stand_off > 0.0,
+            RegionShape::Mesh(_) => false,
+        };
+        let ranges: Vec<[f64; 2]> = (super::edge::beyond_contact(found).into_iter())
+            .map(|places| [places.start, places.end - 1].map(|k| self.edge.parameter[k]))
+            .collect();
+        (!stands_off && !ranges.is_empty()).then(|| FreeEdge {
+            edge: EDGE.to_owned(),
+            ranges,
+        })
+    }
+
+    /// What the stresses on the edge give more than the known force, with its deviation. The first two of the forces are what the region
+    /// exerts on what lies inside of its edge.
+    fn excess(&self, found: &Analysed) -> [Option<[f64; 2]>; 2] {
+        let known = self.experiment.states[found.state].edge_force;
+        let deviations = found.forces.deviations();
+        [0, 1].map(|axis| {
+            known[axis].map(|known| [-found.forces.values[axis] - known, deviations[axis]])
         })
     }
 }

@@ -4,20 +4,16 @@ use serde_json::{Value, json};
 use stickslip_hybrid::region::checks::ChiSquared;
 use stickslip_report::table::{Column, Table};
 
+use super::doubts::doubts;
 use super::truth::{TruePlace, true_edge};
 use super::{Analysed, UNUSED, figures, forces};
-use crate::experiment::plan::{Experiment, Method, RegionShape, Source};
+use crate::experiment::plan::{Experiment, Method, RegionShape};
 use crate::experiment::story::{Story, csv_table};
 use crate::experiment::truth::Truth;
 use crate::output::{short, significant};
 
 /// Standard deviations above its mean at which a χ² is told of as too large.
 const LARGE: f64 = 4.0;
-/// Part of the data that the parameters of a fit may be before it is told of.
-const MANY: f64 = 0.5;
-/// Noise factors beyond which the stated deviation is told of as wrong.
-const FACTORS: [f64; 2] = [0.1, 10.0];
-
 /// Tells of the edge stresses of all states.
 pub(in crate::experiment) fn tell(
     experiment: &Experiment,
@@ -26,7 +22,8 @@ pub(in crate::experiment) fn tell(
     story: &mut Story,
 ) {
     story.section("Edge stresses");
-    story.text(words(experiment));
+    let direct = analysed.iter().any(|found| found.direct.is_some());
+    story.text(words(experiment, direct));
     story.table(stresses(experiment, analysed));
     story.table(forces::table(experiment, analysed));
     story.table(checks(experiment, analysed));
@@ -40,15 +37,20 @@ pub(in crate::experiment) fn tell(
     story.entry("edge_stresses", entries.collect());
 }
 
-fn words(experiment: &Experiment) -> String {
+fn words(experiment: &Experiment, direct: bool) -> String {
     let how = match experiment.reduce.method {
         Method::Fit => {
             "The displacements of the region's boundary are fitted to all data with equilibrium inside and the stated smoothing along \
              the boundary. "
         }
-        Method::Linear { .. } | Method::Polynomial { .. } | Method::Lines { .. } => {
+        Method::Linear | Method::Polynomial { .. } | Method::Lines { .. } => {
             "The displacements of the region's boundary are interpolated between the data. "
         }
+    };
+    let direct = if direct {
+        " Direct interpolation is what the elements alone make of a local polynomial fit, without equilibrium."
+    } else {
+        ""
     };
     let place = match experiment.region.as_ref().map(|plan| &plan.shape) {
         Some(RegionShape::Sector(sector)) if sector.stand_off > 0.0 => {
@@ -66,8 +68,7 @@ fn words(experiment: &Experiment) -> String {
         "A region of finite elements moves at its boundary as measured and is in balance inside; its stresses on the edge are linear in \
          the data, so that their covariance is exact. {place}{how}Bands hold the noise and, as a declared systematic deviation, the estimated \
          bias of the smoothing; the error of the mesh is not in them. θ is counted from +x towards +y. \
-         One of {UNUSED} places, evenly over the plane, is not used and checks the others. Direct interpolation is what the \
-         elements alone make of a local polynomial fit, without equilibrium."
+         One of {UNUSED} places, evenly over the plane, is not used and checks the others.{direct}"
     )
 }
 
@@ -109,7 +110,7 @@ fn state(experiment: &Experiment, found: &Analysed, truth: &[TruePlace], story: 
     }
     for warning in doubts(experiment, found)
         .into_iter()
-        .chain(forces::doubt(experiment, found))
+        .chain(forces::doubts(experiment, found))
     {
         story.warn(format!("State '{name}': {warning}"));
     }
@@ -125,82 +126,37 @@ fn state(experiment: &Experiment, found: &Analysed, truth: &[TruePlace], story: 
     );
 }
 
-/// What makes the bands of a state doubtful.
-fn doubts(experiment: &Experiment, found: &Analysed) -> Vec<String> {
-    let mut doubts = Vec::new();
-    let Some(fit) = &found.fit else {
-        return doubts;
-    };
-    if fit.parameters > MANY * fit.data as f64 {
-        doubts.push(format!(
-            "{} data determine {:.0} parameters of the fit: the region has too many cells for them, and neither its stresses nor their \
-             bands can be trusted. Take fewer cells, or state a smoothing amount.",
-            fit.data, fit.parameters
-        ));
-    }
-    let single = fit.residual / (fit.data as f64 - fit.parameters).max(1.0);
-    let least = fit.of_residuals.min(single);
-    let source = &experiment.states[found.state].source;
-    let pictured = matches!(source, Source::Step(_) | Source::Pictures(_));
-    if !pictured && least < FACTORS[0] {
-        doubts.push(smooth(experiment, found.state, least));
-    } else if !(FACTORS[0]..=FACTORS[1]).contains(&fit.of_residuals) {
-        doubts.push(format!(
-            "the variance of the residuals is {} times that of the deviation; bands follow the residuals. Check the deviation.",
-            short(fit.of_residuals)
-        ));
-    }
-    doubts
-}
-
 fn csv(experiment: &Experiment, found: &Analysed) -> Vec<u8> {
     let unit = experiment.display.stress;
     let mut header = vec!["theta [deg]".to_owned()];
+    let parts = match found.direct {
+        Some(_) => &["", " deviation", " bias", " direct"][..],
+        None => &["", " deviation", " bias"],
+    };
     for name in ["pressure", "shear tau_rtheta", "hoop sigma_theta"] {
-        for part in ["", " deviation", " bias"] {
-            header.push(format!("{name}{part} [{}]", unit.name));
-        }
+        let columns = parts.iter();
+        header.extend(columns.map(|part| format!("{name}{part} [{}]", unit.name)));
     }
+    header.push("trusted".to_owned());
     let [pressure, shear] = found.deviations();
     let rows = (0..found.angle.len()).map(|k| {
-        let parts = [
+        let values = [
             [found.tractions.pressure[k], pressure[k]],
             [found.tractions.shear[k], shear[k]],
             [found.hoop[k], found.hoop_deviation[k]],
         ];
+        let trusted = f64::from(u8::from(found.inner().contains(&k)));
         let mut row = vec![found.angle[k].to_degrees()];
-        for ([value, deviation], bias) in parts.into_iter().zip(found.bias[k]) {
-            row.extend([value, deviation, bias].map(|stress| unit.from_base(stress)));
+        for (which, ([value, deviation], bias)) in values.into_iter().zip(found.bias[k]).enumerate()
+        {
+            let direct = found.direct.as_ref().map(|direct| direct[k][which]);
+            let own = [value, deviation, bias].into_iter().chain(direct);
+            row.extend(own.map(|stress| unit.from_base(stress)));
         }
+        row.push(trusted);
         row
     });
     csv_table(&header, rows)
-}
-
-/// What it means that residuals are far below the deviation of the data.
-fn smooth(experiment: &Experiment, state: usize, of_residuals: f64) -> String {
-    let found = format!(
-        "the residuals have {} of the variance of the deviation",
-        short(of_residuals)
-    );
-    let is_stated = |source: &Source| match source {
-        Source::Table(table) => table.deviation.is_some(),
-        Source::Lines(_) => true,
-        Source::Step(_) | Source::Pictures(_) => false,
-    };
-    let plan = &experiment.states[state];
-    let mut sources = plan.null.iter().chain([&plan.source]);
-    if sources.all(is_stated) {
-        format!(
-            "{found} that was stated, which bands follow: smoothed data have small residuals whatever their errors are. If the data are not \
-             smoothed, state a smaller deviation; if they are, state the smoothing amount, which is found from residuals."
-        )
-    } else {
-        format!(
-            "{found} that was estimated: the data are calculated or smoothed, and bands hold what rounds their digits and the bias of \
-             smoothing, not the error of a measurement or of the mesh. State the deviation that the measurement has."
-        )
-    }
 }
 
 /// A largest stress and where it is.
@@ -251,8 +207,11 @@ fn answer(experiment: &Experiment, found: &Analysed) -> String {
     let mut told: Vec<String> = told.collect();
     if told.is_empty() {
         told.push(
-            "no place is far enough from the region's ends to be trusted: take more cells"
-                .to_owned(),
+            format!(
+                "no place is far enough from the region's ends to be trusted, twice the {:.1}° that are resolved: take a longer region, or \
+                 resolve more by more data, less smoothing or more cells",
+                found.resolution.to_degrees()
+            ),
         );
     }
     if found.is_free() {
@@ -319,6 +278,7 @@ fn checks(experiment: &Experiment, analysed: &[Analysed]) -> Table {
         columns.push(Column::new("nodes inside χ²", "(expected)"));
     }
     let mut table = Table::new("Checks of the data", columns);
+    let of_lines = matches!(experiment.reduce.method, Method::Lines { .. });
     for found in analysed {
         let facts = found.fit.as_ref();
         let told = |value: Option<String>| value.unwrap_or_default();
@@ -327,7 +287,7 @@ fn checks(experiment: &Experiment, analysed: &[Analysed]) -> Table {
             told(facts.map(|fit| fit.data.to_string())),
             told(facts.map(|fit| format!("{:.0}", fit.parameters))),
             told(facts.map(|fit| format!("order {}: {}", fit.order, short(fit.amount)))),
-            format!("{:.2}", found.scale),
+            told((!of_lines).then(|| format!("{:.2}", found.scale))),
             told(found.checks.unused.as_ref().map(chi_squared)),
             told(found.checks.free_edge.as_ref().map(chi_squared)),
         ];

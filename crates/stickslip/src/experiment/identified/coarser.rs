@@ -41,6 +41,11 @@ pub fn on_half_the_cells(
         return Ok(None);
     }
     sector.cells = cells;
+    // Areas that held nodes of the finer cells may hold none of these.
+    experiment
+        .region
+        .iter_mut()
+        .for_each(|plan| plan.interior.clear());
     experiment.identify.samples = 0;
     let bench = Workbench::new(&experiment)?;
     let analysed = fields.iter().map(|field| bench.stresses(field));

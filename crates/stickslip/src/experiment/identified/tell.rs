@@ -6,9 +6,10 @@ use serde_json::{Value, json};
 use stickslip_hybrid::identify::{Bounds, SlipFit};
 use stickslip_report::table::{Column, Table};
 
-use super::{Coarser, Grip, Identified, SlipZone, figures, ratio, words};
+use super::{Coarser, Grip, Identified, SlipZone, figures, ratio, static_friction, words};
 use crate::experiment::analysed::{Analysed, true_edge};
 use crate::experiment::error::ExperimentError;
+use crate::experiment::laws::LawsError;
 use crate::experiment::plan::Experiment;
 use crate::experiment::story::Story;
 use crate::experiment::truth::Truth;
@@ -30,6 +31,8 @@ pub(in crate::experiment) struct Told<'a> {
     /// The same on half of the cells.
     pub(in crate::experiment) coarser: &'a Result<Option<Coarser>, ExperimentError>,
     pub(in crate::experiment) truth: Option<&'a Truth>,
+    /// How far static friction moves the edge `[fringes]`, where no law is fitted that would tell.
+    pub(in crate::experiment) moves: &'a Option<Result<f64, LawsError>>,
 }
 
 /// Tells of friction.
@@ -88,7 +91,14 @@ impl Told<'_> {
             None if !self.bears() => self.without().to_owned(),
             _ => {
                 let confidence = 100.0 * self.experiment.identify.confidence;
-                static_words(self.experiment, hold(self.identified), confidence)
+                let found = static_words(self.experiment, hold(self.identified), confidence);
+                let [from, to] = static_friction::RATIOS;
+                match self.moves {
+                    Some(Ok(fringes)) => format!(
+                        "{found}. {to} instead of {from} times μd deforms the hole's edge by at most {fringes:.2} fringes"
+                    ),
+                    _ => found,
+                }
             }
         }
     }
@@ -133,6 +143,11 @@ fn answers(told: &Told<'_>, story: &mut Story) {
         ),
     }
     story.answer("Static friction μs", told.of_static());
+    if let Some(Err(cause)) = told.moves {
+        story.note(format!(
+            "How far static friction moves the edge is not told: {cause}."
+        ));
+    }
     if let Some(simulation) = &identified.simulation {
         story.text(format!(
             "Monte Carlo simulation of {} draws around the fit: mean {:.4}, standard deviation {:.4}, {confidence} % of them between \
@@ -211,24 +226,17 @@ fn hold(identified: &Identified) -> Hold<'_> {
 }
 
 fn static_words(experiment: &Experiment, hold: Hold<'_>, confidence: f64) -> String {
-    let found = match hold {
-        Hold::AtLeast(grip) => {
-            return format!(
-                "at least {:.4} ({confidence} %), by what sticks at θ = {:.1}° in state '{}'; no upper bound: not identifiable beyond that",
-                grip.at_least,
-                grip.angle.to_degrees(),
-                experiment.states[grip.state].name
-            );
-        }
+    match hold {
+        Hold::AtLeast(grip) => format!(
+            "at least {:.4} ({confidence} %), by what sticks at θ = {:.1}° in state '{}'; no upper bound: not identifiable beyond that",
+            grip.at_least,
+            grip.angle.to_degrees(),
+            experiment.states[grip.state].name
+        ),
         Hold::NoMore => {
-            "not identifiable from stresses: at least μd, and no place sticks beyond doubt at a larger ratio than slip has"
+            "not identifiable: at least μd, and no place sticks beyond doubt at a larger ratio than slip has".to_owned()
         }
-        Hold::Nothing => "not identifiable from stresses: no sticking place beside a slip zone",
-    };
-    if experiment.laws.is_empty() {
-        format!("{found}. Contact solves, [[laws]], bound it and tell how many fringes it moves")
-    } else {
-        found.to_owned()
+        Hold::Nothing => "not identifiable: no sticking place beside a slip zone".to_owned(),
     }
 }
 
@@ -346,6 +354,7 @@ fn entry(told: &Told<'_>) -> Value {
             "low": grip.map(|grip| grip.at_least),
             "high": null,
             "by": grip.map(|grip| grip_entry(experiment, grip)),
+            "fringes": told.moves.as_ref().and_then(|moves| moves.as_ref().ok()),
             "in_words": told.of_static(),
         },
         "zones": zones.collect::<Vec<_>>(),

@@ -9,7 +9,7 @@ use super::lines::{fringe_lines, less_null};
 use super::phase::Unwound;
 use super::{Measured, PictureField, Reading, Scope};
 use crate::experiment::error::ExperimentError;
-use crate::experiment::plan::{Method, Source};
+use crate::experiment::plan::Source;
 use crate::experiment::synthesis::field_name;
 
 /// A state's field from its reading and that of its null field.
@@ -152,10 +152,8 @@ fn lacking(scope: &Scope<'_>, field: Field, where_: &str) -> ExperimentError {
 }
 
 pub(super) fn longest_side(scope: &Scope<'_>) -> f64 {
-    match scope.experiment.reduce.method {
-        Method::Linear { longest_side } => longest_side,
-        _ => f64::INFINITY,
-    }
+    let stated = scope.experiment.reduce.longest_side;
+    stated.unwrap_or(f64::INFINITY)
 }
 
 pub(super) fn grating(scope: &Scope<'_>) -> Result<Grating, ExperimentError> {

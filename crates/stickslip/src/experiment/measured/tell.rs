@@ -58,7 +58,7 @@ fn settings(experiment: &Experiment) -> String {
     let length = experiment.display.length;
     let method = match reduce.method {
         Method::Fit => "a fit of the region's boundary to all data".to_owned(),
-        Method::Linear { .. } => "linear interpolation on triangles".to_owned(),
+        Method::Linear => "linear interpolation on triangles".to_owned(),
         Method::Polynomial { order, neighbours } => {
             format!("local polynomials of order {order} over {neighbours} neighbours")
         }

@@ -52,6 +52,9 @@ pub(super) fn reduce(refuse: Refuse<'_>, given: &ReduceFormat) -> Result<Reduce,
             "between 0 and 1",
         )?,
         margin,
+        longest_side: (given.longest_side.as_ref())
+            .map(|side| refuse.positive("reduce.longest_side", side))
+            .transpose()?,
         mask: refuse.areas("reduce.mask", &given.mask)?,
         outliers: outliers(refuse, given.outliers)?,
         common_places: given
@@ -86,14 +89,11 @@ fn method(refuse: Refuse<'_>, given: &ReduceFormat) -> Result<Method, SceneError
         let key = format!("reduce.{name}");
         given.map_or(Ok(f64::INFINITY), |length| refuse.positive(&key, length))
     };
-    let (longest_side, reach) = (
-        length("longest_side", given.longest_side.as_ref())?,
-        length("reach", given.reach.as_ref())?,
-    );
+    let reach = length("reach", given.reach.as_ref())?;
     let order = given.order.unwrap_or(2);
     refuse.within("reduce.order", order, (1..=3).contains(&order), "1, 2 or 3")?;
     let least = [3, 6, 10][order - 1];
-    let neighbours = given.neighbours.unwrap_or(2 * least);
+    let neighbours = given.neighbours.unwrap_or(4 * least);
     refuse.within(
         "reduce.neighbours",
         neighbours,
@@ -101,7 +101,7 @@ fn method(refuse: Refuse<'_>, given: &ReduceFormat) -> Result<Method, SceneError
         &format!("at least {least} for a polynomial of order {order}"),
     )?;
     Ok(match given.method {
-        MethodFormat::Linear => Method::Linear { longest_side },
+        MethodFormat::Linear => Method::Linear,
         MethodFormat::Polynomial => Method::Polynomial { order, neighbours },
         MethodFormat::Lines => Method::Lines { reach },
         MethodFormat::Fit => Method::Fit,

@@ -13,11 +13,8 @@ use super::{Area, Hole};
 /// How displacements of nodes are made from measured ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Method {
-    /// Linear on triangles with sides of at most `longest_side` `[mm]`.
-    Linear {
-        /// Longest side of a triangle that is no gap `[mm]`; infinite for none.
-        longest_side: f64,
-    },
+    /// Linear on triangles.
+    Linear,
     /// A local polynomial of `order` over `neighbours` places.
     Polynomial {
         /// Its order.
@@ -50,6 +47,8 @@ pub struct Reduce {
     /// Data nearer than this to the hole's edge are masked `[mm]`. Where not stated: of pictures with a carrier what their phase
     /// resolves, which mixes both sides of an edge; of other data nothing.
     pub margin: Option<f64>,
+    /// Longest side of a triangle that is no gap, for what is interpolated on triangles `[mm]`.
+    pub longest_side: Option<f64>,
     /// Parts of the plane that are masked.
     pub mask: Vec<Area>,
     /// How far places of the null field may be off and still be the same `[mm]`; interpolated where not stated.
