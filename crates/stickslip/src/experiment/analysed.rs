@@ -86,6 +86,8 @@ pub struct Checked {
     /// Force along x and y on the region by the stresses on its edge less the known one, where it is known, and the standard
     /// deviation of that `[N]`.
     pub excess: [Option<[f64; 2]>; 2],
+    /// Force `[N]` by the tractions at the ends of the edge, where they are not trusted, whatever their directions.
+    pub ends: f64,
 }
 
 /// Force on a region at a node that moves as measured.

@@ -270,6 +270,7 @@ impl<'a> Workbench<'a> {
             free_edge: checks.free_edges.into_iter().next(),
             interior: checks.interior_forces,
             excess: self.excess(found),
+            ends: self.ends(found),
         })
     }
 
@@ -286,6 +287,21 @@ impl<'a> Workbench<'a> {
             edge: EDGE.to_owned(),
             ranges,
         })
+    }
+
+    /// Sum of the sizes of the forces at places that are not trusted `[N]`.
+    fn ends(&self, found: &Analysed) -> f64 {
+        let at = &self.edge.parameter;
+        let inner = found.inner();
+        let force = |k: usize| {
+            let length = 0.5 * (at[(k + 1).min(at.len() - 1)] - at[k.saturating_sub(1)]);
+            let traction = found.tractions.pressure[k].hypot(found.tractions.shear[k]);
+            self.experiment.specimen.thickness * length * traction
+        };
+        (0..at.len())
+            .filter(|k| !inner.contains(k))
+            .map(force)
+            .sum()
     }
 
     /// What the stresses on the edge give more than the known force, with its deviation. The first two of the forces are what the region
