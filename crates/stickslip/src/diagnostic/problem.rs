@@ -390,20 +390,4 @@ pub enum SceneProblem {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_that_were_meant_are_suggested() {
-        let problem = SceneProblem::UnknownKey {
-            key: "yung".to_owned(),
-            nearest: Some("young".to_owned()),
-            known: vec!["young".to_owned(), "poisson".to_owned()],
-        };
-        let help = problem.help().map(|help| help.to_string());
-        assert_eq!(
-            help.as_deref(),
-            Some("did you mean 'young'? known keys here: young, poisson")
-        );
-    }
-}
+mod tests;
