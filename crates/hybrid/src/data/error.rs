@@ -109,7 +109,10 @@ pub enum DataError {
         range: &'static str,
     },
     /// Two rows are at one place.
-    #[error("{file}: lines {first} and {second} are both at ({x}, {y}); keep one of them")]
+    #[error(
+        "{file}: lines {first} and {second} are both at {}; keep one of them",
+        at_both(places)
+    )]
     DuplicatedPoint {
         /// Name of the data.
         file: String,
@@ -117,10 +120,8 @@ pub enum DataError {
         first: u64,
         /// Line of the second.
         second: u64,
-        /// Place as measured `[length]`.
-        x: f64,
-        /// Place as measured `[length]`.
-        y: f64,
+        /// x and y of either row, in the table's own numbers.
+        places: [[f64; 2]; 2],
     },
     /// No displacement is valid.
     #[error("{file}: none of {rows} points has a valid displacement; {remedy}")]
@@ -266,4 +267,18 @@ pub enum DataError {
         /// What is wrong.
         cause: String,
     },
+}
+
+/// Places of two rows at one place; they differ where a table has them after the deformation.
+fn at_both([first, second]: &[[f64; 2]; 2]) -> String {
+    let shown = |[x, y]: &[f64; 2]| format!("({x}, {y})");
+    if first == second {
+        shown(first)
+    } else {
+        format!(
+            "one place before the deformation, {} and {} less their displacements",
+            shown(first),
+            shown(second)
+        )
+    }
 }

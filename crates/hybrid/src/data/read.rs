@@ -69,13 +69,14 @@ impl Measurement {
             };
             // Adding zero makes −0 and 0 one place.
             let key = place.map(|x| (x + 0.0).to_bits());
-            if let Some(first) = seen.insert(key, table.line(row)) {
+            // A row with a place in the body has one in the table.
+            let own = raw.0.map(Option::unwrap_or_default);
+            if let Some((first, other)) = seen.insert(key, (table.line(row), own)) {
                 return Err(DataError::DuplicatedPoint {
                     file: name.into(),
                     first,
                     second: table.line(row),
-                    x: place[0],
-                    y: place[1],
+                    places: [other, own],
                 });
             }
             measurement.places.push(place);

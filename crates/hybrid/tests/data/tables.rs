@@ -87,6 +87,30 @@ fn a_table_of_ones_own_is_read_by_column_names_alone() {
     assert_eq!((m.count(Field::U), m.count(Field::V)), (0, 1));
 }
 
+/// Numbers of the table, not those that scale and axis make of them.
+#[test]
+fn two_rows_at_one_place_are_named_by_the_tables_own_numbers() {
+    let pixels = Reading {
+        scale: Some(0.05),
+        y_axis: YAxis::Down,
+        ..Reading::default()
+    };
+    let refused =
+        |text: &str, format: &Format| read(text, format, &pixels).unwrap_err().to_string();
+    assert_eq!(
+        refused("x,y,u,v\n300.5,200,0,0\n300.50,2e2,1,1\n", &Format::plain()),
+        "test.csv: lines 2 and 3 are both at (300.5, 200); keep one of them"
+    );
+    assert_eq!(
+        refused(
+            "x,y,ux,uy\n300.5,200,0.5,0\n301,200,1,0\n",
+            &Format::mudic()
+        ),
+        "test.csv: lines 2 and 3 are both at one place before the deformation, (300.5, 200) and (301, 200) less their displacements; \
+         keep one of them"
+    );
+}
+
 #[test]
 fn refusals_name_file_line_column_value_and_remedy() {
     assert_eq!(

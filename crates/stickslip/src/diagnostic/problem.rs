@@ -5,7 +5,7 @@ use stickslip_fem_core::material::MaterialError;
 use thiserror::Error;
 
 use super::laminate::LaminateProblem;
-use super::remedy::{counted, listed, material_remedy, meant, on_lines};
+use super::remedy::{coded, counted, listed, material_remedy, meant, on_lines};
 use crate::units::UnitError;
 
 /// One thing wrong with a scene. Every variant carries the numbers and names that its message and remedy show.
@@ -147,13 +147,13 @@ pub enum SceneProblem {
     },
     /// A required key is not there.
     #[error("'{key}' is missing in '{table}'")]
-    #[diagnostic(code(scene::missing_key), help("add for example `{example}`"))]
+    #[diagnostic(code(scene::missing_key), help("add for example {}", coded(example)))]
     MissingKey {
         /// The key.
         key: String,
         /// The table that lacks it.
         table: String,
-        /// A line that would do.
+        /// A line that would do; in backticks where words follow it.
         example: String,
     },
     /// A number where a text belongs, and the like.
@@ -164,6 +164,18 @@ pub enum SceneProblem {
         expected: String,
         /// What is there.
         found: String,
+    },
+    /// A list with too many or too few values.
+    #[error("{wanted} {} wanted, found {found}", counted(*wanted, "value is", "values are"))]
+    #[diagnostic(
+        code(scene::wrong_length),
+        help("give a list of {wanted} {}", counted(*wanted, "value", "values"))
+    )]
+    WrongLength {
+        /// How many belong here.
+        wanted: usize,
+        /// How many are there.
+        found: usize,
     },
     /// A quantity is not one, or not of the right dimension.
     #[error(transparent)]
@@ -178,7 +190,7 @@ pub enum SceneProblem {
     },
     /// A number outside its range.
     #[error("{key} = {value} is outside its range: {allowed}")]
-    #[diagnostic(code(scene::out_of_range), help("give {key} {allowed}"))]
+    #[diagnostic(code(scene::out_of_range), help("{key} must be {allowed}"))]
     OutOfRange {
         /// The key.
         key: String,
@@ -378,20 +390,4 @@ pub enum SceneProblem {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_that_were_meant_are_suggested() {
-        let problem = SceneProblem::UnknownKey {
-            key: "yung".to_owned(),
-            nearest: Some("young".to_owned()),
-            known: vec!["young".to_owned(), "poisson".to_owned()],
-        };
-        let help = problem.help().map(|help| help.to_string());
-        assert_eq!(
-            help.as_deref(),
-            Some("did you mean 'young'? known keys here: young, poisson")
-        );
-    }
-}
+mod tests;

@@ -14,6 +14,15 @@ pub(super) fn on_lines(lines: Option<(usize, usize)>) -> String {
     }
 }
 
+/// An example in backticks, unless it marks what of it is code.
+pub(super) fn coded(example: &str) -> String {
+    if example.contains('`') {
+        example.to_owned()
+    } else {
+        format!("`{example}`")
+    }
+}
+
 pub(super) fn counted(count: usize, one: &'static str, many: &'static str) -> &'static str {
     if count == 1 { one } else { many }
 }

@@ -15,8 +15,8 @@ pub(super) use settings::{
     RegionFormat, SymmetryFormat,
 };
 pub(super) use states::{
-    AxisFormat, ColumnsFormat, DirectionFormat, FilesFormat, LinesFormat, PicturesFormat,
-    PresetFormat, SourceFormat, StateFormat, TableFormat, TrackFormat,
+    AxisFormat, ColumnsFormat, DirectionFormat, FilesFormat, ForceFormat, LinesFormat,
+    PicturesFormat, PresetFormat, SourceFormat, StateFormat, TableFormat, TrackFormat,
 };
 
 /// A place.

@@ -122,7 +122,11 @@ pub fn state(
         match source {
             Source::Step(_) => pictures::synthetic(&scope, shots.get(shot)),
             Source::Table(source) => table::read(&scope, source),
-            Source::Pictures(source) => pictures::read(&scope, source),
+            Source::Pictures(source) => {
+                // What a null field with the same carrier takes off need not be told.
+                let takes_off = matches!(shot, Shot::State) && plan.null.is_none();
+                pictures::read(&scope, source, takes_off)
+            }
             Source::Lines(source) => lines::read(&scope, source),
         }
     };

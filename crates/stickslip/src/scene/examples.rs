@@ -1,4 +1,4 @@
-//! A line that would do for each required key.
+//! A line that would do for each required key; in backticks where words follow it.
 
 /// What to write for the missing `key`, given in full: `bodies.plate.thickness`.
 pub(super) fn example(key: &str) -> String {
@@ -21,7 +21,7 @@ pub(super) fn example(key: &str) -> String {
         "end" => "\"-0.4 mm\"",
         "body" => "\"plate\"",
         "material" => "\"aluminium\"",
-        "bodies" => return "[bodies.plate] with its shape, thickness and material".to_owned(),
+        "bodies" => return "`[bodies.plate]` with its shape, thickness and material".to_owned(),
         "mesh" => return "[mesh] spacing = \"2 deg\"".to_owned(),
         "thickness" => "\"1.5 mm\"",
         "shape" => return "shape.disk = { radius = \"5 mm\" }".to_owned(),
@@ -40,14 +40,20 @@ pub(super) fn example(key: &str) -> String {
         "free" => "[\"x\", \"y\"]",
         "direction" => "[-1, 0]",
         "file" => "\"data/ring.csv\"",
-        "scale" => "\"1 mm\", the length of one unit of the table's places (of one pixel, say)",
-        "y_axis" => "\"up\"; \"down\" flips y and v of a table, as of images",
+        "scale" => {
+            return "`scale = \"1 mm\"`, the length of one unit of the table's places (of one pixel, say)"
+                .to_owned();
+        }
+        "y_axis" => {
+            return "`y_axis = \"up\"`; \"down\" flips y and v of a table, as of images".to_owned();
+        }
         "pixel" => "\"0.02 mm\"",
         "top_left" | "centre" => "[\"-2 mm\", \"20 mm\"]",
         "window" => "[[\"-2 mm\", \"-2 mm\"], [\"20 mm\", \"20 mm\"]]",
         "name" => "\"up\"",
         "specimen" => {
-            return "[specimen] scene = \"scene.toml\", or material, thickness and hole".to_owned();
+            return "`specimen = { scene = \"scene.toml\" }`, or its material, thickness and hole"
+                .to_owned();
         }
         "friction" => "{ coulomb = { mu = 0.3 } }",
         "angles" => "[\"-90 deg\", \"90 deg\"]",

@@ -8,7 +8,7 @@ mod error;
 use serde::de::value::StrDeserializer;
 use serde::de::{
     self, DeserializeSeed, Deserializer, EnumAccess, IntoDeserializer, MapAccess, SeqAccess,
-    VariantAccess, Visitor,
+    Unexpected, VariantAccess, Visitor,
 };
 use serde_json::Value;
 
@@ -46,6 +46,29 @@ impl<'a> Reader<'a> {
         match parse(&text, &expected) {
             Ok(_) => Ok(()),
             Err(error) => Err(ReadError::new(error.into(), Part::Value).at(self.key)),
+        }
+    }
+
+    /// Refuses a list where a table is wanted: serde's own visitors would take its values for the table's, in the order of the keys.
+    fn no_list<'de, V: Visitor<'de>>(self, visitor: &V) -> Result<(), ReadError> {
+        match self.value {
+            Value::Array(_) => {
+                let error: ReadError = de::Error::invalid_type(Unexpected::Seq, visitor);
+                Err(error.at(self.key))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Refuses a list of another length than `wanted`, which serde's visitors would read as far as they need it.
+    fn has_length(self, wanted: usize) -> Result<(), ReadError> {
+        match self.value {
+            Value::Array(list) if list.len() != wanted => {
+                let found = list.len();
+                let problem = SceneProblem::WrongLength { wanted, found };
+                Err(ReadError::new(problem, Part::Value).at(self.key))
+            }
+            _ => Ok(()),
         }
     }
 
@@ -144,9 +167,37 @@ impl<'de> Deserializer<'de> for Reader<'_> {
         read.map_err(|error| error.at(self.key))
     }
 
+    fn deserialize_struct<V: Visitor<'de>>(
+        self,
+        _name: &'static str,
+        _fields: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, ReadError> {
+        self.no_list(&visitor)?;
+        self.deserialize_any(visitor)
+    }
+
+    fn deserialize_tuple<V: Visitor<'de>>(
+        self,
+        length: usize,
+        visitor: V,
+    ) -> Result<V::Value, ReadError> {
+        self.has_length(length)?;
+        self.deserialize_any(visitor)
+    }
+
+    fn deserialize_tuple_struct<V: Visitor<'de>>(
+        self,
+        _name: &'static str,
+        length: usize,
+        visitor: V,
+    ) -> Result<V::Value, ReadError> {
+        self.deserialize_tuple(length, visitor)
+    }
+
     serde::forward_to_deserialize_any! {
         bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf unit
-        unit_struct seq tuple tuple_struct map struct identifier ignored_any
+        unit_struct seq map identifier ignored_any
     }
 }
 
@@ -287,19 +338,19 @@ impl<'de> VariantAccess<'de> for Content<'_> {
 
     fn tuple_variant<V: Visitor<'de>>(
         self,
-        _length: usize,
+        length: usize,
         visitor: V,
     ) -> Result<V::Value, ReadError> {
         let value = self.value.unwrap_or(&Value::Null);
-        Reader::new(value, &self.key).deserialize_any(visitor)
+        Reader::new(value, &self.key).deserialize_tuple(length, visitor)
     }
 
     fn struct_variant<V: Visitor<'de>>(
         self,
-        _fields: &'static [&'static str],
+        fields: &'static [&'static str],
         visitor: V,
     ) -> Result<V::Value, ReadError> {
         let value = self.value.unwrap_or(&Value::Null);
-        Reader::new(value, &self.key).deserialize_any(visitor)
+        Reader::new(value, &self.key).deserialize_struct("", fields, visitor)
     }
 }

@@ -1,5 +1,6 @@
 //! Scenes that are right, and what tests of wrong ones share.
 
+mod lists;
 mod refusals;
 
 use std::path::Path;

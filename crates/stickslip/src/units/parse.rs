@@ -86,7 +86,7 @@ pub enum UnitError {
         expected: Expected,
     },
     /// A quantity of another dimension.
-    #[error("expected {expected}, but \"{text}\" is {}", found.with_article())]
+    #[error("\"{text}\" has the unit of {}; {expected} is expected", of_unit(text, *found))]
     #[diagnostic(code(unit::dimension), help("units that fit here: {}", expected.unit_list()))]
     WrongDimension {
         /// The whole text.
@@ -115,6 +115,15 @@ pub enum UnitError {
         /// The whole text.
         text: String,
     },
+}
+
+/// What the unit of `text`, which has the dimension `found`, says to a person: N/mm may be of a stiffness or of a line load too.
+fn of_unit(text: &str, found: Dimension) -> &'static str {
+    match (found, unit_of(text)) {
+        (Dimension::FractureEnergy, Some(unit)) if unit.name.contains("J/") => "an energy per area",
+        (Dimension::FractureEnergy, _) => "a force per length",
+        _ => found.with_article(),
+    }
 }
 
 /// Reads a number with a unit: its value in base units, and which of the `expected` dimensions it has.

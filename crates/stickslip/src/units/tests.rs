@@ -60,7 +60,7 @@ fn refusals_carry_the_text() {
     );
     assert_eq!(
         refused("3 MPa").to_string(),
-        "expected a length, but \"3 MPa\" is a stress"
+        "\"3 MPa\" has the unit of a stress; a length is expected"
     );
     assert_eq!(
         refused("3 inch").to_string(),
@@ -93,7 +93,33 @@ fn one_of_two_dimensions() {
     assert_eq!(parse("1 rad", &either).unwrap(), (1.0, Dimension::Angle));
     assert_eq!(
         parse("1 N", &either).unwrap_err().to_string(),
-        "expected an angle or a length, but \"1 N\" is a force"
+        "\"1 N\" has the unit of a force; an angle or a length is expected"
+    );
+}
+
+/// A fracture energy shares its unit with a stiffness and a line load, and whoever writes those has never meant an energy.
+#[test]
+fn a_unit_of_several_meanings_is_named_by_its_parts() {
+    let refused = |text: &str, expected: Dimension| {
+        parse(text, &Expected::one(expected))
+            .unwrap_err()
+            .to_string()
+    };
+    assert_eq!(
+        refused("1449.6 N/mm", Dimension::Force),
+        "\"1449.6 N/mm\" has the unit of a force per length; a force is expected"
+    );
+    assert_eq!(
+        refused("3 lbf/in", Dimension::Force),
+        "\"3 lbf/in\" has the unit of a force per length; a force is expected"
+    );
+    assert_eq!(
+        refused("2 kJ/m²", Dimension::Stress),
+        "\"2 kJ/m²\" has the unit of an energy per area; a stress is expected"
+    );
+    assert_eq!(
+        refused("2 N", Dimension::FractureEnergy),
+        "\"2 N\" has the unit of a force; a fracture energy is expected"
     );
 }
 

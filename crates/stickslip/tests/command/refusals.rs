@@ -83,7 +83,7 @@ fn quantities() {
         "\"2 MPa\"",
         &[
             "bad.toml:8:13",
-            "expected a length, but \"2 MPa\" is a stress",
+            "\"2 MPa\" has the unit of a stress; a length is expected",
             "units that fit here: mm",
         ],
     );

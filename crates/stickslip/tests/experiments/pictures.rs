@@ -121,6 +121,57 @@ fn a_carrier_that_nothing_tells_is_asked_for() {
     assert!((slope - 0.3).abs() < 0.005, "{slope}");
 }
 
+/// Before anything is said of a picture it must be there, and be one.
+#[test]
+fn errors_of_picture_files_come_first() {
+    let folder = folder_with(&[("e.toml", &experiment(""))]);
+    let path = folder.path();
+    for command in ["reduce", "check"] {
+        let error = fails(path, &[command, "e.toml"]);
+        assert!(
+            error.contains("u.png' cannot be read") && error.contains("states.0.pictures"),
+            "{error}"
+        );
+        assert!(!error.contains("carrier"), "{error}");
+    }
+    fs::write(path.join("u.png"), "no picture").unwrap();
+    let error = fails(path, &["reduce", "e.toml"]);
+    assert!(
+        error.contains("u.png'") && error.contains("PNG or TIFF"),
+        "{error}"
+    );
+    assert!(!error.contains("nothing tells"), "{error}");
+    // The other field's picture is missing, and this one has no fringes.
+    write(&path.join("u.png"), None);
+    let both = experiment(CARRIER).replace("u = \"u.png\"", "u = \"u.png\", v = \"gone.png\"");
+    fs::write(path.join("e.toml"), both).unwrap();
+    let error = fails(path, &["reduce", "e.toml"]);
+    assert!(error.contains("gone.png' cannot be read"), "{error}");
+}
+
+#[test]
+fn a_list_of_pictures_has_four() {
+    for (list, found) in [
+        ("[\"a.png\", \"b.png\", \"c.png\"]", "a list of 3 values"),
+        ("[\"a.png\"]", "a list of 1 value"),
+        ("{ file = \"a.png\" }", "a table"),
+        ("7", "the number 7"),
+    ] {
+        let text = experiment(CARRIER).replace("\"u.png\"", list);
+        let folder = folder_with(&[("e.toml", &text)]);
+        let error = fails(folder.path(), &["reduce", "e.toml"]);
+        for part in [
+            "\"up-u-1.png\", \"up-u-2.png\", \"up-u-3.png\", \"up-u-4.png\"",
+            &format!("found {found}"),
+            "states.0.pictures.u",
+            "e.toml:",
+        ] {
+            let words: String = error.split_whitespace().collect::<Vec<_>>().join(" ");
+            assert!(words.contains(part), "{part}: {error}");
+        }
+    }
+}
+
 /// The initial load's U alone leaves nothing to take off V.
 #[test]
 fn a_null_field_without_the_picture_of_a_field_is_refused() {

@@ -45,7 +45,7 @@ fn what_must_be_stated_is_asked_for() {
     );
     check(
         &says(&TABLE.replace("\"1 mm\", y", "\"1 N\", y"), &table),
-        &["is a force"],
+        &["\"1 N\" has the unit of a force; a length is expected"],
     );
     let dice = TABLE.replace("\"up.csv\"", "\"up.csv\", preset = \"dice\"");
     check(
@@ -306,8 +306,8 @@ fn ranges_of_free_parameters_have_the_dimension_of_the_parameter() {
         (
             "slip_scale = [\"1e-4 mm\", \"0.1 MPa\"]",
             [
-                "expected a length",
-                "\"0.1 MPa\" is a stress",
+                "a length is expected",
+                "\"0.1 MPa\" has the unit of a stress",
                 "slip_scale.1",
             ],
         ),

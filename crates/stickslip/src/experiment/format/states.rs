@@ -1,6 +1,9 @@
 //! `[[states]]`: what was measured, and where it stands.
 
-use serde::Deserialize;
+use std::fmt;
+
+use serde::de::{self, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
 
 use super::{CarriersFormat, PlaceFormat};
 use crate::units::{Force, Length, Quantity};
@@ -12,8 +15,7 @@ pub(in crate::experiment) struct StateFormat {
     pub(in crate::experiment) name: String,
     pub(in crate::experiment) direction: Option<DirectionFormat>,
     pub(in crate::experiment) load: Option<Quantity<Force>>,
-    #[serde(default)]
-    pub(in crate::experiment) edge_force: ForceFormat,
+    pub(in crate::experiment) edge_force: Option<ForceFormat>,
     pub(in crate::experiment) step: Option<usize>,
     pub(in crate::experiment) table: Option<TableFormat>,
     pub(in crate::experiment) pictures: Option<PicturesFormat>,
@@ -106,14 +108,46 @@ pub(in crate::experiment) struct TableFormat {
 }
 
 /// Names of one picture, or of four with shifted phase.
-#[derive(Debug, Deserialize)]
-#[serde(
-    untagged,
-    expecting = "the name of a picture file, or a list of four of them"
-)]
+#[derive(Debug)]
 pub(in crate::experiment) enum FilesFormat {
     One(String),
     Four([String; 4]),
+}
+
+impl<'de> Deserialize<'de> for FilesFormat {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(FilesVisitor)
+    }
+}
+
+/// Tells of a list that is none of four, where serde's untagged choice would only say that nothing fits.
+struct FilesVisitor;
+
+impl<'de> Visitor<'de> for FilesVisitor {
+    type Value = FilesFormat;
+
+    fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(
+            "the name of a picture file, \"up-u.png\", or a list of four with phase steps of ¼, \
+             [\"up-u-1.png\", \"up-u-2.png\", \"up-u-3.png\", \"up-u-4.png\"]",
+        )
+    }
+
+    fn visit_str<E: de::Error>(self, name: &str) -> Result<FilesFormat, E> {
+        Ok(FilesFormat::One(name.to_owned()))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<FilesFormat, A::Error> {
+        let mut names = Vec::new();
+        while let Some(name) = list.next_element()? {
+            names.push(name);
+        }
+        let four = names.try_into().map_err(|names: Vec<String>| {
+            let expected: &dyn de::Expected = &self;
+            de::Error::invalid_length(names.len(), expected)
+        })?;
+        Ok(FilesFormat::Four(four))
+    }
 }
 
 /// Directions in which fringe orders rise.

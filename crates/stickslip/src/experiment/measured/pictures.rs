@@ -36,16 +36,28 @@ pub(super) fn synthetic(
     Ok(Reading::Pictures(Box::new([Some(u?), Some(v?)])))
 }
 
-/// Orders of picture files.
-pub(super) fn read(scope: &Scope<'_>, source: &PictureSource) -> Result<Reading, ExperimentError> {
-    let of = |field: Field| {
-        let c = field.component();
-        if source.files[c].is_empty() {
+/// Orders of picture files. `takes_off` is whether the carrier is taken off by what is known of it, not by a null field.
+pub(super) fn read(
+    scope: &Scope<'_>,
+    source: &PictureSource,
+    takes_off: bool,
+) -> Result<Reading, ExperimentError> {
+    let decoded = |field: Field| -> Result<Vec<PixelMap>, ExperimentError> {
+        let files = source.files[field.component()].iter();
+        files
+            .map(|file| picture(scope, source, field, file))
+            .collect()
+    };
+    let (u, v) = rayon::join(|| decoded(Field::U), || decoded(Field::V));
+    let (u, v) = (u?, v?);
+    if takes_off && source.carrier.is_none() && [&u, &v].iter().any(|field| field.len() == 1) {
+        return Err(untold(scope));
+    }
+    let of = |field: Field, pictures: Vec<PixelMap>| {
+        if pictures.is_empty() {
             return Ok(None);
         }
-        let pictures = source.files[c].iter();
-        let pictures = pictures.map(|file| picture(scope, source, field, file));
-        let pictures: Vec<PixelMap> = pictures.collect::<Result<_, _>>()?;
+        let c = field.component();
         let carrier = source.carrier.map(|carriers| carriers[c]);
         let rising = source.rising[c];
         let input = FieldInput {
@@ -61,8 +73,22 @@ pub(super) fn read(scope: &Scope<'_>, source: &PictureSource) -> Result<Reading,
             failed(scope, field, &source.files[c], cause, hint)
         })
     };
-    let (u, v) = rayon::join(|| of(Field::U), || of(Field::V));
+    let (u, v) = rayon::join(|| of(Field::U, u), || of(Field::V, v));
     Ok(Reading::Pictures(Box::new([u?, v?])))
+}
+
+/// Pictures whose carrier nothing tells.
+fn untold(scope: &Scope<'_>) -> ExperimentError {
+    ExperimentError::Missing {
+        key: scope.key.clone(),
+        what: format!(
+            "state '{}': nothing tells the carrier's part of the fringes from the plate's mean strain",
+            scope.name()
+        ),
+        remedy: "give the carrier = { u = [\"12 1/mm\", \"0 1/mm\"], v = [\"0 1/mm\", \"12 1/mm\"] }, or null = { pictures = … } of the \
+                 initial load with the same carrier"
+            .to_owned(),
+    }
 }
 
 fn picture(

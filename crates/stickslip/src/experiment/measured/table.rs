@@ -1,5 +1,6 @@
 //! Displacements from a table.
 
+use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::data::{DataError, Field, Measurement, Outlier, Rows, YAxis};
 
 use super::{Reading, Scope, scatter};
@@ -10,6 +11,10 @@ use crate::output::short;
 
 /// Scatter of less than this part of the range is no measurement's: a hundredth of a fringe of a thousand fringes.
 const CALCULATED: f64 = 1e-5;
+/// Part of the hole's radius by which a place may be inside of it and still be meant to be at its edge.
+const ON_EDGE: f64 = 0.05;
+/// Part of the valid places that may be inside of the hole as strays.
+const STRAY: f64 = 0.01;
 
 /// What a table says.
 #[derive(Clone, Debug)]
@@ -38,6 +43,7 @@ pub(super) fn read(scope: &Scope<'_>, source: &TableSource) -> Result<Reading, E
     for place in &mut measurement.places {
         *place = [place[0] - shift[0], place[1] - shift[1]];
     }
+    let in_hole = inside_hole(scope, &name, &measurement);
     let places = measurement.places.clone();
     for field in Field::BOTH {
         measurement.mask(field, |k| {
@@ -59,7 +65,7 @@ pub(super) fn read(scope: &Scope<'_>, source: &TableSource) -> Result<Reading, E
         outliers: Vec::new(),
         floor,
         remarks: Vec::new(),
-        warnings: Vec::new(),
+        warnings: in_hole.into_iter().collect(),
         measurement,
     };
     mask_outliers(scope, &name, &rows, &mut found)?;
@@ -71,6 +77,36 @@ pub(super) fn read(scope: &Scope<'_>, source: &TableSource) -> Result<Reading, E
         };
     }
     Ok(Reading::Scattered(found))
+}
+
+/// Words on valid places that lie well inside of the hole, where there are more than stray ones: the mark of a wrong origin.
+fn inside_hole(scope: &Scope<'_>, name: &str, data: &Measurement) -> Option<String> {
+    let hole = scope.experiment.specimen.hole;
+    let valid = (0..data.places.len()).filter(|&k| data.valid[0][k] || data.valid[1][k]);
+    let depths: Vec<(f64, Point)> = valid
+        .map(|k| data.places[k])
+        .map(|place| {
+            let from_centre = (place[0] - hole.centre[0]).hypot(place[1] - hole.centre[1]);
+            (hole.radius - from_centre, place)
+        })
+        .collect();
+    let inside = depths
+        .iter()
+        .filter(|(depth, _)| *depth > ON_EDGE * hole.radius);
+    let count = inside.clone().count();
+    let (depth, [x, y]) = inside.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    if count as f64 <= STRAY * depths.len() as f64 {
+        return None;
+    }
+    let unit = scope.experiment.display.length;
+    Some(format!(
+        "{count} of {} valid places of '{name}' lie inside of the hole, the deepest at ({}, {}), {} from its edge, and are left out: check \
+         origin, scale and y_axis, unless these are places on a pin.",
+        depths.len(),
+        unit.show(*x),
+        unit.show(*y),
+        unit.show(*depth)
+    ))
 }
 
 /// Masks places that do not go with their neighbours: of both components, for what spoils one spoils mostly the other.

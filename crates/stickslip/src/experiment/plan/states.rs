@@ -10,7 +10,8 @@ use super::read::Refuse;
 use super::{Direction, Fringes, Source, Specimen, State};
 use crate::diagnostic::SceneError;
 use crate::experiment::format::{
-    DirectionFormat, LinesFormat, PicturesFormat, SourceFormat, StateFormat, TableFormat,
+    DirectionFormat, ForceFormat, LinesFormat, PicturesFormat, SourceFormat, StateFormat,
+    TableFormat,
 };
 use crate::experiment::history::History;
 use crate::units::Quantity;
@@ -99,14 +100,32 @@ impl Scope<'_> {
                 name: state.name.clone(),
                 direction,
                 load,
-                edge_force: [&state.edge_force.x, &state.edge_force.y]
-                    .map(|force| force.as_ref().map(Quantity::value)),
+                edge_force: self.edge_force(&key, state.edge_force.as_ref())?,
                 source,
                 null,
                 back,
             });
         }
         Ok(states)
+    }
+
+    /// Known components of the force through the edge; a table of it must name one.
+    fn edge_force(
+        &self,
+        key: &str,
+        given: Option<&ForceFormat>,
+    ) -> Result<[Option<f64>; 2], SceneError> {
+        let force = given.map_or([None; 2], |given| {
+            [&given.x, &given.y].map(|force| force.as_ref().map(Quantity::value))
+        });
+        if given.is_some() && force == [None; 2] {
+            return Err(self.refuse.conflict(
+                &format!("{key}.edge_force"),
+                "edge_force names no component",
+                "write edge_force = { x = \"5516 N\" }, y in place of x or beside it; or leave edge_force out",
+            ));
+        }
+        Ok(force)
     }
 
     fn check_name(&self, key: &str, name: &str, before: &[State]) -> Result<(), SceneError> {
@@ -145,7 +164,7 @@ impl Scope<'_> {
         }
     }
 
-    /// Kinds of data that cannot be subtracted from each other; and pictures whose carrier nothing tells.
+    /// Kinds of data that cannot be subtracted from each other.
     fn check_null(
         &self,
         key: &str,
@@ -158,17 +177,6 @@ impl Scope<'_> {
                 &format!("{key}.null"),
                 "fringe lines and full fields cannot be subtracted from each other",
                 "give the null field in the same form as the state",
-            ));
-        }
-        if let (Source::Pictures(pictures), None) = (source, null)
-            && pictures.carrier.is_none()
-            && pictures.files.iter().any(|files| files.len() == 1)
-        {
-            return Err(self.refuse.conflict(
-                &format!("{key}.pictures"),
-                "nothing tells the carrier's part of the fringes from the plate's mean strain",
-                "give the carrier = { u = [\"12 1/mm\", \"0 1/mm\"], v = [\"0 1/mm\", \"12 1/mm\"] }, or null = { pictures = … } of the \
-                 initial load with the same carrier",
             ));
         }
         Ok(())

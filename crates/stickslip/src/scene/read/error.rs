@@ -76,6 +76,13 @@ impl de::Error for ReadError {
         Self::invalid_type(found, expected)
     }
 
+    fn invalid_length(length: usize, expected: &dyn de::Expected) -> Self {
+        let values = if length == 1 { "value" } else { "values" };
+        let found = format!("a list of {length} {values}");
+        let expected = wanted(&expected.to_string());
+        Self::new(SceneProblem::WrongKind { expected, found }, Part::Value)
+    }
+
     fn unknown_field(field: &str, known: &'static [&'static str]) -> Self {
         let problem = SceneProblem::UnknownKey {
             key: field.to_owned(),
@@ -114,8 +121,13 @@ fn wanted(expected: &str) -> String {
         "a boolean" => "true or false",
         "a sequence" => "a list",
         "a map" => "a table, such as { key = value }",
-        "an array of length 2" => "a list of two numbers",
-        other => other,
+        other => {
+            let length = other.strip_prefix("an array of length ");
+            return length.map_or_else(
+                || other.to_owned(),
+                |length| format!("a list of {length} values"),
+            );
+        }
     }
     .to_owned()
 }

@@ -60,7 +60,10 @@ fn units() {
     );
     assert_eq!((line, shown.as_str()), (8, "2"));
     let (message, _, _, shown) = refused("\"210 GPa\"", "\"210 mm\"");
-    assert_eq!(message, "expected a stress, but \"210 mm\" is a length");
+    assert_eq!(
+        message,
+        "\"210 mm\" has the unit of a length; a stress is expected"
+    );
     assert_eq!(shown, "\"210 mm\"");
     let (message, help, ..) = refused("\"210 GPa\"", "\"210 gpa\"");
     assert_eq!(
@@ -93,7 +96,10 @@ fn sizes_and_materials() {
         message,
         "thickness = -2 mm is outside its range: greater than 0"
     );
-    assert_eq!((help.as_str(), line), ("give thickness greater than 0", 8));
+    assert_eq!(
+        (help.as_str(), line),
+        ("thickness must be greater than 0", 8)
+    );
     let (message, help, line, shown) = refused("poisson = 0.3", "poisson = 0.6");
     assert_eq!(
         message,
@@ -325,7 +331,10 @@ fn meshes() {
         "spacing = \"2 deg\"",
         "spacing = \"2 deg\"\nfine_to = \"1 mm\"",
     );
-    assert_eq!(message, "expected an angle, but \"1 mm\" is a length");
+    assert_eq!(
+        message,
+        "\"1 mm\" has the unit of a length; an angle is expected"
+    );
 }
 
 #[test]

@@ -45,7 +45,7 @@ impl Scope<'_> {
             return Err(self.refuse.missing(
                 key,
                 "origin",
-                "origin = [512, 384], the pixel at which the body's origin is seen",
+                "`origin = [512, 384]`, the pixel at which the body's origin is seen",
             ));
         }
         let [line, order] = [&given.columns.line, &given.columns.order];
