@@ -10,12 +10,16 @@ use crate::data::{Field, Measurement};
 /// that are as far, have a weight.
 const MARGIN: f64 = 1.05;
 
+/// So often neighbours are doubled where they do not determine the polynomial.
+const DOUBLED: u32 = 2;
+
 /// A local weighted polynomial fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LocalPolynomial {
     /// Order of the polynomial, 1 to 3.
     pub order: usize,
-    /// Neighbours of a node that take part, at least 3, 6, 10 for orders 1, 2, 3; points as far as the last one take part too.
+    /// Neighbours of a node that take part, at least 3, 6, 10 for orders 1, 2, 3; points as far as the last one take part too, and up to
+    /// four times as many where these do not determine the polynomial.
     pub neighbours: usize,
     /// Distance within which they must lie `[length]`; infinite where any will do.
     pub largest_radius: f64,
@@ -51,19 +55,36 @@ impl LocalPolynomial {
         Ok(())
     }
 
+    /// Neighbours that do not determine the polynomial, such as the first rows of a grid beside an edge, are doubled, twice at most.
     pub(super) fn stencil(
         &self,
         tree: &Neighbours,
         places: &[Point],
         at: Point,
     ) -> Result<Stencil, Reason> {
-        let nearest = tree.nearest(at, self.neighbours);
+        let own = self.of_neighbours(self.neighbours, tree, places, at);
+        (1..=DOUBLED).fold(own, |found, times| match found {
+            Err(Reason::Degenerate) => self
+                .of_neighbours(self.neighbours << times, tree, places, at)
+                .map_err(|_| Reason::Degenerate),
+            _ => found,
+        })
+    }
+
+    fn of_neighbours(
+        &self,
+        neighbours: usize,
+        tree: &Neighbours,
+        places: &[Point],
+        at: Point,
+    ) -> Result<Stencil, Reason> {
+        let nearest = tree.nearest(at, neighbours);
         let farthest = nearest
             .last()
             .map_or(f64::INFINITY, |&(distance, _)| distance);
         if farthest > self.largest_radius {
             return Err(Reason::Sparse {
-                neighbours: self.neighbours,
+                neighbours,
                 radius: farthest,
                 largest: self.largest_radius,
             });

@@ -14,6 +14,7 @@ mod models;
 mod pictures;
 mod places;
 mod ready;
+mod reductions;
 mod refusals;
 mod stresses;
 mod tables;

@@ -93,7 +93,7 @@ fn method(refuse: Refuse<'_>, given: &ReduceFormat) -> Result<Method, SceneError
     let order = given.order.unwrap_or(2);
     refuse.within("reduce.order", order, (1..=3).contains(&order), "1, 2 or 3")?;
     let least = [3, 6, 10][order - 1];
-    let neighbours = given.neighbours.unwrap_or(4 * least);
+    let neighbours = given.neighbours.unwrap_or(2 * least);
     refuse.within(
         "reduce.neighbours",
         neighbours,
