@@ -20,6 +20,8 @@ pub(super) struct Boundary {
     pub(super) bias: Vec<f64>,
     pub(super) fit: Option<FitFacts>,
     pub(super) scale: f64,
+    /// What residuals say of the variance of a single datum, at least that of its deviation.
+    pub(super) single: f64,
 }
 
 impl Workbench<'_> {
@@ -51,19 +53,19 @@ impl Workbench<'_> {
             cause: Box::new(cause),
         })?;
         let mut boundary = Boundary::plain(displacements);
-        boundary.scale = self.noise_factor(measured, used);
+        [boundary.scale, boundary.single] = self.noise(measured, used);
         for entry in &mut boundary.displacements.covariance {
             *entry *= boundary.scale;
         }
         Ok(boundary)
     }
 
-    /// s² of displacements that were not fitted: that which a fit to the same data finds. Residuals of the displacements themselves would
-    /// hold their own errors too.
-    fn noise_factor(&self, measured: &Measured, used: &Measurement) -> f64 {
+    /// s² and the like of single data where displacements were not fitted: those that a fit to the same data finds. Residuals of the
+    /// displacements themselves would hold their own errors too.
+    fn noise(&self, measured: &Measured, used: &Measurement) -> [f64; 2] {
         let fitted = self.fitted(used, measured.floor);
-        let least = least_scale(used.deviation, measured.floor);
-        fitted.map_or(least.max(1.0), |fit| fit.scale)
+        let least = least_scale(used.deviation, measured.floor).max(1.0);
+        fitted.map_or([least, 1.0], |fit| [fit.scale, fit.single])
     }
 
     pub(super) fn polynomial(
@@ -122,6 +124,7 @@ impl Workbench<'_> {
         }
         Ok(Boundary {
             scale,
+            single: (fit.residual / (fit.data as f64 - fit.parameters).max(1.0)).max(1.0),
             bias: fit.bias,
             fit: Some(FitFacts {
                 order: smoothing.order,
@@ -182,6 +185,7 @@ impl Boundary {
             bias: Vec::new(),
             fit: None,
             scale: 1.0,
+            single: 1.0,
         }
     }
 }

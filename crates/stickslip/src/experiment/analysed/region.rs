@@ -243,12 +243,8 @@ impl<'a> Workbench<'a> {
         mut unused: Measurement,
     ) -> Result<Checked, RegionError> {
         let free: Vec<FreeEdge> = self.free_edge(found).into_iter().collect();
-        // What the residuals say of the deviation of a single place; where they say less than was stated, the statement holds.
-        if let Some(fit) = &found.fit {
-            let single = fit.residual / (fit.data as f64 - fit.parameters).max(1.0);
-            for deviation in &mut unused.deviation {
-                *deviation *= single.max(1.0).sqrt();
-            }
+        for deviation in &mut unused.deviation {
+            *deviation *= boundary.single.sqrt();
         }
         let any = (0..2).any(|axis| unused.valid[axis].contains(&true));
         let input = CheckInput {
