@@ -12,8 +12,8 @@ use crate::experiment::plan::Experiment;
 /// Static over dynamic coefficient, and what it is changed to.
 pub(super) const RATIOS: [f64; 2] = [1.4, 1.2];
 
-/// The most that the hole's edge deforms in any load step of the scene when static friction goes from the first of [`RATIOS`] times the
-/// dynamic one to the second `[fringes]`; `None` without a scene, a grating, or a coefficient with two ends.
+/// The most that the hole's edge deforms in any load step of the scene when static friction is 1.2 instead of 1.4 times the dynamic one
+/// `[fringes]`; `None` without a scene, a grating, or a coefficient with two ends.
 ///
 /// # Errors
 /// [`LawsError`] of the contact solves.

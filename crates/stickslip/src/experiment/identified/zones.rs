@@ -7,7 +7,7 @@ use stickslip_hybrid::identify::{Bounds, IdentifyError, SlipFit, Tractions};
 use super::SlipZone;
 use crate::experiment::analysed::Analysed;
 use crate::experiment::error::ExperimentError;
-use crate::experiment::plan::Experiment;
+use crate::experiment::plan::{Experiment, ZonePlan};
 
 /// Standard deviations by which χ² of a zone may exceed what it should be.
 const CONSISTENT: f64 = 3.0;
@@ -28,40 +28,13 @@ pub(super) fn of_state(
     let name = &experiment.states[found.state].name;
     let plans = experiment.identify.zones.iter();
     let own: Vec<_> = plans.filter(|zone| zone.state == found.state).collect();
-    let mut zones = Vec::new();
-    for plan in &own {
-        let [from, to] = plan.angles;
-        let start = found.angle.partition_point(|angle| *angle < from);
-        let end = found.angle.partition_point(|angle| *angle <= to);
-        if start >= end {
-            let ends = [found.angle.first(), found.angle.last()];
-            let [first, last] = ends.map(|angle| angle.copied().unwrap_or_default().to_degrees());
-            return Err(ExperimentError::Missing {
-                key: "identify.zones".to_owned(),
-                what: format!(
-                    "state '{name}': no place of the region lies between {:.2} and {:.2} deg",
-                    from.to_degrees(),
-                    to.to_degrees()
-                ),
-                remedy: format!("the region's edge goes from {first:.2} to {last:.2} deg"),
-            });
-        }
-        let places = start..end;
-        let positive = direction(&found.tractions, places.clone())?;
-        zones.push(SlipZone {
-            state: found.state,
-            fit: found
-                .tractions
-                .slip_within(places.clone(), positive, rise)?,
-            inside: towards_bearing(found, &places),
-            places,
-            positive,
-            given: true,
-        });
-    }
     if !own.is_empty() {
-        return Ok(zones);
+        return own
+            .into_iter()
+            .map(|plan| stated(found, name, plan, rise))
+            .collect();
     }
+    let mut zones = Vec::new();
     let Some(contact) = found.contact() else {
         remarks.push(format!(
             "state '{name}': no pressure exceeds its uncertainty"
@@ -81,6 +54,42 @@ pub(super) fn of_state(
     Ok(zones)
 }
 
+/// A zone that is stated in the experiment.
+fn stated(
+    found: &Analysed,
+    name: &str,
+    plan: &ZonePlan,
+    rise: f64,
+) -> Result<SlipZone, ExperimentError> {
+    let [from, to] = plan.angles;
+    let start = found.angle.partition_point(|angle| *angle < from);
+    let end = found.angle.partition_point(|angle| *angle <= to);
+    if start >= end {
+        let ends = [found.angle.first(), found.angle.last()];
+        let [first, last] = ends.map(|angle| angle.copied().unwrap_or_default().to_degrees());
+        return Err(ExperimentError::Missing {
+            key: "identify.zones".to_owned(),
+            what: format!(
+                "state '{name}': no place of the region lies between {:.2} and {:.2} deg",
+                from.to_degrees(),
+                to.to_degrees()
+            ),
+            remedy: format!("the region's edge goes from {first:.2} to {last:.2} deg"),
+        });
+    }
+    let places = start..end;
+    let data = &found.tractions;
+    let positive = direction(data, places.clone())?;
+    Ok(SlipZone {
+        state: found.state,
+        fit: data.slip_within(places.clone(), positive, rise)?,
+        inside: towards_bearing(found, &places),
+        places,
+        positive,
+        given: true,
+    })
+}
+
 /// A side of the bearing point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Flank {
@@ -95,6 +104,24 @@ impl Flank {
         match self {
             Self::After => ">",
             Self::Before => "<",
+        }
+    }
+
+    /// Whether a zone goes as far as the bearing point.
+    const fn reaches(self, zone: &Range<usize>, bearing: usize) -> bool {
+        match self {
+            Self::After => zone.start <= bearing,
+            Self::Before => zone.end > bearing,
+        }
+    }
+
+    /// A zone without its inner `margin`, in which the first places of stick are hidden in the noise.
+    fn without_inner(self, zone: &Range<usize>, angle: &[f64], margin: f64) -> Range<usize> {
+        match self {
+            Self::After => angle.partition_point(|a| *a < angle[zone.start] + margin)..zone.end,
+            Self::Before => {
+                zone.start..angle.partition_point(|a| *a <= angle[zone.end - 1] - margin)
+            }
         }
     }
 
@@ -140,23 +167,10 @@ fn recognised(
     let data = &found.tractions;
     let positive = direction(data, leading)?;
     let (full, _) = data.slip_zone(end, bearing, positive, CONSISTENT)?;
-    // The first places of stick are hidden in the noise. Of a zone that rubs as far as the bearing point, where friction turns, nobody
-    // knows where it ends: its outer half slips most surely.
-    let rubs = || -> Result<bool, IdentifyError> {
-        let bounds = data.slip_within(full.clone(), positive, rise)?.bounds;
-        Ok(matches!(bounds, Bounds::Between(..) | Bounds::AtLeast(_)))
-    };
-    let half = full.len() / 2;
-    let places = match flank {
-        Flank::After if full.start > bearing => {
-            angle.partition_point(|a| *a < angle[full.start] + margin)..full.end
-        }
-        Flank::Before if full.end <= bearing => {
-            full.start..angle.partition_point(|a| *a <= angle[full.end - 1] - margin)
-        }
-        Flank::After if rubs()? => full.end - half..full.end,
-        Flank::Before if rubs()? => full.start..full.start + half,
-        _ => full.clone(),
+    let places = if flank.reaches(&full, bearing) {
+        surest(data, &full, flank, positive, rise)?
+    } else {
+        flank.without_inner(&full, angle, margin)
     };
     if places.len() < FEWEST {
         return Ok(None);
@@ -172,6 +186,25 @@ fn recognised(
         positive,
         given: false,
     }))
+}
+
+/// Places of a zone that goes as far as the bearing point, where friction turns. If it rubs nobody knows where it ends, and its outer half
+/// slips most surely.
+fn surest(
+    data: &Tractions,
+    full: &Range<usize>,
+    flank: Flank,
+    positive: bool,
+    rise: f64,
+) -> Result<Range<usize>, IdentifyError> {
+    let half = full.len() / 2;
+    let bounds = data.slip_within(full.clone(), positive, rise)?.bounds;
+    let rubs = matches!(bounds, Bounds::Between(..) | Bounds::AtLeast(_));
+    Ok(match flank {
+        Flank::After if rubs => full.end - half..full.end,
+        Flank::Before if rubs => full.start..full.start + half,
+        _ => full.clone(),
+    })
 }
 
 /// The place nearest to θ = 0, or the end of contact that is nearest to it.
