@@ -38,6 +38,20 @@ impl ChiSquared {
         (self.value - self.count as f64) / self.deviation
     }
 
+    /// Of `values` that should vanish, with their covariance, square, row by row.
+    ///
+    /// # Errors
+    /// [`RegionError::Length`] for a covariance of another size, [`RegionError::NotCovariance`] for a value without variance.
+    pub fn of(values: &[f64], covariance: &[f64]) -> Result<Self, RegionError> {
+        let count = values.len();
+        if covariance.len() != count * count {
+            let name = "the covariance";
+            return Err(super::length(name, count * count, covariance.len()));
+        }
+        let covariance = Mat::from_fn(count, count, |i, j| covariance[i * count + j]);
+        Self::new(values, &covariance)
+    }
+
     fn new(values: &[f64], covariance: &Mat<f64>) -> Result<Self, RegionError> {
         let count = values.len();
         let variance = |i: usize| covariance[(i, i)];

@@ -6,7 +6,7 @@ use rand::{RngExt, SeedableRng};
 use stickslip_fem_core::ElasticBody;
 use stickslip_fem_core::mesh::{ElementKind, Point};
 use stickslip_hybrid::data::{Measurement, NodalDisplacements};
-use stickslip_hybrid::region::checks::{CheckInput, FreeEdge, KnownForce};
+use stickslip_hybrid::region::checks::{CheckInput, ChiSquared, FreeEdge, KnownForce};
 use stickslip_hybrid::region::sector::ArcSector;
 use stickslip_hybrid::region::{Region, independent_covariance};
 
@@ -197,4 +197,16 @@ fn known_force([a, b]: [f64; 2]) -> [f64; 2] {
         sum[1] += factor * (rr * theta.sin() + rt * theta.cos());
     }
     sum
+}
+
+#[test]
+fn squares_of_given_numbers_count_in_units_of_their_variances() {
+    let found = ChiSquared::of(&[1.0, 4.0], &[1.0, 0.0, 0.0, 4.0]).unwrap();
+    assert_eq!((found.count, found.value), (2, 5.0));
+    assert!((found.deviation - 2.0).abs() < 1e-12);
+    // Numbers that are one and the same vary together.
+    let same = ChiSquared::of(&[1.0, 1.0], &[1.0; 4]).unwrap();
+    assert!((same.deviation - 8.0_f64.sqrt()).abs() < 1e-12);
+    assert!(ChiSquared::of(&[1.0], &[1.0; 4]).is_err());
+    assert!(ChiSquared::of(&[1.0], &[0.0]).is_err());
 }

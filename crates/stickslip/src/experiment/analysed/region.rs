@@ -7,7 +7,7 @@ use stickslip_fem_core::body::SparseRow;
 use stickslip_fem_core::material::Material;
 use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_hybrid::data::Measurement;
-use stickslip_hybrid::region::checks::{CheckInput, FreeEdge};
+use stickslip_hybrid::region::checks::{CheckInput, ChiSquared};
 use stickslip_hybrid::region::direct::interpolate;
 use stickslip_hybrid::region::outline::boundary_nodes;
 use stickslip_hybrid::region::transfer::Propagated;
@@ -242,15 +242,13 @@ impl<'a> Workbench<'a> {
         boundary: &Boundary,
         mut unused: Measurement,
     ) -> Result<Checked, RegionError> {
-        let free: Vec<FreeEdge> = self.free_edge(found).into_iter().collect();
         for deviation in &mut unused.deviation {
             *deviation *= boundary.single.sqrt();
         }
         let any = (0..2).any(|axis| unused.valid[axis].contains(&true));
         let input = CheckInput {
             unused: any.then_some(&unused),
-            free_edges: &free,
-            known_forces: &[],
+            ..CheckInput::default()
         };
         let checks = self.region.check(&boundary.displacements, input)?;
         let misfit = checks.misfit.as_ref();
@@ -263,26 +261,46 @@ impl<'a> Workbench<'a> {
         Ok(Checked {
             misfit: own.collect(),
             unused: misfit.map(|misfit| misfit.chi_squared),
-            free_edge: checks.free_edges.into_iter().next(),
+            free_edge: self.free_edge(found)?,
             interior: checks.interior_forces,
             excess: self.excess(found),
             ends: self.ends(found),
         })
     }
 
-    /// The parts of the edge that are clear of contact; none of an edge that stands off from the hole, inside of the body.
-    fn free_edge(&self, found: &Analysed) -> Option<FreeEdge> {
+    /// χ² of the tractions on the edge clear of contact, as uncertain as noise and smoothing make them; none on an edge that stands off
+    /// from the hole, inside of the body.
+    fn free_edge(&self, found: &Analysed) -> Result<Option<ChiSquared>, RegionError> {
         let stands_off = match &self.plan.shape {
             RegionShape::Sector(sector) => sector.stand_off > 0.0,
             RegionShape::Mesh(_) => false,
         };
-        let ranges: Vec<[f64; 2]> = (super::edge::beyond_contact(found).into_iter())
-            .map(|places| [places.start, places.end - 1].map(|k| self.edge.parameter[k]))
+        let ranges = super::edge::beyond_contact(found);
+        if stands_off || ranges.is_empty() {
+            return Ok(None);
+        }
+        let places = found.angle.len();
+        let own: Vec<usize> = (0..2)
+            .flat_map(|part| {
+                ranges
+                    .iter()
+                    .cloned()
+                    .flatten()
+                    .map(move |k| part * places + k)
+            })
             .collect();
-        (!stands_off && !ranges.is_empty()).then(|| FreeEdge {
-            edge: EDGE.to_owned(),
-            ranges,
-        })
+        let tractions = &found.tractions;
+        let value = |k: &usize| match k.checked_sub(places) {
+            None => tractions.pressure[*k],
+            Some(place) => tractions.shear[place],
+        };
+        let values: Vec<f64> = own.iter().map(value).collect();
+        let entry = |i: usize| own.iter().map(move |&j| (i, j));
+        let covariance: Vec<f64> = (own.iter())
+            .flat_map(|&i| entry(i))
+            .map(|(i, j)| tractions.covariance[i * 2 * places + j])
+            .collect();
+        ChiSquared::of(&values, &covariance).map(Some)
     }
 
     /// Sum of the sizes of the forces at places that are not trusted `[N]`.

@@ -259,7 +259,7 @@ const MEANINGS: [&str; 5] = [
      was stated or rounding leaves; bands are its root wider.",
     "Misfit: squares of measured less calculated displacements at places that were not used, over their variances; much above the \
      expected number data, region or material do not fit together.",
-    "Free edge: the same of tractions on the edge beyond contact, which should vanish.",
+    "Free edge: the same of tractions on the edge beyond contact, which should vanish; the bias of smoothing counts as in the bands.",
 ];
 const INSIDE: &str = "Nodes inside: the same of the forces on nodes inside of the region that move as measured, where nothing acts.";
 
