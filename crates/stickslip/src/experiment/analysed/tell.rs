@@ -206,13 +206,7 @@ fn answer(experiment: &Experiment, found: &Analysed) -> String {
     });
     let mut told: Vec<String> = told.collect();
     if told.is_empty() {
-        told.push(
-            format!(
-                "no place is far enough from the region's ends to be trusted, twice the {:.1}° that are resolved: take a longer region, or \
-                 resolve more by more data, less smoothing or more cells",
-                found.resolution.to_degrees()
-            ),
-        );
+        told.push(unresolved(found));
     }
     if found.is_free() {
         told.push("no contact: no pressure that counts beside the hoop stress".to_owned());
@@ -223,6 +217,21 @@ fn answer(experiment: &Experiment, found: &Analysed) -> String {
         );
     }
     told.join("; ")
+}
+
+/// Why no stress can be told.
+fn unresolved(found: &Analysed) -> String {
+    let reach = 2.0 * found.resolution;
+    let length = found.angle.last().zip(found.angle.first());
+    let length = length.map_or(0.0, |(last, first)| last - first);
+    if reach > length {
+        return "the data resolve nothing along the edge: measure more of them, smooth less, or take fewer nodes".to_owned();
+    }
+    format!(
+        "no place is {:.1}°, twice what is resolved, from both ends of the region: take a longer one, or resolve more by more data, less \
+         smoothing or more cells",
+        reach.to_degrees()
+    )
 }
 
 fn stresses(experiment: &Experiment, analysed: &[Analysed]) -> Table {
