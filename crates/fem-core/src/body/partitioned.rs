@@ -185,23 +185,30 @@ impl PartitionedStates<'_> {
 
     /// Displacements of all nodes `[length]`, interleaved, of state `state`, which is less than [`count`](Self::count).
     pub fn displacements(&self, state: usize) -> Vec<f64> {
+        let count = self.body.structure.equations.len();
+        let mut u = vec![0.0; 2 * count];
+        self.read(state, 0..count, &mut u);
+        u
+    }
+
+    /// Writes the displacements of `nodes` and of all prescribed degrees of freedom in state `state`, less than
+    /// [`count`](Self::count), into `u` `[length]`, which has two places for each node of the mesh; the others stay as they are.
+    pub fn read(&self, state: usize, nodes: impl IntoIterator<Item = usize>, u: &mut [f64]) {
         let structure = &self.body.structure;
         let unknowns = &self.unknowns[state * structure.unknowns..(state + 1) * structure.unknowns];
-        let mut u = Vec::with_capacity(2 * structure.equations.len());
-        for (constraint, equations) in structure.constraints.iter().zip(&structure.equations) {
-            u.extend(
-                constraint.to_global(equations.map(|equation| match equation {
-                    HELD => 0.0,
-                    equation => unknowns[equation as usize],
-                })),
-            );
+        for node in nodes {
+            let local = structure.equations[node].map(|equation| match equation {
+                HELD => 0.0,
+                equation => unknowns[equation as usize],
+            });
+            u[2 * node..2 * node + 2]
+                .copy_from_slice(&structure.constraints[node].to_global(local));
         }
         let own = self.body.prescribed.len();
         let values = &self.values[state * own..(state + 1) * own];
         for (&dof, &value) in self.body.prescribed.iter().zip(values) {
             u[dof] = value;
         }
-        u
     }
 }
 

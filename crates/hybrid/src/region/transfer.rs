@@ -4,11 +4,13 @@
 //! T = ∂y/∂Δ¹ = A₁ − A₂ K₂₂⁻¹ K₂₁,     Σ_y = T Σ Tᵀ
 //! ```
 //!
-//! T costs one solve per output, with A₂ᵀ on the right, or one per prescribed displacement, with K₂₁, whichever are fewer.
+//! T costs one solve per output, with A₂ᵀ on the right, or one per prescribed displacement, with K₂₁, whichever are fewer. Right-hand sides
+//! pass through the factor a hundred at a time, and passes run beside each other; each has the same bits wherever it runs.
 
 use faer::{Mat, MatRef};
 use rand::SeedableRng;
 use rand::rngs::StdRng;
+use rayon::prelude::*;
 use stickslip_fem_core::body::SparseRow;
 
 use super::dense::{by_rows, cholesky, multiply, sandwich};
@@ -92,24 +94,31 @@ impl Region {
         let mut matrix = Mat::zeros(outputs.len(), columns);
         let pass = self.columns_in_a_pass();
         if outputs.len() <= columns {
-            for (first, rows) in outputs.chunks(pass).enumerate() {
-                let derivatives = self.stiffness.derivatives(rows);
-                for (k, row) in derivatives.chunks_exact(columns.max(1)).enumerate() {
-                    for (j, &value) in row.iter().enumerate() {
-                        matrix[(first * pass + k, j)] = value;
-                    }
+            let passes = outputs.par_chunks(pass);
+            let found: Vec<Vec<f64>> = passes
+                .map(|rows| self.stiffness.derivatives(rows))
+                .collect();
+            let rows = found
+                .iter()
+                .flat_map(|all| all.chunks_exact(columns.max(1)));
+            for (i, row) in rows.enumerate() {
+                for (j, &value) in row.iter().enumerate() {
+                    matrix[(i, j)] = value;
                 }
             }
         } else {
-            for first in (0..columns).step_by(pass) {
+            let firsts: Vec<usize> = (0..columns).step_by(pass).collect();
+            let one = |first: &usize| {
                 let count = pass.min(columns - first);
                 let mut unit = vec![0.0; count * columns];
                 (0..count).for_each(|k| unit[k * columns + first + k] = 1.0);
-                let found = self.solved(outputs, &unit);
-                for (k, state) in found.chunks_exact(outputs.len()).enumerate() {
-                    for (i, &value) in state.iter().enumerate() {
-                        matrix[(i, first + k)] = value;
-                    }
+                self.solved(outputs, &unit)
+            };
+            let found: Vec<Vec<f64>> = firsts.par_iter().map(one).collect();
+            let states = found.iter().flat_map(|all| all.chunks_exact(outputs.len()));
+            for (j, state) in states.enumerate() {
+                for (i, &value) in state.iter().enumerate() {
+                    matrix[(i, j)] = value;
                 }
             }
         }
@@ -125,11 +134,21 @@ impl Region {
         outputs: &[SparseRow],
         measured: &NodalDisplacements,
     ) -> Result<Propagated, RegionError> {
-        let values = self.values(measured)?;
+        self.propagate_by(&self.transfer(outputs)?, measured)
+    }
+
+    /// As [`propagate`](Self::propagate), of the outputs of a `transfer` of this region, without a solve.
+    ///
+    /// # Errors
+    /// As [`Region::solve`]; [`RegionError::NoCovariance`].
+    pub fn propagate_by(
+        &self,
+        transfer: &Transfer,
+        measured: &NodalDisplacements,
+    ) -> Result<Propagated, RegionError> {
         let covariance = self.covariance(measured)?;
-        let transfer = self.transfer(outputs)?;
         Ok(Propagated {
-            values: transfer.product(&values),
+            values: transfer.apply(&self.values(measured)?)?,
             covariance: by_rows(&sandwich(transfer.matrix.as_ref(), covariance.as_ref())),
             solves: transfer.solves,
         })
@@ -158,19 +177,26 @@ impl Region {
 
     fn solved(&self, outputs: &[SparseRow], values: &[f64]) -> Vec<f64> {
         let own = self.prescribed().len().max(1);
-        let mut all = Vec::with_capacity(outputs.len() * values.len() / own);
-        for values in values.chunks(self.columns_in_a_pass() * own) {
+        let mut nodes: Vec<usize> = outputs.iter().flatten().map(|(dof, _)| dof / 2).collect();
+        nodes.sort_unstable();
+        nodes.dedup();
+        let pass = |values: &[f64]| -> Vec<f64> {
             let states = self.stiffness.solve(values, &[]);
+            let mut displacements = vec![0.0; 2 * self.mesh().nodes().len()];
+            let mut all = Vec::with_capacity(outputs.len() * states.count());
             for state in 0..states.count() {
-                let displacements = states.displacements(state);
+                states.read(state, nodes.iter().copied(), &mut displacements);
                 all.extend(outputs.iter().map(|row| product(row, &displacements)));
             }
-        }
-        all
+            all
+        };
+        let passes = values.par_chunks(self.columns_in_a_pass() * own).map(pass);
+        passes.collect::<Vec<_>>().concat()
     }
 
     /// Outputs for `count` random draws of the prescribed displacements around `measured`, normal with its covariance, one draw
-    /// after the other: a Monte Carlo check of [`propagate`](Self::propagate). The same `seed` gives the same draws.
+    /// after the other: a Monte Carlo check of [`propagate`](Self::propagate). The same `seed` gives the same draws. One solve per draw,
+    /// or those of T where they are fewer.
     ///
     /// # Errors
     /// As [`propagate`](Self::propagate); [`RegionError::NotCovariance`].
@@ -181,26 +207,45 @@ impl Region {
         count: usize,
         seed: u64,
     ) -> Result<Vec<f64>, RegionError> {
+        if outputs.len().min(self.prescribed().len()) < count {
+            return self.simulate_by(&self.transfer(outputs)?, measured, count, seed);
+        }
         let values = self.values(measured)?;
         let root = square_root(&self.covariance(measured)?)?;
-        let mut random = StdRng::seed_from_u64(seed);
-        let noise = Mat::from_fn(values.len(), count, |_, _| normal(&mut random));
-        let noise = multiply(root.as_ref(), noise.as_ref());
-        let draws: Vec<f64> = (0..count)
-            .flat_map(|k| {
-                let noise = &noise;
-                values
-                    .iter()
-                    .enumerate()
-                    .map(move |(i, value)| value + noise[(i, k)])
-            })
-            .collect();
-        self.outputs_of(outputs, &draws)
+        let noise = multiply(root.as_ref(), noise(values.len(), count, seed).as_ref());
+        let draws = Mat::from_fn(count, values.len(), |k, i| values[i] + noise[(i, k)]);
+        self.outputs_of(outputs, &by_rows(&draws))
+    }
+
+    /// As [`simulate`](Self::simulate), of the outputs of a `transfer` of this region, without a solve.
+    ///
+    /// # Errors
+    /// As [`simulate`](Self::simulate).
+    pub fn simulate_by(
+        &self,
+        transfer: &Transfer,
+        measured: &NodalDisplacements,
+        count: usize,
+        seed: u64,
+    ) -> Result<Vec<f64>, RegionError> {
+        let values = self.values(measured)?;
+        let mean = transfer.apply(&values)?;
+        let root = square_root(&self.covariance(measured)?)?;
+        let root = multiply(transfer.matrix.as_ref(), root.as_ref());
+        let noise = multiply(root.as_ref(), noise(values.len(), count, seed).as_ref());
+        let draws = Mat::from_fn(count, mean.len(), |k, i| mean[i] + noise[(i, k)]);
+        Ok(by_rows(&draws))
     }
 
     fn columns_in_a_pass(&self) -> usize {
         (PASS_BYTES / size_of::<f64>() / self.unknowns().max(1)).max(1)
     }
+}
+
+/// Standard normal numbers, a column for each draw.
+fn noise(rows: usize, count: usize, seed: u64) -> Mat<f64> {
+    let mut random = StdRng::seed_from_u64(seed);
+    Mat::from_fn(rows, count, |_, _| normal(&mut random))
 }
 
 /// L with L Lᵀ = Σ. Displacements that are known exactly have rows of zeros, which are left out of the factorisation.
