@@ -12,7 +12,7 @@ use std::process::ExitCode;
 
 use crate::publish::{self, Options, Picture, Publication, Trouble};
 
-pub(crate) use study::{Series, WITH_FRICTION, WITHOUT_FRICTION};
+pub(crate) use study::{NEAR, Series, WITH_FRICTION, WITHOUT_FRICTION, wanted};
 
 /// Runs the task.
 pub(crate) fn main(options: &Options) -> ExitCode {

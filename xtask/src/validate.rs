@@ -28,6 +28,7 @@ mod press_fit;
 mod region_cost;
 mod render;
 mod rigid_pin;
+mod sensitivity;
 mod shear_sign;
 
 use std::path::Path;
@@ -116,7 +117,7 @@ const CASES: [Case; 24] = [
         name: "hybrid-sensitivity",
         title: "Measured displacements: what their errors do",
         friction: false,
-        checks: hybrid::sensitivity,
+        checks: sensitivity::checks,
     },
     Case {
         name: "hybrid-errors",

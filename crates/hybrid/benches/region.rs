@@ -14,6 +14,7 @@ use stickslip_fem_core::mesh::ElementKind;
 use stickslip_hybrid::data::NodalDisplacements;
 use stickslip_hybrid::region::outputs::EdgeRows;
 use stickslip_hybrid::region::sector::ArcSector;
+use stickslip_hybrid::region::transfer::Transfer;
 use stickslip_hybrid::region::{Region, independent_covariance};
 
 const DRAWS: usize = 1000;
@@ -72,13 +73,19 @@ impl Case {
         let _ = black_box(found.expect("one state"));
     }
 
+    fn transfer(&self) -> Transfer {
+        let found = self.region.transfer(&self.rows);
+        found.expect("rows of the region's own nodes")
+    }
+
     fn covariance(&self) {
-        let found = self.region.propagate(&self.rows, &self.measured);
+        let found = self.region.propagate_by(&self.transfer(), &self.measured);
         let _ = black_box(found.expect("measured with covariance"));
     }
 
-    fn draws(&self) {
-        let found = self.region.simulate(&self.rows, &self.measured, DRAWS, 7);
+    /// The transfer is that of the covariance.
+    fn draws(&self, transfer: &Transfer) {
+        let found = (self.region).simulate_by(transfer, &self.measured, DRAWS, 7);
         let _ = black_box(found.expect("measured with covariance"));
     }
 }
@@ -98,6 +105,7 @@ fn median(mut work: impl FnMut()) -> f64 {
 fn region(criterion: &mut Criterion) {
     let body = body();
     let case = case(&body);
+    let transfer = case.transfer();
     let factorise = || {
         let _ = black_box(Region::new(&body, &[]).expect("as before"));
     };
@@ -113,7 +121,7 @@ fn region(criterion: &mut Criterion) {
         b.iter(|| case.covariance());
     });
     group.bench_function("1000 draws", |b| {
-        b.iter(|| case.draws());
+        b.iter(|| case.draws(&transfer));
     });
     group.finish();
 
@@ -121,7 +129,7 @@ fn region(criterion: &mut Criterion) {
     let parts = [
         median(factorise),
         median(|| case.covariance()),
-        median(|| case.draws()),
+        median(|| case.draws(&transfer)),
     ]
     .map(|time| time / one);
     println!(

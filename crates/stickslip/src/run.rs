@@ -247,7 +247,8 @@ pub fn condense(model: &Model) -> Result<Vec<Operator>, RunError> {
 /// What is reported of the history `solved` of `scene`: edges, balances and, where asked for, fields.
 ///
 /// # Errors
-/// [`RunError::Stress`], [`RunError::Failure`], [`RunError::Progressive`], and [`RunError::Model`] if characteristic distances lead out of their body.
+/// [`RunError::Stress`], [`RunError::Failure`], [`RunError::Progressive`], and [`RunError::Model`] if characteristic distances lead out of
+/// their body.
 pub fn results(
     scene: &Scene,
     model: &Model,

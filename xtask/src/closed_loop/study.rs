@@ -30,6 +30,18 @@ pub(crate) const WITHOUT_FRICTION: Known = Known {
     mu: 0.0,
 };
 
+/// How far an identified coefficient may be from the truth.
+pub(crate) const NEAR: f64 = 0.01;
+
+/// How many of `seeds` intervals of 95 % are to hold the truth: 90 to 99 %, or all of a few.
+pub(crate) fn wanted(seeds: usize) -> RangeInclusive<usize> {
+    const MANY: usize = 100;
+    if seeds < MANY {
+        return seeds..=seeds;
+    }
+    (seeds * 90).div_ceil(100)..=seeds * 99 / 100
+}
+
 /// What one seed gives.
 #[derive(Clone, Debug)]
 pub(crate) struct Outcome {
@@ -81,10 +93,10 @@ impl Series {
             .filter_map(|one| one.together.as_ref().map(|fit| fit.mu))
     }
 
-    /// Seeds whose bounds say that there is no friction or at most a little.
-    pub(crate) fn none_found(&self) -> usize {
+    /// Seeds whose bounds say that there is no friction or at most `little`.
+    pub(crate) fn none_found(&self, little: f64) -> usize {
         let fits = self.outcomes.iter().filter_map(|one| one.together.as_ref());
-        fits.filter(|fit| matches!(fit.bounds, Bounds::AtMost(_)))
+        fits.filter(|fit| matches!(fit.bounds, Bounds::AtMost(high) if high <= little))
             .count()
     }
 
@@ -111,7 +123,7 @@ impl Series {
         widths.iter().sum::<f64>() / widths.len() as f64
     }
 
-    /// Seeds whose bounds hold the truth.
+    /// Seeds with an interval, of two ends, that holds the truth.
     pub(crate) fn covered(&self) -> usize {
         self.outcomes
             .iter()
@@ -119,13 +131,16 @@ impl Series {
             .count()
     }
 
-    /// Part of the seeds whose bounds hold the truth.
+    /// Part of the seeds whose intervals hold the truth.
     pub(crate) fn coverage(&self) -> f64 {
         self.covered() as f64 / self.outcomes.len() as f64
     }
 
-    /// The farthest coefficient from the truth.
+    /// The farthest coefficient from the truth; infinite where a seed has none.
     pub(crate) fn farthest(&self) -> f64 {
+        if self.coefficients().count() < self.outcomes.len() {
+            return f64::INFINITY;
+        }
         self.coefficients()
             .map(|mu| (mu - self.known.mu).abs())
             .fold(0.0, f64::max)
@@ -133,11 +148,11 @@ impl Series {
 }
 
 impl Outcome {
-    /// Whether the bounds of all zones together hold `mu`.
+    /// Whether all zones together have an interval, of two ends, that holds `mu`: bounds on one side hold too much to say so.
     pub(crate) fn holds(&self, mu: f64) -> bool {
         self.together
             .as_ref()
-            .is_some_and(|fit| fit.bounds.contain(mu))
+            .is_some_and(|fit| matches!(fit.bounds, Bounds::Between(..)) && fit.bounds.contain(mu))
     }
 }
 

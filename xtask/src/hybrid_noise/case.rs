@@ -1,7 +1,8 @@
 //! One reduction of one measurement: noise and bias of the shear on the edge.
 
 use stickslip_fem_core::body::SparseRow;
-use stickslip_hybrid::data::{Measurement, NodalDisplacements};
+use stickslip_hybrid::data::{FringeLine, Measurement, NodalDisplacements};
+use stickslip_hybrid::moire::Grating;
 use stickslip_hybrid::reduce::{LocalPolynomial, Reduction};
 use stickslip_hybrid::region::fit::{Amount, Fitter};
 use stickslip_hybrid::region::outputs::EdgeRows;
@@ -17,6 +18,9 @@ pub(crate) enum Method {
     Nodes,
     /// Linear on a triangle of data.
     Linear,
+    /// Linear between neighbouring centres of fringe lines that follow the region's boundary. Not among [`Method::ALL`], as such data
+    /// have no number in a cell.
+    Lines,
     /// A quadratic through the nearest 12 data.
     Polynomial,
     /// All data of the region by least squares, with equilibrium inside and nothing else.
@@ -46,6 +50,7 @@ impl Method {
         match self {
             Self::Nodes => "nodes themselves".to_owned(),
             Self::Linear => "linear on triangles".to_owned(),
+            Self::Lines => "linear along fringe lines".to_owned(),
             Self::Polynomial => "local quadratics".to_owned(),
             Self::Equilibrium => "fit, equilibrium alone".to_owned(),
             Self::Smoothed(SHARE) => "fit, smoothed".to_owned(),
@@ -99,6 +104,11 @@ impl Row {
     /// Noise and bias of the reduction together.
     pub(crate) fn error(&self) -> f64 {
         self.noise.hypot(self.bias)
+    }
+
+    /// These and the error of the mesh.
+    pub(crate) fn total(&self) -> f64 {
+        self.error().hypot(self.mesh)
     }
 }
 
@@ -162,6 +172,7 @@ impl Case {
         let answer = match self.method {
             Method::Nodes => Some(measured_nodes(&analysis, seeds)?),
             Method::Linear | Method::Polynomial => self.nodal(&analysis, &exact, seeds)?,
+            Method::Lines => Some(self.along_lines(specimen, &analysis, seeds)?),
             Method::Equilibrium => fitted(&analysis, &exact, 0.0, seeds)?,
             Method::Smoothed(share) => fitted(&analysis, &exact, share, seeds)?,
         };
@@ -197,23 +208,53 @@ impl Case {
             return Ok(None);
         };
         let from = reduction.displacements(exact)?;
-        let draws = (0..seeds)
-            .map(|seed| {
-                let data = disturbed(exact, seed).displacements;
-                Ok(reduction.values([&data[0], &data[1]])?)
-            })
-            .collect::<Result<Vec<_>, Trouble>>()?;
-        let draws = draws
-            .iter()
-            .map(|values| NodalDisplacements {
-                nodes: reduction.nodes().to_vec(),
-                values: values.clone(),
-                covariance: Vec::new(),
-            })
-            .map(|drawn| Ok(analysis.region.values(&drawn)?))
-            .collect::<Result<Vec<_>, Trouble>>()?;
-        analysis.quality(&from, &draws.concat()).map(Some)
+        let [u, v] = &exact.displacements;
+        drawn(analysis, &reduction, &from, [u, v], seeds).map(Some)
     }
+
+    fn along_lines(
+        &self,
+        specimen: &Specimen,
+        analysis: &Analysis,
+        seeds: u64,
+    ) -> Result<Quality, Trouble> {
+        let grating = Grating::new(specimen::FREQUENCY)?;
+        let [u, v] = specimen.lines(self.size, self.spacing)?;
+        let nodes = analysis.region.prescribed_nodes();
+        let places = analysis.region.mesh().nodes();
+        let reduction = Reduction::along_lines([&u, &v], places, &nodes, 1e-6)?.complete()?;
+        let error = [specimen::ERROR / 3.0_f64.sqrt(); 2];
+        let from = reduction.fringe_displacements([&u, &v], &grating, error)?;
+        let data = [&u, &v].map(|field| -> Vec<f64> {
+            let orders = field.lines.iter().flat_map(FringeLine::orders);
+            orders.map(|&order| grating.displacement(order)).collect()
+        });
+        drawn(analysis, &reduction, &from, [&data[0], &data[1]], seeds)
+    }
+}
+
+/// Draws of the noise of data that are reduced to the nodes, `from` without it.
+fn drawn(
+    analysis: &Analysis,
+    reduction: &Reduction,
+    from: &NodalDisplacements,
+    [u, v]: [&[f64]; 2],
+    seeds: u64,
+) -> Result<Quality, Trouble> {
+    let exact = [u, v].concat();
+    let draws = (0..seeds)
+        .map(|seed| {
+            let data = specimen::shaken(&exact, seed);
+            let (u, v) = data.split_at(u.len());
+            let drawn = NodalDisplacements {
+                nodes: reduction.nodes().to_vec(),
+                values: reduction.values([u, v])?,
+                covariance: Vec::new(),
+            };
+            Ok(analysis.region.values(&drawn)?)
+        })
+        .collect::<Result<Vec<_>, Trouble>>()?;
+    analysis.quality(from, &draws.concat())
 }
 
 /// Every prescribed node with an error of its own.

@@ -205,6 +205,7 @@ pub(super) fn findings(rows: &[Row]) -> Vec<String> {
     let mut sentences = vec![confirmed(rows)];
     sentences.extend(gain(rows));
     sentences.extend(order(rows));
+    sentences.extend(mesh(rows));
     sentences.extend(stand_off(rows));
     sentences
 }
@@ -261,10 +262,11 @@ fn gain(rows: &[Row]) -> Vec<String> {
         curve(rows, Varied::Points, method)
             .filter_map(|row| {
                 let own = nodes.iter().find(|n| n.case.spacing == row.case.spacing)?;
+                let gain = own.noise / row.noise;
+                let digits = if gain < 1.0 { 2 } else { 1 };
                 Some(format!(
-                    "{:.0} data per cell: {:.1} ({:.2})",
+                    "{:.0} data per cell: {gain:.digits$} ({:.2})",
                     row.points(),
-                    own.noise / row.noise,
                     row.bias / row.noise
                 ))
             })
@@ -299,6 +301,23 @@ fn order(rows: &[Row]) -> Option<String> {
         fine.case.size,
         ratio_range(curve(rows, Varied::Mesh, Method::Smoothed(SHARE)).map(|row| row.noise))
             .map_or_else(|| "–".to_owned(), |[a, b]| format!("{a:.2} and {b:.2}")),
+    ))
+}
+
+/// The cell size with the least error of all kinds, of the smoothed fit.
+fn mesh(rows: &[Row]) -> Option<String> {
+    let own = || curve(rows, Varied::Mesh, Method::Smoothed(SHARE));
+    let usual = own().find(|row| row.case.size == SIZE)?;
+    let best = own().min_by(|a, b| a.total().total_cmp(&b.total()))?;
+    Some(format!(
+        "**The mesh itself** errs by {:.2} MPa with cells of {SIZE} mm, beside {:.2} MPa of noise and bias of the smoothed fit. The sum of all \
+         is least, {:.2} instead of {:.2} MPa, with cells of {} mm, whose own error is {:.2} MPa.",
+        usual.mesh,
+        usual.error(),
+        best.total(),
+        usual.total(),
+        best.case.size,
+        best.mesh
     ))
 }
 
@@ -350,29 +369,57 @@ pub(super) fn page(rows: &[Row], pictures: &[Picture], seeds: u64) -> String {
     text
 }
 
-/// The reduction with the least total error for each density of the data.
+/// Errors for each density of the data, and for each cell size those with the mesh's own.
 fn best_table(rows: &[Row]) -> String {
-    let mut text = String::from(
-        "Noise and bias of the reduction together, root of the sum of squares [MPa]:\n\n| data per cell | ",
+    let mut text = format!(
+        "Noise and bias of the reduction together, root of the sum of squares [MPa], cells of {SIZE} mm; the error of this mesh comes on top:\n\n"
     );
-    text.push_str(&Method::ALL.map(Method::name).join(" | "));
-    text.push_str(" |\n|");
-    text.push_str(&" --- |".repeat(Method::ALL.len() + 1));
-    let mut counts: Vec<f64> = rows
-        .iter()
-        .filter(|row| row.case.varied == Varied::Points)
-        .map(Row::points)
-        .collect();
-    counts.dedup();
-    for count in counts {
-        // Writing into a string does not fail.
-        let _ = write!(text, "\n| {count:.0} |");
+    let points = |row: &Row| format!("{:.0}", row.points());
+    table(
+        &mut text,
+        rows,
+        (Varied::Points, "data per cell"),
+        points,
+        Row::error,
+    );
+    // Writing into a string does not fail.
+    let _ = writeln!(
+        text,
+        "\nNoise, bias and error of the mesh together [MPa], data every {SPACING} mm:\n"
+    );
+    let size = |row: &Row| row.case.size.to_string();
+    table(
+        &mut text,
+        rows,
+        (Varied::Mesh, "cell size [mm]"),
+        size,
+        Row::total,
+    );
+    text
+}
+
+/// One line for each value of what is varied, by its `name`, one column for each reduction.
+fn table(
+    text: &mut String,
+    rows: &[Row],
+    (varied, title): (Varied, &str),
+    name: impl Fn(&Row) -> String,
+    error: impl Fn(&Row) -> f64,
+) {
+    let methods = Method::ALL.map(Method::name).join(" | ");
+    let rule = " --- |".repeat(Method::ALL.len() + 1);
+    // Writing into a string does not fail.
+    let _ = write!(text, "| {title} | {methods} |\n|{rule}");
+    let own = rows.iter().filter(|row| row.case.varied == varied);
+    let mut names: Vec<String> = own.map(&name).collect();
+    names.dedup();
+    for value in names {
+        let _ = write!(text, "\n| {value} |");
         for method in Method::ALL {
-            let found = curve(rows, Varied::Points, method).find(|row| row.points() == count);
-            let cell = found.map_or_else(|| "–".to_owned(), |row| format!("{:.2}", row.error()));
+            let found = curve(rows, varied, method).find(|row| name(row) == value);
+            let cell = found.map_or_else(|| "–".to_owned(), |row| format!("{:.2}", error(row)));
             let _ = write!(text, " {cell} |");
         }
     }
     text.push('\n');
-    text
 }

@@ -13,7 +13,7 @@ use stickslip_fem_core::load::edge_load;
 use stickslip_fem_core::material::{Isotropic, Material, PlaneState};
 use stickslip_fem_core::mesh::{ElementKind, Point};
 use stickslip_fem_core::{ElasticBody, HeldDirection, LoadCase, Support};
-use stickslip_hybrid::data::Measurement;
+use stickslip_hybrid::data::{Field, FringeLine, FringeLines, Measurement, Track};
 use stickslip_hybrid::region::outputs::displacement_rows;
 use stickslip_hybrid::region::sector::ArcSector;
 
@@ -30,8 +30,11 @@ const PRESSURE: f64 = 200.0;
 const CONTACT: f64 = 0.8;
 const FRICTION: f64 = 0.25;
 const THICKNESS: f64 = 1.524;
-/// Standard deviation of an error that is uniform in ±1/4 fringe at 2400 lines/mm `[mm]`.
-pub(crate) const DEVIATION: f64 = 0.25 / 2400.0 / 1.732_050_807_568_877_2;
+/// Lines of the grating `[1/mm]`, and errors of orders, uniform in ± this `[fringes]`.
+pub(crate) const FREQUENCY: f64 = 2400.0;
+pub(crate) const ERROR: f64 = 0.25;
+/// Standard deviation of such an error `[mm]`.
+pub(crate) const DEVIATION: f64 = ERROR / FREQUENCY / 1.732_050_807_568_877_2;
 /// Places are moved by up to this part of their spacing, so that they do not follow the mesh.
 const JITTER: f64 = 0.4;
 
@@ -136,6 +139,48 @@ impl Specimen {
                 .sum()
         };
         Ok(rows.iter().map(at).collect())
+    }
+
+    /// Error-free orders of both fields along the four sides of the analysed sector with cells of `size`, at places about `spacing`
+    /// `[mm]` apart from corner to corner.
+    pub(crate) fn lines(&self, size: f64, spacing: f64) -> Result<[FringeLines; 2], Trouble> {
+        let sector = analysed(size);
+        let arc = |r: f64| {
+            let track = Track::Circle {
+                centre: sector.centre,
+                closed: false,
+            };
+            (track, [[r, -HALF], [r, HALF]])
+        };
+        let ray = |theta: f64| {
+            let ends = [sector.hole, sector.outer].map(|r| [r, theta]);
+            (Track::Straight, ends)
+        };
+        let sides = [arc(sector.hole), arc(sector.outer), ray(-HALF), ray(HALF)];
+        let mut fields = Field::BOTH.map(|field| FringeLines {
+            field,
+            lines: Vec::new(),
+        });
+        for (side, (track, [first, last])) in sides.into_iter().enumerate() {
+            let length = (last[0] - first[0]).hypot(first[0] * (last[1] - first[1]));
+            let steps = (length / spacing).round();
+            let at = |k: usize| -> Point {
+                let [r, theta] = [0, 1].map(|c| first[c] + (last[c] - first[c]) * k as f64 / steps);
+                [r * theta.cos(), r * theta.sin()]
+            };
+            let places: Vec<Point> = (0..=steps as usize).map(at).collect();
+            let found = self.displacements_at(&places)?;
+            for (component, field) in fields.iter_mut().enumerate() {
+                let orders = found.iter().skip(component).step_by(2);
+                let centres: Vec<(Point, f64)> = (places.iter().copied())
+                    .zip(orders.map(|u| FREQUENCY * u))
+                    .collect();
+                let name = side.to_string();
+                let line = FringeLine::new("specimen", &name, track, &centres, 1e-9)?;
+                field.lines.push(line);
+            }
+        }
+        Ok(fields)
     }
 
     /// Error-free displacements on a jittered grid of `spacing` `[mm]` that begins `stand_off` `[mm]` from the edge; its first row lies

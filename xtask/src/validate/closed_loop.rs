@@ -2,49 +2,47 @@
 
 use super::check::{Check, Checks, Tolerance};
 use super::laboratory::{Laboratory, Trouble};
-use crate::closed_loop::{FIRST, Series, WITH_FRICTION, WITHOUT_FRICTION};
-
-/// How far an identified coefficient may be from the truth.
-const NEAR: f64 = 0.01;
-/// Seeds of ten that an interval of 95 % may miss: more than two do so once in eighty times.
-const MISSED: usize = 2;
+use crate::closed_loop::{FIRST, NEAR, Series, WITH_FRICTION, WITHOUT_FRICTION, wanted};
 
 pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
     let stopped = |cause: crate::publish::Trouble| Trouble::Missing(cause.to_string());
-    let (seeds, others) = (laboratory.sized(2, 10), laboratory.sized(1, 2));
+    let (seeds, others) = (laboratory.sized(2, 200), laboratory.sized(1, 20));
     let [many, some] = [seeds, others].map(|count| FIRST..=FIRST + count - 1);
     let rubbing = Series::of(WITH_FRICTION, many).map_err(stopped)?;
     let smooth = Series::of(WITHOUT_FRICTION, some).map_err(stopped)?;
     let mut checks = Checks::against("the friction that the scene was solved with");
-    let near = Tolerance::Absolute(NEAR);
+    with_friction(&mut checks, &rubbing);
+    let none = smooth.none_found(NEAR);
+    checks.holds(
+        "without friction",
+        format!("none, or at most {NEAR}"),
+        format!("{none} of {others} seeds"),
+        none == others as usize,
+    );
+    Ok(checks.into_list())
+}
+
+fn with_friction(checks: &mut Checks, series: &Series) {
+    let (seeds, truth) = (series.outcomes.len(), series.known.mu);
     checks.holds(
         format!("μd, the farthest of {seeds} seeds"),
-        format!("at most {NEAR} from {}", WITH_FRICTION.mu),
-        format!("{:.4}", rubbing.farthest()),
-        rubbing.farthest() <= NEAR,
+        format!("at most {NEAR} from {truth}"),
+        format!("{:.4}", series.farthest()),
+        series.farthest() <= NEAR,
     );
-    let [mean, _] = rubbing.mean_and_spread();
+    let [mean, _] = series.mean_and_spread();
     checks.near(
         format!("μd, mean of {seeds} seeds"),
         mean,
-        WITH_FRICTION.mu,
+        truth,
         "",
-        near,
+        Tolerance::Absolute(NEAR),
     );
+    let wanted = wanted(seeds);
     checks.holds(
-        "intervals of 95 % that hold it",
-        format!(
-            "{} of {seeds} at least",
-            seeds as usize - MISSED.min(seeds as usize / 4)
-        ),
-        format!("{} of {seeds}", rubbing.covered()),
-        rubbing.covered() + MISSED.min(seeds as usize / 4) >= seeds as usize,
+        "intervals of 95 %, with two ends, that hold it",
+        format!("{} to {} of {seeds}", wanted.start(), wanted.end()),
+        format!("{} of {seeds}", series.covered()),
+        wanted.contains(&series.covered()),
     );
-    checks.holds(
-        "without friction",
-        "none, or at most a little",
-        format!("{} of {others} seeds", smooth.none_found()),
-        smooth.none_found() == others as usize,
-    );
-    Ok(checks.into_list())
 }

@@ -4,12 +4,13 @@
 //! χ²(θ) = |L⁻¹ (m − u(θ) − Z b)|²,     m: displacements of a finer mesh under the true law, each off by up to a quarter of a fringe
 //! ```
 
+mod passage;
+
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
-use rayon::prelude::*;
 use stickslip::experiment::laws::{
     Candidate, Comparison, ContactModel, Fit, Observation, coarser, fit_on_two_meshes, sensitivity,
 };
@@ -30,21 +31,7 @@ const ERROR: f64 = 0.25;
 /// Corner nodes of the mesh that makes the data, and of the one that is fitted, are so far apart `[deg]`. Two pairs, so that intervals
 /// that hold the error of the model's mesh are seen where it is large and where it is small.
 const PAIRS: [[f64; 2]; 2] = [[1.125, 2.25], [2.25, 4.5]];
-/// A count of intervals of 95 % is asserted to be one that chance alone goes below with less than this probability.
-const UNLIKELY: f64 = 0.01;
 const RADIUS: f64 = 9.525;
-const PASSAGE: &str =
-    r#"{ "slip_power": { "static": 0.4, "dynamic": 0.2, "slip_scale": 0.002, "exponent": 2.0 } }"#;
-/// Its parameters, and how far off the median may be, parts. Length and exponent make up for each other: their own intervals span a factor
-/// of ten and more, so that nothing can be asserted of so few values.
-const KNOWN: [(&str, f64, Option<f64>); 4] = [
-    ("static", 0.4, Some(0.05)),
-    ("dynamic", 0.2, Some(0.05)),
-    ("slip_scale", 0.002, None),
-    ("exponent", 2.0, None),
-];
-/// Load steps at which a passage is seen, from 0.
-const PASSAGE_STEPS: [usize; 4] = [2, 3, 6, 9];
 const DROP: &str = r#"{ "static_dynamic": { "static": 0.35, "dynamic": 0.25 } }"#;
 const NONE: &str = r#"{ "coulomb": { "mu": 0.0 } }"#;
 
@@ -60,7 +47,7 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
     ];
     let coarse = &studies[1];
     let mut checks = Checks::against("the law that the displacements were solved with");
-    let contact_solves = passage(&mut checks, &studies, laboratory.sized(1, 4))?
+    let contact_solves = passage::checks(&mut checks, &studies, laboratory.sized(1, 4))?
         + drop_law(&mut checks, coarse)?
         + no_friction(&mut checks, coarse)?;
     checks.show(
@@ -70,90 +57,6 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
     );
     sensitivities(&mut checks)?;
     Ok(checks.into_list())
-}
-
-/// The slip power law with its length: its parameters over seeds and pairs of meshes, and once its rivals.
-fn passage(checks: &mut Checks, studies: &[Study], seeds: u64) -> Result<usize, Trouble> {
-    let power = passage_candidate()?;
-    let rivals = [coulomb()?, drop_candidate()?, power.clone()];
-    let first = studies[1].fitted(PASSAGE, &rivals, &PASSAGE_STEPS, 1)?;
-    let mut solves = evaluations(&first);
-    let distances: Vec<String> = (first.fits.iter())
-        .map(|fit| format!("{} +{:.0}", fit.law.name, fit.distance))
-        .collect();
-    let ruled_out = first.fits[..2].iter().all(|fit| fit.distance > 10.0);
-    let mut fits = Vec::new();
-    for study in studies {
-        let found: Vec<Comparison> = (1..=seeds)
-            .into_par_iter()
-            .map(|seed| study.fitted(PASSAGE, std::slice::from_ref(&power), &PASSAGE_STEPS, seed))
-            .collect::<Result<_, _>>()?;
-        solves += found.iter().map(evaluations).sum::<usize>();
-        fits.push(found.into_iter().flat_map(|own| own.fits).collect());
-    }
-    for known in KNOWN {
-        passage_parameter(checks, &fits, known)?;
-    }
-    checks.holds(
-        "displacements of the slip power law: AICc above the least",
-        "slip power 0, all others above 10",
-        distances.join(", "),
-        first.best == 2 && ruled_out,
-    );
-    Ok(solves)
-}
-
-/// One parameter in the fits of each study.
-fn passage_parameter(
-    checks: &mut Checks,
-    fits: &[Vec<Fit>],
-    (name, truth, limit): (&str, f64, Option<f64>),
-) -> Result<(), Trouble> {
-    let mut values = Vec::new();
-    let mut counts = Vec::new();
-    for own in fits {
-        let found: Vec<(f64, Bounds)> = (own.iter())
-            .map(|fit| estimate(fit, name))
-            .collect::<Result<_, _>>()?;
-        counts.push(found.iter().filter(|own| own.1.contain(truth)).count());
-        values.extend(found.iter().map(|(value, _)| *value));
-    }
-    let count = values.len();
-    values.sort_by(f64::total_cmp);
-    let median = 0.5 * (values[(count - 1) / 2] + values[count / 2]);
-    let what = format!("slip power law: {name}, median of {count} fits");
-    let unit = if name == "slip_scale" { " mm" } else { "" };
-    match limit {
-        Some(limit) => checks.near(what, median, truth, unit, Tolerance::Relative(limit)),
-        None => checks.show(what, format!("{truth}{unit}"), format!("{median:.4}{unit}")),
-    }
-    let held: usize = counts.iter().sum();
-    let each = counts.iter().zip(PAIRS);
-    let each: Vec<String> = each
-        .map(|(own, [truth, model])| format!("{own} with {truth}° and {model}°"))
-        .collect();
-    let least = fewest(count);
-    checks.holds(
-        format!("slip power law: intervals of 95 % of {name}, mesh error held, truth and model on meshes of two spacings"),
-        format!("hold {truth} in {least} of {count} at least"),
-        format!("{held} of {count}: {}", each.join(", ")),
-        held >= least,
-    );
-    Ok(())
-}
-
-/// The least number of `count` intervals of 95 % that hold the truth unless chance does what it does with less than [`UNLIKELY`].
-fn fewest(count: usize) -> usize {
-    // Probability that exactly `missed` do not.
-    let mut exactly = 0.95_f64.powi(count as i32);
-    let mut more = 1.0 - exactly;
-    let mut missed = 0;
-    while more > UNLIKELY && missed < count {
-        exactly *= (count - missed) as f64 / (missed + 1) as f64 * (0.05 / 0.95);
-        missed += 1;
-        more -= exactly;
-    }
-    count - missed
 }
 
 /// The drop without a length: its static coefficient hardly shows.
@@ -211,7 +114,7 @@ fn sensitivities(checks: &mut Checks) -> Result<(), Trouble> {
         "most that the hole's edge deforms: static coefficient from 0.35 to 0.30",
         "at most 0.11 fringes",
         format!("{drop:.4} fringes"),
-        drop <= 0.11,
+        drop > 0.0 && drop <= 0.11,
     );
     checks.near(
         "most that the hole's edge deforms: both coefficients up by 0.02",
@@ -250,6 +153,15 @@ impl Study {
         let data = self.observations(true_law, steps, seed)?;
         let settings = Settings::default();
         fit_on_two_meshes(&self.model, &self.coarser, laws, &data, &settings).map_err(stopped)
+    }
+
+    /// The longest slip path `[mm]` of any contact point of the truth after the load step `last`, counted from 0.
+    fn slipped(&self, true_law: &str, last: usize) -> Result<f64, Trouble> {
+        let states = self.truth.states(Arc::from(law(true_law)?), last + 1);
+        let states = states.map_err(stopped)?;
+        let history = states.last().map_or(&[][..], |state| &state.history);
+        let paths = history.iter().map(|own| own.slip_path());
+        Ok(paths.fold(0.0, f64::max))
     }
 
     /// Displacements every 2 mm in a window of 40 mm around the hole.
@@ -321,16 +233,6 @@ fn candidate(name: &str, text: &str, free: &[(&str, [f64; 2])]) -> Result<Candid
 
 fn coulomb() -> Result<Candidate, Trouble> {
     candidate("Coulomb", NONE, &[("mu", [0.0, 1.0])])
-}
-
-fn passage_candidate() -> Result<Candidate, Trouble> {
-    let free = [
-        ("static", [0.0, 1.0]),
-        ("dynamic", [0.0, 1.0]),
-        ("slip_scale", [1e-4, 1e-1]),
-        ("exponent", [0.2, 8.0]),
-    ];
-    candidate("slip power", PASSAGE, &free)
 }
 
 fn drop_candidate() -> Result<Candidate, Trouble> {

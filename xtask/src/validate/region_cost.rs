@@ -5,6 +5,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use stickslip_fem_core::ElasticBody;
+use stickslip_fem_core::body::SparseRow;
 use stickslip_fem_core::material::{Isotropic, Material, PlaneState};
 use stickslip_fem_core::mesh::ElementKind;
 use stickslip_hybrid::data::NodalDisplacements;
@@ -28,75 +29,114 @@ fn stopped(cause: impl std::fmt::Display) -> Trouble {
     Trouble::Missing(cause.to_string())
 }
 
+/// Region, measured displacements and outputs of the case.
+struct Work {
+    body: Arc<ElasticBody>,
+    region: Region,
+    measured: NodalDisplacements,
+    values: Vec<f64>,
+    rows: Vec<SparseRow>,
+}
+
 /// One factorisation, the exact covariance of the edge stresses and [`DRAWS`] draws.
 pub(super) fn checks(checks: &mut Checks) -> Result<(), Trouble> {
-    let sector = ArcSector {
-        centre: [0.0, 0.0],
-        hole: 9.525,
-        stand_off: 0.0,
-        outer: 19.05,
-        angles: [-1.0, 1.0],
-        cells: [84, 39],
-        growth: 1.5,
-        kind: ElementKind::Q8,
-    };
-    let mesh = Arc::new(sector.mesh().map_err(stopped)?);
-    let aluminium = Isotropic::new(70.3e3, 0.34, PlaneState::Stress).map_err(stopped)?;
-    let materials: Vec<Arc<dyn Material>> = vec![Arc::new(aluminium)];
-    let body = ElasticBody::new(mesh, materials, 1.524).map_err(stopped)?;
-    let body = Arc::new(body);
-    let region = Region::new(&body, &[]).map_err(stopped)?;
-    let nodes = region.prescribed_nodes();
-    let places = body.mesh().nodes();
-    let measured = NodalDisplacements {
-        values: (nodes.iter())
-            .flat_map(|&node| places[node].map(|x| 1e-3 * x))
-            .collect(),
-        covariance: independent_covariance(nodes.len(), [6e-5; 2]),
-        nodes,
-    };
-    let rows = EdgeRows::new(&body, "inner").map_err(stopped)?.rows;
-    let values = region.values(&measured).map_err(stopped)?;
-    let propagated = region.propagate(&rows, &measured).map_err(stopped)?;
-    let displacements = 2 * places.len();
+    let work = Work::new()?;
+    let (outputs, prescribed) = (work.rows.len(), work.values.len());
+    let propagated = work.region.propagate(&work.rows, &work.measured);
+    let solves = propagated.map_err(stopped)?.solves;
+    let displacements = 2 * work.body.mesh().nodes().len();
     checks.completes(
-        format!("region of {displacements} displacements: solves that the covariance of {} stresses takes", rows.len()),
-        format!("the fewer of {} and {}", rows.len(), region.prescribed().len()),
-        propagated.solves.to_string(),
-        propagated.solves == rows.len().min(region.prescribed().len()),
+        format!("region of {displacements} displacements: solves that the covariance of {outputs} stresses takes"),
+        format!("the fewer of {outputs} and {prescribed}"),
+        solves.to_string(),
+        solves == outputs.min(prescribed),
     );
-    let transfer = region.transfer(&rows).map_err(stopped)?;
-    // The parts of a round stand beside a single solve at the same time, as the machine's speed drifts.
-    let round = |_| {
-        let one = median(SOLVES, || drop(black_box(region.outputs_of(&[], &values))));
-        let all = [
-            median(1, || drop(black_box(Region::new(&body, &[])))),
-            median(1, || {
-                let transfer = region.transfer(&rows);
-                drop(black_box(
-                    transfer.map(|own| region.propagate_by(&own, &measured)),
-                ));
-            }),
-            median(1, || {
-                drop(black_box(
-                    region.simulate_by(&transfer, &measured, DRAWS, 7),
-                ));
-            }),
-        ];
-        all.map(|time| TRIANGLES * time / one)
-    };
-    let mut rounds: Vec<[f64; 3]> = (0..ROUNDS).map(round).collect();
-    let total = |parts: &[f64; 3]| parts.iter().sum::<f64>();
-    rounds.sort_by(|a, b| total(a).total_cmp(&total(b)));
-    let all = rounds[ROUNDS / 2];
-    let sum = total(&all);
-    // Times are shown and not asserted: a busy machine is no error.
-    checks.show(
-        format!("the same: times of the factorisation, the covariance and {DRAWS} draws, over that of one triangular solve"),
-        format!("{MOST} in all"),
-        format!("{:.0} + {:.0} + {:.0} = {sum:.0}", all[0], all[1], all[2]),
-    );
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let mut counts = vec![cores, 1];
+    counts.dedup();
+    for threads in counts {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        let all = pool.map_err(stopped)?.install(|| work.parts())?;
+        let sum = all.iter().sum::<f64>();
+        let name = if threads == 1 { "thread" } else { "threads" };
+        // Times are shown and not asserted: a busy machine is no error.
+        checks.show(
+            format!("the same on {threads} {name}: times of the factorisation, the covariance and {DRAWS} draws, over that of one triangular solve"),
+            format!("{MOST} in all"),
+            format!("{:.0} + {:.0} + {:.0} = {sum:.0}", all[0], all[1], all[2]),
+        );
+    }
     Ok(())
+}
+
+impl Work {
+    fn new() -> Result<Self, Trouble> {
+        let sector = ArcSector {
+            centre: [0.0, 0.0],
+            hole: 9.525,
+            stand_off: 0.0,
+            outer: 19.05,
+            angles: [-1.0, 1.0],
+            cells: [84, 39],
+            growth: 1.5,
+            kind: ElementKind::Q8,
+        };
+        let mesh = Arc::new(sector.mesh().map_err(stopped)?);
+        let aluminium = Isotropic::new(70.3e3, 0.34, PlaneState::Stress).map_err(stopped)?;
+        let materials: Vec<Arc<dyn Material>> = vec![Arc::new(aluminium)];
+        let body = ElasticBody::new(mesh, materials, 1.524).map_err(stopped)?;
+        let body = Arc::new(body);
+        let region = Region::new(&body, &[]).map_err(stopped)?;
+        let nodes = region.prescribed_nodes();
+        let places = body.mesh().nodes();
+        let measured = NodalDisplacements {
+            values: (nodes.iter())
+                .flat_map(|&node| places[node].map(|x| 1e-3 * x))
+                .collect(),
+            covariance: independent_covariance(nodes.len(), [6e-5; 2]),
+            nodes,
+        };
+        Ok(Self {
+            rows: EdgeRows::new(&body, "inner").map_err(stopped)?.rows,
+            values: region.values(&measured).map_err(stopped)?,
+            measured,
+            region,
+            body,
+        })
+    }
+
+    /// Times of factorisation, covariance and draws over that of one triangular solve, of the round whose sum is the median. The parts
+    /// of a round stand beside a single solve at the same time, as the machine's speed drifts.
+    fn parts(&self) -> Result<[f64; 3], Trouble> {
+        let Self {
+            region,
+            measured,
+            values,
+            rows,
+            ..
+        } = self;
+        let transfer = region.transfer(rows).map_err(stopped)?;
+        let round = |_| {
+            let one = median(SOLVES, || drop(black_box(region.outputs_of(&[], values))));
+            let all = [
+                median(1, || drop(black_box(Region::new(&self.body, &[])))),
+                median(1, || {
+                    let transfer = region.transfer(rows);
+                    drop(black_box(
+                        transfer.map(|own| region.propagate_by(&own, measured)),
+                    ));
+                }),
+                median(1, || {
+                    drop(black_box(region.simulate_by(&transfer, measured, DRAWS, 7)));
+                }),
+            ];
+            all.map(|time| TRIANGLES * time / one)
+        };
+        let mut rounds: Vec<[f64; 3]> = (0..ROUNDS).map(round).collect();
+        let total = |parts: &[f64; 3]| parts.iter().sum::<f64>();
+        rounds.sort_by(|a, b| total(a).total_cmp(&total(b)));
+        Ok(rounds[ROUNDS / 2])
+    }
 }
 
 /// Median of `samples` times of `work` `[s]`.

@@ -8,10 +8,10 @@
 //! The normalised median test of Westerweel & Scarano (2005), Experiments in Fluids 39, 1096–1100. In place of the neighbours' median
 //! stands a plane p through the nearest ones, fitted with Huber's weights, so that gradients of displacements are no outliers; h is the
 //! leverage of x₀ on it, so that neither are places at the rim of the data, where p is extrapolated. Errors alone would ask for √(1 + h);
-//! 1 + h asks for more, by 4 % amid neighbours and by more at a rim, where the bending of the field is extrapolated too. Where the field bends, m grows by
-//! what the plane leaves of the neighbours, and by what each of them is off the plane through its own. What is found takes no part as a
-//! neighbour, and all is asked again, until nothing changes: outliers that are neighbours do not hide each other, and a good place
-//! among them is not lost.
+//! 1 + h asks for more, by 4 % amid neighbours and by more at a rim, where the bending of the field is extrapolated too. Where the
+//! field bends, m grows by what the plane leaves of the neighbours, and by what each of them is off the plane through its own. What is
+//! found takes no part as a neighbour, and all is asked again, until nothing changes: outliers that are neighbours do not hide each
+//! other, and a good place among them is not lost.
 
 use rayon::prelude::*;
 use stickslip_fem_core::mesh::Point;

@@ -7,8 +7,8 @@
 //! Errors of neighbouring data may go together (a phase from a band of the spectrum, speckles of several pixels), and the fit, which is
 //! smoother than their spacing, sees only what is left of them in the mean. s² is therefore the χ² of the means of blocks of
 //! neighbouring residuals over its degrees of freedom, but at least what makes the deviation that was stated, or that of the digits'
-//! rounding: residuals of smoothed data are small whatever their errors, those of calculated ones vanish. b is the bias that smoothing is estimated to leave: a declared systematic
-//! deviation, not a correction.
+//! rounding: residuals of smoothed data are small whatever their errors, those of calculated ones vanish. b is the bias that smoothing is
+//! estimated to leave: a declared systematic deviation, not a correction.
 
 mod boundary;
 mod doubts;
@@ -33,6 +33,7 @@ use super::plan::Experiment;
 
 pub(super) use edge::smoothing_reach;
 pub use region::Workbench;
+pub(super) use region::meshed;
 pub(super) use tell::tell;
 pub use truth::{TruePlace, true_edge};
 
@@ -145,7 +146,8 @@ impl Analysed {
         })
     }
 
-    /// Places that are at least twice the [resolution](Self::resolution) from the region's ends, where displacements of two edges meet and nothing is known well.
+    /// Places that are at least twice the [resolution](Self::resolution) from the region's ends, where displacements of two edges meet and
+    /// nothing is known well.
     pub fn inner(&self) -> std::ops::Range<usize> {
         let (Some(first), Some(last)) = (self.angle.first(), self.angle.last()) else {
             return 0..0;

@@ -4,15 +4,16 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use super::{folder_with, numbers, succeeds};
+use super::{fails, folder_with, numbers, succeeds};
 
 const RADIUS: f64 = 9.525;
 const OUTER: f64 = 13.0;
 const ANGLES: [f64; 2] = [-10.0, 110.0];
 const CELLS: [usize; 2] = [24, 6];
 
-/// Text of a mesh in Gmsh's format 4.1: quadrilaterals of eight nodes between two arcs and two radii, in units of `unit` mm.
-fn polar(unit: f64) -> String {
+/// Text of a mesh in Gmsh's format 4.1: quadrilaterals of eight nodes between two radii, the hole and an arc of radius `outer` mm, in units of
+/// `unit` mm.
+fn polar(unit: f64, outer: f64) -> String {
     // Twice as fine a grid, without the middles of cells.
     let [around, outwards] = CELLS.map(|cells| 2 * cells);
     let mut tags = vec![vec![None; outwards + 1]; around + 1];
@@ -26,7 +27,7 @@ fn polar(unit: f64) -> String {
             *tag = Some(count);
             let part = |k: usize, all: usize| k as f64 / all as f64;
             let theta = ANGLES[0] + (ANGLES[1] - ANGLES[0]) * part(i, around);
-            let r = RADIUS + (OUTER - RADIUS) * part(j, outwards);
+            let r = RADIUS + (outer - RADIUS) * part(j, outwards);
             let (sin, cos) = theta.to_radians().sin_cos();
             writeln!(names, "{count}").unwrap();
             writeln!(places, "{} {} 0", r * cos / unit, r * sin / unit).unwrap();
@@ -75,7 +76,7 @@ fn a_mesh_of_gmsh_gives_the_stresses_of_the_sector_of_the_same_cells() {
         ANGLES[0], ANGLES[1]
     );
     hybrid("sector", &sector);
-    fs::write(path.join("region.msh"), polar(10.0)).unwrap();
+    fs::write(path.join("region.msh"), polar(10.0, OUTER)).unwrap();
     let mesh = "{ mesh = { file = \"region.msh\", scale = \"1 cm\" } }";
     let summary = hybrid("mesh", mesh);
     assert_eq!(summary["edge_stresses"][0]["contact"], true, "{summary}");
@@ -94,6 +95,31 @@ fn a_mesh_of_gmsh_gives_the_stresses_of_the_sector_of_the_same_cells() {
                 (own[0] - other[0]).abs() < 1e-9 && difference < 1e-9 * largest(column),
                 "column {column}: {own:?} {other:?}"
             );
+        }
+    }
+}
+
+#[test]
+fn a_mesh_that_reaches_beyond_the_data_is_refused_by_every_method_with_the_place() {
+    let folder = folder_with(&[]);
+    let path = folder.path();
+    succeeds(path, &["init", "experiment", "mine.toml"]);
+    fs::write(path.join("region.msh"), polar(10.0, 5.0 * OUTER)).unwrap();
+    for method in ["fit", "linear", "polynomial"] {
+        let method = format!("reduce.method=\"{method}\"");
+        let text = fails(
+            path,
+            &[
+                "hybrid",
+                "mine.toml",
+                "--set",
+                "region={ mesh = { file = \"region.msh\", scale = \"1 cm\" } }",
+                "--set",
+                &method,
+            ],
+        );
+        for part in ["do not cover the region", "the first at (", "θ ="] {
+            assert!(text.contains(part), "{part}: {text}");
         }
     }
 }

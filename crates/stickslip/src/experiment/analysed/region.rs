@@ -53,7 +53,10 @@ fn unusable(cause: RegionError) -> ExperimentError {
 }
 
 /// The mesh of a region, and the radius of its edge `[mm]`.
-fn meshed(plan: &RegionPlan, hole: &Hole) -> Result<(Mesh, f64), ExperimentError> {
+pub(in crate::experiment) fn meshed(
+    plan: &RegionPlan,
+    hole: &Hole,
+) -> Result<(Mesh, f64), ExperimentError> {
     match &plan.shape {
         RegionShape::Sector(sector) => {
             let sector = sector.around(hole);

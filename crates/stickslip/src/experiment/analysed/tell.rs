@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 use stickslip_hybrid::region::checks::ChiSquared;
+use stickslip_hybrid::region::fit::Amount;
 use stickslip_report::table::{Column, Table};
 
 use super::doubts::doubts;
@@ -38,12 +39,18 @@ pub(in crate::experiment) fn tell(
 }
 
 fn words(experiment: &Experiment, direct: bool) -> String {
-    let how = match experiment.reduce.method {
-        Method::Fit => {
+    let amount = experiment.region.as_ref().map(|plan| plan.smoothing.amount);
+    let how = match (experiment.reduce.method, amount) {
+        (Method::Fit, Some(Amount::CrossValidated { .. })) => {
+            "The displacements of the region's boundary are fitted to all data with equilibrium inside and smoothing along the boundary, \
+             whose amount was chosen by cross-validation of the same data. The noise of that choice, up to a fifth of the bands where \
+             smoothing is strong, is not in them; a stated amount has none. "
+        }
+        (Method::Fit, _) => {
             "The displacements of the region's boundary are fitted to all data with equilibrium inside and the stated smoothing along \
              the boundary. "
         }
-        Method::Linear | Method::Polynomial { .. } | Method::Lines { .. } => {
+        (Method::Linear | Method::Polynomial { .. } | Method::Lines { .. }, _) => {
             "The displacements of the region's boundary are interpolated between the data. "
         }
     };

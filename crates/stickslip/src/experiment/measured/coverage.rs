@@ -8,15 +8,16 @@ use stickslip_hybrid::region::outline::boundary_nodes;
 
 use super::elsewhere::extent;
 use super::{Measured, Scope};
+use crate::experiment::analysed::meshed;
 use crate::experiment::error::ExperimentError;
-use crate::experiment::plan::{Method, RegionShape, Source};
+use crate::experiment::plan::{Method, Source};
 use crate::experiment::synthesis::field_name;
 
 /// Data nearer than this many of their spacings cover a node.
 const SPACINGS: f64 = 3.0;
 
-/// Refuses a state without one of the components or its deviation, or that leaves a node of a sector's boundary without data near it. Fringe lines along which nodes are interpolated
-/// cover what is near a line, and that is asked when the nodes' displacements are made.
+/// Refuses a state without one of the components or its deviation, or that leaves a node of the region's boundary without data near it.
+/// Fringe lines along which nodes are interpolated cover what is near a line, and that is asked when the nodes' displacements are made.
 pub(super) fn check(scope: &Scope<'_>, measured: &Measured) -> Result<(), ExperimentError> {
     let region = &scope.experiment.region;
     if region.is_some() || !scope.experiment.laws.is_empty() {
@@ -35,14 +36,11 @@ pub(super) fn check(scope: &Scope<'_>, measured: &Measured) -> Result<(), Experi
             return Err(lacking(scope, field));
         }
     }
-    let RegionShape::Sector(sector) = &region.shape else {
-        return Ok(());
-    };
     if matches!(scope.experiment.reduce.method, Method::Lines { .. }) {
         return Ok(());
     }
     let hole = scope.experiment.specimen.hole;
-    let Ok(mesh) = sector.around(&hole).mesh() else {
+    let Ok((mesh, _)) = meshed(region, &hole) else {
         // The hybrid analysis says why there is no such mesh.
         return Ok(());
     };
