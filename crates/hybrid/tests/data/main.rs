@@ -4,7 +4,7 @@
 mod combine;
 mod gratings;
 #[path = "../kirsch/mod.rs"]
-#[allow(dead_code)]
+#[allow(dead_code, reason = "other test targets use the rest of this module")]
 mod kirsch;
 mod lines;
 mod outliers;

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use stickslip_fem_core::mesh::{Mesh, Point};
+use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::calibrate::{Block, Noise};
-use stickslip_hybrid::data::{Measurement, NodalDisplacements};
+use stickslip_hybrid::data::Measurement;
 
 /// What may be added to the displacements of a state without anybody's asking.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -73,7 +73,16 @@ pub struct Observation {
 impl Observation {
     /// All valid components of a measurement, independent with its deviation.
     pub fn of_measurement(state: &str, step: usize, measured: &Measurement) -> Self {
-        let mut own = Self::empty(state, step);
+        let mut own = Self {
+            state: state.to_owned(),
+            step,
+            null: None,
+            places: Vec::new(),
+            components: Vec::new(),
+            values: Vec::new(),
+            noise: Noise::Independent(Vec::new()),
+            nuisance: Nuisance::default(),
+        };
         let mut deviations = Vec::new();
         for (index, &place) in measured.places.iter().enumerate() {
             for axis in 0..2 {
@@ -89,49 +98,6 @@ impl Observation {
         }
         own.noise = Noise::Independent(deviations);
         own
-    }
-
-    /// Displacements of those nodes of `mesh` for which `wanted` says so, with their covariance.
-    pub fn of_nodes(
-        state: &str,
-        step: usize,
-        mesh: &Mesh,
-        measured: &NodalDisplacements,
-        wanted: impl Fn(usize) -> bool,
-    ) -> Self {
-        let mut own = Self::empty(state, step);
-        let mut rows = Vec::new();
-        for (k, &node) in measured.nodes.iter().enumerate() {
-            if !wanted(node) {
-                continue;
-            }
-            own.places.push(mesh.nodes()[node]);
-            for axis in 0..2 {
-                own.components.push((own.places.len() - 1, axis));
-                own.values.push(measured.values[2 * k + axis]);
-                rows.push(2 * k + axis);
-            }
-        }
-        let size = measured.values.len();
-        let entry = |i: usize, j: usize| measured.covariance.get(i * size + j).copied();
-        let covariance = (rows.iter())
-            .flat_map(|&i| rows.iter().filter_map(move |&j| entry(i, j)))
-            .collect();
-        own.noise = Noise::Correlated(covariance);
-        own
-    }
-
-    fn empty(state: &str, step: usize) -> Self {
-        Self {
-            state: state.to_owned(),
-            step,
-            null: None,
-            places: Vec::new(),
-            components: Vec::new(),
-            values: Vec::new(),
-            noise: Noise::Independent(Vec::new()),
-            nuisance: Nuisance::default(),
-        }
     }
 
     /// The data as a block of a fit.
