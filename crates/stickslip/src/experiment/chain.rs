@@ -151,6 +151,9 @@ fn measured(
         gallery.tell(camera, folder, story);
     }
     if depth >= Depth::Reduce {
+        for words in &experiment.without_effect {
+            story.warn(words);
+        }
         measured::tell(experiment, &fields, story);
     }
     Ok(fields)
