@@ -99,25 +99,20 @@ fn bar(console: Console) -> ProgressBar {
 
 /// A phase turns until its first step is done, and then has a bar.
 fn show(bar: &ProgressBar, progress: Progress) {
-    let (template, plain) = match progress {
-        Progress::Phase(_) => (
-            "{spinner} {msg:16} {elapsed}",
-            ProgressStyle::default_spinner(),
-        ),
-        Progress::Step { .. } => (
-            "{spinner} {msg:16} {wide_bar} {pos}/{len}, {elapsed}",
-            ProgressStyle::default_bar(),
-        ),
-    };
-    // The templates above are valid; a plain one would do as well.
-    bar.set_style(ProgressStyle::with_template(template).unwrap_or(plain));
-    match progress {
-        Progress::Phase(phase) => bar.set_message(phase),
-        Progress::Step { done, total } => {
-            bar.set_length(total as u64);
-            bar.set_position(done as u64);
+    let template = match progress {
+        Progress::Phase(phase) => {
+            bar.set_message(phase);
+            "{spinner} {msg:16} {elapsed}"
         }
-    }
+        Progress::Step { done, total } => {
+            bar.set_position(done as u64);
+            bar.set_length(total as u64);
+            "{spinner} {msg:16} {wide_bar} {pos}/{len}, {elapsed}"
+        }
+    };
+    // The templates above are valid; a plain spinner would do as well.
+    let style = ProgressStyle::with_template(template);
+    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()));
 }
 
 /// The error at its line, in the experiment or in its scene.

@@ -59,7 +59,7 @@ fn nodes_that_data_do_not_cover_are_named_with_unit_and_angle() {
     );
 }
 
-/// Twenty places, where the polynomials of the comparison need 24.
+/// Seventeen places, where the polynomials of the comparison need 24; the one kept out to check the fit lies outside of the region.
 #[test]
 fn a_comparison_that_the_data_do_not_give_is_told_of() {
     let mut table = "x,y,u,v\n".to_owned();

@@ -39,7 +39,7 @@ fn a_load_that_is_not_that_of_its_step_is_refused() {
         &says("states.0.step=1"),
         &[
             "load is 1 kN, and step 1 of the scene has 100 N",
-            "e.toml:13",
+            "e.toml:14",
             "or name the step that has this load",
         ],
     );

@@ -9,6 +9,7 @@ use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_hybrid::data::Measurement;
 use stickslip_hybrid::region::checks::{CheckInput, ChiSquared};
 use stickslip_hybrid::region::direct::interpolate;
+use stickslip_hybrid::region::locate::Locator;
 use stickslip_hybrid::region::outline::boundary_nodes;
 use stickslip_hybrid::region::transfer::Propagated;
 use stickslip_hybrid::region::{Region, RegionError};
@@ -253,7 +254,11 @@ impl<'a> Workbench<'a> {
         for deviation in &mut unused.deviation {
             *deviation *= boundary.single.sqrt();
         }
-        let any = (0..2).any(|axis| unused.valid[axis].contains(&true));
+        let locator = Locator::new(self.region.mesh());
+        // Few data may all be kept outside of the region.
+        let any = (0..unused.places.len()).any(|k| {
+            unused.valid.iter().any(|valid| valid[k]) && locator.locate(unused.places[k]).is_some()
+        });
         let input = CheckInput {
             unused: any.then_some(&unused),
             ..CheckInput::default()

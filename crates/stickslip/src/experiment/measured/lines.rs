@@ -63,9 +63,9 @@ fn off_track(scope: &Scope<'_>, file: &str, found: &OffTrack) -> String {
     let [x, y] = found.place;
     let [off, all] = found.centres;
     format!(
-        "'{file}', line {}: the fringe centre ({x}, {y}) lies {} off the track of fringe line '{}', as {off} of its {all} centres lie farther \
-         off than half of their median spacing along it, {}. Between centres orders are taken along the track: state another one (track, or \
-         tracks for single lines), or a tolerance if they belong there.",
+        "'{file}', line {}: the fringe centre ({x}, {y}) lies {} off the track of fringe line '{}', and {off} of its {all} centres lie \
+         farther off than half of {}, their median spacing along it. Between centres orders are taken along the track: state another one \
+         (track, or tracks for single lines), or a tolerance if they belong there.",
         found.row,
         shown(found.distance),
         found.name,

@@ -32,9 +32,10 @@ fn told(document: &Document, key: &str, why: &str) -> String {
         remedy: String::new(),
     };
     let finding = document.finding(key, Part::Key, problem);
-    let line = finding
-        .position()
-        .map_or_else(String::new, |(line, _)| format!(":{line}"));
+    let line = match finding.position() {
+        Some((line, _)) if !document.is_overridden(key) => format!(":{line}"),
+        _ => String::new(),
+    };
     format!(
         "{}{line}: {}; remove it, unless it waits for another method or other data.",
         finding.source.name, finding.problem
