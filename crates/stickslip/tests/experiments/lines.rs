@@ -5,9 +5,9 @@ use std::fmt::Write as _;
 use serde_json::Value;
 use tempfile::TempDir;
 
-use super::refusals::check;
+use super::refusals::{check, field};
 use super::stated::warnings;
-use super::{fails, folder_with, succeeds};
+use super::{TABLE, fails, folder_with, grid, stickslip, succeeds};
 
 const EXPERIMENT: &str = r#"version = 1
 [specimen]
@@ -125,5 +125,22 @@ fn signs_that_were_assumed_are_told() {
             "states.0.lines.y_axis=down"
         ]),
         "up: y of the tables points down; orders of u count against its x, as `reversed` says, orders of v along its y"
+    );
+}
+
+#[test]
+fn a_null_field_with_other_signs_is_told_of() {
+    let experiment = format!(
+        "{TABLE}null.table = {{ file = \"up.csv\", scale = \"1 mm\", y_axis = \"up\", reversed = [true, true] }}\n"
+    );
+    let table = grid("x,y,u,v", field);
+    let folder = folder_with(&[("e.toml", &experiment), ("up.csv", &table)]);
+    let output = stickslip(folder.path(), &["reduce", "e.toml"]);
+    check(
+        &String::from_utf8(output.stdout).unwrap(),
+        &[
+            "Signs of up: y of the table points up; u and v count along its x and y, as neither is `reversed`; the null field: y of the \
+             table points up; u and v count against its x and y, as both are `reversed`",
+        ],
     );
 }

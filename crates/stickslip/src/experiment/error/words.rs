@@ -87,3 +87,27 @@ pub(super) fn remedy_of_region(cause: &RegionError) -> &'static str {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_cause_has_a_remedy_of_its_own() {
+        let causes = [
+            (RegionError::NoData { places: 3 }, "origin"),
+            (RegionError::Deviation(0.0), "deviation = \"0.5 um\""),
+            (RegionError::NotCovariance { row: 1 }, "fewer cells"),
+            (RegionError::Eigenvalues { order: 8 }, "region.smoothing"),
+            (RegionError::SmoothingOrder(7), "correct region.smoothing"),
+            (
+                RegionError::NotDetermined { place: [0.0; 2] },
+                "measure where",
+            ),
+        ];
+        for (cause, part) in causes {
+            let remedy = remedy_of_region(&cause);
+            assert!(remedy.contains(part), "{cause}: {remedy}");
+        }
+    }
+}
