@@ -136,7 +136,7 @@ pub enum DataError {
     /// A fringe line is too short.
     #[error(
         "{file}: {}fringe line '{name}' has {}; 2 are needed to interpolate: give it another, or leave the line out",
-        in_row(row),
+        in_row(*row),
         counted(*centres)
     )]
     ShortLine {
@@ -153,7 +153,7 @@ pub enum DataError {
     #[error(
         "{file}: {}the fringe centre ({}, {}) of order {order} lies {} off fringe line '{name}', more than the tolerance of {}, in the \
          table's own unit; correct it, or state another track",
-        in_row(row), place[0], place[1], rounded(*distance), rounded(*tolerance)
+        in_row(*row), place[0], place[1], rounded(*distance), rounded(*tolerance)
     )]
     OffLine {
         /// Name of the data.
@@ -175,7 +175,7 @@ pub enum DataError {
     #[error(
         "{file}: {}fringe line '{name}' turns back by {angle:.0}° at its fringe centre ({}, {}); put the centres in order along the \
          line, or state a straight or circular track, on which they are sorted",
-        in_row(row), place[0], place[1]
+        in_row(*row), place[0], place[1]
     )]
     TurnsBack {
         /// Name of the data.
@@ -192,7 +192,7 @@ pub enum DataError {
     /// Two fringe centres are at one place of a line.
     #[error(
         "{file}: {}fringe line '{name}' has orders {} and {} at one place along it, {}; keep one of them",
-        in_rows(rows), orders[0], orders[1], at_one(places)
+        in_rows(*rows), orders[0], orders[1], at_one(places)
     )]
     RepeatedCentre {
         /// Name of the data.
@@ -276,11 +276,11 @@ pub enum DataError {
     },
 }
 
-fn in_row(row: &Option<u64>) -> String {
+fn in_row(row: Option<u64>) -> String {
     row.map_or_else(String::new, |row| format!("line {row}: "))
 }
 
-fn in_rows(rows: &Option<[u64; 2]>) -> String {
+fn in_rows(rows: Option<[u64; 2]>) -> String {
     rows.map_or_else(String::new, |[first, second]| {
         format!("lines {first} and {second}: ")
     })
