@@ -1,5 +1,6 @@
 //! What cannot be calculated and is assumed, or left out, with its reason.
 
+use std::fmt::Write as _;
 use std::fs;
 
 use super::refusals::{check, field};
@@ -67,7 +68,7 @@ fn a_comparison_that_the_data_do_not_give_is_told_of() {
         for [x, y] in place {
             if f64::hypot(x, y) > 5.0 {
                 let [u, v] = field(x, y);
-                table += &format!("{x},{y},{u:e},{v:e}\n");
+                writeln!(table, "{x},{y},{u:e},{v:e}").unwrap();
             }
         }
     }
