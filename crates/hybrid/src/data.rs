@@ -16,6 +16,7 @@
 //! | the initial load taken off | [`Measurement::minus`], [`FringeLines::minus`] |
 //! | front against back | [`FringeLine::symmetry`] |
 
+mod centres;
 mod error;
 mod format;
 mod lines;
@@ -29,7 +30,7 @@ use stickslip_fem_core::mesh::Point;
 
 pub use error::DataError;
 pub use format::{Format, Places, Reading, YAxis};
-pub use lines::{Field, FringeLines, LineReading};
+pub use lines::{Field, FringeLines, LineReading, OffTrack};
 pub use null::{Difference, NullField, Symmetry};
 pub use outliers::Outlier;
 pub use read::Rows;

@@ -134,10 +134,16 @@ pub enum DataError {
         remedy: &'static str,
     },
     /// A fringe line is too short.
-    #[error("{file}: line '{name}' has {centres} fringe centre(s); 2 are needed to interpolate")]
+    #[error(
+        "{file}: {}fringe line '{name}' has {}; 2 are needed to interpolate: give it another, or leave the line out",
+        in_row(*row),
+        counted(*centres)
+    )]
     ShortLine {
         /// Name of the data.
         file: String,
+        /// Line of its only centre in the file, counted from 1, if the data are one.
+        row: Option<u64>,
         /// Name of the line.
         name: String,
         /// Fringe centres on it.
@@ -145,59 +151,60 @@ pub enum DataError {
     },
     /// A fringe centre lies off its line.
     #[error(
-        "{file}: fringe centre ({x}, {y}) of order {order} lies {distance} off line '{name}', more than the tolerance \
-         {tolerance}; correct it, or state another track"
+        "{file}: {}the fringe centre ({}, {}) of order {order} lies {} off fringe line '{name}', more than the tolerance of {}, in the \
+         table's own unit; correct it, or state another track",
+        in_row(*row), place[0], place[1], rounded(*distance), rounded(*tolerance)
     )]
     OffLine {
         /// Name of the data.
         file: String,
+        /// Line of its row in the file, counted from 1, if the data are one.
+        row: Option<u64>,
         /// Name of the line.
         name: String,
-        /// Place `[length]`.
-        x: f64,
-        /// Place `[length]`.
-        y: f64,
-        /// Its fringe order.
+        /// x and y in the table's own numbers.
+        place: [f64; 2],
+        /// Its fringe order, as it stands there.
         order: f64,
-        /// Distance from the line `[length]`.
+        /// Distance from the line in the table's own unit.
         distance: f64,
-        /// What is allowed `[length]`.
+        /// What is allowed, in the table's own unit.
         tolerance: f64,
     },
     /// A drawn line turns back, so its centres are not in order along it.
     #[error(
-        "{file}: line '{name}' turns back by {angle:.0}° at its fringe centre ({x}, {y}); put the centres in order along the \
-         line, or state a straight or circular track, on which they are sorted"
+        "{file}: {}fringe line '{name}' turns back by {angle:.0}° at its fringe centre ({}, {}); put the centres in order along the \
+         line, or state a straight or circular track, on which they are sorted",
+        in_row(*row), place[0], place[1]
     )]
     TurnsBack {
         /// Name of the data.
         file: String,
+        /// Line of its row in the file, counted from 1, if the data are one.
+        row: Option<u64>,
         /// Name of the line.
         name: String,
-        /// Place `[length]`.
-        x: f64,
-        /// Place `[length]`.
-        y: f64,
-        /// Angle between the steps before and after it.
+        /// x and y in the table's own numbers.
+        place: [f64; 2],
+        /// Angle between the steps before and after it, degrees.
         angle: f64,
     },
     /// Two fringe centres are at one place of a line.
     #[error(
-        "{file}: line '{name}' has orders {first} and {second} at one place ({x}, {y}); keep one of them"
+        "{file}: {}fringe line '{name}' has orders {} and {} at one place along it, {}; keep one of them",
+        in_rows(*rows), orders[0], orders[1], at_one(places)
     )]
     RepeatedCentre {
         /// Name of the data.
         file: String,
+        /// Lines of their rows in the file, counted from 1, if the data are one.
+        rows: Option<[u64; 2]>,
         /// Name of the line.
         name: String,
-        /// Place `[length]`.
-        x: f64,
-        /// Place `[length]`.
-        y: f64,
-        /// One order.
-        first: f64,
-        /// The other.
-        second: f64,
+        /// x and y of either in the table's own numbers.
+        places: [[f64; 2]; 2],
+        /// Either order, as it stands there.
+        orders: [f64; 2],
     },
     /// A track is stated for a line that does not exist, or a line is needed that is not there.
     #[error("{file}: there is no line '{name}'; the lines are {available}")]
@@ -267,6 +274,39 @@ pub enum DataError {
         /// What is wrong.
         cause: String,
     },
+}
+
+fn in_row(row: Option<u64>) -> String {
+    row.map_or_else(String::new, |row| format!("line {row}: "))
+}
+
+fn in_rows(rows: Option<[u64; 2]>) -> String {
+    rows.map_or_else(String::new, |[first, second]| {
+        format!("lines {first} and {second}: ")
+    })
+}
+
+fn counted(centres: usize) -> String {
+    match centres {
+        0 => "no fringe centre".to_owned(),
+        1 => "1 fringe centre".to_owned(),
+        _ => format!("{centres} fringe centres"),
+    }
+}
+
+/// Four significant digits of a length that was calculated.
+fn rounded(length: f64) -> f64 {
+    format!("{length:.3e}").parse().unwrap_or(length)
+}
+
+/// Two places, or the one that both are.
+fn at_one([first, second]: &[[f64; 2]; 2]) -> String {
+    let shown = |[x, y]: &[f64; 2]| format!("({x}, {y})");
+    if first == second {
+        shown(first)
+    } else {
+        format!("{} and {}", shown(first), shown(second))
+    }
 }
 
 /// Places of two rows at one place; they differ where a table has them after the deformation.

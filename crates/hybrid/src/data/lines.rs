@@ -3,6 +3,9 @@
 use std::collections::BTreeMap;
 use std::io::Read;
 
+use stickslip_fem_core::mesh::Point;
+
+use super::centres::{Origin, Written};
 use super::read::positive;
 use super::table::Table;
 use super::{DataError, FringeLine, Track, YAxis};
@@ -63,6 +66,55 @@ impl LineReading {
     }
 }
 
+/// Part of the median spacing along a track that its centres may be off it. An order changes by one from centre to centre, so that half of
+/// a spacing may be half a fringe, twice of what one is misread by.
+const OFF_TRACK: f64 = 0.5;
+
+/// A line whose fringe centres lie farther off its track than half of their median spacing along it: perhaps it has another one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OffTrack {
+    /// Name of the line.
+    pub name: String,
+    /// Line of the farthest centre in the file, counted from 1.
+    pub row: u64,
+    /// Its x and y in the table's own numbers.
+    pub place: [f64; 2],
+    /// Its distance from the track `[length]`.
+    pub distance: f64,
+    /// Median spacing of the centres along the track `[length]`.
+    pub spacing: f64,
+    /// Centres that are so far off, and all of the line.
+    pub centres: [usize; 2],
+}
+
+impl OffTrack {
+    fn of(line: &FringeLine, placed: &[(Point, f64)], written: &[Written]) -> Option<Self> {
+        let spacing = line.spacing();
+        let distances: Vec<f64> = placed.iter().map(|&(place, _)| line.off(place)).collect();
+        let count = distances
+            .iter()
+            .filter(|distance| **distance > OFF_TRACK * spacing)
+            .count();
+        let farthest =
+            (0..distances.len()).max_by(|&a, &b| distances[a].total_cmp(&distances[b]))?;
+        (count > 0).then(|| Self {
+            name: line.name().to_owned(),
+            row: written[farthest].row.unwrap_or_default(),
+            place: written[farthest].place,
+            distance: distances[farthest],
+            spacing,
+            centres: [count, distances.len()],
+        })
+    }
+}
+
+/// Centres of one line: place `[length]` and order in the body's frame, and as they were written.
+#[derive(Default)]
+struct Centres {
+    placed: Vec<(Point, f64)>,
+    written: Vec<Written>,
+}
+
 /// Fringe centres of one field along lines.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FringeLines {
@@ -70,6 +122,41 @@ pub struct FringeLines {
     pub field: Field,
     /// The lines, each with a name of its own.
     pub lines: Vec<FringeLine>,
+}
+
+/// Names of the lines in the order of their first rows, and the centres of each.
+type Gathered<'a> = (Vec<&'a str>, BTreeMap<&'a str, Centres>);
+
+fn gathered<'a>(
+    table: &'a Table,
+    field: Field,
+    reading: &LineReading,
+    scale: f64,
+) -> Result<Gathered<'a>, DataError> {
+    let [line, x, y, order] = &reading.columns;
+    let line = table.column(line)?;
+    let [x, y, order] = [table.column(x)?, table.column(y)?, table.column(order)?];
+    let down = reading.y_axis.sign();
+    let along = if field == Field::V { down } else { 1.0 };
+    let counts = if reading.reversed { -along } else { along };
+    let mut names: Vec<&str> = Vec::new();
+    let mut centres: BTreeMap<&str, Centres> = BTreeMap::new();
+    for row in 0..table.len() {
+        let label = table.text(row, line);
+        let written = Written {
+            row: Some(table.line(row)),
+            place: [table.required(row, x)?, table.required(row, y)?],
+            order: table.required(row, order)?,
+        };
+        let place = [scale * written.place[0], scale * down * written.place[1]];
+        let list = centres.entry(label).or_default();
+        if list.written.is_empty() {
+            names.push(label);
+        }
+        list.placed.push((place, counts * written.order));
+        list.written.push(written);
+    }
+    Ok((names, centres))
 }
 
 impl FringeLines {
@@ -88,6 +175,19 @@ impl FringeLines {
         field: Field,
         reading: &LineReading,
     ) -> Result<Self, DataError> {
+        Self::read_with_doubts(reader, name, field, reading).map(|(lines, _)| lines)
+    }
+
+    /// As [`read`](Self::read), with the lines whose centres lie off their track where no tolerance is stated (it is infinite).
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn read_with_doubts(
+        reader: impl Read,
+        name: &str,
+        field: Field,
+        reading: &LineReading,
+    ) -> Result<(Self, Vec<OffTrack>), DataError> {
         let scale = positive("the scale", reading.scale)?;
         if reading.tolerance.is_nan() || reading.tolerance < 0.0 {
             return Err(DataError::Setting {
@@ -97,33 +197,7 @@ impl FringeLines {
             });
         }
         let table = Table::read(reader, name)?;
-        let [line, x, y, order] = {
-            let [line, x, y, order] = &reading.columns;
-            [
-                table.column(line)?,
-                table.column(x)?,
-                table.column(y)?,
-                table.column(order)?,
-            ]
-        };
-        let down = reading.y_axis.sign();
-        let counts =
-            if field == Field::V { down } else { 1.0 } * if reading.reversed { -1.0 } else { 1.0 };
-        let mut names: Vec<&str> = Vec::new();
-        let mut centres: BTreeMap<&str, Vec<_>> = BTreeMap::new();
-        for row in 0..table.len() {
-            let label = table.text(row, line);
-            let place = [
-                scale * table.required(row, x)?,
-                scale * down * table.required(row, y)?,
-            ];
-            let order = counts * table.required(row, order)?;
-            let list = centres.entry(label).or_default();
-            if list.is_empty() {
-                names.push(label);
-            }
-            list.push((place, order));
-        }
+        let (names, centres) = gathered(&table, field, reading, scale)?;
         if let Some(unknown) = reading
             .tracks
             .keys()
@@ -135,14 +209,25 @@ impl FringeLines {
                 available: names.join(", "),
             });
         }
-        let lines = names
-            .iter()
-            .map(|&label| {
-                let track = *reading.tracks.get(label).unwrap_or(&reading.track);
-                FringeLine::new(name, label, track, &centres[label], reading.tolerance)
-            })
-            .collect::<Result<_, _>>()?;
-        Ok(Self { field, lines })
+        let (mut lines, mut doubts) = (Vec::new(), Vec::new());
+        for label in names {
+            let Centres { placed, written } = &centres[label];
+            let origin = Origin {
+                file: name,
+                name: label,
+                centres: written,
+                scale,
+                tolerance: reading.tolerance,
+            };
+            let track = *reading.tracks.get(label).unwrap_or(&reading.track);
+            let line = FringeLine::along(label, track, placed, reading.tolerance)
+                .map_err(|fault| origin.error(fault))?;
+            if reading.tolerance == f64::INFINITY {
+                doubts.extend(OffTrack::of(&line, placed, written));
+            }
+            lines.push(line);
+        }
+        Ok((Self { field, lines }, doubts))
     }
 
     /// The line called `name`.

@@ -7,6 +7,7 @@ use std::f64::consts::TAU;
 use stickslip_fem_core::mesh::Point;
 
 use super::DataError;
+use super::centres::{Fault, Origin, Written};
 
 /// Fraction of a line's length by which a place may lie beyond its end and still count as its end: rounding, no more.
 const SLACK: f64 = 1e-9;
@@ -87,70 +88,88 @@ impl FringeLine {
         centres: &[(Point, f64)],
         tolerance: f64,
     ) -> Result<Self, DataError> {
+        let written: Vec<Written> = centres
+            .iter()
+            .map(|&(place, order)| Written {
+                row: None,
+                place,
+                order,
+            })
+            .collect();
+        let origin = Origin {
+            file: source,
+            name,
+            centres: &written,
+            scale: 1.0,
+            tolerance,
+        };
+        Self::along(name, track, centres, tolerance).map_err(|fault| origin.error(fault))
+    }
+
+    /// As [`new`](Self::new), with what is wrong by the index of the centre.
+    pub(super) fn along(
+        name: &str,
+        track: Track,
+        centres: &[(Point, f64)],
+        tolerance: f64,
+    ) -> Result<Self, Fault> {
         if centres.len() < 2 {
-            return Err(DataError::ShortLine {
-                file: source.into(),
-                name: name.into(),
-                centres: centres.len(),
-            });
+            return Err(Fault::Short);
         }
         let curve = Curve::fit(track, centres);
-        for &(place, order) in centres {
+        for (centre, &(place, order)) in centres.iter().enumerate() {
             let distance = curve.distance(place);
             // A distance that is not a number is off the line as well.
             if !(distance <= tolerance && order.is_finite()) {
-                return Err(DataError::OffLine {
-                    file: source.into(),
-                    name: name.into(),
-                    x: place[0],
-                    y: place[1],
-                    order,
-                    distance,
-                    tolerance,
-                });
+                return Err(Fault::Off { centre, distance });
             }
         }
         let sorted = curve.sorted(centres);
         let line = Self {
             name: name.into(),
             curve,
-            places: sorted.iter().map(|&(_, (place, _))| place).collect(),
-            orders: sorted.iter().map(|&(_, (_, order))| order).collect(),
+            places: sorted.iter().map(|&(_, k)| centres[k].0).collect(),
+            orders: sorted.iter().map(|&(_, k)| centres[k].1).collect(),
             parameters: sorted.iter().map(|&(parameter, _)| parameter).collect(),
         };
-        line.check_steps(source)?;
+        line.check_steps(&sorted)?;
         Ok(line)
     }
 
-    fn check_steps(&self, source: &str) -> Result<(), DataError> {
+    /// Refuses centres at one place and drawn lines that turn back; `sorted` has the indices of the centres as given.
+    fn check_steps(&self, sorted: &[(f64, usize)]) -> Result<(), Fault> {
         for (i, j) in self.pairs() {
             if self.gap(i, j) <= 0.0 {
-                return Err(DataError::RepeatedCentre {
-                    file: source.into(),
-                    name: self.name.clone(),
-                    x: self.places[j][0],
-                    y: self.places[j][1],
-                    first: self.orders[i],
-                    second: self.orders[j],
+                return Err(Fault::Repeated {
+                    centres: [sorted[i].1, sorted[j].1],
                 });
             }
         }
         if self.curve == Curve::Drawn {
-            for triple in self.places.windows(3) {
+            for (k, triple) in self.places.windows(3).enumerate() {
                 let (before, after) = (minus(triple[1], triple[0]), minus(triple[2], triple[1]));
                 let angle = cross(before, after).atan2(dot(before, after)).abs();
                 if angle > std::f64::consts::FRAC_PI_2 {
-                    return Err(DataError::TurnsBack {
-                        file: source.into(),
-                        name: self.name.clone(),
-                        x: triple[1][0],
-                        y: triple[1][1],
+                    return Err(Fault::Back {
+                        centre: sorted[k + 1].1,
                         angle: angle.to_degrees(),
                     });
                 }
             }
         }
         Ok(())
+    }
+
+    /// Distance of a place from the track `[length]`; 0 for a drawn line.
+    pub(super) fn off(&self, place: Point) -> f64 {
+        self.curve.distance(place)
+    }
+
+    /// Median distance along the track of neighbouring fringe centres `[length]`.
+    pub fn spacing(&self) -> f64 {
+        let mut lengths: Vec<f64> = self.steps().map(|step| step.length).collect();
+        lengths.sort_unstable_by(f64::total_cmp);
+        lengths.get(lengths.len() / 2).copied().unwrap_or(0.0)
     }
 
     /// Name of the line.
@@ -335,13 +354,14 @@ impl Curve {
         }
     }
 
-    /// Centres in order along the curve, with their parameters.
-    fn sorted(&self, centres: &[(Point, f64)]) -> Vec<(f64, (Point, f64))> {
+    /// Parameters of the centres in order along the curve, each with the index of its centre.
+    fn sorted(&self, centres: &[(Point, f64)]) -> Vec<(f64, usize)> {
         let mut length = 0.0;
         let mut before = centres[0].0;
-        let mut list: Vec<(f64, (Point, f64))> = centres
+        let mut list: Vec<(f64, usize)> = centres
             .iter()
-            .map(|&(place, order)| {
+            .enumerate()
+            .map(|(index, &(place, _))| {
                 let parameter = match *self {
                     Self::Straight { origin, direction } => dot(minus(place, origin), direction),
                     Self::Circle { centre, .. } => angle(place, centre),
@@ -351,7 +371,7 @@ impl Curve {
                         length
                     }
                 };
-                (parameter, (place, order))
+                (parameter, index)
             })
             .collect();
         list.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -74,38 +74,39 @@ pub enum Reason {
 
 impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.told(&|length| length.to_string()))
+    }
+}
+
+impl Reason {
+    /// The reason in words, with its lengths as `length` spells them.
+    pub fn told(&self, length: &dyn Fn(f64) -> String) -> String {
         match self {
-            Self::Outside => write!(f, "outside the data"),
-            Self::Gap { side, longest } => {
-                write!(
-                    f,
-                    "in a gap of the data, a triangle with a side of {side} (at most {longest} is allowed)"
-                )
-            }
+            Self::Outside => "outside the data".to_owned(),
+            Self::Gap { side, longest } => format!(
+                "in a gap of the data, a triangle with a side of {} (at most {} is allowed)",
+                length(*side),
+                length(*longest)
+            ),
             Self::Sparse {
                 neighbours,
                 radius,
                 largest,
-            } => {
-                write!(
-                    f,
-                    "its {neighbours} neighbours reach as far as {radius} (at most {largest} is allowed)"
-                )
-            }
+            } => format!(
+                "its {neighbours} neighbours reach as far as {} (at most {} is allowed)",
+                length(*radius),
+                length(*largest)
+            ),
             Self::OneSided { open } => {
-                write!(
-                    f,
-                    "its neighbours leave {open:.0}° open, so it would be extrapolated"
-                )
+                format!("its neighbours leave {open:.0}° open, so it would be extrapolated")
             }
-            Self::Degenerate => write!(f, "its neighbours do not determine the polynomial"),
-            Self::OffLines { distance, reach } => {
-                write!(
-                    f,
-                    "the nearest fringe line is {distance} away (at most {reach} is allowed)"
-                )
-            }
-            Self::BeyondLines => write!(f, "beyond the ends of all fringe lines"),
+            Self::Degenerate => "its neighbours do not determine the polynomial".to_owned(),
+            Self::OffLines { distance, reach } => format!(
+                "the nearest fringe line is {} away (at most {} is allowed)",
+                length(*distance),
+                length(*reach)
+            ),
+            Self::BeyondLines => "beyond the ends of all fringe lines".to_owned(),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Fringe centres along lines.
 
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 
 use stickslip_hybrid::data::{DataError, Field, FringeLines, LineReading, Track, YAxis};
 
@@ -68,15 +69,13 @@ fn fringe_lines_are_refused_with_the_place() {
     let error = |text: &str, reading: &LineReading| lines(text, reading).unwrap_err().to_string();
     assert_eq!(
         error("line,x,y,order\na,0,0,1\na,2,0,3\na,1,0,2\n", &drawn),
-        "u.csv: line 'a' turns back by 180° at its fringe centre (2, 0); put the centres in order along the line, or state a \
-         straight or circular track, on which they are sorted"
+        "u.csv: line 3: fringe line 'a' turns back by 180° at its fringe centre (2, 0); put the centres in order along the line, or \
+         state a straight or circular track, on which they are sorted"
     );
-    assert!(
-        error("line,x,y,order\na,0,0,1\na,1,0,2\na,1,0,3\n", &straight)
-            .contains("orders 2 and 3 at one place (1, 0)")
+    assert_eq!(
+        error("line,x,y,order\na,0,0,1\n\na,1,0,2\nb,3,0,1\n", &straight),
+        "u.csv: line 5: fringe line 'b' has 1 fringe centre; 2 are needed to interpolate: give it another, or leave the line out"
     );
-    assert!(error("line,x,y,order\na,0,0,1\n", &straight).contains("has 1 fringe centre(s)"));
-    assert!(error(CENTRES, &straight).contains("off line 'hole'"));
     let typo = LineReading {
         tracks: BTreeMap::from([("hoel".to_owned(), hole(false))]),
         ..straight.clone()
@@ -88,5 +87,82 @@ fn fringe_lines_are_refused_with_the_place() {
     assert!(
         error("line,x,y,order\na,0,0,\n", &straight)
             .contains("line 2, column 'order': '' is not a number")
+    );
+}
+
+/// A table in pixels of 0.01, y down: what is wrong is told in pixels as they stand in the file, not in lengths of the body's frame.
+#[test]
+fn faults_of_fringe_centres_are_told_in_the_numbers_of_their_rows() {
+    let pixels = LineReading {
+        y_axis: YAxis::Down,
+        ..LineReading::new(0.01, 0.1)
+    };
+    let error = |text: &str, reading: &LineReading| lines(text, reading).unwrap_err().to_string();
+    // Symmetric centres do not turn the line of least squares, which has their mean y, 20.
+    assert_eq!(
+        error(
+            "line,x,y,order\na,0,0,1\na,100,40,2\na,200,40,3\na,300,0,4\n",
+            &pixels
+        ),
+        "u.csv: line 2: the fringe centre (0, 0) of order 1 lies 20 off fringe line 'a', more than the tolerance of 10, in the table's \
+         own unit; correct it, or state another track"
+    );
+    assert_eq!(
+        error(
+            "# pixels\nline,x,y,order\na,100,20,1\na,300,20,2\na,100,20,-3\n",
+            &pixels
+        ),
+        "u.csv: lines 3 and 5: fringe line 'a' has orders 1 and -3 at one place along it, (100, 20); keep one of them"
+    );
+    let around = LineReading {
+        track: hole(false),
+        ..pixels
+    };
+    assert!(
+        error("line,x,y,order\na,1,0,1\na,2,0,2\n", &around)
+            .contains("at one place along it, (1, 0) and (2, 0)")
+    );
+}
+
+/// A half circle of radius 10 whose track was forgotten is read as a straight line. Its centroid lies 10 · 2/π above the ends, near 6.
+#[test]
+fn centres_on_an_arc_are_doubted_on_a_straight_track() {
+    let mut text = "line,x,y,order\n".to_owned();
+    for k in 0..=18 {
+        let (sine, cosine) = (f64::from(k) * 10.0_f64.to_radians()).sin_cos();
+        writeln!(text, "arc,{},{},{k}", 10.0 * cosine, 10.0 * sine).unwrap();
+    }
+    for k in 0..=4 {
+        writeln!(text, "straight,{k},{},{k}", 0.3 * f64::from(k % 2)).unwrap();
+    }
+    let doubts = |reading: &LineReading| {
+        let read = FringeLines::read_with_doubts(text.as_bytes(), "u.csv", Field::U, reading);
+        read.unwrap().1
+    };
+    let forgotten = LineReading::new(0.5, f64::INFINITY);
+    let [arc] = &doubts(&forgotten)[..] else {
+        panic!("one of the two lines is doubted")
+    };
+    assert_eq!((arc.name.as_str(), arc.centres[1]), ("arc", 19));
+    // The ends are the farthest: 0.5 · 6.03 off, the mean of the 19 sines being 0.6015.
+    assert!([2, 20].contains(&arc.row), "{arc:?}");
+    assert!((arc.distance - 0.5 * 6.015).abs() < 5e-3, "{arc:?}");
+    // The median step of the 18 along x is the mean of those at 40 and 50 degrees or one of them: 10 (cos 40° − cos 50°) = 1.232.
+    assert!((arc.spacing - 0.5 * 1.232).abs() < 0.05, "{arc:?}");
+    // What the file says is not doubted: the track, or how far off centres may be.
+    let tracks = BTreeMap::from([("arc".to_owned(), hole(false))]);
+    assert!(
+        doubts(&LineReading {
+            tracks,
+            ..forgotten.clone()
+        })
+        .is_empty()
+    );
+    assert!(
+        doubts(&LineReading {
+            tolerance: 4.0,
+            ..forgotten
+        })
+        .is_empty()
     );
 }

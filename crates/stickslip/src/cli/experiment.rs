@@ -1,8 +1,11 @@
 //! `stickslip fringes`, `reduce`, `hybrid` and `identify`: an experiment to one depth of its chain.
 
+use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
 use miette::Diagnostic;
 use serde_json::json;
 use stickslip_report::folder::{FolderError, Overwrite, ResultFolder};
@@ -16,6 +19,7 @@ use crate::diagnostic::{SceneError, SourceText};
 use crate::experiment::chain::{Depth, tell};
 use crate::experiment::story::StoryError;
 use crate::experiment::{Experiment, ExperimentError};
+use crate::run::Progress;
 use crate::scene::Format;
 use crate::scene::document::Document;
 
@@ -69,12 +73,46 @@ pub(super) fn experiment(
     let path = arguments.folder();
     let folder =
         guarded(console, || ResultFolder::create(&path, overwrite)).map_err(KeepError::from)?;
-    let told = tell(&experiment, depth, folder.path(), &mut |_| ());
+    let bar = bar(console);
+    let told = tell(&experiment, depth, folder.path(), &mut |progress| {
+        show(&bar, progress);
+    });
+    bar.finish_and_clear();
     let story = told.map_err(|error| at_its_line(&experiment, &error))?;
     let (answers, summary) = (story.text_answers(), story.summary());
     let path = story.write(folder).map_err(KeepError::from)?;
     let text = || format!("{answers}\nresults in {}\n", path.display());
     console.result(text, &summary)
+}
+
+/// What shows how far the chain is, on a terminal.
+fn bar(console: Console) -> ProgressBar {
+    /// Between two turns of the sign of life.
+    const TURN: Duration = Duration::from_millis(120);
+    if console.quiet || console.json || !std::io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let bar = ProgressBar::new_spinner();
+    bar.enable_steady_tick(TURN);
+    bar
+}
+
+/// A phase turns until its first step is done, and then has a bar.
+fn show(bar: &ProgressBar, progress: Progress) {
+    let template = match progress {
+        Progress::Phase(phase) => {
+            bar.set_message(phase);
+            "{spinner} {msg:16} {elapsed}"
+        }
+        Progress::Step { done, total } => {
+            bar.set_position(done as u64);
+            bar.set_length(total as u64);
+            "{spinner} {msg:16} {wide_bar} {pos}/{len}, {elapsed}"
+        }
+    };
+    // The templates above are valid; a plain spinner would do as well.
+    let style = ProgressStyle::with_template(template);
+    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()));
 }
 
 /// The error at its line, in the experiment or in its scene.

@@ -60,10 +60,14 @@ pub struct Analysed {
     pub bias: Vec<[f64; 3]>,
     /// Pressure, shear and hoop stress of the same displacements by the elements alone, without equilibrium, per place `[MPa]`.
     pub direct: Option<Vec<[f64; 3]>>,
+    /// Why they are not known, in words, where the data do not give them.
+    pub without_direct: Option<String>,
     /// What the fit did, where displacements were fitted.
     pub fit: Option<FitFacts>,
     /// The variance of the data was multiplied by this, s².
     pub scale: f64,
+    /// Why s² is none that residuals say but the least one that the deviation leaves, in words, where that is so.
+    pub scale_assumed: Option<String>,
     /// What the checks of the data say.
     pub checks: Checked,
     /// Forces along x and y `[N]`, with their covariance: what the region exerts through the edge by its stresses, then what acts on the

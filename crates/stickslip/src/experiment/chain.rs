@@ -83,7 +83,7 @@ pub fn tell(
             plates: &plates,
             truth: truth.as_ref(),
         };
-        if let Some(stage) = laws::stage(experiment, &fields, known)? {
+        if let Some(stage) = laws::stage(experiment, &fields, known, progress)? {
             laws::tell(experiment, &stage, &mut story);
         }
     }
@@ -130,7 +130,7 @@ fn measured(
         .transpose()?;
     let mut gallery = Gallery::new(experiment);
     let mut fields = Vec::new();
-    progress(Progress::Phase("pictures"));
+    progress(Progress::Phase("states"));
     for state in 0..experiment.states.len() {
         let shots = match &camera {
             Some(camera) => camera.shots(state)?,
@@ -142,11 +142,18 @@ fn measured(
         if depth >= Depth::Reduce {
             fields.push(measured::state(experiment, state, &shots)?);
         }
+        progress(Progress::Step {
+            done: state + 1,
+            total: experiment.states.len(),
+        });
     }
     if let Some(camera) = &camera {
         gallery.tell(camera, folder, story);
     }
     if depth >= Depth::Reduce {
+        for words in &experiment.without_effect {
+            story.warn(words);
+        }
         measured::tell(experiment, &fields, story);
     }
     Ok(fields)

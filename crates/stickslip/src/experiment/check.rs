@@ -21,7 +21,7 @@ pub fn check(experiment: &Experiment) -> Result<Vec<(&'static str, String)>, Exp
         ),
         ("specimen", specimen(experiment)),
     ];
-    let mut warnings = Vec::new();
+    let mut warnings = experiment.without_effect.clone();
     for (index, state) in experiment.states.iter().enumerate() {
         let mut sources = [&state.null, &state.back].into_iter().flatten();
         let is_synthetic = |source: &Source| matches!(source, Source::Step(_));
@@ -38,6 +38,8 @@ pub fn check(experiment: &Experiment) -> Result<Vec<(&'static str, String)>, Exp
         let named = |words: &String| format!("state '{}': {words}", state.name);
         warnings.extend(found.warnings.iter().map(named));
     }
+    let signs = measured::signs(experiment).into_iter();
+    lines.extend(signs.map(|(names, words)| ("signs", format!("{names}: {words}"))));
     if let Some(region) = &experiment.region {
         Workbench::new(experiment)?;
         let words = match &region.shape {

@@ -1,5 +1,7 @@
 //! Why a stage of an experiment fails.
 
+mod words;
+
 use stickslip_hybrid::data::DataError;
 use stickslip_hybrid::fringe::FringeError;
 use stickslip_hybrid::identify::IdentifyError;
@@ -13,6 +15,8 @@ use super::plan::Experiment;
 use super::whole::WholeError;
 use crate::diagnostic::{SceneError, SceneProblem};
 use crate::run::RunError;
+
+pub(super) use words::{of_reduction, of_region};
 
 /// Why a stage of an experiment fails. Every variant knows the key of the experiment file that it is about.
 #[derive(Debug, Error)]
@@ -189,13 +193,30 @@ impl ExperimentError {
             Self::Laws { .. } => {
                 "`stickslip run` with the scene and the law shows where its solution fails; narrow the ranges of free parameters"
             }
-            Self::Region { .. } => {
-                "make the region smaller, its cells fewer or the areas of `interior` smaller, or measure where it has no data"
-            }
+            Self::Region { cause, .. } => words::remedy_of_region(cause),
             Self::Identify(_) => "give the slip zones by hand, [[identify.zones]]",
             Self::Grating(_) => "give a grating that can exist",
         };
         fixed.to_owned()
+    }
+
+    /// The error with its places and lengths as the experiment shows them.
+    fn words(&self, experiment: &Experiment) -> String {
+        match self {
+            Self::Region { state, cause, .. } => {
+                format!("state '{state}': {}", of_region(experiment, cause))
+            }
+            Self::Reduction { state, cause, .. } => {
+                format!("state '{state}': {}", of_reduction(experiment, cause))
+            }
+            Self::Whole { cause, .. } => match cause.as_ref() {
+                WholeError::Region(cause) => {
+                    format!("the whole plate: {}", of_region(experiment, cause))
+                }
+                _ => self.to_string(),
+            },
+            _ => self.to_string(),
+        }
     }
 
     /// The error at its line of the experiment file.
@@ -203,7 +224,7 @@ impl ExperimentError {
         let problem = match self {
             Self::Law { problem, .. } => problem.as_ref().clone(),
             _ => SceneProblem::Experiment {
-                message: self.to_string(),
+                message: self.words(experiment),
                 remedy: self.remedy(),
             },
         };

@@ -52,6 +52,11 @@ impl<'a> History<'a> {
         }
     }
 
+    /// A force in the unit of results.
+    pub(super) fn shown(&self, force: f64) -> String {
+        self.force.show(force)
+    }
+
     /// Whether the load falls towards a step.
     pub(super) fn direction(&self, step: usize) -> Direction {
         let values = self.load.map_or(&[][..], |load| load.kind.steps());

@@ -43,6 +43,7 @@ use stickslip_hybrid::calibrate::CalibrateError;
 use thiserror::Error;
 
 pub use candidate::Candidate;
+use compare::told_on_two_meshes;
 pub use compare::{Comparison, Fit, StateFit, Verdict, fit, fit_on_two_meshes};
 pub use contact::{ContactModel, View};
 pub use discrepancy::{Discrepancy, discrepancies};

@@ -15,6 +15,7 @@ mod lines;
 mod phase;
 mod pictures;
 mod scatter;
+mod signs;
 mod symmetry;
 mod table;
 mod tell;
@@ -27,6 +28,7 @@ use super::error::ExperimentError;
 use super::plan::{Experiment, Source};
 use super::synthesis::{Shot, Shots};
 
+pub(super) use signs::signs;
 pub(super) use tell::tell;
 
 /// The measured field of one state.
@@ -273,6 +275,6 @@ enum Reading {
     Scattered(table::Scattered),
     /// Orders at the pixels of the U and the V field.
     Pictures(Box<[Option<phase::Unwound>; 2]>),
-    /// Fringe lines of the U and the V field, and the deviation of an order `[fringes]`.
-    Lines([FringeLines; 2], f64),
+    /// Fringe lines of the U and the V field.
+    Lines(lines::Digitised),
 }

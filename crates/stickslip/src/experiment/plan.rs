@@ -5,6 +5,7 @@ mod read;
 mod settings;
 mod specimen;
 mod states;
+mod unused;
 mod values;
 
 use std::path::{Path, PathBuf};
@@ -75,6 +76,8 @@ pub struct Experiment {
     pub identify: Identify,
     /// Friction laws to fit by contact solves.
     pub laws: Vec<LawPlan>,
+    /// Keys that are stated and that nothing heeds, in sentences with their line.
+    pub without_effect: Vec<String>,
     /// Path of the file as given.
     pub source_name: String,
     /// Folder that its files are relative to.

@@ -1,11 +1,13 @@
 //! Experiments as their users meet them: synthetic pictures, measured fields from every kind of data, and what bad data say.
 
+mod assumed;
 mod backs;
 mod balance;
 mod chain;
 mod commands;
 mod deviations;
 mod friction;
+mod lines;
 mod lists;
 mod margins;
 mod materials;
@@ -16,6 +18,7 @@ mod places;
 mod ready;
 mod reductions;
 mod refusals;
+mod stated;
 mod stresses;
 mod tables;
 

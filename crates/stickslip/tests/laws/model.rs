@@ -88,7 +88,9 @@ fn a_model_has_a_mesh_of_its_own_and_whoever_gives_it_none_is_warned() {
     let fields = as_measured(fields);
     let own = read(SYNTHETIC).unwrap();
     assert!(!own.specimen.shares_its_mesh());
-    let found = stage(&own, &fields, Known::default()).unwrap().unwrap();
+    let found = stage(&own, &fields, Known::default(), &mut |_| ())
+        .unwrap()
+        .unwrap();
     // The model's nodes are 9° apart along the half circle that is modelled, its mid-side nodes 4.5°.
     assert!(found.edge_nodes < truth.edge().len());
     assert!(found.warnings.is_empty(), "{:?}", found.warnings);
@@ -96,7 +98,9 @@ fn a_model_has_a_mesh_of_its_own_and_whoever_gives_it_none_is_warned() {
     let shared = SYNTHETIC.replace("model_overrides = [\"mesh.spacing=9 deg\"]\n", "");
     let shared = read(&shared).unwrap();
     assert!(shared.specimen.shares_its_mesh());
-    let found = stage(&shared, &fields, Known::default()).unwrap().unwrap();
+    let found = stage(&shared, &fields, Known::default(), &mut |_| ())
+        .unwrap()
+        .unwrap();
     assert!(
         found.warnings[0].starts_with("The fitted model has the very mesh that made"),
         "{:?}",
@@ -189,7 +193,7 @@ fn states_with_one_null_field_are_told_of_and_how_much_that_matters() {
         own
     };
     let fields = as_measured(vec![less_null(0), less_null(1)]);
-    let found = stage(&experiment, &fields, Known::default());
+    let found = stage(&experiment, &fields, Known::default(), &mut |_| ());
     let found = found.unwrap().unwrap();
     let [shared] = &found.shared_nulls[..] else {
         panic!("{:?}", found.shared_nulls)
@@ -209,7 +213,12 @@ fn states_with_one_null_field_are_told_of_and_how_much_that_matters() {
     );
 
     let apart = MEASURED.replacen("null.csv", "other.csv", 1);
-    let found = stage(&read(&apart).unwrap(), &fields, Known::default());
+    let found = stage(
+        &read(&apart).unwrap(),
+        &fields,
+        Known::default(),
+        &mut |_| (),
+    );
     assert!(found.unwrap().unwrap().shared_nulls.is_empty());
 }
 
@@ -219,7 +228,12 @@ fn a_variance_is_as_stated_where_no_fit_says_otherwise() {
     let truth = aluminium(4.5);
     let law = Arc::clone(truth.own_law());
     let fields = measured_fields(&truth, law, &[6, 9], &window(20.0, 3.0, 0.2), 0.25, 1);
-    let found = stage(&experiment, &as_measured(fields), Known::default());
+    let found = stage(
+        &experiment,
+        &as_measured(fields),
+        Known::default(),
+        &mut |_| (),
+    );
     let stated = Scale {
         factor: 1.0,
         source: ScaleSource::Stated,

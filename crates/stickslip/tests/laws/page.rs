@@ -77,7 +77,7 @@ fn the_page_tells_of_laws_and_of_the_whole_plate() {
     let (states, warnings) = whole::stage(&experiment, &fields).unwrap();
     assert_eq!((states.len(), warnings.len()), (2, 0));
     whole::tell(&experiment, &states, &warnings, &mut story).unwrap();
-    let stage = laws::stage(&experiment, &fields, Known::default())
+    let stage = laws::stage(&experiment, &fields, Known::default(), &mut |_| ())
         .unwrap()
         .unwrap();
     laws::tell(&experiment, &stage, &mut story);
@@ -125,7 +125,7 @@ fn refused(from: &str, to: &str) -> (ExperimentError, String) {
     let text = EXPERIMENT.replace(from, to);
     assert_ne!(text, EXPERIMENT);
     let experiment = experiment(&text);
-    let error = laws::stage(&experiment, &fields(), Known::default()).unwrap_err();
+    let error = laws::stage(&experiment, &fields(), Known::default(), &mut |_| ()).unwrap_err();
     let located = error.located(&experiment).to_string();
     (error, located)
 }
@@ -149,7 +149,7 @@ fn a_state_that_is_no_load_step_is_told_of_and_left_out() {
     let laws_begin = EXPERIMENT.find("[[laws]]\nname = \"static").unwrap();
     let text = EXPERIMENT[..laws_begin].replace("1210 lbf", "1240 lbf");
     let experiment = experiment(&text);
-    let stage = laws::stage(&experiment, &fields(), Known::default())
+    let stage = laws::stage(&experiment, &fields(), Known::default(), &mut |_| ())
         .unwrap()
         .unwrap();
     assert_eq!(stage.states, [0]);

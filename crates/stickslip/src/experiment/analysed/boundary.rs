@@ -9,7 +9,7 @@ use stickslip_hybrid::region::locate::Locator;
 use super::FitFacts;
 use super::region::Workbench;
 use super::scale::{Residual, least_scale, scale};
-use crate::experiment::error::ExperimentError;
+use crate::experiment::error::{ExperimentError, of_region};
 use crate::experiment::measured::Measured;
 use crate::experiment::plan::{Method, Source};
 
@@ -20,6 +20,8 @@ pub(super) struct Boundary {
     pub(super) bias: Vec<f64>,
     pub(super) fit: Option<FitFacts>,
     pub(super) scale: f64,
+    /// Why no residuals say what the scale is, in words.
+    pub(super) assumed: Option<String>,
     /// What residuals say of the variance of a single datum, at least that of its deviation.
     pub(super) single: f64,
 }
@@ -53,19 +55,18 @@ impl Workbench<'_> {
             cause: Box::new(cause),
         })?;
         let mut boundary = Boundary::plain(displacements);
-        [boundary.scale, boundary.single] = self.noise(measured, used);
+        // s² is that of a fit to the same data: residuals of the displacements themselves would hold their own errors too.
+        match self.fitted(used, measured.floor) {
+            Ok(fit) => (boundary.scale, boundary.single) = (fit.scale, fit.single),
+            Err(cause) => {
+                boundary.scale = least_scale(used.deviation, measured.floor).max(1.0);
+                boundary.assumed = Some(of_region(self.experiment, &cause));
+            }
+        }
         for entry in &mut boundary.displacements.covariance {
             *entry *= boundary.scale;
         }
         Ok(boundary)
-    }
-
-    /// s² and the like of single data where displacements were not fitted: those that a fit to the same data finds. Residuals of the
-    /// displacements themselves would hold their own errors too.
-    fn noise(&self, measured: &Measured, used: &Measurement) -> [f64; 2] {
-        let fitted = self.fitted(used, measured.floor);
-        let least = least_scale(used.deviation, measured.floor).max(1.0);
-        fitted.map_or([least, 1.0], |fit| [fit.scale, fit.single])
     }
 
     pub(super) fn polynomial(
@@ -124,6 +125,7 @@ impl Workbench<'_> {
         }
         Ok(Boundary {
             scale,
+            assumed: None,
             single: (fit.residual / (fit.data as f64 - fit.parameters).max(1.0)).max(1.0),
             bias: fit.bias,
             fit: Some(FitFacts {
@@ -185,6 +187,7 @@ impl Boundary {
             bias: Vec::new(),
             fit: None,
             scale: 1.0,
+            assumed: None,
             single: 1.0,
         }
     }

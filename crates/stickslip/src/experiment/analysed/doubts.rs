@@ -14,6 +14,13 @@ const CORRELATED: f64 = 0.5;
 /// What makes the bands of a state doubtful.
 pub(super) fn doubts(experiment: &Experiment, found: &Analysed) -> Vec<String> {
     let mut doubts = Vec::new();
+    if let Some(why) = &found.scale_assumed {
+        doubts.push(format!(
+            "the noise factor is assumed to be {}, for the fit whose residuals tell it fails: {why}. Bands hold errors of the deviation \
+             alone, and are too narrow where errors are larger or go together.",
+            short(found.scale)
+        ));
+    }
     let Some(fit) = &found.fit else {
         return doubts;
     };

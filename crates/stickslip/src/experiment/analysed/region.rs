@@ -9,6 +9,7 @@ use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_hybrid::data::Measurement;
 use stickslip_hybrid::region::checks::{CheckInput, ChiSquared};
 use stickslip_hybrid::region::direct::interpolate;
+use stickslip_hybrid::region::locate::Locator;
 use stickslip_hybrid::region::outline::boundary_nodes;
 use stickslip_hybrid::region::transfer::Propagated;
 use stickslip_hybrid::region::{Region, RegionError};
@@ -18,7 +19,7 @@ use super::edge::Edge;
 use super::held_out::split;
 use super::imported;
 use super::{Analysed, Checked, MisfitAt, NodalForce};
-use crate::experiment::error::ExperimentError;
+use crate::experiment::error::{ExperimentError, of_reduction, of_region};
 use crate::experiment::measured::Measured;
 use crate::experiment::plan::{Area, Experiment, Hole, RegionPlan, RegionShape};
 
@@ -135,7 +136,10 @@ impl<'a> Workbench<'a> {
         let boundary = self.boundary(measured, &used)?;
         let mut found = self.unchecked(measured, &boundary)?;
         let refuse = |cause| self.refuse(measured, cause);
-        found.direct = self.direct(&used);
+        match self.direct(&used) {
+            Ok(direct) => found.direct = Some(direct),
+            Err(why) => found.without_direct = Some(why),
+        }
         found.checks = self.checked(&found, &boundary, unused).map_err(refuse)?;
         found.nodal_forces = self.nodal_forces(&boundary).map_err(refuse)?;
         Ok(found)
@@ -174,8 +178,10 @@ impl<'a> Workbench<'a> {
             tractions,
             bias,
             direct: None,
+            without_direct: None,
             fit: boundary.fit,
             scale: boundary.scale,
+            scale_assumed: boundary.assumed.clone(),
             checks: Checked::default(),
             forces: self.forces(boundary).map_err(refuse)?,
             nodal_forces: Vec::new(),
@@ -201,18 +207,21 @@ impl<'a> Workbench<'a> {
         Ok(self.edge.by_place(&stresses))
     }
 
-    /// The comparison without equilibrium: a local polynomial at every node that the edge's stresses need.
-    fn direct(&self, used: &Measurement) -> Option<Vec<[f64; 3]>> {
+    /// The comparison without equilibrium: a local polynomial at every node that the edge's stresses need; in words why there is none.
+    fn direct(&self, used: &Measurement) -> Result<Vec<[f64; 3]>, String> {
         const NEIGHBOURS: usize = 24;
         let dofs = self.edge.stresses.iter().flatten();
         let mut nodes: Vec<usize> = dofs.map(|(dof, _)| dof / 2).collect();
         nodes.sort_unstable();
         nodes.dedup();
-        let reduction = self.polynomial(used, &nodes, 2, NEIGHBOURS).ok()?;
-        let displacements = reduction.displacements(used).ok()?;
+        let displacements = self
+            .polynomial(used, &nodes, 2, NEIGHBOURS)
+            .and_then(|reduction| reduction.displacements(used))
+            .map_err(|cause| of_reduction(self.experiment, &cause))?;
         let body = self.region.body();
-        let found = interpolate(body, &self.edge.stresses, &displacements).ok()?;
-        Some(self.edge.by_place(&found.values))
+        let found = interpolate(body, &self.edge.stresses, &displacements)
+            .map_err(|cause| of_region(self.experiment, &cause))?;
+        Ok(self.edge.by_place(&found.values))
     }
 
     /// Force on the edge from its stresses plus that of its nodes on the region, which is nothing in balance.
@@ -248,7 +257,11 @@ impl<'a> Workbench<'a> {
         for deviation in &mut unused.deviation {
             *deviation *= boundary.single.sqrt();
         }
-        let any = (0..2).any(|axis| unused.valid[axis].contains(&true));
+        let locator = Locator::new(self.region.mesh());
+        // Few data may all be kept outside of the region.
+        let any = (0..unused.places.len()).any(|k| {
+            unused.valid.iter().any(|valid| valid[k]) && locator.locate(unused.places[k]).is_some()
+        });
         let input = CheckInput {
             unused: any.then_some(&unused),
             ..CheckInput::default()

@@ -115,6 +115,11 @@ fn state(experiment: &Experiment, found: &Analysed, truth: &[TruePlace], story: 
             ));
         }
     }
+    if let Some(why) = &found.without_direct {
+        story.note(format!(
+            "State '{name}': no direct interpolation to compare with: {why}."
+        ));
+    }
     for warning in doubts(experiment, found)
         .into_iter()
         .chain(forces::doubts(experiment, found))
@@ -303,7 +308,7 @@ fn checks(experiment: &Experiment, analysed: &[Analysed]) -> Table {
             told(facts.map(|fit| fit.data.to_string())),
             told(facts.map(|fit| format!("{:.0}", fit.parameters))),
             told(facts.map(|fit| format!("order {}: {}", fit.order, short(fit.amount)))),
-            told((!of_lines).then(|| format!("{:.2}", found.scale))),
+            told((!of_lines).then(|| noise_factor(found))),
             told(found.checks.unused.as_ref().map(chi_squared)),
             told(found.checks.free_edge.as_ref().map(chi_squared)),
         ];
@@ -314,6 +319,15 @@ fn checks(experiment: &Experiment, analysed: &[Analysed]) -> Table {
     }
     let meanings = MEANINGS.into_iter().chain(inside.then_some(INSIDE));
     meanings.fold(table, Table::note)
+}
+
+fn noise_factor(found: &Analysed) -> String {
+    let how = if found.scale_assumed.is_some() {
+        ", assumed"
+    } else {
+        ""
+    };
+    format!("{:.2}{how}", found.scale)
 }
 
 fn chi_squared(check: &ChiSquared) -> String {
@@ -344,6 +358,7 @@ fn entry(experiment: &Experiment, found: &Analysed) -> Value {
     json!({
         "state": experiment.states[found.state].name,
         "noise_factor": found.scale,
+        "noise_factor_assumed": found.scale_assumed,
         "resolution_degrees": found.resolution.to_degrees(),
         "largest": {
             "stress_unit": experiment.display.stress.name,

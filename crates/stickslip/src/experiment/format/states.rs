@@ -1,5 +1,6 @@
 //! `[[states]]`: what was measured, and where it stands.
 
+use std::collections::BTreeMap;
 use std::fmt;
 
 use serde::de::{self, SeqAccess, Visitor};
@@ -191,6 +192,18 @@ pub(in crate::experiment) struct CircleFormat {
     pub(in crate::experiment) closed: bool,
 }
 
+/// Tracks of single lines by name, in the table of either field.
+#[derive(Debug, Default, Deserialize)]
+#[serde(
+    default,
+    deny_unknown_fields,
+    expecting = "a table, such as { u = { ring = \"drawn\" } }"
+)]
+pub(in crate::experiment) struct TracksFormat {
+    pub(in crate::experiment) u: BTreeMap<String, TrackFormat>,
+    pub(in crate::experiment) v: BTreeMap<String, TrackFormat>,
+}
+
 /// Fringe centres along lines.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
@@ -206,5 +219,7 @@ pub(in crate::experiment) struct LinesFormat {
     pub(in crate::experiment) tolerance: Option<Quantity<Length>>,
     #[serde(default)]
     pub(in crate::experiment) track: TrackFormat,
+    #[serde(default)]
+    pub(in crate::experiment) tracks: TracksFormat,
     pub(in crate::experiment) deviation: Option<f64>,
 }

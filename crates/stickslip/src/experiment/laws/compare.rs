@@ -7,6 +7,7 @@ use stickslip_hybrid::identify::Bounds;
 
 use super::mesh_error::{MeshError, shapes};
 use super::{Candidate, ContactModel, LawsError, Observation, View};
+use crate::run::Progress;
 
 /// Criteria that differ by less do not decide (Burnham & Anderson 2002).
 const DECIDES: f64 = 2.0;
@@ -146,7 +147,7 @@ pub fn fit(
         views: &views,
         count,
     };
-    compared(&seen, laws, (observations, &data), settings)
+    compared(&seen, laws, (observations, &data), settings, &mut |_| ())
 }
 
 /// The same with intervals that hold the error of the model's mesh as well, so far as it has the shape of the difference to `coarser`, a
@@ -165,18 +166,35 @@ pub fn fit_on_two_meshes(
     observations: &[Observation],
     settings: &Settings,
 ) -> Result<Comparison, LawsError> {
+    let models = [model, coarser];
+    told_on_two_meshes(models, laws, observations, settings, &mut |_| ())
+}
+
+/// As [`fit_on_two_meshes`] on `[model, coarser]`; `progress` hears of every fit.
+pub(super) fn told_on_two_meshes(
+    [model, coarser]: [&ContactModel; 2],
+    laws: &[Candidate],
+    observations: &[Observation],
+    settings: &Settings,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Comparison, LawsError> {
     let (views, count, data) = prepared(model, laws, observations)?;
     let seen = Seen {
         model,
         views: &views,
         count,
     };
+    let total = 2 * laws.len();
     let mut firsts = Vec::new();
     for law in laws {
         let start = std::time::Instant::now();
         let predict = |values: &[f64]| seen.predicted(law, values);
         let found = least(&predict, &law.parameters, &data, settings).map_err(failed(law))?;
         firsts.push((found, start.elapsed().as_secs_f64()));
+        progress(Progress::Step {
+            done: firsts.len(),
+            total,
+        });
     }
     let order = |&a: &usize, &b: &usize| {
         let [a, b] = [a, b].map(|k| &firsts[k].0);
@@ -188,7 +206,11 @@ pub fn fit_on_two_meshes(
     let own = seen.predicted(law, values)?;
     let shapes = shapes(coarser, law.law(values)?, observations, &own)?;
     let data = data.with_shapes(&shapes).map_err(LawsError::Data)?;
-    let mut found = compared(&seen, laws, (observations, &data), settings)?;
+    let mut second = |done: usize| {
+        let done = laws.len() + done;
+        progress(Progress::Step { done, total });
+    };
+    let mut found = compared(&seen, laws, (observations, &data), settings, &mut second)?;
     for (fit, (first, seconds)) in found.fits.iter_mut().zip(&firsts) {
         fit.calibration.evaluations += first.evaluations;
         fit.seconds += seconds;
@@ -244,6 +266,7 @@ fn compared(
     laws: &[Candidate],
     (observations, data): (&[Observation], &Data),
     settings: &Settings,
+    fitted: &mut dyn FnMut(usize),
 ) -> Result<Comparison, LawsError> {
     let mut fits = Vec::new();
     for law in laws {
@@ -260,6 +283,7 @@ fn compared(
             verdict: Verdict::AsGood,
             seconds: start.elapsed().as_secs_f64(),
         });
+        fitted(fits.len());
     }
     let best = judge(&mut fits);
     let (law, values) = (&laws[best], fits[best].calibration.values());

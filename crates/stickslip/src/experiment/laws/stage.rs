@@ -8,8 +8,8 @@ use stickslip_hybrid::calibrate::{Parameter, Settings};
 use super::shared_null::shared_nulls;
 use super::{
     Candidate, Comparison, ContactModel, Discrepancy, Fit, LawsError, Nuisance, Observation, Scale,
-    Sensitivity, SharedNull, coarser, decimated, discrepancies, fit, fit_on_two_meshes,
-    sensitivity,
+    Sensitivity, SharedNull, coarser, decimated, discrepancies, fit, sensitivity,
+    told_on_two_meshes,
 };
 use crate::experiment::analysed::Analysed;
 use crate::experiment::error::ExperimentError;
@@ -18,6 +18,7 @@ use crate::experiment::measured::Measured;
 use crate::experiment::plan::{Experiment, Source, State};
 use crate::experiment::truth::Truth;
 use crate::experiment::whole::WholeState;
+use crate::run::Progress;
 
 /// Places of a state that are compared with predictions.
 const MOST_PLACES: usize = 1000;
@@ -61,7 +62,7 @@ pub struct Known<'a> {
 
 /// Fits the laws of `experiment` to its measured fields; `None` where it names none. Where a state was analysed around the edge or as a
 /// whole plate, the residuals of that fit, which knows of no law, say how much its errors exceed their stated deviation, and its variance
-/// is scaled so.
+/// is scaled so. `progress` hears of every fit of a law.
 ///
 /// # Errors
 /// [`ExperimentError`]: no scene, no state that is a load step of it, a parameter that a law does not have, solves that fail.
@@ -69,6 +70,7 @@ pub fn stage(
     experiment: &Experiment,
     fields: &[Measured],
     known: Known<'_>,
+    progress: &mut dyn FnMut(Progress),
 ) -> Result<Option<LawStage>, ExperimentError> {
     if experiment.laws.is_empty() {
         return Ok(None);
@@ -81,10 +83,6 @@ pub fn stage(
             remedy: "give [specimen] scene = \"scene.toml\" and body = \"plate\"".to_owned(),
         });
     };
-    let failed = |cause| ExperimentError::Laws {
-        key: "laws".to_owned(),
-        cause: Box::new(cause),
-    };
     let model = ContactModel::new(own).map_err(failed)?;
     let Compared {
         observations,
@@ -92,8 +90,9 @@ pub fn stage(
         scales,
         mut warnings,
     } = compared(experiment, &model, &History::of(&own.scene), fields, known)?;
+    let confidence = experiment.identify.confidence;
     let settings = Settings {
-        confidence: experiment.identify.confidence,
+        confidence,
         ..Settings::default()
     };
     let coarser = ContactModel::new(&coarser(own));
@@ -104,14 +103,15 @@ pub fn stage(
         &observations,
         &settings,
         &mut warnings,
-    );
-    let comparison = comparison.map_err(failed)?;
+        progress,
+    )
+    .map_err(failed)?;
     warnings.extend(experiment.warning_of_shared_mesh());
     let discrepancies = match known.truth {
         Some(truth) => discrepancies_of(experiment, &model, truth, &observations, &states),
         None => Ok(vec![None; states.len()]),
-    };
-    let discrepancies = discrepancies.map_err(failed)?;
+    }
+    .map_err(failed)?;
     let count = observations.iter().map(|own| own.step + 1).max();
     let slipped = slipped(&model, comparison.best(), count.unwrap_or(0)).map_err(failed)?;
     let sensitivities = sensitivities(experiment, &model, &comparison, &mut warnings);
@@ -127,6 +127,13 @@ pub fn stage(
         discrepancies,
         warnings,
     }))
+}
+
+fn failed(cause: LawsError) -> ExperimentError {
+    ExperimentError::Laws {
+        key: "laws".to_owned(),
+        cause: Box::new(cause),
+    }
 }
 
 /// The states that are load steps of the scene.
@@ -179,9 +186,10 @@ fn fitted(
     observations: &[Observation],
     settings: &Settings,
     warnings: &mut Vec<String>,
+    progress: &mut dyn FnMut(Progress),
 ) -> Result<Comparison, LawsError> {
-    let two_meshes =
-        coarser.and_then(|own| fit_on_two_meshes(model, &own, laws, observations, settings));
+    let two_meshes = coarser
+        .and_then(|own| told_on_two_meshes([model, &own], laws, observations, settings, progress));
     two_meshes.or_else(|cause| {
         // Where data or laws are at fault and not the coarser mesh, this says so.
         let found = fit(model, laws, observations, settings)?;

@@ -26,12 +26,17 @@ pub(super) fn combined(
         (Reading::Pictures(fields), None) => {
             pictures(scope, &mut measured, *fields, None)?;
         }
-        (Reading::Lines(lines, deviation), None) => {
-            fringe_lines(scope, &mut measured, lines, deviation)?;
+        (Reading::Lines(own), None) => {
+            measured.warnings.extend(own.warnings);
+            fringe_lines(scope, &mut measured, own.lines, own.deviation)?;
         }
-        (Reading::Lines(lines, deviation), Some(Reading::Lines(null, of_null))) => {
-            let lines = less_null(scope, &mut measured, &lines, &null)?;
-            fringe_lines(scope, &mut measured, lines, deviation.hypot(of_null))?;
+        (Reading::Lines(own), Some(Reading::Lines(null))) => {
+            measured.warnings.extend(own.warnings);
+            let of_null = null.warnings.iter();
+            (measured.warnings).extend(of_null.map(|words| format!("The null field: {words}")));
+            let lines = less_null(scope, &mut measured, &own.lines, &null.lines)?;
+            let deviation = own.deviation.hypot(null.deviation);
+            fringe_lines(scope, &mut measured, lines, deviation)?;
         }
         (own, null) => {
             let is_pictured = matches!(own, Reading::Pictures(_));

@@ -89,16 +89,32 @@ fn lacking(scope: &Scope<'_>, field: Field) -> ExperimentError {
 /// A component whose neighbours agree to the last digit, as of a table that is zero everywhere, with nothing to weigh it by.
 fn without_deviation(scope: &Scope<'_>, field: Field) -> ExperimentError {
     let name = field_name(field);
-    let source = &scope.experiment.states[scope.state].source;
-    let table = matches!(source, Source::Table(_));
+    let (part, remedy) = match &scope.experiment.states[scope.state].source {
+        Source::Table(_) => (
+            ".table",
+            "state the deviation that a measurement has: table = { …, deviation = \"0.5 um\" }",
+        ),
+        Source::Pictures(_) => (
+            ".pictures",
+            "none can be stated of pictures: look whether they are photographs; or give displacements as a table with their deviation, \
+             for example measured-STATE.csv of `stickslip reduce`",
+        ),
+        Source::Step(_) => (
+            "",
+            "give the synthetic pictures noise: [fringes] order_error = 0.25, or camera_noise = 0.01",
+        ),
+        Source::Lines(_) => (
+            ".lines",
+            "state the deviation of an order: lines = { …, deviation = 0.144 }",
+        ),
+    };
     ExperimentError::Missing {
-        key: format!("{}{}", scope.key, if table { ".table" } else { "" }),
+        key: format!("{}{part}", scope.key),
         what: format!(
             "state '{}': the {name} data do not scatter at all, as zeros everywhere do not, and tell no deviation to weigh them by",
             scope.name()
         ),
-        remedy: "state the deviation that a measurement has: table = { …, deviation = \"0.5 um\" }"
-            .to_owned(),
+        remedy: remedy.to_owned(),
     }
 }
 

@@ -1,26 +1,76 @@
 //! Fringe centres along lines.
 
 use stickslip_fem_core::mesh::Point;
-use stickslip_hybrid::data::{DataError, Field, FringeLines};
+use stickslip_hybrid::data::{DataError, Field, FringeLines, OffTrack};
 
 use super::combine::grating;
 use super::{Measured, Reading, Scope};
 use crate::experiment::error::ExperimentError;
 use crate::experiment::plan::LineSource;
+use crate::experiment::synthesis::field_name;
+use crate::output::short;
+
+/// What tables of fringe centres say.
+#[derive(Clone, Debug)]
+pub(super) struct Digitised {
+    /// Fringe lines of the U and the V field.
+    pub(super) lines: [FringeLines; 2],
+    /// Standard deviation of an order `[fringes]`.
+    pub(super) deviation: f64,
+    pub(super) warnings: Vec<String>,
+}
 
 /// The fringe lines of both fields.
 pub(super) fn read(scope: &Scope<'_>, source: &LineSource) -> Result<Reading, ExperimentError> {
-    let of = |field: Field| {
+    let mut warnings = Vec::new();
+    let mut of = |field: Field| -> Result<FringeLines, ExperimentError> {
         let file = &source.files[field.component()];
         let bytes = scope.bytes(file)?;
         let name = file.display().to_string();
         let reading = &source.reading[field.component()];
-        FringeLines::read(&bytes[..], &name, field, reading).map_err(|cause| scope.data(cause))
+        let (lines, doubts) = FringeLines::read_with_doubts(&bytes[..], &name, field, reading)
+            .map_err(|cause| refused(scope, field, cause))?;
+        warnings.extend(doubts.iter().map(|own| off_track(scope, &name, own)));
+        Ok(lines)
     };
-    Ok(Reading::Lines(
-        [of(Field::U)?, of(Field::V)?],
-        source.deviation,
-    ))
+    let lines = [of(Field::U)?, of(Field::V)?];
+    Ok(Reading::Lines(Digitised {
+        lines,
+        deviation: source.deviation,
+        warnings,
+    }))
+}
+
+/// The error at the key of the lines, or at the tracks that name a line which is not there.
+fn refused(scope: &Scope<'_>, field: Field, cause: DataError) -> ExperimentError {
+    let tracks = matches!(cause, DataError::NoSuchLine { .. });
+    let name = field_name(field).to_lowercase();
+    let own = Scope {
+        key: if tracks {
+            format!("{}.tracks.{name}", scope.key)
+        } else {
+            scope.key.clone()
+        },
+        ..scope.clone()
+    };
+    own.data(cause)
+}
+
+/// Words on centres that lie so far off the track of their line that it may be another one.
+fn off_track(scope: &Scope<'_>, file: &str, found: &OffTrack) -> String {
+    let unit = scope.experiment.display.length;
+    let shown = |value: f64| format!("{} {}", short(unit.from_base(value)), unit.name);
+    let [x, y] = found.place;
+    let [off, all] = found.centres;
+    format!(
+        "'{file}', line {}: the fringe centre ({x}, {y}) lies {} off the track of fringe line '{}', and {off} of its {all} centres lie \
+         farther off than half of {}, their median spacing along it. Between centres orders are taken along the track: state another one \
+         (track, or tracks for single lines), or a tolerance if they belong there.",
+        found.row,
+        shown(found.distance),
+        found.name,
+        shown(found.spacing)
+    )
 }
 
 /// Places of a component's own centres carry that component alone.

@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 use stickslip_hybrid::data::Field;
 use stickslip_report::table::{Column, Table};
 
+use super::signs::signs;
 use super::{Measured, figures};
 use crate::experiment::gallery::caption;
 use crate::experiment::plan::{Experiment, Method, Source, State};
@@ -43,6 +44,9 @@ pub(in crate::experiment) fn tell(experiment: &Experiment, fields: &[Measured], 
             if fields.len() == 1 { "" } else { "s" }
         ),
     );
+    for (names, words) in signs(experiment) {
+        story.answer(&format!("Signs of {names}"), words);
+    }
     story.entry(
         "measured",
         fields

@@ -11,7 +11,7 @@ use stickslip_hybrid::moire::Grating;
 
 use super::{
     Area, DisplayUnits, Experiment, Fringes, Reduce, Specimen, State, VERSION, laws, settings,
-    specimen, states,
+    specimen, states, unused,
 };
 use crate::diagnostic::{SceneError, SceneProblem, SourceText};
 use crate::experiment::format::{
@@ -30,26 +30,16 @@ pub(super) fn experiment(
     overrides: &[impl AsRef<str>],
 ) -> Result<Experiment, SceneError> {
     let source_name = source.name.clone();
-    let mut document = Document::parse(source, format)?;
-    for argument in overrides {
-        apply_override(&mut document, argument.as_ref())?;
-    }
-    check_version(&document)?;
-    let read = ExperimentFormat::deserialize(Reader::new(&document.root, "")).map_err(|error| {
-        let key = error.key.as_deref().unwrap_or_default();
-        document.error(key, error.part, *error.problem)
-    })?;
+    let (document, read) = keys(source, format, overrides)?;
     let refuse = Refuse(&document);
     let mut specimen = specimen::read(refuse, &read, folder)?;
     let display = shown_in(read.units.as_ref(), &mut specimen);
     let grating = read.grating.as_ref();
-    let grating = grating
-        .map(|given| self::grating(refuse, given))
-        .transpose()?;
+    let grating = grating.map(|given| self::grating(refuse, given));
+    let grating = grating.transpose()?;
     let fringes = read.fringes.as_ref();
-    let fringes = fringes
-        .map(|given| self::fringes(refuse, given))
-        .transpose()?;
+    let fringes = fringes.map(|given| self::fringes(refuse, given));
+    let fringes = fringes.transpose()?;
     let scope = states::Scope {
         refuse,
         specimen: &specimen,
@@ -73,14 +63,21 @@ pub(super) fn experiment(
             .unwrap_or_default(),
         description: read.description,
         display,
-        reduce,
-        region,
         identify: settings::identify(refuse, &read.identify, &states)?,
         laws: laws::read(refuse, &read.laws, &specimen)?,
         hash: hash(
             &document,
             specimen.scene.as_ref().map(|own| own.scene.hash.as_str()),
         ),
+        without_effect: unused::without_effect(
+            &document,
+            &reduce,
+            region.as_ref(),
+            fringes.as_ref(),
+            &states,
+        ),
+        reduce,
+        region,
         specimen,
         grating,
         fringes,
@@ -89,6 +86,25 @@ pub(super) fn experiment(
         folder: folder.to_owned(),
         document,
     })
+}
+
+/// The document with its overrides, and what its keys say.
+fn keys(
+    source: SourceText,
+    format: Format,
+    overrides: &[impl AsRef<str>],
+) -> Result<(Document, ExperimentFormat), SceneError> {
+    let mut document = Document::parse(source, format)?;
+    for argument in overrides {
+        apply_override(&mut document, argument.as_ref())?;
+    }
+    check_version(&document)?;
+    let read = ExperimentFormat::deserialize(Reader::new(&document.root, ""));
+    let read = read.map_err(|error| {
+        let key = error.key.as_deref().unwrap_or_default();
+        document.error(key, error.part, *error.problem)
+    })?;
+    Ok((document, read))
 }
 
 /// Units of results. What is said of the scene is said in them too.

@@ -18,6 +18,8 @@ use crate::units::Quantity;
 
 /// Longest name of a state, which is a part of file names.
 const LONGEST_NAME: usize = 64;
+/// A load and that of its step may differ by this part, for one of them may be rounded in another unit.
+const ROUNDED: f64 = 5e-3;
 
 /// What states are read with.
 #[derive(Clone, Copy)]
@@ -69,44 +71,108 @@ impl Scope<'_> {
         let mut states: Vec<State> = Vec::new();
         for (index, state) in given.iter().enumerate() {
             let key = format!("states.{index}");
-            self.check_name(&key, &state.name, &states)?;
-            let ways = Ways {
-                step: state.step,
-                table: state.table.as_ref(),
-                pictures: state.pictures.as_ref(),
-                lines: state.lines.as_ref(),
-            };
-            let source = self.source(&key, &ways)?;
-            let other = |name: &str, given: &Option<SourceFormat>| {
-                let given = given.as_ref();
-                given
-                    .map(|given| self.source(&format!("{key}.{name}"), &given.into()))
-                    .transpose()
-            };
-            let (null, back) = (other("null", &state.null)?, other("back", &state.back)?);
-            self.check_null(&key, &source, null.as_ref())?;
-            let load = match (&state.load, &source, &history) {
-                (Some(load), _, _) => Some(load.value()),
-                (None, Source::Step(step), Some(history)) => history.load(*step),
-                _ => None,
-            };
-            let direction = match (state.direction, &source, &history) {
-                (Some(DirectionFormat::Loading), _, _) => Direction::Loading,
-                (Some(DirectionFormat::Unloading), _, _) => Direction::Unloading,
-                (None, Source::Step(step), Some(history)) => history.direction(*step),
-                _ => falling(&states, load),
-            };
-            states.push(State {
-                name: state.name.clone(),
-                direction,
-                load,
-                edge_force: self.edge_force(&key, state.edge_force.as_ref())?,
-                source,
-                null,
-                back,
-            });
+            states.push(self.state(&key, state, &states, history.as_ref())?);
         }
         Ok(states)
+    }
+
+    /// One state; `before` are those that come before it.
+    fn state(
+        &self,
+        key: &str,
+        given: &StateFormat,
+        before: &[State],
+        history: Option<&History<'_>>,
+    ) -> Result<State, SceneError> {
+        self.check_name(key, &given.name, before)?;
+        let ways = Ways {
+            step: given.step,
+            table: given.table.as_ref(),
+            pictures: given.pictures.as_ref(),
+            lines: given.lines.as_ref(),
+        };
+        let source = self.source(key, &ways)?;
+        let other = |name: &str, given: &Option<SourceFormat>| {
+            let given = given.as_ref();
+            given
+                .map(|given| self.source(&format!("{key}.{name}"), &given.into()))
+                .transpose()
+        };
+        let (null, back) = (other("null", &given.null)?, other("back", &given.back)?);
+        self.check_null(key, &source, null.as_ref())?;
+        let own_step = match (&source, history) {
+            (Source::Step(step), Some(history)) => Some((*step, history)),
+            _ => None,
+        };
+        let load = self.load(key, given, own_step)?;
+        let direction = self.direction(key, given, own_step)?;
+        Ok(State {
+            name: given.name.clone(),
+            direction: direction.unwrap_or_else(|| falling(before, load)),
+            load,
+            edge_force: self.edge_force(key, given.edge_force.as_ref())?,
+            source,
+            null,
+            back,
+        })
+    }
+
+    /// The load `[N]`: that stated or that of the load step, which must not differ.
+    fn load(
+        &self,
+        key: &str,
+        state: &StateFormat,
+        own_step: Option<(usize, &History<'_>)>,
+    ) -> Result<Option<f64>, SceneError> {
+        let own = own_step.and_then(|(step, history)| Some((step, history, history.load(step)?)));
+        let Some(given) = &state.load else {
+            return Ok(own.map(|(_, _, load)| load));
+        };
+        let load = given.value();
+        let differs = |own: f64| (own - load).abs() > ROUNDED * own.abs().max(load.abs());
+        match own {
+            Some((step, history, own)) if differs(own) => Err(self.refuse.conflict(
+                &format!("{key}.load"),
+                format!(
+                    "load is {}, and step {} of the scene has {}",
+                    given.text(),
+                    step + 1,
+                    history.shown(own)
+                ),
+                "remove load, for that of the step holds; or name the step that has this load",
+            )),
+            _ => Ok(Some(load)),
+        }
+    }
+
+    /// The direction that is stated or that of the load step, which must not differ; `None` where loads must tell.
+    fn direction(
+        &self,
+        key: &str,
+        state: &StateFormat,
+        own_step: Option<(usize, &History<'_>)>,
+    ) -> Result<Option<Direction>, SceneError> {
+        let given = state.direction.map(|given| match given {
+            DirectionFormat::Loading => Direction::Loading,
+            DirectionFormat::Unloading => Direction::Unloading,
+        });
+        let Some((step, own)) = own_step.map(|(step, history)| (step, history.direction(step)))
+        else {
+            return Ok(given);
+        };
+        match given {
+            Some(given) if given != own => Err(self.refuse.conflict(
+                &format!("{key}.direction"),
+                format!(
+                    "direction is {}, and step {} of the scene is reached in {}",
+                    given.name(),
+                    step + 1,
+                    own.name()
+                ),
+                "remove direction, for that of the step holds; or name a step of this direction",
+            )),
+            _ => Ok(Some(own)),
+        }
     }
 
     /// Known components of the force through the edge; a table of it must name one.

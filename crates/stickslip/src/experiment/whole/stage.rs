@@ -31,8 +31,10 @@ impl WholeState {
             hoop_deviation: own.hoop.iter().map(|hoop| hoop[1]).collect(),
             bias: own.bias.clone(),
             direct: None,
+            without_direct: None,
             fit: None,
             scale: own.scale,
+            scale_assumed: None,
             checks: Checked::default(),
             nodal_forces: Vec::new(),
             forces: Propagated {

@@ -173,7 +173,7 @@ impl Scope<'_> {
         let column = |name: &Option<String>, default: &str| {
             name.clone().unwrap_or_else(|| default.to_owned())
         };
-        let reading = |reversed: bool| LineReading {
+        let reading = |reversed: bool, tracks: &BTreeMap<String, TrackFormat>| LineReading {
             columns: [
                 column(&names.line, "line"),
                 column(&names.x, "x"),
@@ -184,19 +184,18 @@ impl Scope<'_> {
             y_axis: y_axis(given.y_axis),
             reversed,
             tolerance,
-            track: match &given.track {
-                TrackFormat::Straight => Track::Straight,
-                TrackFormat::Drawn => Track::Drawn,
-                TrackFormat::Circle(circle) => Track::Circle {
-                    centre: place(&circle.centre),
-                    closed: circle.closed,
-                },
-            },
-            tracks: BTreeMap::new(),
+            track: track(&given.track),
+            tracks: tracks
+                .iter()
+                .map(|(line, own)| (line.clone(), track(own)))
+                .collect(),
         };
         Ok(Source::Lines(LineSource {
             files: [self.folder.join(&given.u), self.folder.join(&given.v)],
-            reading: given.reversed.map(reading),
+            reading: [
+                reading(given.reversed[0], &given.tracks.u),
+                reading(given.reversed[1], &given.tracks.v),
+            ],
             deviation,
         }))
     }
@@ -235,6 +234,17 @@ fn y_axis(given: AxisFormat) -> YAxis {
     match given {
         AxisFormat::Up => YAxis::Up,
         AxisFormat::Down => YAxis::Down,
+    }
+}
+
+fn track(given: &TrackFormat) -> Track {
+    match given {
+        TrackFormat::Straight => Track::Straight,
+        TrackFormat::Drawn => Track::Drawn,
+        TrackFormat::Circle(circle) => Track::Circle {
+            centre: place(&circle.centre),
+            closed: circle.closed,
+        },
     }
 }
 
