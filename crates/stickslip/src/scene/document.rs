@@ -253,13 +253,13 @@ impl Document {
         }
     }
 
-    /// The same as an error of its own.
     /// Whether the entry `key` comes from an override.
     pub(crate) fn is_overridden(&self, key: &str) -> bool {
         let place = self.places.get(key);
         place.is_some_and(|place| !Arc::ptr_eq(&place.source, &self.source))
     }
 
+    /// The same as [`finding`](Self::finding), as an error of its own.
     pub(crate) fn error(&self, key: &str, part: Part, problem: SceneProblem) -> SceneError {
         SceneError::new(self.finding(key, part, problem), [])
     }
