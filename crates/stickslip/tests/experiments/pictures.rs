@@ -42,7 +42,7 @@ fn loops_that_do_not_close_are_flagged_on_the_map() {
     assert!(field["jumps"].as_u64().unwrap() >= 1, "{summary}");
     let warning = summary["warnings"][0].as_str().unwrap();
     assert!(
-        warning.contains("loops of pixels do not close"),
+        warning.contains("loops of pixels that do not close"),
         "{warning}"
     );
     let map = fs::read_to_string(folder.path().join("e-results/figures/phase-up.svg")).unwrap();
@@ -278,11 +278,11 @@ fn one_warning_counts_the_loops_of_both_fields_and_of_the_null_field() {
     assert_eq!(warnings.len(), 1, "{summary}");
     let words = warnings[0].as_str().unwrap();
     assert!(
-        words.starts_with("State 'up': Unwrapping the U and V fields is inconsistent: "),
+        words.starts_with("State 'up': Unwrapping is inconsistent: "),
         "{words}"
     );
     assert!(
-        words.contains("do not close in U") && words.contains("do not close in V"),
+        words.contains("in the U field, ") && words.contains("in the V field."),
         "{words}"
     );
 }
@@ -300,7 +300,7 @@ fn warnings_of_the_back_are_told() {
     let summary = succeeds(folder.path(), &["reduce", "e.toml"]);
     let words = summary["warnings"][0].as_str().unwrap();
     assert!(
-        words.starts_with("State 'up': The back: Unwrapping the U field is inconsistent"),
+        words.starts_with("State 'up': The back: Unwrapping is inconsistent: "),
         "{summary}"
     );
 }

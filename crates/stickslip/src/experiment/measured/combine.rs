@@ -299,33 +299,19 @@ fn tell_of(measured: &mut Measured, field: Field, found: &Less) {
 /// One line for both fields: what is wrong with one picture is mostly wrong with the other.
 fn tell_of_unwrapping(measured: &mut Measured) {
     let fields = Field::BOTH.into_iter().zip(&measured.pictures);
-    let open: Vec<(&str, usize, usize)> = fields
+    let open: Vec<String> = fields
         .filter_map(|(field, found)| {
             let found = found.as_ref()?;
             let (residues, cuts) = (found.residues.len(), found.cuts.len());
-            (residues + cuts > 0).then_some((field_name(field), residues, cuts))
+            let name = field_name(field);
+            (residues + cuts > 0).then(|| format!("{residues} and {cuts} in the {name} field"))
         })
         .collect();
-    let counts = match open[..] {
-        [] => return,
-        [(name, residues, cuts)] => format!(
-            "the {name} field is inconsistent: {residues} loops of pixels do not close, and {cuts} neighbours differ by half a fringe \
-             or more"
-        ),
-        _ => {
-            let each = open.iter().map(|(name, residues, cuts)| {
-                format!("{residues} loops of pixels do not close in {name}, and {cuts} neighbours differ by half a fringe or more")
-            });
-            let names: Vec<&str> = open.iter().map(|(name, ..)| *name).collect();
-            let each: Vec<String> = each.collect();
-            format!(
-                "the {} fields is inconsistent: {}",
-                names.join(" and "),
-                each.join("; ")
-            )
-        }
-    };
-    measured.warnings.push(format!(
-        "Unwrapping {counts}. They are marked on the map of the phase; pixels at the jumps are masked."
-    ));
+    if !open.is_empty() {
+        measured.warnings.push(format!(
+            "Unwrapping is inconsistent: loops of pixels that do not close, and neighbours half a fringe or more apart, are {}. They are \
+             marked on the map of the phase; pixels at the jumps are masked.",
+            open.join(", ")
+        ));
+    }
 }
