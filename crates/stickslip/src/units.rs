@@ -181,13 +181,14 @@ const fn unit(name: &'static str, dimension: Dimension, in_base: f64) -> Unit {
 }
 
 /// Every unit that a scene may use. Within a dimension the first is the base unit.
-pub const UNITS: [Unit; 50] = [
+pub const UNITS: [Unit; 51] = [
     unit("mm", Dimension::Length, 1.0),
     unit("cm", Dimension::Length, 10.0),
     unit("m", Dimension::Length, 1000.0),
     unit("um", Dimension::Length, 1e-3),
     unit("µm", Dimension::Length, 1e-3),
     unit("μm", Dimension::Length, 1e-3),
+    unit("nm", Dimension::Length, 1e-6),
     unit("in", Dimension::Length, 25.4),
     unit("ft", Dimension::Length, 304.8),
     unit("mil", Dimension::Length, 0.0254),

@@ -140,7 +140,15 @@ impl<'a> Gallery<'a> {
         let experiment = self.experiment;
         story.answer(
             "Fringe pictures",
-            format!("{} states", experiment.states.len()),
+            format!(
+                "{} state{}",
+                experiment.states.len(),
+                if experiment.states.len() == 1 {
+                    ""
+                } else {
+                    "s"
+                }
+            ),
         );
         for (state, figure) in std::mem::take(&mut self.figures) {
             let name = format!("fringes-{}", experiment.states[state].name);
@@ -158,9 +166,11 @@ impl<'a> Gallery<'a> {
         }
         let fringes = camera.fringes();
         if !fringes.four && fringes.carrier.contains(&[0.0; 2]) {
-            story.note(
-                "Single pictures without a carrier cannot be read back: whether orders rise or fall is not in them. State a carrier, or \
-                 pictures = \"four\".",
+            story.answer(
+                "measured.toml",
+                "not written: single pictures without a carrier cannot be read back, as they do not tell whether orders rise or fall. \
+                 State a carrier, or pictures = \"four\""
+                    .to_owned(),
             );
             return;
         }

@@ -1,5 +1,7 @@
 //! What makes the bands of a region's stresses doubtful.
 
+use stickslip_hybrid::region::fit::Amount;
+
 use super::Analysed;
 use crate::experiment::plan::{Experiment, Source};
 use crate::output::short;
@@ -40,11 +42,10 @@ pub(super) fn doubts(experiment: &Experiment, found: &Analysed) -> Vec<String> {
     } else if fit.of_residuals > FACTORS[1] && single < CORRELATED * fit.of_residuals {
         doubts.push(format!(
             "means of neighbouring residuals vary {} times as much as independent errors would make them, single residuals {}: errors of \
-             neighbours go together, as those of overlapping subsets or filtered data do. Bands follow, but cross-validation takes errors \
-             for independent and smooths too little: state a smoothing amount, or take one of so many places that their errors are \
-             independent.",
+             neighbours go together, as those of overlapping subsets or filtered data do. Bands follow, but {}.",
             short(fit.of_residuals),
-            short(single)
+            short(single),
+            of_smoothing(experiment)
         ));
     } else if !(FACTORS[0]..=FACTORS[1]).contains(&fit.of_residuals) {
         doubts.push(format!(
@@ -53,6 +54,17 @@ pub(super) fn doubts(experiment: &Experiment, found: &Analysed) -> Vec<String> {
         ));
     }
     doubts
+}
+
+/// What errors of neighbours that go together mean for the amount of smoothing.
+fn of_smoothing(experiment: &Experiment) -> &'static str {
+    let amount = experiment.region.as_ref().map(|plan| plan.smoothing.amount);
+    if matches!(amount, Some(Amount::Given(_))) {
+        "so do residuals where the stated amount smooths the displacements themselves away: compare a smaller region.smoothing amount"
+    } else {
+        "cross-validation takes errors for independent and smooths too little: state a smoothing amount, or take one of so many places \
+         that their errors are independent"
+    }
 }
 
 /// What it means that residuals are far below the deviation of the data.

@@ -24,7 +24,7 @@ const CELLS_BEYOND: f64 = 2.0;
 /// Places and rows of an arc.
 #[derive(Debug)]
 pub(super) struct Edge {
-    /// `[rad]`, ascending, the middle within half a turn of zero.
+    /// `[rad]`, ascending, the middle within half a turn of zero; a ring begins at its cut.
     pub(super) angle: Vec<f64>,
     /// Radius times angle as the region counts it `[mm]`.
     pub(super) parameter: Vec<f64>,
@@ -60,9 +60,36 @@ pub(in crate::experiment) fn smoothing_reach(spacing: f64, kept: f64) -> f64 {
     3.0 * std::f64::consts::PI / 8.0 * spacing / kept.max(f64::MIN_POSITIVE)
 }
 
+/// Makes a ring begin at the first place at or after the angle `cut` `[rad]`, counted in one turn.
+fn turn(rows: &mut EdgeRows, radius: f64, cut: f64) {
+    const ROUNDING: f64 = 1e-9;
+    let circle = std::f64::consts::TAU * radius;
+    let start = radius * (cut.rem_euclid(std::f64::consts::TAU) - ROUNDING);
+    let before = (rows.parameter).partition_point(|s| s.rem_euclid(circle) < start);
+    rows.parameter.rotate_left(before);
+    let kept = rows.parameter.len() - before;
+    for s in &mut rows.parameter[kept..] {
+        *s += circle;
+    }
+    rows.nodes.rotate_left(before);
+    rows.rows.rotate_left(3 * before);
+    rows.normal.rotate_left(before);
+    rows.weights.rotate_left(before);
+}
+
 impl Edge {
-    pub(super) fn new(body: &ElasticBody, name: &str, radius: f64) -> Result<Self, RegionError> {
-        let rows = EdgeRows::new(body, name)?;
+    /// The edge `name` of a body, an arc of `radius` `[mm]`; a closed ring begins at the angle `cut` `[rad]`.
+    pub(super) fn new(
+        body: &ElasticBody,
+        name: &str,
+        radius: f64,
+        cut: f64,
+    ) -> Result<Self, RegionError> {
+        let mut rows = EdgeRows::new(body, name)?;
+        let resultant = rows.resultant(body.thickness());
+        if body.mesh().edge_path(name)?.closed {
+            turn(&mut rows, radius, cut);
+        }
         let middle = rows.parameter[rows.parameter.len() / 2] / radius;
         // Half a turn is within half a turn, whatever the last digit.
         let turns = (middle / std::f64::consts::TAU - 1e-9).round() * std::f64::consts::TAU;
@@ -71,7 +98,7 @@ impl Edge {
             angle: rows.parameter.iter().map(|s| s / radius - turns).collect(),
             cell: cell(body, name, &rows.parameter, radius)?,
             stresses: stresses.concat(),
-            resultant: rows.resultant(body.thickness()),
+            resultant,
             parameter: rows.parameter,
             nodes: rows.nodes,
         })

@@ -146,19 +146,22 @@ pub(in crate::experiment) fn truth_within<'a>(
 /// Misfit at unused places over its deviation, U and V.
 pub(super) fn misfit(experiment: &Experiment, found: &Analysed) -> Result<Svg, FigureError> {
     let unit = experiment.display.length;
+    let edge = arc(experiment, found);
+    let places = found.checks.misfit.iter();
+    let places = places.map(|one| one.place.map(|x| unit.from_base(x)));
+    let window = window(places.chain(edge.paths.concat()));
     let drawn = [0, 1].map(|axis| {
         let dots: Vec<([f64; 2], f64)> = (found.checks.misfit.iter())
             .filter(|one| one.axis == axis)
             .map(|one| (one.place.map(|x| unit.from_base(x)), one.relative))
             .collect();
-        let mut plot = PlanePlot::new(["U field", "V field"][axis], unit.name, window(&dots))
-            .colors(
-                Colormap::BlueWhiteRed,
-                Some("misfit / deviation".to_owned()),
-            );
+        let mut plot = PlanePlot::new(["U field", "V field"][axis], unit.name, window).colors(
+            Colormap::BlueWhiteRed,
+            Some("misfit / deviation".to_owned()),
+        );
         plot.dots = &dots;
         plot.range = Some([-MISFIT, MISFIT]);
-        plot.marks = vec![arc(experiment, found)];
+        plot.marks = vec![edge.clone()];
         plot.width = MAP;
         plot.render()
     });
@@ -184,9 +187,11 @@ fn arc(experiment: &Experiment, found: &Analysed) -> Marks {
     }
 }
 
-fn window(dots: &[([f64; 2], f64)]) -> [f64; 4] {
+/// What holds all places, with some room.
+fn window(places: impl Iterator<Item = [f64; 2]>) -> [f64; 4] {
+    let places: Vec<[f64; 2]> = places.collect();
     let along = |axis: usize| {
-        let values = || dots.iter().map(|(place, _)| place[axis]);
+        let values = || places.iter().map(|place| place[axis]);
         let low = values().fold(f64::INFINITY, f64::min);
         let high = values().fold(f64::NEG_INFINITY, f64::max);
         let room = 0.04 * (high - low).max(f64::MIN_POSITIVE);

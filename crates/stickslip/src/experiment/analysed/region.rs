@@ -117,7 +117,12 @@ impl<'a> Workbench<'a> {
         let body = Arc::new(body.map_err(|cause| unusable(cause.into()))?);
         let interior = interior(body.mesh(), &plan.interior)?;
         let region = Region::new(&body, &interior).map_err(unusable)?;
-        let edge = Edge::new(&body, EDGE, radius).map_err(unusable)?;
+        let cut = match &plan.shape {
+            RegionShape::Sector(sector) => sector.angles[0],
+            // Opposite of where scenes bear.
+            RegionShape::Mesh(_) => std::f64::consts::PI,
+        };
+        let edge = Edge::new(&body, EDGE, radius, cut).map_err(unusable)?;
         Ok(Self {
             experiment,
             plan,

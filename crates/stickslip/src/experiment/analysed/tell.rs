@@ -74,7 +74,7 @@ fn words(experiment: &Experiment, direct: bool) -> String {
     format!(
         "A region of finite elements moves at its boundary as measured and is in balance inside; its stresses on the edge are linear in \
          the data, so that their covariance is exact. {place}{how}Bands hold the noise and, as a declared systematic deviation, the estimated \
-         bias of the smoothing; the error of the mesh is not in them. θ is counted from +x towards +y. \
+         bias of the smoothing; errors of the mesh, of the material and of where the hole is are not in them. θ is counted from +x towards +y. \
          One of {UNUSED} places, evenly over the plane, is not used and checks the others.{direct}"
     )
 }
