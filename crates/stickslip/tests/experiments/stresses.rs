@@ -6,7 +6,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use super::{FRINGES, SCENE, folder_with, stickslip, succeeds};
+use super::{FRINGES, SCENE, TABLE, folder_with, numbers, stickslip, succeeds};
 
 const SIGMA: f64 = 1e-5;
 
@@ -185,4 +185,41 @@ fn friction_is_told_by_the_names_of_states() {
     );
     let page = fs::read_to_string(path.join("e-results/index.html")).unwrap();
     assert!(page.contains("Checks of the data") && page.contains("Free edge: "));
+}
+
+/// A ring begins at the first of its angles, in whichever turn it is stated, and its stresses stay with their places.
+#[test]
+fn a_ring_is_cut_at_the_first_of_its_angles() {
+    const STRAIN: f64 = -1e-3;
+    let mut table = "x,y,u,v\n".to_owned();
+    for i in -36..=36 {
+        for j in -36..=36 {
+            let [x, y] = [i, j].map(|k| 0.25 * f64::from(k));
+            if (5.0..9.0).contains(&x.hypot(y)) {
+                writeln!(table, "{x},{y},{},0", STRAIN * x).unwrap();
+            }
+        }
+    }
+    let folder = folder_with(&[("e.toml", TABLE), ("up.csv", &table)]);
+    let path = folder.path();
+    // Uniform stresses in the plane; the traction of the edge is theirs, and no load of a plate with a hole.
+    let stress = 70e3 / (1.0 - 0.33_f64.powi(2)) * STRAIN;
+    for (first, last, cut) in [(-180, 180, -180.0), (0, 360, 0.0), (90, 450, -270.0)] {
+        let region = format!(
+            "region={{ sector = {{ angles = [\"{first} deg\", \"{last} deg\"], outer = \"7 mm\", cells = [40, 4] }} }}"
+        );
+        succeeds(path, &["hybrid", "e.toml", "--force", "--set", &region]);
+        let rows = numbers(&path.join("e-results/edge-up.csv"));
+        assert_eq!(rows.len(), 80);
+        assert!((rows[0][0] - cut).abs() < 1e-6, "{:?}", rows[0]);
+        assert!(rows.windows(2).all(|pair| pair[0][0] < pair[1][0]));
+        for row in &rows {
+            let (sin, cos) = row[0].to_radians().sin_cos();
+            let pressure = -stress * (cos * cos + 0.33 * sin * sin);
+            let shear = -stress * (1.0 - 0.33) * sin * cos;
+            for (found, expected) in [(row[1], pressure), (row[5], shear)] {
+                assert!((found - expected).abs() < 0.01 * stress.abs(), "{row:?}");
+            }
+        }
+    }
 }
