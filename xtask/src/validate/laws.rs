@@ -16,7 +16,7 @@ use stickslip::experiment::laws::{
 };
 use stickslip::experiment::plan::SpecimenScene;
 use stickslip::scene::Scene;
-use stickslip_friction::FrictionLaw;
+use stickslip_friction::{FrictionLaw, History};
 use stickslip_hybrid::calibrate::Settings;
 use stickslip_hybrid::data::Measurement;
 use stickslip_hybrid::identify::Bounds;
@@ -160,7 +160,7 @@ impl Study {
         let states = self.truth.states(Arc::from(law(true_law)?), last + 1);
         let states = states.map_err(stopped)?;
         let history = states.last().map_or(&[][..], |state| &state.history);
-        let paths = history.iter().map(|own| own.slip_path());
+        let paths = history.iter().map(History::slip_path);
         Ok(paths.fold(0.0, f64::max))
     }
 

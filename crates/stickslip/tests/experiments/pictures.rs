@@ -232,7 +232,7 @@ fn pictures_and_tables_are_taken_off_each_other_with_what_pictures_tell() {
         let whose = if of_null { "The null field: " } else { "" };
         for words in [
             "The carrier of the U field was not stated",
-            "Unwrapping the U field",
+            "Unwrapping is inconsistent: ",
         ] {
             let words = format!("State 'up': {whose}{words}");
             assert!(warnings.contains(&words), "{words}: {warnings}");
