@@ -6,12 +6,14 @@
 
 mod figures;
 mod page;
+mod record;
 mod study;
 
 use std::process::ExitCode;
 
 use crate::publish::{self, Options, Picture, Publication, Trouble};
 
+pub(crate) use record::Record;
 pub(crate) use study::{NEAR, Series, WITH_FRICTION, WITHOUT_FRICTION, wanted};
 
 /// Runs the task.
