@@ -71,7 +71,7 @@ fn refusals_carry_the_text() {
             .help()
             .unwrap()
             .to_string()
-            .contains("mm, cm, m, um, in, ft, mil")
+            .contains("mm, cm, m, um, nm, in, ft, mil")
     );
     assert!(matches!(refused("mm"), UnitError::NotANumber { .. }));
     assert!(matches!(refused(""), UnitError::NotANumber { .. }));

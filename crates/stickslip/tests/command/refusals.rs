@@ -93,7 +93,7 @@ fn quantities() {
         &[
             "bad.toml:8:13",
             "'inch' in \"2 inch\" is not a known unit",
-            "mm, cm, m, um, in",
+            "mm, cm, m, um, nm, in",
         ],
     );
     refused(
