@@ -16,7 +16,7 @@
 
 mod csv_files;
 mod display;
-pub(crate) use display::{short, significant};
+pub(crate) use display::{counted, short, significant};
 mod failure;
 mod figures;
 mod loads;

@@ -9,6 +9,7 @@ use super::experiment::{self, Kind, kind_of};
 use super::failure::Failure;
 use super::located::locate;
 use crate::model::{Model, ModelBodyKind};
+use crate::output::counted;
 use crate::scene::Scene;
 use crate::scene::schema::{Body, Division, LoadKind, MeshSettings, Outline, Shape, Substance};
 use crate::units::{Dimension, Unit};
@@ -101,13 +102,12 @@ fn outline(scene: &Scene, model: &Model) -> Vec<(&'static str, String)> {
         ));
     }
     let (steps, substeps) = (scene.steps(), scene.analysis.substeps);
-    let plural = |count: usize| if count == 1 { "" } else { "s" };
     lines.push((
         "history",
         format!(
-            "{steps} load step{}, each in {substeps} sub-step{}",
-            plural(steps),
-            plural(substeps)
+            "{}, each in {}",
+            counted(steps, "load step"),
+            counted(substeps, "sub-step")
         ),
     ));
     lines.push(("hash", scene.hash.clone()));

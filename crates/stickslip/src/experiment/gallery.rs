@@ -18,7 +18,7 @@ use super::error::ExperimentError;
 use super::plan::{Experiment, State};
 use super::story::Story;
 use super::synthesis::{Camera, Shot, Shots, field_name};
-use crate::output::short;
+use crate::output::{counted, short};
 use crate::units::Unit;
 
 /// Folder of the picture files.
@@ -138,18 +138,7 @@ impl<'a> Gallery<'a> {
         story.text(self.words(camera));
         story.table(self.table());
         let experiment = self.experiment;
-        story.answer(
-            "Fringe pictures",
-            format!(
-                "{} state{}",
-                experiment.states.len(),
-                if experiment.states.len() == 1 {
-                    ""
-                } else {
-                    "s"
-                }
-            ),
-        );
+        story.answer("Fringe pictures", counted(experiment.states.len(), "state"));
         for (state, figure) in std::mem::take(&mut self.figures) {
             let name = format!("fringes-{}", experiment.states[state].name);
             let text = format!(

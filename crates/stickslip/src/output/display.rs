@@ -153,6 +153,12 @@ impl<'a> EdgeView<'a> {
     }
 }
 
+/// "1 state", "2 states".
+pub(crate) fn counted(count: usize, one: &str) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {one}{plural}")
+}
+
 /// Four significant digits, without an exponent where the number is of ordinary size.
 pub(crate) fn short(value: f64) -> String {
     significant(value, 4)

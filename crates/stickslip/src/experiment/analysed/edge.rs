@@ -60,16 +60,17 @@ pub(in crate::experiment) fn smoothing_reach(spacing: f64, kept: f64) -> f64 {
     3.0 * std::f64::consts::PI / 8.0 * spacing / kept.max(f64::MIN_POSITIVE)
 }
 
-/// Makes a ring begin at the first place at or after the angle `cut` `[rad]`, counted in one turn.
+/// Makes a ring begin at the first place at or after the angle `cut` `[rad]`, in whichever turn.
 fn turn(rows: &mut EdgeRows, radius: f64, cut: f64) {
     const ROUNDING: f64 = 1e-9;
-    let circle = std::f64::consts::TAU * radius;
-    let start = radius * (cut.rem_euclid(std::f64::consts::TAU) - ROUNDING);
-    let before = (rows.parameter).partition_point(|s| s.rem_euclid(circle) < start);
+    const CIRCLE: f64 = std::f64::consts::TAU;
+    let first = rows.parameter.first().map_or(0.0, |s| s / radius);
+    let start = first + (cut - first).rem_euclid(CIRCLE) - ROUNDING;
+    let before = (rows.parameter).partition_point(|s| s / radius < start);
     rows.parameter.rotate_left(before);
     let kept = rows.parameter.len() - before;
     for s in &mut rows.parameter[kept..] {
-        *s += circle;
+        *s += CIRCLE * radius;
     }
     rows.nodes.rotate_left(before);
     rows.rows.rotate_left(3 * before);
@@ -86,7 +87,6 @@ impl Edge {
         cut: f64,
     ) -> Result<Self, RegionError> {
         let mut rows = EdgeRows::new(body, name)?;
-        let resultant = rows.resultant(body.thickness());
         if body.mesh().edge_path(name)?.closed {
             turn(&mut rows, radius, cut);
         }
@@ -98,7 +98,7 @@ impl Edge {
             angle: rows.parameter.iter().map(|s| s / radius - turns).collect(),
             cell: cell(body, name, &rows.parameter, radius)?,
             stresses: stresses.concat(),
-            resultant,
+            resultant: rows.resultant(body.thickness()),
             parameter: rows.parameter,
             nodes: rows.nodes,
         })

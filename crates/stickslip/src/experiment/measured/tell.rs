@@ -10,7 +10,7 @@ use crate::experiment::gallery::caption;
 use crate::experiment::plan::{Experiment, Method, Source, State};
 use crate::experiment::story::{Story, csv_table};
 use crate::experiment::synthesis::field_name;
-use crate::output::short;
+use crate::output::{counted, short};
 
 /// Tells of the measured fields of all states.
 pub(in crate::experiment) fn tell(experiment: &Experiment, fields: &[Measured], story: &mut Story) {
@@ -38,11 +38,7 @@ pub(in crate::experiment) fn tell(experiment: &Experiment, fields: &[Measured], 
         .sum();
     story.answer(
         "Measured fields",
-        format!(
-            "{} state{}, {valid} displacements",
-            fields.len(),
-            if fields.len() == 1 { "" } else { "s" }
-        ),
+        format!("{}, {valid} displacements", counted(fields.len(), "state")),
     );
     for (names, words) in signs(experiment) {
         story.answer(&format!("Signs of {names}"), words);
