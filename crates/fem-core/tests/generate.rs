@@ -4,6 +4,8 @@
 mod bodies;
 #[path = "generate/measure.rs"]
 mod measure;
+#[path = "generate/mirrored.rs"]
+mod mirrored;
 #[path = "generate/refusals.rs"]
 mod refusals;
 #[path = "generate/shapes.rs"]

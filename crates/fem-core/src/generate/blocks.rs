@@ -62,6 +62,7 @@ pub struct BlockId(usize);
 pub struct Blocks {
     name: String,
     kind: ElementKind,
+    centre: Point,
     lattices: Vec<Lattice>,
     sides: Vec<(String, BlockId, Side, Range<usize>)>,
     curves: BTreeMap<String, Curve>,
@@ -74,6 +75,7 @@ impl Blocks {
         Self {
             name: name.to_owned(),
             kind,
+            centre: [0.0; 2],
             lattices: Vec::new(),
             sides: Vec::new(),
             curves: BTreeMap::new(),
@@ -81,11 +83,17 @@ impl Blocks {
         }
     }
 
+    /// Mirrors the cuts of cells with equal diagonals into triangles about the axes through `centre` `[length]`, instead of those through
+    /// the origin; for blocks added from now on.
+    pub fn about(&mut self, centre: Point) {
+        self.centre = centre;
+    }
+
     /// Adds a block of `cells[0]` × `cells[1]` cells. `map` gives the point `[length]` at lattice position (i, j); linear
     /// kinds ask for whole steps, quadratic ones also for points where one of the two is half.
     pub fn add(&mut self, cells: [usize; 2], map: impl Fn(f64, f64) -> Point) -> BlockId {
         self.lattices
-            .push(Lattice::new(cells, self.kind.order(), map));
+            .push(Lattice::new(cells, self.kind.order(), self.centre, map));
         BlockId(self.lattices.len() - 1)
     }
 

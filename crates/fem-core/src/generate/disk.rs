@@ -125,6 +125,7 @@ impl Generate for Disk {
         let (rim, core) = self.layout()?;
         let fan = Fan::new(&rim, self.radius, core.outline(), self.layers, &self.growth);
         let mut blocks = Blocks::new("disk", self.kind);
+        blocks.about(self.centre);
         let rings = blocks.add([rim.intervals(), self.layers], |i, j| {
             self.placed(fan.at(i, j))
         });

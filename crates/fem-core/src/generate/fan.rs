@@ -14,7 +14,7 @@ use super::{Extent, GenerateError, Growth};
 use crate::mesh::Point;
 
 /// Angles this close to the ends 0, π or 2π are meant to be there `[rad]`.
-const ANGLE_ROUNDING: f64 = 1e-9;
+pub(super) const ANGLE_ROUNDING: f64 = 1e-9;
 
 /// Largest change of the first layer's thickness per length along the circle, so that a jump in the angles' spacing does not
 /// become a step in the layers.
@@ -112,6 +112,17 @@ impl Rim {
     /// Number of cells along the circle.
     pub(super) fn intervals(&self) -> usize {
         self.angles.len() - 1
+    }
+
+    /// The upper half of a closed rim whose angles are mirrored about the x axis.
+    pub(super) fn mirrored_half(&self) -> Option<Self> {
+        let n = self.intervals();
+        let mirrored =
+            |k: usize| (self.angles[k] + self.angles[n - k] - TAU).abs() <= ANGLE_ROUNDING;
+        (self.closed && n.is_multiple_of(2) && (0..=n / 2).all(mirrored)).then(|| Self {
+            angles: self.angles[..=n / 2].to_vec(),
+            closed: false,
+        })
     }
 
     /// Points on a circle about the origin at every half step.

@@ -15,10 +15,17 @@ pub(super) struct Lattice {
     points: Vec<Point>,
     /// Whether the map turns the lattice over, so that cells must be walked the other way.
     mirrored: bool,
+    /// Point about whose axes cuts into triangles are mirrored `[length]`.
+    centre: Point,
 }
 
 impl Lattice {
-    pub(super) fn new(cells: [usize; 2], order: usize, map: impl Fn(f64, f64) -> Point) -> Self {
+    pub(super) fn new(
+        cells: [usize; 2],
+        order: usize,
+        centre: Point,
+        map: impl Fn(f64, f64) -> Point,
+    ) -> Self {
         let [columns, rows] = cells.map(|n| order * n + 1);
         let mut points = Vec::with_capacity(columns * rows);
         for j in 0..rows {
@@ -37,6 +44,7 @@ impl Lattice {
             order,
             points,
             mirrored: false,
+            centre,
         };
         lattice.mirrored = lattice.signed_area() < 0.0;
         lattice
@@ -139,12 +147,12 @@ impl Lattice {
                         connectivity.push(centre(coons_centre(&x)));
                     }
                     ElementKind::T3 => {
-                        for corners in Cut::shorter(&x).triangles() {
+                        for corners in Cut::of(&x, self.centre).triangles() {
                             connectivity.extend(corners.map(|c| n[c]));
                         }
                     }
                     ElementKind::T6 => {
-                        let cut = Cut::shorter(&x);
+                        let cut = Cut::of(&x, self.centre);
                         let middle = centre(cut.middle(&x));
                         for corners in cut.triangles() {
                             connectivity.extend(corners.map(|c| n[c]));
@@ -184,8 +192,8 @@ impl Lattice {
             if kind.corners() == 4 {
                 return (cell, edge);
             }
-            let (triangle, edge) =
-                Cut::shorter(&self.quad(i, j).map(|k| self.points[k])).edge(edge);
+            let x = self.quad(i, j).map(|k| self.points[k]);
+            let (triangle, edge) = Cut::of(&x, self.centre).edge(edge);
             (2 * cell + triangle, edge)
         })
     }
@@ -207,12 +215,22 @@ enum Cut {
 }
 
 impl Cut {
-    /// Equal diagonals, to rounding, are cut from 0 to 2.
-    fn shorter(x: &[Point; 8]) -> Self {
-        if distance(x[0], x[2]) <= distance(x[1], x[3]) * (1.0 + 1e-9) {
-            Self::From0To2
-        } else {
-            Self::From1To3
+    /// The shorter diagonal. Of equal ones, as in rings, the one that ends farther from the axes through `centre`: that choice depends
+    /// neither on numbering nor on orientation, so meshes of mirrored points are mirrored, and a half is the whole cut in two.
+    fn of(x: &[Point; 8], centre: Point) -> Self {
+        let [a, b, c, d] = [0, 1, 2, 3].map(|k| [0, 1].map(|i| (x[k][i] - centre[i]).abs()));
+        let area = |p: Point| p[0] * p[1];
+        let criteria = [
+            [-distance(x[0], x[2]), -distance(x[1], x[3])],
+            [area(a).max(area(c)), area(b).max(area(d))],
+            [a[1].max(c[1]), b[1].max(d[1])],
+        ];
+        let decided = criteria
+            .into_iter()
+            .find(|[p, q]| (p - q).abs() > 1e-9 * p.abs().max(q.abs()));
+        match decided {
+            Some([first, second]) if second > first => Self::From1To3,
+            _ => Self::From0To2,
         }
     }
 

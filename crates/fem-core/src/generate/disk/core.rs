@@ -207,8 +207,14 @@ fn half_counts(rim: &Rim) -> Vec<[usize; 2]> {
         })
 }
 
-/// Cells of the outer sides of each quadrant of a whole disk, found by moving cells between the four free counts.
+/// Cells of the outer sides of each quadrant of a whole disk. One whose rim is mirrored about its first axis is two halves, so that models
+/// of the half and of the whole have the same cells; any other is found by moving cells between the four free counts.
 fn whole_counts(rim: &Rim) -> Vec<[usize; 2]> {
+    if let Some(half) = rim.mirrored_half() {
+        let upper = half_counts(&half);
+        let lower = upper.iter().rev().map(|&[before, after]| [after, before]);
+        return upper.iter().copied().chain(lower).collect();
+    }
     let sides = |free: [usize; 4]| {
         let [a, b, c, d] = free;
         vec![[a, b], [c, a], [d, c], [b, d]]

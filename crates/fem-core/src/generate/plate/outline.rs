@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
 use super::super::GenerateError;
-use super::super::fan::{Rim, unit};
+use super::super::fan::{ANGLE_ROUNDING, Rim, unit};
 use super::super::spacing::{at_least, positive};
 use crate::mesh::Point;
 
@@ -109,17 +109,33 @@ impl Frame {
         all[..if self.closed { 4 } else { 2 }].to_vec()
     }
 
-    /// For every corner the nearest ray that leaves one for each of the other corners.
+    /// For every corner the nearest ray that leaves one for each of the other corners. A whole rim that is mirrored about y = 0 has the
+    /// rays of its half and their mirror images, so that both have the same cells.
     fn corner_rays(&self, rim: &Rim) -> Result<Vec<usize>, GenerateError> {
-        let directions: Vec<f64> = self.corner_points().into_iter().map(direction).collect();
-        let mut rays = Vec::with_capacity(directions.len());
+        if let Some(half) = rim.mirrored_half() {
+            let above = self.nearest_rays(&half, &self.corner_points()[..2])?;
+            let below = above.iter().rev().map(|ray| rim.intervals() - ray);
+            return Ok(above.iter().copied().chain(below).collect());
+        }
+        self.nearest_rays(rim, &self.corner_points())
+    }
+
+    /// Of two rays equally far from their corner the one closer to the x axis is taken, at both ends of the box.
+    fn nearest_rays(&self, rim: &Rim, corners: &[Point]) -> Result<Vec<usize>, GenerateError> {
+        let mut rays = Vec::with_capacity(corners.len());
         let mut first = 1;
-        for (k, &corner) in directions.iter().enumerate() {
-            let end = self.intervals.saturating_sub(directions.len() - 1 - k);
-            let away = |ray: &usize| (rim.angles[*ray] - corner).abs();
-            let nearest = (first..end).min_by(|a, b| away(a).total_cmp(&away(b)));
-            let Some(ray) = nearest else {
-                let nearest = rim.angles[first.min(self.intervals)];
+        for (k, corner) in corners.iter().map(|&corner| direction(corner)).enumerate() {
+            let end = (rim.intervals() + 1).saturating_sub(corners.len() - k);
+            let away = |ray: usize| (rim.angles[ray] - corner).abs();
+            let closer = |best: usize, ray: usize| {
+                let gain = away(best) - away(ray);
+                let axis = rim.angles[best].sin().abs() - rim.angles[ray].sin().abs();
+                let equal = gain.abs() <= ANGLE_ROUNDING;
+                let better = if equal { axis > 0.0 } else { gain > 0.0 };
+                if better { ray } else { best }
+            };
+            let Some(ray) = (first..end).reduce(closer) else {
+                let nearest = rim.angles[first.min(rim.intervals())];
                 return Err(GenerateError::CornerUnresolved { corner, nearest });
             };
             rays.push(ray);
