@@ -2,7 +2,7 @@
 //! what accuracy costs, `cargo xtask stability` where methods fail, `cargo xtask cosine` how wrong an assumed bearing load is,
 //! `cargo xtask shear-sign` which way friction points along a loaded hole, `cargo xtask mesh-dependence` what ply discount makes of a
 //! finer mesh, `cargo xtask hybrid-noise` what noise and bias are left in stresses from measured displacements, `cargo xtask
-//! closed-loop` how often friction from fringe pictures lies in its interval.
+//! closed-loop` how often friction from fringe pictures lies in its interval, `cargo xtask torture` what random cases break.
 
 mod chart;
 mod closed_loop;
@@ -12,6 +12,7 @@ mod mesh_dependence;
 mod publish;
 mod shear_sign;
 mod stability;
+mod torture;
 mod validate;
 
 use std::process::ExitCode;
@@ -44,6 +45,8 @@ enum Task {
     HybridNoise(publish::Options),
     /// Shows how the strength by ply discount depends on the mesh, and what crack bands mend.
     MeshDependence(publish::Options),
+    /// Tries random cases, and checks them by what holds whatever the answer is; fails if a check does.
+    Torture(torture::Options),
 }
 
 fn main() -> ExitCode {
@@ -56,5 +59,6 @@ fn main() -> ExitCode {
         Task::ShearSign(options) => shear_sign::main(&options),
         Task::HybridNoise(options) => hybrid_noise::main(&options),
         Task::MeshDependence(options) => mesh_dependence::main(&options),
+        Task::Torture(options) => torture::main(&options),
     }
 }

@@ -1,0 +1,237 @@
+//! `cargo xtask torture`: random cases, and conditions and relations that hold whatever the answer is.
+//!
+//! ```text
+//! seed ──► Kind::trial ──► Counts, failures ──► files of small cases, a record, a page
+//! ```
+
+mod open;
+mod record;
+mod scenes;
+mod trial;
+
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use stickslip_report::folder::write_atomic;
+
+use crate::publish::Trouble;
+use record::{Record, Run};
+use trial::{Counts, Failure, Kind};
+
+/// What is tried, how often and for how long.
+#[derive(Debug, Args)]
+pub(crate) struct Options {
+    /// Seeds to draw from, the last one excluded.
+    #[arg(long, value_name = "A..B", value_parser = seeds)]
+    seeds: Option<Range<u64>>,
+    /// Begin no trial after this many minutes, shared by the kinds.
+    #[arg(long, value_name = "M")]
+    minutes: Option<f64>,
+    /// The few seeds of the continuous check, without making failures smaller.
+    #[arg(long)]
+    quick: bool,
+    /// One kind of trial alone.
+    #[arg(long, value_name = "KIND")]
+    only: Option<String>,
+    /// Folder for failures.
+    #[arg(long, value_name = "FOLDER", default_value = "target/torture")]
+    output: PathBuf,
+    /// Keep the counts in docs/torture.md.
+    #[arg(long)]
+    write: bool,
+    /// Ask scenes that failed again, and nothing else.
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    replay: Vec<PathBuf>,
+    /// Trials at a time; as many as there are cores.
+    #[arg(long, value_name = "N")]
+    jobs: Option<usize>,
+}
+
+/// Seeds of a run that names none.
+const SEEDS: Range<u64> = 0..200;
+
+fn seeds(text: &str) -> Result<Range<u64>, String> {
+    let wrong = || format!("'{text}' is not of the form A..B, such as 0..200");
+    let (first, end) = text.split_once("..").ok_or_else(wrong)?;
+    let [first, end] = [first, end].map(|number| number.trim().parse::<u64>());
+    match (first, end) {
+        (Ok(first), Ok(end)) if first < end => Ok(first..end),
+        _ => Err(wrong()),
+    }
+}
+
+/// All kinds of trial; what is drawn, and which checks are made, is theirs.
+fn kinds(options: &Options) -> Vec<Box<dyn Kind>> {
+    vec![Box::new(scenes::Scenes {
+        shrinks: !options.quick,
+    })]
+}
+
+/// Runs the trials; fails where a check did.
+pub(crate) fn main(options: &Options) -> ExitCode {
+    match torture(options) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(trouble) => {
+            eprintln!("{trouble}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn torture(options: &Options) -> Result<bool, Trouble> {
+    if !options.replay.is_empty() {
+        return replay(&options.replay);
+    }
+    let all = kinds(options);
+    let wanted =
+        |kind: &&Box<dyn Kind>| options.only.as_ref().is_none_or(|only| only == kind.name());
+    let chosen: Vec<&Box<dyn Kind>> = all.iter().filter(wanted).collect();
+    if chosen.is_empty() {
+        let names: Vec<&str> = all.iter().map(|kind| kind.name()).collect();
+        return Err(format!(
+            "no kind of trial has this name; there are: {}",
+            names.join(", ")
+        )
+        .into());
+    }
+    let mut record = if options.write {
+        Record::kept()?
+    } else {
+        Record::default()
+    };
+    let mut clean = true;
+    for kind in &chosen {
+        let share = options
+            .minutes
+            .map(|minutes| Duration::from_secs_f64(60.0 * minutes / chosen.len() as f64));
+        let (run, failures) = tried(kind.as_ref(), options, share);
+        print!("{}", run.markdown(kind.as_ref()));
+        clean &= keep(kind.name(), &failures, &options.output)?;
+        record.put(kind.name(), run);
+    }
+    if options.write {
+        record.write(&all)?;
+    }
+    Ok(clean)
+}
+
+fn replay(files: &[PathBuf]) -> Result<bool, Trouble> {
+    let mut clean = true;
+    for file in files {
+        let (lines, holds) = scenes::replay(file)?;
+        print!("{}\n{lines}", file.display());
+        clean &= holds;
+    }
+    Ok(clean)
+}
+
+/// Tries the seeds of one kind, several at a time; each trial has one thread for itself.
+fn tried(kind: &dyn Kind, options: &Options, time: Option<Duration>) -> (Run, Vec<Failure>) {
+    let seeds = match &options.seeds {
+        Some(seeds) => seeds.clone(),
+        None if options.quick => kind.quick(),
+        None => SEEDS,
+    };
+    let start = Instant::now();
+    let progress = bar(kind.name(), seeds.end - seeds.start);
+    let next = AtomicU64::new(seeds.start);
+    let found = Mutex::new((Counts::default(), Vec::new()));
+    let jobs = options
+        .jobs
+        .unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
+    let work = || {
+        // Without a pool of its own, a trial would wait inside another one's parallel part.
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+        loop {
+            let seed = next.fetch_add(1, Ordering::Relaxed);
+            if seed >= seeds.end || time.is_some_and(|time| start.elapsed() > time) {
+                break;
+            }
+            let trial = match &pool {
+                Ok(pool) => pool.install(|| kind.trial(seed)),
+                Err(_) => kind.trial(seed),
+            };
+            for failure in &trial.failures {
+                progress.println(format!("seed {seed}, {}: {}", failure.check, failure.found));
+            }
+            progress.inc(1);
+            let mut found = found
+                .lock()
+                .unwrap_or_else(std::sync::PoisonError::into_inner);
+            found.0.add(&trial.counts);
+            found.1.extend(trial.failures);
+        }
+    };
+    std::thread::scope(|scope| {
+        for _ in 0..jobs {
+            scope.spawn(work);
+        }
+    });
+    progress.finish_and_clear();
+    let (counts, mut failures) = found
+        .into_inner()
+        .unwrap_or_else(std::sync::PoisonError::into_inner);
+    failures.sort_by(|a, b| (a.seed, &a.check).cmp(&(b.seed, &b.check)));
+    let end = next.into_inner().min(seeds.end);
+    (
+        Run {
+            seeds: [seeds.start, end],
+            counts,
+        },
+        failures,
+    )
+}
+
+fn bar(kind: &str, length: u64) -> ProgressBar {
+    let bar = ProgressBar::new(length).with_prefix(kind.to_owned());
+    // The template is a constant that is known to parse; without a style the bar only looks plainer.
+    if let Ok(style) = ProgressStyle::with_template("{prefix} {wide_bar} {pos}/{len} {elapsed}") {
+        bar.set_style(style);
+    }
+    bar
+}
+
+/// Writes the failures of `kind` and names them; whether all of them are known.
+fn keep(kind: &str, failures: &[Failure], folder: &Path) -> Result<bool, Trouble> {
+    let mut clean = true;
+    for failure in failures {
+        std::fs::create_dir_all(folder)?;
+        let check = failure.check.replace(' ', "-");
+        let file = folder.join(format!(
+            "{kind}-{check}-{}.{}",
+            failure.seed, failure.extension
+        ));
+        write_atomic(&file, &failure.case)?;
+        let known = open::is_known(kind, failure);
+        clean &= known;
+        let word = if known { "known" } else { "FAILED" };
+        eprintln!(
+            "{word} {kind} seed {}, {}: {}\n  {}",
+            failure.seed,
+            failure.check,
+            failure.found,
+            file.display()
+        );
+    }
+    Ok(clean)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::seeds;
+
+    #[test]
+    fn seeds_are_a_range() {
+        assert_eq!(seeds("3..9"), Ok(3..9));
+        for wrong in ["3", "9..3", "a..b", "-1..4"] {
+            assert!(seeds(wrong).unwrap_err().contains("0..200"), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,301 @@
+//! What a run answered, as plain numbers that can be mirrored, turned and scaled, and the largest difference of two answers.
+//!
+//! Each number is measured by the largest of its kind on its edge in the whole history of both answers: stresses by the largest
+//! pressure or stress, gaps and slips by the largest of both or by what the largest pressure gives the softest body, forces by the
+//! largest force.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use stickslip::results::{EdgeKind, Results};
+
+/// How far apart two places on an edge are still one: radians, or parts of the edge's length.
+const SAME_PLACE: f64 = 1e-7;
+
+/// One node of an edge: pressure, shear, gap, slip, stress along the edge.
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    place: f64,
+    values: [f64; 5],
+}
+
+/// Names of a row's numbers.
+const NAMES: [&str; 5] = ["CPRESS", "CSHEAR1", "COPEN", "CSLIP1", "hoop stress"];
+
+#[derive(Clone, Debug)]
+struct EdgeStep {
+    rows: Vec<Row>,
+    resultant: [f64; 2],
+    normal: f64,
+}
+
+#[derive(Clone, Debug)]
+struct Edge {
+    name: String,
+    circle: bool,
+    /// Whether slip means anything: a body that turns freely carries an arbitrary one.
+    slips: bool,
+    steps: Vec<EdgeStep>,
+}
+
+/// The numbers of a run.
+#[derive(Clone, Debug)]
+pub(super) struct Answer {
+    edges: Vec<Edge>,
+    dissipation: Vec<f64>,
+}
+
+/// The largest difference of two answers.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Difference {
+    /// Relative to the largest number of its kind.
+    pub(super) relative: f64,
+    /// Which number, and both of its values.
+    pub(super) found: String,
+}
+
+impl Answer {
+    /// The numbers of `results`.
+    pub(super) fn of(results: &Results) -> Self {
+        let edges = results.edges.iter().enumerate().map(|(index, geometry)| {
+            let steps = results.steps.iter().map(|step| {
+                let edge = &step.edges[index];
+                let rows = geometry.parameter.iter().zip(&edge.rows);
+                EdgeStep {
+                    rows: rows
+                        .map(|(&place, row)| Row {
+                            place,
+                            values: [
+                                row.pressure,
+                                row.shear,
+                                row.gap,
+                                row.slip,
+                                row.sigma_tangential,
+                            ],
+                        })
+                        .collect(),
+                    resultant: edge.resultant,
+                    normal: edge.normal_force,
+                }
+            });
+            let moves_freely = |note: &String| {
+                note.contains("CSLIP1") && note.contains(&format!("'{}'", geometry.name))
+            };
+            Edge {
+                name: geometry.name.clone(),
+                circle: matches!(geometry.kind, EdgeKind::Circle { .. }),
+                slips: !results.notes.iter().any(moves_freely),
+                steps: steps.collect(),
+            }
+        });
+        Self {
+            edges: edges.collect(),
+            dissipation: results.steps.iter().map(|step| step.dissipation).collect(),
+        }
+    }
+
+    fn each_step(&mut self) -> impl Iterator<Item = (bool, &mut EdgeStep)> {
+        self.edges.iter_mut().flat_map(|edge| {
+            let circle = edge.circle;
+            edge.steps.iter_mut().map(move |step| (circle, step))
+        })
+    }
+
+    /// The mirror image about the x axis (circles) or the y axis (lines).
+    pub(super) fn mirrored(mut self) -> Self {
+        for (circle, step) in self.each_step() {
+            step.resultant[usize::from(circle)] *= -1.0;
+            for row in &mut step.rows {
+                row.place = -row.place;
+                row.values[1] *= -1.0;
+                row.values[3] *= -1.0;
+            }
+        }
+        self
+    }
+
+    /// Turned by `quarters` of a turn about the centres of the circles.
+    pub(super) fn turned(mut self, quarters: u8) -> Self {
+        for (_, step) in self.each_step() {
+            for _ in 0..quarters {
+                let [x, y] = step.resultant;
+                step.resultant = [-y, x];
+            }
+            for row in &mut step.rows {
+                row.place += f64::from(quarters) * FRAC_PI_2;
+            }
+        }
+        self
+    }
+
+    /// With lengths multiplied by `length` and stresses by `stress`.
+    pub(super) fn scaled(mut self, length: f64, stress: f64) -> Self {
+        let force = stress * length * length;
+        for (circle, step) in self.each_step() {
+            step.resultant = step.resultant.map(|part| part * force);
+            step.normal *= force;
+            for row in &mut step.rows {
+                if !circle {
+                    row.place *= length;
+                }
+                for (value, factor) in row
+                    .values
+                    .iter_mut()
+                    .zip([stress, stress, length, length, stress])
+                {
+                    *value *= factor;
+                }
+            }
+        }
+        for work in &mut self.dissipation {
+            *work *= force * length;
+        }
+        self
+    }
+
+    /// The last step alone, without what the path leaves: slip and dissipation.
+    pub(super) fn end(mut self) -> Self {
+        for edge in &mut self.edges {
+            edge.slips = false;
+            edge.steps.drain(..edge.steps.len().saturating_sub(1));
+        }
+        self.dissipation.clear();
+        self
+    }
+
+    /// The largest difference of the two at the places of `self`; `give` is the length `[mm]` that a stress of 1 MPa gives.
+    pub(super) fn difference(&self, other: &Self, give: f64) -> Difference {
+        let mut worst = Difference {
+            relative: 0.0,
+            found: "nothing".into(),
+        };
+        if self.edges.len() != other.edges.len() {
+            worst.relative = f64::INFINITY;
+            worst.found = format!("{} edges against {}", self.edges.len(), other.edges.len());
+            return worst;
+        }
+        let mut work = 0.0_f64;
+        for own in &self.edges {
+            let Some(others) = other.edges.iter().find(|edge| edge.name == own.name) else {
+                worst.relative = f64::INFINITY;
+                worst.found = format!("edge '{}' is missing", own.name);
+                return worst;
+            };
+            let scales = Scales::of(own, others, give);
+            work += scales.force * scales.values[3];
+            for (step, (a, b)) in own.steps.iter().zip(&others.steps).enumerate() {
+                worst.against(own, [a, b], step, &scales, own.slips && others.slips);
+            }
+        }
+        for (step, (a, b)) in self.dissipation.iter().zip(&other.dissipation).enumerate() {
+            worst.take(*a, *b, work, || format!("dissipation, step {}", step + 1));
+        }
+        worst
+    }
+}
+
+/// What numbers of an edge are measured by.
+struct Scales {
+    values: [f64; 5],
+    force: f64,
+}
+
+impl Scales {
+    fn of(first: &Edge, second: &Edge, give: f64) -> Self {
+        let steps = || first.steps.iter().chain(&second.steps);
+        let rows = || steps().flat_map(|step| &step.rows);
+        let largest =
+            |index: usize| rows().fold(0.0, |most: f64, row| most.max(row.values[index].abs()));
+        let stress = largest(0).max(largest(1));
+        let slip = if first.slips && second.slips {
+            largest(3)
+        } else {
+            0.0
+        };
+        let length = largest(2).max(slip).max(give * stress);
+        let forces = steps().flat_map(|step| step.resultant.into_iter().chain([step.normal]));
+        Self {
+            values: [stress, stress, length, length, largest(4).max(stress)],
+            force: forces.fold(0.0, |most: f64, force| most.max(force.abs())),
+        }
+    }
+}
+
+impl Difference {
+    fn take(&mut self, a: f64, b: f64, scale: f64, name: impl FnOnce() -> String) {
+        let apart = (a - b).abs();
+        let relative = if apart == 0.0 { 0.0 } else { apart / scale };
+        if !(relative <= self.relative) {
+            self.relative = if relative.is_nan() {
+                f64::INFINITY
+            } else {
+                relative
+            };
+            self.found = format!(
+                "{}: {a:.9e} against {b:.9e}, {relative:.1e} of {scale:.3e}",
+                name()
+            );
+        }
+    }
+
+    fn against(
+        &mut self,
+        edge: &Edge,
+        pair: [&EdgeStep; 2],
+        step: usize,
+        scales: &Scales,
+        slips: bool,
+    ) {
+        let size = pair[0]
+            .rows
+            .iter()
+            .fold(1e-300, |most: f64, row| most.max(row.place.abs()));
+        for own in &pair[0].rows {
+            let apart = |other: &&Row| {
+                if edge.circle {
+                    let turns = (own.place - other.place) / TAU;
+                    (turns - turns.round()).abs() * TAU
+                } else {
+                    (own.place - other.place).abs() / size
+                }
+            };
+            let Some(other) = pair[1]
+                .rows
+                .iter()
+                .min_by(|a, b| apart(a).total_cmp(&apart(b)))
+            else {
+                continue;
+            };
+            if apart(&other) > SAME_PLACE {
+                self.relative = f64::INFINITY;
+                self.found = format!("edge '{}': no node at {}", edge.name, own.place);
+                return;
+            }
+            for (index, name) in NAMES.iter().enumerate() {
+                if index == 3 && !slips {
+                    continue;
+                }
+                let place = if edge.circle {
+                    own.place.to_degrees()
+                } else {
+                    own.place
+                };
+                self.take(
+                    own.values[index],
+                    other.values[index],
+                    scales.values[index],
+                    || format!("{name} of '{}' at {place:.4}, step {}", edge.name, step + 1),
+                );
+            }
+        }
+        let forces = [
+            ("resultant x", pair.map(|step| step.resultant[0])),
+            ("resultant y", pair.map(|step| step.resultant[1])),
+            ("normal force", pair.map(|step| step.normal)),
+        ];
+        for (name, [a, b]) in forces {
+            self.take(a, b, scales.force, || {
+                format!("{name} of '{}', step {}", edge.name, step + 1)
+            });
+        }
+    }
+}

@@ -1,0 +1,199 @@
+//! Balance of each body from written resultants, reactions and the scene's own loads, and what is said where it is poor.
+
+use stickslip::scene::schema::{Hold, LoadKind, Outline, Shape, Substance};
+
+use super::sample::{Sample, Verdict};
+
+/// Sums of some hundred forces, relative to the largest of the history.
+const ROUNDING: f64 = 1e-8;
+
+/// A residual of balance above this is reported in the notes.
+const REPORTED: f64 = 1e-8;
+
+/// Loads, contact resultants and reactions of every body sum to zero; without reactions along axes that nothing holds.
+pub(super) fn bodies(sample: &Sample) -> Verdict {
+    let mut any = false;
+    for (index, body) in sample.results.bodies.iter().enumerate() {
+        let Some(scale) = largest(sample, &body.name) else {
+            continue;
+        };
+        for step in 0..sample.results.steps.len() {
+            let Some(mut sum) = load(sample, &body.name, step) else {
+                continue;
+            };
+            for (edge, contact) in sample.scene.contacts.iter().enumerate() {
+                let sign = if contact.first.body == body.name {
+                    1.0
+                } else if contact.second.body == body.name {
+                    -1.0
+                } else {
+                    continue;
+                };
+                let resultant = sample.results.steps[step].edges[edge].resultant;
+                (0..2).for_each(|axis| sum[axis] += sign * resultant[axis]);
+            }
+            let free = free_axes(sample, &body.name);
+            let reaction = sample.results.steps[step]
+                .balance
+                .get(index)
+                .copied()
+                .flatten();
+            for axis in 0..2 {
+                let rest = match (free[axis], reaction) {
+                    (true, _) => sum[axis],
+                    (false, Some(balance)) if !sample.is_half() => {
+                        sum[axis] + balance.reaction[axis]
+                    }
+                    _ => continue,
+                };
+                any = true;
+                if rest.abs() > ROUNDING * scale {
+                    return Verdict::Fails(format!(
+                        "'{}', step {}, {}: {rest:e} N are left of {scale:e} N",
+                        body.name,
+                        step + 1,
+                        ["x", "y"][axis]
+                    ));
+                }
+            }
+        }
+    }
+    if any { Verdict::Holds } else { Verdict::Beside }
+}
+
+/// The largest force on the body in the history, of one contact or load.
+fn largest(sample: &Sample, body: &str) -> Option<f64> {
+    let mut most = 0.0_f64;
+    for step in 0..sample.results.steps.len() {
+        let [x, y] = load(sample, body, step)?;
+        most = most.max(x.hypot(y));
+        for (edge, contact) in sample.scene.contacts.iter().enumerate() {
+            if contact.first.body == body || contact.second.body == body {
+                most = most.max(sample.results.steps[step].edges[edge].normal_force);
+            }
+        }
+    }
+    // What two contacts hold against each other is more than what is applied: heat of a body that both sides hold.
+    let reactions = sample
+        .results
+        .steps
+        .iter()
+        .flat_map(|step| step.balance.iter().flatten());
+    let reaction = reactions.map(|balance| balance.reaction[0].hypot(balance.reaction[1]));
+    Some(reaction.fold(most, f64::max))
+}
+
+/// Resultant of the loads on a body `[N]`; `None` where it is not known from the scene alone.
+fn load(sample: &Sample, body: &str, step: usize) -> Option<[f64; 2]> {
+    let mut sum = [0.0; 2];
+    for load in &sample.scene.loads {
+        match &load.kind {
+            LoadKind::Force {
+                on,
+                direction,
+                steps,
+            }
+            | LoadKind::Bearing {
+                on,
+                direction,
+                steps,
+                ..
+            } if on.body == body => {
+                (0..2).for_each(|axis| sum[axis] += direction[axis] * steps[step]);
+            }
+            LoadKind::Pressure { on, steps } if on.body == body => {
+                let [x, y] = pushed(sample, body, &on.set)?;
+                sum[0] += x * steps[step];
+                sum[1] += y * steps[step];
+            }
+            LoadKind::PolarTraction { on, .. } if on.body == body => return None,
+            _ => {}
+        }
+    }
+    Some(sum)
+}
+
+/// Force on a body by a pressure of one on its edge.
+fn pushed(sample: &Sample, body: &str, set: &str) -> Option<[f64; 2]> {
+    let body = sample.scene.bodies.get(body)?;
+    let Substance::Elastic { thickness, .. } = &body.substance else {
+        return None;
+    };
+    let [width, height] = match body.shape {
+        Shape::PlateWithHole {
+            outline: Outline::Ring { .. },
+            ..
+        }
+        | Shape::Disk { .. } => return Some([0.0; 2]),
+        Shape::PlateWithHole {
+            outline:
+                Outline::Strip {
+                    half_width,
+                    left,
+                    right,
+                },
+            ..
+        } => [left + right, 2.0 * half_width],
+        Shape::Rectangle { width, height } => [width, height],
+        _ => return None,
+    };
+    match set {
+        "left" => Some([height * thickness, 0.0]),
+        "right" => Some([-height * thickness, 0.0]),
+        "top" => Some([0.0, -width * thickness]),
+        "bottom" => Some([0.0, width * thickness]),
+        "hole" => Some([0.0; 2]),
+        _ => None,
+    }
+}
+
+/// Axes along which no support or platen holds the body.
+fn free_axes(sample: &Sample, body: &str) -> [bool; 2] {
+    let mut free = [true; 2];
+    for support in sample
+        .scene
+        .supports
+        .iter()
+        .filter(|support| support.on.body == body)
+    {
+        match support.hold {
+            Hold::Axes(axes) => {
+                free[0] &= !axes.x;
+                free[1] &= !axes.y;
+            }
+            Hold::Direction(_) => free = [false; 2],
+        }
+    }
+    for platen in sample
+        .scene
+        .platens
+        .iter()
+        .filter(|platen| platen.on.body == body)
+    {
+        free[0] &= platen.free.x;
+        free[1] &= platen.free.y;
+    }
+    if sample.is_half() {
+        // The mirror holds the half across its line, and the resultants of both halves have nothing there.
+        free[usize::from(sample.is_round())] = false;
+    }
+    free
+}
+
+/// A poor residual of balance is said in the notes.
+pub(super) fn residual(sample: &Sample) -> Verdict {
+    let worst = sample
+        .results
+        .steps
+        .iter()
+        .map(|step| step.balance_residual)
+        .fold(0.0, f64::max);
+    if worst <= REPORTED {
+        return Verdict::Holds;
+    }
+    let says = |note: &&String| note.contains("balance");
+    match sample.results.notes.iter().find(says) {
+        Some(note) => Verdict::Declared(note.clone()),
+        None => Verdict::Fails(format!("balance_residual {worst:e} without a note")),
+    }
+}

@@ -1,0 +1,339 @@
+//! Conditions that a single answer meets, from its written results alone.
+//!
+//! Tolerances: solvers promise residuals of 1e-10 of the largest force. A node's traction is its force over its area, and areas differ
+//! by up to the ratio of the mesh's spacings, so pressures carry [`ROUNDING`] of the largest pressure of their contact in the history.
+
+use std::f64::consts::FRAC_PI_2;
+
+use serde_json::Value;
+use stickslip::results::{EdgeGeometry, EdgeKind, EdgeResults, EdgeRow};
+use stickslip_contact::Status;
+
+use super::bound::{axis_and_plies, bound};
+use super::quantity;
+use super::sample::{Sample, Verdict};
+
+/// What rounding and the solvers' residuals leave, relative to the largest number of its kind.
+const ROUNDING: f64 = 1e-8;
+
+/// A contact edge: its index among the results' edges, its text in the scene, and its geometry.
+struct Contact<'a> {
+    index: usize,
+    text: &'a Value,
+    geometry: &'a EdgeGeometry,
+}
+
+/// The contacts of a sample in the order of its results.
+fn contacts(sample: &Sample) -> impl Iterator<Item = Contact<'_>> {
+    let texts = quantity::list(&sample.value, "contacts");
+    texts.enumerate().filter_map(|(index, text)| {
+        let geometry = sample.results.edges.get(index)?;
+        geometry.contact.then_some(Contact {
+            index,
+            text,
+            geometry,
+        })
+    })
+}
+
+impl Contact<'_> {
+    fn steps<'a>(&self, sample: &'a Sample) -> impl Iterator<Item = &'a EdgeResults> {
+        let index = self.index;
+        sample
+            .results
+            .steps
+            .iter()
+            .filter_map(move |step| step.edges.get(index))
+    }
+
+    fn most(&self, sample: &Sample, of: impl Fn(&EdgeRow) -> f64) -> f64 {
+        let rows = self.steps(sample).flat_map(|edge| &edge.rows);
+        rows.fold(0.0, |most: f64, row| most.max(of(row).abs()))
+    }
+
+    /// The first row of which `wrong` says something.
+    fn first(
+        &self,
+        sample: &Sample,
+        wrong: impl Fn(usize, &EdgeRow, f64) -> Option<String>,
+    ) -> Option<String> {
+        self.steps(sample).enumerate().find_map(|(step, edge)| {
+            let rows = self.geometry.parameter.iter().zip(&edge.rows);
+            rows.into_iter().find_map(|(place, row)| {
+                let found = wrong(step, row, *place)?;
+                let place = match self.geometry.kind {
+                    EdgeKind::Circle { .. } => format!("{:.3}°", place.to_degrees()),
+                    EdgeKind::Line => format!("x = {place:.4} mm"),
+                };
+                Some(format!(
+                    "'{}', step {}, {place}: {found}",
+                    self.geometry.name,
+                    step + 1
+                ))
+            })
+        })
+    }
+}
+
+fn of_contacts(sample: &Sample, wrong: impl Fn(&Contact<'_>) -> Option<String>) -> Verdict {
+    let mut any = false;
+    for contact in contacts(sample) {
+        any = true;
+        if let Some(found) = wrong(&contact) {
+            return Verdict::Fails(found);
+        }
+    }
+    if any { Verdict::Holds } else { Verdict::Beside }
+}
+
+/// All numbers are finite.
+pub(super) fn numbers(sample: &Sample) -> Verdict {
+    for (index, step) in sample.results.steps.iter().enumerate() {
+        let rows = step
+            .edges
+            .iter()
+            .flat_map(|edge| &edge.rows)
+            .flat_map(|row| {
+                [
+                    row.pressure,
+                    row.shear,
+                    row.gap,
+                    row.slip,
+                    row.sigma_normal,
+                    row.sigma_tangential,
+                    row.tau,
+                ]
+            });
+        let sums = step
+            .edges
+            .iter()
+            .flat_map(|edge| [edge.resultant[0], edge.resultant[1], edge.normal_force]);
+        let fields = step.fields.iter().flat_map(|field| {
+            field
+                .displacement
+                .iter()
+                .copied()
+                .chain(field.stress.iter().flatten().copied())
+        });
+        let mut all = rows
+            .chain(sums)
+            .chain(fields)
+            .chain([step.dissipation, step.balance_residual]);
+        if let Some(wrong) = all.find(|value| !value.is_finite()) {
+            return Verdict::Fails(format!("step {}: {wrong}", index + 1));
+        }
+    }
+    Verdict::Holds
+}
+
+/// p ≥ 0, g ≥ 0, p g = 0, and a status that says which.
+pub(super) fn unilateral(sample: &Sample) -> Verdict {
+    let give = sample.give();
+    of_contacts(sample, |contact| {
+        let pressure = ROUNDING * contact.most(sample, |row| row.pressure);
+        let length = contact.most(sample, |row| row.gap.abs().max(row.slip.abs()));
+        let length = ROUNDING * length.max(give * pressure / ROUNDING);
+        contact.first(sample, |_, row, _| {
+            let touches = row.status != Status::Open;
+            let wrong = if row.pressure < -pressure {
+                "tension"
+            } else if row.gap < -length {
+                "penetration"
+            } else if row.pressure > pressure && row.gap > length {
+                "pressure across a gap"
+            } else if touches && row.gap.abs() > length || !touches && row.pressure > pressure {
+                "a status that contradicts pressure and gap"
+            } else {
+                return None;
+            };
+            Some(format!(
+                "{wrong}: p = {:e} MPa, g = {:e} mm, {}",
+                row.pressure, row.gap, row.status
+            ))
+        })
+    })
+}
+
+/// |τ| within the bound of the law, at it where the point slips.
+pub(super) fn cone(sample: &Sample) -> Verdict {
+    of_contacts(sample, |contact| {
+        let most = contact.most(sample, |row| row.pressure.max(row.shear.abs()));
+        let body = contact.text["first"].as_str()?.split('.').next()?;
+        let (axis, plies) = axis_and_plies(&sample.value, body);
+        contact.first(sample, |_, row, place| {
+            let tangent = match contact.geometry.kind {
+                EdgeKind::Circle { .. } => place + FRAC_PI_2,
+                EdgeKind::Line => 0.0,
+            };
+            let allowed = bound(
+                &contact.text["friction"],
+                row.pressure.max(0.0),
+                tangent - axis,
+                &plies,
+            )?;
+            let shear = row.shear.abs();
+            let beyond = match row.status {
+                Status::Open => shear,
+                Status::Stick => shear - allowed.stick,
+                Status::SlipPositive | Status::SlipNegative => {
+                    (allowed.slip[0] - shear).max(shear - allowed.slip[1])
+                }
+            };
+            (beyond > ROUNDING * most).then(|| {
+                format!(
+                    "{}: |τ| = {shear:e} MPa, p = {:e} MPa, {allowed:?}",
+                    row.status, row.pressure
+                )
+            })
+        })
+    })
+}
+
+/// Friction acts against slip: τ ≤ 0 where the first body slips along +e_t, and the slip of a step has the sign of its status where
+/// the step was solved in one increment.
+pub(super) fn direction(sample: &Sample) -> Verdict {
+    of_contacts(sample, |contact| {
+        let stress = ROUNDING * contact.most(sample, |row| row.pressure.max(row.shear.abs()));
+        let length = ROUNDING * contact.most(sample, |row| row.slip.abs().max(row.gap.abs()));
+        let edges: Vec<&EdgeResults> = contact.steps(sample).collect();
+        let starts: Vec<f64> = contact.geometry.parameter.clone();
+        contact.first(sample, |step, row, place| {
+            let sign = match row.status {
+                Status::SlipPositive => 1.0,
+                Status::SlipNegative => -1.0,
+                Status::Open | Status::Stick => 0.0,
+            };
+            if sign * row.shear > stress {
+                return Some(format!("{} under τ = {:e} MPa", row.status, row.shear));
+            }
+            let node = starts.iter().position(|own| *own == place)?;
+            let before = step
+                .checked_sub(1)
+                .map_or(0.0, |last| edges[last].rows[node].slip);
+            let slipped = row.slip - before;
+            let one = sample.results.steps[step].increments == 1;
+            let wrong = match row.status {
+                Status::SlipPositive | Status::SlipNegative => one && sign * slipped < -length,
+                Status::Stick => one && slipped.abs() > length,
+                Status::Open => false,
+            };
+            wrong.then(|| format!("{}, but it slipped by {slipped:e} mm", row.status))
+        })
+    })
+}
+
+/// Dissipation is never negative; with one increment and node pairs it is Σ |τ Δs| A.
+pub(super) fn dissipation(sample: &Sample) -> Verdict {
+    let work: f64 = contacts(sample)
+        .map(|contact| {
+            let forces = contact
+                .steps(sample)
+                .fold(0.0, |most: f64, edge| most.max(edge.normal_force));
+            forces * contact.most(sample, |row| row.slip)
+        })
+        .sum();
+    let least = sample
+        .results
+        .steps
+        .iter()
+        .map(|step| step.dissipation)
+        .fold(f64::INFINITY, f64::min);
+    if contacts(sample).next().is_none() {
+        Verdict::Beside
+    } else if least < -ROUNDING * work {
+        Verdict::Fails(format!(
+            "a step dissipates {least:e} N·mm, where {work:e} would be much"
+        ))
+    } else {
+        Verdict::Holds
+    }
+}
+
+/// The written resultant is the sum of the written tractions: over nodal areas by the trapezoidal rule, by Simpson's on quadratic
+/// edges. An arc is longer than the chords that carry the loads by h²/24; twice that, for areas and directions, is allowed.
+pub(super) fn resultant(sample: &Sample) -> Verdict {
+    of_contacts(sample, |contact| {
+        let EdgeKind::Circle { radius, .. } = contact.geometry.kind else {
+            return None;
+        };
+        let areas = areas(
+            contact.geometry,
+            radius * thickness(sample, &contact.geometry.body)?,
+        )?;
+        let step = contact
+            .geometry
+            .parameter
+            .windows(2)
+            .fold(0.0, |most: f64, pair| most.max(pair[1] - pair[0]));
+        let tolerance = (2.0 * step).powi(2) / 6.0 + ROUNDING;
+        let most = contact
+            .steps(sample)
+            .fold(0.0, |most: f64, edge| most.max(edge.normal_force));
+        contact.steps(sample).enumerate().find_map(|(index, edge)| {
+            let mut sum = [0.0; 2];
+            let rows = contact
+                .geometry
+                .parameter
+                .iter()
+                .zip(&edge.rows)
+                .zip(&areas);
+            for ((place, row), area) in rows {
+                let (s, c) = place.sin_cos();
+                sum[0] += (row.pressure * c - row.shear * s) * area;
+                sum[1] += (row.pressure * s + row.shear * c) * area;
+            }
+            if contact.geometry.half {
+                sum = [2.0 * sum[0], 0.0];
+            }
+            let apart = (sum[0] - edge.resultant[0]).hypot(sum[1] - edge.resultant[1]);
+            (apart > tolerance * most).then(|| {
+                format!(
+                    "'{}', step {}: {:?} N written, {sum:?} N by the tractions",
+                    contact.geometry.name,
+                    index + 1,
+                    edge.resultant
+                )
+            })
+        })
+    })
+}
+
+/// Areas of the nodes of a circle, times `scale` = radius × thickness.
+fn areas(geometry: &EdgeGeometry, scale: f64) -> Option<Vec<f64>> {
+    let (angles, corners) = (&geometry.parameter, &geometry.corner);
+    let count = angles.len();
+    let mut areas = vec![0.0; count];
+    let quadratic = corners.iter().any(|corner| !corner);
+    let stride = if quadratic { 2 } else { 1 };
+    let first = corners.iter().position(|corner| *corner)?;
+    let last = if geometry.half { count - 1 } else { count };
+    let mut start = first;
+    while start < last + first && (!geometry.half || start + stride <= last) {
+        let at = |k: usize| {
+            angles[k % count]
+                + if k >= count {
+                    std::f64::consts::TAU
+                } else {
+                    0.0
+                }
+        };
+        let length = scale * (at(start + stride) - at(start));
+        let shares: &[f64] = if quadratic {
+            &[1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0]
+        } else {
+            &[0.5, 0.5]
+        };
+        for (offset, share) in shares.iter().enumerate() {
+            areas[(start + offset) % count] += share * length;
+        }
+        start += stride;
+    }
+    Some(areas)
+}
+
+fn thickness(sample: &Sample, body: &str) -> Option<f64> {
+    match &sample.scene.bodies.get(body)?.substance {
+        stickslip::scene::schema::Substance::Elastic { thickness, .. } => Some(*thickness),
+        stickslip::scene::schema::Substance::Rigid => None,
+    }
+}

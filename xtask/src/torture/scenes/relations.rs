@@ -1,0 +1,328 @@
+//! Relations between the answers of a scene and of the same scene seen another way.
+//!
+//! Both are solved from scratch. What a relation says exactly is asked for up to [`EXACT`]; what depends on the mesh or on the order of
+//! events is asked for as far as theory goes. An answer that the results call one of several, or dependent on the path of the solution,
+//! is declared and counted as such.
+
+use serde_json::{Value, json};
+use stickslip::scene::Format;
+
+use super::answer::Answer;
+use super::sample::{NoAnswer, Sample, Verdict, declared, read, run, solve};
+use super::spelling;
+use super::transform;
+
+/// Rounding 1e-16 and solvers' residuals 1e-10, amplified by the condition of coarse bodies and of contact near its ends, about 1e3.
+const EXACT: f64 = 1e-7;
+
+/// The answer of `variant`, brought back by `back`, is that of `sample`.
+fn same(sample: &Sample, variant: &Value, back: impl Fn(Answer) -> Answer) -> Verdict {
+    match solve(variant) {
+        Ok(other) => judge(sample, &other, back(Answer::of(&other.results))),
+        Err(none) => missing(sample, &none),
+    }
+}
+
+/// A variant that must have an answer has none.
+fn missing(sample: &Sample, none: &NoAnswer) -> Verdict {
+    let words = format!("the variant is {}", none.words());
+    match sample.declared() {
+        Some(note) => Verdict::Declared(format!("{words}; {note}")),
+        None => Verdict::Fails(words),
+    }
+}
+
+fn judge(sample: &Sample, other: &Sample, answer: Answer) -> Verdict {
+    compare(sample, other, &Answer::of(&sample.results), &answer)
+}
+
+fn compare(sample: &Sample, other: &Sample, own: &Answer, answer: &Answer) -> Verdict {
+    let difference = own.difference(answer, sample.give());
+    if difference.relative <= EXACT {
+        return Verdict::Holds;
+    }
+    match sample.declared().or_else(|| other.declared()) {
+        Some(note) => Verdict::Declared(format!("{}; {note}", difference.found)),
+        None => Verdict::Fails(difference.found),
+    }
+}
+
+/// The mirror image of the scene has the mirror image of the answer.
+pub(super) fn mirrored(sample: &Sample) -> Verdict {
+    let round = sample.is_round();
+    let flat = sample.value["bodies"].as_object().is_some_and(|bodies| {
+        bodies
+            .values()
+            .any(|body| body["shape"].get("rectangle").is_some())
+    });
+    if flat || sample.is_half() {
+        return Verdict::Beside;
+    }
+    same(
+        sample,
+        &transform::mirrored(&sample.value, round),
+        Answer::mirrored,
+    )
+}
+
+/// A scene of circles turned by a quarter has the turned answer: with quadrilaterals of equal spacing, and with contacts that know no
+/// direction: neat fits and interference with any friction, clearance without friction and with the linearised gap.
+pub(super) fn turned(sample: &Sample) -> Verdict {
+    if !sample.is_circular() || !turns(&sample.value) {
+        return Verdict::Beside;
+    }
+    let mut scene = sample.value.clone();
+    scene["analysis"]["model"] = json!("whole");
+    let quarters = 1 + (sample.results.steps.len() % 3) as u8;
+    let turned = transform::turned(&scene, quarters);
+    same(sample, &turned, |answer| answer.turned(4 - quarters))
+}
+
+fn turns(scene: &Value) -> bool {
+    let meshes = [Some(&scene["mesh"])].into_iter().flatten();
+    let own = scene["bodies"]
+        .as_object()
+        .into_iter()
+        .flatten()
+        .filter_map(|(_, body)| body.get("mesh"));
+    let equal = meshes.chain(own).all(|mesh| {
+        let quads = mesh
+            .get("element")
+            .is_none_or(|element| element.as_str().is_some_and(|name| name.starts_with('Q')));
+        let spacing = super::quantity::number(mesh, "/spacing");
+        let fits =
+            spacing.is_none_or(|spacing| (90.0 / spacing - (90.0 / spacing).round()).abs() < 1e-9);
+        quads && fits && mesh.get("angles").is_none() && mesh.get("fine_to").is_none()
+    });
+    let contacts = super::quantity::list(scene, "contacts");
+    let polar =
+        super::quantity::list(scene, "loads").any(|load| load.get("polar_traction").is_some());
+    let failure = scene.get("failure").is_some();
+    equal
+        && !polar
+        && !failure
+        && contacts.into_iter().all(|contact| {
+            let radius = |key: &str| {
+                let (body, set) = contact[key].as_str()?.split_once('.')?;
+                let shape = &scene["bodies"][body]["shape"];
+                let key = match set {
+                    "hole" => "/plate_with_hole/hole_radius",
+                    "outer" => "/plate_with_hole/outline/ring/radius",
+                    _ => "/disk/radius",
+                };
+                super::quantity::number(shape, key)
+            };
+            let neat = radius("second") >= radius("first");
+            let frictionless = contact
+                .pointer("/friction/coulomb/mu")
+                .is_some_and(|mu| *mu == 0.0);
+            neat || frictionless && contact.get("gap").is_some_and(|gap| gap == "linearised")
+        })
+}
+
+/// The whole model of a scene that is solved by half of it.
+pub(super) fn half_and_whole(sample: &Sample) -> Verdict {
+    if !sample.is_half() {
+        return Verdict::Beside;
+    }
+    let mut scene = sample.value.clone();
+    scene["analysis"]["model"] = json!("whole");
+    same(sample, &scene, |answer| answer)
+}
+
+/// Lengths × 7.3 and moduli × 3.1.
+pub(super) fn rescaled(sample: &Sample) -> Verdict {
+    let (length, stress) = (7.3, 3.1);
+    let scene = transform::scaled(&sample.value, length, stress);
+    same(sample, &scene, |answer| {
+        answer.scaled(1.0 / length, 1.0 / stress)
+    })
+}
+
+/// Moduli and loads × 1000.
+pub(super) fn stiffer(sample: &Sample) -> Verdict {
+    let scene = transform::scaled(&sample.value, 1.0, 1000.0);
+    same(sample, &scene, |answer| answer.scaled(1.0, 1e-3))
+}
+
+/// The same scene in other units.
+pub(super) fn other_units(sample: &Sample) -> Verdict {
+    same(sample, &transform::in_inches(&sample.value), |answer| {
+        answer
+    })
+}
+
+/// Without friction the last load step alone gives what the history ends with.
+pub(super) fn path(sample: &Sample) -> Verdict {
+    if sample.results.steps.len() < 2 || sample.scene.contacts.is_empty() {
+        return Verdict::Beside;
+    }
+    let smooth = transform::frictionless(&sample.value);
+    let frictionless = sample.value["contacts"] == smooth["contacts"];
+    let whole = if frictionless {
+        None
+    } else {
+        Some(solve(&smooth))
+    };
+    let history = match &whole {
+        None => sample,
+        Some(Ok(history)) => history,
+        // Friction may be what holds a body.
+        Some(Err(none)) => return Verdict::Unanswered(none.words()),
+    };
+    match solve(&transform::last_step(&smooth)) {
+        Ok(last) => {
+            let [own, others] = [history, &last].map(|one| Answer::of(&one.results).end());
+            compare(history, &last, &own, &others)
+        }
+        Err(none) => missing(history, &none),
+    }
+}
+
+/// Another solver finds the same. That it finds nothing is no contradiction.
+pub(super) fn another_solver(sample: &Sample) -> Verdict {
+    if sample.scene.contacts.is_empty() {
+        return Verdict::Beside;
+    }
+    let mut scene = sample.value.clone();
+    let own = scene["analysis"]["solver"].as_str().unwrap_or("auto");
+    let other = match own {
+        "auto" | "newton" if sample.results.steps.len() % 2 == 0 => "status",
+        "auto" | "newton" => "pivoting",
+        _ => "auto",
+    };
+    scene["analysis"]["solver"] = json!(other);
+    match solve(&scene) {
+        Ok(found) => judge(sample, &found, Answer::of(&found.results)),
+        Err(none) => Verdict::Unanswered(format!("{other}: {}", none.words())),
+    }
+}
+
+/// Keys in another order, as TOML and as JSON: the same hash, and the same bits.
+pub(super) fn key_order(sample: &Sample) -> Verdict {
+    let toml = match spelling::toml(&sample.value) {
+        Ok(text) => text,
+        Err(error) => return Verdict::Fails(format!("no TOML: {error}")),
+    };
+    let texts = [
+        (spelling::backwards(&sample.value), Format::Json),
+        (toml, Format::Toml),
+    ];
+    for (text, format) in texts {
+        let scene = match read(&text, format) {
+            Ok(scene) => scene,
+            Err(none) => return Verdict::Fails(none.words()),
+        };
+        if scene.hash != sample.scene.hash {
+            return Verdict::Fails(format!("{format:?}: another hash"));
+        }
+        match run(&scene) {
+            Ok(results) if bits(&results) == bits(&sample.results) => {}
+            Ok(_) => return Verdict::Fails(format!("{format:?}: other bits")),
+            Err(none) => return Verdict::Fails(none.words()),
+        }
+    }
+    Verdict::Holds
+}
+
+/// Bodies with other names, and contacts, supports and loads listed the other way round.
+pub(super) fn renamed(sample: &Sample) -> Verdict {
+    let scene = transform::renamed(&sample.value);
+    if scene == sample.value {
+        return Verdict::Beside;
+    }
+    same(sample, &scene, |answer| answer)
+}
+
+/// Three threads give the bits of one.
+pub(super) fn threads(sample: &Sample) -> Verdict {
+    let pool = match rayon::ThreadPoolBuilder::new().num_threads(3).build() {
+        Ok(pool) => pool,
+        Err(error) => return Verdict::Unanswered(error.to_string()),
+    };
+    match pool.install(|| run(&sample.scene)) {
+        Ok(results) if bits(&results) == bits(&sample.results) => Verdict::Holds,
+        Ok(_) => Verdict::Fails("other bits on three threads".into()),
+        Err(none) => Verdict::Fails(format!("on three threads {}", none.words())),
+    }
+}
+
+/// What is written, without times.
+fn bits(results: &stickslip::results::Results) -> String {
+    let mut results = results.clone();
+    results.phases.clear();
+    for step in &mut results.steps {
+        step.seconds = 0.0;
+    }
+    // Rust prints a number with the digits that give its bits back.
+    format!("{:?} {:?}", results.edges, results.steps)
+}
+
+/// Twice as fine a mesh: contact forces and extents move by no more than the error that elements of their order have.
+pub(super) fn another_mesh(sample: &Sample) -> Verdict {
+    let Some(scene) = transform::refined(&sample.value) else {
+        return Verdict::Beside;
+    };
+    // Histories with friction, and gaps between the facets of a mesh, are made of it.
+    let faceted = super::quantity::list(&sample.value, "contacts")
+        .any(|contact| contact.get("gap").is_some_and(|gap| gap == "faceted"));
+    if sample.scene.contacts.is_empty() || faceted {
+        return Verdict::Beside;
+    }
+    let coarse = &sample.results;
+    let touching = coarse
+        .steps
+        .iter()
+        .flat_map(|step| &step.edges)
+        .filter(|edge| edge.normal_force > 0.0);
+    let fewest = touching
+        .map(|edge| edge.rows.iter().filter(|row| row.pressure > 0.0).count())
+        .min();
+    if fewest.unwrap_or(0) < RESOLVED {
+        return Verdict::Beside;
+    }
+    let fine = match solve(&scene) {
+        Ok(fine) => fine,
+        Err(none) => return Verdict::Unanswered(none.words()),
+    };
+    let mut worst = (0.0, String::new());
+    for (index, geometry) in coarse
+        .edges
+        .iter()
+        .enumerate()
+        .filter(|(_, geometry)| geometry.contact)
+    {
+        let force = |step: usize, results: &stickslip::results::Results| {
+            results.steps[step].edges[index].normal_force
+        };
+        let most = (0..coarse.steps.len())
+            .map(|step| force(step, coarse))
+            .fold(0.0, f64::max);
+        for step in 0..coarse.steps.len() {
+            let apart = (force(step, coarse) - force(step, &fine.results)).abs() / most;
+            if apart > worst.0 {
+                worst = (
+                    apart,
+                    format!(
+                        "normal force of '{}', step {}: {:.1} %",
+                        geometry.name,
+                        step + 1,
+                        100.0 * apart
+                    ),
+                );
+            }
+        }
+    }
+    if worst.0 <= MESH {
+        return Verdict::Holds;
+    }
+    match declared(coarse).or_else(|| fine.declared()) {
+        Some(note) => Verdict::Declared(note),
+        None => Verdict::Fails(worst.1),
+    }
+}
+
+/// Nodes in contact from which on a mesh is said to resolve it.
+const RESOLVED: usize = 5;
+/// Largest change of a normal force by a mesh twice as fine.
+const MESH: f64 = 0.3;

@@ -1,0 +1,149 @@
+//! A scene and its answer, and what a check says of them.
+
+use std::path::PathBuf;
+
+use serde_json::Value;
+use stickslip::results::Results;
+use stickslip::run::RunError;
+use stickslip::scene::schema::{Outline, Shape};
+use stickslip::scene::{Format, Scene};
+use stickslip_contact::ContactError;
+
+use super::quantity;
+
+/// Why there is no answer.
+#[derive(Clone, Debug)]
+pub(super) enum NoAnswer {
+    /// The scene, or the model of it, is refused.
+    Refused(String),
+    /// A load step is not solved.
+    Unsolved(String),
+}
+
+impl NoAnswer {
+    /// As messages say it.
+    pub(super) fn words(&self) -> String {
+        match self {
+            Self::Refused(why) => format!("refused: {why}"),
+            Self::Unsolved(why) => format!("not solved: {why}"),
+        }
+    }
+}
+
+/// A scene and its answer.
+pub(super) struct Sample {
+    pub(super) value: Value,
+    pub(super) scene: Scene,
+    pub(super) results: Results,
+}
+
+/// What a check says.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Verdict {
+    /// The check does not concern the scene.
+    Beside,
+    /// It holds.
+    Holds,
+    /// It does not hold, and the results say why it need not.
+    Declared(String),
+    /// The answer to compare with is missing, and may be.
+    Unanswered(String),
+    /// It does not hold.
+    Fails(String),
+}
+
+/// Where tables that scenes name lie.
+pub(super) fn data_folder() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../crates/stickslip/src/templates")
+}
+
+/// Reads a scene from `text`.
+pub(super) fn read(text: &str, format: Format) -> Result<Scene, NoAnswer> {
+    Scene::from_text(text, format, "torture", &data_folder(), &[] as &[&str])
+        .map_err(|error| NoAnswer::Refused(error.to_string()))
+}
+
+/// Reads and runs a scene.
+pub(super) fn solve(value: &Value) -> Result<Sample, NoAnswer> {
+    let scene = read(&value.to_string(), Format::Json)?;
+    let results = run(&scene)?;
+    Ok(Sample {
+        value: value.clone(),
+        scene,
+        results,
+    })
+}
+
+/// Runs a scene.
+pub(super) fn run(scene: &Scene) -> Result<Results, NoAnswer> {
+    stickslip::run::run(scene, &mut |_| {}).map_err(|error| match error {
+        RunError::Contact(ContactError::StepFailed { .. }) => NoAnswer::Unsolved(error.to_string()),
+        other => NoAnswer::Refused(other.to_string()),
+    })
+}
+
+impl Sample {
+    /// What the results say of an answer that need not be the only one, or that depends on the path of the solution.
+    pub(super) fn declared(&self) -> Option<String> {
+        declared(&self.results)
+    }
+
+    /// The length `[mm]` by which a pressure of 1 MPa shortens the softest body: its largest circle or edge over its smallest modulus.
+    pub(super) fn give(&self) -> f64 {
+        let moduli = self.scene.materials.keys().filter_map(|name| {
+            let material = &self.value["materials"][name];
+            let own = ["/isotropic/young", "/orthotropic/e2"];
+            let given = own.iter().find_map(|key| quantity::number(material, key));
+            given.or(material.get("laminate").map(|_| 9000.0))
+        });
+        self.size() / moduli.fold(f64::INFINITY, f64::min)
+    }
+
+    /// The size of what touches `[mm]`: the largest hole, rim or half length.
+    pub(super) fn size(&self) -> f64 {
+        let sizes = self.scene.bodies.values().map(|body| match body.shape {
+            Shape::PlateWithHole { hole_radius, .. } => hole_radius,
+            Shape::Disk { radius } => radius,
+            Shape::Rectangle { width, .. } => width,
+            Shape::Block { half_length, .. } | Shape::Cylinder { half_length, .. } => half_length,
+        });
+        sizes.fold(0.0, f64::max)
+    }
+
+    /// Whether a half is modelled.
+    pub(super) fn is_half(&self) -> bool {
+        let model = self
+            .results
+            .choices
+            .iter()
+            .find(|choice| choice.what == "model");
+        model.is_some_and(|choice| choice.value == "half")
+    }
+
+    /// Whether all bodies are round, or all belong to a line contact.
+    pub(super) fn is_round(&self) -> bool {
+        self.scene
+            .bodies
+            .values()
+            .all(|body| matches!(body.shape, Shape::PlateWithHole { .. } | Shape::Disk { .. }))
+    }
+
+    /// Whether all bodies are rings and disks.
+    pub(super) fn is_circular(&self) -> bool {
+        self.scene.bodies.values().all(|body| match body.shape {
+            Shape::PlateWithHole { outline, .. } => matches!(outline, Outline::Ring { .. }),
+            Shape::Disk { .. } => true,
+            _ => false,
+        })
+    }
+}
+
+/// What `results` say of an answer that need not be the only one, or that depends on the path of the solution.
+pub(super) fn declared(results: &Results) -> Option<String> {
+    let says = |note: &&String| {
+        ["answer is not unique", "further solutions", "cut back"]
+            .iter()
+            .any(|words| note.contains(words))
+    };
+    results.notes.iter().find(says).cloned()
+}

@@ -1,0 +1,416 @@
+//! Scenes seen another way: mirrored, turned, larger, stiffer, listed otherwise, without friction.
+
+use serde_json::{Value, json};
+
+use super::quantity::{change, deg, list_mut, split, text};
+
+/// The mirror image about the x axis of round bodies, about the y axis of a line contact.
+pub(super) fn mirrored(scene: &Value, round: bool) -> Value {
+    let mut scene = scene.clone();
+    let across = usize::from(round);
+    let sides = if round {
+        ["top", "bottom"]
+    } else {
+        ["left", "right"]
+    };
+    materials(&mut scene, &|angle| -angle, &negated_layup);
+    for table in ["mesh"]
+        .iter()
+        .map(|name| (*name).to_owned())
+        .chain(own_meshes(&scene))
+    {
+        let angles = scene.pointer_mut(&format!("/{table}/angles"));
+        if let Some(Value::Array(angles)) = angles {
+            mirror_angles(angles);
+        }
+    }
+    for name in ["supports", "platens", "loads", "edges"] {
+        for entry in list_mut(&mut scene, name) {
+            swap(entry, sides);
+        }
+    }
+    for support in list_mut(&mut scene, "supports") {
+        let axis = ["x", "y"][across];
+        let fixes = support.get("fix").and_then(Value::as_array);
+        if fixes.is_some_and(|axes| axes.contains(&axis.into())) {
+            negate(support.get_mut("displacement"));
+        }
+        // The image of a direction at a is at −a about the x axis; at 180° − a about y, which holds the other way round.
+        negate(support.get_mut("normal"));
+        if !round && support.get("normal").is_some() {
+            negate(support.get_mut("displacement"));
+        }
+    }
+    for load in list_mut(&mut scene, "loads") {
+        for kind in ["force", "bearing"] {
+            if let Some(part) = load.pointer_mut(&format!("/{kind}/direction/{across}")) {
+                *part = json!(-part.as_f64().unwrap_or(0.0));
+            }
+        }
+    }
+    scene
+}
+
+/// Turned counter-clockwise by `quarters` of a turn.
+pub(super) fn turned(scene: &Value, quarters: u8) -> Value {
+    let mut scene = scene.clone();
+    let degrees = 90.0 * f64::from(quarters);
+    materials(&mut scene, &|angle| angle + degrees, &str::to_owned);
+    // A laminate turns with its own `angle`, and so do the plies of a law that are counted from its axis.
+    for support in list_mut(&mut scene, "supports") {
+        turn_support(support, quarters);
+    }
+    for platen in list_mut(&mut scene, "platens") {
+        swap_axes(platen.get_mut("free"), quarters);
+    }
+    for load in list_mut(&mut scene, "loads") {
+        for kind in ["force", "bearing"] {
+            let Some(direction) = load.pointer_mut(&format!("/{kind}/direction")) else {
+                continue;
+            };
+            for _ in 0..quarters {
+                let [x, y] = [0, 1].map(|axis| direction[axis].as_f64().unwrap_or(0.0));
+                *direction = json!([0.0 - y, x]);
+            }
+        }
+    }
+    scene
+}
+
+fn turn_support(support: &mut Value, quarters: u8) {
+    if let Some(normal) = support.get_mut("normal") {
+        if let Some((angle, _)) = normal.as_str().and_then(split) {
+            *normal = deg(angle + 90.0 * f64::from(quarters));
+        }
+        return;
+    }
+    let along_y = support.pointer("/fix/0").and_then(Value::as_str) == Some("y");
+    swap_axes(support.get_mut("fix"), quarters);
+    // +x goes to +y, −x, −y; +y to −x, −y, +x.
+    let reversed = if along_y {
+        [false, true, true, false]
+    } else {
+        [false, false, true, true]
+    };
+    if reversed[usize::from(quarters % 4)] {
+        negate(support.get_mut("displacement"));
+    }
+}
+
+fn swap_axes(axes: Option<&mut Value>, quarters: u8) {
+    if quarters % 2 == 0 {
+        return;
+    }
+    if let Some(Value::Array(axes)) = axes {
+        for axis in axes {
+            *axis = if *axis == "x" { "y" } else { "x" }.into();
+        }
+    }
+}
+
+/// Lengths times `length`, and moduli and stresses times `stress`.
+pub(super) fn scaled(scene: &Value, length: f64, stress: f64) -> Value {
+    let mut scene = scene.clone();
+    change(&mut scene, &|number, unit| {
+        let factor = match unit {
+            "mm" => length,
+            "MPa" => stress,
+            "N" => stress * length * length,
+            "kJ/m2" => stress * length,
+            _ => return None,
+        };
+        Some(text(number * factor, unit))
+    });
+    for load in list_mut(&mut scene, "loads") {
+        if let Some(Value::Array(steps)) = load.pointer_mut("/polar_traction/steps") {
+            for step in steps {
+                *step = json!(step.as_f64().unwrap_or(0.0) * stress);
+            }
+        }
+    }
+    scene
+}
+
+/// The same quantities in inches, pounds and pounds per square inch, shown in other units too.
+pub(super) fn in_inches(scene: &Value) -> Value {
+    // 1 in = 25.4 mm and 1 lbf = 4.4482216152605 N exactly (NIST SP 811, 2008).
+    const INCH: f64 = 25.4;
+    const POUND: f64 = 4.448_221_615_260_5;
+    let mut scene = scene.clone();
+    change(&mut scene, &|number, unit| {
+        let (number, unit) = match unit {
+            "mm" => (number / INCH, "in"),
+            "MPa" => (number * INCH * INCH / POUND, "psi"),
+            "N" => (number / POUND, "lbf"),
+            "deg" => (number.to_radians(), "rad"),
+            _ => return None,
+        };
+        Some(text(number, unit))
+    });
+    scene["units"] = json!({ "length": "mil", "force": "kip", "stress": "ksi" });
+    scene
+}
+
+/// Every contact frictionless.
+pub(super) fn frictionless(scene: &Value) -> Value {
+    let mut scene = scene.clone();
+    for contact in list_mut(&mut scene, "contacts") {
+        contact["friction"] = json!({ "coulomb": { "mu": 0.0 } });
+    }
+    scene
+}
+
+/// The last load step alone.
+pub(super) fn last_step(scene: &Value) -> Value {
+    let mut scene = scene.clone();
+    for load in list_mut(&mut scene, "loads") {
+        for kind in [
+            "force",
+            "bearing",
+            "pressure",
+            "polar_traction",
+            "temperature",
+        ] {
+            if let Some(Value::Array(steps)) = load.pointer_mut(&format!("/{kind}/steps")) {
+                steps.drain(..steps.len().saturating_sub(1));
+            }
+        }
+    }
+    scene
+}
+
+/// Bodies named so that they come in another order, and lists the other way round.
+pub(super) fn renamed(scene: &Value) -> Value {
+    let mut scene = scene.clone();
+    let Some(bodies) = scene.get("bodies").and_then(Value::as_object).cloned() else {
+        return scene;
+    };
+    let last = bodies.len();
+    let names: Vec<(String, String)> = bodies
+        .keys()
+        .enumerate()
+        .map(|(index, name)| (name.clone(), format!("z{}-{name}", last - index)))
+        .collect();
+    let new = |old: &str| {
+        let (body, set) = old.split_once('.').unwrap_or((old, ""));
+        let name = names
+            .iter()
+            .find(|(own, _)| own == body)
+            .map(|(_, name)| name);
+        name.map(|name| {
+            if set.is_empty() {
+                name.clone()
+            } else {
+                format!("{name}.{set}")
+            }
+        })
+    };
+    scene["bodies"] = bodies
+        .into_iter()
+        .map(|(name, body)| (new(&name).unwrap_or(name), body))
+        .collect();
+    for (list, keys) in [
+        ("contacts", &["first", "second"][..]),
+        ("supports", &["on"]),
+        ("platens", &["on"]),
+        ("loads", &["on"]),
+        ("edges", &["on"]),
+    ] {
+        for entry in list_mut(&mut scene, list) {
+            for key in keys {
+                if let Some(name) = entry.get(*key).and_then(Value::as_str).and_then(new) {
+                    entry[*key] = name.into();
+                }
+            }
+        }
+    }
+    if let Some(Value::Array(bodies)) = scene.pointer_mut("/failure/bodies") {
+        for body in bodies {
+            if let Some(name) = body.as_str().and_then(new) {
+                *body = name.into();
+            }
+        }
+    }
+    for list in ["contacts", "supports", "loads"] {
+        if let Some(Value::Array(entries)) = scene.get_mut(list) {
+            entries.reverse();
+        }
+    }
+    scene
+}
+
+/// Half the spacing of nodes.
+pub(super) fn refined(scene: &Value) -> Option<Value> {
+    let mut scene = scene.clone();
+    let tables = std::iter::once("mesh".to_owned()).chain(own_meshes(&scene));
+    for table in tables.collect::<Vec<_>>() {
+        let settings = scene.pointer_mut(&format!("/{table}"))?;
+        if settings.get("angles").is_some() {
+            return None;
+        }
+        for key in ["spacing", "coarse_spacing"] {
+            if let Some(value) = settings.get_mut(key) {
+                let (number, unit) = value.as_str().and_then(split)?;
+                *value = text(0.5 * number, unit);
+            }
+        }
+        if let Some(layers) = settings.get_mut("layers") {
+            *layers = json!(2 * layers.as_u64()?);
+        }
+    }
+    Some(scene)
+}
+
+/// Pointers to the meshes of bodies with their own, without the first slash.
+fn own_meshes(scene: &Value) -> Vec<String> {
+    let bodies = super::quantity::table(scene, "bodies");
+    let own = bodies.filter(|(_, body)| body.get("mesh").is_some());
+    own.map(|(name, _)| format!("bodies/{name}/mesh")).collect()
+}
+
+/// Changes the angles of materials and lay-ups. Plies of friction laws are counted from the material's axis: they mirror like it and
+/// do not turn.
+fn materials(scene: &mut Value, angle: &dyn Fn(f64) -> f64, layup: &dyn Fn(&str) -> String) {
+    let Some(Value::Object(all)) = scene.get_mut("materials") else {
+        return;
+    };
+    for material in all.values_mut() {
+        for kind in ["orthotropic", "laminate"] {
+            let Some(constants) = material.get_mut(kind) else {
+                continue;
+            };
+            let own = constants
+                .get("angle")
+                .and_then(Value::as_str)
+                .and_then(split);
+            constants["angle"] = deg(angle(own.map_or(0.0, |(own, _)| own)));
+            if let Some(text) = constants.get("layup").and_then(Value::as_str) {
+                constants["layup"] = layup(text).into();
+            }
+        }
+    }
+    let mirrors = angle(1.0) < 0.0;
+    let isotropic: Vec<String> = super::quantity::table(scene, "materials")
+        .filter(|(_, material)| material.get("isotropic").is_some())
+        .map(|(name, _)| name.clone())
+        .collect();
+    let bodies = scene.get("bodies").cloned().unwrap_or_default();
+    for contact in list_mut(scene, "contacts") {
+        let first = contact["first"]
+            .as_str()
+            .and_then(|set| set.split_once('.'));
+        let material = first.and_then(|(body, _)| bodies[body]["material"].as_str());
+        // An isotropic body has no axis that could turn: its law's plies are counted from x.
+        let from_x = material.is_some_and(|name| isotropic.iter().any(|own| own == name));
+        let Some(Value::Array(plies)) = contact.pointer_mut("/friction/fibre_coverage/plies")
+        else {
+            continue;
+        };
+        for ply in plies {
+            if let Some((own, _)) = ply["angle"].as_str().and_then(split)
+                && (mirrors || from_x)
+            {
+                ply["angle"] = deg(angle(own));
+            }
+        }
+    }
+}
+
+/// The lay-up with every angle negated.
+fn negated_layup(layup: &str) -> String {
+    let mut result = String::new();
+    let mut rest = layup.chars().peekable();
+    let mut counts = false;
+    while let Some(mark) = rest.next() {
+        let sign = matches!(mark, '±' | '-');
+        if !sign && !mark.is_ascii_digit() || counts {
+            counts = mark == '_' || (counts && mark.is_ascii_digit());
+            result.push(mark);
+            continue;
+        }
+        let mut number = if sign {
+            String::new()
+        } else {
+            mark.to_string()
+        };
+        while let Some(digit) = rest.next_if(|next| next.is_ascii_digit() || *next == '.') {
+            number.push(digit);
+        }
+        result += &match mark {
+            '±' => format!("-{number}/{number}"),
+            '-' => number,
+            _ if number == "0" => number,
+            _ => format!("-{number}"),
+        };
+    }
+    result
+}
+
+/// Nodes at these angles, counted the other way round; a list to 180° is its own mirror image in a whole model.
+fn mirror_angles(angles: &mut Vec<Value>) {
+    let degrees: Vec<f64> = angles
+        .iter()
+        .filter_map(|angle| split(angle.as_str()?))
+        .map(|(angle, _)| angle)
+        .collect();
+    if degrees.last().is_none_or(|last| *last <= 180.0) {
+        return;
+    }
+    let turned = degrees[1..].iter().rev().map(|angle| deg(360.0 - angle));
+    *angles = std::iter::once(deg(0.0)).chain(turned).collect();
+}
+
+fn swap(entry: &mut Value, sides: [&str; 2]) {
+    let Some((body, set)) = entry["on"].as_str().and_then(|on| on.split_once('.')) else {
+        return;
+    };
+    let other = match sides.iter().position(|side| *side == set) {
+        Some(0) => sides[1],
+        Some(_) => sides[0],
+        None => return,
+    };
+    entry["on"] = format!("{body}.{other}").into();
+}
+
+fn negate(value: Option<&mut Value>) {
+    if let Some(value) = value
+        && let Some((number, unit)) = value.as_str().and_then(split)
+    {
+        *value = text(0.0 - number, unit);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lay_ups_are_negated_angle_by_angle() {
+        for (layup, expected) in [
+            ("[0/45/-45/90]s", "[0/-45/45/-90]s"),
+            ("[±30]s", "[-30/30]s"),
+            ("[0_2/±45/90]s", "[0_2/-45/45/-90]s"),
+            ("[-37/86]s", "[37/-86]s"),
+            ("[25_12/7.5]s", "[-25_12/-7.5]s"),
+        ] {
+            assert_eq!(negated_layup(layup), expected);
+        }
+    }
+
+    #[test]
+    fn two_mirrors_and_four_quarters_give_the_scene_back() {
+        for seed in 0..200 {
+            let scene = super::super::random::scene(seed);
+            let round = scene["bodies"].as_object().unwrap().values().all(|body| {
+                body["shape"]
+                    .get("plate_with_hole")
+                    .or(body["shape"].get("disk"))
+                    .is_some()
+            });
+            let once = mirrored(&scene, round);
+            let thrice = mirrored(&mirrored(&once, round), round);
+            // The first image writes angles and lay-ups out that may be left out.
+            assert_eq!(once, thrice, "seed {seed}");
+        }
+    }
+}
