@@ -3,6 +3,7 @@
 mod answer;
 mod balance;
 mod bound;
+mod checks;
 mod conditions;
 mod display;
 mod draw;
@@ -13,6 +14,7 @@ mod replay;
 mod sample;
 mod shrink;
 mod spelling;
+mod sweeps;
 mod transform;
 
 use std::ops::Range;
@@ -22,153 +24,10 @@ use std::time::Duration;
 use serde_json::Value;
 
 use super::trial::{Counts, Failure, Kind, Trial};
+use checks::{Check, checks};
 use draw::Draw;
 pub(super) use replay::replay;
 use sample::{NoAnswer, Sample, Verdict, solve};
-
-/// A check of a solved scene.
-struct Check {
-    name: &'static str,
-    /// What it demands, for the page.
-    demands: &'static str,
-    /// In what part of the scenes it is made, because it takes further runs.
-    share: f64,
-    verdict: fn(&Sample) -> Verdict,
-}
-
-/// All checks, in the order of the page.
-const CHECKS: [Check; 19] = [
-    Check {
-        name: "numbers",
-        demands: "every written number is finite",
-        share: 1.0,
-        verdict: conditions::numbers,
-    },
-    Check {
-        name: "unilateral",
-        demands: "p ≥ 0, g ≥ 0, p g = 0, and statuses that say which; 1e-8",
-        share: 1.0,
-        verdict: conditions::unilateral,
-    },
-    Check {
-        name: "cone",
-        demands: "friction within the law's bound, at it where a point slips, the bound computed again from the scene's text; 1e-8",
-        share: 1.0,
-        verdict: conditions::cone,
-    },
-    Check {
-        name: "direction",
-        demands: "friction acts against slip, and slip has the sign of its status; 1e-8",
-        share: 1.0,
-        verdict: conditions::direction,
-    },
-    Check {
-        name: "dissipation",
-        demands: "no step dissipates less than nothing; 1e-8",
-        share: 1.0,
-        verdict: conditions::dissipation,
-    },
-    Check {
-        name: "resultant",
-        demands: "the resultant is the sum of the written tractions; 2h²/3 for the angle h between nodes",
-        share: 1.0,
-        verdict: conditions::resultant,
-    },
-    Check {
-        name: "bodies",
-        demands: "loads, resultants and reactions of every body sum to zero; 1e-8 of its largest force",
-        share: 1.0,
-        verdict: balance::bodies,
-    },
-    Check {
-        name: "balance note",
-        demands: "a balance residual above 1e-8 is said in the notes",
-        share: 1.0,
-        verdict: balance::residual,
-    },
-    Check {
-        name: "written",
-        demands: "summary.json and the tables of the edges say what the results say, in the units that they name; 1e-11",
-        share: 0.2,
-        verdict: display::written,
-    },
-    Check {
-        name: "mirrored",
-        demands: "the mirror image of the scene has the mirror image of the answer; 1e-7",
-        share: 0.4,
-        verdict: relations::mirrored,
-    },
-    Check {
-        name: "turned",
-        demands: "a scene of circles turned by quarters has the turned answer; 1e-7",
-        share: 1.0,
-        verdict: relations::turned,
-    },
-    Check {
-        name: "half and whole",
-        demands: "half a model gives what the whole gives; 1e-7",
-        share: 0.6,
-        verdict: relations::half_and_whole,
-    },
-    Check {
-        name: "rescaled",
-        demands: "lengths × 7.3 and moduli × 3.1 scale the answer; 1e-7",
-        share: 0.3,
-        verdict: relations::rescaled,
-    },
-    Check {
-        name: "stiffer",
-        demands: "moduli and loads × 1000 scale the answer; 1e-7",
-        share: 0.3,
-        verdict: relations::stiffer,
-    },
-    Check {
-        name: "other units",
-        demands: "in, lbf, psi and rad give what mm, N, MPa and deg give; 1e-7",
-        share: 0.15,
-        verdict: relations::other_units,
-    },
-    Check {
-        name: "path",
-        demands: "without friction the last load step alone gives what the history ends with; 1e-7",
-        share: 0.25,
-        verdict: relations::path,
-    },
-    Check {
-        name: "another solver",
-        demands: "another solver, if it finds an answer, finds the same; 1e-7",
-        share: 0.4,
-        verdict: relations::another_solver,
-    },
-    Check {
-        name: "another mesh",
-        demands: "twice as fine a mesh changes normal forces by at most 30 %, where at least five nodes touch",
-        share: 0.15,
-        verdict: relations::another_mesh,
-    },
-    Check {
-        name: "renamed",
-        demands: "other names of bodies and another order of lists change nothing; 1e-7",
-        share: 0.2,
-        verdict: relations::renamed,
-    },
-];
-
-/// Checks whose answers are the same bits.
-const BITS: [Check; 2] = [
-    Check {
-        name: "key order",
-        demands: "keys in another order, as JSON and as TOML, give the same hash and the same bits",
-        share: 0.15,
-        verdict: relations::key_order,
-    },
-    Check {
-        name: "threads",
-        demands: "three threads give the bits of one",
-        share: 0.1,
-        verdict: relations::threads,
-    },
-];
 
 /// Time and questions that shrinking a failure may take.
 const SHRINKING: (Duration, usize) = (Duration::from_secs(60), 400);
@@ -177,10 +36,6 @@ const SHRINKING: (Duration, usize) = (Duration::from_secs(60), 400);
 pub(super) struct Scenes {
     /// Whether failures are made smaller.
     pub(super) shrinks: bool,
-}
-
-fn checks() -> impl Iterator<Item = &'static Check> {
-    CHECKS.iter().chain(&BITS)
 }
 
 impl Kind for Scenes {
@@ -202,6 +57,7 @@ impl Kind for Scenes {
         let sample = match solved {
             Ok(Ok(sample)) => sample,
             Ok(Err(NoAnswer::Refused(_))) => return counted("refused"),
+            Ok(Err(NoAnswer::Impossible(_))) => return counted("proved impossible"),
             Ok(Err(NoAnswer::Unsolved(_))) => return counted("not solved"),
             Err(_) => return panicked(seed, &scene, "panic"),
         };

@@ -102,6 +102,16 @@ impl Answer {
 
     /// The mirror image about the x axis (circles) or the y axis (lines).
     pub(super) fn mirrored(mut self) -> Self {
+        for edge in &mut self.edges {
+            if let Some((body, set)) = edge.name.split_once('.') {
+                let other = match set {
+                    "top" => "bottom",
+                    "bottom" => "top",
+                    _ => set,
+                };
+                edge.name = format!("{body}.{other}");
+            }
+        }
         for (circle, step) in self.each_step() {
             step.resultant[usize::from(circle)] *= -1.0;
             for row in &mut step.rows {
@@ -224,7 +234,7 @@ impl Difference {
     fn take(&mut self, a: f64, b: f64, scale: f64, name: impl FnOnce() -> String) {
         let apart = (a - b).abs();
         let relative = if apart == 0.0 { 0.0 } else { apart / scale };
-        if !(relative <= self.relative) {
+        if relative > self.relative || relative.is_nan() {
             self.relative = if relative.is_nan() {
                 f64::INFINITY
             } else {

@@ -228,7 +228,8 @@ pub(super) fn key_order(sample: &Sample) -> Verdict {
 /// Bodies with other names, and contacts, supports and loads listed the other way round.
 pub(super) fn renamed(sample: &Sample) -> Verdict {
     let scene = transform::renamed(&sample.value);
-    if scene == sample.value {
+    // Further edges are named after their bodies.
+    if scene == sample.value || !sample.scene.edges.is_empty() {
         return Verdict::Beside;
     }
     same(sample, &scene, |answer| answer)

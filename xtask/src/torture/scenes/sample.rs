@@ -16,6 +16,8 @@ use super::quantity;
 pub(super) enum NoAnswer {
     /// The scene, or the model of it, is refused.
     Refused(String),
+    /// A load step has no balance, which is proved.
+    Impossible(String),
     /// A load step is not solved.
     Unsolved(String),
 }
@@ -25,6 +27,7 @@ impl NoAnswer {
     pub(super) fn words(&self) -> String {
         match self {
             Self::Refused(why) => format!("refused: {why}"),
+            Self::Impossible(why) => format!("proved impossible: {why}"),
             Self::Unsolved(why) => format!("not solved: {why}"),
         }
     }
@@ -76,7 +79,12 @@ pub(super) fn solve(value: &Value) -> Result<Sample, NoAnswer> {
 
 /// Runs a scene.
 pub(super) fn run(scene: &Scene) -> Result<Results, NoAnswer> {
-    stickslip::run::run(scene, &mut |_| {}).map_err(|error| match error {
+    stickslip::run::run(scene, &mut |_| {}).map_err(|error| match &error {
+        RunError::Contact(ContactError::StepFailed { cause, .. })
+            if cause.is_proved_impossible() =>
+        {
+            NoAnswer::Impossible(error.to_string())
+        }
         RunError::Contact(ContactError::StepFailed { .. }) => NoAnswer::Unsolved(error.to_string()),
         other => NoAnswer::Refused(other.to_string()),
     })

@@ -89,7 +89,7 @@ fn fewer_steps(scene: &Value, count: usize) -> Vec<Value> {
             let kinds = load
                 .as_object_mut()
                 .into_iter()
-                .flat_map(|map| map.values_mut());
+                .flat_map(serde_json::Map::values_mut);
             for kind in kinds {
                 if let Some(Value::Array(steps)) = kind.get_mut("steps") {
                     change(steps);
@@ -99,7 +99,10 @@ fn fewer_steps(scene: &Value, count: usize) -> Vec<Value> {
     };
     let mut length = 0;
     for load in super::quantity::list(scene, "loads") {
-        let kinds = load.as_object().into_iter().flat_map(|map| map.values());
+        let kinds = load
+            .as_object()
+            .into_iter()
+            .flat_map(serde_json::Map::values);
         length = kinds
             .filter_map(|kind| kind.get("steps")?.as_array())
             .map(Vec::len)
@@ -130,7 +133,7 @@ fn without_bushing(scene: &Value) -> Option<Value> {
     let outer = contacts.iter().position(|contact| {
         contact["second"]
             .as_str()
-            .is_some_and(|set| set.ends_with(".outer"))
+            .is_some_and(|set| set.split('.').next_back() == Some("outer"))
     })?;
     let bush = contacts[outer]["second"]
         .as_str()?

@@ -27,7 +27,7 @@ fn strip() -> Value {
             },
             "pin": { "material": "m", "thickness": "2 mm", "shape": { "disk": { "radius": "4.99 mm" } } },
         },
-        "mesh": { "spacing": "12 deg" },
+        "mesh": { "spacing": "15 deg" },
         "analysis": { "model": "whole" },
         "contacts": [{
             "name": "pin", "first": "plate.hole", "second": "pin.rim", "friction": { "coulomb": { "mu": 0.2 } },
@@ -44,7 +44,6 @@ fn ring() -> Value {
     scene["bodies"]["plate"]["shape"]["plate_with_hole"]["outline"] =
         json!({ "ring": { "radius": "20 mm" } });
     scene["bodies"]["pin"]["shape"]["disk"]["radius"] = json!("5 mm");
-    scene["mesh"]["spacing"] = json!("15 deg");
     scene["loads"][0]["on"] = json!("plate.outer");
     scene
 }

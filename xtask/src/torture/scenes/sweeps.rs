@@ -1,0 +1,138 @@
+//! Sweeps over a drawn joint: interrupted and resumed, and against single runs of their cases.
+
+use std::num::NonZeroUsize;
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+
+use serde_json::{Value, json};
+use stickslip::sweep::row::{Outcome, Row};
+use stickslip::sweep::{Sweep, engine, table};
+
+use super::quantity;
+use super::sample::{Sample, Verdict, declared, run};
+
+/// Rounding and the solvers' residuals, as for relations: a sweep condenses a body of another size.
+const EXACT: f64 = 1e-7;
+
+/// A sweep of four cases over friction and clearance; its table, cut anywhere and gone on with, ends the same, and each case has the
+/// peak pressure of a single run.
+pub(super) fn resumed(sample: &Sample) -> Verdict {
+    let Some(text) = sweep_text(sample) else {
+        return Verdict::Beside;
+    };
+    match compared(sample, &text) {
+        Ok(verdict) => verdict,
+        Err(error) => Verdict::Fails(error),
+    }
+}
+
+/// A sweep over the pin in the plate; `None` where the scene has none with clearance.
+fn sweep_text(sample: &Sample) -> Option<Value> {
+    let contacts = sample.value.get("contacts")?.as_array()?;
+    let only = contacts.first().filter(|_| contacts.len() == 1)?;
+    let (plate, _) = only["first"].as_str()?.split_once('.')?;
+    let (pin, set) = only["second"].as_str()?.split_once('.')?;
+    let hole = quantity::number(
+        &sample.value,
+        &format!("/bodies/{plate}/shape/plate_with_hole/hole_radius"),
+    )?;
+    let rim = quantity::number(&sample.value, &format!("/bodies/{pin}/shape/disk/radius"))?;
+    (set == "rim" && rim < hole).then(|| {
+        json!({
+            "version": 1,
+            "scene": "scene.json",
+            "axes": [
+                { "key": "mu", "values": [0.05, 0.25] },
+                { "key": "clearance", "values": [quantity::mm(hole - rim), quantity::mm(0.5 * (hole - rim))] },
+            ],
+        })
+    })
+}
+
+fn compared(sample: &Sample, text: &Value) -> Result<Verdict, String> {
+    let words = |error: &dyn std::fmt::Display| error.to_string();
+    let folder = tempfile::tempdir().map_err(|error| words(&error))?;
+    let write = |name: &str, value: &Value| {
+        std::fs::write(folder.path().join(name), value.to_string()).map_err(|error| words(&error))
+    };
+    write("scene.json", &sample.value)?;
+    write("sweep.json", text)?;
+    let sweep = sweep(&folder.path().join("sweep.json"))?;
+    let all: Vec<usize> = (0..sweep.cases()).collect();
+    let whole = rows(&sweep, &all)?;
+    let written = table::text(&sweep, &whole).map_err(|error| words(&error))?;
+    // Cut where a killed process may have stopped writing: within the last row that it began.
+    let cut = written.len() * (2 + sample.results.steps.len()) / 7;
+    let part = String::from_utf8_lossy(&written[..cut]);
+    let mut resumed = table::read(&sweep, &part).map_err(|error| words(&error))?;
+    let pending: Vec<usize> = all
+        .into_iter()
+        .filter(|case| resumed.iter().all(|row| row.case != *case))
+        .collect();
+    resumed.extend(rows(&sweep, &pending)?);
+    resumed.sort_by_key(|row| row.case);
+    for (own, other) in whole.iter().zip(&resumed) {
+        if own.case != other.case || own.outcome != other.outcome {
+            return Ok(Verdict::Fails(format!(
+                "case {}: {:?}, resumed {:?}",
+                own.case, own.outcome, other.outcome
+            )));
+        }
+    }
+    single(&sweep, &whole)
+}
+
+fn sweep(path: &Path) -> Result<Sweep, String> {
+    Sweep::from_file(path, &[] as &[&str]).map_err(|error| error.to_string())
+}
+
+/// The rows of `cases`, by case.
+fn rows(sweep: &Sweep, cases: &[usize]) -> Result<Vec<Row>, String> {
+    let mut rows = Vec::new();
+    let stop = AtomicBool::new(false);
+    let keep = &mut |row: Row| {
+        rows.push(row);
+        Ok(())
+    };
+    engine::run(sweep, cases, NonZeroUsize::MIN, &stop, keep).map_err(|error| error.to_string())?;
+    rows.sort_by_key(|row| row.case);
+    Ok(rows)
+}
+
+/// The first case that a single run answers otherwise.
+fn single(sweep: &Sweep, rows: &[Row]) -> Result<Verdict, String> {
+    for row in rows {
+        let scene = sweep
+            .scene_of(row.case)
+            .map_err(|error| error.to_string())?;
+        let name = sweep.name_of(row.case);
+        let (found, results) = match (&row.outcome, run(&scene)) {
+            (Outcome::Solved(measures), Ok(results)) => {
+                (measures.peak_pressure.unwrap_or(0.0), results)
+            }
+            (Outcome::Unresolved(_), Err(_)) => continue,
+            (Outcome::Solved(_), Err(none)) => {
+                return Ok(Verdict::Fails(format!("{name}: alone {}", none.words())));
+            }
+            (Outcome::Unresolved(why), Ok(_)) => {
+                return Ok(Verdict::Fails(format!("{name}: solved alone; {why}")));
+            }
+        };
+        let peaks = results
+            .steps
+            .iter()
+            .filter_map(|step| step.edges[sweep.contact].peak_pressure);
+        let most = peaks
+            .clone()
+            .fold(0.0, |most: f64, (peak, _)| most.max(peak));
+        // The row is that of the largest load, whichever step that is.
+        let near = peaks
+            .map(|(peak, _)| (peak - found).abs())
+            .fold(most, f64::min);
+        if near > EXACT * most {
+            let words = format!("{name}: a peak of {found:e} MPa, alone none nearer than {near:e}");
+            return Ok(declared(&results).map_or(Verdict::Fails(words), Verdict::Declared));
+        }
+    }
+    Ok(Verdict::Holds)
+}
