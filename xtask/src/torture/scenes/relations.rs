@@ -66,7 +66,8 @@ pub(super) fn mirrored(sample: &Sample) -> Verdict {
 }
 
 /// A scene of circles turned by a quarter has the turned answer: with quadrilaterals of equal spacing, and with contacts that know no
-/// direction: neat fits and interference with any friction, clearance without friction and with the linearised gap.
+/// direction: neat fits and interference with any friction; clearance without friction and with the linearised gap, where one body alone
+/// is held, because a pin starts where it touches at θ = 0.
 pub(super) fn turned(sample: &Sample) -> Verdict {
     if !sample.is_circular() || !turns(&sample.value) {
         return Verdict::Beside;
@@ -116,8 +117,20 @@ fn turns(scene: &Value) -> bool {
             let frictionless = contact
                 .pointer("/friction/coulomb/mu")
                 .is_some_and(|mu| *mu == 0.0);
-            neat || frictionless && contact.get("gap").is_some_and(|gap| gap == "linearised")
+            let linear = contact.get("gap").is_some_and(|gap| gap == "linearised");
+            neat || frictionless && linear && held_bodies(scene) == 1
         })
+}
+
+/// Number of bodies that supports or platens hold.
+fn held_bodies(scene: &Value) -> usize {
+    let supports = super::quantity::list(scene, "supports");
+    let platens = super::quantity::list(scene, "platens");
+    let held = platens.filter(|platen| platen["free"].as_array().is_none_or(|free| free.len() < 2));
+    let names = supports
+        .chain(held)
+        .filter_map(|entry| entry["on"].as_str()?.split('.').next());
+    names.collect::<std::collections::BTreeSet<_>>().len()
 }
 
 /// The whole model of a scene that is solved by half of it.
