@@ -6,6 +6,7 @@
 //! F_stick                            does not depend on Δs
 //! −λ_t Δs = F_slip |Δs| ≥ 0          along any history: friction takes work up
 //! F(x) = F(x)                        always, whatever was asked before: a law has no memory of its own
+//! F(x′) = F(x)                       at mirrored places x′, slip reversed, about each line for which the law claims symmetry
 //! read(write(law)) = law             under its name, and unknown parameters are refused
 //! ```
 //!
@@ -17,6 +18,7 @@
 //! a sample that avoids it.
 
 mod sample;
+mod symmetry;
 mod violation;
 
 use serde_json::Value;
@@ -59,6 +61,7 @@ fn run(law: &dyn FrictionLaw, sample: &Sample) -> Checked {
         check_linear(law, sample)?;
     }
     check_dissipation(law, sample)?;
+    symmetry::check(law, sample)?;
     check_copy(law.box_clone().as_ref(), Copied::Cloned, law, &answers)?;
     check_copy(written_and_read(law)?.as_ref(), Copied::Read, law, &answers)?;
     check_unknown_parameter(law)

@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{FrictionError, Interval};
 use crate::history::History;
-use crate::law::{Bound, FrictionLaw, Place};
+use crate::law::{Bound, FrictionLaw, Mirror, Place};
 use crate::registry::{Dimension, LawInfo, ParameterInfo};
 
 const NAME: &str = "coulomb";
@@ -63,6 +63,10 @@ impl FrictionLaw for Coulomb {
     }
 
     fn is_linear(&self) -> bool {
+        true
+    }
+
+    fn is_symmetric(&self, _mirror: &Mirror) -> bool {
         true
     }
 

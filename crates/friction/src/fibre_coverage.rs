@@ -27,6 +27,9 @@
 //! adds a strip of length `δ cot ψ` and width d; times the `V_f sin ψ/(πd²/4)` fibres per area this is `V_f (1 + κ cos ψ)`.
 //! No cut covers more than one through the centres of a row of packed fibres, c_max.
 //!
+//! The kernels are even in ψ, so the law mirrors about a line where the plies are balanced about it, as many at α from it as at −α,
+//! and both component laws mirror.
+//!
 //! A smooth kernel like `cos² ψ` would not do: over equal plies at 0°, 60° and −60° it sums to a constant.
 
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -35,7 +38,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{FrictionError, Interval};
 use crate::history::History;
-use crate::law::{Bound, FrictionLaw, Place};
+use crate::law::{Bound, FrictionLaw, Mirror, Place};
 use crate::registry::{Dimension, LawInfo, ParameterInfo};
 
 const NAME: &str = "fibre_coverage";
@@ -46,6 +49,9 @@ pub const MAXIMUM_FIBRE_FRACTION: f64 = FRAC_PI_2 / SQRT_3;
 
 /// How far the thickness fractions of all plies together may be from 1.
 pub const FRACTION_SUM_TOLERANCE: f64 = 1e-9;
+
+/// Angles of fibres `[rad]` and thickness fractions that differ by less are equal: rounding of units and turns.
+const SAME: f64 = 1e-12;
 
 /// One ply, or all plies of one angle.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -191,6 +197,20 @@ fn angle_to_fibre(place: &Place, angle: f64) -> f64 {
     across.abs().atan2(along.abs())
 }
 
+/// Whether the plies are their own mirror image about a line at `line` `[rad]` from the 1-axis: as much at every angle as at its
+/// reflection, 2 `line` less the angle, both up to half turns.
+fn is_balanced(plies: &[PlyFraction], line: f64) -> bool {
+    let fraction_at = |angle: f64| -> f64 {
+        let there = plies
+            .iter()
+            .filter(|ply| (ply.angle - angle).sin().abs() <= SAME);
+        there.map(|ply| ply.fraction).sum()
+    };
+    plies
+        .iter()
+        .all(|ply| (fraction_at(ply.angle) - fraction_at(2.0 * line - ply.angle)).abs() <= SAME)
+}
+
 fn check_plies(plies: &[PlyFraction]) -> Result<(), FrictionError> {
     if plies.is_empty() {
         return Err(FrictionError::NoPlies { law: NAME });
@@ -243,6 +263,12 @@ impl FrictionLaw for FibreCoverage {
 
     fn strengthens(&self) -> bool {
         self.fibre.strengthens() || self.matrix.strengthens()
+    }
+
+    fn is_symmetric(&self, mirror: &Mirror) -> bool {
+        is_balanced(&self.plies, mirror.line - mirror.material_angle)
+            && self.fibre.is_symmetric(mirror)
+            && self.matrix.is_symmetric(mirror)
     }
 
     fn box_clone(&self) -> Box<dyn FrictionLaw> {

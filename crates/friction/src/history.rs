@@ -88,6 +88,19 @@ impl History {
         self.direction
     }
 
+    /// The record of the point that mirrors this one: it slipped as far, in the other direction along its own tangent.
+    #[must_use = "a record is never changed in place"]
+    pub fn mirrored(&self) -> Self {
+        Self {
+            direction: match self.direction {
+                Direction::Negative => Direction::Positive,
+                Direction::None => Direction::None,
+                Direction::Positive => Direction::Negative,
+            },
+            ..*self
+        }
+    }
+
     /// The record after an accepted step that ended with `status` and moved the point by the signed `slip_increment`
     /// `[length]`, first body relative to the second along the unit tangent.
     ///

@@ -18,7 +18,7 @@
 //! ```
 //! use serde::{Deserialize, Serialize};
 //! use stickslip_friction::{
-//!     Bound, Dimension, FrictionError, FrictionLaw, History, Interval, LawInfo, ParameterInfo, Place, contract,
+//!     Bound, Dimension, FrictionError, FrictionLaw, History, Interval, LawInfo, Mirror, ParameterInfo, Place, contract,
 //! };
 //!
 //! #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -50,6 +50,11 @@
 //!     fn bound(&self, pressure: f64, _slip_increment: f64, _place: &Place, _past: &History) -> Bound {
 //!         let capacity = (self.mu * pressure.max(0.0) / self.shear_strength).tanh();
 //!         Bound::single(self.shear_strength * capacity, self.mu * (1.0 - capacity * capacity))
+//!     }
+//!
+//!     // Neither the place nor the direction of slip enters; without this claim no half model is made of a contact.
+//!     fn is_symmetric(&self, _mirror: &Mirror) -> bool {
+//!         true
 //!     }
 //!
 //!     fn box_clone(&self) -> Box<dyn FrictionLaw> {
@@ -97,6 +102,42 @@ pub struct Place {
     pub tangent: [f64; 2],
     /// Angle of the body's 1-axis from the x axis, counter-clockwise `[rad]`.
     pub material_angle: f64,
+}
+
+impl Place {
+    /// This place turned about the origin by `angle` `[rad]`, counter-clockwise, in a body that stays as it is.
+    pub(crate) fn turned(&self, angle: f64) -> Self {
+        let (sine, cosine) = angle.sin_cos();
+        let turn = |[x, y]: [f64; 2]| [cosine * x - sine * y, sine * x + cosine * y];
+        Self {
+            position: turn(self.position),
+            tangent: turn(self.tangent),
+            ..*self
+        }
+    }
+}
+
+/// A line through the origin about which contact and body are their own mirror images, so that half of them may stand for the whole.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Mirror {
+    /// Angle of the line from the x axis, counter-clockwise `[rad]`.
+    pub line: f64,
+    /// Angle of the body's 1-axis from the x axis, counter-clockwise `[rad]`; there is one body, so it holds on both sides.
+    pub material_angle: f64,
+}
+
+impl Mirror {
+    /// The place that mirrors `place`: position and normal are reflected. The tangent is e_n turned by +90° on both sides, so it is
+    /// reflected and reversed, and slip along it has the other sign.
+    pub fn image(&self, place: &Place) -> Place {
+        let (sine, cosine) = (2.0 * self.line).sin_cos();
+        let reflect = |[x, y]: [f64; 2]| [cosine * x + sine * y, sine * x - cosine * y];
+        Place {
+            position: reflect(place.position),
+            tangent: reflect(place.tangent).map(|component| -component),
+            ..*place
+        }
+    }
 }
 
 /// What shear a contact point can carry: values `[stress]` and their derivatives.
@@ -179,6 +220,15 @@ pub trait FrictionLaw: Debug + Send + Sync {
 
     /// Whether slip can make the contact stronger, `F_slip > F_stick`. A law that says so is excused from `F_slip ≤ F_stick`.
     fn strengthens(&self) -> bool {
+        false
+    }
+
+    /// Whether slip at mirrored places is mirrored: for every `place` in a body with the material angle of `mirror`, the bound at
+    /// [`mirror.image(place)`](Mirror::image) and [`past.mirrored()`](History::mirrored) is that at `place` and `past`.
+    ///
+    /// A model of half a contact needs this claim, and without it the whole is modelled. A law that depends neither on the place nor on
+    /// the direction of past slip claims it for every line. [`contract::check`](crate::contract::check) tests the claim.
+    fn is_symmetric(&self, _mirror: &Mirror) -> bool {
         false
     }
 

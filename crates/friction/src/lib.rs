@@ -25,7 +25,7 @@
 //!
 //! | module             | holds                                                                     |
 //! |--------------------|---------------------------------------------------------------------------|
-//! | [`law`]            | the trait [`FrictionLaw`], its answer [`Bound`], the [`Place`] of a point |
+//! | [`law`]            | the trait [`FrictionLaw`], its answer [`Bound`], the [`Place`] of a point, the [`Mirror`] of half models |
 //! | [`history`]        | what a point remembers: [`History`], changed only by [`History::commit`]  |
 //! | [`coulomb`]        | `coulomb`: μ constant                                                     |
 //! | [`static_dynamic`] | `static_dynamic`: μs before slip, μd during it                            |
@@ -53,7 +53,7 @@ pub use coulomb::Coulomb;
 pub use error::{FrictionError, Interval};
 pub use fibre_coverage::{FibreCoverage, Kernel, PlyFraction};
 pub use history::{Direction, History, PointStatus};
-pub use law::{Bound, FrictionLaw, Place};
+pub use law::{Bound, FrictionLaw, Mirror, Place};
 pub use pressure_power::PressurePower;
 pub use registry::{Dimension, LawInfo, ParameterInfo, laws};
 pub use slip_power::{SlipPath, SlipPower};

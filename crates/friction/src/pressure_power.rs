@@ -22,7 +22,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{FrictionError, Interval};
 use crate::history::History;
-use crate::law::{Bound, FrictionLaw, Place, compression};
+use crate::law::{Bound, FrictionLaw, Mirror, Place, compression};
 use crate::registry::{Dimension, LawInfo, ParameterInfo};
 
 const NAME: &str = "pressure_power";
@@ -87,6 +87,10 @@ impl FrictionLaw for PressurePower {
 
     fn is_linear(&self) -> bool {
         self.exponent == 1.0
+    }
+
+    fn is_symmetric(&self, _mirror: &Mirror) -> bool {
+        true
     }
 
     fn box_clone(&self) -> Box<dyn FrictionLaw> {

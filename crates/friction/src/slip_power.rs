@@ -24,7 +24,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{FrictionError, Interval, check_strengthening};
 use crate::history::History;
-use crate::law::{Bound, FrictionLaw, Place, compression};
+use crate::law::{Bound, FrictionLaw, Mirror, Place, compression};
 use crate::registry::{Dimension, LawInfo, ParameterInfo};
 
 const NAME: &str = "slip_power";
@@ -173,6 +173,10 @@ impl FrictionLaw for SlipPower {
 
     fn strengthens(&self) -> bool {
         self.dynamic_coefficient > self.static_coefficient
+    }
+
+    fn is_symmetric(&self, _mirror: &Mirror) -> bool {
+        true
     }
 
     fn box_clone(&self) -> Box<dyn FrictionLaw> {

@@ -20,7 +20,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::{FrictionError, Interval, check_strengthening};
 use crate::history::{History, PointStatus};
-use crate::law::{Bound, FrictionLaw, Place};
+use crate::law::{Bound, FrictionLaw, Mirror, Place};
 use crate::registry::{Dimension, LawInfo, ParameterInfo};
 
 const NAME: &str = "static_dynamic";
@@ -152,6 +152,10 @@ impl FrictionLaw for StaticDynamic {
 
     fn strengthens(&self) -> bool {
         self.dynamic_coefficient > self.static_coefficient
+    }
+
+    fn is_symmetric(&self, _mirror: &Mirror) -> bool {
+        true
     }
 
     fn box_clone(&self) -> Box<dyn FrictionLaw> {

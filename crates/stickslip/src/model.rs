@@ -24,6 +24,7 @@ use thiserror::Error;
 use crate::results::{Choice, EdgeGeometry};
 use crate::scene::Scene;
 
+pub(crate) use extent::{mirror, obstacle as obstacle_to_half};
 pub use meshes::NODE_LIMIT;
 pub(crate) use placement::centre as centre_of;
 pub(crate) use remarks::beyond_fine_zone;

@@ -13,7 +13,8 @@
 
 use serde::{Deserialize, Serialize};
 use stickslip_friction::{
-    Bound, Dimension, FrictionError, FrictionLaw, History, Interval, LawInfo, ParameterInfo, Place,
+    Bound, Dimension, FrictionError, FrictionLaw, History, Interval, LawInfo, Mirror,
+    ParameterInfo, Place,
 };
 
 const NAME: &str = "running_in";
@@ -56,6 +57,11 @@ impl FrictionLaw for RunningIn {
     }
 
     fn is_linear(&self) -> bool {
+        true
+    }
+
+    // It depends neither on the place nor on the direction of past slip. Without this claim every scene is modelled as a whole.
+    fn is_symmetric(&self, _mirror: &Mirror) -> bool {
         true
     }
 

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use custom_law as _;
-use stickslip_friction::{FrictionLaw, contract};
+use stickslip_friction::{FrictionLaw, Mirror, contract};
 
 fn stickslip(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_custom-law"))
@@ -18,6 +18,12 @@ fn meets_the_contract() {
     let text = r#"{ "running_in": { "fresh": 0.05, "worn": 0.3, "slip_scale": 0.01 } }"#;
     let law: Box<dyn FrictionLaw> = serde_json::from_str(text).unwrap();
     contract::check(law.as_ref(), &contract::Sample::default_for(100.0, 1e-2)).unwrap();
+    // The claim keeps half models for it.
+    let about_x = Mirror {
+        line: 0.0,
+        material_angle: 0.0,
+    };
+    assert!(law.is_symmetric(&about_x));
 }
 
 #[test]

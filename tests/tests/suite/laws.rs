@@ -44,8 +44,8 @@ fn equal_static_and_dynamic_coefficients_are_coulombs_law() {
 fn fibre_coverage_of_equal_phases_is_the_law_of_both() {
     let mixed = |phase: &str, kernel: &str| {
         format!(
-            "fibre_coverage = {{ plies = [{{ angle = \"0 deg\", fraction = 0.4 }}, {{ angle = \"45 deg\", fraction = 0.6 }}], \
-             fibre_fraction = 0.6, kernel = {{ {kernel} }}, fibre.{phase}, matrix.{phase} }}"
+            "fibre_coverage = {{ plies = [{{ angle = \"0 deg\", fraction = 0.4 }}, {{ angle = \"45 deg\", fraction = 0.3 }}, \
+             {{ angle = \"-45 deg\", fraction = 0.3 }}], fibre_fraction = 0.6, kernel = {{ {kernel} }}, fibre.{phase}, matrix.{phase} }}"
         )
     };
     for phase in [

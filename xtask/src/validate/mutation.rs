@@ -14,7 +14,7 @@ use stickslip::run;
 use stickslip::scene::Scene;
 use stickslip_contact::solver::{Step, StepFailure, StepSolution};
 use stickslip_contact::{InterfaceSolver, SemismoothNewton};
-use stickslip_friction::{Bound, Coulomb, FrictionLaw, History, Place};
+use stickslip_friction::{Bound, Coulomb, FrictionLaw, History, Mirror, Place};
 
 /// What is wrong with friction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,6 +91,10 @@ impl FrictionLaw for WrongDirection {
             slip_ds: -bound.slip_ds,
             ..bound
         }
+    }
+
+    fn is_symmetric(&self, mirror: &Mirror) -> bool {
+        self.law.is_symmetric(mirror)
     }
 
     fn box_clone(&self) -> Box<dyn FrictionLaw> {

@@ -194,6 +194,21 @@ pub enum Breach {
         /// Where.
         at: State,
     },
+    /// The law claims a symmetry that it does not have.
+    #[error(
+        "it claims to be symmetric about the line at {line} rad from the x axis, but answers {mirrored:?} at the mirror image of \
+         where it answers {own:?}, {at}"
+    )]
+    NotSymmetric {
+        /// Bound at the state.
+        own: Bound,
+        /// Bound at its mirror image, with the slip reversed.
+        mirrored: Bound,
+        /// Angle of the line from the x axis `[rad]`.
+        line: f64,
+        /// Where.
+        at: State,
+    },
     /// Friction does work instead of taking it up.
     #[error(
         "friction dissipates {dissipation} per area in step {step} of a random history, at {at}"

@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use serde::{Deserialize, Serialize};
 use stickslip_friction::contract::{Breach, Copied, Quantity, Sample, check};
-use stickslip_friction::{Bound, Direction, FrictionLaw, History, Place};
+use stickslip_friction::{Bound, Direction, FrictionLaw, History, Mirror, Place};
 
 const MU: f64 = 0.3;
 
@@ -35,6 +35,9 @@ enum Fault {
     CountsCalls,
     RemembersLargestTrial,
     Clone,
+    SeesUpperHalf,
+    SeesDirection,
+    SeesFibre,
 }
 
 #[derive(Debug, Serialize, Deserialize)]
@@ -56,7 +59,7 @@ impl Broken {
 
 #[typetag::serde(name = "broken")]
 impl FrictionLaw for Broken {
-    fn bound(&self, pressure: f64, slip_increment: f64, _place: &Place, past: &History) -> Bound {
+    fn bound(&self, pressure: f64, slip_increment: f64, place: &Place, past: &History) -> Bound {
         let mut bound = Bound::proportional(MU, MU, pressure);
         match self.fault {
             // Wrong in the fifth digit: far beyond rounding, and easily overlooked.
@@ -80,6 +83,19 @@ impl FrictionLaw for Broken {
             Fault::CountsCalls if self.memory.fetch_add(1, Ordering::Relaxed) > 1000 => {
                 bound.stick *= 1.1;
             }
+            Fault::SeesUpperHalf if place.position[1] > 0.0 => {
+                bound = Bound::proportional(2.0 * MU, 2.0 * MU, pressure);
+            }
+            Fault::SeesDirection if past.direction() == Direction::Positive => {
+                bound = Bound::proportional(2.0 * MU, 2.0 * MU, pressure);
+            }
+            // As of one ply along the 1-axis: symmetric about that axis alone, and the one across.
+            Fault::SeesFibre => {
+                let (sine, cosine) = place.material_angle.sin_cos();
+                let along = place.tangent[0] * cosine + place.tangent[1] * sine;
+                let coefficient = MU * (1.0 + along * along);
+                bound = Bound::proportional(coefficient, coefficient, pressure);
+            }
             Fault::RemembersLargestTrial => {
                 let before = self
                     .memory
@@ -93,6 +109,13 @@ impl FrictionLaw for Broken {
 
     fn is_linear(&self) -> bool {
         self.fault == Fault::NotLinear
+    }
+
+    fn is_symmetric(&self, _mirror: &Mirror) -> bool {
+        matches!(
+            self.fault,
+            Fault::SeesUpperHalf | Fault::SeesDirection | Fault::SeesFibre
+        )
     }
 
     fn box_clone(&self) -> Box<dyn FrictionLaw> {
@@ -216,6 +239,18 @@ fn catches_a_law_that_is_not_linear() {
             assert_eq!(bound.slip, MU * at.pressure * (1.0 - 1e-12));
         }
         other => panic!("{other}"),
+    }
+}
+
+#[test]
+fn catches_a_claim_of_symmetry_that_is_false() {
+    for fault in [Fault::SeesUpperHalf, Fault::SeesDirection, Fault::SeesFibre] {
+        match breach(fault) {
+            Breach::NotSymmetric {
+                own, mirrored, at, ..
+            } => assert_ne!(own, mirrored, "{fault:?} at {at}"),
+            other => panic!("{fault:?}: {other}"),
+        }
     }
 }
 

@@ -7,7 +7,9 @@
 use std::f64::consts::PI;
 
 use stickslip_friction::fibre_coverage::{MAXIMUM_FIBRE_FRACTION, maximum_coverage};
-use stickslip_friction::{Bound, FibreCoverage, FrictionLaw, History, Kernel, Place, PointStatus};
+use stickslip_friction::{
+    Bound, FibreCoverage, FrictionLaw, History, Kernel, Mirror, Place, PointStatus,
+};
 
 use crate::{coulomb, coverage, equal_plies, on_hole};
 
@@ -266,4 +268,64 @@ fn properties_of_the_parts_carry_over() {
     assert!(!coverage(swept, coulomb(0.1), drop()).strengthens());
     assert!(coverage(swept, stronger(), drop()).strengthens());
     assert!(coverage(swept, drop(), stronger()).strengthens());
+}
+
+/// Axes at 0, 30, 45 and 90° of a body turned by `turned` degrees about which the law mirrors.
+fn mirrors(angles: &[f64], turned: f64) -> Vec<f64> {
+    let law = FibreCoverage::new(
+        equal_plies(angles),
+        0.6,
+        Kernel::Tangent { width: 0.7 },
+        coulomb(0.0),
+        coulomb(0.8),
+    )
+    .unwrap();
+    let about = |line: &f64| {
+        law.is_symmetric(&Mirror {
+            line: line.to_radians(),
+            material_angle: turned.to_radians(),
+        })
+    };
+    [0.0, 30.0, 45.0, 90.0].into_iter().filter(about).collect()
+}
+
+#[test]
+fn balanced_plies_mirror_about_the_axis_that_balances_them() {
+    let none: [f64; 0] = [];
+    assert_eq!(mirrors(&[45.0], 0.0), [45.0]);
+    assert_eq!(mirrors(&[45.0, -45.0], 0.0), [0.0, 45.0, 90.0]);
+    assert_eq!(mirrors(&[0.0], 0.0), [0.0, 90.0]);
+    assert_eq!(mirrors(&[0.0, 90.0], 0.0), [0.0, 45.0, 90.0]);
+    assert_eq!(mirrors(&[0.0, 60.0, -60.0], 0.0), [0.0, 30.0, 90.0]);
+    // 120° is −60°, and turns of the body count.
+    assert_eq!(mirrors(&[60.0, 120.0], 0.0), [0.0, 90.0]);
+    assert_eq!(mirrors(&[0.0, 60.0, -60.0], 30.0), [0.0, 30.0, 90.0]);
+    assert_eq!(mirrors(&[-30.0, 30.0], 30.0), [30.0]);
+    assert_eq!(mirrors(&[30.0, 30.0, -30.0], 0.0), none);
+    assert_eq!(mirrors(&[0.0, 45.0], 0.0), none);
+}
+
+#[test]
+fn a_mixture_mirrors_only_if_both_of_its_laws_do() {
+    let one_ply = || -> Box<dyn FrictionLaw> {
+        let kernel = Kernel::Swept { kappa: 0.5 };
+        Box::new(
+            FibreCoverage::new(
+                equal_plies(&[45.0]),
+                0.6,
+                kernel,
+                coulomb(0.1),
+                coulomb(0.3),
+            )
+            .unwrap(),
+        )
+    };
+    let mirror = Mirror {
+        line: 0.0,
+        material_angle: 0.0,
+    };
+    let swept = Kernel::Swept { kappa: 0.5 };
+    assert!(report(swept).is_symmetric(&mirror));
+    assert!(!coverage(swept, one_ply(), coulomb(0.2)).is_symmetric(&mirror));
+    assert!(!coverage(swept, coulomb(0.2), one_ply()).is_symmetric(&mirror));
 }

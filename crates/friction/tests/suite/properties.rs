@@ -4,8 +4,8 @@ use proptest::prelude::*;
 use stickslip_friction::contract::{Sample, check};
 use stickslip_friction::fibre_coverage::MAXIMUM_FIBRE_FRACTION;
 use stickslip_friction::{
-    Coulomb, FibreCoverage, FrictionLaw, Kernel, PlyFraction, PressurePower, SlipPath, SlipPower,
-    StaticDynamic, Transition,
+    Coulomb, FibreCoverage, FrictionLaw, Kernel, Mirror, Place, PlyFraction, PressurePower,
+    SlipPath, SlipPower, StaticDynamic, Transition,
 };
 
 use crate::on_hole;
@@ -97,6 +97,19 @@ fn plies() -> impl Strategy<Value = Vec<PlyFraction>> {
     })
 }
 
+/// Plies as many at an angle as at its reflection about a line, and the line.
+fn balanced() -> impl Strategy<Value = (Vec<PlyFraction>, f64)> {
+    (plies(), -3.0..3.0).prop_map(|(plies, line): (Vec<PlyFraction>, f64)| {
+        let half = |ply: &PlyFraction| {
+            [ply.angle, 2.0 * line - ply.angle].map(|angle| PlyFraction {
+                angle,
+                fraction: 0.5 * ply.fraction,
+            })
+        };
+        (plies.iter().flat_map(half).collect(), line)
+    })
+}
+
 fn kernel() -> impl Strategy<Value = Kernel> {
     prop_oneof![
         (0.0..10.0).prop_map(|kappa| Kernel::Swept { kappa }),
@@ -132,6 +145,18 @@ proptest! {
     #[test]
     fn mixed_laws_keep_the_contract(law in fibre_coverage()) {
         keeps_the_contract(&law)?;
+    }
+
+    #[test]
+    fn balanced_plies_claim_symmetry_and_have_it((plies, line) in balanced(), kernel in kernel(), law in any_simple_law()) {
+        let law = FibreCoverage::new(plies, 0.6, kernel, Box::new(Coulomb::new(0.2).unwrap()), law).unwrap();
+        // The line lies on the x axis in a body that is turned back by it.
+        let place = Place { material_angle: -line, ..on_hole(50.0) };
+        let mirror = Mirror { line: 0.0, material_angle: -line };
+        prop_assert!(law.is_symmetric(&mirror));
+        let mut sample = Sample::default_for(PRESSURE, SLIP);
+        sample.places = vec![place];
+        check(&law, &sample).map_err(|violation| TestCaseError::fail(violation.to_string()))?;
     }
 
     #[test]

@@ -190,6 +190,9 @@ impl ExperimentError {
                 "the data must surround the hole, and only known forces may hold the plate; whole_plate = false leaves it out"
             }
             Self::Law { .. } => "`stickslip list laws` shows the parameters of each law",
+            Self::Laws { cause, .. } if matches!(**cause, LawsError::NotSymmetric { .. }) => {
+                "model = \"whole\" or \"auto\" of the scene does for every law"
+            }
             Self::Laws { .. } => {
                 "`stickslip run` with the scene and the law shows where its solution fails; narrow the ranges of free parameters"
             }

@@ -91,6 +91,15 @@ pub enum LawsError {
         /// Number of steps.
         steps: usize,
     },
+    /// A law that half of the scene does not do for.
+    #[error(
+        "law '{law}' claims no symmetry about the line that bounds the half model; in the scene, say analysis.model = \"whole\" or \
+         leave it out"
+    )]
+    NotSymmetric {
+        /// Name of the law.
+        law: String,
+    },
     /// No law has parameters to fit.
     #[error("there is no law to fit")]
     NoLaw,

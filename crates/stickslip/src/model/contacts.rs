@@ -144,7 +144,7 @@ impl Contacts {
 }
 
 /// Thickness `[mm]` and material angle `[rad]` of an elastic body.
-fn substance(scene: &Scene, body: &str) -> (f64, f64) {
+pub(super) fn substance(scene: &Scene, body: &str) -> (f64, f64) {
     match &scene.bodies[body].substance {
         Substance::Elastic {
             material,

@@ -1,11 +1,16 @@
 //! Half or whole: no more than the scene needs.
 
-use stickslip_fem_core::material::Material as _;
+use std::f64::consts::FRAC_PI_2;
 
-use super::ModelError;
+use stickslip_fem_core::material::Material as _;
+use stickslip_friction::Mirror;
+
+use super::{ModelError, contacts};
 use crate::results::Choice;
 use crate::scene::Scene;
-use crate::scene::schema::{Hold, LoadKind, Material, ModelChoice, SetRef, Shape, Substance};
+use crate::scene::schema::{
+    Contact, Hold, LoadKind, Material, ModelChoice, SetRef, Shape, Substance,
+};
 
 /// Whether half of the scene is modelled: y ≥ 0 for round shapes, x ≥ 0 for line contacts.
 pub(super) fn choose(scene: &Scene, choices: &mut Vec<Choice>) -> Result<bool, ModelError> {
@@ -16,7 +21,7 @@ pub(super) fn choose(scene: &Scene, choices: &mut Vec<Choice>) -> Result<bool, M
         (ModelChoice::Half, Some(why)) => return Err(ModelError::NotSymmetric(why)),
         (ModelChoice::Auto, None) => (
             true,
-            "geometry, material, supports and loads are symmetric".to_owned(),
+            "geometry, materials, friction laws, supports and loads are symmetric".to_owned(),
         ),
         (ModelChoice::Auto, Some(why)) => (false, why),
     };
@@ -41,8 +46,18 @@ fn across(scene: &Scene) -> Option<usize> {
     axes.all(|other| other == Some(first)).then_some(first)
 }
 
+/// The line about which a half model of `scene` mirrors the first body of `contact`; `None` where the shapes have no such line.
+pub(crate) fn mirror(scene: &Scene, contact: &Contact) -> Option<Mirror> {
+    let (_, material_angle) = contacts::substance(scene, &contact.first.body);
+    let line = if across(scene)? == 1 { 0.0 } else { FRAC_PI_2 };
+    Some(Mirror {
+        line,
+        material_angle,
+    })
+}
+
 /// What breaks the symmetry, if anything does.
-fn obstacle(scene: &Scene) -> Option<String> {
+pub(crate) fn obstacle(scene: &Scene) -> Option<String> {
     let Some(across) = across(scene) else {
         return Some("the shapes have no common line of symmetry".into());
     };
@@ -89,7 +104,7 @@ fn obstacle(scene: &Scene) -> Option<String> {
             ));
         }
     }
-    scene.loads.iter().find_map(|load| {
+    let of_loads = scene.loads.iter().find_map(|load| {
         let why = |what: &str| Some(format!("load '{}' {what}", load.name));
         match &load.kind {
             LoadKind::Force { direction, .. } | LoadKind::Bearing { direction, .. }
@@ -109,7 +124,22 @@ fn obstacle(scene: &Scene) -> Option<String> {
             | LoadKind::PolarTraction { .. }
             | LoadKind::Temperature { .. } => None,
         }
-    })
+    });
+    of_loads.or_else(|| scene.contacts.iter().find_map(|own| of_law(scene, own)))
+}
+
+/// A law that does not claim to mirror breaks the symmetry.
+fn of_law(scene: &Scene, contact: &Contact) -> Option<String> {
+    let mirror = mirror(scene, contact)?;
+    let axis = if mirror.line == 0.0 { "x" } else { "y" };
+    let why = || {
+        format!(
+            "the friction law '{}' of contact '{}' claims no symmetry about the {axis} axis",
+            contact.law.name(),
+            contact.name
+        )
+    };
+    (!contact.law.is_symmetric(&mirror)).then(why)
 }
 
 /// Whether the edge lies on one side of the line of symmetry.

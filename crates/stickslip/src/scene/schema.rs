@@ -53,7 +53,7 @@ pub struct Analysis {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ModelChoice {
-    /// Half where shape, material, supports and loads are symmetric about the x axis, otherwise whole.
+    /// Half where shapes, materials, friction laws, supports and loads are symmetric about the x axis, otherwise whole.
     Auto,
     /// The half y ≥ 0.
     Half,

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use sha2::{Digest as _, Sha256};
 
+use crate::model::obstacle_to_half;
 use crate::scene::Scene;
 use crate::scene::schema::{Body, LoadKind, Material, Shape, Substance};
 
@@ -55,13 +56,14 @@ pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
     Some(digest(&text))
 }
 
-/// What a model depends on beside friction laws and the sizes of loads.
+/// What a model depends on beside friction laws and the sizes of loads; of the laws, whether they mirror.
 pub(super) fn model_key(scene: &Scene) -> String {
     let mut text = format!(
         "{:?} {:?} {:?} {:?}",
         scene.analysis, scene.supports, scene.platens, scene.edges
     );
-    // Writing into a string does not fail.
+    // A half model under one law is none under another that does not mirror. Writing into a string does not fail.
+    let _ = write!(text, "{:?}", obstacle_to_half(scene));
     for (name, body) in &scene.bodies {
         let angle = match &body.substance {
             Substance::Elastic { material, .. } => {

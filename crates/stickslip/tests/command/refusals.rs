@@ -233,6 +233,17 @@ fn asymmetric_halves_are_refused_at_their_key() {
             "auto",
         ],
     );
+    let one_ply = "friction.fibre_coverage = { plies = [{ angle = \"45 deg\", fraction = 1 }], fibre_fraction = 0.6, \
+                   kernel.swept.kappa = 0.5, fibre.coulomb.mu = 0.1, matrix.coulomb.mu = 0.4 }\n[analysis]\nmodel = \"half\"";
+    refused(
+        "friction.coulomb = { mu = 0.2 }",
+        one_ply,
+        &[
+            "bad.toml:24:9",
+            "the friction law 'fibre_coverage' of contact 'pin' claims no symmetry about the x axis",
+            "say model = \"auto\" or leave it out",
+        ],
+    );
 }
 
 #[test]

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use stickslip::experiment::laws::ContactModel;
+use stickslip::experiment::laws::{ContactModel, LawsError};
 use stickslip::model::Model;
 use stickslip::run::{solve, solver};
 
-use crate::common::scene;
+use crate::common::{candidate, law, scene};
 
 #[test]
 fn what_is_seen_is_what_the_scene_recovers() {
@@ -55,5 +55,49 @@ fn what_is_seen_is_what_the_scene_recovers() {
     assert_eq!(
         elsewhere.unwrap_err().to_string(),
         "no contact of the scene is at 'plate.left', so no friction law acts there"
+    );
+}
+
+/// A law of one ply, its angle in radians.
+fn one_ply(angle: f64) -> String {
+    format!(
+        "{{ \"fibre_coverage\": {{ \"plies\": [{{ \"angle\": {angle}, \"fraction\": 1.0 }}], \"fibre_fraction\": 0.6, \
+         \"kernel\": {{ \"tangent\": {{ \"width\": 0.7 }} }}, \"fibre\": {{ \"coulomb\": {{ \"mu\": 0.0 }} }}, \
+         \"matrix\": {{ \"coulomb\": {{ \"mu\": 0.8 }} }} }} }}"
+    )
+}
+
+#[test]
+fn laws_that_do_not_mirror_are_fitted_to_the_whole() {
+    let overrides = ["mesh.spacing=\"9 deg\"", "mesh.coarse_spacing=\"9 deg\""];
+    let own = scene("pin-loaded-aluminium", &overrides);
+    let coulomb = candidate(
+        "coulomb",
+        r#"{ "coulomb": { "mu": 0.3 } }"#,
+        &[("mu", [0.0, 1.0])],
+    );
+    let matrix = [("matrix.coulomb.mu", [0.0, 1.0])];
+    let along = candidate("along", &one_ply(0.0), &matrix);
+    let skew = candidate("skew", &one_ply(0.8), &matrix);
+    // At 0 the angle mirrors, and nowhere else in its range.
+    let turning = candidate("turning", &one_ply(0.0), &[("plies.0.angle", [-0.5, 0.5])]);
+    let half = ContactModel::for_laws(&own, &[coulomb.clone(), along]).unwrap();
+    assert!(half.is_half());
+    for other in [&skew, &turning] {
+        let whole = ContactModel::for_laws(&own, &[coulomb.clone(), other.clone()]).unwrap();
+        assert!(!whole.is_half());
+    }
+    let refused = half.states(Arc::from(law(&one_ply(0.8))), 1).unwrap_err();
+    assert!(matches!(refused, LawsError::NotSymmetric { .. }));
+
+    let asks_for_half = scene(
+        "pin-loaded-aluminium",
+        &[&overrides[..], &["analysis.model=half"]].concat(),
+    );
+    let refused = ContactModel::for_laws(&asks_for_half, &[skew]).unwrap_err();
+    let words = refused.to_string();
+    assert!(
+        words.starts_with("law 'skew' claims no symmetry") && words.contains("analysis.model"),
+        "{words}"
     );
 }

@@ -81,6 +81,48 @@ fields = "none"
 figures = false
 "#;
 
+/// README's pin, and the fibre coverage of one or two plies as its friction.
+const PIN: &str = r#"
+version = 1
+[materials.aluminium.isotropic]
+young = "72 GPa"
+poisson = 0.33
+[bodies.plate]
+material = "aluminium"
+thickness = "2 mm"
+[bodies.plate.shape.plate_with_hole]
+hole_radius = "5 mm"
+outline.strip = { half_width = "20 mm", left = "80 mm", right = "20 mm" }
+[bodies.pin]
+material = "aluminium"
+thickness = "2 mm"
+shape.disk = { radius = "4.99 mm" }
+[mesh]
+spacing = "3 deg"
+[[contacts]]
+name = "pin"
+first = "plate.hole"
+second = "pin.rim"
+[contacts.friction.fibre_coverage]
+plies = [{ angle = "45 deg", fraction = 1.0 }]
+fibre_fraction = 0.6
+kernel.tangent.width = "40 deg"
+fibre.coulomb = { mu = 0.0 }
+matrix.coulomb = { mu = 0.8 }
+[[supports]]
+on = "pin.centre"
+fix = ["x", "y"]
+[[loads]]
+on = "plate.left"
+force = { direction = [-1, 0], steps = ["4 kN"] }
+[output]
+fields = "none"
+figures = false
+"#;
+
+const BALANCED: &str = "contacts.0.friction.fibre_coverage.plies=[{ angle = \"70 deg\", fraction = 0.5 }, \
+                        { angle = \"-70 deg\", fraction = 0.5 }]";
+
 fn why(model: &Model) -> (&str, &str) {
     let choice = model.choices.iter().find(|choice| choice.what == "model");
     choice
@@ -121,6 +163,45 @@ fn an_edge_that_a_half_lacks_needs_the_whole() {
         words.contains("plate.bottom") && words.contains("\"whole\" or \"auto\""),
         "{words}"
     );
+}
+
+#[test]
+fn a_law_without_mirror_symmetry_needs_the_whole() {
+    let peak = |changes: &[&str]| {
+        let edge = solved(PIN, changes).steps[0].edges[0].clone();
+        edge.peak_pressure.unwrap()
+    };
+    let (pressure, at) = peak(&[]);
+    // A half model would have 182.2 MPa at 0°; the last digit is that of the mesh.
+    assert!((pressure - 198.0).abs() < 0.1, "{pressure}");
+    assert!((at.to_degrees() + 27.0).abs() < 1e-6, "{at}");
+    let (mirrored, there) = peak(&["contacts.0.friction.fibre_coverage.plies.0.angle=-45 deg"]);
+    assert!((mirrored / pressure - 1.0).abs() < 1e-8, "{mirrored}");
+    assert!((there + at).abs() < 1e-9, "{there}");
+    let auto = model(PIN, &[]);
+    let reason =
+        "the friction law 'fibre_coverage' of contact 'pin' claims no symmetry about the x axis";
+    assert_eq!(why(&auto), ("whole", reason));
+    let refused = Model::build(&scene(PIN, &["analysis.model=half"])).unwrap_err();
+    assert!(matches!(refused, ModelError::NotSymmetric(_)));
+    let words = refused.to_string();
+    assert!(
+        words.contains(reason) && words.contains("\"whole\" or \"auto\""),
+        "{words}"
+    );
+}
+
+#[test]
+fn balanced_plies_keep_the_half() {
+    let half = model(PIN, &[BALANCED]);
+    assert_eq!(
+        why(&half),
+        (
+            "half",
+            "geometry, materials, friction laws, supports and loads are symmetric"
+        )
+    );
+    halves_agree(PIN, &[BALANCED]);
 }
 
 #[test]

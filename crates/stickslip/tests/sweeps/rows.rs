@@ -144,3 +144,31 @@ fn a_scene_without_failure_has_contact_alone() {
     assert!(verdict(&sweep, &rows).contains("no mode is called"));
     assert!(figures::draw(&sweep, &rows).0.is_empty());
 }
+
+/// One model serves cases that differ in laws only, and must not where half of it does for the first law alone.
+#[test]
+fn a_case_whose_law_does_not_mirror_is_modelled_whole() {
+    let law = |angle: &str| {
+        format!(
+            "{{ fibre_coverage = {{ plies = [{{ angle = \"{angle} deg\", fraction = 1.0 }}], fibre_fraction = 0.6, \
+             kernel = {{ tangent = {{ width = \"40 deg\" }} }}, fibre = {{ coulomb = {{ mu = 0.0 }} }}, \
+             matrix = {{ coulomb = {{ mu = 0.8 }} }} }} }}"
+        )
+    };
+    let key = "contacts.0.friction.fibre_coverage.plies.0.angle";
+    let sweep = |angles: &str| {
+        let folder = folder_with(&format!(
+            "version = 1\nscene = \"joint.toml\"\n[[axes]]\nkey = \"{key}\"\nvalues = [{angles}]\n"
+        ));
+        let friction = format!("contacts.0.friction={}", law("0"));
+        let overrides = [COARSE, friction.as_str()];
+        Sweep::from_file(&folder.path().join("sweep.toml"), &overrides).unwrap()
+    };
+    let outcome = |angles: &str, cases: &[usize]| {
+        let rows = solved(&sweep(angles), cases);
+        rows.last().unwrap().outcome.clone()
+    };
+    let after_a_half = outcome("\"0 deg\", \"45 deg\"", &[0, 1]);
+    assert!(matches!(after_a_half, Outcome::Solved(_)));
+    assert_eq!(after_a_half, outcome("\"45 deg\", \"0 deg\"", &[0]));
+}

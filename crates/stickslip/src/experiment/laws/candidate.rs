@@ -1,7 +1,7 @@
 //! A friction law with free parameters.
 
 use serde_json::Value;
-use stickslip_friction::{Dimension, FrictionLaw, registry};
+use stickslip_friction::{Dimension, FrictionLaw, Mirror, registry};
 use stickslip_hybrid::calibrate::Parameter;
 
 use super::LawsError;
@@ -152,7 +152,27 @@ impl Candidate {
         }
         serde_json::from_value(table).map_err(|error| LawsError::Law(error.to_string()))
     }
+
+    /// Whether the law claims the symmetry about `mirror` at points of the ranges of its free parameters, those aside that it refuses.
+    pub(super) fn is_symmetric(&self, mirror: &Mirror) -> bool {
+        // Parts of the ranges without a pattern: multiples of an irrational number for each parameter (Weyl 1916).
+        let value = |point: u32, (index, parameter): (usize, &Parameter)| {
+            let [low, high] = parameter.range;
+            let step = (index as f64 + 0.5).sqrt();
+            low + (f64::from(point) * step).fract() * (high - low)
+        };
+        let at = |point: u32| {
+            let parameters = self.parameters.iter().enumerate();
+            let values: Vec<f64> = parameters.map(|own| value(point, own)).collect();
+            self.law(&values)
+        };
+        let mut laws = (1..=ASKED).filter_map(|point| at(point).ok());
+        laws.all(|law| law.is_symmetric(mirror))
+    }
 }
+
+/// Points of the ranges at which a law is asked for what must hold in all of them.
+const ASKED: u32 = 8;
 
 /// Dimension of the parameter `path` of the law `kind`, which may lie in a law inside of it; a bare number where the registry does not
 /// tell.

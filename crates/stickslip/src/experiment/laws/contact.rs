@@ -14,13 +14,14 @@ use stickslip_contact::{ContactState, InterfaceProblem, InterfaceSolver, LoadHis
 use stickslip_fem_core::body::BodyLoad;
 use stickslip_fem_core::mesh::Point;
 use stickslip_fem_core::{CondensedBody, InterfaceOperator};
-use stickslip_friction::FrictionLaw;
+use stickslip_friction::{FrictionLaw, Mirror};
 use stickslip_hybrid::region::locate::Locator;
 
-use super::LawsError;
+use super::{Candidate, LawsError};
 use crate::experiment::plan::SpecimenScene;
-use crate::model::Model;
+use crate::model::{Model, mirror};
 use crate::run::{Operator, RunError, condense, solver};
+use crate::scene::schema::ModelChoice;
 
 /// A scene whose bodies are condensed, for any number of friction laws in one of its contacts.
 #[derive(Debug)]
@@ -33,7 +34,8 @@ pub struct ContactModel {
     /// Index of the specimen among the bodies.
     body: usize,
     specimen: Arc<CondensedBody>,
-    half: bool,
+    /// What the law must mirror about; `None` where the whole is modelled.
+    mirror: Option<Mirror>,
     edge: Vec<(f64, Point)>,
 }
 
@@ -80,7 +82,30 @@ impl ContactModel {
             history: model.history,
             pair,
             body,
-            half: model.half,
+            mirror: (model.half.then(|| mirror(scene, &scene.contacts[pair]))).flatten(),
+        })
+    }
+
+    /// As [`ContactModel::new`], for fits of `laws`: where one of them claims no symmetry, the whole is modelled.
+    ///
+    /// # Errors
+    /// As [`ContactModel::new`]; [`LawsError::NotSymmetric`] where the scene asks for a half model.
+    pub fn for_laws(own: &SpecimenScene, laws: &[Candidate]) -> Result<Self, LawsError> {
+        let model = Self::new(own)?;
+        let symmetric = |law: &&Candidate| model.mirror.is_none_or(|own| law.is_symmetric(&own));
+        let Some(law) = laws.iter().find(|law| !symmetric(law)) else {
+            return Ok(model);
+        };
+        let mut scene = own.scene.as_ref().clone();
+        if scene.analysis.model == ModelChoice::Half {
+            return Err(LawsError::NotSymmetric {
+                law: law.name.clone(),
+            });
+        }
+        scene.analysis.model = ModelChoice::Whole;
+        Self::new(&SpecimenScene {
+            scene: Arc::new(scene),
+            ..own.clone()
         })
     }
 
@@ -91,7 +116,7 @@ impl ContactModel {
 
     /// Whether only the half y ≥ 0 is modelled.
     pub fn is_half(&self) -> bool {
-        self.half
+        self.mirror.is_some()
     }
 
     /// Angle `[rad]` and place `[mm]` of the nodes of the specimen's edge in contact.
@@ -107,12 +132,18 @@ impl ContactModel {
     /// Contact at the end of each of the first `count` load steps with `law` in the contact at the specimen's edge.
     ///
     /// # Errors
-    /// [`LawsError::Run`] where a step has no solution that can be found.
+    /// [`LawsError::Run`] where a step has no solution that can be found; [`LawsError::NotSymmetric`] where half is modelled and `law`
+    /// claims no symmetry.
     pub fn states(
         &self,
         law: Arc<dyn FrictionLaw>,
         count: usize,
     ) -> Result<Vec<ContactState>, LawsError> {
+        if self.mirror.is_some_and(|own| !law.is_symmetric(&own)) {
+            return Err(LawsError::NotSymmetric {
+                law: law.name().to_owned(),
+            });
+        }
         let problem = self.problem.clone().with_law(self.pair, law);
         let records = (self.history.first(count))
             .follow(&problem, self.solver.as_ref(), |_| {})
@@ -129,7 +160,7 @@ impl ContactModel {
 
     /// Where a place is modelled, and the sign of its displacement along y there.
     fn modelled(&self, [x, y]: Point) -> (Point, f64) {
-        if self.half && y < 0.0 {
+        if self.is_half() && y < 0.0 {
             ([x, -y], -1.0)
         } else {
             ([x, y], 1.0)

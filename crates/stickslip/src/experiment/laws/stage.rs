@@ -83,7 +83,7 @@ pub fn stage(
             remedy: "give [specimen] scene = \"scene.toml\" and body = \"plate\"".to_owned(),
         });
     };
-    let model = ContactModel::new(own).map_err(failed)?;
+    let model = ContactModel::for_laws(own, &laws).map_err(failed)?;
     let Compared {
         observations,
         states,
@@ -95,7 +95,7 @@ pub fn stage(
         confidence,
         ..Settings::default()
     };
-    let coarser = ContactModel::new(&coarser(own));
+    let coarser = ContactModel::for_laws(&coarser(own), &laws);
     let comparison = fitted(
         &model,
         coarser,
