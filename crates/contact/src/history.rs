@@ -9,7 +9,7 @@ use nalgebra::DVector;
 use crate::audit::{Audit, measure};
 use crate::error::ContactError;
 use crate::problem::InterfaceProblem;
-use crate::solver::{InterfaceSolver, Residuals, Step, Work};
+use crate::solver::{FailureCause, InterfaceSolver, Residuals, Step, StepFailure, Work};
 use crate::state::ContactState;
 use crate::uniqueness::uniqueness_bound;
 
@@ -36,6 +36,9 @@ pub struct LoadHistory {
 
 /// Smallest part of an increment to which cut-back goes.
 const SMALLEST_PART: f64 = 1.0 / 1024.0;
+/// Floating-point operations that failed attempts at a sub-step may cost before it is cut back no further, or twice those of the dearest
+/// attempt where that is more.
+const CUTBACK_EFFORT: u64 = 20_000_000_000;
 
 impl LoadHistory {
     /// A history with `steps[k]` the multipliers of all load cases at the end of step `k`.
@@ -140,6 +143,7 @@ impl LoadHistory {
         for substep in 0..self.substeps {
             let (mut reached, end) = (substep as f64 * whole, (substep + 1) as f64 * whole);
             let mut part = end - reached;
+            (walk.failed, walk.dearest) = (0, 0);
             while reached < end {
                 let next = if end - reached <= part * (1.0 + 1e-9) {
                     end
@@ -163,13 +167,14 @@ impl LoadHistory {
                 match walk.advance(problem, solver, quickly, &multipliers) {
                     Ok(()) => reached = next,
                     // Also where a balance is proved impossible: the history then ends at the largest load that has one.
-                    Err(cause) if part > whole * SMALLEST_PART => {
+                    Err(cause) if part > whole * SMALLEST_PART && walk.may_cut_back(&cause) => {
                         walk.work += cause.work;
                         walk.recovery.add(&cause.attempts);
                         walk.cutbacks += 1;
                         part *= 0.5;
                     }
-                    Err(cause) => {
+                    Err(mut cause) => {
+                        cause.attempts.extend(walk.given_up());
                         return Err(ContactError::StepFailed {
                             step: index,
                             reached,
@@ -209,6 +214,9 @@ struct Walk {
     cutbacks: usize,
     dissipation: f64,
     slip: DVector<f64>,
+    /// Operations of failed attempts at the sub-step, and of the dearest of them.
+    failed: u64,
+    dearest: u64,
 }
 
 impl Walk {
@@ -226,7 +234,33 @@ impl Walk {
             increments: 0,
             cutbacks: 0,
             dissipation: 0.0,
+            failed: 0,
+            dearest: 0,
         }
+    }
+
+    /// Counts the attempt that failed with `cause`; whether cut-back may go on after it.
+    fn may_cut_back(&mut self, cause: &StepFailure) -> bool {
+        self.failed += cause.work.operations;
+        self.dearest = self.dearest.max(cause.work.operations);
+        self.failed <= self.effort()
+    }
+
+    /// Operations that failed attempts may cost.
+    fn effort(&self) -> u64 {
+        CUTBACK_EFFORT.max(2 * self.dearest)
+    }
+
+    /// What ended cut-back before it came to its smallest part, if that was its work.
+    fn given_up(&self) -> Option<(&'static str, FailureCause)> {
+        let limit = self.effort();
+        (self.failed > limit).then_some((
+            "cut-back",
+            FailureCause::Effort {
+                operations: self.failed,
+                limit,
+            },
+        ))
     }
 
     fn advance(
@@ -235,7 +269,7 @@ impl Walk {
         solver: &dyn InterfaceSolver,
         quickly: bool,
         multipliers: &[f64],
-    ) -> Result<(), crate::solver::StepFailure> {
+    ) -> Result<(), StepFailure> {
         let step = Step::new(problem, &self.state, multipliers);
         let solution = if quickly {
             solver.try_quickly(&step)?

@@ -167,6 +167,16 @@ pub enum FailureCause {
         /// Largest number that is tried.
         limit: usize,
     },
+    /// The work that is given to a search was done.
+    #[error(
+        "given up after {operations:.1e} floating-point operations, of {limit:.1e} that it may take"
+    )]
+    Effort {
+        /// Operations done.
+        operations: u64,
+        /// Operations that the search may take.
+        limit: u64,
+    },
     /// A floating body's load cannot be balanced: a rigid motion along which the load works separates, or slides along,
     /// every contact.
     #[error("the load cannot be balanced: nothing stops a rigid motion on which it does work{}", if *proved { " (proved)" } else { "" })]
@@ -190,6 +200,7 @@ impl FailureCause {
             Self::Inaccurate { .. } => "inaccurate",
             Self::NoSolution { .. } => "no solution among all statuses",
             Self::TooManyPoints { .. } => "too many points",
+            Self::Effort { .. } => "work limit",
             Self::Unbalanced { .. } => "no balance",
         }
     }

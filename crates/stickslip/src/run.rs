@@ -219,7 +219,7 @@ pub fn solver(choice: SolverChoice) -> Box<dyn InterfaceSolver> {
     match choice {
         SolverChoice::Auto | SolverChoice::Newton => Box::new(Chain::newton_first()),
         SolverChoice::Status => Box::new(Chain::status_first()),
-        SolverChoice::Pivoting => Box::new(Pivoting::default()),
+        SolverChoice::Pivoting => Box::new(Chain::alone(Box::new(Pivoting::default()))),
     }
 }
 
@@ -317,7 +317,7 @@ fn reported(
     notes.extend(remarks::of_steps(scene, model, &steps));
     notes.extend(remarks::of_freedom(model, &solved.problem));
     let mut choices = model.choices.clone();
-    choices.push(solver_choice(scene.analysis.solver, solver));
+    choices.push(solver_choice(scene.analysis.solver));
     let operators = solved.operators.iter();
     let mut results = Results {
         title: scene.title.clone(),
@@ -384,7 +384,7 @@ fn steps_with_fields(output: FieldOutput, scale: &LoadScale, count: usize) -> Ve
     }
 }
 
-fn solver_choice(choice: SolverChoice, solver: &dyn InterfaceSolver) -> Choice {
+fn solver_choice(choice: SolverChoice) -> Choice {
     let reason = match choice {
         SolverChoice::Auto => "the fastest method first, a safer one where it fails",
         SolverChoice::Status | SolverChoice::Newton | SolverChoice::Pivoting => "the scene says so",
@@ -394,7 +394,7 @@ fn solver_choice(choice: SolverChoice, solver: &dyn InterfaceSolver) -> Choice {
         SolverChoice::Status => {
             "status iteration, then semismooth Newton, then pivoting".to_owned()
         }
-        SolverChoice::Pivoting => solver.name().to_owned(),
+        SolverChoice::Pivoting => "pivoting".to_owned(),
     };
     Choice {
         what: "solver".into(),

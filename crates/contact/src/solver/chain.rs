@@ -34,6 +34,11 @@ impl Chain {
         ])
     }
 
+    /// `solver` alone, with the proof before the search.
+    pub fn alone(solver: Box<dyn InterfaceSolver>) -> Self {
+        Self::new(vec![solver])
+    }
+
     /// The report's status iteration, then as [`Chain::newton_first`].
     pub fn status_first() -> Self {
         Self::new(vec![

@@ -20,7 +20,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::lemke::{Outcome, lemke};
+use super::lemke::{Outcome, lemke, pivot_operations};
 use super::principal::least_index;
 use super::step::Step;
 use super::{FailureCause, Work};
@@ -135,14 +135,13 @@ impl Complementarity {
         self.constant.len()
     }
 
-    /// The solution found with covering vector number `cover`; `None` if pivoting did not end with one.
+    /// The solution found with covering vector number `cover` in at most `limit` pivots.
     pub(super) fn solve(
         &self,
         cover: usize,
-        pivots_per_unknown: usize,
+        limit: usize,
         work: &mut Work,
-    ) -> Option<Candidate> {
-        let limit = pivots_per_unknown * self.constant.len();
+    ) -> Result<Candidate, FailureCause> {
         match lemke(
             &self.matrix,
             &self.constant,
@@ -150,8 +149,15 @@ impl Complementarity {
             limit,
             work,
         ) {
-            Outcome::Solved(z) => Some(self.candidate(&z)),
-            Outcome::Unsolved => None,
+            Outcome::Solved(z) => Ok(self.candidate(&z)),
+            Outcome::Ray => Err(FailureCause::Ray),
+            Outcome::Limit => {
+                let operations = limit as u64 * pivot_operations(self.order());
+                Err(FailureCause::Effort {
+                    operations,
+                    limit: operations,
+                })
+            }
         }
     }
 

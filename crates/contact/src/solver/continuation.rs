@@ -17,12 +17,15 @@ use crate::state::TrialState;
 pub struct Continuation {
     /// Smallest part of the way, beyond which a path is given up.
     pub smallest: f64,
+    /// Floating-point operations after which no further point of a path is sought.
+    pub effort: u64,
 }
 
 impl Default for Continuation {
     fn default() -> Self {
         Self {
             smallest: 1.0 / 256.0,
+            effort: 100_000_000_000,
         }
     }
 }
@@ -64,6 +67,12 @@ impl Continuation {
         let mut trial = solve_at(&at(0.0), attempt)?;
         let (mut reached, mut part) = (0.0, 0.25);
         while reached < 1.0 {
+            if attempt.work.operations > self.effort {
+                return Err(FailureCause::Effort {
+                    operations: attempt.work.operations,
+                    limit: self.effort,
+                });
+            }
             let next = if reached + part > 1.0 - 1e-9 {
                 1.0
             } else {

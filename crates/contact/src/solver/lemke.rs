@@ -18,8 +18,15 @@ use super::tableau::Dictionary;
 pub(super) enum Outcome {
     /// The complementary solution z.
     Solved(DVector<f64>),
-    /// A secondary ray was met, or the pivot limit.
-    Unsolved,
+    /// A secondary ray was met.
+    Ray,
+    /// The pivot limit was met.
+    Limit,
+}
+
+/// Floating-point operations of a pivot of a problem with `order` complementary pairs.
+pub(super) fn pivot_operations(order: usize) -> u64 {
+    2 * (order * (order + 2)) as u64
 }
 
 /// Size below which an entry of a column is rounding, relative to its largest one.
@@ -112,14 +119,14 @@ pub(super) fn lemke(
         ratio(a).total_cmp(&ratio(b))
     });
     let Some(mut row) = start else {
-        return Outcome::Unsolved;
+        return Outcome::Ray;
     };
     let mut column = 1;
     for _ in 0..limit {
         let leaving = dictionary.basic[row];
         dictionary.pivot(row, column);
         work.pivots += 1;
-        work.operations += 2 * (n * (n + 2)) as u64;
+        work.operations += pivot_operations(n);
         if dictionary.is_uncovered() {
             return Outcome::Solved(read_off(&dictionary, n));
         }
@@ -133,15 +140,15 @@ pub(super) fn lemke(
             .iter()
             .position(|&variable| variable == entering)
         else {
-            return Outcome::Unsolved;
+            return Outcome::Ray;
         };
         column = position + 1;
         match dictionary.leaving(column) {
             Some(next) => row = next,
-            None => return Outcome::Unsolved,
+            None => return Outcome::Ray,
         }
     }
-    Outcome::Unsolved
+    Outcome::Limit
 }
 
 fn read_off(dictionary: &Dictionary, n: usize) -> DVector<f64> {
@@ -196,7 +203,7 @@ mod tests {
                 10,
                 &mut Work::default()
             ),
-            Outcome::Unsolved
+            Outcome::Ray
         );
     }
 }

@@ -7,6 +7,7 @@
 use super::active_set::confirm;
 use super::attempt::Attempt;
 use super::complementarity::{Candidate, Complementarity};
+use super::lemke::pivot_operations;
 use super::step::Step;
 use super::{FailureCause, InterfaceSolver, StepFailure, StepSolution};
 
@@ -15,7 +16,8 @@ use super::{FailureCause, InterfaceSolver, StepFailure, StepSolution};
 pub struct Pivoting {
     /// Largest number of pivots per complementarity problem, in multiples of its order; rarely are more than two needed.
     pub pivots_per_unknown: usize,
-    /// Floating-point operations after which no further complementarity problem is begun.
+    /// Floating-point operations after which a step is given up, as far as its first complementarity problem has had pivots enough: four
+    /// per unknown.
     pub effort: u64,
     /// Number of covering vectors that are tried.
     pub covers: usize,
@@ -33,6 +35,9 @@ impl Default for Pivoting {
         }
     }
 }
+
+/// Pivots per unknown with which a complementarity problem that can be solved nearly always is.
+const ENOUGH: u64 = 4;
 
 /// Softness of the springs that hold floating bodies, beside the bodies' own.
 const SOFTNESS: [f64; 2] = [1e5, 1e3];
@@ -65,7 +70,7 @@ impl Pivoting {
     fn run(&self, attempt: &mut Attempt<'_>) -> Result<StepSolution, FailureCause> {
         let step = attempt.step;
         let mut secants = Secants::new(step);
-        let mut last = FailureCause::Ray;
+        let (mut last, mut ended) = (FailureCause::Ray, FailureCause::Ray);
         for _ in 0..self.repetitions {
             let coefficients = secants.coefficients(step);
             let mut next = None;
@@ -76,13 +81,13 @@ impl Pivoting {
                     // Which of several solutions is followed is settled by the first round.
                     let covers = if round == 0 { self.covers } else { 1 };
                     for cover in 0..covers {
-                        if attempt.work.operations > self.effort {
-                            return Err(last);
-                        }
-                        let Some(candidate) =
-                            problem.solve(cover, self.pivots_per_unknown, &mut attempt.work)
-                        else {
-                            continue;
+                        let limit = self.pivots_left(problem.order(), attempt.work.operations)?;
+                        let candidate = match problem.solve(cover, limit, &mut attempt.work) {
+                            Ok(candidate) => candidate,
+                            Err(cause) => {
+                                ended = cause;
+                                continue;
+                            }
                         };
                         match confirm(&candidate, attempt) {
                             Ok(solution) => return Ok(solution),
@@ -97,7 +102,7 @@ impl Pivoting {
                 }
             }
             let Some(candidate) = next else {
-                return Err(FailureCause::Ray);
+                return Err(ended);
             };
             secants.advance(&candidate);
             if secants.coefficients(step) == coefficients {
@@ -105,6 +110,17 @@ impl Pivoting {
             }
         }
         Err(last)
+    }
+
+    /// Pivots that a problem of `order` pairs may have after `operations`.
+    fn pivots_left(&self, order: usize, operations: u64) -> Result<usize, FailureCause> {
+        let each = pivot_operations(order).max(1);
+        let limit = self.effort.max(ENOUGH * order as u64 * each);
+        let left = (limit.saturating_sub(operations) / each) as usize;
+        match left.min(self.pivots_per_unknown * order) {
+            0 if order > 0 => Err(FailureCause::Effort { operations, limit }),
+            pivots => Ok(pivots),
+        }
     }
 }
 

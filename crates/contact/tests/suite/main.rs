@@ -14,6 +14,7 @@ mod recovery;
 mod rigid;
 mod scene;
 mod unique;
+mod work;
 mod zones;
 
 use std::sync::Arc;

@@ -1,0 +1,106 @@
+//! Searches stop at stated work, and say so.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use nalgebra::{DMatrix, DVector};
+use stickslip_contact::solver::{FailureCause, Step, StepFailure, StepSolution, Work};
+use stickslip_contact::{
+    Chain, ContactError, ContactState, InterfaceProblem, InterfaceSolver, LoadHistory, Pivoting,
+    Ramp,
+};
+use stickslip_fem_core::GivenBody;
+
+use crate::{Ground, coulomb, solve};
+
+/// One point of a body that is pressed into the ground by a load of 1, held or floating.
+fn pressed(floating: bool) -> InterfaceProblem {
+    let compliance = DMatrix::identity(2, 2);
+    let load = DVector::from_row_slice(&[-1.0, 0.0]);
+    let body = if floating {
+        let motions = DMatrix::identity(2, 2);
+        GivenBody::floating(compliance, motions, vec![DVector::zeros(2)], vec![load])
+    } else {
+        GivenBody::held(compliance, vec![load])
+    };
+    Ground::along_x(vec![0.0], coulomb(0.3)).under(&body.unwrap())
+}
+
+#[test]
+fn pivoting_names_the_work_that_it_was_given() {
+    let problem = pressed(false);
+    let start = ContactState::unloaded(&problem);
+    assert!(solve(&Pivoting::default(), &problem, &start, &[1.0]).is_ok());
+    let none = Pivoting {
+        pivots_per_unknown: 0,
+        ..Pivoting::default()
+    };
+    let failure = solve(&none, &problem, &start, &[1.0]).unwrap_err();
+    let (_, cause) = &failure.attempts[0];
+    assert!(
+        matches!(cause, FailureCause::Effort { operations: 0, limit } if *limit == none.effort),
+        "{failure}"
+    );
+    assert!(
+        failure.to_string().contains("floating-point operations"),
+        "{failure}"
+    );
+}
+
+/// Pivoting alone gets the proof that the chain makes, and is not begun.
+#[test]
+fn the_proof_comes_before_a_search_by_one_solver() {
+    let problem = pressed(true);
+    let start = ContactState::unloaded(&problem);
+    let alone = Chain::alone(Box::new(Pivoting::default()));
+    assert!(solve(&alone, &problem, &start, &[1.0]).is_ok());
+    let failure = solve(&alone, &problem, &start, &[-1.0]).unwrap_err();
+    assert!(failure.is_proved_impossible(), "{failure}");
+    assert_eq!(failure.work, Work::default());
+}
+
+/// Fails at the cost of so many operations.
+#[derive(Debug)]
+struct Costly {
+    operations: u64,
+    calls: AtomicUsize,
+}
+
+impl InterfaceSolver for Costly {
+    fn name(&self) -> &'static str {
+        "costly"
+    }
+
+    fn solve(&self, _step: &Step<'_>) -> Result<StepSolution, StepFailure> {
+        self.calls.fetch_add(1, Ordering::Relaxed);
+        let work = Work {
+            operations: self.operations,
+            ..Work::default()
+        };
+        Err(StepFailure::new(self.name(), FailureCause::Ray, work))
+    }
+}
+
+#[test]
+fn cut_back_ends_with_its_work_or_at_its_smallest_part() {
+    let problem = pressed(false);
+    for (operations, calls, named) in [
+        (1, 11, None),
+        (15_000_000_000, 3, Some([45_000_000_000, 30_000_000_000])),
+        (9_000_000_000, 3, Some([27_000_000_000, 20_000_000_000])),
+        (5_000_000_000, 5, Some([25_000_000_000, 20_000_000_000])),
+    ] {
+        let solver = Costly {
+            operations,
+            calls: AtomicUsize::new(0),
+        };
+        let history = LoadHistory::new(vec![vec![1.0]], 1, Ramp::Linear).unwrap();
+        let failed = history.follow(&problem, &solver, |_| {}).unwrap_err();
+        let ContactError::StepFailed { cause, .. } = failed else {
+            panic!("{failed}");
+        };
+        assert_eq!(solver.calls.into_inner(), calls);
+        let expected = named
+            .map(|[operations, limit]| ("cut-back", FailureCause::Effort { operations, limit }));
+        assert_eq!(cause.attempts.get(1), expected.as_ref(), "{cause}");
+    }
+}
