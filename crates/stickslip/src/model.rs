@@ -9,6 +9,7 @@ mod meshes;
 mod placement;
 mod polar_table;
 mod remarks;
+mod resultant;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -9,8 +9,9 @@
 //! make it the force to rounding. The odd part is needed where the mesh is not symmetric about the force.
 
 use stickslip_fem_core::load::edge_load;
-use stickslip_fem_core::mesh::{Curve, EdgeSet, Mesh};
+use stickslip_fem_core::mesh::{EdgeSet, Mesh};
 
+use super::resultant::centre_of;
 use crate::scene::schema::BearingLaw;
 
 /// Forces on all nodes, interleaved, of a unit force along the unit vector `direction` on the whole hole with the edge `hole`. A half
@@ -23,10 +24,7 @@ pub(super) fn unit_forces(
     half: bool,
 ) -> Vec<f64> {
     let [along_x, along_y] = direction;
-    let centre = match hole.curve {
-        Some(Curve::Arc { centre, .. }) => centre,
-        _ => [0.0; 2],
-    };
+    let centre = centre_of(hole);
     let of = |weight: fn(f64) -> f64| {
         edge_load(mesh, &hole.edges, 1.0, |at| {
             let [x, y] = [at.position[0] - centre[0], at.position[1] - centre[1]];

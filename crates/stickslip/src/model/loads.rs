@@ -6,11 +6,12 @@ use std::sync::Arc;
 use stickslip_contact::{LoadHistory, Ramp};
 use stickslip_fem_core::load::edge_load;
 use stickslip_fem_core::material::Material;
-use stickslip_fem_core::mesh::{Curve, Mesh, Point};
+use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_fem_core::{ElasticBody, HeldDirection, LoadCase, Platen, RigidBody, Support};
 
 use super::bearing::unit_forces;
 use super::polar_table::PolarField;
+use super::resultant::{centre_of, matched};
 use super::{Meshes, ModelBodyKind, ModelEdge, ModelError};
 use crate::scene::Scene;
 use crate::scene::schema::{self, Hold, LoadKind, SetRef, Shape, Substance};
@@ -149,13 +150,21 @@ fn unit_load(
 ) -> Result<LoadCase, stickslip_fem_core::mesh::MeshError> {
     let forces = match kind {
         LoadKind::Force { on, direction, .. } if on.body == name => {
-            let edges = &mesh.edge_set(&on.set)?.edges;
+            let edge = mesh.edge_set(&on.set)?;
+            let edges = &edge.edges;
             let unit = edge_load(mesh, edges, thickness, |_| [1.0, 0.0]);
             // Force of a unit traction on the whole edge; a half model has half of an edge that crosses the symmetry line.
             let whole = unit.iter().sum::<f64>() * if half { 2.0 } else { 1.0 };
-            edge_load(mesh, edges, thickness, |_| {
+            let forces = edge_load(mesh, edges, thickness, |_| {
                 direction.map(|component| component / whole)
-            })
+            });
+            // Spread evenly over a circle it acts through its centre.
+            if !half && shape.circle(&on.set).is_some() {
+                let [x, y] = *direction;
+                matched(mesh, edge, forces, [x, y, 0.0], half)
+            } else {
+                forces
+            }
         }
         LoadKind::Bearing {
             on, direction, law, ..
@@ -174,11 +183,8 @@ fn unit_load(
                 1.0
             };
             let edge = mesh.edge_set(&on.set)?;
-            let centre = match edge.curve {
-                Some(Curve::Arc { centre, .. }) => centre,
-                _ => [0.0; 2],
-            };
-            edge_load(mesh, &edge.edges, thickness, |at| {
+            let centre = centre_of(edge);
+            let forces = edge_load(mesh, &edge.edges, thickness, |at| {
                 let theta = (at.position[1] - centre[1]).atan2(at.position[0] - centre[0]);
                 let [radial, shear] = field.at(theta);
                 let (s, c) = theta.sin_cos();
@@ -186,7 +192,16 @@ fn unit_load(
                     sign * (radial * c - shear * s),
                     sign * (radial * s + shear * c),
                 ]
-            })
+            });
+            match shape.circle(&on.set) {
+                Some(radius) => {
+                    let [x, y, turn] = field.resultant();
+                    let scale = sign * thickness * radius;
+                    let wanted = [scale * x, scale * y, scale * radius * turn];
+                    matched(mesh, edge, forces, wanted, half)
+                }
+                None => forces,
+            }
         }
         LoadKind::Temperature { body, .. } if body == name => {
             let strain = material.thermal_strain(1.0);

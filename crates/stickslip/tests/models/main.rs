@@ -6,6 +6,7 @@ mod halves;
 mod mortar;
 mod remarks;
 mod several;
+mod unbalanced;
 
 use std::path::Path;
 

@@ -82,7 +82,8 @@ impl BodyStructure {
     }
 
     /// Resultants of nodal forces in the free motions. What is rounding beside the forces' own sizes is zero: a load that
-    /// balances itself leaves nothing for contact to balance.
+    /// balances itself leaves nothing for contact to balance. The sizes are those of whole forces, not of their components along a
+    /// motion: across a pull these are rounding themselves.
     pub(super) fn mode_load(&self, body: &ElasticBody, nodal: &[f64]) -> DVector<f64> {
         const ROUNDING: f64 = 1e-12;
         let mut load = DVector::zeros(self.motions.count());
@@ -91,7 +92,8 @@ impl BodyStructure {
             if !load.is_empty() && force != [0.0, 0.0] {
                 let motions = self.motions.at(&body.mesh, node).transpose();
                 let force = DVector::from_column_slice(force);
-                size += motions.abs() * force.abs();
+                let reach = motions.row_iter().map(|motion| motion.norm());
+                size += DVector::from_iterator(size.len(), reach) * force.norm();
                 load += motions * force;
             }
         }

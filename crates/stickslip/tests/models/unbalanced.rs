@@ -1,0 +1,167 @@
+//! Rigid motions that nothing resists: loads that balance themselves, and loads that nothing can balance.
+
+use std::fmt::Write as _;
+use std::fs;
+
+use stickslip::run::{RunError, run};
+use stickslip_contact::ContactError;
+use tempfile::TempDir;
+
+use super::{BUSHING, difference, results, scene, scene_in, solved, upper};
+
+/// A ring under tractions of a table around a rigid pin far smaller than its hole.
+const RING: &str = r#"
+version = 1
+[materials.metal.isotropic]
+young = "70 GPa"
+poisson = 0.33
+[bodies.ring]
+material = "metal"
+thickness = "2 mm"
+shape.plate_with_hole = { hole_radius = "5 mm", outline.ring.radius = "25 mm" }
+[bodies.pin]
+rigid = true
+shape.disk.radius = "4 mm"
+[mesh]
+spacing = "6 deg"
+[[contacts]]
+first = "ring.hole"
+second = "pin.rim"
+friction.coulomb.mu = 0
+[[supports]]
+on = "pin.centre"
+fix = ["x", "y"]
+[[loads]]
+name = "t"
+on = "ring.outer"
+polar_traction = { file = "table.csv", stress = "MPa", steps = [1.0, 0.4] }
+[output]
+fields = "none"
+figures = false
+"#;
+
+/// A pin that is loose in its ring, almost without friction, under a force on its unevenly divided rim.
+const LOOSE: &str = r#"
+version = 1
+[materials.metal.isotropic]
+young = "70 GPa"
+poisson = 0.33
+[bodies.ring]
+material = "metal"
+thickness = "2 mm"
+shape.plate_with_hole = { hole_radius = "10 mm", outline.ring.radius = "30 mm" }
+[bodies.pin]
+material = "metal"
+thickness = "2 mm"
+shape.disk.radius = "9.5 mm"
+[mesh]
+element = "T6"
+spacing = "15 deg"
+fine_to = "50 deg"
+[[contacts]]
+first = "ring.hole"
+second = "pin.rim"
+friction.coulomb.mu = 1e-6
+projection = "mortar"
+[[supports]]
+on = "ring.outer"
+fix = ["x", "y"]
+[[loads]]
+on = "pin.rim"
+force = { direction = [0.78, -0.62], steps = ["20 N", "40 N", "20 N"] }
+[output]
+fields = "none"
+figures = false
+"#;
+
+/// Plane tension σ along x: σ_r = σ cos²θ, τ_rθ = −σ sin θ cos θ. Its forces across x are rounding throughout.
+fn folder_with_tension() -> TempDir {
+    let folder = TempDir::new().unwrap();
+    let mut table = "theta_deg,sigma_r,tau_rtheta\n".to_owned();
+    for degrees in (0..=180).step_by(5) {
+        let (sine, cosine) = f64::from(degrees).to_radians().sin_cos();
+        // Writing into a string does not fail.
+        let _ = writeln!(
+            table,
+            "{degrees},{},{}",
+            50.0 * cosine * cosine,
+            -50.0 * sine * cosine
+        );
+    }
+    fs::write(folder.path().join("table.csv"), table).unwrap();
+    folder
+}
+
+#[test]
+fn a_ring_that_touches_nothing_stays_under_tension_that_balances_itself() {
+    let folder = folder_with_tension();
+    for mesh in [
+        &["mesh.spacing=6 deg"][..],
+        // Uneven, so that the forces on the nodes leave some of the tractions unbalanced.
+        &["mesh.spacing=4 deg", "mesh.fine_to=60 deg"],
+        &[
+            "mesh.spacing=9 deg",
+            "mesh.fine_to=60 deg",
+            "mesh.element=Q4",
+        ],
+    ] {
+        let [half, whole] = ["half", "whole"].map(|kind| {
+            let model = format!("analysis.model={kind}");
+            results(&scene_in(folder.path(), RING, &[mesh, &[&model]].concat()))
+        });
+        for step in 0..2 {
+            for results in [&half, &whole] {
+                let edge = &results.steps[step].edges[0];
+                assert_eq!(edge.peak_pressure, None, "{mesh:?}");
+                assert_eq!(edge.resultant, [0.0; 2], "{mesh:?}");
+            }
+            let hoop = |results| {
+                let rows = upper(results, step, 0);
+                rows.into_iter()
+                    .map(|row| row.sigma_tangential)
+                    .collect::<Vec<_>>()
+            };
+            let apart = difference(hoop(&half), hoop(&whole));
+            assert!(apart < 1e-9, "{mesh:?}: {apart:e}");
+        }
+    }
+}
+
+/// The facets of the rim move the force off its centre by 10⁻⁵ of the radius, which is more than such friction holds.
+#[test]
+fn a_force_on_a_rim_needs_no_friction_to_be_held() {
+    let frictionless = solved(LOOSE, &["contacts.0.friction.coulomb.mu=0"]);
+    for mu in ["1e-6", "1e-4"] {
+        let set = format!("contacts.0.friction.coulomb.mu={mu}");
+        let slight = solved(LOOSE, &[&set]);
+        for (step, pull) in [20.0, 40.0, 20.0].into_iter().enumerate() {
+            let [none, some] =
+                [&frictionless, &slight].map(|results| &results.steps[step].edges[0]);
+            // The scene's direction is made a unit vector.
+            let size = some.resultant[0].hypot(some.resultant[1]);
+            assert!((size - pull).abs() < 1e-8 * pull, "μ = {mu}: {size}");
+            let pressures = |rows: &[stickslip::results::EdgeRow]| -> Vec<f64> {
+                rows.iter().map(|row| row.pressure).collect()
+            };
+            let apart = difference(pressures(&none.rows), pressures(&some.rows));
+            let mu: f64 = mu.parse().unwrap();
+            assert!(apart < 10.0 * mu + 1e-8, "μ = {mu}: {apart:e}");
+        }
+    }
+}
+
+/// Nothing holds a plate against turning whose pin turns with it; every solver that a scene can name is asked after the proof.
+#[test]
+fn every_solver_refuses_a_load_without_balance_before_it_searches() {
+    for solver in ["auto", "newton", "status", "pivoting"] {
+        let solver = format!("analysis.solver={solver}");
+        let across = "loads.0.force.direction=[0, 1]";
+        let error = run(&scene(BUSHING, &[across, &solver]), &mut |_| {}).unwrap_err();
+        let RunError::Contact(ContactError::StepFailed { cause, .. }) = error else {
+            panic!("{solver}: {error}");
+        };
+        assert!(cause.is_proved_impossible(), "{solver}: {cause}");
+        assert_eq!(cause.work.pivots, 0, "{solver}: {cause}");
+        assert_eq!(cause.attempts.len(), 1, "{solver}: {cause}");
+    }
+}
