@@ -13,6 +13,7 @@
 //! | displacements at scattered places from a table | [`Measurement::read`] with a [`Format`] and a [`Reading`] |
 //! | places that do not go with their neighbours | [`Measurement::outliers`] |
 //! | digitised fringe centres along lines | [`FringeLines::read`] with a [`LineReading`] |
+//! | a finite rotation of the specimen taken off | [`Measurement::rotation`], [`Measurement::turned_back`] |
 //! | the initial load taken off | [`Measurement::minus`], [`FringeLines::minus`] |
 //! | front against back | [`FringeLine::symmetry`] |
 
@@ -23,6 +24,7 @@ mod lines;
 mod null;
 mod outliers;
 mod read;
+mod rotation;
 mod table;
 mod track;
 
@@ -33,7 +35,8 @@ pub use format::{Format, Places, Reading, YAxis};
 pub use lines::{Field, FringeLines, LineReading, OffTrack};
 pub use null::{Difference, NullField, Symmetry};
 pub use outliers::Outlier;
-pub use read::Rows;
+pub use read::{Rows, Unit};
+pub use rotation::Rotation;
 pub use track::{FringeLine, Located, Step, Track};
 
 /// Displacements measured at scattered places.

@@ -60,9 +60,55 @@ pub enum DataError {
         /// How often it is there.
         times: usize,
     },
+    /// The first line holds numbers.
+    #[error(
+        "{file}: line {line} is '{numbers}', numbers where the names of columns belong; write a line above it that names its {}, such as '{}'",
+        counted_columns(*columns), example_header(*columns, *delimiter)
+    )]
+    NoHeader {
+        /// Name of the data.
+        file: String,
+        /// Line, counted from 1.
+        line: u64,
+        /// The line.
+        numbers: String,
+        /// Its fields.
+        columns: usize,
+        /// What parts them.
+        delimiter: char,
+    },
+    /// A number with a comma in a table where that is not clear.
+    #[error(
+        "{file}: line {line}, column '{column}': '{value}' {what}; write all numbers of the table with decimal points"
+    )]
+    DecimalComma {
+        /// Name of the data.
+        file: String,
+        /// Line, counted from 1.
+        line: u64,
+        /// Column.
+        column: String,
+        /// Text of the field.
+        value: String,
+        /// What is not clear.
+        what: String,
+    },
+    /// A row of units where units are stated otherwise.
+    #[error(
+        "{file}: line {line} is a row of units ('{unit}'), and the scale is stated beside the table; begin the line with # so that it is a comment"
+    )]
+    Units {
+        /// Name of the data.
+        file: String,
+        /// Line, counted from 1.
+        line: u64,
+        /// The first of them.
+        unit: String,
+    },
     /// A row is too short or too long.
     #[error(
-        "{file}: line {line} has {fields} fields, the header has {columns}; complete the row or remove it"
+        "{file}: line {line} has {fields} fields, the header has {columns}; {}",
+        of_length(*fields, *columns, *all)
     )]
     RowLength {
         /// Name of the data.
@@ -73,6 +119,8 @@ pub enum DataError {
         fields: usize,
         /// Columns of the header.
         columns: usize,
+        /// Whether all rows have as many.
+        all: bool,
     },
     /// A field holds no usable number.
     #[error("{file}: line {line}, column '{column}': '{value}' {what}; {remedy}")]
@@ -274,6 +322,35 @@ pub enum DataError {
         /// What is wrong.
         cause: String,
     },
+}
+
+fn counted_columns(columns: usize) -> String {
+    match columns {
+        1 => "column".to_owned(),
+        _ => format!("{columns} columns"),
+    }
+}
+
+/// A header of so many columns.
+fn example_header(columns: usize, delimiter: char) -> String {
+    let name = |k: usize| {
+        let known = ["x", "y", "u", "v"].get(k);
+        known.map_or_else(|| format!("c{}", k + 1), |name| (*name).to_owned())
+    };
+    let names: Vec<String> = (0..columns).map(name).collect();
+    names.join(&delimiter.to_string())
+}
+
+/// What to do about rows of another length than the header.
+fn of_length(fields: usize, columns: usize, all: bool) -> &'static str {
+    match (all, fields > columns) {
+        (true, true) if fields == 2 * columns => {
+            "so have all rows: if commas are decimal ones, part columns by semicolons, and otherwise name every column in the header"
+        }
+        (true, true) => "so have all rows: name every column in the header",
+        (true, false) => "so have all rows: remove the names of columns that are not there",
+        (false, _) => "complete the row or remove it",
+    }
 }
 
 fn in_row(row: Option<u64>) -> String {

@@ -135,6 +135,9 @@ fn gathered<'a>(
 ) -> Result<Gathered<'a>, DataError> {
     let [line, x, y, order] = &reading.columns;
     let line = table.column(line)?;
+    if let Some((line, unit)) = table.unit(table.column(x)?) {
+        return Err(table.refuse_units(line, unit));
+    }
     let [x, y, order] = [table.column(x)?, table.column(y)?, table.column(order)?];
     let down = reading.y_axis.sign();
     let along = if field == Field::V { down } else { 1.0 };

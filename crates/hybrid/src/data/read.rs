@@ -12,7 +12,8 @@ impl Measurement {
     /// Reads a table of displacements; `name` is what errors call it.
     ///
     /// Columns are parted by tabs, semicolons, commas or blanks, whichever the header uses; lines that start with `*` or `#` are
-    /// comments. A component is masked where it is empty or NaN, both where the flag column is negative, empty or NaN. A point
+    /// comments. Decimal commas are read where the table has no decimal point, and a row of units below the header is kept in
+    /// [`Rows::units`]. A component is masked where it is empty or NaN, both where the flag column is negative, empty or NaN. A point
     /// that has neither a displacement nor a place is left out. In a deformed state a point with a masked component has no
     /// reference place; it is kept masked, at the place that the known components give.
     ///
@@ -58,7 +59,10 @@ impl Measurement {
             deviation: reading.deviation,
             ..Self::default()
         };
-        let mut rows = Rows::default();
+        let mut rows = Rows {
+            units: columns.units(&table),
+            ..Rows::default()
+        };
         let mut steps = [Vec::new(), Vec::new()];
         let mut seen = BTreeMap::new();
         for row in 0..table.len() {
@@ -161,6 +165,21 @@ pub struct Rows {
     /// What one step of the last digit is `[length]`, to which displacements x and y are rounded; of numbers that are not zero, one in ten
     /// has a finer one. 0 where all are zero.
     pub step: [f64; 2],
+    /// Units that a row below the header states for the columns in use.
+    pub units: Vec<Unit>,
+}
+
+/// The unit that a table states for a column.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unit {
+    /// Line in the file, counted from 1.
+    pub line: u64,
+    /// Name of the column.
+    pub column: String,
+    /// Its unit as it is written, without brackets.
+    pub unit: String,
+    /// Whether it is a place's, and not a displacement's.
+    pub of_place: bool,
 }
 
 /// What one step of a number's last digit is; nothing of zero, whose digits say little.
@@ -249,6 +268,23 @@ type Converted = (Point, [Option<f64>; 2]);
 type Raw = ([Option<f64>; 2], [Option<f64>; 2]);
 
 impl Columns {
+    /// Units of places and displacements.
+    fn units(&self, table: &Table) -> Vec<Unit> {
+        let places = self.places.iter().map(|&column| (column, true));
+        let displacements = self.displacements.iter().flatten();
+        let all = places.chain(displacements.map(|&column| (column, false)));
+        let unit = |(column, of_place)| {
+            let (line, unit) = table.unit(column)?;
+            Some(Unit {
+                line,
+                column: table.name(column).to_owned(),
+                unit: unit.to_owned(),
+                of_place,
+            })
+        };
+        all.filter_map(unit).collect()
+    }
+
     fn row(&self, table: &Table, row: usize) -> Result<Raw, DataError> {
         let place = both(&self.places, |&column| table.number(row, column))?;
         let displacement = both(&self.displacements, |column| {

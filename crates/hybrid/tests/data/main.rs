@@ -8,6 +8,7 @@ mod gratings;
 mod kirsch;
 mod lines;
 mod outliers;
+mod rotation;
 mod tables;
 
 use stickslip_hybrid::data::{DataError, Format, Measurement, Reading, Track};

@@ -119,7 +119,8 @@ fn refusals_name_file_line_column_value_and_remedy() {
     );
     assert_eq!(
         refusal("*\n\nx,y,u,v\n1,2,3,4\n1,3,a1,4\n"),
-        "test.csv: line 5, column 'u': 'a1' is not a number; write a number with a decimal point, or NaN where nothing was measured"
+        "test.csv: line 5, column 'u': 'a1' is not a number; write a number with a decimal point, or NaN where nothing was measured; begin the line with # \
+         if it is no data"
     );
     assert_eq!(
         refusal("x,y,u,v\n1,2,3,4\n\n# again\n1,2,5,6\n"),
@@ -177,6 +178,111 @@ fn refusals_name_file_line_column_value_and_remedy() {
         overflow.to_string().contains("overflows with the scale"),
         "{overflow}"
     );
+}
+
+/// What spreadsheets and other programs write for the same numbers.
+#[test]
+fn tables_of_other_tools_are_read_as_they_are_meant() {
+    let expected = plain("x,y,u,v\n1.5,2,0.001,-3\n2.5,2,,-4\n").unwrap();
+    for text in [
+        "x,y,u,v,\n1.5,2,0.001,-3\n2.5,2,,-4\n",
+        "x,y,u,v,,\n1.5,2,0.001,-3,,\n2.5,2,,-4,,\n",
+        "x,y,u,v\n1.5,2,0.001,-3,\n2.5,2,,-4,\n",
+        "x, \"y\", u, \"v\"\n1.5, \"2\", 0.001, \"-3\"\n2.5 , \"2\" , ,-4\n",
+        "\"x\" \"y\"  \"u\" \"v\"\n1.5  2 0.001 -3\n2.5 \"2\" nan   \"-4\"\n",
+        "x;y;u;v\n1,5;2;0,001;-3\n2,5;2;;-4\n",
+        "x;y;u;v;\n1,5;2,0;0,001;-3e0;\n2,5;2,0;;-4;\n",
+        "x\ty\tu\tv\n1,5\t2\t0,001\t-3\n2,5\t2\t\t\"-4\"\n",
+        "x,y,u,v\n\"1,5\",2,\"0,001\",-3\n\"2,5\",2,,-4\n",
+        "x,y,u,v\n[mm],[mm],[um],[um]\n1.5,2,0.001,-3\n2.5,2,,-4\n",
+        "x;y;u;v\n(mm);(mm);µm;µm\n1,5;2;0,001;-3\n2,5;2;;-4\n",
+        "x y u v\nmm mm um um\n1.5 2 0.001 -3\n2.5 2 nan -4\n",
+    ] {
+        let found = plain(text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+        assert_eq!(
+            (&found.places, &found.valid),
+            (&expected.places, &expected.valid),
+            "{text}"
+        );
+        for (own, other) in found.displacements.iter().zip(&expected.displacements) {
+            for (a, b) in own.iter().zip(other) {
+                assert!(a == b || a.is_nan() && b.is_nan(), "{text}");
+            }
+        }
+    }
+    let (_, rows) = Measurement::read_rows(
+        &b"# by hand\nx,y,u,v\n[mm],[mm],[um],(um)\n1,2,3.25,4\n"[..],
+        "t",
+        &Format::plain(),
+        &Reading::default(),
+    )
+    .unwrap();
+    let units: Vec<_> = rows
+        .units
+        .iter()
+        .map(|own| (own.column.as_str(), own.unit.as_str(), own.of_place))
+        .collect();
+    assert_eq!(
+        units,
+        [
+            ("x", "mm", true),
+            ("y", "mm", true),
+            ("u", "um", false),
+            ("v", "um", false)
+        ]
+    );
+    assert_eq!((rows.units[0].line, &rows.lines[..]), (3, &[4][..]));
+}
+
+/// Each with the line, the value, and a remedy that helps.
+#[test]
+fn tables_that_may_mean_two_things_are_refused_with_a_remedy_that_helps() {
+    let headless = "1.5,2,0.001,-3,7\n2.5,2,0.002,-4,8\n";
+    assert_eq!(
+        refusal(headless),
+        "test.csv: line 1 is '1.5,2,0.001,-3,7', numbers where the names of columns belong; write a line above it that names its 5 \
+         columns, such as 'x,y,u,v,c5'"
+    );
+    assert_eq!(
+        plain(&format!("x,y,u,v,c5\n{headless}"))
+            .unwrap()
+            .places
+            .len(),
+        2
+    );
+    let mixed = "x;y;u;v\n1,5;2;0.001;3\n";
+    assert_eq!(
+        refusal(mixed),
+        "test.csv: line 2, column 'x': '1,5' has a decimal comma, and '0.001' in line 2 a decimal point; write all numbers of the table \
+         with decimal points"
+    );
+    assert!(plain(&mixed.replace(',', ".")).is_ok());
+    let thousands = "x;y;u;v\n1,500;2;12,250;3\n";
+    assert!(
+        refusal(thousands)
+            .contains("line 2, column 'x': '1,500' may have a decimal comma or thousands")
+    );
+    assert!(plain(&thousands.replace(',', ".")).is_ok());
+    // A comma for everything.
+    let commas = "x,y,u,v\n1,5,2,0,0,001,3,0\n2,5,2,0,0,002,4,0\n";
+    let error = refusal(commas);
+    assert!(
+        error.contains("line 2 has 8 fields, the header has 4; so have all rows")
+            && error.contains("semicolons"),
+        "{error}"
+    );
+    assert!(plain("x;y;u;v\n1,5;2,0;0,001;3,0\n2,5;2,0;0,002;4,0\n").is_ok());
+    assert!(refusal("x,y,u,v\n0,1,2,3,4\n1,2,2,3,4\n").contains("name every column in the header"));
+    // Units are for displacements; of fringe centres the scale alone says what they are.
+    let centres = "line,x,y,order\n-,mm,mm,-\na,0,0,1\na,1,0,2\n";
+    let read =
+        |text: &str| FringeLines::read(text.as_bytes(), "t", Field::U, &LineReading::new(1.0, 1.0));
+    let error = read(centres).unwrap_err().to_string();
+    assert!(
+        error.contains("line 2 is a row of units ('mm')") && error.contains('#'),
+        "{error}"
+    );
+    assert!(read(&centres.replace("-,mm", "#-,mm")).is_ok());
 }
 
 proptest! {
