@@ -22,6 +22,7 @@ pub fn check(experiment: &Experiment) -> Result<Vec<(&'static str, String)>, Exp
         ("specimen", specimen(experiment)),
     ];
     let mut warnings = experiment.without_effect.clone();
+    let mut fields = Vec::new();
     for (index, state) in experiment.states.iter().enumerate() {
         let mut sources = [&state.null, &state.back].into_iter().flatten();
         let is_synthetic = |source: &Source| matches!(source, Source::Step(_));
@@ -37,7 +38,9 @@ pub fn check(experiment: &Experiment) -> Result<Vec<(&'static str, String)>, Exp
         lines.push(("state", of_state(experiment, &found)));
         let named = |words: &String| format!("state '{}': {words}", state.name);
         warnings.extend(found.warnings.iter().map(named));
+        fields.push(found);
     }
+    warnings.extend(measured::repeated(experiment, &fields));
     let signs = measured::signs(experiment).into_iter();
     lines.extend(signs.map(|(names, words)| ("signs", format!("{names}: {words}"))));
     if let Some(region) = &experiment.region {

@@ -5,7 +5,8 @@
 //! ```
 //!
 //! A picture tells neither whole orders nor the plate's motion as a whole: U and V are known up to a constant each and, where the
-//! carrier is not known to the last digit, a rotation. Neither changes any stress, and both are kept as they come.
+//! carrier is not known to the last digit, a rotation. Neither changes any stress. A finite rotation does, to second order, and is taken off
+//! each table before its null field is, and off pictures after it.
 
 mod combine;
 mod coverage;
@@ -14,11 +15,14 @@ mod figures;
 mod lines;
 mod phase;
 mod pictures;
+mod rotation;
 mod scatter;
 mod signs;
 mod symmetry;
 mod table;
 mod tell;
+
+use std::collections::BTreeMap;
 
 use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::data::{Field, FringeLines, Measurement, Symmetry};
@@ -28,6 +32,7 @@ use super::error::ExperimentError;
 use super::plan::{Experiment, Source};
 use super::synthesis::{Shot, Shots};
 
+pub use rotation::TakenOff;
 pub(super) use signs::signs;
 pub(super) use tell::tell;
 
@@ -49,6 +54,8 @@ pub struct Measured {
     /// Standard deviation `[mm]` that errors of U and V have at least, whatever residuals say: as stated, or as digits are rounded; 0
     /// where nothing says.
     pub floor: [f64; 2],
+    /// Rotations of the specimen that were taken off.
+    pub rotations: Vec<TakenOff>,
     /// What was assumed or left out.
     pub remarks: Vec<String>,
     /// What a reader must know before trusting the field.
@@ -66,6 +73,7 @@ impl Measured {
             symmetry: Vec::new(),
             outliers: Vec::new(),
             floor: [0.0; 2],
+            rotations: Vec::new(),
             remarks: Vec::new(),
             warnings: Vec::new(),
         }
@@ -166,6 +174,33 @@ pub fn state(
     }
     coverage::check(&scope, &measured)?;
     Ok(measured)
+}
+
+/// Words on states that have the same data, each group once: a table under two loads, or one that was saved twice.
+pub(super) fn repeated(experiment: &Experiment, fields: &[Measured]) -> Vec<String> {
+    // Masked displacements are NaN, which equals nothing.
+    let bits = |measured: &Measured| -> Vec<u64> {
+        let data = &measured.measurement;
+        let places = data.places.iter().flatten();
+        let displacements = data.displacements.iter().flatten();
+        places.chain(displacements).map(|x| x.to_bits()).collect()
+    };
+    let mut groups: BTreeMap<Vec<u64>, Vec<&str>> = BTreeMap::new();
+    for measured in fields {
+        let names = groups.entry(bits(measured)).or_default();
+        names.push(&experiment.states[measured.state].name);
+    }
+    let shared = groups.into_values().filter(|names| names.len() > 1);
+    shared
+        .map(|names| {
+            format!(
+                "States {} have the same data, number by number: name the file of each, or remove all but one; as data of friction and of its \
+                 laws they count {} times.",
+                names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", "),
+                names.len()
+            )
+        })
+        .collect()
 }
 
 /// What a comparison with the back found, and what there is to say of the back itself.

@@ -7,6 +7,7 @@ use stickslip_hybrid::moire::Grating;
 use super::elsewhere::elsewhere;
 use super::lines::{fringe_lines, less_null};
 use super::phase::Unwound;
+use super::rotation::{self, TakenOff};
 use super::{Measured, PictureField, Reading, Scope};
 use crate::experiment::error::ExperimentError;
 use crate::experiment::plan::Source;
@@ -67,6 +68,7 @@ fn scattered(
         Reading::Scattered(own) => Measured {
             outliers: own.outliers,
             floor: own.floor,
+            rotations: own.rotation.into_iter().collect(),
             remarks: own.remarks,
             warnings: own.warnings,
             ..Measured::new(scope.state, own.measurement)
@@ -80,6 +82,8 @@ fn scattered(
     if !of_null {
         measured.outliers = own.outliers;
     }
+    let rotations = own.rotations.into_iter();
+    (measured.rotations).extend(rotations.map(|own| TakenOff { of_null, ..own }));
     let said = |of: &str, words: String| {
         if of_null {
             format!("{of}: {words}")
@@ -196,8 +200,12 @@ fn pictures(
     let orders = maps.map(|field| field.as_ref().map(|field| &field.orders));
     let deviations = maps.map(|field| field.as_ref().map_or(0.0, |field| field.deviation));
     let frequency = grating(scope)?.frequency();
-    measured.measurement = measurement(orders, frequency, deviations, stride)
+    let data = measurement(orders, frequency, deviations, stride)
         .map_err(|cause| scope.fringes("U or V", cause))?;
+    let (data, taken) = rotation::of_picture(scope, data);
+    measured.measurement = data;
+    (measured.remarks).extend(taken.and_then(|own| own.words()));
+    measured.rotations.extend(taken);
     measured.remarks.push(format!(
         "one displacement per {stride} × {stride} pixels; [reduce] stride says otherwise"
     ));

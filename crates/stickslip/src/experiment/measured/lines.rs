@@ -4,6 +4,7 @@ use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::data::{DataError, Field, FringeLines, OffTrack};
 
 use super::combine::grating;
+use super::rotation::of_lines;
 use super::{Measured, Reading, Scope};
 use crate::experiment::error::ExperimentError;
 use crate::experiment::plan::LineSource;
@@ -108,6 +109,7 @@ pub(super) fn fringe_lines(
             remedy: "all centres lie in the hole or under a mask: check scale and y_axis",
         }));
     }
+    measured.warnings.extend(of_lines(&measured.measurement));
     measured.lines = Some(lines);
     Ok(())
 }

@@ -1,13 +1,15 @@
 //! Displacements from a table.
 
 use stickslip_fem_core::mesh::Point;
-use stickslip_hybrid::data::{DataError, Field, Measurement, Outlier, Rows, YAxis};
+use stickslip_hybrid::data::{DataError, Field, Measurement, Outlier, Rows, Unit, YAxis};
 
+use super::rotation::{self, TakenOff};
 use super::{Reading, Scope, scatter};
 use crate::experiment::error::ExperimentError;
 use crate::experiment::plan::TableSource;
 use crate::experiment::synthesis::field_name;
 use crate::output::short;
+use crate::units::{Dimension, Expected, parse};
 
 /// Scatter of less than this part of the range is no measurement's: a hundredth of a fringe of a thousand fringes.
 const CALCULATED: f64 = 1e-5;
@@ -24,6 +26,8 @@ pub(super) struct Scattered {
     pub(super) outliers: Vec<usize>,
     /// Standard deviation of errors at least, by statement or by digits `[mm]`.
     pub(super) floor: [f64; 2],
+    /// The rotation of the specimen that was taken off.
+    pub(super) rotation: Option<TakenOff>,
     pub(super) remarks: Vec<String>,
     pub(super) warnings: Vec<String>,
 }
@@ -36,6 +40,10 @@ pub(super) fn read(scope: &Scope<'_>, source: &TableSource) -> Result<Reading, E
     let (mut measurement, rows) =
         Measurement::read_rows(&bytes[..], &name, &source.format, &source.reading)
             .map_err(|cause| scope.data(cause))?;
+    let mut remarks = Vec::new();
+    for unit in &rows.units {
+        remarks.extend(against_scale(scope, source, &name, unit)?);
+    }
     let scale = source.reading.scale.unwrap_or(1.0);
     let upright = source.reading.y_axis == YAxis::Up;
     let down = if upright { 1.0 } else { -1.0 };
@@ -64,19 +72,79 @@ pub(super) fn read(scope: &Scope<'_>, source: &TableSource) -> Result<Reading, E
     let mut found = Scattered {
         outliers: Vec::new(),
         floor,
-        remarks: Vec::new(),
+        rotation: None,
+        remarks,
         warnings: in_hole.into_iter().collect(),
         measurement,
     };
     mask_outliers(scope, &name, &rows, &mut found)?;
-    for field in Field::BOTH {
-        let c = field.component();
-        found.measurement.deviation[c] = match source.deviation {
-            Some(deviation) => deviation,
-            None => estimated(scope, field, rounding[c], &mut found)?,
-        };
+    match source.deviation {
+        Some(deviation) => found.measurement.deviation = [deviation; 2],
+        None => {
+            scatters(scope, rounding, &mut found.measurement)?;
+        }
+    }
+    let before = found.measurement.deviation;
+    let data = std::mem::take(&mut found.measurement);
+    (found.measurement, found.rotation) = rotation::of_material(scope, data);
+    found
+        .remarks
+        .extend(found.rotation.and_then(|own| own.words()));
+    if source.deviation.is_none() {
+        // Once more in the frame of the specimen, so that what is found does not depend on the rotation. A component without any scatter
+        // gets none by the other one's.
+        let without = before.map(|deviation| deviation == 0.0);
+        let scatters = scatters(scope, rounding, &mut found.measurement)?;
+        for c in (0..2).filter(|&c| without[c]) {
+            found.measurement.deviation[c] = 0.0;
+        }
+        for field in Field::BOTH {
+            tell_of_deviation(scope, field, scatters[field.component()], &mut found);
+        }
     }
     Ok(Reading::Scattered(found))
+}
+
+/// Compares a unit that the table states with the scale that the experiment states; words where it is no length.
+fn against_scale(
+    scope: &Scope<'_>,
+    source: &TableSource,
+    name: &str,
+    found: &Unit,
+) -> Result<Option<String>, ExperimentError> {
+    let reading = &source.reading;
+    let (key, stated) = match (found.of_place, reading.displacement_scale) {
+        (false, Some(scale)) => ("displacement_scale", scale),
+        _ => ("scale", reading.scale.unwrap_or(1.0)),
+    };
+    let Unit {
+        line, column, unit, ..
+    } = found;
+    let length = Expected::one(Dimension::Length);
+    let Ok((value, _)) = parse(&format!("1 {}", unit.replace('μ', "µ")), &length) else {
+        return Ok(Some(format!(
+            "line {line} of '{name}' is a row of units and passed over; '{unit}' of column '{column}' is not compared with {key}"
+        )));
+    };
+    if (value - stated).abs() <= 1e-9 * stated {
+        return Ok(None);
+    }
+    Err(ExperimentError::Missing {
+        key: format!("{}.{key}", scope.key),
+        what: format!(
+            "state '{}': line {line} of '{name}' says that column '{column}' is in {unit}, and {key} says that one unit of it is {}",
+            scope.name(),
+            scope.experiment.display.length.show(stated)
+        ),
+        remedy: format!(
+            "state {} = \"1 {unit}\", or begin that line with # if it is wrong",
+            if found.of_place {
+                "scale"
+            } else {
+                "displacement_scale"
+            }
+        ),
+    })
 }
 
 /// Words on valid places that lie well inside of the hole, where there are more than stray ones: the mark of a wrong origin.
@@ -157,26 +225,39 @@ fn told(scope: &Scope<'_>, one: &Outlier, line: u64) -> String {
     )
 }
 
-/// The deviation `[mm]` that errors of a component have by the scatter of neighbours, and at least by what rounds its digits.
-fn estimated(
+/// Sets the deviation `[mm]` that errors of each component have by the scatter of neighbours, and at least by what rounds its digits;
+/// the scatter.
+fn scatters(
     scope: &Scope<'_>,
-    field: Field,
-    rounding: f64,
-    found: &mut Scattered,
-) -> Result<f64, ExperimentError> {
-    if found.measurement.count(field) == 0 {
-        return Ok(0.0);
+    rounding: [f64; 2],
+    data: &mut Measurement,
+) -> Result<[f64; 2], ExperimentError> {
+    let mut scatters = [0.0; 2];
+    for field in Field::BOTH {
+        let c = field.component();
+        if data.count(field) == 0 {
+            data.deviation[c] = 0.0;
+            continue;
+        }
+        scatters[c] = scatter::deviation(data, field).map_err(|cause| ExperimentError::Missing {
+            key: scope.key.clone(),
+            what: format!(
+                "state '{}': no deviation is stated, and it cannot be estimated from the scatter of neighbours: {cause}",
+                scope.name()
+            ),
+            remedy: "state it: deviation = \"0.5 um\"".to_owned(),
+        })?;
+        data.deviation[c] = scatters[c].max(rounding[c]);
     }
-    let scatter = scatter::deviation(&found.measurement, field);
-    let scatter = scatter.map_err(|cause| ExperimentError::Missing {
-        key: scope.key.clone(),
-        what: format!(
-            "state '{}': no deviation is stated, and it cannot be estimated from the scatter of neighbours: {cause}",
-            scope.name()
-        ),
-        remedy: "state it: deviation = \"0.5 um\"".to_owned(),
-    })?;
-    let deviation = scatter.max(rounding);
+    Ok(scatters)
+}
+
+/// Words on the deviation of a component whose neighbours scatter by `scatter` `[mm]`.
+fn tell_of_deviation(scope: &Scope<'_>, field: Field, scatter: f64, found: &mut Scattered) {
+    if found.measurement.count(field) == 0 {
+        return;
+    }
+    let deviation = found.measurement.deviation[field.component()];
     let length = scope.experiment.display.length;
     let shown = |value: f64| format!("{} {}", short(length.from_base(value)), length.name);
     let name = field_name(field);
@@ -200,7 +281,6 @@ fn estimated(
             shown(deviation)
         )
     });
-    Ok(deviation)
 }
 
 /// Largest less least valid displacement `[mm]`.

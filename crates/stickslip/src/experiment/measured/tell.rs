@@ -5,12 +5,12 @@ use stickslip_hybrid::data::Field;
 use stickslip_report::table::{Column, Table};
 
 use super::signs::signs;
-use super::{Measured, figures};
+use super::{Measured, figures, repeated};
 use crate::experiment::gallery::caption;
 use crate::experiment::plan::{Experiment, Method, Source, State};
 use crate::experiment::story::{Story, csv_table};
 use crate::experiment::synthesis::field_name;
-use crate::output::{counted, short};
+use crate::output::{counted, short, significant};
 
 /// Tells of the measured fields of all states.
 pub(in crate::experiment) fn tell(experiment: &Experiment, fields: &[Measured], story: &mut Story) {
@@ -21,6 +21,12 @@ pub(in crate::experiment) fn tell(experiment: &Experiment, fields: &[Measured], 
     );
     story.text(settings(experiment));
     story.table(table(experiment, fields));
+    for words in repeated(experiment, fields) {
+        story.warn(words);
+    }
+    if fields.iter().any(|measured| !measured.rotations.is_empty()) {
+        story.table(rotations(experiment, fields));
+    }
     for measured in fields {
         one(experiment, measured, story);
     }
@@ -212,6 +218,34 @@ fn row(experiment: &Experiment, measured: &Measured, field: Field) -> Vec<String
     ]
 }
 
+fn rotations(experiment: &Experiment, fields: &[Measured]) -> Table {
+    let columns = vec![
+        Column::new("state", ""),
+        Column::new("field", ""),
+        Column::new("rotation", "deg"),
+        Column::new("±", "deg"),
+        Column::new("masked for it", ""),
+    ];
+    let mut table = Table::new("Rotations that were taken off", columns);
+    for measured in fields {
+        for own in &measured.rotations {
+            let [angle, deviation] = own.degrees();
+            table.push(vec![
+                experiment.states[measured.state].name.clone(),
+                if own.of_null { "null" } else { "state" }.to_owned(),
+                short(angle),
+                significant(deviation, 2),
+                own.masked.to_string(),
+            ]);
+        }
+    }
+    table.note(
+        "Counter-clockwise against the reference picture, about the middle of the hole, as finite rotations: displacements are those in the \
+         frame of the specimen. The rotation is the mean one of the field; the part of it that loads make, of the order of the strains, is in no \
+         stress. Its standard deviation moves stresses by less than that part of them, and no band holds it.",
+    )
+}
+
 fn is_table(experiment: &Experiment, measured: &Measured) -> bool {
     matches!(experiment.states[measured.state].source, Source::Table(_))
 }
@@ -262,9 +296,21 @@ fn entry(experiment: &Experiment, measured: &Measured) -> Value {
             "symmetric": symmetry.map(|(_, found)| found.symmetric),
         })
     };
+    let rotations: Vec<Value> = (measured.rotations.iter())
+        .map(|own| {
+            let [angle, deviation] = own.degrees();
+            json!({
+                "of": if own.of_null { "null" } else { "state" },
+                "degrees": angle,
+                "deviation_degrees": deviation,
+                "masked": own.masked,
+            })
+        })
+        .collect();
     json!({
         "state": experiment.states[measured.state].name,
         "length_unit": unit.name,
+        "rotations": rotations,
         "outliers": is_table(experiment, measured).then_some(measured.outliers.len()),
         "u": field(Field::U),
         "v": field(Field::V),

@@ -245,6 +245,14 @@ impl Scope<'_> {
                 "give the null field in the same form as the state",
             ));
         }
+        // Synthetic pictures of one step have different noise.
+        if !source.is_synthetic() && null == Some(source) {
+            return Err(self.refuse.conflict(
+                &format!("{key}.null"),
+                "the null field has the data of the state itself, and would leave nothing of it",
+                "name the files of the initial load, or remove null",
+            ));
+        }
         Ok(())
     }
 }
