@@ -17,6 +17,7 @@ use super::interrupt::guarded;
 use super::run::located;
 use crate::diagnostic::{SceneError, SourceText};
 use crate::experiment::chain::{Depth, tell};
+use crate::experiment::plan::RegionShape;
 use crate::experiment::story::StoryError;
 use crate::experiment::{Experiment, ExperimentError};
 use crate::run::Progress;
@@ -71,6 +72,7 @@ pub(super) fn experiment(
         Overwrite::Refuse
     };
     let path = arguments.folder();
+    keep_apart(&experiment, &arguments.experiment, &path)?;
     let folder =
         guarded(console, || ResultFolder::create(&path, overwrite)).map_err(KeepError::from)?;
     let bar = bar(console);
@@ -83,6 +85,44 @@ pub(super) fn experiment(
     let path = story.write(folder).map_err(KeepError::from)?;
     let text = || format!("{answers}\nresults in {}\n", path.display());
     console.result(text, &summary)
+}
+
+/// Refuses a folder for results that holds a file from which the experiment is read: results replace what is in their folder.
+fn keep_apart(experiment: &Experiment, file: &Path, folder: &Path) -> Result<(), CommandError> {
+    // What does not exist yet holds nothing.
+    let Ok(whole) = folder.canonicalize() else {
+        return Ok(());
+    };
+    let specimen = [&experiment.specimen.scene, &experiment.specimen.model];
+    let scenes = specimen.into_iter().flatten();
+    let scenes = scenes.map(|own| PathBuf::from(&own.scene.source_name));
+    let mesh = match experiment.region.as_ref().map(|region| &region.shape) {
+        Some(RegionShape::Mesh(mesh)) => Some(mesh.file.clone()),
+        _ => None,
+    };
+    let data = (experiment.states.iter())
+        .flat_map(|state| {
+            [
+                Some(&state.source),
+                state.null.as_ref(),
+                state.back.as_ref(),
+            ]
+        })
+        .flatten()
+        .flat_map(|source| source.files().into_iter().map(Path::to_owned));
+    let mut read = [file.to_owned()]
+        .into_iter()
+        .chain(scenes)
+        .chain(mesh)
+        .chain(data);
+    let inside = |path: &PathBuf| path.canonicalize().is_ok_and(|own| own.starts_with(&whole));
+    match read.find(inside) {
+        Some(own) => Err(CommandError::ResultsOverData {
+            folder: folder.display().to_string(),
+            file: own.display().to_string(),
+        }),
+        None => Ok(()),
+    }
 }
 
 /// What shows how far the chain is, on a terminal.

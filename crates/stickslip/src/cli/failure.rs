@@ -19,6 +19,20 @@ pub(super) enum CommandError {
     #[error("there is no template '{name}'")]
     #[diagnostic(code(init::template), help("templates: {}", known.join(", ")))]
     UnknownTemplate { name: String, known: Vec<String> },
+    /// `init` writes no such files.
+    #[error("'{path}' ends in .{extension}, and templates are written as TOML or JSON")]
+    #[diagnostic(
+        code(init::format),
+        help(
+            "name the file .toml, or .json for one without comments: stickslip init {template} {instead}"
+        )
+    )]
+    TemplateFormat {
+        path: String,
+        extension: String,
+        template: String,
+        instead: String,
+    },
     /// A file cannot be written.
     #[error("the file '{path}' cannot be written: {cause}")]
     #[diagnostic(
@@ -26,6 +40,15 @@ pub(super) enum CommandError {
         help("check that its folder exists and can be written to")
     )]
     Write { path: String, cause: String },
+    /// Results would replace what they are made from.
+    #[error(
+        "the folder '{folder}' holds '{file}', which the experiment reads: results cannot be written over it"
+    )]
+    #[diagnostic(
+        code(experiment::output),
+        help("name another folder with --output DIR; it may be inside of '{folder}'")
+    )]
+    ResultsOverData { folder: String, file: String },
     /// A scene where an experiment is asked for.
     #[error("'{path}' is a scene, not an experiment")]
     #[diagnostic(

@@ -9,6 +9,7 @@ use serde_json::json;
 
 use super::console::Console;
 use super::failure::{CommandError, Failure};
+use crate::scene::Format;
 
 /// What a template is, and so what comes next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -83,7 +84,7 @@ pub(super) const TEMPLATES: [Template; 6] = [
 pub(super) struct InitArguments {
     /// Name of a template; `stickslip list templates` shows them
     template: String,
-    /// File to write; by default the template's name with .toml
+    /// File to write, TOML, or JSON without comments if its name ends in .json; by default the template's name with .toml
     file: Option<PathBuf>,
 }
 
@@ -103,6 +104,7 @@ pub(super) fn init(arguments: &InitArguments, console: Console) -> Result<(), Fa
     };
     let default = || PathBuf::from(format!("{}.toml", template.name));
     let file = arguments.file.clone().unwrap_or_else(default);
+    let format = format_of(&file, template)?;
     let folder = file.parent().unwrap_or(Path::new(""));
     // A sample is named after the file that reads it, so that a folder may hold several.
     let mut own = template.text.to_owned();
@@ -114,6 +116,12 @@ pub(super) fn init(arguments: &InitArguments, console: Console) -> Result<(), Fa
             own = own.replace(name, &named.to_string_lossy());
         }
         files.push((path, (*text).to_owned()));
+    }
+    if format == Format::Json {
+        own = json_of(&own).map_err(|cause| CommandError::Write {
+            path: file.display().to_string(),
+            cause,
+        })?;
     }
     files.push((file.clone(), own));
     if let Some((path, _)) = files.iter().find(|(path, _)| path.exists()) {
@@ -140,6 +148,30 @@ pub(super) fn init(arguments: &InitArguments, console: Console) -> Result<(), Fa
         },
         &json!({ "template": template.name, "scene": shown, "files": names }),
     )
+}
+
+/// The format that commands will read the file in, by its name.
+fn format_of(file: &Path, template: &Template) -> Result<Format, CommandError> {
+    let extension = file
+        .extension()
+        .map(|own| own.to_string_lossy().to_lowercase());
+    match extension.as_deref() {
+        Some("toml") | None => Ok(Format::Toml),
+        Some("json") => Ok(Format::Json),
+        Some(extension) => Err(CommandError::TemplateFormat {
+            path: file.display().to_string(),
+            extension: extension.to_owned(),
+            template: template.name.to_owned(),
+            instead: file.with_extension("toml").display().to_string(),
+        }),
+    }
+}
+
+/// The keys of a template as JSON, which has no comments.
+fn json_of(text: &str) -> Result<String, String> {
+    let keys: serde_json::Value = toml::from_str(text).map_err(|cause| cause.to_string())?;
+    let json = serde_json::to_string_pretty(&keys).map_err(|cause| cause.to_string())?;
+    Ok(json + "\n")
 }
 
 fn exists(path: &Path, template: &Template) -> CommandError {
@@ -169,7 +201,7 @@ fn write_new(path: &Path, text: &str, template: &Template) -> Result<(), Command
 mod tests {
     use super::*;
     use crate::experiment::Experiment;
-    use crate::scene::{Format, Scene};
+    use crate::scene::Scene;
 
     #[test]
     fn every_template_is_valid_as_it_stands() {
