@@ -145,8 +145,7 @@ impl Measurement {
         }
         let determinant = xx * yy - xy * xy;
         let largest = xx.max(yy);
-        // Also for sums that are NaN.
-        if !(determinant > FLAT * largest * largest) || !determinant.is_finite() {
+        if !determinant.is_finite() || determinant <= FLAT * largest * largest {
             return None;
         }
         let mut plane = Plane {

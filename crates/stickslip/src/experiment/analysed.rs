@@ -17,6 +17,8 @@ pub(super) mod figures;
 mod forces;
 mod held_out;
 mod imported;
+mod known_force;
+mod picture;
 mod region;
 pub(super) mod scale;
 mod tell;
@@ -32,6 +34,8 @@ use super::measured::Measured;
 use super::plan::Experiment;
 
 pub(super) use edge::smoothing_reach;
+pub use known_force::ForceCheck;
+pub use picture::PictureMotion;
 pub use region::Workbench;
 pub(super) use region::meshed;
 pub(super) use tell::tell;
@@ -68,6 +72,8 @@ pub struct Analysed {
     pub scale: f64,
     /// Why s² is none that residuals say but the least one that the deviation leaves, in words, where that is so.
     pub scale_assumed: Option<String>,
+    /// What the picture may have added to the displacements of loads.
+    pub picture: Vec<PictureMotion>,
     /// What the checks of the data say.
     pub checks: Checked,
     /// Forces along x and y `[N]`, with their covariance: what the region exerts through the edge by its stresses, then what acts on the
@@ -88,11 +94,8 @@ pub struct Checked {
     pub free_edge: Option<ChiSquared>,
     /// χ² of the forces that hold nodes inside of the region, where nothing acts, if any are held.
     pub interior: Option<ChiSquared>,
-    /// Force along x and y on the region by the stresses on its edge less the known one, where it is known, and the standard
-    /// deviation of that `[N]`.
-    pub excess: [Option<[f64; 2]>; 2],
-    /// Force `[N]` by the tractions at the ends of the edge, where they are not trusted, whatever their directions.
-    pub ends: f64,
+    /// Force along x and y on the region by the stresses on its edge against the known one, where it is known.
+    pub force: [Option<ForceCheck>; 2],
 }
 
 /// Force on a region at a node that moves as measured.

@@ -11,7 +11,7 @@ use crate::scene::UnitsFormat;
 use crate::units::{Angle, Length, PerLength, Quantity};
 
 pub(super) use settings::{
-    IdentifyFormat, LawFormat, MaskFormat, MethodFormat, OutliersFormat, ReduceFormat,
+    FreeFormat, IdentifyFormat, LawFormat, MaskFormat, MethodFormat, OutliersFormat, ReduceFormat,
     RegionFormat, SymmetryFormat,
 };
 pub(super) use states::{

@@ -24,8 +24,8 @@ use crate::scene::schema::{DisplayUnits, Material};
 use crate::scene::{Format, Scene};
 
 pub use values::{
-    FreeParameter, Identify, LawPlan, MeshPlan, Method, Reduce, RegionPlan, RegionShape,
-    SectorPlan, SymmetryPlan, ZonePlan,
+    FreeMotion, FreeParameter, Identify, LawPlan, MeshPlan, Method, Reduce, RegionPlan,
+    RegionShape, SectorPlan, SymmetryPlan, ZonePlan,
 };
 
 /// Version of the experiment format that this program reads.

@@ -58,6 +58,40 @@ fn stresses_on_the_edge_carry_the_known_force_unless_the_material_is_wrong() {
     );
 }
 
+/// The region of one half of the contact ends where pressure is greatest and stresses are not trusted. The forces on its nodes show a modulus
+/// that is a tenth off; where the nodes at the ends bear much of them, the check says that it is none.
+#[test]
+fn a_region_that_cuts_the_contact_sees_a_wrong_modulus_or_says_that_it_cannot() {
+    let folder = sample();
+    let path = folder.path();
+    let half = "states.0.edge_force={ x = \"2758 N\" }";
+    let hybrid = |young: f64, sector: &str| {
+        let material =
+            format!("specimen.material.isotropic={{ young = \"{young} GPa\", poisson = 0.33 }}");
+        let found = hybrid(path, &[sector, half, &material]);
+        let force = found["edge_stresses"][0]["force"].clone();
+        println!("{young} GPa, {sector}: {force}\n{}", found["warnings"]);
+        (force, found["warnings"].to_string())
+    };
+    for (young, is_seen) in [(71.7, false), (71.7 * 1.1, true), (71.7 / 1.1, true)] {
+        let (force, warnings) = hybrid(young, SECTOR);
+        assert_eq!(force["is_evidence"][0], true, "{force}");
+        assert_eq!(
+            warnings.contains("off the stated edge_force"),
+            is_seen,
+            "{warnings}"
+        );
+    }
+    let few =
+        "region.sector={ angles = [\"0 deg\", \"110 deg\"], outer = \"13 mm\", cells = [2, 2] }";
+    let (force, warnings) = hybrid(71.7 * 1.1, few);
+    assert_eq!(force["is_evidence"][0], false, "{force}");
+    assert!(
+        warnings.contains("is no evidence of scale, thickness and material"),
+        "{warnings}"
+    );
+}
+
 /// Columns x, y, force x, its deviation, force y, its deviation, and whether the node lies inside.
 fn forces(path: &Path) -> Vec<Vec<f64>> {
     let text = fs::read_to_string(path.join("mine-results/forces-up.csv")).unwrap();

@@ -11,7 +11,7 @@ use super::region::Workbench;
 use super::scale::{Residual, least_scale, scale};
 use crate::experiment::error::{ExperimentError, of_region};
 use crate::experiment::measured::Measured;
-use crate::experiment::plan::{Method, Source};
+use crate::experiment::plan::{FreeMotion, Method, Source};
 
 /// Displacements of the region's boundary, and how they were found.
 pub(super) struct Boundary {
@@ -22,6 +22,10 @@ pub(super) struct Boundary {
     pub(super) scale: f64,
     /// Why no residuals say what the scale is, in words.
     pub(super) assumed: Option<String>,
+    /// Prescribed displacements `[mm]` that the fit makes of a unit of each motion of the picture.
+    pub(super) responses: Vec<(FreeMotion, Vec<f64>)>,
+    /// Motions of the picture that were taken off, with their amounts.
+    pub(super) taken_off: Vec<(FreeMotion, f64)>,
     /// What residuals say of the variance of a single datum, at least that of its deviation.
     pub(super) single: f64,
 }
@@ -123,7 +127,15 @@ impl Workbench<'_> {
         for entry in &mut fit.displacements.covariance {
             *entry *= scale;
         }
+        let hole = &self.experiment.specimen.hole;
+        let response = |motion: FreeMotion| {
+            let values = fitter.values(&motion.field(used, hole), fit.amount);
+            values.map(|values| (motion, values))
+        };
+        let responses = FreeMotion::ALL.into_iter().map(response);
         Ok(Boundary {
+            responses: responses.collect::<Result<_, RegionError>>()?,
+            taken_off: Vec::new(),
             scale,
             assumed: None,
             single: (fit.residual / (fit.data as f64 - fit.parameters).max(1.0)).max(1.0),
@@ -188,6 +200,8 @@ impl Boundary {
             fit: None,
             scale: 1.0,
             assumed: None,
+            responses: Vec::new(),
+            taken_off: Vec::new(),
             single: 1.0,
         }
     }

@@ -6,9 +6,9 @@ use super::Analysed;
 use crate::experiment::plan::{Experiment, Source};
 use crate::output::short;
 
-/// Part of the data that the parameters of a fit may be before it is told of.
+/// Part of the data that the parameters of a fit may be before it is reported.
 const MANY: f64 = 0.5;
-/// Noise factors beyond which the stated deviation is told of as wrong.
+/// Noise factors beyond which the stated deviation is reported as wrong.
 const FACTORS: [f64; 2] = [0.1, 10.0];
 /// Part of the noise factor that single residuals show of errors which do not go together.
 const CORRELATED: f64 = 0.5;

@@ -26,11 +26,11 @@ const CELLS_BEYOND: f64 = 2.0;
 pub(super) struct Edge {
     /// `[rad]`, ascending, the middle within half a turn of zero; a ring begins at its cut.
     pub(super) angle: Vec<f64>,
-    /// Radius times angle as the region counts it `[mm]`.
-    pub(super) parameter: Vec<f64>,
     /// Mean angle of the edge's cells `[rad]`.
     cell: f64,
     pub(super) nodes: Vec<usize>,
+    /// Whether it is a whole ring.
+    pub(super) closed: bool,
     /// σ_r of all places, then τ_rθ, then σ_θ.
     pub(super) stresses: Vec<SparseRow>,
     /// Force along x and y that the region exerts through the edge.
@@ -87,7 +87,8 @@ impl Edge {
         cut: f64,
     ) -> Result<Self, RegionError> {
         let mut rows = EdgeRows::new(body, name)?;
-        if body.mesh().edge_path(name)?.closed {
+        let closed = body.mesh().edge_path(name)?.closed;
+        if closed {
             turn(&mut rows, radius, cut);
         }
         let middle = rows.parameter[rows.parameter.len() / 2] / radius;
@@ -99,8 +100,8 @@ impl Edge {
             cell: cell(body, name, &rows.parameter, radius)?,
             stresses: stresses.concat(),
             resultant: rows.resultant(body.thickness()),
-            parameter: rows.parameter,
             nodes: rows.nodes,
+            closed,
         })
     }
 

@@ -138,8 +138,7 @@ impl<'a> Workbench<'a> {
     /// [`ExperimentError::Region`] and [`ExperimentError::Reduction`] for data that do not determine them.
     pub fn analyse(&self, measured: &Measured) -> Result<Analysed, ExperimentError> {
         let (used, unused) = split(&measured.measurement);
-        let boundary = self.boundary(measured, &used)?;
-        let mut found = self.unchecked(measured, &boundary)?;
+        let (boundary, mut found) = self.freed(measured, &used)?;
         let refuse = |cause| self.refuse(measured, cause);
         match self.direct(&used) {
             Ok(direct) => found.direct = Some(direct),
@@ -156,8 +155,24 @@ impl<'a> Workbench<'a> {
     /// As [`analyse`](Self::analyse).
     pub fn stresses(&self, measured: &Measured) -> Result<Analysed, ExperimentError> {
         let (used, _) = split(&measured.measurement);
-        let boundary = self.boundary(measured, &used)?;
-        self.unchecked(measured, &boundary)
+        self.freed(measured, &used).map(|(_, found)| found)
+    }
+
+    /// Boundary and stresses, without what the picture added.
+    fn freed(
+        &self,
+        measured: &Measured,
+        used: &Measurement,
+    ) -> Result<(Boundary, Analysed), ExperimentError> {
+        let mut boundary = self.boundary(measured, used)?;
+        let mut found = self.unchecked(measured, &boundary)?;
+        let picture = self.without_picture_motions(&found, &mut boundary);
+        let picture = picture.map_err(|cause| self.refuse(measured, cause))?;
+        if !boundary.taken_off.is_empty() {
+            found = self.unchecked(measured, &boundary)?;
+        }
+        found.picture = picture;
+        Ok((boundary, found))
     }
 
     fn unchecked(
@@ -187,6 +202,7 @@ impl<'a> Workbench<'a> {
             fit: boundary.fit,
             scale: boundary.scale,
             scale_assumed: boundary.assumed.clone(),
+            picture: Vec::new(),
             checks: Checked::default(),
             forces: self.forces(boundary).map_err(refuse)?,
             nodal_forces: Vec::new(),
@@ -262,6 +278,14 @@ impl<'a> Workbench<'a> {
         for deviation in &mut unused.deviation {
             *deviation *= boundary.single.sqrt();
         }
+        for (motion, amount) in &boundary.taken_off {
+            let field = motion.field(&unused, &self.experiment.specimen.hole);
+            for (own, added) in unused.displacements.iter_mut().zip(field) {
+                own.iter_mut()
+                    .zip(added)
+                    .for_each(|(u, added)| *u -= amount * added);
+            }
+        }
         let locator = Locator::new(self.region.mesh());
         // Few data may all be kept outside of the region.
         let any = (0..unused.places.len()).any(|k| {
@@ -284,20 +308,23 @@ impl<'a> Workbench<'a> {
             unused: misfit.map(|misfit| misfit.chi_squared),
             free_edge: self.free_edge(found)?,
             interior: checks.interior_forces,
-            excess: self.excess(found),
-            ends: self.ends(found),
+            force: self.known_force(found, boundary)?,
         })
+    }
+
+    /// Whether the edge is not that of the hole.
+    pub(super) fn stands_off(&self) -> bool {
+        match &self.plan.shape {
+            RegionShape::Sector(sector) => sector.stand_off > 0.0,
+            RegionShape::Mesh(_) => false,
+        }
     }
 
     /// χ² of the tractions on the edge clear of contact, as uncertain as noise and smoothing make them; none on an edge that stands off
     /// from the hole, inside of the body.
     fn free_edge(&self, found: &Analysed) -> Result<Option<ChiSquared>, RegionError> {
-        let stands_off = match &self.plan.shape {
-            RegionShape::Sector(sector) => sector.stand_off > 0.0,
-            RegionShape::Mesh(_) => false,
-        };
         let ranges = super::edge::beyond_contact(found);
-        if stands_off || ranges.is_empty() {
+        if self.stands_off() || ranges.is_empty() {
             return Ok(None);
         }
         let places = found.angle.len();
@@ -322,30 +349,5 @@ impl<'a> Workbench<'a> {
             .map(|(i, j)| tractions.covariance[i * 2 * places + j])
             .collect();
         ChiSquared::of(&values, &covariance).map(Some)
-    }
-
-    /// Sum of the sizes of the forces at places that are not trusted `[N]`.
-    fn ends(&self, found: &Analysed) -> f64 {
-        let at = &self.edge.parameter;
-        let inner = found.inner();
-        let force = |k: usize| {
-            let length = 0.5 * (at[(k + 1).min(at.len() - 1)] - at[k.saturating_sub(1)]);
-            let traction = found.tractions.pressure[k].hypot(found.tractions.shear[k]);
-            self.experiment.specimen.thickness * length * traction
-        };
-        (0..at.len())
-            .filter(|k| !inner.contains(k))
-            .map(force)
-            .sum()
-    }
-
-    /// What the stresses on the edge give more than the known force, with its deviation. The first two of the forces are what the region
-    /// exerts on what lies inside of its edge.
-    fn excess(&self, found: &Analysed) -> [Option<[f64; 2]>; 2] {
-        let known = self.experiment.states[found.state].edge_force;
-        let deviations = found.forces.deviations();
-        [0, 1].map(|axis| {
-            known[axis].map(|known| [-found.forces.values[axis] - known, deviations[axis]])
-        })
     }
 }

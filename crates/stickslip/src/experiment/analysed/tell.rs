@@ -7,15 +7,16 @@ use stickslip_report::table::{Column, Table};
 
 use super::doubts::doubts;
 use super::truth::{TruePlace, true_edge};
-use super::{Analysed, UNUSED, figures, forces};
+use super::{Analysed, UNUSED, figures, forces, picture};
 use crate::experiment::plan::{Experiment, Method, RegionShape};
 use crate::experiment::story::{Story, csv_table};
 use crate::experiment::truth::Truth;
 use crate::output::{short, significant};
 
-/// Standard deviations above its mean at which a χ² is told of as too large.
+/// Standard deviations above its mean at which a χ² is reported as too large.
 const LARGE: f64 = 4.0;
-/// Tells of the edge stresses of all states.
+
+/// Reports the edge stresses of all states.
 pub(in crate::experiment) fn tell(
     experiment: &Experiment,
     analysed: &[Analysed],
@@ -28,6 +29,16 @@ pub(in crate::experiment) fn tell(
     story.table(stresses(experiment, analysed));
     story.table(forces::table(experiment, analysed));
     story.table(checks(experiment, analysed));
+    story.table(picture::table(experiment, analysed));
+    let whole = experiment
+        .region
+        .as_ref()
+        .is_some_and(|plan| plan.whole_plate);
+    if !experiment.reduce.free.is_empty() && (whole || !experiment.laws.is_empty()) {
+        story.warn(
+            "What [reduce] free declares is taken off the region alone: the whole plate and friction laws take displacements as they are.",
+        );
+    }
     for found in analysed {
         let name = &experiment.states[found.state].name;
         story.answer(&format!("State '{name}'"), answer(experiment, found));
@@ -108,10 +119,11 @@ fn state(experiment: &Experiment, found: &Analysed, truth: &[TruePlace], story: 
     ] {
         if let Some(check) = check.as_ref().filter(|check| check.excess() > LARGE) {
             story.warn(format!(
-                "State '{name}': {what} has χ² = {} where {} ± {} is expected: data, region or material do not fit together.",
+                "State '{name}': {what} has χ² = {} where {} ± {} is expected: data, region or material do not fit together.{}",
                 short(check.value),
                 check.count,
-                short(check.deviation)
+                short(check.deviation),
+                picture::explanation(found)
             ));
         }
     }
@@ -123,6 +135,7 @@ fn state(experiment: &Experiment, found: &Analysed, truth: &[TruePlace], story: 
     for warning in doubts(experiment, found)
         .into_iter()
         .chain(forces::doubts(experiment, found))
+        .chain(picture::doubts(experiment, found))
     {
         story.warn(format!("State '{name}': {warning}"));
     }
@@ -380,5 +393,6 @@ fn entry(experiment: &Experiment, found: &Analysed) -> Value {
         "free_edge": check(found.checks.free_edge.as_ref()),
         "nodes_inside": check(found.checks.interior.as_ref()),
         "force": forces::entry(experiment, found),
+        "picture": picture::entry(experiment, found),
     })
 }

@@ -51,6 +51,15 @@ pub(in crate::experiment) struct ReduceFormat {
     pub(in crate::experiment) common_places: Option<Quantity<Length>>,
     pub(in crate::experiment) symmetry: Option<SymmetryFormat>,
     pub(in crate::experiment) outliers: Option<OutliersFormat>,
+    pub(in crate::experiment) free: Vec<FreeFormat>,
+}
+
+/// One of `reduce.free`.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "snake_case")]
+pub(in crate::experiment) enum FreeFormat {
+    Dilation,
+    Tilt,
 }
 
 /// `reduce.outliers`: from what on displacements of tables are outliers, or whether any are looked for.

@@ -6,12 +6,13 @@ use stickslip_hybrid::region::fit::{Amount, Smoothing};
 
 use super::read::{Refuse, place};
 use super::{
-    Hole, Identify, MeshPlan, Method, Reduce, RegionPlan, RegionShape, SectorPlan, State,
-    SymmetryPlan, ZonePlan,
+    FreeMotion, Hole, Identify, MeshPlan, Method, Reduce, RegionPlan, RegionShape, SectorPlan,
+    State, SymmetryPlan, ZonePlan,
 };
 use crate::diagnostic::{SceneError, SceneProblem, nearest};
 use crate::experiment::format::{
-    IdentifyFormat, MethodFormat, OutliersFormat, ReduceFormat, RegionFormat, SymmetryFormat,
+    FreeFormat, IdentifyFormat, MethodFormat, OutliersFormat, ReduceFormat, RegionFormat,
+    SymmetryFormat,
 };
 
 /// Part of the cross-validated smoothing that keeps the bias of stresses below half of their noise.
@@ -67,7 +68,19 @@ pub(super) fn reduce(refuse: Refuse<'_>, given: &ReduceFormat) -> Result<Reduce,
             .as_ref()
             .map(|line| symmetry(refuse, line))
             .transpose()?,
+        free: free(&given.free),
     })
+}
+
+/// Each once, whatever the order.
+fn free(given: &[FreeFormat]) -> Vec<FreeMotion> {
+    let is_free = |motion: &FreeMotion| {
+        given.contains(match motion {
+            FreeMotion::Dilation => &FreeFormat::Dilation,
+            FreeMotion::TiltX | FreeMotion::TiltY => &FreeFormat::Tilt,
+        })
+    };
+    FreeMotion::ALL.into_iter().filter(is_free).collect()
 }
 
 fn outliers(refuse: Refuse<'_>, given: Option<OutliersFormat>) -> Result<Option<f64>, SceneError> {

@@ -1,4 +1,4 @@
-//! Keys that are stated and have no effect with what else is stated. They are told of and not refused, so that one file serves several
+//! Keys that are stated and have no effect with what else is stated. They are reported and not refused, so that one file serves several
 //! methods: `--set reduce.method=polynomial`.
 
 use super::{Fringes, Method, Reduce, RegionPlan, Source, State};
@@ -62,6 +62,11 @@ fn of_method(reduce: &Reduce, region: Option<&RegionPlan>, states: &[State]) -> 
             "reduce.longest_side",
             reduce.method == Method::Linear || interpolated,
             "only reduce.method = \"linear\" heeds it, and the interpolation of null and back",
+        ),
+        (
+            "reduce.free",
+            region.is_some(),
+            "the free edge of a [region] tells what it names, and there is none",
         ),
         (
             "region.smoothing",

@@ -58,6 +58,33 @@ pub struct Reduce {
     pub outliers: Option<f64>,
     /// Line along which front and back are compared.
     pub symmetry: Option<SymmetryPlan>,
+    /// What pictures add to displacements by amounts that are free in each state.
+    pub free: Vec<FreeMotion>,
+}
+
+/// What a picture may add to the displacements of a state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FreeMotion {
+    /// A uniform dilation, as of a specimen that comes nearer to the camera.
+    Dilation,
+    /// A dilation that grows along x, as of a specimen that tilts towards the camera.
+    TiltX,
+    /// A dilation that grows along y.
+    TiltY,
+}
+
+impl FreeMotion {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Dilation, Self::TiltX, Self::TiltY];
+
+    /// Its name in results.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Dilation => "dilation",
+            Self::TiltX => "tilt along x",
+            Self::TiltY => "tilt along y",
+        }
+    }
 }
 
 /// A line along which front and back are compared.

@@ -35,6 +35,7 @@ impl WholeState {
             fit: None,
             scale: own.scale,
             scale_assumed: None,
+            picture: Vec::new(),
             checks: Checked::default(),
             nodal_forces: Vec::new(),
             forces: Propagated {

@@ -1,0 +1,327 @@
+//! What a picture may add to the displacements of a state: a dilation, and the tilt of the specimen towards the camera.
+//!
+//! ```text
+//! m = H d + C q + errors,   C = x                      dilation: the specimen or the camera came nearer
+//!                           C = x X/r, x Y/r           tilt: the near side of the specimen is seen larger, by q at the distance r
+//! free edge:  0 = A (d − R q)   ⇒   q = G A d,   G = (Yᵀ V Y)⁻¹ Yᵀ V,   Y = A R,   V = diag(1/variances)
+//! ```
+//!
+//! with x = (X, Y) from the middle of the hole, r its radius, R the boundary displacements that the fit makes of C, and A the tractions on
+//! the edge clear of contact. A region whose whole boundary moves as measured takes a dilation for a uniform strain: it is in balance, and
+//! no datum inside contradicts it. Only the edge that nothing touches tells it from a load, because its tractions are known to vanish. A
+//! known force through the edge would say ten times less: a uniform stress has no resultant on a whole turn, and a dilation of 1e-4 adds
+//! some per cent to the force of a half. Without a free edge nothing is taken off, and the result says so.
+
+use nalgebra::{DMatrix, DVector};
+use serde_json::{Value, json};
+use stickslip_fem_core::body::SparseRow;
+use stickslip_fem_core::mesh::Point;
+use stickslip_hybrid::data::{Measurement, NodalDisplacements};
+use stickslip_hybrid::region::RegionError;
+use stickslip_report::table::{Column, Table};
+
+use super::Analysed;
+use super::boundary::Boundary;
+use super::edge::beyond_contact;
+use super::region::Workbench;
+use crate::experiment::plan::{Experiment, FreeMotion, Hole};
+use crate::output::{short, significant};
+
+/// What the free edge says of one amount.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PictureMotion {
+    /// What it is.
+    pub motion: FreeMotion,
+    /// Its amount, a strain at the distance of the hole's radius, and its standard deviation by noise and smoothing; `None` where the data
+    /// do not tell it from a load.
+    pub amount: Option<[f64; 2]>,
+    /// Whether it was taken off, and its uncertainty added to that of all results.
+    pub taken_off: bool,
+    /// Largest change of the pressure on the edge by a unit of it `[MPa]`.
+    pub pressure: f64,
+}
+
+impl FreeMotion {
+    /// Displacement `[mm]` at a place by a unit of it.
+    pub(super) fn displacement(self, place: Point, hole: &Hole) -> [f64; 2] {
+        let from = [0, 1].map(|axis| place[axis] - hole.centre[axis]);
+        let factor = match self {
+            Self::Dilation => 1.0,
+            Self::TiltX => from[0] / hole.radius,
+            Self::TiltY => from[1] / hole.radius,
+        };
+        from.map(|x| factor * x)
+    }
+
+    /// Displacements of both components at the places of a measurement.
+    pub(super) fn field(self, data: &Measurement, hole: &Hole) -> [Vec<f64>; 2] {
+        let each = data
+            .places
+            .iter()
+            .map(|&place| self.displacement(place, hole));
+        let each: Vec<[f64; 2]> = each.collect();
+        [0, 1].map(|axis| each.iter().map(|own| own[axis]).collect())
+    }
+}
+
+/// The amounts that the tractions of a free edge ask for, as they follow from these.
+struct Estimate {
+    motions: Vec<FreeMotion>,
+    /// G, motions × tractions of the free edge.
+    gain: DMatrix<f64>,
+    amounts: DVector<f64>,
+    covariance: DMatrix<f64>,
+    /// Places of the edge that are free.
+    places: Vec<usize>,
+}
+
+impl Workbench<'_> {
+    /// Estimates the amounts, and takes those off `boundary` that the experiment declares to be free.
+    pub(super) fn without_picture_motions(
+        &self,
+        found: &Analysed,
+        boundary: &mut Boundary,
+    ) -> Result<Vec<PictureMotion>, RegionError> {
+        let free = &self.experiment.reduce.free;
+        let motions = if free.is_empty() {
+            vec![FreeMotion::Dilation]
+        } else {
+            free.clone()
+        };
+        let responses: Vec<Vec<f64>> = motions
+            .iter()
+            .map(|own| boundary.response(self, *own))
+            .collect();
+        let stresses = responses.iter();
+        let stresses: Vec<Vec<f64>> = stresses
+            .map(|own| self.region.outputs_of(&self.edge.stresses, own))
+            .collect::<Result<_, _>>()?;
+        let estimate = self.estimate(found, motions.clone(), &stresses);
+        let taken_off = !free.is_empty() && estimate.is_some();
+        if let Some(own) = estimate.as_ref().filter(|_| taken_off) {
+            self.take_off(own, &responses, boundary)?;
+        }
+        let places = found.angle.len();
+        let motion = |(k, &motion): (usize, &FreeMotion)| PictureMotion {
+            motion,
+            amount: estimate
+                .as_ref()
+                .map(|own| [own.amounts[k], own.covariance[(k, k)].max(0.0).sqrt()]),
+            taken_off,
+            pressure: stresses[k][..places]
+                .iter()
+                .fold(0.0, |most, own| own.abs().max(most)),
+        };
+        Ok(motions.iter().enumerate().map(motion).collect())
+    }
+
+    /// What the free edge says; `None` without one, or where it does not tell the motions from each other.
+    fn estimate(
+        &self,
+        found: &Analysed,
+        motions: Vec<FreeMotion>,
+        stresses: &[Vec<f64>],
+    ) -> Option<Estimate> {
+        if self.stands_off() {
+            return None;
+        }
+        let places: Vec<usize> = beyond_contact(found).into_iter().flatten().collect();
+        let (count, all) = (found.angle.len(), 2 * found.angle.len());
+        // Pressure, then shear, as in the covariance.
+        let rows: Vec<usize> = (0..2)
+            .flat_map(|part| places.iter().map(move |k| part * count + k))
+            .collect();
+        let own = |row: usize, column: usize| {
+            let value = stresses[column][row];
+            if row < count { -value } else { value }
+        };
+        let y = DMatrix::from_fn(rows.len(), motions.len(), |i, k| own(rows[i], k));
+        let entry = |i: usize, j: usize| found.tractions.covariance[rows[i] * all + rows[j]];
+        let covariance = DMatrix::from_fn(rows.len(), rows.len(), entry);
+        let tractions = rows.iter().map(|&row| match row.checked_sub(count) {
+            None => found.tractions.pressure[row],
+            Some(place) => found.tractions.shear[place],
+        });
+        let tractions = DVector::from_iterator(rows.len(), tractions);
+        let bias = rows.iter().map(|&row| found.bias[row % count][row / count]);
+        let bias = DVector::from_iterator(rows.len(), bias);
+        let weighted = DMatrix::from_fn(rows.len(), motions.len(), |i, k| {
+            y[(i, k)] / covariance[(i, i)]
+        });
+        let gain = weighted.tr_mul(&y).cholesky()?.solve(&weighted.transpose());
+        let systematic = &gain * bias;
+        Some(Estimate {
+            amounts: &gain * tractions,
+            covariance: &gain * covariance * gain.transpose()
+                + &systematic * systematic.transpose(),
+            gain,
+            motions,
+            places,
+        })
+    }
+
+    /// Boundary displacements d − R G A d, with the covariance that this has.
+    fn take_off(
+        &self,
+        own: &Estimate,
+        responses: &[Vec<f64>],
+        boundary: &mut Boundary,
+    ) -> Result<(), RegionError> {
+        let count = self.edge.angle.len();
+        let rows: Vec<SparseRow> = (0..2)
+            .flat_map(|part| own.places.iter().map(move |k| part * count + k))
+            .map(|row| self.edge.stresses[row].clone())
+            .collect();
+        let transfer = self.region.transfer(&rows)?;
+        let prescribed = self.region.prescribed();
+        let pressures = own.places.len();
+        let tractions = DMatrix::from_fn(rows.len(), prescribed.len(), |i, j| {
+            let value = transfer.derivative(i, j);
+            if i < pressures { -value } else { value }
+        });
+        let responses = DMatrix::from_fn(prescribed.len(), responses.len(), |i, k| responses[k][i]);
+        let change = &responses * (&own.gain * tractions);
+        let displacements = &mut boundary.displacements;
+        let positions: Vec<usize> = prescribed
+            .iter()
+            .map(|dof| position(displacements, *dof))
+            .collect();
+        let size = displacements.values.len();
+        let values = DVector::from_iterator(
+            positions.len(),
+            positions.iter().map(|&k| displacements.values[k]),
+        );
+        let values = &values - &change * &values;
+        let keep = DMatrix::identity(positions.len(), positions.len()) - change;
+        let covariance = DMatrix::from_fn(positions.len(), positions.len(), |i, j| {
+            displacements.covariance[positions[i] * size + positions[j]]
+        });
+        let covariance = &keep * covariance * keep.transpose();
+        for (i, &row) in positions.iter().enumerate() {
+            displacements.values[row] = values[i];
+            for (j, &column) in positions.iter().enumerate() {
+                displacements.covariance[row * size + column] = covariance[(i, j)];
+            }
+        }
+        if !boundary.bias.is_empty() {
+            let bias = &keep * DVector::from_column_slice(&boundary.bias);
+            boundary.bias = bias.as_slice().to_vec();
+        }
+        boundary.taken_off = (own.motions.iter().copied())
+            .zip(own.amounts.iter().copied())
+            .collect();
+        Ok(())
+    }
+}
+
+/// Where a degree of freedom stands among the values of nodes.
+fn position(displacements: &NodalDisplacements, dof: usize) -> usize {
+    // Nodes of a boundary are those of the region, ascending.
+    2 * displacements.nodes.partition_point(|&node| node < dof / 2) + dof % 2
+}
+
+impl Boundary {
+    /// Prescribed displacements that a unit of a motion makes of the data.
+    fn response(&self, bench: &Workbench<'_>, motion: FreeMotion) -> Vec<f64> {
+        if let Some((_, found)) = self.responses.iter().find(|(own, _)| *own == motion) {
+            return found.clone();
+        }
+        // Interpolations of at least first order keep a dilation, and others nearly.
+        let nodes = bench.region.mesh().nodes();
+        let at = |dof: &usize| {
+            motion.displacement(nodes[dof / 2], &bench.experiment.specimen.hole)[dof % 2]
+        };
+        bench.region.prescribed().iter().map(at).collect()
+    }
+}
+
+/// What may have been added to each state.
+pub(super) fn table(experiment: &Experiment, analysed: &[Analysed]) -> Table {
+    let unit = experiment.display.stress;
+    let mut table = Table::new(
+        "What the pictures may have added",
+        vec![
+            Column::new("state", ""),
+            Column::new("motion", ""),
+            Column::new("amount", "1e-6"),
+            Column::new("±", "1e-6"),
+            Column::new("pressure by it", unit.name),
+            Column::new("taken off", ""),
+        ],
+    );
+    for found in analysed {
+        for own in &found.picture {
+            let told = |value: f64| short(1e6 * value);
+            let [amount, deviation] = own.amount.map_or_else(
+                || ["not separable".to_owned(), String::new()],
+                |amount| amount.map(told),
+            );
+            let pressure = own.amount.map(|[amount, _]| amount.abs() * own.pressure);
+            table.push(vec![
+                experiment.states[found.state].name.clone(),
+                own.motion.name().to_owned(),
+                amount,
+                deviation,
+                pressure.map_or_else(String::new, |pressure| short(unit.from_base(pressure))),
+                if own.taken_off { "yes" } else { "no" }.to_owned(),
+            ]);
+        }
+    }
+    table.note(
+        "A specimen that comes nearer to the camera, or tilts towards it, is seen larger: a strain at the distance of the hole's radius, with \
+         its standard deviation by noise and smoothing. The region itself takes it for a load; the tractions on the edge clear of contact, \
+         which are none, say how much it is, as far as mesh and material are right. [reduce] free = [\"dilation\", \"tilt\"] takes it off and \
+         adds its uncertainty to all bands.",
+    )
+}
+
+/// What a reader must know of it.
+pub(super) fn doubts(experiment: &Experiment, found: &Analysed) -> Vec<String> {
+    let unit = experiment.display.stress;
+    let open = found.picture.iter().filter(|own| own.amount.is_none());
+    if experiment.reduce.free.is_empty() {
+        return Vec::new();
+    }
+    open.map(|own| {
+        format!(
+            "the {} of the picture is declared free, and cannot be told from the load: no part of the region's edge is clear of contact. It is \
+             not taken off; 1e-5 of it changes the pressure by up to {} {}. Take a region whose edge goes on beyond the contact.",
+            own.motion.name(),
+            short(unit.from_base(1e-5 * own.pressure)),
+            unit.name
+        )
+    })
+    .collect()
+}
+
+/// A dilation that would explain tractions on the free edge, in words.
+pub(super) fn explanation(found: &Analysed) -> String {
+    let own = found
+        .picture
+        .iter()
+        .find(|own| own.motion == FreeMotion::Dilation && !own.taken_off);
+    let Some([amount, deviation]) = own.and_then(|own| own.amount) else {
+        return String::new();
+    };
+    format!(
+        " If the picture was dilated, by {} ± {}, [reduce] free = [\"dilation\"] takes that off.",
+        short(amount),
+        significant(deviation, 2)
+    )
+}
+
+/// The same for the summary.
+pub(super) fn entry(experiment: &Experiment, found: &Analysed) -> Value {
+    let unit = experiment.display.stress;
+    let one = |own: &PictureMotion| {
+        json!({
+            "name": own.motion.name(),
+            "value": own.amount.map(|own| own[0]),
+            "deviation": own.amount.map(|own| own[1]),
+            "separable": own.amount.is_some(),
+            "taken_off": own.taken_off,
+            "pressure_per_unit": unit.from_base(own.pressure),
+        })
+    };
+    found.picture.iter().map(one).collect()
+}
