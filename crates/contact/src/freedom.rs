@@ -6,13 +6,22 @@
 //!
 //! If the load does no work along such an α, as it must where there is balance, every multiple of it may be added to a solution.
 
+use std::ops::Range;
+
 use nalgebra::{DMatrix, DVector};
 use stickslip_friction::History;
 
 use crate::problem::InterfaceProblem;
+use crate::solver::FreeMotions;
+use crate::state::{ContactState, Status};
 
 /// Singular values up to this part of the largest are those of a motion that nothing resists.
 const NEGLIGIBLE: f64 = 1e-10;
+
+/// Part of the largest contact force up to which a force is rounding.
+const FORCELESS: f64 = 1e-10;
+/// Part of the length of a motion from which it moves a point.
+const MOVES: f64 = 1e-6;
 
 /// A body that can move as a whole without resistance.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -57,6 +66,33 @@ pub fn free_bodies(problem: &InterfaceProblem) -> Vec<FreeBody> {
     (0..problem.body_count())
         .filter(|&body| moves(body))
         .map(free)
+        .collect()
+}
+
+/// The pairs whose gaps the contact of `state` leaves undetermined: a rigid motion that moves no pressed point along its normal
+/// and no sticking one along its tangent changes no force, and the gaps of these pairs.
+pub fn loose_pairs(problem: &InterfaceProblem, state: &ContactState) -> Vec<usize> {
+    // A point that closes without force is as well a moment before it does.
+    let least = FORCELESS * state.forces.amax();
+    let pressed = |k: usize| state.status[k].touches() && state.normal_force(k) > least;
+    let rows = (0..state.status.len())
+        .filter(|&k| pressed(k))
+        .flat_map(|k| {
+            let sticks = state.status[k] == Status::Stick;
+            [Some(2 * k), sticks.then_some(2 * k + 1)]
+                .into_iter()
+                .flatten()
+        });
+    let Some(free) = FreeMotions::of(problem, rows) else {
+        return Vec::new();
+    };
+    let relative = problem.modes() * free.projector;
+    let loose = |points: &Range<usize>| {
+        let touches = points.clone().any(pressed);
+        touches && points.clone().any(|k| relative.row(2 * k).amax() > MOVES)
+    };
+    (0..problem.pairs().len())
+        .filter(|&pair| loose(&problem.pair_points(pair)))
         .collect()
 }
 

@@ -2,18 +2,21 @@
 
 mod frictionless;
 mod increment;
+mod otherwise;
 mod recovery;
 
 use nalgebra::DVector;
 
 use crate::audit::{Audit, measure};
 use crate::error::ContactError;
+use crate::freedom::loose_pairs;
 use crate::problem::InterfaceProblem;
 use crate::solver::{FailureCause, InterfaceSolver, Residuals, Step, StepFailure, Work};
 use crate::state::ContactState;
 use crate::uniqueness::uniqueness_bound;
 
 pub use increment::Increment;
+pub use otherwise::{Difference, Otherwise};
 pub use recovery::{Cycle, FailedAttempts, Recovery};
 
 /// How the load grows within the first load step, from nothing; later steps are always linear.
@@ -130,6 +133,25 @@ impl LoadHistory {
         }
     }
 
+    /// Load multipliers after the part `part` of load step `index` from `start` to `target`.
+    fn multipliers(
+        &self,
+        index: usize,
+        start: &ContactState,
+        target: &[f64],
+        part: f64,
+    ) -> Vec<f64> {
+        let fraction = if part >= 1.0 {
+            1.0
+        } else {
+            self.fraction(index, part)
+        };
+        // Exact at both ends, unlike from + fraction (to − from).
+        let ends = start.multipliers.iter().zip(target);
+        ends.map(|(from, to)| (1.0 - fraction) * from + fraction * to)
+            .collect()
+    }
+
     fn walk(
         &self,
         problem: &InterfaceProblem,
@@ -150,18 +172,7 @@ impl LoadHistory {
                 } else {
                     reached + part
                 };
-                let fraction = if next >= 1.0 {
-                    1.0
-                } else {
-                    self.fraction(index, next)
-                };
-                // Exact at both ends, unlike from + fraction (to − from).
-                let multipliers: Vec<f64> = start
-                    .multipliers
-                    .iter()
-                    .zip(target)
-                    .map(|(from, to)| (1.0 - fraction) * from + fraction * to)
-                    .collect();
+                let multipliers = self.multipliers(index, start, target, next);
                 // Whether a step has a solution is asked of the whole solver at both ends of cut-back, not on the way.
                 let quickly = part < 0.999 * whole && part > whole * SMALLEST_PART;
                 match walk.advance(problem, solver, quickly, &multipliers) {
@@ -209,6 +220,7 @@ struct Walk {
     solvers: Vec<&'static str>,
     recovery: Recovery,
     solutions: Option<usize>,
+    loose: Vec<usize>,
     coefficient: f64,
     increments: usize,
     cutbacks: usize,
@@ -230,6 +242,7 @@ impl Walk {
             solvers: Vec::new(),
             recovery: Recovery::default(),
             solutions: None,
+            loose: Vec::new(),
             coefficient: 0.0,
             increments: 0,
             cutbacks: 0,
@@ -298,10 +311,13 @@ impl Walk {
         self.dissipation += increment.dissipation;
         self.slip += increment.slip;
         self.state = increment.state;
+        self.loose.extend(loose_pairs(problem, &self.state));
         Ok(())
     }
 
-    fn finish(self, problem: &InterfaceProblem) -> StepRecord {
+    fn finish(mut self, problem: &InterfaceProblem) -> StepRecord {
+        self.loose.sort_unstable();
+        self.loose.dedup();
         StepRecord {
             audit: Audit::of(problem, &self.state),
             work: self.work,
@@ -310,6 +326,7 @@ impl Walk {
             solvers: self.solvers,
             recovery: self.recovery,
             solutions: self.solutions,
+            loose: self.loose,
             coefficient: self.coefficient,
             uniqueness: None,
             increments: self.increments,
@@ -336,8 +353,11 @@ pub struct StepRecord {
     pub solvers: Vec<&'static str>,
     /// What failed before these were found.
     pub recovery: Recovery,
-    /// Largest number of solutions of an increment, where they were enumerated.
+    /// Largest number of solutions of an increment, where they were enumerated: those in which no other points touch than in its
+    /// answer.
     pub solutions: Option<usize>,
+    /// Pairs whose gaps contact leaves undetermined at the end of an increment, as by [`loose_pairs`].
+    pub loose: Vec<usize>,
     /// Largest coefficient of friction of the points in contact at its end (dimensionless).
     pub coefficient: f64,
     /// Estimate of the coefficient up to which its end has one solution, as by [`uniqueness_bound`]; made once in a history,

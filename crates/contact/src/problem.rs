@@ -85,6 +85,7 @@ pub struct InterfaceProblem {
     /// First point of each pair, and the number of points at the end.
     offsets: Vec<usize>,
     compliance: DMatrix<f64>,
+    compliance_unit: f64,
     modes: DMatrix<f64>,
     /// First mode of each body, and the number of modes at the end.
     mode_offsets: Vec<usize>,
@@ -125,6 +126,7 @@ impl InterfaceProblem {
         let size = 2 * points.len();
         let mut problem = Self {
             compliance: DMatrix::zeros(size, size),
+            compliance_unit: 1.0,
             modes: DMatrix::zeros(size, mode_offsets[bodies.len()]),
             case_motion: vec![DVector::zeros(size); cases],
             case_mode_load: vec![DVector::zeros(mode_offsets[bodies.len()]); cases],
@@ -137,6 +139,7 @@ impl InterfaceProblem {
             problem.add_body(index, *body);
         }
         problem.find_sliding_points();
+        problem.compliance_unit = power_of_two_near(problem.compliance.diagonal().amax());
         Ok(problem)
     }
 
@@ -277,6 +280,12 @@ impl InterfaceProblem {
         &self.compliance
     }
 
+    /// The unit of compliance `[length/force]` in which solvers work, so that A and G have entries of one size: forces times this
+    /// unit are lengths. A power of two near the largest entry of A, which changes no digit of any number; 1 where nothing gives.
+    pub fn compliance_unit(&self) -> f64 {
+        self.compliance_unit
+    }
+
     /// Rigid motions G, 2n × m.
     pub fn modes(&self) -> &DMatrix<f64> {
         &self.modes
@@ -370,6 +379,15 @@ fn problem_points(pairs: &[ContactPair], bodies: &[&dyn InterfaceOperator]) -> V
         }
     }
     points
+}
+
+/// The power of two next below `value`, or 1 without a value.
+fn power_of_two_near(value: f64) -> f64 {
+    if value > 0.0 && value.is_finite() {
+        value.log2().floor().exp2()
+    } else {
+        1.0
+    }
 }
 
 /// Force and moment on the first body by a unit normal and a unit tangential force at `point`.

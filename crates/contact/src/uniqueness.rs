@@ -13,6 +13,8 @@
 //! μ < 1/ρ(|N|),   ρ: spectral radius.
 //! ```
 //!
+//! Rigid motions that no normal resists, such as the turn of a round body, are held where they are.
+//!
 //! For one point this is A_nn/|A_nt| = k_t/|k_c| with K = [[k_t, k_c], [k_c, k_n]], the exact bound (Klarbring 1990). For more
 //! it is an estimate: sticking neighbours and points that open change the round trip, in either direction.
 
@@ -20,6 +22,7 @@ use nalgebra::{DMatrix, DVector};
 use stickslip_fem_core::linalg::DenseLu;
 
 use crate::problem::InterfaceProblem;
+use crate::solver::FreeMotions;
 use crate::state::Status;
 
 /// Part of the bound from which friction is near it: the bound is an estimate.
@@ -47,17 +50,22 @@ pub fn uniqueness_bound(problem: &InterfaceProblem, status: &[Status]) -> Option
 /// N, rows: normal forces of the points `touching`; columns: tangential ones, zero where a point cannot slide.
 fn normal_response(problem: &InterfaceProblem, touching: &[usize]) -> Option<DMatrix<f64>> {
     let (compliance, modes) = (problem.compliance(), problem.modes());
+    let unit = problem.compliance_unit();
     let (count, rigid) = (touching.len(), modes.ncols());
     let held = |row: usize| (0..rigid).map(move |mode| modes[(row, mode)]);
     let mut matrix = DMatrix::zeros(count + rigid, count + rigid);
     for (i, &k) in touching.iter().enumerate() {
         for (j, &l) in touching.iter().enumerate() {
-            matrix[(i, j)] = compliance[(2 * k, 2 * l)];
+            matrix[(i, j)] = compliance[(2 * k, 2 * l)] / unit;
         }
         for (mode, value) in held(2 * k).enumerate() {
             matrix[(i, count + mode)] = value;
             matrix[(count + mode, i)] = value;
         }
+    }
+    if let Some(free) = FreeMotions::of(problem, (0..problem.points().len()).map(|k| 2 * k)) {
+        let mut corner = matrix.view_mut((count, count), (rigid, rigid));
+        corner += &free.projector;
     }
     let factors = DenseLu::new(matrix).ok()?;
     let mut response = DMatrix::zeros(count, count);
@@ -65,7 +73,9 @@ fn normal_response(problem: &InterfaceProblem, touching: &[usize]) -> Option<DMa
         if !problem.points()[l].slides {
             continue;
         }
-        let along = touching.iter().map(|&k| compliance[(2 * k, 2 * l + 1)]);
+        let along = touching
+            .iter()
+            .map(|&k| compliance[(2 * k, 2 * l + 1)] / unit);
         let mut column = DVector::from_iterator(count + rigid, along.chain(held(2 * l + 1)));
         factors.solve(&mut column);
         response.set_column(j, &column.rows(0, count));

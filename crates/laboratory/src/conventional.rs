@@ -263,7 +263,7 @@ impl WholeSystem {
             }
             side[place] -= weight * given[row];
         }
-        let free = FreeMotions::of(step, resisting);
+        let free = FreeMotions::of(step.problem, resisting);
         self.assemble_balance(step, free.as_ref(), values, &mut side);
         (matrix, side, free)
     }

@@ -2,6 +2,7 @@
 
 mod failure;
 mod progressive;
+mod resolution;
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -16,7 +17,7 @@ pub use progressive::{
 };
 
 use stickslip_contact::Status;
-use stickslip_contact::history::Recovery;
+use stickslip_contact::history::{Otherwise, Recovery};
 use stickslip_contact::solver::{Residuals, Work};
 use stickslip_contact::zones::Zone;
 use stickslip_fem_core::body::BodyBalance;
@@ -243,13 +244,26 @@ pub struct StepNotes {
     pub recovery: Recovery,
     /// Places x, y `[mm]` of the points of the first cycle.
     pub cycle_places: Vec<[f64; 2]>,
-    /// Largest number of solutions of an increment, where they were enumerated.
+    /// Largest number of solutions of an increment in which no other points touch than in its answer, where they were enumerated: a
+    /// lower bound on the number of its solutions.
     pub solutions: Option<usize>,
+    /// Where other ways to the end of the step lead.
+    pub otherwise: Otherwise,
     /// Largest coefficient of friction of the points in contact (dimensionless).
     pub friction: f64,
     /// Estimate of the coefficient up to which the step has one solution (dimensionless); in the step of the history in which most
     /// points touch.
     pub uniqueness: Option<f64>,
+}
+
+impl StepNotes {
+    /// Number of solutions that are known, a lower bound on how many there are: those that were enumerated, and the one that another
+    /// solver found; `None` where none was looked for.
+    pub fn solutions_known(&self) -> Option<usize> {
+        let asked = self.otherwise.other_solver;
+        let by_another = asked.map(|other| if other.is_distinct() { 2 } else { 1 });
+        self.solutions.max(by_another)
+    }
 }
 
 /// Fields of a body at the end of a load step.

@@ -1,5 +1,6 @@
 //! Solves a scene: condense the bodies, follow the load history, recover what is reported.
 
+mod doubts;
 mod edges;
 mod failure;
 mod fields;
@@ -12,6 +13,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use rayon::prelude::*;
+use stickslip_contact::history::Otherwise;
 use stickslip_contact::{
     Chain, ContactError, InterfaceProblem, InterfaceSolver, Pivoting, StepRecord,
 };
@@ -257,7 +259,8 @@ pub fn results(
 ) -> Result<Results, RunError> {
     let start = Instant::now();
     let recovered = fields::recover(&solved);
-    reported(scene, model, solver, solved, &recovered, start)
+    let otherwise = (model.history).walked_otherwise(&solved.problem, solver, &solved.records);
+    reported(scene, model, solver, solved, &recovered, &otherwise, start)
 }
 
 /// As [`results`], but displacements are recovered of `bodies` alone and no balance is audited but that of the interface problem:
@@ -274,14 +277,14 @@ pub(crate) fn results_without_audit(
 ) -> Result<Results, RunError> {
     let start = Instant::now();
     let recovered = fields::recover_some(&solved, bodies);
-    reported(scene, model, solver, solved, &recovered, start)
+    reported(scene, model, solver, solved, &recovered, &[], start)
 }
 
 /// Displacements of the body `index` at the end of every load step, x and y of each node in turn; empty for a rigid body.
 pub(crate) fn displacements_of(solved: &Solved, index: usize) -> Vec<Vec<f64>> {
     let recovered = fields::recover_some(solved, &[index]);
-    let own = |step: fields::Recovered| step.displacement.into_iter().nth(index);
-    recovered.into_iter().filter_map(own).collect()
+    let own = |step: &fields::Recovered| fields::moved(&solved.operators, step, index);
+    recovered.iter().map(own).collect()
 }
 
 fn reported(
@@ -290,6 +293,7 @@ fn reported(
     solver: &dyn InterfaceSolver,
     mut solved: Solved,
     recovered: &[fields::Recovered],
+    otherwise: &[Otherwise],
     start: Instant,
 ) -> Result<Results, RunError> {
     let edges = edges::all(model, &solved, recovered)?;
@@ -304,7 +308,10 @@ fn reported(
             increments: record.increments,
             cutbacks: record.cutbacks,
             doubtful: record.doubtful,
-            notes: step_notes(record, &solved.problem),
+            notes: StepNotes {
+                otherwise: otherwise.get(index).copied().unwrap_or_default(),
+                ..step_notes(record, &solved.problem)
+            },
             residuals: record.residuals,
             balance_residual: record.audit.balance().max(recovered[index].imbalance()),
             balance: recovered[index].balance.clone(),
@@ -315,7 +322,13 @@ fn reported(
     }
     let mut notes = model.notes.clone();
     notes.extend(remarks::of_steps(scene, model, &steps));
+    notes.extend(doubts::of_steps(model, &steps));
     notes.extend(remarks::of_freedom(model, &solved.problem));
+    notes.extend(doubts::of_looseness(
+        model,
+        &solved.problem,
+        &solved.records,
+    ));
     let mut choices = model.choices.clone();
     choices.push(solver_choice(scene.analysis.solver));
     let operators = solved.operators.iter();
@@ -352,7 +365,8 @@ fn reported(
         &with_fields,
     )?;
     for index in with_fields {
-        results.steps[index].fields = fields::with_stresses(scene, model, &recovered[index])?;
+        results.steps[index].fields =
+            fields::with_stresses(scene, model, &solved.operators, &recovered[index])?;
     }
     solved
         .phases
@@ -372,6 +386,7 @@ fn step_notes(record: &StepRecord, problem: &InterfaceProblem) -> StepNotes {
         solutions: record.solutions,
         friction: record.coefficient,
         uniqueness: record.uniqueness,
+        ..StepNotes::default()
     }
 }
 

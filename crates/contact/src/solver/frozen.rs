@@ -7,7 +7,8 @@
 //! g_n = 0 (touching),   Δs = 0 (sticking),   λ_t + σ f₁ λ_n + f₂ Δs = −σ f₀ (slipping),   Gᵀ λ + r = 0
 //! ```
 //!
-//! Where f₂ = 0 the third line is eliminated. Rigid motions that the touching points do not resist keep their committed
+//! Where f₂ = 0 the third line is eliminated. Forces are unknown as lengths, times the problem's unit of compliance: then all rows
+//! are lengths, and neither the units of a scene nor its size change a pivot. Rigid motions that the touching points do not resist keep their committed
 //! amount; the load and slip tractions left unbalanced in them are reported, so that the caller can bring further points
 //! into contact.
 
@@ -18,6 +19,7 @@ use stickslip_fem_core::linalg::DenseLu;
 
 use super::step::Step;
 use super::{FailureCause, Work};
+use crate::problem::InterfaceProblem;
 use crate::state::Status;
 
 /// Relative size below which a resistance or a resultant is rounding.
@@ -120,6 +122,7 @@ pub(super) fn solve(
     let points = step.problem.points();
     let layout = Layout::of(step, status, lines);
     let (matrix, side, free) = reduced_system(step, status, lines, &layout);
+    let unit = step.problem.compliance_unit();
     let mut solution = side;
     let (order, count) = (solution.len() as u64, points.len() as u64);
     work.solves += 1;
@@ -134,15 +137,15 @@ pub(super) fn solve(
 
     let mut forces = DVector::zeros(2 * points.len());
     for (value, &k) in solution.iter().zip(&layout.normal) {
-        forces[2 * k] = *value;
+        forces[2 * k] = *value / unit;
         if points[k].slides {
             forces[2 * k + 1] =
-                -status[k].slip_sign() * (lines[k].constant + lines[k].normal * value);
+                -status[k].slip_sign() * (lines[k].constant + lines[k].normal * forces[2 * k]);
         }
     }
     let touching = layout.normal.len();
     for (value, &k) in solution.iter().skip(touching).zip(&layout.tangential) {
-        forces[2 * k + 1] = *value;
+        forces[2 * k + 1] = *value / unit;
     }
     let rigid = solution
         .rows(touching + layout.tangential.len(), step.mode_load.len())
@@ -170,9 +173,9 @@ pub struct FreeMotions {
 }
 
 impl FreeMotions {
-    /// The rigid motions of `step` that none of the contact conditions on `rows` of (g, Δs) resists, if there are any.
-    pub fn of(step: &Step<'_>, rows: impl IntoIterator<Item = usize>) -> Option<Self> {
-        let modes = step.problem.modes();
+    /// The rigid motions of `problem` that none of the contact conditions on `rows` of (g, Δs) resists, if there are any.
+    pub fn of(problem: &InterfaceProblem, rows: impl IntoIterator<Item = usize>) -> Option<Self> {
+        let modes = problem.modes();
         let rigid = modes.ncols();
         if rigid == 0 {
             return None;
@@ -205,7 +208,8 @@ impl FreeMotions {
     }
 }
 
-/// Matrix and right-hand side of the reduced system, and the rigid motions that no row resists.
+/// Matrix and right-hand side of the reduced system, unknown forces times the unit of compliance, and the rigid motions that no
+/// row resists.
 fn reduced_system(
     step: &Step<'_>,
     status: &[Status],
@@ -213,6 +217,7 @@ fn reduced_system(
     layout: &Layout,
 ) -> (DMatrix<f64>, DVector<f64>, Option<FreeMotions>) {
     let (compliance, modes) = (step.problem.compliance(), step.problem.modes());
+    let unit = step.problem.compliance_unit();
     let rows = layout.rows();
     let (touching, contact, rigid) = (layout.normal.len(), rows.len(), modes.ncols());
     let size = contact + rigid;
@@ -225,7 +230,7 @@ fn reduced_system(
         }
     }
     for mode in 0..rigid {
-        side[contact + mode] = -step.mode_load[mode];
+        side[contact + mode] = -unit * step.mode_load[mode];
     }
     let full_column = |column: usize| compliance.column(column);
     for (j, &k) in layout.normal.iter().enumerate() {
@@ -237,15 +242,15 @@ fn reduced_system(
         let eliminated = sign != 0.0 && lines[k].slip == 0.0;
         let (normal, tangential) = (full_column(2 * k), full_column(2 * k + 1));
         let (slope, constant) = if eliminated {
-            (-sign * lines[k].normal, -sign * lines[k].constant)
+            (-sign * lines[k].normal, -sign * lines[k].constant * unit)
         } else {
             (0.0, 0.0)
         };
         for (i, &row) in rows.iter().enumerate() {
-            matrix[(i, j)] = normal[row] + slope * tangential[row];
-            side[i] -= constant * tangential[row];
+            matrix[(i, j)] = (normal[row] + slope * tangential[row]) / unit;
+            side[i] -= constant * tangential[row] / unit;
         }
-        matrix[(j, j)] += step.softness;
+        matrix[(j, j)] += step.softness / unit;
         for mode in 0..rigid {
             let (along_normal, along_tangent) = (modes[(2 * k, mode)], modes[(2 * k + 1, mode)]);
             matrix[(contact + mode, j)] = along_normal + slope * along_tangent;
@@ -255,14 +260,14 @@ fn reduced_system(
     for (j, &k) in layout.tangential.iter().enumerate() {
         let column = full_column(2 * k + 1);
         for (i, &row) in rows.iter().enumerate() {
-            matrix[(i, touching + j)] = column[row];
+            matrix[(i, touching + j)] = column[row] / unit;
         }
-        matrix[(touching + j, touching + j)] += step.softness;
+        matrix[(touching + j, touching + j)] += step.softness / unit;
         for mode in 0..rigid {
             matrix[(contact + mode, touching + j)] = modes[(2 * k + 1, mode)];
         }
     }
-    soften_slip_rows(&mut matrix, &mut side, status, lines, layout);
+    soften_slip_rows(&mut matrix, &mut side, status, lines, layout, unit);
     let free = hold_free_motions(step, &rows, &mut matrix, &mut side);
     (matrix, side, free)
 }
@@ -274,6 +279,7 @@ fn soften_slip_rows(
     status: &[Status],
     lines: &[SlipLine],
     layout: &Layout,
+    unit: f64,
 ) {
     let touching = layout.normal.len();
     for (position, &k) in layout.tangential.iter().enumerate() {
@@ -282,8 +288,9 @@ fn soften_slip_rows(
             continue;
         }
         let row = touching + position;
-        matrix.row_mut(row).scale_mut(lines[k].slip);
-        side[row] = lines[k].slip * side[row] - sign * lines[k].constant;
+        let slope = lines[k].slip * unit;
+        matrix.row_mut(row).scale_mut(slope);
+        side[row] = slope * side[row] - sign * lines[k].constant * unit;
         matrix[(row, row)] += 1.0;
         // Every tangential unknown belongs to a touching point.
         if let Ok(j) = layout.normal.binary_search(&k) {
@@ -339,7 +346,7 @@ fn hold_free_motions(
     side: &mut DVector<f64>,
 ) -> Option<FreeMotions> {
     let (contact, rigid) = (rows.len(), step.problem.modes().ncols());
-    let free = FreeMotions::of(step, rows.iter().copied())?;
+    let free = FreeMotions::of(step.problem, rows.iter().copied())?;
     let projector = &free.projector;
     let mut balance = matrix.rows_mut(contact, rigid);
     let along = projector * &balance;

@@ -219,6 +219,22 @@ impl CondensedBody {
         u
     }
 
+    /// Displacements of all nodes `[length]`, interleaved, by the free rigid motions with the amounts `motions` (f).
+    pub fn rigid_displacements(&self, motions: &[f64]) -> Vec<f64> {
+        let structure = &self.structure;
+        let motions = DVector::from_column_slice(motions);
+        let count = structure.equations.len();
+        if motions.is_empty() {
+            return vec![0.0; 2 * count];
+        }
+        (0..count)
+            .flat_map(|node| {
+                let at_node = structure.motions.at(&self.body.mesh, node) * &motions;
+                [at_node[0], at_node[1]]
+            })
+            .collect()
+    }
+
     /// Unbalanced nodal forces `[force]` of one state, as [`residual_forces_of`](Self::residual_forces_of).
     pub fn residual_forces(&self, u: &[f64], forces: &[f64], multipliers: &[f64]) -> Vec<f64> {
         let state = BodyLoad {

@@ -38,7 +38,7 @@ impl BodyStructure {
         let mesh = &body.mesh;
         let mut constraints = node_constraints(mesh, &body.supports, body.platen.as_ref())?;
         let on_interface = flag_interface(mesh, interface)?;
-        let motions = FreeMotions::of(body, &constraints)?;
+        let motions = FreeMotions::of(body, &constraints)?.about(mesh, interface);
         if body.platen.is_none() {
             motions.hold_isostatically(mesh, &mut constraints, &on_interface);
         }
@@ -239,6 +239,33 @@ impl FreeMotions {
         Ok(motions)
     }
 
+    /// The same motions with turns about the middle of the nodes `interface`, divided by their extent: on a body much larger than
+    /// its contacts, turns about its own middle and translations would be nearly the same there.
+    fn about(self, mesh: &Mesh, interface: &[usize]) -> Self {
+        let Some((centre, length)) = extent(interface.iter().map(|&node| mesh.nodes()[node]))
+        else {
+            return self;
+        };
+        let combinations = if self.count() == 3 {
+            self.combinations
+        } else {
+            let [dx, dy] = [0, 1].map(|i| (centre[i] - self.centre[i]) / self.length);
+            let turn = length / self.length;
+            let change =
+                DMatrix::from_row_slice(3, 3, &[1.0, 0.0, -dy, 0.0, 1.0, dx, 0.0, 0.0, turn]);
+            let mut changed = change * self.combinations;
+            for mut column in changed.column_iter_mut() {
+                column.normalize_mut();
+            }
+            changed
+        };
+        Self {
+            centre,
+            length,
+            combinations,
+        }
+    }
+
     /// Number of free motions.
     pub(super) fn count(&self) -> usize {
         self.combinations.ncols()
@@ -268,8 +295,8 @@ impl FreeMotions {
     }
 
     /// Holds one unknown per free motion so that the stiffness matrix becomes regular. Which ones does not change any
-    /// answer, because the balance of the body makes their reactions vanish. Nodes of the interface are taken only where the
-    /// others have no leverage.
+    /// answer, because the balance of the body makes their reactions vanish. Nodes near the interface are taken, so that its
+    /// compliance is not the small difference of large motions; those of the interface only where the others have no leverage.
     fn hold_isostatically(
         &self,
         mesh: &Mesh,
@@ -279,9 +306,16 @@ impl FreeMotions {
         const LEVERAGE: f64 = 0.05;
         let mut basis: Vec<DMatrix<f64>> = Vec::new();
         for _ in 0..self.count() {
-            let inside = self.best_hold(mesh, constraints, &basis, |node| !on_interface[node]);
-            let best = inside
-                .filter(|hold| hold.size > LEVERAGE)
+            let near = |node: usize| {
+                let [x, y] = mesh.nodes()[node];
+                (x - self.centre[0]).hypot(y - self.centre[1]) <= self.length
+            };
+            let best_of = |allowed: &dyn Fn(usize) -> bool| {
+                let best = self.best_hold(mesh, constraints, &basis, allowed);
+                best.filter(|hold| hold.size > LEVERAGE)
+            };
+            let best = best_of(&|node| !on_interface[node] && near(node))
+                .or_else(|| best_of(&|node| !on_interface[node]))
                 .or_else(|| self.best_hold(mesh, constraints, &basis, |_| true));
             if let Some(hold) = best {
                 constraints[hold.node].held[hold.axis] = true;
@@ -322,6 +356,20 @@ impl FreeMotions {
         }
         best
     }
+}
+
+/// Middle and diagonal of the box around `points`; `None` if that has no extent.
+fn extent(points: impl Iterator<Item = Point>) -> Option<(Point, f64)> {
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for point in points {
+        for i in 0..2 {
+            low[i] = low[i].min(point[i]);
+            high[i] = high[i].max(point[i]);
+        }
+    }
+    let length = (high[0] - low[0]).hypot(high[1] - low[1]);
+    let centre = [0, 1].map(|i| f64::midpoint(low[i], high[i]));
+    (length > 0.0 && length.is_finite()).then_some((centre, length))
 }
 
 /// An unknown that could be held, and how the motions move it: 1 × f, and its norm.

@@ -5,6 +5,7 @@ mod keys;
 use std::collections::BTreeMap;
 
 use stickslip_contact::Status;
+use stickslip_contact::history::Difference;
 
 use super::display::{EdgeView, tidy};
 use super::failure::{self, FailureView};
@@ -13,8 +14,8 @@ use super::zones::{contact_ranges, zone_ranges};
 use crate::results::{EdgeKind, LoadValue, Results, StepNotes};
 use crate::scene::schema::DisplayUnits;
 use keys::{
-    Body, Choice, ContactZone, Cycle, Edge, EdgeStep, FORMAT_VERSION, Failed, Load, Place, Places,
-    Program, Quantity, Resultant, SlipZone, SolverNotes, Step, Summary, Units,
+    Body, Choice, ContactZone, Cycle, Edge, EdgeStep, FORMAT_VERSION, Failed, Load, OtherAnswer,
+    Place, Places, Program, Quantity, Resultant, SlipZone, SolverNotes, Step, Summary, Units,
 };
 
 /// The summary of `results`, which are consistent.
@@ -145,7 +146,9 @@ fn step_entry(results: &Results, index: usize) -> Step<'_> {
         cutbacks: step.cutbacks,
         points_in_doubt: step.doubtful,
         solver_notes: solver_notes(&step.notes, units),
-        solutions_counted: step.notes.solutions,
+        solutions_counted: step.notes.solutions_known(),
+        other_solver: step.notes.otherwise.other_solver.map(other_answer),
+        finer_increments: step.notes.otherwise.finer.map(other_answer),
         friction_coefficient: tidy(step.notes.friction),
         uniqueness_estimate: step.notes.uniqueness.and_then(tidy),
         balance_residual: tidy(step.balance_residual),
@@ -160,6 +163,15 @@ fn step_entry(results: &Results, index: usize) -> Step<'_> {
             unit: energy_unit(units),
         },
         wall_time_s: microseconds(step.seconds),
+    }
+}
+
+fn other_answer(difference: Difference) -> OtherAnswer {
+    OtherAnswer {
+        solver: difference.solver,
+        increments: difference.increments,
+        peak_pressure_change: tidy(difference.peak_pressure),
+        traction_change: tidy(difference.traction),
     }
 }
 
@@ -199,6 +211,8 @@ fn edge_step(view: &EdgeView<'_>, step: usize) -> EdgeStep {
     };
     let in_contact = |value: f64| view.geometry.contact.then_some(value);
     EdgeStep {
+        fewest_contact_nodes: edge.fewest_contact_nodes(view.geometry),
+        contact_resolved: edge.is_resolved(view.geometry),
         places: if view.is_circle() {
             on_circle(view, step)
         } else {

@@ -76,7 +76,7 @@ fn rows(
     Ok(rows)
 }
 
-/// Displacements of a contact edge's nodes on its first body: u = C λ + Σ m_k u_k + R α, no sparse solve.
+/// Displacements of a contact edge's nodes that strain its first body: u = C λ + Σ m_k u_k, no sparse solve.
 fn interface_displacement(solved: &Solved, record: &StepRecord, edge: &ModelEdge) -> Vec<[f64; 2]> {
     let operator = solved.operators[edge.body].interface();
     let count = operator.points().len();
@@ -94,11 +94,6 @@ fn interface_displacement(solved: &Solved, record: &StepRecord, edge: &ModelEdge
             u.axpy(factor, response, 1.0);
         }
     }
-    let motions = record
-        .state
-        .rigid
-        .rows_range(solved.problem.body_modes(edge.body));
-    u += operator.modes() * motions;
     edge.local
         .iter()
         .map(|&k| [u[2 * k], u[2 * k + 1]])

@@ -14,8 +14,11 @@ use crate::scene::schema::LoadKind;
 /// Displacements and balance of all bodies at the end of one load step.
 #[derive(Debug, Default)]
 pub(super) struct Recovered {
-    /// Displacements per body, interleaved; empty for a rigid one.
+    /// Displacements per body, interleaved, without the free rigid motions, which make no strain and beside which those that do
+    /// may be rounding; empty for a rigid body.
     pub(super) displacement: Vec<Vec<f64>>,
+    /// Amounts of each body's free rigid motions.
+    motions: Vec<Vec<f64>>,
     /// Balance per body; `None` for a rigid one.
     pub(super) balance: Vec<Option<BodyBalance>>,
     pub(super) multipliers: Vec<f64>,
@@ -39,6 +42,7 @@ pub(super) fn recover(solved: &Solved) -> Vec<Recovered> {
         .iter()
         .map(|record| Recovered {
             multipliers: record.state.multipliers.clone(),
+            motions: motions(solved, record),
             ..Recovered::default()
         })
         .collect();
@@ -51,7 +55,7 @@ pub(super) fn recover(solved: &Solved) -> Vec<Recovered> {
             continue;
         };
         let forces = forces_on(solved, index, body.interface_nodes().len());
-        let states = loads_on(solved, index, &forces);
+        let states = loads_on(solved, &forces);
         let displacements = body.displacements_of(&states);
         let residuals = body.residual_forces_of(&displacements, &states);
         let balances = body.balances_of(&residuals, &states);
@@ -70,6 +74,7 @@ pub(super) fn recover_some(solved: &Solved, wanted: &[usize]) -> Vec<Recovered> 
         .iter()
         .map(|record| Recovered {
             multipliers: record.state.multipliers.clone(),
+            motions: motions(solved, record),
             displacement: vec![Vec::new(); solved.operators.len()],
             balance: vec![None; solved.operators.len()],
         })
@@ -79,7 +84,7 @@ pub(super) fn recover_some(solved: &Solved, wanted: &[usize]) -> Vec<Recovered> 
             continue;
         };
         let forces = forces_on(solved, index, body.interface_nodes().len());
-        let displacements = body.displacements_of(&loads_on(solved, index, &forces));
+        let displacements = body.displacements_of(&loads_on(solved, &forces));
         for (step, u) in all.iter_mut().zip(displacements) {
             step.displacement[index] = u;
         }
@@ -94,21 +99,39 @@ fn forces_on(solved: &Solved, index: usize, count: usize) -> Vec<Vec<f64>> {
     solved.records.iter().map(of_step).collect()
 }
 
-/// Everything that acts on the body `index`, for each load step.
-fn loads_on<'a>(solved: &'a Solved, index: usize, forces: &'a [Vec<f64>]) -> Vec<BodyLoad<'a>> {
-    let modes = solved.problem.body_modes(index);
+/// Amounts of the rigid motions of each body at the end of a load step.
+fn motions(solved: &Solved, record: &StepRecord) -> Vec<Vec<f64>> {
+    let amounts = record.state.rigid.as_slice();
+    let of_body = |body| amounts[solved.problem.body_modes(body)].to_vec();
+    (0..solved.operators.len()).map(of_body).collect()
+}
+
+/// Everything that acts on the body `index` and strains it, for each load step.
+fn loads_on<'a>(solved: &'a Solved, forces: &'a [Vec<f64>]) -> Vec<BodyLoad<'a>> {
     let of_step = |(record, forces): (&'a StepRecord, &'a Vec<f64>)| BodyLoad {
         forces,
         multipliers: &record.state.multipliers,
-        motions: &record.state.rigid.as_slice()[modes.clone()],
+        motions: &[],
     };
     solved.records.iter().zip(forces).map(of_step).collect()
+}
+
+/// Displacements of the elastic body `index` with its rigid motions, interleaved; empty where they were not recovered.
+pub(super) fn moved(operators: &[Operator], recovered: &Recovered, index: usize) -> Vec<f64> {
+    let mut displacement = recovered.displacement[index].clone();
+    if let Some(body) = operators[index].elastic() {
+        let rigid = body.rigid_displacements(&recovered.motions[index]);
+        let both = displacement.iter_mut().zip(rigid);
+        both.for_each(|(sum, part)| *sum += part);
+    }
+    displacement
 }
 
 /// Fields of all bodies that were recovered, with stresses by patch recovery.
 pub(super) fn with_stresses(
     scene: &Scene,
     model: &Model,
+    operators: &[Operator],
     recovered: &Recovered,
 ) -> Result<Vec<BodyFields>, StressError> {
     let mut fields = Vec::new();
@@ -120,17 +143,17 @@ pub(super) fn with_stresses(
         };
         let materials: Vec<&dyn Material> = elastic.materials().iter().map(AsRef::as_ref).collect();
         let strain = elastic.initial_strain(&recovered.multipliers);
-        let displacement = recovered.displacement[index].clone();
         let initial = (!strain.is_empty()).then_some(strain.as_slice());
+        let strained = &recovered.displacement[index];
         let nodal =
-            ElasticField::new(elastic.mesh(), &materials, &displacement, initial)?.patch_recovery();
+            ElasticField::new(elastic.mesh(), &materials, strained, initial)?.patch_recovery();
         let heating = heating(scene, &body.name, &recovered.multipliers);
         fields.push(BodyFields {
             body: index,
             stress: nodal.averaged(),
             thickness_stress: nodal
                 .averaged_of(|block, stress| materials[block].thickness_stress(stress, heating)),
-            displacement,
+            displacement: moved(operators, recovered, index),
         });
     }
     Ok(fields)

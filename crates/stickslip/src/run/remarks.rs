@@ -17,7 +17,6 @@ const ROUNDING: f64 = 1e-9;
 pub(super) fn of_steps(scene: &Scene, model: &Model, steps: &[StepResults]) -> Vec<String> {
     let mut notes: Vec<String> = doubtful(steps)
         .into_iter()
-        .chain(cut_back(steps))
         .chain(recovered(steps))
         .chain(several(steps))
         .chain(near_bound(steps))
@@ -40,11 +39,6 @@ fn doubtful(steps: &[StepResults]) -> Option<String> {
          static bound, where slip at the dynamic traction would be admissible too. They were taken to stick because they had \
          not slipped before."
     ))
-}
-
-fn cut_back(steps: &[StepResults]) -> Option<String> {
-    let which = steps_where(steps, |step| step.cutbacks > 0)?;
-    Some(format!("The increment was cut back in load step {which}."))
 }
 
 /// One line on the solvers that failed before a step was solved.
@@ -99,7 +93,8 @@ fn near_bound(steps: &[StepResults]) -> Option<String> {
     let beyond = notes.friction > estimate;
     let relation = if beyond { "beyond" } else { "near" };
     let counted = match notes.solutions {
-        Some(count) => format!("{count} were found by enumeration"),
+        Some(1) => "enumeration found no other with the same points in contact".into(),
+        Some(count) => format!("{count} were found by enumeration of the points in contact"),
         None if beyond => "they were not enumerated, because too many points touch".into(),
         None => "none was looked for".into(),
     };
@@ -158,7 +153,7 @@ fn freely(model: &Model, free: &FreeBody) -> String {
 }
 
 /// "'a', 'b' and 'c'".
-fn quoted<'a>(names: impl Iterator<Item = &'a str>) -> String {
+pub(super) fn quoted<'a>(names: impl Iterator<Item = &'a str>) -> String {
     let mut names: Vec<String> = names.map(|name| format!("'{name}'")).collect();
     let last = names.pop().unwrap_or_default();
     if names.is_empty() {
@@ -169,7 +164,7 @@ fn quoted<'a>(names: impl Iterator<Item = &'a str>) -> String {
 }
 
 /// The numbers of the steps that are so, counted from 1, runs shortened: "2–5, 9"; `None` if none is.
-fn steps_where<T>(steps: &[T], is_so: impl Fn(&T) -> bool) -> Option<String> {
+pub(super) fn steps_where<T>(steps: &[T], is_so: impl Fn(&T) -> bool) -> Option<String> {
     let which: Vec<usize> = (0..steps.len()).filter(|&k| is_so(&steps[k])).collect();
     let runs = which.chunk_by(|a, b| a + 1 == *b);
     let shown = runs.map(|run| match run {

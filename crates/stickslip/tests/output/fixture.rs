@@ -9,7 +9,7 @@ use stickslip::results::{
 use stickslip::scene::schema::DisplayUnits;
 use stickslip::units::{Dimension, Unit};
 use stickslip_contact::Status;
-use stickslip_contact::history::{Cycle, FailedAttempts, Recovery};
+use stickslip_contact::history::{Cycle, Difference, FailedAttempts, Otherwise, Recovery};
 use stickslip_contact::solver::{Residuals, Work};
 use stickslip_contact::zones::Zone;
 use stickslip_fem_core::generate::{
@@ -211,6 +211,15 @@ fn notes() -> StepNotes {
         },
         cycle_places: vec![[25.4, 0.0]],
         solutions: Some(3),
+        otherwise: Otherwise {
+            other_solver: Some(Difference {
+                solver: "pivoting",
+                increments: 1,
+                peak_pressure: -0.01,
+                traction: 0.02,
+            }),
+            finer: None,
+        },
         friction: 0.5,
         uniqueness: Some(0.4),
     }

@@ -64,6 +64,9 @@ fn the_first_contact_edge_stands_in_each_step() {
         })
     );
     assert_eq!(step["solutions_counted"], 3);
+    assert_eq!(step["other_solver"]["solver"], "pivoting");
+    assert_eq!(step["other_solver"]["traction_change"], 0.02);
+    assert_eq!(step["finer_increments"], serde_json::Value::Null);
     assert_eq!(step["friction_coefficient"], 0.5);
     assert_eq!(step["uniqueness_estimate"], 0.4);
     let quiet = json!({ "failed": [], "first_cycle": null });

@@ -110,6 +110,8 @@ pub(super) struct Step<'a> {
     pub(super) points_in_doubt: usize,
     pub(super) solver_notes: SolverNotes,
     pub(super) solutions_counted: Option<usize>,
+    pub(super) other_solver: Option<OtherAnswer>,
+    pub(super) finer_increments: Option<OtherAnswer>,
     pub(super) friction_coefficient: Option<f64>,
     /// Estimate of the friction coefficient up to which the step is unique.
     pub(super) uniqueness_estimate: Option<f64>,
@@ -118,6 +120,15 @@ pub(super) struct Step<'a> {
     pub(super) cone_violation: Option<f64>,
     pub(super) dissipation: Quantity,
     pub(super) wall_time_s: f64,
+}
+
+/// How another way to the end of a step changes its answer.
+#[derive(Debug, Serialize)]
+pub(super) struct OtherAnswer {
+    pub(super) solver: &'static str,
+    pub(super) increments: usize,
+    pub(super) peak_pressure_change: Option<f64>,
+    pub(super) traction_change: Option<f64>,
 }
 
 /// What failed before a step was solved.
@@ -153,6 +164,8 @@ pub(super) struct Place {
 pub(super) struct EdgeStep {
     #[serde(flatten)]
     pub(super) places: Places,
+    pub(super) fewest_contact_nodes: Option<usize>,
+    pub(super) contact_resolved: Option<bool>,
     pub(super) peak_pressure: Option<Quantity>,
     pub(super) peak_hoop: Option<Quantity>,
     pub(super) peak_hoop_uncertainty: Option<Quantity>,

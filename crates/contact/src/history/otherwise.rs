@@ -1,0 +1,181 @@
+//! Load steps walked again from where they began, by another solver or in smaller increments: how far the answer depends on either.
+//!
+//! Neither walk is cut back, so a step that the other way does not solve is left without a comparison.
+
+use super::{LoadHistory, StepRecord, Walk};
+use crate::problem::InterfaceProblem;
+use crate::solver::{InterfaceSolver, Pivoting, SemismoothNewton};
+use crate::state::ContactState;
+use crate::uniqueness::{NEAR_BOUND, uniqueness_bound};
+
+/// Floating-point operations of pivoting that all comparisons of a history may take.
+const EFFORT: f64 = 1e9;
+/// Number of increments up to which a step that was cut back is walked again in twice as many.
+const MANY: usize = 32;
+/// Number of touching points up to which the bound of uniqueness is estimated for each step.
+const FEW: usize = 12;
+
+/// How the end of a load step differs where it is reached another way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Difference {
+    /// Solver of the other way.
+    pub solver: &'static str,
+    /// Equal increments of the other way.
+    pub increments: usize,
+    /// Change of the largest pressure, relative to the largest pressure of the answer.
+    pub peak_pressure: f64,
+    /// Largest change of a pressure or tangential traction, relative to the largest pressure of the answer.
+    pub traction: f64,
+}
+
+impl Difference {
+    /// Tractions that differ by more than this part of the largest pressure are another answer, and no rounding.
+    pub const DISTINCT: f64 = 1e-6;
+
+    /// Whether the other way ends at another answer.
+    pub fn is_distinct(&self) -> bool {
+        self.traction > Self::DISTINCT
+    }
+}
+
+/// A load step's answer beside those of other ways to it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Otherwise {
+    /// By another solver in the increments that the history asks for: where the step may have several solutions, or was cut back.
+    pub other_solver: Option<Difference>,
+    /// By the same solver in twice as many increments: where the step was cut back under friction into few of them.
+    pub finer: Option<Difference>,
+}
+
+impl LoadHistory {
+    /// Compares each of `records`, which `solver` found of this history, with other ways to the end of its step: with another
+    /// solver where friction is not below the estimated bound of uniqueness or the step was cut back, with smaller increments
+    /// where it was cut back. It costs nothing where neither is so, about as much as the step elsewhere.
+    pub fn walked_otherwise(
+        &self,
+        problem: &InterfaceProblem,
+        solver: &dyn InterfaceSolver,
+        records: &[StepRecord],
+    ) -> Vec<Otherwise> {
+        let estimate = records.iter().find_map(|record| record.uniqueness);
+        let unloaded = ContactState::unloaded(problem);
+        let mut effort = EFFORT;
+        let mut all = Vec::with_capacity(records.len());
+        for (index, record) in records.iter().enumerate() {
+            let mut found = Otherwise::default();
+            let start = index
+                .checked_sub(1)
+                .map_or(&unloaded, |k| &records[k].state);
+            if record.coefficient > 0.0 {
+                let again = Again {
+                    history: self,
+                    problem,
+                    start,
+                    index,
+                    record,
+                };
+                if record.cutbacks > 0 && record.increments <= MANY {
+                    found.finer = again.by(solver, solver.name(), 2 * record.increments);
+                }
+                if record.cutbacks > 0 || may_have_several(problem, record, estimate) {
+                    found.other_solver = again.by_another(&mut effort);
+                }
+            }
+            all.push(found);
+        }
+        all
+    }
+}
+
+/// Whether contact left gaps undetermined on the way, or friction of `record` is not below the bound of uniqueness: that of its own
+/// points where these are few, else `estimate`, that of the most points of its history.
+fn may_have_several(
+    problem: &InterfaceProblem,
+    record: &StepRecord,
+    estimate: Option<f64>,
+) -> bool {
+    if !record.loose.is_empty() {
+        return true;
+    }
+    let status = &record.state.status;
+    let few = status.iter().filter(|status| status.touches()).count() <= FEW;
+    let bound = if few {
+        uniqueness_bound(problem, status)
+    } else {
+        estimate
+    };
+    bound.is_none_or(|bound| record.coefficient >= NEAR_BOUND * bound)
+}
+
+/// A load step to be walked again.
+struct Again<'a> {
+    history: &'a LoadHistory,
+    problem: &'a InterfaceProblem,
+    start: &'a ContactState,
+    index: usize,
+    record: &'a StepRecord,
+}
+
+impl Again<'_> {
+    /// By pivoting, or by Newton where pivoting found the step; `None` also where that would take more than `effort`, which is
+    /// reduced by what it takes.
+    fn by_another(&self, effort: &mut f64) -> Option<Difference> {
+        let parts = self.history.substeps;
+        let (newton, pivoting) = (SemismoothNewton::default(), Pivoting::default());
+        if self.record.solvers.contains(&pivoting.name()) {
+            return self.by(&newton, newton.name(), parts);
+        }
+        // Of order three times the number of points, with about two pivots per unknown.
+        let order = 3.0 * self.problem.points().len() as f64;
+        let cost = 4.0 * order.powi(3) * parts as f64;
+        if cost > *effort {
+            return None;
+        }
+        *effort -= cost;
+        self.by(&pivoting, pivoting.name(), parts)
+    }
+
+    fn by(
+        &self,
+        solver: &dyn InterfaceSolver,
+        name: &'static str,
+        increments: usize,
+    ) -> Option<Difference> {
+        let target = &self.history.steps[self.index];
+        let mut walk = Walk::new(self.start.clone());
+        for part in 1..=increments {
+            let part = part as f64 / increments as f64;
+            let multipliers = self
+                .history
+                .multipliers(self.index, self.start, target, part);
+            walk.advance(self.problem, solver, false, &multipliers)
+                .ok()?;
+        }
+        Some(self.difference(&walk.state, name, increments))
+    }
+
+    fn difference(
+        &self,
+        other: &ContactState,
+        solver: &'static str,
+        increments: usize,
+    ) -> Difference {
+        let state = &self.record.state;
+        let points = self.problem.points().iter().enumerate();
+        let (mut peak, mut other_peak, mut traction) = (0.0_f64, 0.0_f64, 0.0_f64);
+        for (k, point) in points {
+            peak = peak.max(state.normal_force(k) / point.area);
+            other_peak = other_peak.max(other.normal_force(k) / point.area);
+            let normal = other.normal_force(k) - state.normal_force(k);
+            let tangential = other.tangential_force(k) - state.tangential_force(k);
+            traction = traction.max(normal.abs().max(tangential.abs()) / point.area);
+        }
+        let over = |value: f64| if peak > 0.0 { value / peak } else { 0.0 };
+        Difference {
+            solver,
+            increments,
+            peak_pressure: over(other_peak - peak),
+            traction: over(traction),
+        }
+    }
+}

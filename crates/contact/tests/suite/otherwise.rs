@@ -1,0 +1,94 @@
+//! Load steps walked again by another solver or in smaller increments.
+
+use stickslip_contact::history::Otherwise;
+use stickslip_contact::solver::{FailureCause, Step, StepFailure, StepSolution, Work};
+use stickslip_contact::{
+    InterfaceSolver, LoadHistory, Pivoting, Ramp, SemismoothNewton, StepRecord,
+};
+
+use crate::scaling::disk;
+
+/// Newton, but for increments of more than `most` of the second load.
+#[derive(Debug)]
+struct Reluctant {
+    most: f64,
+}
+
+impl InterfaceSolver for Reluctant {
+    fn name(&self) -> &'static str {
+        "reluctant"
+    }
+
+    fn solve(&self, step: &Step<'_>) -> Result<StepSolution, StepFailure> {
+        let change = step.multipliers()[1] - step.committed.multipliers[1];
+        if change.abs() > self.most {
+            let cause = FailureCause::Limit(0);
+            return Err(StepFailure::new(self.name(), cause, Work::default()));
+        }
+        SemismoothNewton::default().solve(step)
+    }
+}
+
+const START: [f64; 2] = [-2.0, 0.0];
+const END: [f64; 2] = [-1.5, 0.8];
+
+fn walk(solver: &dyn InterfaceSolver) -> (Vec<StepRecord>, Vec<Otherwise>) {
+    let problem = disk(1.0, 1.0);
+    let steps = vec![START.to_vec(), END.to_vec()];
+    let history = LoadHistory::new(steps, 1, Ramp::Linear).unwrap();
+    let records = history.follow(&problem, solver, |_| {}).unwrap();
+    let otherwise = history.walked_otherwise(&problem, solver, &records);
+    (records, otherwise)
+}
+
+/// The largest force at the end where `parts` load steps lead to it.
+fn peak_in(solver: &dyn InterfaceSolver, parts: usize) -> f64 {
+    let between = |part: usize| {
+        let part = part as f64 / parts as f64;
+        (0..2)
+            .map(|k| (1.0 - part) * START[k] + part * END[k])
+            .collect()
+    };
+    let history = LoadHistory::new((0..=parts).map(between).collect(), 1, Ramp::Linear).unwrap();
+    peak(&history.follow(&disk(1.0, 1.0), solver, |_| {}).unwrap())
+}
+
+fn peak(records: &[StepRecord]) -> f64 {
+    let forces = &records[records.len() - 1].state.forces;
+    forces.iter().step_by(2).copied().fold(0.0, f64::max)
+}
+
+/// The size of a cut-back is what the same step changes by in twice as many increments, and by another solver in one.
+#[test]
+fn a_cut_back_is_measured() {
+    let (cut, otherwise) = walk(&Reluctant { most: 0.5 });
+    assert_eq!((cut[1].cutbacks, cut[1].increments), (1, 2));
+    assert_eq!(otherwise[0].finer, None);
+    let finer = otherwise[1].finer.unwrap();
+    assert_eq!((finer.solver, finer.increments), ("reluctant", 4));
+    let expected = peak_in(&SemismoothNewton::default(), 4) / peak(&cut) - 1.0;
+    assert!(
+        (finer.peak_pressure - expected).abs() < 1e-12,
+        "{finer:?} {expected}"
+    );
+    assert!(finer.is_distinct() && finer.traction > 1e-4, "{finer:?}");
+    let whole = otherwise[1].other_solver.unwrap();
+    assert_eq!((whole.solver, whole.increments), ("pivoting", 1));
+    let expected = peak_in(&Pivoting::default(), 1) / peak(&cut) - 1.0;
+    assert!(
+        (whole.peak_pressure - expected).abs() < 1e-12,
+        "{whole:?} {expected}"
+    );
+}
+
+/// Below the bound of uniqueness nothing is asked.
+#[test]
+fn nothing_is_asked_where_the_answer_is_one() {
+    let (records, otherwise) = walk(&SemismoothNewton::default());
+    assert!(
+        records
+            .iter()
+            .all(|record| record.cutbacks == 0 && record.coefficient > 0.0)
+    );
+    assert_eq!(otherwise, vec![Otherwise::default(); 2]);
+}

@@ -1,0 +1,144 @@
+//! Whether the mesh resolves a contact.
+//!
+//! Contact that reaches over fewer than two element edges has 2p nodes or less, p being the order of the edge. The peak pressure of
+//! a pin's small contact is then off by up to 80 % on linear and 65 % on quadratic elements (by 6 % with one node more), and contact
+//! on a single node has a pressure in inverse proportion to the spacing, and no half-angle.
+
+use super::{EdgeGeometry, EdgeResults};
+
+/// Part of the largest pressure from which a run of touching nodes matters.
+const CARRIES: f64 = 0.1;
+
+impl EdgeGeometry {
+    /// Number of nodes over two element edges, which a contact must touch to be resolved.
+    pub fn nodes_to_resolve(&self) -> usize {
+        let linear = self.corner.iter().all(|&corner| corner);
+        if linear { 3 } else { 5 }
+    }
+}
+
+impl EdgeResults {
+    /// Number of nodes in the shortest run of touching nodes of the whole edge, among runs that carry a tenth of the largest pressure
+    /// somewhere; `None` where nothing touches or the edge is no contact. `geometry` is the edge's own.
+    pub fn fewest_contact_nodes(&self, geometry: &EdgeGeometry) -> Option<usize> {
+        if !geometry.contact {
+            return None;
+        }
+        let whole = self.whole(geometry);
+        let count = whole.len();
+        let largest = whole.iter().copied().flatten().fold(0.0, f64::max);
+        // A run across the place where a closed walk starts is counted from an open node before it.
+        let start = match geometry.closed() {
+            Some(_) => whole.iter().position(Option::is_none).unwrap_or(0),
+            None => 0,
+        };
+        let walk: Vec<Option<f64>> = (0..count).map(|k| whole[(start + k) % count]).collect();
+        let runs = walk.split(Option::is_none);
+        let carrying = runs.filter(|run| run.iter().flatten().any(|&p| p >= CARRIES * largest));
+        carrying.map(<[_]>::len).filter(|&nodes| nodes > 0).min()
+    }
+
+    /// Whether each part of the contact touches two element edges at least; `None` where nothing touches.
+    pub fn is_resolved(&self, geometry: &EdgeGeometry) -> Option<bool> {
+        let nodes = self.fewest_contact_nodes(geometry)?;
+        Some(nodes >= geometry.nodes_to_resolve())
+    }
+
+    /// Pressure of each node of the whole edge in walk order, `None` at open ones; of a half the mirror image comes first.
+    fn whole(&self, geometry: &EdgeGeometry) -> Vec<Option<f64>> {
+        let own: Vec<Option<f64>> = (self.rows.iter())
+            .map(|row| row.status.touches().then_some(row.pressure))
+            .collect();
+        if !geometry.half {
+            return own;
+        }
+        // A node on the line of symmetry is its own image.
+        let on_axis = |k: usize| {
+            let place = geometry.parameter[k];
+            place == 0.0
+                || geometry
+                    .closed()
+                    .is_some_and(|length| place >= 0.5 * length * (1.0 - 1e-9))
+        };
+        let images = (0..own.len()).rev().filter(|&k| !on_axis(k));
+        images.map(|k| own[k]).chain(own.iter().copied()).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use stickslip_contact::Status;
+
+    use super::super::{EdgeKind, EdgeRow};
+    use super::*;
+
+    fn fewest(half: bool, closed: bool, pressures: &[f64]) -> Option<usize> {
+        let last = (pressures.len() - 1) as f64;
+        let parameter = (0..pressures.len()).map(|k| {
+            let part = k as f64 / last;
+            if half {
+                part * std::f64::consts::PI
+            } else {
+                part * 6.0 - 3.0
+            }
+        });
+        let geometry = EdgeGeometry {
+            name: String::new(),
+            contact: true,
+            body: String::new(),
+            kind: if closed {
+                EdgeKind::Circle {
+                    centre: [0.0; 2],
+                    radius: 1.0,
+                }
+            } else {
+                EdgeKind::Line
+            },
+            parameter: parameter.collect(),
+            corner: vec![true; pressures.len()],
+            half,
+            bearing_area: None,
+            law: String::new(),
+        };
+        let row = |&pressure: &f64| EdgeRow {
+            pressure,
+            shear: 0.0,
+            gap: 0.0,
+            slip: 0.0,
+            status: if pressure > 0.0 {
+                Status::Stick
+            } else {
+                Status::Open
+            },
+            sigma_normal: 0.0,
+            sigma_tangential: 0.0,
+            tau: 0.0,
+        };
+        let edge = EdgeResults {
+            rows: pressures.iter().map(row).collect(),
+            zones: Vec::new(),
+            contact_half_extent: None,
+            stick_half_extent: None,
+            peak_pressure: None,
+            peak_hoop: None,
+            peak_hoop_uncertainty: None,
+            hoop_at_bearing_point: None,
+            resultant: [0.0; 2],
+            friction_force: 0.0,
+            normal_force: 0.0,
+        };
+        edge.fewest_contact_nodes(&geometry)
+    }
+
+    #[test]
+    fn runs_are_those_of_the_whole_edge() {
+        assert_eq!(fewest(false, false, &[0.0; 5]), None);
+        assert_eq!(fewest(false, false, &[1.0, 0.0, 2.0, 2.0, 0.0]), Some(1));
+        assert_eq!(fewest(false, true, &[1.0, 0.0, 2.0, 2.0, 1.0]), Some(4));
+        assert_eq!(fewest(true, true, &[1.0, 0.5, 0.0, 0.0, 0.0]), Some(3));
+        assert_eq!(fewest(true, true, &[0.0, 0.0, 0.0, 1.0, 1.0]), Some(3));
+        assert_eq!(fewest(true, true, &[1.0, 1.0, 1.0]), Some(4));
+        // A touch of next to nothing beside a wide contact.
+        assert_eq!(fewest(false, false, &[0.01, 0.0, 2.0, 2.0, 1.0]), Some(3));
+    }
+}

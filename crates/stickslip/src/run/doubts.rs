@@ -1,0 +1,133 @@
+//! What limits the trust in an answer: rounding, a mesh too coarse for the contact, other answers of equal right.
+
+use stickslip_contact::StepRecord;
+use stickslip_contact::history::Difference;
+
+use super::remarks::{quoted, steps_where};
+use crate::model::Model;
+use crate::results::{EdgeGeometry, EdgeResults, StepResults};
+
+/// Relative imbalance that ordinary rounding does not reach.
+const BALANCED: f64 = 1e-8;
+
+/// Remarks on the load steps `steps` of `model`.
+pub(super) fn of_steps(model: &Model, steps: &[StepResults]) -> Vec<String> {
+    let edges = model.edges.iter().enumerate();
+    (cut_back(steps).into_iter())
+        .chain(other_solver(steps))
+        .chain(unbalanced(steps))
+        .chain(edges.filter_map(|(index, edge)| unresolved(&edge.geometry, index, steps)))
+        .collect()
+}
+
+/// Says where the increment was cut back, and what that changed.
+fn cut_back(steps: &[StepResults]) -> Option<String> {
+    let which = steps_where(steps, |step| step.cutbacks > 0)?;
+    let told = format!("The increment was cut back in load step {which}.");
+    let finer = |step: &StepResults| step.notes.otherwise.finer;
+    let Some((step, most)) = largest(steps, finer) else {
+        // Without friction no answer depends on the path.
+        let rubs = steps
+            .iter()
+            .any(|step| step.cutbacks > 0 && step.notes.friction > 0.0);
+        let unknown = " Whether that changed the answer is not known: smaller equal increments were not solved.";
+        return Some(if rubs { told + unknown } else { told });
+    };
+    if !most.is_distinct() {
+        return Some(told + " That changed nothing: smaller increments give the same answer.");
+    }
+    Some(format!(
+        "{told} The answer depends on the path: in {} equal increments the largest pressure of load step {step} changes by {}, \
+         tractions by up to {} of it.",
+        most.increments,
+        percent(most.peak_pressure),
+        percent(most.traction),
+    ))
+}
+
+/// Says where another solver finds another answer.
+fn other_solver(steps: &[StepResults]) -> Option<String> {
+    let other = |step: &StepResults| step.notes.otherwise.other_solver;
+    let which = steps_where(steps, |step| {
+        other(step).is_some_and(|other| other.is_distinct())
+    })?;
+    let (step, most) = largest(steps, other)?;
+    Some(format!(
+        "The answer depends on the solver in load step {which}: from the same state before the step, {} finds another one that meets \
+         all contact conditions. In load step {step} its largest pressure differs by {}, tractions by up to {} of it.",
+        most.solver,
+        percent(most.peak_pressure),
+        percent(most.traction),
+    ))
+}
+
+/// The step, counted from 1, in which tractions differ most, and its difference.
+fn largest(
+    steps: &[StepResults],
+    of: impl Fn(&StepResults) -> Option<Difference>,
+) -> Option<(usize, Difference)> {
+    let all = steps.iter().enumerate();
+    let known = all.filter_map(|(index, step)| Some((index + 1, of(step)?)));
+    known.max_by(|a, b| a.1.traction.total_cmp(&b.1.traction).then(b.0.cmp(&a.0)))
+}
+
+/// A part in percent with two digits.
+fn percent(part: f64) -> String {
+    let value = 100.0 * part;
+    let size = value.abs();
+    let digits = if size > 0.0 && size < 10.0 {
+        (1.0 - size.log10().floor()).clamp(0.0, 8.0) as usize
+    } else {
+        0
+    };
+    format!("{value:.digits$} %")
+}
+
+/// Says where rounding shows in the balance of forces.
+fn unbalanced(steps: &[StepResults]) -> Option<String> {
+    let which = steps_where(steps, |step| {
+        step.balance_residual.is_nan() || step.balance_residual > BALANCED
+    })?;
+    let worst = steps
+        .iter()
+        .fold(0.0_f64, |worst, step| worst.max(step.balance_residual));
+    Some(format!(
+        "Forces balance to {worst:.1e} of the load only in load step {which}, where {BALANCED:.0e} is usual: rounding has taken digits \
+         from the results, which may be off by thirty times that part. Cells many times longer than wide, bodies many times longer \
+         than their contact, and thermal strains far above those of the load cause it."
+    ))
+}
+
+/// Says where contact on an edge reaches over too few nodes.
+fn unresolved(geometry: &EdgeGeometry, index: usize, steps: &[StepResults]) -> Option<String> {
+    let edge = |step: &StepResults| -> Option<usize> {
+        let edge: &EdgeResults = &step.edges[index];
+        edge.fewest_contact_nodes(geometry)
+            .filter(|_| edge.is_resolved(geometry) == Some(false))
+    };
+    let which = steps_where(steps, |step| edge(step).is_some())?;
+    let fewest = steps.iter().filter_map(edge).min()?;
+    let nodes = if fewest == 1 { "node" } else { "nodes" };
+    Some(format!(
+        "The mesh does not resolve contact '{}' in load step {which}: it touches along less than two element edges, at fewest at {fewest} \
+         {nodes}. Its peak pressure, half-width and stresses nearby depend on the mesh; its resultant holds. Reduce mesh.spacing.",
+        geometry.name
+    ))
+}
+
+/// Says where contact leaves open gaps undetermined.
+pub(super) fn of_looseness(model: &Model, records: &[StepRecord]) -> Vec<String> {
+    let note = |index: usize| {
+        let which = steps_where(records, |record| record.loose.contains(&index))?;
+        let pair = &model.pairs[index];
+        let bodies = [pair.first, pair.second].map(|body| &*model.bodies[body].name);
+        Some(format!(
+            "In an increment of load step {which} contact '{}' touches at too few points to hold {} against a rigid motion that \
+             changes no force: COPEN, displacements and what closes next are one of many answers of equal right, and so is what \
+             follows from them.",
+            pair.name,
+            quoted(bodies.into_iter())
+        ))
+    };
+    (0..model.pairs.len()).filter_map(note).collect()
+}
