@@ -324,11 +324,7 @@ fn reported(
     notes.extend(remarks::of_steps(scene, model, &steps));
     notes.extend(doubts::of_steps(model, &steps));
     notes.extend(remarks::of_freedom(model, &solved.problem));
-    notes.extend(doubts::of_looseness(
-        model,
-        &solved.problem,
-        &solved.records,
-    ));
+    notes.extend(doubts::of_looseness(model, &solved.records));
     let mut choices = model.choices.clone();
     choices.push(solver_choice(scene.analysis.solver));
     let operators = solved.operators.iter();

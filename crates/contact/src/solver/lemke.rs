@@ -33,8 +33,6 @@ pub(super) fn pivot_operations(order: usize) -> u64 {
 const NEGLIGIBLE: f64 = 1e-10;
 /// The same for values of basic variables, whose ties decide.
 const ROUNDING: f64 = 1e-12;
-/// What is left of values that cancel, relative to the largest of their column: of closed gaps, say.
-const CANCELLED: f64 = 1e-15;
 
 impl Dictionary {
     /// Row of the first basic variable to vanish as the non-basic one of `column` grows; `None` on a ray.
@@ -42,9 +40,7 @@ impl Dictionary {
         let largest = self.table.column(column).amax();
         let falling = |row: &usize| self.table[(*row, column)] < -NEGLIGIBLE * largest;
         let rows: Vec<usize> = (0..self.basic.len()).filter(falling).collect();
-        let size = self.table.column(0).amax();
-        let mut first =
-            self.first_to_vanish(rows, column, size, |row| self.table[(row, 0)].max(0.0));
+        let mut first = self.first_to_vanish(rows, column, |row| self.table[(row, 0)].max(0.0));
         if let Some(&row) = first.iter().find(|&&row| self.basic[row] == 0) {
             return Some(row);
         }
@@ -55,8 +51,7 @@ impl Dictionary {
             // Coefficient of ε^(power + 1) in the basic variables: the perturbation goes with the w of that index.
             let variable = 1 + power;
             let place = self.nonbasic.iter().position(|&other| other == variable);
-            let size = place.map_or(1.0, |position| self.table.column(position + 1).amax());
-            first = self.first_to_vanish(first, column, size, |row| match place {
+            first = self.first_to_vanish(first, column, |row| match place {
                 Some(position) => -self.table[(row, position + 1)],
                 None if self.basic[row] == variable => 1.0,
                 None => 0.0,
@@ -69,23 +64,20 @@ impl Dictionary {
             .min_by(|&a, &b| slope(a).total_cmp(&slope(b)))
     }
 
-    /// Those of `rows` for which value / −slope is least, up to rounding of the values (Harris 1973), which are differences of
-    /// numbers as large as `size`.
+    /// Those of `rows` for which value / −slope is least, up to rounding of the values (Harris 1973).
     fn first_to_vanish(
         &self,
         rows: Vec<usize>,
         column: usize,
-        size: f64,
         value: impl Fn(usize) -> f64,
     ) -> Vec<usize> {
         let largest = rows
             .iter()
             .fold(0.0, |largest: f64, &row| largest.max(value(row).abs()));
-        let slack = (ROUNDING * largest).max(CANCELLED * size);
         let time = |row: usize, slack: f64| (value(row) + slack) / -self.table[(row, column)];
-        let limit = rows
-            .iter()
-            .fold(f64::INFINITY, |least, &row| least.min(time(row, slack)));
+        let limit = rows.iter().fold(f64::INFINITY, |least, &row| {
+            least.min(time(row, ROUNDING * largest))
+        });
         rows.into_iter()
             .filter(|&row| time(row, 0.0) <= limit)
             .collect()
