@@ -23,7 +23,7 @@ fn solve(text: &str, name: &str, changes: &[&str]) -> Result<Results, RunError> 
 ///
 /// # Panics
 /// Without such a scene, and where it is refused or not solved.
-pub fn solved(name: &str, changes: &[&str]) -> Results {
+pub(crate) fn solved(name: &str, changes: &[&str]) -> Results {
     solve(&text(name), name, changes).unwrap_or_else(|cause| panic!("{name} {changes:?}: {cause}"))
 }
 
@@ -31,7 +31,7 @@ pub fn solved(name: &str, changes: &[&str]) -> Results {
 ///
 /// # Panics
 /// As [`solved`].
-pub fn scaled(name: &str, length: f64, modulus: f64) -> Results {
+pub(crate) fn scaled(name: &str, length: f64, modulus: f64) -> Results {
     let mut scene: Value =
         serde_json::from_str(&text(name)).unwrap_or_else(|cause| panic!("{name}: {cause}"));
     scale(&mut scene, length, modulus);
