@@ -13,8 +13,6 @@
 //! μ < 1/ρ(|N|),   ρ: spectral radius.
 //! ```
 //!
-//! Rigid motions that no normal resists, such as the turn of a round body, are held where they are.
-//!
 //! For one point this is A_nn/|A_nt| = k_t/|k_c| with K = [[k_t, k_c], [k_c, k_n]], the exact bound (Klarbring 1990). For more
 //! it is an estimate: sticking neighbours and points that open change the round trip, in either direction.
 
@@ -32,13 +30,28 @@ pub const NEAR_BOUND: f64 = 0.8;
 /// point; open points carry nothing) has one solution. Infinite if normal and tangential directions are not coupled; `None` if
 /// no point touches, or if the touching points do not hold the bodies.
 pub fn uniqueness_bound(problem: &InterfaceProblem, status: &[Status]) -> Option<f64> {
+    estimate(problem, status, None)
+}
+
+/// The same where rigid motions that no normal resists, such as the turn of a round body, are held where they are: a hint whether to
+/// look for other solutions, where friction alone holds them.
+pub(crate) fn bound_with_turns_held(problem: &InterfaceProblem, status: &[Status]) -> Option<f64> {
+    let normals = (0..problem.points().len()).map(|k| 2 * k);
+    estimate(problem, status, FreeMotions::of(problem, normals))
+}
+
+fn estimate(
+    problem: &InterfaceProblem,
+    status: &[Status],
+    held: Option<FreeMotions>,
+) -> Option<f64> {
     let touching: Vec<usize> = (0..problem.points().len())
         .filter(|&k| status.get(k).is_some_and(|status| status.touches()))
         .collect();
     if touching.is_empty() {
         return None;
     }
-    let coupling = normal_response(problem, &touching)?.abs();
+    let coupling = normal_response(problem, &touching, held)?.abs();
     let radius = spectral_radius(&coupling);
     Some(if radius > 0.0 {
         1.0 / radius
@@ -48,24 +61,28 @@ pub fn uniqueness_bound(problem: &InterfaceProblem, status: &[Status]) -> Option
 }
 
 /// N, rows: normal forces of the points `touching`; columns: tangential ones, zero where a point cannot slide.
-fn normal_response(problem: &InterfaceProblem, touching: &[usize]) -> Option<DMatrix<f64>> {
+fn normal_response(
+    problem: &InterfaceProblem,
+    touching: &[usize],
+    held: Option<FreeMotions>,
+) -> Option<DMatrix<f64>> {
     let (compliance, modes) = (problem.compliance(), problem.modes());
     let unit = problem.compliance_unit();
     let (count, rigid) = (touching.len(), modes.ncols());
-    let held = |row: usize| (0..rigid).map(move |mode| modes[(row, mode)]);
+    let motions = |row: usize| (0..rigid).map(move |mode| modes[(row, mode)]);
     let mut matrix = DMatrix::zeros(count + rigid, count + rigid);
     for (i, &k) in touching.iter().enumerate() {
         for (j, &l) in touching.iter().enumerate() {
             matrix[(i, j)] = compliance[(2 * k, 2 * l)] / unit;
         }
-        for (mode, value) in held(2 * k).enumerate() {
+        for (mode, value) in motions(2 * k).enumerate() {
             matrix[(i, count + mode)] = value;
             matrix[(count + mode, i)] = value;
         }
     }
-    if let Some(free) = FreeMotions::of(problem, (0..problem.points().len()).map(|k| 2 * k)) {
+    if let Some(free) = held {
         let mut corner = matrix.view_mut((count, count), (rigid, rigid));
-        corner += &free.projector;
+        corner += free.projector;
     }
     let factors = DenseLu::new(matrix).ok()?;
     let mut response = DMatrix::zeros(count, count);
@@ -76,7 +93,7 @@ fn normal_response(problem: &InterfaceProblem, touching: &[usize]) -> Option<DMa
         let along = touching
             .iter()
             .map(|&k| compliance[(2 * k, 2 * l + 1)] / unit);
-        let mut column = DVector::from_iterator(count + rigid, along.chain(held(2 * l + 1)));
+        let mut column = DVector::from_iterator(count + rigid, along.chain(motions(2 * l + 1)));
         factors.solve(&mut column);
         response.set_column(j, &column.rows(0, count));
     }

@@ -6,10 +6,10 @@ use super::{LoadHistory, StepRecord, Walk};
 use crate::problem::InterfaceProblem;
 use crate::solver::{InterfaceSolver, Pivoting, SemismoothNewton};
 use crate::state::ContactState;
-use crate::uniqueness::{NEAR_BOUND, uniqueness_bound};
+use crate::uniqueness::{NEAR_BOUND, bound_with_turns_held};
 
 /// Floating-point operations of pivoting that all comparisons of a history may take.
-const EFFORT: f64 = 1e9;
+const EFFORT: f64 = 5e8;
 /// Number of increments up to which a step that was cut back is walked again in twice as many.
 const MANY: usize = 32;
 /// Number of touching points up to which the bound of uniqueness is estimated for each step.
@@ -57,7 +57,14 @@ impl LoadHistory {
         solver: &dyn InterfaceSolver,
         records: &[StepRecord],
     ) -> Vec<Otherwise> {
-        let estimate = records.iter().find_map(|record| record.uniqueness);
+        let touching = |record: &&StepRecord| {
+            let status = record.state.status.iter();
+            status.filter(|status| status.touches()).count()
+        };
+        let rubbing = records.iter().filter(|record| record.coefficient > 0.0);
+        let estimate = rubbing
+            .max_by_key(touching)
+            .and_then(|record| bound_with_turns_held(problem, &record.state.status));
         let unloaded = ContactState::unloaded(problem);
         let mut effort = EFFORT;
         let mut all = Vec::with_capacity(records.len());
@@ -100,7 +107,7 @@ fn may_have_several(
     let status = &record.state.status;
     let few = status.iter().filter(|status| status.touches()).count() <= FEW;
     let bound = if few {
-        uniqueness_bound(problem, status)
+        bound_with_turns_held(problem, status)
     } else {
         estimate
     };

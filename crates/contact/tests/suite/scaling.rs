@@ -2,8 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 use stickslip_contact::{
-    Chain, ContactPair, ContactPoint, ContactState, InterfaceProblem, InterfaceSolver, LoadHistory,
-    Pivoting, Ramp, SemismoothNewton, StepRecord, uniqueness_bound,
+    Chain, ContactPair, ContactPoint, InterfaceProblem, InterfaceSolver, LoadHistory, Pivoting,
+    Ramp, SemismoothNewton, StepRecord,
 };
 use stickslip_fem_core::{GivenBody, RigidBody};
 
@@ -118,21 +118,4 @@ fn powers_of_two_change_no_bit() {
             }
         }
     }
-}
-
-/// The estimate of the bound of uniqueness has no unit. The turn of the disk, which no normal resists, does not hide it.
-#[test]
-fn the_bound_of_uniqueness_has_no_unit() {
-    let bound = |length, force| {
-        let problem = disk(length, force);
-        let records = follow(&problem, &Chain::default());
-        uniqueness_bound(&problem, &records[1].state.status).unwrap()
-    };
-    let one = bound(1.0, 1.0);
-    assert!(one > 0.1 && one.is_finite(), "{one}");
-    for (length, force) in [(1e6, 1e-6), (1e-6, 1e6)] {
-        assert!((bound(length, force) / one - 1.0).abs() < 1e-11);
-    }
-    let untouched = ContactState::unloaded(&disk(1.0, 1.0));
-    assert_eq!(uniqueness_bound(&disk(1.0, 1.0), &untouched.status), None);
 }
