@@ -62,9 +62,10 @@ impl LoadHistory {
             status.filter(|status| status.touches()).count()
         };
         let rubbing = records.iter().filter(|record| record.coefficient > 0.0);
-        let estimate = rubbing
-            .max_by_key(touching)
-            .and_then(|record| bound_with_turns_held(problem, &record.state.status));
+        let estimate = rubbing.max_by_key(touching).and_then(|record| {
+            let held = || bound_with_turns_held(problem, &record.state.status);
+            record.uniqueness.or_else(held)
+        });
         let unloaded = ContactState::unloaded(problem);
         let mut effort = EFFORT;
         let mut all = Vec::with_capacity(records.len());
