@@ -61,12 +61,12 @@ fn size_and_stiffness_change_no_answer() {
     }
 }
 
-/// Factors that are powers of two change no digit.
+/// Factors that are powers of four change no digit; those of two only those that roots in the factorisation round.
 #[test]
-fn powers_of_two_change_no_bit() {
+fn powers_of_four_change_no_bit() {
     for name in SCENES {
         let reference = solved(name, &[]);
-        for (length, modulus) in [(10, 0), (-10, 0), (0, 20), (0, -20), (7, -9)] {
+        for (length, modulus) in [(10, 0), (-10, 0), (0, 20), (0, -20), (8, -6)] {
             let [length, modulus] = [length, modulus].map(|power| 2.0_f64.powi(power));
             let other = scaled(name, length, modulus);
             let of = |values: Vec<f64>, factor: f64| -> Vec<u64> {
