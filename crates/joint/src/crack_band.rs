@@ -134,23 +134,57 @@ impl CrackBand {
         }
     }
 
-    /// Width of a row `[length]` below which a strength of `ply` would be raised, the largest of all: there a crack takes less than its
-    /// energy, unless strengths are [raised](Self::raising).
-    pub fn own_length(&self, ply: &Ply) -> f64 {
+    /// For every energy given, and every strength of `ply` that it scales: the name of the energy, as in [`FractureEnergies`], and the
+    /// width l₀ of a row `[length]` whose equivalent strength is the ply's own. Rows that are wider get less, narrower ones keep their own and take less than
+    /// the energy, unless strengths are [raised](Self::raising).
+    pub fn own_lengths(&self, ply: &Ply) -> impl Iterator<Item = (&'static str, f64)> {
+        let terms = self.terms(ply).into_iter();
+        terms.filter_map(|term| Some((term.name, term.times_square()? / term.own?.powi(2))))
+    }
+
+    /// The strengths that energies scale.
+    fn terms(&self, ply: &Ply) -> [Term; 5] {
         let (constants, own, energies) = (ply.constants(), ply.strengths(), &self.energies);
         let [fibre, matrix] = [self.degradation.fibre(), self.degradation.matrix()];
-        let length = |own: Option<f64>, energy: Option<f64>, modulus: f64, kept: f64| {
-            let (own, energy) = (own?, energy?);
-            Some(2.0 * modulus * energy / ((1.0 - kept) * own * own))
+        let term = |name, own, energy, modulus, kept| Term {
+            name,
+            own,
+            energy,
+            modulus,
+            kept,
         };
-        let lengths = [
-            length(own.xt, energies.fibre_tension, constants.e1, fibre),
-            length(own.xc, energies.fibre_compression, constants.e1, fibre),
-            length(own.yt, energies.matrix_tension, constants.e2, matrix),
-            length(own.yc, energies.matrix_compression, constants.e2, matrix),
-            length(own.s12, energies.shear, constants.g12, matrix),
-        ];
-        lengths.into_iter().flatten().fold(0.0, f64::max)
+        let FractureEnergies {
+            fibre_tension,
+            fibre_compression,
+            matrix_tension,
+            matrix_compression,
+            shear,
+        } = *energies;
+        [
+            term("fibre_tension", own.xt, fibre_tension, constants.e1, fibre),
+            term(
+                "fibre_compression",
+                own.xc,
+                fibre_compression,
+                constants.e1,
+                fibre,
+            ),
+            term(
+                "matrix_tension",
+                own.yt,
+                matrix_tension,
+                constants.e2,
+                matrix,
+            ),
+            term(
+                "matrix_compression",
+                own.yc,
+                matrix_compression,
+                constants.e2,
+                matrix,
+            ),
+            term("shear", own.s12, shear, constants.g12, matrix),
+        ]
     }
 
     /// `ply` with equivalent strengths for a row of the width `length` `[length]`.
@@ -159,24 +193,20 @@ impl CrackBand {
     /// [`CrackBandError::NotPositive`], [`CrackBandError::Ply`].
     pub fn ply(&self, ply: &Ply, length: f64) -> Result<Ply, CrackBandError> {
         positive("length", length)?;
-        let constants = *ply.constants();
-        let [fibre, matrix] = [self.degradation.fibre(), self.degradation.matrix()];
-        let equivalent = |own: Option<f64>, energy: Option<f64>, modulus: f64, kept: f64| {
-            let scaled =
-                energy.map(|energy| (2.0 * modulus * energy / ((1.0 - kept) * length)).sqrt());
-            let limit = if self.raises { f64::INFINITY } else { 1.0 };
-            own.map(|own| scaled.map_or(own, |scaled| scaled.min(limit * own)))
-        };
-        let (own, energies) = (ply.strengths(), &self.energies);
+        let limit = if self.raises { f64::INFINITY } else { 1.0 };
+        let [xt, xc, yt, yc, s12] = self.terms(ply).map(|term| {
+            let scaled = term.times_square().map(|square| (square / length).sqrt());
+            (term.own).map(|own| scaled.map_or(own, |scaled| scaled.min(limit * own)))
+        });
         let strengths = Strengths {
-            xt: equivalent(own.xt, energies.fibre_tension, constants.e1, fibre),
-            xc: equivalent(own.xc, energies.fibre_compression, constants.e1, fibre),
-            yt: equivalent(own.yt, energies.matrix_tension, constants.e2, matrix),
-            yc: equivalent(own.yc, energies.matrix_compression, constants.e2, matrix),
-            s12: equivalent(own.s12, energies.shear, constants.g12, matrix),
-            ..*own
+            xt,
+            xc,
+            yt,
+            yc,
+            s12,
+            ..*ply.strengths()
         };
-        Ok(Ply::new(ply.name(), constants, strengths)?)
+        Ok(Ply::new(ply.name(), *ply.constants(), strengths)?)
     }
 
     /// `laminate` with equivalent strengths of all plies.
@@ -217,6 +247,22 @@ impl CrackBand {
             models.push(model);
         }
         Ok(models)
+    }
+}
+
+/// A strength and the energy that scales it.
+struct Term {
+    name: &'static str,
+    own: Option<f64>,
+    energy: Option<f64>,
+    modulus: f64,
+    kept: f64,
+}
+
+impl Term {
+    /// Row width times square of the equivalent strength, 2 E G/(1 − d).
+    fn times_square(&self) -> Option<f64> {
+        Some(2.0 * self.modulus * self.energy? / (1.0 - self.kept))
     }
 }
 

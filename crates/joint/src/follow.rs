@@ -164,8 +164,15 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
                         part = whole.min(2.0 * part);
                     }
                     smooth = cutbacks == 0;
+                    let severed = accepted.severed;
                     self.record((index, reached), accepted, cutbacks);
                     cutbacks = 0;
+                    if severed {
+                        return Ok(Some(Ending::Severed {
+                            step: index,
+                            reached,
+                        }));
+                    }
                     if driven && self.has_dropped() {
                         return Ok(Some(Ending::LoadDropped {
                             step: index,
@@ -207,11 +214,12 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
                 })?;
         }
         let solving = Solving::new(self.joint, &self.state, &self.starting, multipliers, manner);
-        let accepted = solving.run(self.solver, &mut self.factors)?;
-        if driven || accepted.passes == 0 {
+        let mut accepted = solving.run(self.solver, &mut self.factors)?;
+        if accepted.passes == 0 {
             return Ok(accepted);
         }
-        match self.check_path(&accepted) {
+        let kept = self.check_path(&mut accepted, driven);
+        match kept {
             Ok(()) => Ok(accepted),
             Err(cause) => Err(Refused {
                 cause,
@@ -220,8 +228,23 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
         }
     }
 
-    /// Refuses an increment whose failures cost the joint its load path.
-    fn check_path(&self, accepted: &Accepted) -> Result<(), Halt> {
+    /// Refuses an increment whose failures cost the joint its load path. Where supports are driven only one whose load is no less than
+    /// all before: otherwise the load has fallen, and the history ends with it.
+    fn check_path(&mut self, accepted: &mut Accepted, driven: bool) -> Result<(), Halt> {
+        if !driven {
+            self.check_stiffness(accepted)?;
+        }
+        eprintln!("load {} u {}", accepted.load, accepted.displacement);
+        accepted.severed = self
+            .joint
+            .is_severed(&accepted.state, self.solver, &mut self.factors);
+        if accepted.severed && !(driven && accepted.load < self.largest_load()) {
+            return Err(Halt::Severed);
+        }
+        Ok(())
+    }
+
+    fn check_stiffness(&self, accepted: &Accepted) -> Result<(), Halt> {
         let options = self.joint.options;
         // That of the increment itself, before plies failed.
         let before = accepted.events.first();
@@ -237,7 +260,8 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
         Ok(())
     }
 
-    fn record(&mut self, (step, reached): (usize, f64), accepted: Accepted, cutbacks: usize) {
+    fn record(&mut self, (step, reached): (usize, f64), mut accepted: Accepted, cutbacks: usize) {
+        self.report_at_borne_loads(&mut accepted);
         let mut contact = accepted.contact;
         contact.cutbacks = cutbacks;
         self.state = accepted.state;
@@ -262,6 +286,21 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
         self.counted = self.factors.factorisations;
         (self.observe)(&record, &self.state);
         self.records.push(record);
+    }
+
+    /// Plies fail in a trial state, whose load the joint does not reach where their failure costs it load: they are reported at the
+    /// largest load that it bore at either end of the increment, so that none fails above the peak.
+    fn report_at_borne_loads(&self, accepted: &mut Accepted) {
+        let last = self.records.last();
+        let [load, displacement] = last.map_or([0.0; 2], |last| [last.load, last.displacement]);
+        for event in &mut accepted.events {
+            if event.load > accepted.load.max(load) {
+                event.load = accepted.load.max(load);
+                if load > accepted.load {
+                    event.displacement = displacement;
+                }
+            }
+        }
     }
 
     fn largest_load(&self) -> f64 {

@@ -10,6 +10,7 @@
 //! once is linear between failures, so the state in which plies fail is an equilibrium. Nothing of the start is changed.
 
 mod accept;
+mod severed;
 mod solve;
 
 use std::sync::Arc;
@@ -39,6 +40,8 @@ pub(crate) struct Accepted {
     pub(crate) events: Vec<PlyEvent>,
     pub(crate) passes: usize,
     pub(crate) residuals: Vec<f64>,
+    /// Whether failed plies alone bear the load.
+    pub(crate) severed: bool,
 }
 
 /// An increment without an end, and what failed in it before it was given up.

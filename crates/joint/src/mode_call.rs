@@ -273,7 +273,7 @@ impl JointHistory {
         });
         let collapse: &[PlyEvent] = match &self.ending {
             Ending::NoEquilibrium { collapse, .. } => collapse,
-            Ending::Completed | Ending::LoadDropped { .. } => &[],
+            Ending::Completed | Ending::Severed { .. } | Ending::LoadDropped { .. } => &[],
         };
         let all = followed.chain(collapse.iter().map(|event| (event, true)));
         all.filter(|(event, _)| event.body == body && event.is_failure())

@@ -49,6 +49,13 @@ pub enum Ending {
         /// What failed in that increment before it was given up: how the joint comes apart.
         collapse: Vec<PlyEvent>,
     },
+    /// Supports were driven until the joint came apart: what it bears at the end is borne by what failed plies are left with alone.
+    Severed {
+        /// Index of the load step, from 0.
+        step: usize,
+        /// Part of it that was reached.
+        reached: f64,
+    },
     /// The load has fallen to the part of its peak at which a history ends.
     LoadDropped {
         /// Index of the load step, from 0.
@@ -97,8 +104,8 @@ impl JointHistory {
         None
     }
 
-    /// The largest load `[force]` that the joint bore, if the history shows that it cannot bear more: no equilibrium was found beyond, or
-    /// the load has fallen to the part of it at which a history ends. A dip is none: the load may climb again.
+    /// The largest load `[force]` that the joint bore, if the history shows that it cannot bear more: no equilibrium was found beyond,
+    /// the joint was severed, or the load has fallen to the part of it at which a history ends. A dip is none: the load may climb again.
     pub fn strength(&self) -> Option<f64> {
         let shown = !matches!(self.ending, Ending::Completed);
         shown.then(|| self.records[self.peak()].load)

@@ -85,6 +85,23 @@ impl Degradation {
         self.matrix
     }
 
+    /// Factors times `part`, as far as [`SMALLEST`](Self::SMALLEST): what is left where failed plies keep next to nothing. A factor of
+    /// 1 stays, because such a failure loses nothing.
+    #[must_use]
+    pub fn weakened(&self, part: f64) -> Self {
+        let weaken = |factor: f64| {
+            if factor < 1.0 {
+                factor.min((part * factor).max(Self::SMALLEST))
+            } else {
+                factor
+            }
+        };
+        Self {
+            fibre: weaken(self.fibre),
+            matrix: weaken(self.matrix),
+        }
+    }
+
     /// Stiffness `[stress]` in material axes of `ply` with `damage`.
     pub fn stiffness(&self, ply: &Ply, damage: Damage) -> PlaneStiffness {
         let (along, across) = match damage {

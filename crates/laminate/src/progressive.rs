@@ -27,6 +27,7 @@ pub use state::{LayerState, PointHistory, PointResponse, PointState};
 
 use std::fmt::Debug;
 
+use stickslip_fem_core::material::PlaneStiffness;
 use thiserror::Error;
 
 use crate::failure::FailureError;
@@ -110,6 +111,13 @@ pub trait PointModel: Debug + Send + Sync {
         strain: [f64; 3],
         temperature: f64,
     ) -> Result<PointResponse, ProgressiveError>;
+
+    /// Mean stiffness `[stress]` with the damage of `state`, if failed plies kept the part `part` in [0, 1] of what the model leaves
+    /// them; `None` for a model whose plies do not fail. What a body bears for any `part` it bears by what is sound.
+    fn weakened_stiffness(&self, state: &PointState, part: f64) -> Option<PlaneStiffness> {
+        let _ = (state, part);
+        None
+    }
 
     /// The state before any load: no strain, no stress, no damage. The residual stress of a cure is that of a first step to its
     /// temperature change and the laminate's free thermal strain

@@ -110,7 +110,7 @@ impl Solving<'_> {
     }
 
     /// Force of the supports along their unit displacements `motion`.
-    fn support_force(
+    pub(super) fn support_force(
         &self,
         linear: &Linear,
         index: usize,
@@ -189,6 +189,7 @@ impl Solving<'_> {
             events: self.events,
             passes: self.passes,
             residuals: self.residuals,
+            severed: false,
         }
     }
 

@@ -10,3 +10,4 @@ mod patch;
 mod pins;
 mod plasticity;
 mod plate;
+mod severed;

@@ -12,7 +12,7 @@
 //! The energy dissipated is per volume: in a body it shrinks with the elements in which the damage gathers, so the load at which a
 //! structure fails depends on its mesh.
 
-use stickslip_fem_core::material::apply;
+use stickslip_fem_core::material::{PlaneStiffness, apply};
 
 use super::state::{Assembly, LayerResponse, elastic_strain, energy};
 use super::{PointModel, PointResponse, PointState, ProgressiveError, check_step};
@@ -118,5 +118,19 @@ impl PointModel for PlyDiscount {
             assembly.add(layer.1, &share);
         }
         Ok(assembly.finish())
+    }
+
+    fn weakened_stiffness(&self, state: &PointState, part: f64) -> Option<PlaneStiffness> {
+        let degradation = self.degradation.weakened(part);
+        let mut sum = [[0.0; 3]; 3];
+        for (layer, own) in self.laminate.layers().iter().zip(&state.layers) {
+            let fraction = layer.ply().thickness() / self.laminate.thickness();
+            let stiffness = degradation.stiffness(layer.ply(), own.damage);
+            let stiffness = layer.laminate_stiffness(&stiffness);
+            for (total, term) in sum.iter_mut().flatten().zip(stiffness.iter().flatten()) {
+                *total += fraction * term;
+            }
+        }
+        Some(sum)
     }
 }

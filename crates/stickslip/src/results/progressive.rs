@@ -30,6 +30,8 @@ pub struct ProgressiveFailure {
     pub cells: usize,
     /// Whether half of a symmetric joint was followed.
     pub half: bool,
+    /// What the scene asks for and the followed joint has less of, one sentence each.
+    pub notes: Vec<String>,
 }
 
 /// A joint whose plies never fail.
@@ -95,6 +97,8 @@ pub enum ProgressiveEnd {
     Completed,
     /// The load fell as far as the scene asks.
     Dropped,
+    /// The joint came apart: what it still bears is borne by what failed plies are left with alone.
+    Severed,
     /// No equilibrium near was found beyond; the reason.
     NoEquilibrium(String),
 }

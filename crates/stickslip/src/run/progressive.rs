@@ -5,6 +5,7 @@
 //! that of the pin's centre against the far end of the plate.
 
 mod edge;
+mod notes;
 mod words;
 
 use std::borrow::Cow;
@@ -281,7 +282,7 @@ impl<'a> Subject<'a> {
         });
         let cells = self.mesh(model).map_or(0, Mesh::element_count);
         ProgressiveFailure {
-            model: words::model(self, scene, model),
+            model: words::model(self, scene),
             control: words::control(self.asked, scene),
             curve: curve.collect(),
             peak: history.peak(),
@@ -289,6 +290,7 @@ impl<'a> Subject<'a> {
             end: match &history.ending {
                 Ending::Completed => ProgressiveEnd::Completed,
                 Ending::LoadDropped { .. } => ProgressiveEnd::Dropped,
+                Ending::Severed { .. } => ProgressiveEnd::Severed,
                 Ending::NoEquilibrium { cause, .. } => {
                     ProgressiveEnd::NoEquilibrium(cause.to_string())
                 }
@@ -299,6 +301,7 @@ impl<'a> Subject<'a> {
             edge: Vec::new(),
             cells,
             half: model.half,
+            notes: notes::of(self, scene, model),
         }
     }
 

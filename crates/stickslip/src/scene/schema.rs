@@ -215,6 +215,16 @@ pub enum Axis {
     Y,
 }
 
+impl Axis {
+    /// As scenes write it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::X => "x",
+            Self::Y => "y",
+        }
+    }
+}
+
 /// Some of the axes.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Axes {

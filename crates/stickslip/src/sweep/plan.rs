@@ -135,7 +135,7 @@ impl Sweep {
         texts.join(", ")
     }
 
-    /// The scene of a case, without fields, figures, envelopes and progressive failure, which a sweep does not keep.
+    /// The scene of a case, without fields, figures and envelopes, which a sweep does not keep.
     ///
     /// # Errors
     /// [`SceneError`] where these values do not make a scene together.
@@ -146,7 +146,6 @@ impl Sweep {
         scene.output.figures = false;
         if let Some(failure) = &mut scene.failure {
             failure.envelopes = None;
-            failure.progressive = None;
         }
         Ok(scene)
     }

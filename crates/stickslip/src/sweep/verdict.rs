@@ -44,6 +44,10 @@ pub fn verdict(sweep: &Sweep, rows: &[Row]) -> String {
             rows.len()
         ));
     }
+    let asked = sweep.scene.failure.as_ref();
+    if asked.is_some_and(|failure| failure.envelopes.is_some()) {
+        sentences.push("A sweep draws none of the scene's failure.envelopes.".to_owned());
+    }
     sentences.join(" ")
 }
 

@@ -163,3 +163,29 @@ fn what_an_axis_needs_is_named() {
     let found = refusal(&text);
     assert!(found.contains("bodies.plate.shape"), "{found}");
 }
+
+/// A sweep follows no joint: a scene, or a value of an axis, that asks for it is refused at its line.
+#[test]
+fn progressive_failure_is_refused() {
+    let folder = folder_with(SWEEP);
+    let joint = folder.path().join("joint.toml");
+    let mut text = std::fs::read_to_string(&joint).unwrap();
+    text.push_str("\n[failure.progressive]\nmodel.ply_discount = { fibre = 0.01, matrix = 0.1 }\n");
+    std::fs::write(&joint, text).unwrap();
+    let error = Sweep::from_file(&folder.path().join("sweep.toml"), &[COARSE]).unwrap_err();
+    let found = error.findings()[0].summary();
+    assert_eq!(found.line, Some(3));
+    assert!(
+        found.message.contains("failure.progressive"),
+        "{}",
+        found.message
+    );
+    assert!(found.help.unwrap().contains("delete failure.progressive"));
+    let axis = "\"failure.progressive.model\"";
+    let models = "[{ ply_discount = { fibre = 0.01, matrix = 0.1 } }, { plasticity = { hardening = \"1 GPa\" } }]";
+    says(
+        &SWEEP.replace("\"mu\"", axis).replace("[0, 0.3]", models),
+        9,
+        &["failure.progressive", "delete"],
+    );
+}

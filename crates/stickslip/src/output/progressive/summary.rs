@@ -20,6 +20,7 @@ pub(crate) struct Progressive<'a> {
     end_reason: Option<&'a str>,
     edge_departures_deg: Vec<[Option<f64>; 2]>,
     curve: Vec<Point>,
+    notes: &'a [String],
 }
 
 #[derive(Debug, Serialize)]
@@ -69,6 +70,7 @@ pub(crate) fn progressive<'a>(view: &ProgressiveView<'a>) -> Progressive<'a> {
     let (end, end_reason) = match &own.end {
         ProgressiveEnd::Completed => ("completed", None),
         ProgressiveEnd::Dropped => ("load dropped", None),
+        ProgressiveEnd::Severed => ("severed", None),
         ProgressiveEnd::NoEquilibrium(cause) => ("no equilibrium", Some(cause.as_str())),
     };
     Progressive {
@@ -94,6 +96,7 @@ pub(crate) fn progressive<'a>(view: &ProgressiveView<'a>) -> Progressive<'a> {
             .map(|range| range.map(|angle| tidy(angle.to_degrees())))
             .collect(),
         curve: own.curve.iter().map(point).collect(),
+        notes: &own.notes,
     }
 }
 

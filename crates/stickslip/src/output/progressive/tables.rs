@@ -130,10 +130,14 @@ pub(crate) fn verdict(view: &ProgressiveView<'_>) -> Vec<String> {
         ProgressiveEnd::Dropped => {
             "The history ends because the load has fallen as far as the scene asks.".to_owned()
         }
+        ProgressiveEnd::Severed => {
+            "The history ends because the joint is severed: what it still bears is borne by what failed plies are left with alone.".to_owned()
+        }
         ProgressiveEnd::NoEquilibrium(cause) => {
             format!("The history ends where no equilibrium near was found: {cause}.")
         }
     });
+    sentences.extend(own.notes.iter().cloned());
     sentences.push(
         "Plies are asked at the quadrature points here, inside the cells; the table of first-ply failure asks at the nodes, on the edge too."
             .to_owned(),

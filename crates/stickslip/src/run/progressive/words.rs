@@ -1,14 +1,11 @@
 //! How a joint was followed, in words.
 
-use stickslip_fem_core::QuadraturePoints;
-
-use super::{Subject, crack_band};
-use crate::model::Model;
+use super::Subject;
 use crate::scene::Scene;
-use crate::scene::schema::{Axis, Control, Progressive, ProgressiveModel};
+use crate::scene::schema::{Control, Progressive, ProgressiveModel};
 
 /// How plies lose stiffness.
-pub(super) fn model(subject: &Subject<'_>, scene: &Scene, model: &Model) -> String {
+pub(super) fn model(subject: &Subject<'_>, scene: &Scene) -> String {
     match &subject.asked.model {
         ProgressiveModel::PlyDiscount {
             criterion,
@@ -18,7 +15,10 @@ pub(super) fn model(subject: &Subject<'_>, scene: &Scene, model: &Model) -> Stri
             criterion.name(),
             degradation.fibre(),
             degradation.matrix(),
-            bands(subject, scene, model).unwrap_or_default()
+            subject
+                .asked
+                .crack_band
+                .map_or("", |_| ", strengths by fracture energies")
         ),
         ProgressiveModel::Plasticity { hardening } => {
             let layers = subject.sheet.laminate.layers();
@@ -32,42 +32,22 @@ pub(super) fn model(subject: &Subject<'_>, scene: &Scene, model: &Model) -> Stri
     }
 }
 
-/// Crack bands, and where they are cut off.
-fn bands(subject: &Subject<'_>, scene: &Scene, model: &Model) -> Option<String> {
-    let ProgressiveModel::PlyDiscount { degradation, .. } = &subject.asked.model else {
-        return None;
-    };
-    let mesh = subject.mesh(model)?;
-    let band = crack_band(subject.asked.crack_band?, *degradation, mesh).ok()?;
-    let plies = subject.sheet.laminate.layers().iter();
-    let own = plies.map(|layer| band.own_length(layer.ply()));
-    let own = own.fold(0.0, f64::max);
-    let points = QuadraturePoints::of(mesh);
-    let cells = points.cell_count();
-    let small = (0..cells).filter(|&cell| band.width() * points.cell_area(cell).sqrt() < own);
-    let small = small.count();
-    Some(if small == 0 {
-        ", strengths by fracture energies".to_owned()
-    } else {
-        format!(
-            ", strengths by fracture energies (in {small} of {cells} cells a row is thinner than {}: there some keep the ply's own, and a crack takes \
-             less energy)",
-            scene.display.length.show(own)
-        )
-    })
-}
-
 /// What is raised.
 pub(super) fn control(asked: &Progressive, scene: &Scene) -> String {
     match &asked.control {
         Control::Loads { .. } => "the scene's loads".to_owned(),
         Control::Displacement { on, axis, end, .. } => {
-            let axis = match axis {
-                Axis::X => "x",
-                Axis::Y => "y",
+            let replaced: Vec<String> = (scene.loads.iter())
+                .map(|load| format!("'{}'", load.name))
+                .collect();
+            let replaced = if replaced.is_empty() {
+                String::new()
+            } else {
+                format!(", in place of {}", replaced.join(", "))
             };
             format!(
-                "{on} driven along {axis} to {}",
+                "{on} driven along {} to {}{replaced}",
+                axis.name(),
                 scene.display.length.show(*end)
             )
         }

@@ -274,6 +274,7 @@ impl Builder<'_> {
         let key = child(table, "on");
         let on = self.set(&key, &given.on, Fits::EdgesAndPoints)?;
         self.can_be_driven(&key, &on, given.axis, around);
+        self.nothing_else_loads(&key, &on, given.axis, around);
         let away = if on.body == body { 1.0 } else { -1.0 };
         if given.axis == Axis::X && given.end.value() * away > 0.0 {
             let message = format!(
@@ -289,6 +290,40 @@ impl Builder<'_> {
             increments: given.increments,
             drop: given.drop,
         })
+    }
+
+    /// A drive takes the place of what loads the driven set along its axis, and leaves no room for other loads.
+    fn nothing_else_loads(
+        &mut self,
+        key: &str,
+        on: &SetRef,
+        axis: Axis,
+        around: &Surroundings<'_>,
+    ) {
+        // Loads that cannot be read leave the others without their number.
+        if !self.findings.is_empty() {
+            return;
+        }
+        let beside =
+            (around.loads.iter().enumerate()).find(|(_, load)| !is_replaced(load, on, axis));
+        if let Some((index, load)) = beside {
+            let along = axis.name();
+            let message = format!(
+                "load '{}' does not act on {on} along {along}: a drive replaces the load on the driven set along its axis, and applies no other",
+                load.name
+            );
+            let remedy = format!(
+                "delete loads.{index}, or raise all loads in their proportion: failure.progressive.control.loads = {{}}"
+            );
+            self.conflict(key, message, remedy);
+        }
+        let own = |support: &&Support| support.displacement != 0.0 && support.on == *on;
+        if around.supports.iter().any(|support| own(&support)) {
+            let message = format!(
+                "a support on {on} has a displacement of its own, which a drive does not apply"
+            );
+            self.conflict(key, message, "delete the displacement of that support");
+        }
     }
 
     fn can_be_driven(&mut self, key: &str, on: &SetRef, axis: Axis, around: &Surroundings<'_>) {
@@ -327,4 +362,23 @@ impl Builder<'_> {
             self.conflict(key, message, "drive one edge, and hold the others in place");
         }
     }
+}
+
+/// Whether driving `on` along `axis` takes the place of `load`.
+fn is_replaced(load: &Load, on: &SetRef, axis: Axis) -> bool {
+    /// Rounding of a unit vector.
+    const ACROSS: f64 = 1e-12;
+    let LoadKind::Force {
+        on: loaded,
+        direction: [x, y],
+        ..
+    } = &load.kind
+    else {
+        return false;
+    };
+    let across = match axis {
+        Axis::X => y,
+        Axis::Y => x,
+    };
+    loaded == on && across.abs() <= ACROSS
 }

@@ -5,6 +5,23 @@ use crate::diagnostic::{SceneError, SceneProblem, nearest};
 use crate::scene::document::{Document, Part};
 use crate::sweep::format::JointFormat;
 
+/// Refuses a scene whose joint would have to be followed: a sweep solves contact and asks plies, and follows no failure.
+pub(super) fn follows_nothing(
+    scene: &Scene,
+    document: &Document,
+    key: &str,
+) -> Result<(), SceneError> {
+    let asked = scene.failure.as_ref();
+    if asked.is_none_or(|failure| failure.progressive.is_none()) {
+        return Ok(());
+    }
+    let problem = SceneProblem::Conflict {
+        message: "the scene asks for failure.progressive, which a sweep does not follow".to_owned(),
+        remedy: "delete failure.progressive from the scene, or run its cases one by one: `stickslip run` with --set".to_owned(),
+    };
+    Err(document.error(key, Part::Value, problem))
+}
+
 /// Index of the joint's contact.
 pub(super) fn contact(
     scene: &Scene,

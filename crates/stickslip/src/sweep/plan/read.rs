@@ -36,6 +36,7 @@ pub(super) fn sweep(
     })?;
     let base = base(&document, &read.scene, folder, overrides)?;
     let scene = base.scene(&[])?;
+    joint::follows_nothing(&scene, &document, "scene")?;
     let axes = axes(&document, &read.axes)?;
     let contact = joint::contact(&scene, &read.joint, &document)?;
     let criterion = joint::criterion(&scene, &read.joint, &document)?;
@@ -300,8 +301,13 @@ fn map(
 fn check(sweep: &Sweep) -> Result<(), SceneError> {
     for (index, axis) in sweep.axes.iter().enumerate() {
         for value in 0..axis.values.len() {
-            let Err(alone) = sweep.scene_with(&[(index, value)]) else {
-                continue;
+            let alone = match sweep.scene_with(&[(index, value)]) {
+                Ok(scene) => {
+                    let place = place_of(&sweep.document, &format!("axes.{index}"), value);
+                    joint::follows_nothing(&scene, &sweep.document, &place)?;
+                    continue;
+                }
+                Err(alone) => alone,
             };
             let with = |others: fn(usize) -> usize| {
                 let chosen = sweep.axes.iter().enumerate().map(|(other, axis)| {

@@ -1,0 +1,155 @@
+//! Whether a joint still holds without what its failed plies are left with.
+//!
+//! ```text
+//! K(r) u = f + Bᵀ λ  with contact,      K(r): failed plies keep the part r of what their model leaves them
+//! holds       f · u and the force of driven supports stay of their size as r → 0
+//! severed     f · u grows like 1/r, the force of driven supports falls like r
+//! ```
+//!
+//! A model leaves failed plies some stiffness so that equations can be solved. A joint that bears its load by it alone has no load path:
+//! what it bears grows with the displacement for ever, and is a number about the factors that the model was given. Whether it does is a
+//! limit, which knows neither the size of the cells nor that of the factors; one solve at a very small r finds it. Material that is crushed is
+//! pressed together and keeps what its model leaves it, so bearing severs nothing.
+
+use stickslip_contact::InterfaceSolver;
+use stickslip_fem_core::material::apply;
+use stickslip_fem_core::points::strains;
+
+use super::{Linear, Manner, Part, Solving};
+use crate::body::{ProgressiveBody, Response};
+use crate::energy::Station;
+use crate::joint::Joint;
+use crate::operator::Factors;
+use crate::state::{BodyState, JointState};
+
+/// r.
+const PART: f64 = 1e-5;
+/// By how much the work of the loads grows, or the force of driven supports falls, where a joint is severed. At r a severed joint's grows
+/// by 1/r times the part of it that failed rows have, which is more than this where they have a thousandth.
+const FACTOR: f64 = 10.0;
+/// Largest principal stress, as a part of the magnitude of the smallest, up to which a point is pressed together.
+const PRESSED: f64 = 0.5;
+
+impl Joint {
+    /// Whether the joint in the equilibrium `state` holds by what failed plies are left with alone; false where contact finds no
+    /// solution without it. Counts its factorisations in `factors`.
+    pub(crate) fn is_severed(
+        &self,
+        state: &JointState,
+        solver: &dyn InterfaceSolver,
+        factors: &mut Factors,
+    ) -> bool {
+        let mut starting = Vec::with_capacity(self.bodies.len());
+        for (body, state) in self.bodies.iter().zip(&state.bodies) {
+            let response = body.progressive().map(|body| weakened(body, state));
+            if response.as_ref().is_some_and(Option::is_none) {
+                return false;
+            }
+            starting.push(response.flatten());
+        }
+        let manner = Manner {
+            quickly: true,
+            burst: usize::MAX,
+            peak: f64::INFINITY,
+            sound: f64::INFINITY,
+        };
+        let mut solving = Solving::new(self, state, &starting, &state.multipliers, manner);
+        // The joint's own factors are those of the next iterations.
+        let mut own = Factors::new(self.bodies.len());
+        let solved = solving.linearised(solver, &mut own, None);
+        factors.factorisations += own.factorisations;
+        match solved {
+            Ok(linear) => solving.has_lost(&linear),
+            Err(cause) => {
+                eprintln!("severed check: {cause}");
+                false
+            }
+        }
+    }
+}
+
+impl Solving<'_> {
+    /// Whether the loads' work or the driven supports' force has left the size that it has at the start.
+    fn has_lost(&self, linear: &Linear) -> bool {
+        let displaced = |displacements: &[Vec<f64>]| {
+            let bodies = displacements.iter().map(|u| BodyState {
+                displacements: u.clone(),
+                ..BodyState::default()
+            });
+            bodies.collect::<Vec<_>>()
+        };
+        let still: Vec<Vec<f64>> = (linear.displacements.iter())
+            .map(|u| vec![0.0; u.len()])
+            .collect();
+        let station = |bodies, rigid| Station {
+            multipliers: self.multipliers.to_vec(),
+            rigid,
+            bodies,
+        };
+        let rest = station(displaced(&still), 0.0 * &linear.solution.trial.rigid);
+        let end = station(
+            displaced(&linear.displacements),
+            linear.solution.trial.rigid.clone(),
+        );
+        let start = Station::of(self.start);
+        let work = |end: &Station| rest.work(self.joint, &linear.problem, end);
+        let (mut held, mut scale, mut driven) = (0.0, work(&start).abs(), 0.0);
+        for (index, body) in self.joint.bodies.iter().enumerate() {
+            let Some(motion) = &self.joint.support_motion[index] else {
+                continue;
+            };
+            let internal = match &self.parts[index] {
+                Part::History(working) => {
+                    let strain = strains(working.body.body().mesh(), &linear.displacements[index]);
+                    let tangents = working.response.tangents.iter();
+                    let stress: Vec<[f64; 3]> = (tangents.zip(&strain))
+                        .map(|(tangent, strain)| apply(tangent, *strain))
+                        .collect();
+                    working.body.internal_forces(&stress)
+                }
+                Part::Linear(_) => {
+                    let Some((body, _)) = body.elements() else {
+                        continue;
+                    };
+                    stickslip_fem_core::body::internal_forces(body, &linear.displacements[index])
+                }
+            };
+            let drive = self.joint.drive(index, self.multipliers);
+            held += drive * self.support_force(linear, index, motion, &internal);
+            driven += drive * self.start.bodies[index].support_force;
+        }
+        scale += driven.abs();
+        eprintln!(
+            "severed check: work {:.3e} scale {scale:.3e} ratio {:.3} ; driven {:.3e} -> {:.3e} ratio {:.4}",
+            work(&end),
+            work(&end) / scale,
+            driven,
+            held,
+            held / driven
+        );
+        work(&end) > FACTOR * scale || (driven > 0.0 && FACTOR * held < driven)
+    }
+}
+
+/// A body whose failed plies keep next to nothing, save where they are pressed together; `None` where its model has no such plies.
+fn weakened(body: &ProgressiveBody, state: &BodyState) -> Option<Response> {
+    let tangents = (state.points.iter().zip(&state.stress).enumerate())
+        .map(|(point, (own, stress))| {
+            let part = if is_pressed(*stress) { 1.0 } else { PART };
+            body.model(point).weakened_stiffness(own, part)
+        })
+        .collect::<Option<Vec<_>>>()?;
+    let nothing = vec![[0.0; 3]; tangents.len()];
+    Some(Response {
+        strain: nothing.clone(),
+        stress: nothing,
+        tangents,
+        trial: Vec::new(),
+    })
+}
+
+/// Whether the stress (xx, yy, xy) presses together more than it pulls apart.
+fn is_pressed([xx, yy, xy]: [f64; 3]) -> bool {
+    let (mean, radius) = (f64::midpoint(xx, yy), (0.5 * (xx - yy)).hypot(xy));
+    mean - radius < 0.0 && mean + radius <= PRESSED * (radius - mean)
+}
