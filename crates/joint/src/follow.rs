@@ -218,8 +218,7 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
         if accepted.passes == 0 {
             return Ok(accepted);
         }
-        let kept = self.check_path(&mut accepted, driven);
-        match kept {
+        match self.check_path(&mut accepted, driven) {
             Ok(()) => Ok(accepted),
             Err(cause) => Err(Refused {
                 cause,
@@ -234,7 +233,6 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
         if !driven {
             self.check_stiffness(accepted)?;
         }
-        eprintln!("load {} u {}", accepted.load, accepted.displacement);
         accepted.severed = self
             .joint
             .is_severed(&accepted.state, self.solver, &mut self.factors);

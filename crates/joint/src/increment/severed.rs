@@ -11,13 +11,14 @@
 //! limit, which knows neither the size of the cells nor that of the factors; one solve at a very small r finds it. Material that is crushed is
 //! pressed together and keeps what its model leaves it, so bearing severs nothing.
 
+use nalgebra::DVector;
 use stickslip_contact::InterfaceSolver;
+use stickslip_fem_core::body::internal_forces;
 use stickslip_fem_core::material::apply;
 use stickslip_fem_core::points::strains;
 
 use super::{Linear, Manner, Part, Solving};
-use crate::body::{ProgressiveBody, Response};
-use crate::energy::Station;
+use crate::body::{JointBody, ProgressiveBody, Response};
 use crate::joint::Joint;
 use crate::operator::Factors;
 use crate::state::{BodyState, JointState};
@@ -58,76 +59,58 @@ impl Joint {
         let mut own = Factors::new(self.bodies.len());
         let solved = solving.linearised(solver, &mut own, None);
         factors.factorisations += own.factorisations;
-        match solved {
-            Ok(linear) => solving.has_lost(&linear),
-            Err(cause) => {
-                eprintln!("severed check: {cause}");
-                false
-            }
-        }
+        solved.is_ok_and(|linear| solving.has_lost(&linear))
     }
 }
 
 impl Solving<'_> {
-    /// Whether the loads' work or the driven supports' force has left the size that it has at the start.
+    /// Whether the work of the loads, or the force of driven supports, has left the size that it has at the start.
     fn has_lost(&self, linear: &Linear) -> bool {
-        let displaced = |displacements: &[Vec<f64>]| {
-            let bodies = displacements.iter().map(|u| BodyState {
-                displacements: u.clone(),
-                ..BodyState::default()
-            });
-            bodies.collect::<Vec<_>>()
-        };
-        let still: Vec<Vec<f64>> = (linear.displacements.iter())
-            .map(|u| vec![0.0; u.len()])
-            .collect();
-        let station = |bodies, rigid| Station {
-            multipliers: self.multipliers.to_vec(),
-            rigid,
-            bodies,
-        };
-        let rest = station(displaced(&still), 0.0 * &linear.solution.trial.rigid);
-        let end = station(
-            displaced(&linear.displacements),
-            linear.solution.trial.rigid.clone(),
-        );
-        let start = Station::of(self.start);
-        let work = |end: &Station| rest.work(self.joint, &linear.problem, end);
-        let (mut held, mut scale, mut driven) = (0.0, work(&start).abs(), 0.0);
-        for (index, body) in self.joint.bodies.iter().enumerate() {
-            let Some(motion) = &self.joint.support_motion[index] else {
-                continue;
-            };
-            let internal = match &self.parts[index] {
-                Part::History(working) => {
-                    let strain = strains(working.body.body().mesh(), &linear.displacements[index]);
-                    let tangents = working.response.tangents.iter();
-                    let stress: Vec<[f64; 3]> = (tangents.zip(&strain))
-                        .map(|(tangent, strain)| apply(tangent, *strain))
-                        .collect();
-                    working.body.internal_forces(&stress)
-                }
-                Part::Linear(_) => {
-                    let Some((body, _)) = body.elements() else {
-                        continue;
-                    };
-                    stickslip_fem_core::body::internal_forces(body, &linear.displacements[index])
-                }
-            };
-            let drive = self.joint.drive(index, self.multipliers);
-            held += drive * self.support_force(linear, index, motion, &internal);
-            driven += drive * self.start.bodies[index].support_force;
+        let start = self.start.bodies.iter();
+        let start: Vec<&[f64]> = start.map(|body| body.displacements.as_slice()).collect();
+        let end: Vec<&[f64]> = linear.displacements.iter().map(Vec::as_slice).collect();
+        let before = self.work_of_loads(linear, &start, &self.start.contact.rigid);
+        let after = self.work_of_loads(linear, &end, &linear.solution.trial.rigid);
+        let (mut driven, mut held) = (0.0, 0.0);
+        for (index, motion) in self.joint.support_motion.iter().enumerate() {
+            if let Some(motion) = motion {
+                let drive = self.joint.drive(index, self.multipliers);
+                let internal = self.weakened_forces(index, end[index]);
+                driven += drive * self.start.bodies[index].support_force;
+                held += drive * self.support_force(linear, index, motion, &internal);
+            }
         }
-        scale += driven.abs();
-        eprintln!(
-            "severed check: work {:.3e} scale {scale:.3e} ratio {:.3} ; driven {:.3e} -> {:.3e} ratio {:.4}",
-            work(&end),
-            work(&end) / scale,
-            driven,
-            held,
-            held / driven
-        );
-        work(&end) > FACTOR * scale || (driven > 0.0 && FACTOR * held < driven)
+        after > FACTOR * (before.abs() + driven.abs()) || (driven > 0.0 && FACTOR * held < driven)
+    }
+
+    /// Work of the loads at their present size along the displacements `moved` of the bodies and the rigid motions `rigid`.
+    fn work_of_loads(&self, linear: &Linear, moved: &[&[f64]], rigid: &DVector<f64>) -> f64 {
+        let rigid_loads = linear.problem.mode_load(self.multipliers);
+        let of_body = |(index, body): (usize, &JointBody)| -> f64 {
+            if let JointBody::Rigid(_) = body {
+                let modes = linear.problem.body_modes(index);
+                return modes.map(|mode| rigid_loads[mode] * rigid[mode]).sum();
+            }
+            let loads = self.joint.nodal_loads(index, self.multipliers);
+            loads.iter().zip(moved[index]).map(|(f, u)| f * u).sum()
+        };
+        self.joint.bodies.iter().enumerate().map(of_body).sum()
+    }
+
+    /// Nodal forces `[force]` of body `index` under the displacements `moved`, its plies weakened.
+    fn weakened_forces(&self, index: usize, moved: &[f64]) -> Vec<f64> {
+        match (&self.parts[index], self.joint.bodies[index].elements()) {
+            (Part::History(working), _) => {
+                let strain = strains(working.body.body().mesh(), moved);
+                let tangents = working.response.tangents.iter();
+                let stress: Vec<[f64; 3]> = (tangents.zip(&strain))
+                    .map(|(tangent, strain)| apply(tangent, *strain))
+                    .collect();
+                working.body.internal_forces(&stress)
+            }
+            (Part::Linear(_), Some((body, _))) => internal_forces(body, moved),
+            (Part::Linear(_), None) => Vec::new(),
+        }
     }
 }
 
