@@ -27,7 +27,7 @@ use crate::state::{BodyState, JointState};
 const PART: f64 = 1e-5;
 /// By how much the work of the loads grows, or the force of driven supports falls, where a joint is severed. At r a severed joint's grows
 /// by 1/r times the part of it that failed rows have, which is more than this where they have a thousandth.
-const FACTOR: f64 = 10.0;
+const FACTOR: f64 = 100.0;
 /// Largest principal stress, as a part of the magnitude of the smallest, up to which a point is pressed together.
 const PRESSED: f64 = 0.5;
 
@@ -49,7 +49,7 @@ impl Joint {
             starting.push(response.flatten());
         }
         let manner = Manner {
-            quickly: true,
+            quickly: false,
             burst: usize::MAX,
             peak: f64::INFINITY,
             sound: f64::INFINITY,

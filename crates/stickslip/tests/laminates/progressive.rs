@@ -186,12 +186,7 @@ fn every_energy_says_on_which_cells_it_lowers_a_strength() {
     };
     said("fibre_tension", "has no effect");
     said("fibre_compression", "has no effect");
-    said("matrix_compression", "lowers strengths in");
-    let lowered = joint
-        .notes
-        .iter()
-        .any(|note| note.contains("matrix_tension"));
-    assert!(lowered, "{:?}", joint.notes);
+    said("matrix_tension", "lowers strengths in");
 }
 
 /// A joint with as much bypass as bearing load, under given loads, with `overrides`.
@@ -200,22 +195,35 @@ fn bypass(overrides: &[&str]) -> Scene {
     Scene::from_text(text, Format::Toml, "bypass.toml", Path::new(""), overrides).unwrap()
 }
 
-/// Once its net section is severed the plate bears on what broken plies keep: its strength does not depend on how much that is.
+/// Once its net section is severed the plate bears on what broken plies keep, here to 2872 N and more. Meshes of 5, 7.5 and 10° have it
+/// severed at 2070, 2066 and 2247 N; this one is coarser.
 #[test]
 fn a_severed_net_section_ends_the_strength() {
-    let strengths = ["0.01", "0.001"].map(|kept| {
-        let kept = format!("failure.progressive.model.ply_discount.fibre={kept}");
-        let results = run(&bypass(&["mesh.spacing=\"15 deg\"", &kept]), &mut |_| {}).unwrap();
-        let joint = results.failure[0].progressive.clone().unwrap();
-        let ProgressiveEnd::NoEquilibrium(reason) = &joint.end else {
-            panic!("{kept}: {:?}", joint.end);
-        };
-        println!("{kept}: {:?} N, {reason}", joint.strength);
-        assert_eq!(joint.mode.as_ref().unwrap().mode.name(), "net tension");
-        joint.strength.unwrap()
-    });
-    let [more, less] = strengths;
-    assert!((less / more - 1.0).abs() < 0.02, "{strengths:?}");
+    let results = run(&bypass(&["mesh.spacing=\"15 deg\""]), &mut |_| {}).unwrap();
+    let joint = results.failure[0].progressive.as_ref().unwrap();
+    let strength = joint.strength.unwrap();
+    println!("{strength:.0} N, {:?}", joint.end);
+    assert!((strength / 2070.0 - 1.0).abs() < 0.15, "{strength}");
+    let ProgressiveEnd::NoEquilibrium(reason) = &joint.end else {
+        panic!("{:?}", joint.end);
+    };
+    assert!(reason.contains("severed"), "{reason}");
+    assert_eq!(joint.mode.as_ref().unwrap().mode.name(), "net tension");
+}
+
+/// A drive that goes on beyond the net section's last fibres ends there, and not on a load that climbs again, to 1157 N.
+#[test]
+fn a_drive_ends_where_the_joint_is_severed() {
+    let overrides = [
+        "mesh.spacing=\"11.25 deg\"",
+        "failure.progressive.control.displacement.drop=1.0",
+    ];
+    let results = run(&scene("joint-net-tension.toml", &overrides), &mut |_| {}).unwrap();
+    let joint = results.failure[0].progressive.as_ref().unwrap();
+    assert_eq!(joint.end, ProgressiveEnd::Severed);
+    let last = joint.curve.last().unwrap();
+    assert!(last.load < 0.5 * joint.strength.unwrap());
+    assert!(joint.strength.unwrap() < 900.0, "{:?}", joint.strength);
 }
 
 #[test]
