@@ -177,8 +177,8 @@ pub enum Halt {
         /// Load per displacement, relative to the largest seen before.
         stiffness: f64,
     },
-    /// What is left of failed plies bears the load alone: without it there is no path from the supports to the loads.
-    #[error("the joint is severed: nothing but what failed plies are left with would bear more")]
+    /// Next to nothing but what failed plies are left with holds the joint: without it there is no path from the supports to the loads.
+    #[error("the joint is severed: it would bear more only by what failed plies are left with")]
     Severed,
     /// More plies fail at once than an increment should see.
     #[error("{failures} plies fail at once in one increment")]

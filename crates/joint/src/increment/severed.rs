@@ -25,9 +25,10 @@ use crate::state::{BodyState, JointState};
 
 /// r.
 const PART: f64 = 1e-5;
-/// By how much the work of the loads grows, or the force of driven supports falls, where a joint is severed. At r a severed joint's grows
-/// by 1/r times the part of it that failed rows have, which is more than this where they have a thousandth.
-const FACTOR: f64 = 100.0;
+/// By how much the work of the loads grows, or the force of driven supports falls, where a joint is severed: nine tenths of its stiffness
+/// are then what failed plies are left with. The work grows by 1/r times the part of it that failed rows have, so the choice of the factor matters
+/// only while a last shred is sound.
+const FACTOR: f64 = 10.0;
 /// Largest principal stress, as a part of the magnitude of the smallest, up to which a point is pressed together.
 const PRESSED: f64 = 0.5;
 
