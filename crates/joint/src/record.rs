@@ -49,7 +49,7 @@ pub enum Ending {
         /// What failed in that increment before it was given up: how the joint comes apart.
         collapse: Vec<PlyEvent>,
     },
-    /// Supports were driven until the joint came apart: what it bears at the end is borne by what failed plies are left with alone.
+    /// Supports were driven until the joint came apart: what it bears at the end is borne by what failed plies are left with.
     Severed {
         /// Index of the load step, from 0.
         step: usize,

@@ -33,7 +33,7 @@ const FACTOR: f64 = 10.0;
 const PRESSED: f64 = 0.5;
 
 impl Joint {
-    /// Whether the joint in the equilibrium `state` holds by what failed plies are left with alone; false where contact finds no
+    /// Whether the joint in the equilibrium `state` holds by what failed plies are left with; false where contact finds no
     /// solution without it. Counts its factorisations in `factors`.
     pub(crate) fn is_severed(
         &self,

@@ -97,7 +97,7 @@ pub enum ProgressiveEnd {
     Completed,
     /// The load fell as far as the scene asks.
     Dropped,
-    /// The joint came apart: what it still bears is borne by what failed plies are left with alone.
+    /// The joint came apart: what it still bears is borne by what failed plies are left with.
     Severed,
     /// No equilibrium near was found beyond; the reason.
     NoEquilibrium(String),

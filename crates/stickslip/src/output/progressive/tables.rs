@@ -131,7 +131,7 @@ pub(crate) fn verdict(view: &ProgressiveView<'_>) -> Vec<String> {
             "The history ends because the load has fallen as far as the scene asks.".to_owned()
         }
         ProgressiveEnd::Severed => {
-            "The history ends because the joint is severed: what it still bears is borne by what failed plies are left with alone.".to_owned()
+            "The history ends because the joint is severed: what it still bears is borne by what failed plies are left with.".to_owned()
         }
         ProgressiveEnd::NoEquilibrium(cause) => {
             format!("The history ends where no equilibrium near was found: {cause}.")
