@@ -167,14 +167,14 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
                     let severed = accepted.severed;
                     self.record((index, reached), accepted, cutbacks);
                     cutbacks = 0;
-                    if severed {
-                        return Ok(Some(Ending::Severed {
+                    if driven && self.has_dropped() {
+                        return Ok(Some(Ending::LoadDropped {
                             step: index,
                             reached,
                         }));
                     }
-                    if driven && self.has_dropped() {
-                        return Ok(Some(Ending::LoadDropped {
+                    if severed {
+                        return Ok(Some(Ending::Severed {
                             step: index,
                             reached,
                         }));
