@@ -90,9 +90,9 @@ fn torture(options: &Options) -> Result<bool, Trouble> {
         return replay(&options.replay);
     }
     let all = kinds(options);
-    let wanted =
-        |kind: &&Box<dyn Kind>| options.only.as_ref().is_none_or(|only| only == kind.name());
-    let chosen: Vec<&Box<dyn Kind>> = all.iter().filter(wanted).collect();
+    let all_kinds = all.iter().map(AsRef::as_ref);
+    let wanted = |kind: &&dyn Kind| options.only.as_ref().is_none_or(|only| only == kind.name());
+    let chosen: Vec<&dyn Kind> = all_kinds.filter(wanted).collect();
     if chosen.is_empty() {
         let names: Vec<&str> = all.iter().map(|kind| kind.name()).collect();
         return Err(format!(
@@ -111,8 +111,8 @@ fn torture(options: &Options) -> Result<bool, Trouble> {
         let share = options
             .minutes
             .map(|minutes| Duration::from_secs_f64(60.0 * minutes / chosen.len() as f64));
-        let (run, failures) = tried(kind.as_ref(), options, share);
-        print!("{}", run.markdown(kind.as_ref()));
+        let (run, failures) = tried(*kind, options, share);
+        print!("{}", run.markdown(*kind));
         clean &= keep(kind.name(), &failures, &options.output)?;
         record.put(kind.name(), run);
     }

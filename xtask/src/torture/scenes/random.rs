@@ -87,7 +87,7 @@ pub(super) fn scene(seed: u64) -> Value {
         Family::Line => draft.line_contact(),
         Family::Plain => draft.without_contact(),
     };
-    draft.finish(seed, mesh)
+    draft.finish(seed, &mesh)
 }
 
 impl Draft {
@@ -187,7 +187,7 @@ impl Draft {
         Some(failure)
     }
 
-    fn finish(mut self, seed: u64, mesh: Value) -> Value {
+    fn finish(mut self, seed: u64, mesh: &Value) -> Value {
         let fields = if self.draw.chance(0.05) {
             "last"
         } else {

@@ -18,7 +18,7 @@ const EXACT: f64 = 1e-7;
 /// The answer of `variant`, brought back by `back`, is that of `sample`.
 fn same(sample: &Sample, variant: &Value, back: impl Fn(Answer) -> Answer) -> Verdict {
     match solve(variant) {
-        Ok(other) => judge(sample, &other, back(Answer::of(&other.results))),
+        Ok(other) => judge(sample, &other, &back(Answer::of(&other.results))),
         Err(none) => missing(sample, &none),
     }
 }
@@ -32,8 +32,8 @@ fn missing(sample: &Sample, none: &NoAnswer) -> Verdict {
     }
 }
 
-fn judge(sample: &Sample, other: &Sample, answer: Answer) -> Verdict {
-    compare(sample, other, &Answer::of(&sample.results), &answer)
+fn judge(sample: &Sample, other: &Sample, answer: &Answer) -> Verdict {
+    compare(sample, other, &Answer::of(&sample.results), answer)
 }
 
 fn compare(sample: &Sample, other: &Sample, own: &Answer, answer: &Answer) -> Verdict {
@@ -200,13 +200,13 @@ pub(super) fn another_solver(sample: &Sample) -> Verdict {
     let mut scene = sample.value.clone();
     let own = scene["analysis"]["solver"].as_str().unwrap_or("auto");
     let other = match own {
-        "auto" | "newton" if sample.results.steps.len() % 2 == 0 => "status",
+        "auto" | "newton" if sample.results.steps.len().is_multiple_of(2) => "status",
         "auto" | "newton" => "pivoting",
         _ => "auto",
     };
     scene["analysis"]["solver"] = json!(other);
     match solve(&scene) {
-        Ok(found) => judge(sample, &found, Answer::of(&found.results)),
+        Ok(found) => judge(sample, &found, &Answer::of(&found.results)),
         Err(none) => Verdict::Unanswered(format!("{other}: {}", none.words())),
     }
 }

@@ -65,7 +65,7 @@ pub(super) fn turned(scene: &Value, quarters: u8) -> Value {
         turn_support(support, quarters);
     }
     for platen in list_mut(&mut scene, "platens") {
-        swap_axes(platen.get_mut("free"), quarters);
+        swap_axes(platen, "free", quarters);
     }
     for load in list_mut(&mut scene, "loads") {
         for kind in ["force", "bearing"] {
@@ -89,7 +89,7 @@ fn turn_support(support: &mut Value, quarters: u8) {
         return;
     }
     let along_y = support.pointer("/fix/0").and_then(Value::as_str) == Some("y");
-    swap_axes(support.get_mut("fix"), quarters);
+    swap_axes(support, "fix", quarters);
     // +x goes to +y, −x, −y; +y to −x, −y, +x.
     let reversed = if along_y {
         [false, true, true, false]
@@ -101,11 +101,11 @@ fn turn_support(support: &mut Value, quarters: u8) {
     }
 }
 
-fn swap_axes(axes: Option<&mut Value>, quarters: u8) {
-    if quarters % 2 == 0 {
+fn swap_axes(entry: &mut Value, key: &str, quarters: u8) {
+    if quarters.is_multiple_of(2) {
         return;
     }
-    if let Some(Value::Array(axes)) = axes {
+    if let Some(Value::Array(axes)) = entry.get_mut(key) {
         for axis in axes {
             *axis = if *axis == "x" { "y" } else { "x" }.into();
         }

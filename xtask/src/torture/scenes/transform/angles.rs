@@ -76,12 +76,13 @@ pub(super) fn negated_layup(layup: &str) -> String {
         while let Some(digit) = rest.next_if(|next| next.is_ascii_digit() || *next == '.') {
             number.push(digit);
         }
-        result += &match mark {
+        let negated = match mark {
             '±' => format!("-{number}/{number}"),
             '-' => number,
             _ if number == "0" => number,
             _ => format!("-{number}"),
         };
+        result.push_str(&negated);
     }
     result
 }
