@@ -25,6 +25,7 @@ use stickslip_fem_core::mesh::ElementKind;
 use stickslip_laboratory::LaboratoryError;
 use stickslip_laboratory::problems::Problem;
 use stickslip_report::FigureError;
+use stickslip_report::folder::FolderError;
 use thiserror::Error;
 
 use bench::{Bench, Cost, Quantity};
@@ -34,6 +35,8 @@ use figures::save;
 use methods::Method;
 use peers::PeerRun;
 use yardstick::Yardstick;
+
+use crate::publish::Published;
 
 /// What to chart.
 #[derive(Debug, Args)]
@@ -64,6 +67,9 @@ pub(crate) enum Trouble {
         path: PathBuf,
         cause: std::io::Error,
     },
+    /// The folder or a file in it could not be written.
+    #[error(transparent)]
+    Folder(#[from] FolderError),
     /// A table could not be read or written.
     #[error("{}: {cause}", path.display())]
     Csv { path: PathBuf, cause: csv::Error },
@@ -108,17 +114,13 @@ pub(crate) fn main(options: &Options) -> ExitCode {
 fn charts(options: &Options) -> Result<String, Trouble> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let committed = root.join("docs/charts");
-    let folder = options.output.clone().unwrap_or_else(|| {
-        if options.quick {
-            root.join("target/charts")
-        } else {
-            committed.clone()
-        }
-    });
-    std::fs::create_dir_all(&folder).map_err(|cause| Trouble::File {
-        path: folder.clone(),
-        cause,
-    })?;
+    let own = if options.quick {
+        root.join("target/charts")
+    } else {
+        committed.clone()
+    };
+    let mut folder =
+        Published::open(options.output.as_deref(), None)?.unwrap_or(Published::Own(own));
     // One thread, as the other programs were measured.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
     let start = Instant::now();
@@ -137,14 +139,12 @@ fn charts(options: &Options) -> Result<String, Trouble> {
         peers,
         elapsed,
     };
-    data::write(&folder, charts.bench.samples())?;
-    peers::write(&folder.join("peers.csv"), &charts.peers)?;
-    draw(&folder, &charts)?;
-    let page = text::page(&charts);
-    let path = folder.join("README.md");
-    std::fs::write(&path, &page).map_err(|cause| Trouble::File { path, cause })?;
+    folder.write("work-precision.csv", &data::csv(charts.bench.samples())?)?;
+    folder.write("peers.csv", &peers::csv(&charts.peers)?)?;
+    draw(&mut folder, &charts)?;
+    folder.write("README.md", text::page(&charts).as_bytes())?;
     unsolved(&charts.bench)?;
-    eprintln!("charts, data and page are in {}", folder.display());
+    eprintln!("charts, data and page are in {}", folder.path().display());
     Ok(text::short(&charts))
 }
 
@@ -186,7 +186,7 @@ fn unsolved(bench: &Bench) -> Result<(), Trouble> {
     })
 }
 
-fn draw(folder: &Path, charts: &Charts) -> Result<(), Trouble> {
+fn draw(folder: &mut Published, charts: &Charts) -> Result<(), Trouble> {
     let bench = &charts.bench;
     for problem in Problem::ALL {
         for (cost, ending) in [(Cost::Whole, ""), (Cost::Unknowns, "-unknowns")] {

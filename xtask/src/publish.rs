@@ -7,7 +7,7 @@ use std::time::Instant;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
-use stickslip_report::folder::write_atomic;
+use stickslip_report::folder::{FolderError, SharedFolder, write_atomic};
 use stickslip_report::raster::{DEFAULT_SCALE, to_png};
 use stickslip_report::svg::Svg;
 
@@ -51,8 +51,8 @@ pub(crate) fn main(
 ) -> ExitCode {
     let start = Instant::now();
     let outcome = study(options.quick).and_then(|publication| {
-        if let Some(folder) = folder(name, options) {
-            write(&publication, &folder)?;
+        if let Some(mut published) = published(name, options)? {
+            write(&publication, &mut published)?;
         }
         Ok(publication.findings)
     });
@@ -69,24 +69,67 @@ pub(crate) fn main(
     }
 }
 
-fn folder(name: &str, options: &Options) -> Option<PathBuf> {
-    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs");
-    let own = (!options.quick).then(|| docs.join(name));
-    options.output.clone().or(own)
+/// A folder that a task writes its files into.
+pub(crate) enum Published {
+    /// The task's own, below `docs` or `target`: its files are replaced.
+    Own(PathBuf),
+    /// One that the user named: nothing is replaced but what a task has written there.
+    Named(SharedFolder),
 }
 
-fn write(publication: &Publication, folder: &Path) -> Result<(), Trouble> {
-    std::fs::create_dir_all(folder)?;
+impl Published {
+    /// The folder that was `named`, otherwise the task's `own`, if it writes one.
+    pub(crate) fn open(
+        named: Option<&Path>,
+        own: Option<PathBuf>,
+    ) -> Result<Option<Self>, FolderError> {
+        match named {
+            Some(path) => Ok(Some(Self::Named(SharedFolder::open(path, |_| false)?))),
+            None => Ok(own.map(Self::Own)),
+        }
+    }
+
+    /// Where it is.
+    pub(crate) fn path(&self) -> PathBuf {
+        match self {
+            Self::Own(path) => path.clone(),
+            Self::Named(folder) => folder.file(""),
+        }
+    }
+
+    /// Writes a file whole or not at all.
+    pub(crate) fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), FolderError> {
+        match self {
+            Self::Own(path) => {
+                let unwritable = |cause| FolderError::Unwritable {
+                    path: path.clone(),
+                    cause,
+                };
+                std::fs::create_dir_all(&*path).map_err(unwritable)?;
+                write_atomic(&path.join(name), bytes)
+            }
+            Self::Named(folder) => folder.write(name, bytes),
+        }
+    }
+}
+
+fn published(name: &str, options: &Options) -> Result<Option<Published>, FolderError> {
+    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs");
+    let own = (!options.quick).then(|| docs.join(name));
+    Published::open(options.output.as_deref(), own)
+}
+
+fn write(publication: &Publication, folder: &mut Published) -> Result<(), Trouble> {
     for (name, bytes) in &publication.tables {
-        write_atomic(&folder.join(name), bytes)?;
+        folder.write(name, bytes)?;
     }
     for picture in &publication.pictures {
-        let path = folder.join(picture.name);
-        write_atomic(&path.with_extension("svg"), picture.svg.as_str().as_bytes())?;
+        let svg = picture.svg.as_str().as_bytes();
+        folder.write(&format!("{}.svg", picture.name), svg)?;
         let png = to_png(&picture.svg, DEFAULT_SCALE)?;
-        write_atomic(&path.with_extension("png"), &png)?;
+        folder.write(&format!("{}.png", picture.name), &png)?;
     }
-    write_atomic(&folder.join("README.md"), publication.page.as_bytes())?;
+    folder.write("README.md", publication.page.as_bytes())?;
     Ok(())
 }
 

@@ -34,6 +34,8 @@ use stickslip_report::svg::Svg;
 use outcome::Outcome;
 use row::Row;
 
+use crate::publish::Published;
+
 /// Why a study stopped.
 type Trouble = Box<dyn std::error::Error + Send + Sync>;
 
@@ -153,13 +155,15 @@ pub(crate) fn main(options: &Options) -> ExitCode {
             Err(trouble) => failures.push(format!("{}: {trouble}", study.name)),
         }
     }
-    let folder = options.output.clone().or_else(|| {
-        let all = !options.quick && options.only.is_none();
-        all.then(|| PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/stability")))
-    });
-    if let Some(folder) = folder
-        && let Err(trouble) = atlas::write(&folder, &results, options.only.is_none())
-    {
+    let all = !options.quick && options.only.is_none();
+    let own = all.then(|| PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/stability")));
+    let written = Published::open(options.output.as_deref(), own)
+        .map_err(Trouble::from)
+        .and_then(|folder| match folder {
+            Some(mut folder) => atlas::write(&mut folder, &results, options.only.is_none()),
+            None => Ok(()),
+        });
+    if let Err(trouble) = written {
         failures.push(trouble.to_string());
     }
     for failure in &failures {

@@ -58,7 +58,7 @@ pub use map::{Frame, PixelMap};
 pub use measured::measurement;
 pub use phase::{Phase, four_step};
 pub use plane::{Constant, KnownOrder, Plane, PlaneFit};
-pub use raster::{Format, Raster, decode, encode};
+pub use raster::{Format, Raster, decode, encode, size};
 pub use synthesis::{Depth, Exposure, four_pictures, orders, orders_of, picture};
 pub use unwrap::{Region, Residue, Unwrapped, unwrap};
 

@@ -1,37 +1,51 @@
 //! Result folders and files that appear whole or not at all.
 //!
 //! ```text
+//! create    put right what dead processes left; check that the target may be replaced
 //! write     everything into a hidden folder beside the target, synced to disk
-//! finish    move an old result aside, move the new one in, delete the old one
+//! finish    list the files, exchange the hidden folder with the old one, delete the old one's listed files
 //! drop      without `finish`: delete the hidden folder; the target is as before
 //! abandon   the same from another thread, for a handler of signals
 //! ```
 //!
-//! A rename within one folder is atomic on POSIX systems, so a reader sees the old
-//! files or the new ones, never a part. A process that is killed leaves a hidden
-//! folder `.NAME.partial-…`, which may be deleted; killed between the two renames of a
-//! replacement, it leaves the old results whole as `.NAME.old-…`.
+//! An exchange is one step of the file system, so a reader, and who comes after a crash, finds the old files or the new ones, never
+//! a part and never nothing. Where the system has no exchange, two renames stand for it, and the next [`ResultFolder::create`] puts
+//! the old results back if a process was killed between them.
+//!
+//! A results folder is owned by the list of its files, [`LIST`]: it is replaced only if it holds nothing else.
 
 mod error;
+mod hidden;
+mod owned;
+mod shared;
+mod swap;
 
+use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::io::{self, Write as _};
 use std::path::{Component, Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 pub use error::FolderError;
+pub use owned::LIST;
+use owned::{Contents, FileList, Kind};
+pub use shared::SharedFolder;
+use swap::SwapError;
 
-/// The file that makes a folder a result folder; [`ResultFolder::finish`] writes it.
+/// The file that says that results are complete; [`ResultFolder::finish`] writes it last.
 pub const MARKER: &str = "summary.json";
 
+/// Recognises results of versions that wrote no [`LIST`]: given the content of [`MARKER`], which files such results consist of, by
+/// their relative path; `None` if it is no summary of this program.
+pub type Older = fn(summary: &[u8]) -> Option<fn(&str) -> bool>;
+
 /// What to do with a result folder that is there already.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy)]
 pub enum Overwrite {
     /// Leave it and report an error.
     Refuse,
-    /// Replace it when the new results are complete.
-    Force,
+    /// Replace it when the new results are complete, if this program wrote all that is in it.
+    Force(Older),
 }
 
 /// A result folder being filled. Nothing is at its path before [`Self::finish`].
@@ -41,6 +55,9 @@ pub struct ResultFolder {
     staging: PathBuf,
     overwrite: Overwrite,
     stage: Arc<Mutex<Stage>>,
+    remarks: Vec<String>,
+    /// Says that the hidden folder is in use; `None` where the system has no locks.
+    _held: Option<File>,
 }
 
 /// Who may touch the hidden folder; it is locked as long as files are written.
@@ -100,23 +117,25 @@ impl ResultFolder {
     /// whether it can be written.
     ///
     /// # Errors
-    /// [`FolderError::Exists`], [`FolderError::NotResults`], [`FolderError::NotAFolder`] and
+    /// [`FolderError::Exists`], [`FolderError::Foreign`], [`FolderError::NotAFolder`] and
     /// [`FolderError::NoName`] for what is at `path`; [`FolderError::Unwritable`] where nothing can be written.
     pub fn create(path: &Path, overwrite: Overwrite) -> Result<Self, FolderError> {
         // As the path was given, so that the message has its words.
         no_file_in_the_way(path)?;
         let target = resolved(path)?;
+        let remarks = hidden::clear(&target)?;
         check_target(&target, overwrite)?;
-        let staging = sibling(&target, "partial")?;
-        if let Some(parent) = staging.parent() {
+        if let Some(parent) = target.parent() {
             fs::create_dir_all(parent).map_err(|cause| unwritable(parent, cause))?;
         }
-        fs::create_dir(&staging).map_err(|cause| unwritable(&staging, cause))?;
+        let (staging, (), held) = hidden::locked(&target, |path| fs::create_dir(path))?;
         let folder = Self {
             target,
             staging,
             overwrite,
             stage: Arc::new(Mutex::new(Stage::Filling)),
+            remarks,
+            _held: held,
         };
         let probe = folder.staging.join(".probe");
         write_synced(&probe, b"probe").map_err(|cause| unwritable(&probe, cause))?;
@@ -127,6 +146,11 @@ impl ResultFolder {
     /// Where the results will be.
     pub fn path(&self) -> &Path {
         &self.target
+    }
+
+    /// What was put right of an earlier process that was killed, to be reported; empty as a rule.
+    pub fn remarks(&self) -> &[String] {
+        &self.remarks
     }
 
     /// A way to give the results up from another thread.
@@ -156,73 +180,79 @@ impl ResultFolder {
     /// Writes file `name`, a relative path such as `figures/traction.svg`.
     ///
     /// # Errors
-    /// [`FolderError::Name`] for a path that leads out of the folder or is [`MARKER`];
+    /// [`FolderError::Name`] for a path that leads out of the folder, or is [`MARKER`] or [`LIST`];
     /// [`FolderError::Unwritable`]; [`FolderError::Abandoned`].
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), FolderError> {
-        let relative = Path::new(name);
-        let inside = relative
-            .components()
-            .all(|part| matches!(part, Component::Normal(_)));
-        if !inside || relative.file_name().is_none() || relative == Path::new(MARKER) {
+        if !is_inside(name) || name == MARKER || name == LIST {
             return Err(FolderError::Name {
                 name: name.to_owned(),
             });
         }
         let _writing = self.locked()?;
-        let path = self.staging.join(relative);
+        let path = self.staging.join(name);
         if let Some(parent) = path.parent() {
             fs::create_dir_all(parent).map_err(|cause| unwritable(parent, cause))?;
         }
         write_synced(&path, bytes).map_err(|cause| unwritable(&path, cause))
     }
 
-    /// Writes `summary` as [`MARKER`] and puts the folder in its place; returns its path.
+    /// Writes [`LIST`], and `summary` as [`MARKER`], and puts the folder in its place; returns its path.
     ///
     /// # Errors
-    /// [`FolderError::NotPlaced`] if the results had to stay beside the target, which is
+    /// [`FolderError::Unwritable`]; [`FolderError::NotPlaced`] if the results had to stay beside the target, which is
     /// then as before ([`FolderError::NotRestored`]: moved aside);
     /// [`FolderError::OldKept`] if only the deletion of the old results failed; [`FolderError::Abandoned`].
     pub fn finish(self, summary: &str) -> Result<PathBuf, FolderError> {
         let mut stage = self.locked()?;
+        self.complete(summary)?;
         *stage = Stage::Complete;
         let not_placed = |cause| FolderError::NotPlaced {
             path: self.target.clone(),
-            kept: self.staging.clone(),
+            kept: hidden::keep(&self.staging, &self.target),
             cause,
         };
-        let marker = self.staging.join(MARKER);
-        write_synced(&marker, summary.as_bytes()).map_err(not_placed)?;
-        let old = self.move_old_aside().map_err(not_placed)?;
-        if let Err(cause) = fs::rename(&self.staging, &self.target) {
-            if let Some(old) = old {
-                fs::rename(&old, &self.target).map_err(|cause| FolderError::NotRestored {
+        // Checked again, since the run may have been long.
+        let old = check_target(&self.target, self.overwrite).map_err(io::Error::other);
+        let Some(owned) = old.map_err(not_placed)? else {
+            fs::rename(&self.staging, &self.target).map_err(not_placed)?;
+            return Ok(self.target.clone());
+        };
+        let old = match swap::swap(&self.staging, &self.target) {
+            Ok(old) => old,
+            Err(SwapError::Unchanged(cause)) => return Err(not_placed(cause)),
+            Err(SwapError::Aside { old, cause }) => {
+                return Err(FolderError::NotRestored {
                     path: self.target.clone(),
-                    kept: self.staging.clone(),
+                    kept: hidden::keep(&self.staging, &self.target),
                     old,
                     cause,
-                })?;
+                });
             }
-            return Err(not_placed(cause));
-        }
-        if let Some(old) = old {
-            fs::remove_dir_all(&old).map_err(|cause| FolderError::OldKept {
+        };
+        owned::remove(&old, &|name| owned.contains(name)).map_err(|cause| {
+            FolderError::OldKept {
                 path: self.target.clone(),
-                old,
+                old: hidden::keep(&old, &self.target),
                 cause,
-            })?;
-        }
+            }
+        })?;
         Ok(self.target.clone())
     }
 
-    /// Renames what is at the target, checked again since the run may have been long.
-    fn move_old_aside(&self) -> io::Result<Option<PathBuf>> {
-        if !exists(&self.target) {
-            return Ok(None);
+    /// Writes the list of the files and the summary.
+    fn complete(&self, summary: &str) -> Result<(), FolderError> {
+        let here = |cause| unwritable(&self.staging, cause);
+        let written = Contents::of(&self.staging, &|_| true).map_err(here)?;
+        let mut list = FileList {
+            kind: Kind::Whole,
+            names: written.names(&self.staging),
+        };
+        list.names.insert(MARKER.to_owned());
+        for (name, text) in [(LIST, list.text().as_str()), (MARKER, summary)] {
+            let path = self.staging.join(name);
+            write_synced(&path, text.as_bytes()).map_err(|cause| unwritable(&path, cause))?;
         }
-        check_target(&self.target, self.overwrite).map_err(io::Error::other)?;
-        let old = sibling(&self.target, "old").map_err(io::Error::other)?;
-        fs::rename(&self.target, &old)?;
-        Ok(Some(old))
+        Ok(())
     }
 }
 
@@ -243,8 +273,12 @@ impl Drop for ResultFolder {
 /// [`FolderError::NoName`] and [`FolderError::Unwritable`].
 pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), FolderError> {
     let target = resolved(path)?;
-    let staging = sibling(&target, "partial")?;
-    let written = write_synced(&staging, bytes).and_then(|()| fs::rename(&staging, &target));
+    hidden::clear(&target)?;
+    let (staging, mut file, _held) = hidden::locked(&target, |path| File::create(path))?;
+    let written = file
+        .write_all(bytes)
+        .and_then(|()| file.sync_all())
+        .and_then(|()| fs::rename(&staging, &target));
     written.map_err(|cause| {
         // The first error is the one to report.
         let _ = fs::remove_file(&staging);
@@ -279,36 +313,59 @@ fn no_file_in_the_way(path: &Path) -> Result<(), FolderError> {
     }
 }
 
-fn check_target(target: &Path, overwrite: Overwrite) -> Result<(), FolderError> {
-    let path = || target.to_owned();
-    no_file_in_the_way(target)?;
-    if !exists(target) {
-        return Ok(());
-    }
-    if overwrite == Overwrite::Refuse {
-        return Err(FolderError::Exists { path: path() });
-    }
-    let mut entries = fs::read_dir(target).map_err(|cause| unwritable(target, cause))?;
-    if entries.next().is_none() || target.join(MARKER).is_file() {
-        Ok(())
-    } else {
-        Err(FolderError::NotResults { path: path() })
-    }
+/// Whether a name stands for a file inside of a folder, and for itself in a list of lines.
+fn is_inside(name: &str) -> bool {
+    let path = Path::new(name);
+    let normal = path
+        .components()
+        .all(|part| matches!(part, Component::Normal(_)));
+    normal && path.file_name().is_some() && !name.chars().any(char::is_control)
 }
 
-/// A hidden name beside `target` that no other run uses.
-fn sibling(target: &Path, purpose: &str) -> Result<PathBuf, FolderError> {
-    static COUNTER: AtomicU64 = AtomicU64::new(0);
-    let Some(name) = target.file_name() else {
-        return Err(FolderError::NoName {
+/// The files of the folder at `target`, all of which may be replaced; `None` where nothing is.
+fn check_target(
+    target: &Path,
+    overwrite: Overwrite,
+) -> Result<Option<BTreeSet<String>>, FolderError> {
+    no_file_in_the_way(target)?;
+    if !exists(target) {
+        return Ok(None);
+    }
+    let Overwrite::Force(older) = overwrite else {
+        return Err(FolderError::Exists {
             path: target.to_owned(),
         });
     };
-    let count = COUNTER.fetch_add(1, Ordering::Relaxed);
-    let mut hidden = std::ffi::OsString::from(".");
-    hidden.push(name);
-    hidden.push(format!(".{purpose}-{}-{count}", std::process::id()));
-    Ok(target.with_file_name(hidden))
+    let failed = |cause| unwritable(target, cause);
+    let contents = match FileList::read(target).map_err(failed)? {
+        Some(list) if list.kind == Kind::Whole => Contents::of(target, &|name| list.holds(name)),
+        Some(_) => Contents::of(target, &|_| false),
+        None => {
+            let summary = small_file(&target.join(MARKER));
+            match summary.and_then(|summary| older(&summary)) {
+                Some(owned) => Contents::of(target, &owned),
+                None => Contents::of(target, &|_| false),
+            }
+        }
+    };
+    let contents = contents.map_err(failed)?;
+    if contents.foreign.is_empty() {
+        Ok(Some(contents.names(target)))
+    } else {
+        Err(FolderError::Foreign {
+            path: target.to_owned(),
+            files: contents.foreign,
+        })
+    }
+}
+
+/// The content of a plain file that is not too long for a summary.
+fn small_file(path: &Path) -> Option<Vec<u8>> {
+    const LONGEST: u64 = 1_000_000_000;
+    let found = path.symlink_metadata().ok()?;
+    (found.is_file() && found.len() <= LONGEST)
+        .then(|| fs::read(path).ok())
+        .flatten()
 }
 
 fn write_synced(path: &Path, bytes: &[u8]) -> io::Result<()> {

@@ -14,6 +14,7 @@
 //! | [`raster`] | SVG → PNG with the embedded font                                         |
 //! | [`table`]  | tables for the terminal and for the page                                 |
 //! | [`page`]   | one self-contained HTML page                                             |
+//! | [`plain`]  | text of others, safe for a terminal, a page, a picture and a spreadsheet |
 //! | [`folder`] | result folders and files that appear whole or not at all                 |
 //!
 //! Nothing here knows what a number means: quantities arrive as plain values, and
@@ -31,6 +32,7 @@ mod legend;
 pub mod map;
 pub mod mesh_map;
 pub mod page;
+pub mod plain;
 pub mod plane;
 pub mod raster;
 pub mod svg;

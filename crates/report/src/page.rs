@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 use minijinja::{Environment, Value, context};
 use thiserror::Error;
 
+use crate::plain::printable;
 use crate::svg::Svg;
 use crate::table::Table;
 
@@ -133,7 +134,7 @@ impl Page {
         let mut environment = Environment::new();
         environment.add_template("page.html", include_str!("page.html"))?;
         let pairs = |(name, value): &(String, String)| context! { name, value };
-        Ok(environment.get_template("page.html")?.render(context! {
+        let page = environment.get_template("page.html")?.render(context! {
             title => self.title.clone(),
             subtitle => self.subtitle.clone(),
             warnings => self.warnings.clone(),
@@ -141,7 +142,8 @@ impl Page {
             notes => self.notes.clone(),
             sections,
             footer => self.footer.clone(),
-        })?)
+        })?;
+        Ok(printable(&page).into_owned())
     }
 
     fn check_anchors(&self) -> Result<(), PageError> {

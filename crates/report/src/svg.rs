@@ -7,6 +7,7 @@
 use std::fmt::{self, Write as _};
 
 use crate::color::Color;
+use crate::plain::is_control;
 use crate::text::{FONT_FAMILY, Weight};
 
 /// A self-contained SVG document. Only this crate makes one, so its markup is
@@ -333,7 +334,7 @@ pub(crate) fn push_point(data: &mut String, command: char, [x, y]: [f64; 2]) {
     let _ = write!(data, "{command}{} {}", Px(x), Px(y));
 }
 
-/// A text as XML wants it; characters that XML 1.0 forbids become U+FFFD.
+/// A text as XML wants it; control characters, some of which XML 1.0 forbids, become U+FFFD.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Escaped<'a>(pub(crate) &'a str);
 
@@ -346,7 +347,7 @@ impl fmt::Display for Escaped<'_> {
                 '>' => f.write_str("&gt;")?,
                 '"' => f.write_str("&quot;")?,
                 '\t' | '\n' | '\r' => f.write_str(" ")?,
-                '\0'..='\u{1f}' | '\u{fffe}' | '\u{ffff}' => f.write_str("\u{fffd}")?,
+                other if is_control(other) => f.write_str("\u{fffd}")?,
                 other => write!(f, "{other}")?,
             }
         }

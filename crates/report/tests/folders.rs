@@ -5,8 +5,11 @@ use std::fs;
 use std::path::Path;
 
 use stickslip_report::folder::{
-    Abandoned, FolderError, MARKER, Overwrite, ResultFolder, write_atomic,
+    Abandoned, FolderError, LIST, MARKER, Overwrite, ResultFolder, write_atomic,
 };
+
+/// Replaces what a list says is its own.
+const FORCE: Overwrite = Overwrite::Force(|_| None);
 
 /// Names in a folder, hidden ones too, sorted.
 fn names(folder: &Path) -> Vec<String> {
@@ -34,7 +37,7 @@ fn results_appear_only_when_finished() {
     assert!(!target.exists());
     assert_eq!(results.path(), target);
     assert_eq!(results.finish("{\"ok\":true}").unwrap(), target);
-    assert_eq!(names(&target), ["figures", MARKER, "table.csv"]);
+    assert_eq!(names(&target), [LIST, "figures", MARKER, "table.csv"]);
     assert_eq!(fs::read(target.join(MARKER)).unwrap(), b"{\"ok\":true}");
     assert_eq!(names(target.parent().unwrap()), ["results"]);
 }
@@ -72,12 +75,12 @@ fn force_replaces_results_only_when_the_new_ones_are_complete() {
     let target = home.path().join("results");
     finished(&target, Overwrite::Refuse, "old");
     let content = || fs::read_to_string(target.join("figures/a.svg")).unwrap();
-    let failed = ResultFolder::create(&target, Overwrite::Force).unwrap();
+    let failed = ResultFolder::create(&target, FORCE).unwrap();
     failed.write("figures/a.svg", b"half").unwrap();
     assert_eq!(content(), "old");
     drop(failed);
     assert_eq!(content(), "old");
-    finished(&target, Overwrite::Force, "new");
+    finished(&target, FORCE, "new");
     assert_eq!(content(), "new");
     assert_eq!(names(home.path()), ["results"]);
 }
@@ -87,16 +90,19 @@ fn force_never_deletes_what_is_not_a_result() {
     let home = tempfile::tempdir().unwrap();
     let target = home.path().join("thesis");
     fs::create_dir(&target).unwrap();
-    finished(&target, Overwrite::Force, "an empty folder may be used");
+    finished(&target, FORCE, "an empty folder may be used");
     let other = home.path().join("other");
     fs::create_dir(&other).unwrap();
     fs::write(other.join("chapter.tex"), "years of work").unwrap();
-    let error = ResultFolder::create(&other, Overwrite::Force).unwrap_err();
-    assert!(matches!(error, FolderError::NotResults { .. }), "{error}");
+    let error = ResultFolder::create(&other, FORCE).unwrap_err();
+    assert!(
+        matches!(&error, FolderError::Foreign { files, .. } if files == &["chapter.tex"]),
+        "{error}"
+    );
     assert_eq!(names(&other), ["chapter.tex"]);
     let file = home.path().join("file");
     fs::write(&file, "text").unwrap();
-    let error = ResultFolder::create(&file, Overwrite::Force).unwrap_err();
+    let error = ResultFolder::create(&file, FORCE).unwrap_err();
     assert!(matches!(error, FolderError::NotAFolder { .. }));
     assert_eq!(names(home.path()), ["file", "other", "thesis"]);
 }
@@ -139,7 +145,16 @@ fn a_place_that_cannot_be_written_is_found_before_the_run() {
 fn names_cannot_lead_out_of_the_folder() {
     let home = tempfile::tempdir().unwrap();
     let results = ResultFolder::create(&home.path().join("results"), Overwrite::Refuse).unwrap();
-    for name in ["../escape", "/etc/passwd", "a/../../b", "", ".", MARKER] {
+    for name in [
+        "../escape",
+        "/etc/passwd",
+        "a/../../b",
+        "",
+        ".",
+        "a\nb",
+        MARKER,
+        LIST,
+    ] {
         let error = results.write(name, b"").unwrap_err();
         assert!(matches!(error, FolderError::Name { .. }), "{name}: {error}");
     }
@@ -152,7 +167,7 @@ fn a_link_is_followed_and_stays_a_link() {
     let (real, link) = (home.path().join("real"), home.path().join("link"));
     finished(&real, Overwrite::Refuse, "old");
     std::os::unix::fs::symlink(&real, &link).unwrap();
-    finished(&link, Overwrite::Force, "new");
+    finished(&link, FORCE, "new");
     assert!(link.is_symlink());
     assert_eq!(fs::read(real.join("figures/a.svg")).unwrap(), b"new");
 }
@@ -201,5 +216,5 @@ fn complete_results_are_not_abandoned() {
     let handle = results.handle();
     results.finish("{}").unwrap();
     assert!(matches!(handle.abandon(), Abandoned::TooLate));
-    assert_eq!(names(&target), [MARKER]);
+    assert_eq!(names(&target), [LIST, MARKER]);
 }

@@ -32,11 +32,13 @@ mod check;
 mod console;
 mod experiment;
 mod failure;
+mod folder;
 mod init;
 mod interrupt;
 mod joint;
 mod list;
 mod located;
+mod memory;
 mod run;
 
 use std::path::PathBuf;
@@ -98,7 +100,7 @@ struct SceneArguments {
 
 impl SceneArguments {
     fn read(&self) -> Result<Scene, SceneError> {
-        Scene::from_file(&self.scene, &self.overrides)
+        Scene::from_file_within(&self.scene, &self.overrides, memory::limits())
     }
 }
 

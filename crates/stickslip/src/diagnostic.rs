@@ -16,6 +16,7 @@ use miette::{
     Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, SourceCode, SourceOffset,
 };
 use serde::Serialize;
+use stickslip_report::plain::{printable, printable_with_colours};
 
 pub use laminate::LaminateProblem;
 pub(crate) use nearest::nearest;
@@ -198,10 +199,14 @@ pub(crate) fn render(diagnostic: &dyn Diagnostic, width: usize, colours: bool) -
         .with_width(width)
         .with_links(false);
     let mut text = String::new();
-    match handler.render_report(&mut text, diagnostic) {
-        Ok(()) => text,
+    if handler.render_report(&mut text, diagnostic).is_err() {
         // Writing into a string does not fail; a span outside its text would, and then the words must do.
-        Err(_) => format!("{diagnostic}\n"),
+        return printable(&format!("{diagnostic}\n")).into_owned();
+    }
+    if colours {
+        printable_with_colours(&text)
+    } else {
+        printable(&text).into_owned()
     }
 }
 

@@ -13,6 +13,7 @@
 //! | [`run`](mod@run), [`results`] | the solution and what is reported of it |
 //! | [`experiment`] | measured displacements: fringe pictures, their reduction, hybrid analysis, friction |
 //! | [`sweep`] | many joints: the axes of a sweep, its engine, its table and pictures |
+//! | [`limits`] | how much memory reading and modelling may take |
 //! | [`output`] | results as files, figures, a page and a table |
 //!
 //! A program with friction laws of its own links them and calls [`cli::main`].
@@ -21,6 +22,7 @@ pub mod cli;
 pub mod diagnostic;
 pub mod experiment;
 mod failure;
+pub mod limits;
 pub mod model;
 pub mod output;
 pub mod results;

@@ -26,6 +26,7 @@ use crate::results::{Choice, EdgeGeometry};
 use crate::scene::Scene;
 
 pub(crate) use extent::{mirror, obstacle as obstacle_to_half};
+pub(crate) use meshes::BYTES_PER_NODE;
 pub use meshes::NODE_LIMIT;
 pub(crate) use placement::centre as centre_of;
 pub(crate) use remarks::beyond_fine_zone;
@@ -47,6 +48,16 @@ pub enum ModelError {
         gigabytes: f64,
         /// Limit on the number of nodes.
         limit: f64,
+    },
+    /// A mesh for which there is too little memory.
+    #[error("body '{body}': the mesh would have about {nodes:.3e} nodes: {words}")]
+    TooLittleMemory {
+        /// The body.
+        body: String,
+        /// Nodes that the scene asks for.
+        nodes: f64,
+        /// The memory that it would take and the memory that there is, in words.
+        words: String,
     },
     /// A mesh generator refused.
     #[error("body '{body}': {cause}")]

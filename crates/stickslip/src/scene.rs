@@ -53,6 +53,7 @@ use serde_json::Value;
 use sha2::{Digest, Sha256};
 
 use crate::diagnostic::{Finding, SceneError, SceneProblem, SourceText};
+use crate::limits::{Content, Limits};
 use crate::units::{Dimension, Expected, parse};
 pub use document::Format;
 use document::{Document, Part};
@@ -112,14 +113,31 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// What its model may take.
+    pub fn limits(&self) -> Limits {
+        self.document.limits
+    }
+
     /// Reads and checks a scene file, JSON if its name ends in `.json` and otherwise TOML, with the overrides
     /// `key=value` applied in turn.
     ///
     /// # Errors
     /// [`SceneError`] with everything that is wrong, each at its line or in its override.
     pub fn from_file(path: &Path, overrides: &[impl AsRef<str>]) -> Result<Self, SceneError> {
+        Self::from_file_within(path, overrides, Limits::NONE)
+    }
+
+    /// As [`from_file`](Self::from_file), where the scene, its data files and its model may take no more than `limits`.
+    ///
+    /// # Errors
+    /// As [`from_file`](Self::from_file), and for files that are larger.
+    pub fn from_file_within(
+        path: &Path,
+        overrides: &[impl AsRef<str>],
+        limits: Limits,
+    ) -> Result<Self, SceneError> {
         let name = path.display().to_string();
-        let text = std::fs::read_to_string(path).map_err(|error| {
+        let text = limits.read_text(path, Content::Document).map_err(|error| {
             let problem = match error.kind() {
                 std::io::ErrorKind::NotFound => SceneProblem::MissingFile { path: name.clone() },
                 _ => SceneProblem::Unreadable {
@@ -142,7 +160,7 @@ impl Scene {
             )
         })?;
         let base = path.parent().unwrap_or(Path::new(""));
-        Self::from_text(&text, Format::of_path(path), &name, base, overrides)
+        Self::from_text_within(&text, Format::of_path(path), &name, base, overrides, limits)
     }
 
     /// Reads and checks a scene. `name` stands for the text in errors, and data files are looked for in `base_dir`.
@@ -156,14 +174,31 @@ impl Scene {
         base_dir: &Path,
         overrides: &[impl AsRef<str>],
     ) -> Result<Self, SceneError> {
+        Self::from_text_within(text, format, name, base_dir, overrides, Limits::NONE)
+    }
+
+    /// As [`from_text`](Self::from_text), where data files and the model may take no more than `limits`.
+    ///
+    /// # Errors
+    /// As [`Scene::from_file_within`].
+    pub fn from_text_within(
+        text: &str,
+        format: Format,
+        name: &str,
+        base_dir: &Path,
+        overrides: &[impl AsRef<str>],
+        limits: Limits,
+    ) -> Result<Self, SceneError> {
         let source = SourceText {
             name: name.to_owned(),
             text: text.to_owned(),
         };
         let mut document = Document::parse(source, format)?;
+        document.limits = limits;
         for argument in overrides {
             overrides::apply(&mut document, argument.as_ref())?;
         }
+        document.check_texts()?;
         check_version(&document)?;
         let mut spelled =
             SceneFormat::deserialize(Reader::new(&document.root, "")).map_err(|error| {

@@ -79,15 +79,16 @@ fn a_run_whose_terminal_closes_leaves_nothing() {
 
 #[test]
 fn an_interrupted_replacement_leaves_the_old_results() {
+    const OLD: &str = r#"{"format": "stickslip-summary"}"#;
     let folder = TempDir::new().unwrap();
     let old = folder.path().join("results");
     fs::create_dir(&old).unwrap();
-    fs::write(old.join("summary.json"), "old").unwrap();
+    fs::write(old.join("summary.json"), OLD).unwrap();
     let run = long_run(&old, &["--force", "--json"]);
     let (code, message) = interrupt(run, "INT", folder.path(), 1);
     assert_eq!(code, Some(130), "{message}");
     let value: serde_json::Value = serde_json::from_str(&message).unwrap();
     assert_eq!(value["errors"][0]["code"], "run::interrupted");
     assert_eq!(entries(folder.path()), std::slice::from_ref(&old));
-    assert_eq!(fs::read_to_string(old.join("summary.json")).unwrap(), "old");
+    assert_eq!(fs::read_to_string(old.join("summary.json")).unwrap(), OLD);
 }

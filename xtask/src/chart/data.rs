@@ -1,6 +1,5 @@
 //! The measurements as a table, and the day on which they were made.
 
-use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use stickslip_laboratory::measure::Timing;
@@ -39,25 +38,22 @@ const COLUMNS: [&str; 28] = [
     "operations",
 ];
 
-/// Writes every sample to `work-precision.csv` in `folder`.
-pub(super) fn write(folder: &Path, samples: &[Sample]) -> Result<(), Trouble> {
-    let path = folder.join("work-precision.csv");
+/// Every sample as a table.
+pub(super) fn csv(samples: &[Sample]) -> Result<Vec<u8>, Trouble> {
     let trouble = |cause| Trouble::Csv {
-        path: path.clone(),
+        path: "work-precision.csv".into(),
         cause,
     };
     let mut writer = csv::WriterBuilder::new()
         .flexible(true)
-        .from_path(&path)
-        .map_err(trouble)?;
+        .from_writer(Vec::new());
     writer.write_record(COLUMNS).map_err(trouble)?;
     for sample in samples {
         writer.write_record(record(sample)).map_err(trouble)?;
     }
-    writer.flush().map_err(|cause| Trouble::File {
-        path: path.clone(),
-        cause,
-    })
+    writer
+        .into_inner()
+        .map_err(|cause| trouble(cause.into_error().into()))
 }
 
 fn record(sample: &Sample) -> Vec<String> {

@@ -1,7 +1,5 @@
 //! The charts: errors over costs in panels with one legend, the Pareto front behind the curves.
 
-use std::path::Path;
-
 use stickslip_laboratory::problems::Problem;
 use stickslip_report::FigureError;
 use stickslip_report::axis::Axis;
@@ -15,6 +13,7 @@ use super::bench::{Bench, Cost, Quantity};
 use super::curve::{Point, front};
 use super::factors::PathFactor;
 use super::methods::{Group, Method};
+use crate::publish::Published;
 
 const WIDTH: f64 = 400.0;
 const ASPECT: f64 = 0.85;
@@ -248,11 +247,8 @@ pub(super) fn error_label(quantity: Quantity) -> String {
 }
 
 /// Writes `picture` as SVG and PNG.
-pub(super) fn save(folder: &Path, name: &str, picture: &Svg) -> Result<(), Trouble> {
-    let keep = |extension: &str, bytes: &[u8]| {
-        let path = folder.join(format!("{name}.{extension}"));
-        std::fs::write(&path, bytes).map_err(|cause| Trouble::File { path, cause })
-    };
-    keep("svg", picture.as_str().as_bytes())?;
-    keep("png", &to_png(picture, 1.5)?)
+pub(super) fn save(folder: &mut Published, name: &str, picture: &Svg) -> Result<(), Trouble> {
+    folder.write(&format!("{name}.svg"), picture.as_str().as_bytes())?;
+    folder.write(&format!("{name}.png"), &to_png(picture, 1.5)?)?;
+    Ok(())
 }

@@ -248,20 +248,19 @@ pub(super) fn renew(
     Ok(())
 }
 
-/// Writes `runs` to `path`.
-pub(super) fn write(path: &Path, runs: &[PeerRun]) -> Result<(), Trouble> {
+/// `runs` as a table.
+pub(super) fn csv(runs: &[PeerRun]) -> Result<Vec<u8>, Trouble> {
     let trouble = |cause| Trouble::Csv {
-        path: path.to_owned(),
+        path: "peers.csv".into(),
         cause,
     };
-    let mut writer = csv::Writer::from_path(path).map_err(trouble)?;
+    let mut writer = csv::Writer::from_writer(Vec::new());
     for run in runs {
         writer.serialize(run).map_err(trouble)?;
     }
-    writer.flush().map_err(|cause| Trouble::File {
-        path: path.to_owned(),
-        cause,
-    })
+    writer
+        .into_inner()
+        .map_err(|cause| trouble(cause.into_error().into()))
 }
 
 #[cfg(test)]

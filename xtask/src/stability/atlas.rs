@@ -1,10 +1,7 @@
 //! The atlas as files: one table and its pictures per study, and a page that says what was found.
 
 use std::fmt::Write as _;
-use std::fs;
-use std::path::Path;
 
-use stickslip_report::folder::write_atomic;
 use stickslip_report::raster::{DEFAULT_SCALE, to_png};
 use stickslip_report::table::{Column, Table};
 
@@ -12,6 +9,7 @@ use super::methods::CHAIN;
 use super::outcome::Outcome;
 use super::row::Row;
 use super::{Findings, Study, Trouble};
+use crate::publish::Published;
 
 /// How often each outcome occurred, per method in the order of first occurrence.
 fn counts(rows: &[Row]) -> Vec<(&'static str, Vec<(Outcome, usize)>)> {
@@ -60,32 +58,22 @@ fn listed(list: &[(Outcome, usize)]) -> String {
 
 /// Writes everything below `folder`; the page only if the atlas is `complete`.
 pub(super) fn write(
-    folder: &Path,
+    folder: &mut Published,
     results: &[(&Study, Findings)],
     complete: bool,
 ) -> Result<(), Trouble> {
-    fs::create_dir_all(folder)?;
     for (study, findings) in results {
         for (suffix, table) in &findings.tables {
-            write_atomic(
-                &folder.join(format!("{}{suffix}.csv", study.name)),
-                table.as_bytes(),
-            )?;
+            folder.write(&format!("{}{suffix}.csv", study.name), table.as_bytes())?;
         }
         for (suffix, picture, _) in &findings.pictures {
             let name = format!("{}{suffix}", study.name);
-            write_atomic(
-                &folder.join(format!("{name}.svg")),
-                picture.as_str().as_bytes(),
-            )?;
-            write_atomic(
-                &folder.join(format!("{name}.png")),
-                &to_png(picture, DEFAULT_SCALE)?,
-            )?;
+            folder.write(&format!("{name}.svg"), picture.as_str().as_bytes())?;
+            folder.write(&format!("{name}.png"), &to_png(picture, DEFAULT_SCALE)?)?;
         }
     }
     if complete {
-        write_atomic(&folder.join("README.md"), page(results).as_bytes())?;
+        folder.write("README.md", page(results).as_bytes())?;
     }
     Ok(())
 }

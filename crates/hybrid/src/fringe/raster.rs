@@ -2,7 +2,7 @@
 
 use std::io::Cursor;
 
-use image::{DynamicImage, ImageBuffer, ImageFormat, Luma};
+use image::{DynamicImage, ImageBuffer, ImageFormat, ImageReader, Luma};
 use stickslip_fem_core::mesh::Point;
 
 use super::{Depth, Frame, FringeError, PixelMap};
@@ -104,6 +104,21 @@ pub fn encode(picture: &PixelMap, format: Format, depth: Depth) -> Result<Vec<u8
         .write_to(&mut bytes, format)
         .map_err(|cause| FringeError::File(cause.to_string()))?;
     Ok(bytes.into_inner())
+}
+
+/// Columns and rows of a PNG or TIFF file's picture, which its first bytes say; nothing of the picture is decoded.
+///
+/// # Errors
+///
+/// Bytes that are no such file.
+pub fn size(bytes: &[u8]) -> Result<[usize; 2], FringeError> {
+    let failed = |cause: String| FringeError::File(cause);
+    let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format();
+    let dimensions = reader
+        .map_err(|cause| failed(cause.to_string()))?
+        .into_dimensions();
+    let (columns, rows) = dimensions.map_err(|cause| failed(cause.to_string()))?;
+    Ok([columns as usize, rows as usize])
 }
 
 /// Grey picture of a PNG or TIFF file's bytes, 8 or 16 bits, with or without transparency. Grey levels are taken as proportional

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
-use super::MARKER;
+use super::{LIST, MARKER};
 
 /// What keeps results from being written. Each message names the path and a remedy.
 #[derive(Debug, Error)]
@@ -17,14 +17,22 @@ pub enum FolderError {
         /// The target.
         path: PathBuf,
     },
-    /// The target is to be replaced but holds something else than results.
+    /// Files that this program did not write would be lost.
     #[error(
-        "'{}' is not empty and has no {MARKER}, so it does not look like results and is not \
-         overwritten; choose another folder or delete it yourself",
-        path.display()
+        "'{}' holds what stickslip did not write: {}; nothing is overwritten, so choose another folder or move these files away",
+        path.display(),
+        listed(files)
     )]
-    NotResults {
+    Foreign {
         /// The target.
+        path: PathBuf,
+        /// What is in the way, relative to the target; folders end in `/`.
+        files: Vec<String>,
+    },
+    /// Another process writes into the folder.
+    #[error("another process writes into '{}'; wait for it or choose another folder", path.display())]
+    Busy {
+        /// The folder.
         path: PathBuf,
     },
     /// A path such as `..` or the empty one.
@@ -41,9 +49,9 @@ pub enum FolderError {
         /// The file.
         file: PathBuf,
     },
-    /// A name inside the folder that leads out of it, or is [`MARKER`].
+    /// A name inside the folder that leads out of it, or is [`MARKER`] or [`LIST`].
     #[error(
-        "'{name}' cannot be a file of the result folder; use a relative path other than {MARKER}"
+        "'{name}' cannot be a file of the result folder; use a relative path without control characters other than {MARKER} and {LIST}"
     )]
     Name {
         /// The name as given.
@@ -109,4 +117,19 @@ pub enum FolderError {
         #[source]
         cause: io::Error,
     },
+}
+
+/// The first of some names, each on one line of printable text.
+fn listed(names: &[String]) -> String {
+    const MOST: usize = 8;
+    let shown: Vec<String> = names
+        .iter()
+        .take(MOST)
+        .map(|name| format!("'{}'", name.escape_debug()))
+        .collect();
+    let more = match names.len().saturating_sub(MOST) {
+        0 => String::new(),
+        count => format!(" and {count} more"),
+    };
+    shown.join(", ") + &more
 }

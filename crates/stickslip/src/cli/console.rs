@@ -4,6 +4,7 @@ use std::io::{self, IsTerminal, Write};
 
 use serde::Serialize;
 use serde_json::json;
+use stickslip_report::plain::printable;
 
 use super::failure::{CommandError, Failure};
 
@@ -45,7 +46,7 @@ impl Console {
                 })? + "\n"
             }
             (false, true) => return Ok(()),
-            (false, false) => text(),
+            (false, false) => printable(&text()).into_owned(),
         };
         match io::stdout().lock().write_all(output.as_bytes()) {
             // The reader has seen enough: `stickslip list | head`.
@@ -56,6 +57,17 @@ impl Console {
             .into()),
             Ok(()) => Ok(()),
         }
+    }
+
+    /// Prints what happened beside the results to standard error.
+    pub(super) fn note(self, text: &str) {
+        let line = match (self.json, self.quiet) {
+            (true, _) => format!("{:#}\n", json!({ "notes": [text] })),
+            (false, true) => return,
+            (false, false) => format!("note: {}\n", printable(text)),
+        };
+        // A note that nobody can read is no reason to fail.
+        let _ = io::stderr().lock().write_all(line.as_bytes());
     }
 
     /// Prints an error to standard error.

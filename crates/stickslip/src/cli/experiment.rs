@@ -8,18 +8,20 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use miette::Diagnostic;
 use serde_json::json;
-use stickslip_report::folder::{FolderError, Overwrite, ResultFolder};
+use stickslip_report::folder::FolderError;
 use thiserror::Error;
 
 use super::console::Console;
 use super::failure::{CommandError, Failure};
-use super::interrupt::guarded;
+use super::folder::prepare;
+use super::memory::limits;
 use super::run::located;
 use crate::diagnostic::{SceneError, SourceText};
 use crate::experiment::chain::{Depth, tell};
 use crate::experiment::plan::RegionShape;
 use crate::experiment::story::StoryError;
 use crate::experiment::{Experiment, ExperimentError};
+use crate::limits::Content;
 use crate::run::Progress;
 use crate::scene::Format;
 use crate::scene::document::Document;
@@ -31,7 +33,7 @@ pub(super) struct ExperimentArguments {
     /// Folder for the results; by default the experiment's name with -results
     #[arg(long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Replace results that are in the folder already, once the new ones are complete
+    /// Replace results that are in the folder already, once the new ones are complete; other files in it are named and nothing is replaced
     #[arg(long)]
     force: bool,
     /// Set any key of the experiment, for example --set fringes.pixel="0.05 mm" or --set states.0.step=3
@@ -46,7 +48,8 @@ enum KeepError {
     #[diagnostic(
         code(experiment::folder),
         help(
-            "name a folder with --output DIR; it is made if it does not exist, and --force replaces results that are there already"
+            "name a folder with --output DIR; it is made if it does not exist, and --force replaces results that are there already, but no \
+             files of others"
         )
     )]
     Folder(#[from] FolderError),
@@ -65,16 +68,11 @@ pub(super) fn experiment(
         let path = arguments.experiment.display().to_string();
         return Err(CommandError::SceneGiven { path }.into());
     }
-    let experiment = Experiment::from_file(&arguments.experiment, &arguments.overrides)?;
-    let overwrite = if arguments.force {
-        Overwrite::Force
-    } else {
-        Overwrite::Refuse
-    };
+    let experiment =
+        Experiment::from_file_within(&arguments.experiment, &arguments.overrides, limits())?;
     let path = arguments.folder();
     keep_apart(&experiment, &arguments.experiment, &path)?;
-    let folder =
-        guarded(console, || ResultFolder::create(&path, overwrite)).map_err(KeepError::from)?;
+    let folder = prepare(&path, arguments.force, console).map_err(KeepError::from)?;
     let bar = bar(console);
     let told = tell(&experiment, depth, folder.path(), &mut |progress| {
         show(&bar, progress);
@@ -174,7 +172,7 @@ pub(super) enum Kind {
 pub(super) fn kind_of(path: &Path) -> Option<Kind> {
     let source = SourceText {
         name: String::new(),
-        text: std::fs::read_to_string(path).ok()?,
+        text: limits().read_text(path, Content::Document).ok()?,
     };
     let document = Document::parse(source, Format::of_path(path)).ok()?;
     let has = |key: &str| document.root.get(key).is_some();
@@ -189,7 +187,7 @@ pub(super) fn kind_of(path: &Path) -> Option<Kind> {
 
 /// Checks an experiment: what it says, its data files, that they cover its region, and that this can be analysed.
 pub(super) fn check(path: &Path, overrides: &[String], console: Console) -> Result<(), Failure> {
-    let experiment = Experiment::from_file(path, overrides)?;
+    let experiment = Experiment::from_file_within(path, overrides, limits())?;
     let refuse = |error: ExperimentError| at_its_line(&experiment, &error);
     let checked = crate::experiment::check::check(&experiment).map_err(refuse)?;
     let text = || {

@@ -13,14 +13,16 @@ use indicatif::{ProgressBar, ProgressStyle};
 use miette::Diagnostic;
 use serde_json::{Value, json};
 use stickslip_report::FigureError;
-use stickslip_report::folder::{FolderError, MARKER, write_atomic};
+use stickslip_report::folder::{FolderError, LIST, MARKER, SharedFolder};
 use stickslip_report::page::PageError;
 use stickslip_report::raster::{DEFAULT_SCALE, to_png};
 use thiserror::Error;
 
 use super::console::Console;
 use super::failure::Failure;
+use super::folder::of_a_sweep;
 use super::interrupt::{INTERRUPTED, flag};
+use super::memory::limits;
 use crate::sweep::engine::run;
 use crate::sweep::figures::{Drawing, draw};
 use crate::sweep::page::{Account, page};
@@ -102,9 +104,13 @@ enum JointError {
 
 /// Solves all cases that the folder's table does not have yet.
 pub(super) fn joint(arguments: &JointArguments, console: Console) -> Result<(), Failure> {
-    let sweep = Sweep::from_file(&arguments.sweep, &arguments.overrides)?;
+    let sweep = Sweep::from_file_within(
+        &arguments.sweep,
+        &arguments.overrides,
+        limits().shared_by(arguments.jobs().get()),
+    )?;
     let folder = arguments.folder();
-    let mut rows = open(&sweep, &folder, arguments.resume)?;
+    let (mut files, mut rows) = open(&sweep, &folder, arguments.resume)?;
     let begun = rows.len();
     let pending: Vec<usize> = (0..sweep.cases())
         .filter(|case| rows.iter().all(|row| row.case != *case))
@@ -112,7 +118,7 @@ pub(super) fn joint(arguments: &JointArguments, console: Console) -> Result<(), 
     let stop = flag();
     let jobs = arguments.jobs();
     let bar = bar(&sweep, begun, console);
-    let path = folder.join(TABLE);
+    let path = files.file(TABLE);
     let start = Instant::now();
     let mut writer = table::Writer::after_rows(appended(&path)?);
     let ended = run(&sweep, &pending, jobs, &stop, &mut |row| {
@@ -131,7 +137,7 @@ pub(super) fn joint(arguments: &JointArguments, console: Console) -> Result<(), 
         jobs: jobs.get(),
         effort,
     };
-    let summary = keep(&sweep, &rows, &folder, &account)?;
+    let summary = keep(&sweep, &rows, &mut files, &account)?;
     if stop.load(Ordering::Relaxed) && rows.len() < sweep.cases() {
         let interrupted = JointError::Interrupted {
             done: rows.len(),
@@ -161,7 +167,11 @@ impl JointArguments {
 }
 
 /// Makes the folder ready for further rows; returns those that it has.
-fn open(sweep: &Sweep, folder: &Path, resume: bool) -> Result<Vec<Row>, JointError> {
+fn open(
+    sweep: &Sweep,
+    folder: &Path,
+    resume: bool,
+) -> Result<(SharedFolder, Vec<Row>), JointError> {
     let shown = folder.display().to_string();
     let file = |path: &Path, cause: &dyn std::fmt::Display| JointError::File {
         path: path.display().to_string(),
@@ -169,7 +179,12 @@ fn open(sweep: &Sweep, folder: &Path, resume: bool) -> Result<Vec<Row>, JointErr
     };
     fs::create_dir_all(folder).map_err(|cause| file(folder, &cause))?;
     let (identity, table) = (folder.join(IDENTITY), folder.join(TABLE));
-    let mut entries = fs::read_dir(folder).map_err(|cause| file(folder, &cause))?;
+    let entries = fs::read_dir(folder).map_err(|cause| file(folder, &cause))?;
+    // A sweep that was killed at once leaves a list without files, or half of a file.
+    let mut others = entries.flatten().filter(|entry| {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        name != LIST && !(name.starts_with('.') && name.contains(".partial-"))
+    });
     let mut rows = Vec::new();
     if identity.is_file() || table.is_file() {
         if !resume {
@@ -181,7 +196,7 @@ fn open(sweep: &Sweep, folder: &Path, resume: bool) -> Result<Vec<Row>, JointErr
         if table.is_file() {
             rows = table::read(sweep, &read(&table)?)?;
         }
-    } else if entries.next().is_some() {
+    } else if others.next().is_some() {
         return Err(JointError::NotASweep { path: shown });
     }
     let own = json!({
@@ -191,9 +206,10 @@ fn open(sweep: &Sweep, folder: &Path, resume: bool) -> Result<Vec<Row>, JointErr
         "hash": sweep.hash,
         "cases": sweep.cases(),
     });
-    write_atomic(&identity, format!("{own:#}\n").as_bytes())?;
-    write_atomic(&table, &table::text(sweep, &rows)?)?;
-    Ok(rows)
+    let mut files = SharedFolder::open(folder, of_a_sweep)?;
+    files.write(IDENTITY, format!("{own:#}\n").as_bytes())?;
+    files.write(TABLE, &table::text(sweep, &rows)?)?;
+    Ok((files, rows))
 }
 
 /// Whether the folder's rows belong to this sweep.
@@ -225,33 +241,28 @@ fn appended(path: &Path) -> Result<fs::File, JointError> {
 fn keep(
     sweep: &Sweep,
     rows: &[Row],
-    folder: &Path,
+    files: &mut SharedFolder,
     account: &Account,
 ) -> Result<Value, JointError> {
-    write_atomic(&folder.join(TABLE), &table::text(sweep, rows)?)?;
+    files.write(TABLE, &table::text(sweep, rows)?)?;
     let (drawings, remarks) = draw(sweep, rows);
-    write_pictures(&drawings, folder)?;
+    write_pictures(&drawings, files)?;
     let report = page(sweep, rows, &drawings, &remarks, account).render()?;
-    write_atomic(&folder.join("report.html"), report.as_bytes())?;
+    files.write("report.html", report.as_bytes())?;
     let summary = summary(sweep, rows, account);
-    write_atomic(&folder.join(MARKER), format!("{summary:#}\n").as_bytes())?;
+    files.write(MARKER, format!("{summary:#}\n").as_bytes())?;
     Ok(summary)
 }
 
-fn write_pictures(drawings: &[Drawing], folder: &Path) -> Result<(), JointError> {
-    let figures = folder.join("figures");
-    fs::create_dir_all(&figures).map_err(|cause| JointError::File {
-        path: figures.display().to_string(),
-        cause: cause.to_string(),
-    })?;
+fn write_pictures(drawings: &[Drawing], files: &mut SharedFolder) -> Result<(), JointError> {
     for drawing in drawings {
         let png = to_png(&drawing.picture, DEFAULT_SCALE).map_err(|cause| JointError::Picture {
             name: drawing.name.clone(),
             cause,
         })?;
         let svg = drawing.picture.as_str().as_bytes();
-        write_atomic(&figures.join(format!("{}.svg", drawing.name)), svg)?;
-        write_atomic(&figures.join(format!("{}.png", drawing.name)), &png)?;
+        files.write(&format!("figures/{}.svg", drawing.name), svg)?;
+        files.write(&format!("figures/{}.png", drawing.name), &png)?;
     }
     Ok(())
 }

@@ -8,7 +8,7 @@ use crate::scene::schema::Division;
 /// The error at the key that it is about, with a remedy.
 pub(super) fn locate(scene: &Scene, error: &ModelError) -> SceneError {
     let (key, remedy) = match error {
-        ModelError::TooManyNodes { body, .. } => (
+        ModelError::TooManyNodes { body, .. } | ModelError::TooLittleMemory { body, .. } => (
             mesh_key(scene, body),
             "make mesh.spacing larger, or let it grow with mesh.fine_to and mesh.coarse_spacing; mesh.layers counts too",
         ),

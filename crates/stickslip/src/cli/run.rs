@@ -7,14 +7,14 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use miette::Diagnostic;
 use stickslip_contact::ContactError;
-use stickslip_report::folder::{FolderError, Overwrite, ResultFolder};
+use stickslip_report::folder::FolderError;
 use thiserror::Error;
 
 use super::SceneArguments;
 use super::console::Console;
 use super::experiment::{Kind, kind_of};
 use super::failure::{CommandError, Failure};
-use super::interrupt::guarded;
+use super::folder::prepare;
 use super::located::locate;
 use crate::diagnostic::{SceneError, SceneProblem};
 use crate::output;
@@ -32,7 +32,7 @@ pub(super) struct RunArguments {
     /// Folder for the results; by default the scene's name with -results
     #[arg(long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Replace results that are in the folder already, once the new ones are complete
+    /// Replace results that are in the folder already, once the new ones are complete; other files in it are named and nothing is replaced
     #[arg(long)]
     force: bool,
 }
@@ -44,7 +44,8 @@ enum KeepError {
     #[diagnostic(
         code(run::folder),
         help(
-            "name a folder with --output DIR; it is made if it does not exist, and --force replaces results that are there already"
+            "name a folder with --output DIR; it is made if it does not exist, and --force replaces results that are there already, but no \
+             files of others"
         )
     )]
     Folder(#[from] FolderError),
@@ -63,14 +64,7 @@ pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Fail
         return Err(CommandError::ExperimentGiven { path }.into());
     }
     let scene = arguments.scene.read()?;
-    let overwrite = if arguments.force {
-        Overwrite::Force
-    } else {
-        Overwrite::Refuse
-    };
-    let path = arguments.folder();
-    let folder =
-        guarded(console, || ResultFolder::create(&path, overwrite)).map_err(KeepError::from)?;
+    let folder = prepare(&arguments.folder(), arguments.force, console).map_err(KeepError::from)?;
     let bar = bar(&scene, console);
     let solved = solve(&scene, &mut |progress| show(&bar, progress));
     bar.finish_and_clear();

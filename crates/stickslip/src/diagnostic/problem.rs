@@ -48,6 +48,16 @@ pub enum SceneProblem {
         /// What the parser says.
         cause: String,
     },
+    /// A text with a character that steers rather than shows.
+    #[error("the text holds the control character U+{:04X}", u32::from(*letter))]
+    #[diagnostic(
+        code(scene::control_character),
+        help("remove it; line breaks and tabs may stand in a description only")
+    )]
+    ControlCharacter {
+        /// The character.
+        letter: char,
+    },
     /// The same key twice in one table.
     #[error("the key '{key}' is given twice")]
     #[diagnostic(code(scene::duplicate_key), help("keep one of the two{}", on_lines(*lines)))]

@@ -31,6 +31,7 @@ use stickslip_hybrid::fringe::PixelMap;
 use super::error::ExperimentError;
 use super::plan::{Experiment, Source};
 use super::synthesis::{Shot, Shots};
+use crate::limits::Content;
 
 pub use rotation::TakenOff;
 pub(super) use signs::signs;
@@ -279,8 +280,9 @@ impl Scope<'_> {
         }
     }
 
-    fn bytes(&self, path: &std::path::Path) -> Result<Vec<u8>, ExperimentError> {
-        std::fs::read(path).map_err(|cause| ExperimentError::File {
+    fn bytes(&self, path: &std::path::Path, content: Content) -> Result<Vec<u8>, ExperimentError> {
+        let read = self.experiment.limits().read(path, content);
+        read.map_err(|cause| ExperimentError::File {
             key: self.key.clone(),
             path: path.display().to_string(),
             cause: cause.to_string(),

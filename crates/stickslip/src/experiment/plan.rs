@@ -19,6 +19,7 @@ use stickslip_hybrid::fringe;
 use stickslip_hybrid::moire::Grating;
 
 use crate::diagnostic::{Finding, SceneError, SceneProblem, SourceText};
+use crate::limits::{Content, Limits};
 use crate::scene::document::{Document, Part};
 use crate::scene::schema::{DisplayUnits, Material};
 use crate::scene::{Format, Scene};
@@ -318,8 +319,20 @@ impl Experiment {
     /// # Errors
     /// [`SceneError`] with what is wrong at its line, in the experiment or in its scene.
     pub fn from_file(path: &Path, overrides: &[impl AsRef<str>]) -> Result<Self, SceneError> {
+        Self::from_file_within(path, overrides, Limits::NONE)
+    }
+
+    /// As [`from_file`](Self::from_file), where the files that it names and its models may take no more than `limits`.
+    ///
+    /// # Errors
+    /// As [`from_file`](Self::from_file), and for files that are larger.
+    pub fn from_file_within(
+        path: &Path,
+        overrides: &[impl AsRef<str>],
+        limits: Limits,
+    ) -> Result<Self, SceneError> {
         let name = path.display().to_string();
-        let text = std::fs::read_to_string(path).map_err(|error| {
+        let text = limits.read_text(path, Content::Document).map_err(|error| {
             let source = SourceText {
                 name: name.clone(),
                 text: String::new(),
@@ -336,7 +349,8 @@ impl Experiment {
             SceneError::new(finding, [])
         })?;
         let folder = path.parent().unwrap_or(Path::new(""));
-        Self::from_text(&text, Format::of_path(path), &name, folder, overrides)
+        let source = SourceText { name, text };
+        read::experiment(source, Format::of_path(path), folder, overrides, limits)
     }
 
     /// Reads and checks an experiment. `name` stands for the text in errors, and files are looked for in `folder`.
@@ -354,7 +368,7 @@ impl Experiment {
             name: name.to_owned(),
             text: text.to_owned(),
         };
-        read::experiment(source, format, folder, overrides)
+        read::experiment(source, format, folder, overrides, Limits::NONE)
     }
 
     /// What to say where the model that is fitted to synthetic pictures has the very mesh that made them.
@@ -366,6 +380,11 @@ impl Experiment {
              mesh of its own."
                 .to_owned()
         })
+    }
+
+    /// What reading its files and its models may take.
+    pub(super) fn limits(&self) -> Limits {
+        self.document.limits
     }
 
     /// The file as it was spelled, with its overrides.

@@ -6,6 +6,7 @@ use serde_json::{Map, Value, json};
 use stickslip_report::FigureError;
 use stickslip_report::folder::{FolderError, ResultFolder};
 use stickslip_report::page::{Block, Figure, Page, PageError, Section};
+use stickslip_report::plain::csv_cell;
 use stickslip_report::raster::{DEFAULT_SCALE, to_png};
 use stickslip_report::svg::Svg;
 use stickslip_report::table::{Column, Table};
@@ -211,9 +212,22 @@ fn listed(names: &[String]) -> String {
     }
 }
 
+/// Texts as a line of a CSV table.
+pub fn csv_line(cells: &[String]) -> String {
+    let quoted = |cell: &String| {
+        let plain = csv_cell(cell);
+        if plain.contains(['"', ',', '\n']) {
+            format!("\"{}\"", plain.replace('"', "\"\""))
+        } else {
+            plain.into_owned()
+        }
+    };
+    cells.iter().map(quoted).collect::<Vec<_>>().join(",") + "\n"
+}
+
 /// A table of numbers as CSV; NaN is left empty. `header` names quantities and units.
 pub fn csv_table(header: &[String], rows: impl IntoIterator<Item = Vec<f64>>) -> Vec<u8> {
-    let mut text = header.join(",") + "\n";
+    let mut text = csv_line(header);
     for row in rows {
         let cells: Vec<String> = row
             .iter()

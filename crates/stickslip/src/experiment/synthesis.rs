@@ -89,6 +89,13 @@ impl<'a> Camera<'a> {
             cause: Box::new(cause),
         };
         let frame = Frame::over(fringes.window, fringes.pixel).map_err(refused)?;
+        let pictures = if fringes.four { 8.0 } else { 2.0 };
+        let pixels = frame.columns() as f64 * frame.rows() as f64;
+        let limits = experiment.limits();
+        limits.check_pixels(pixels * pictures).map_err(|words| {
+            let size = format!("{} x {} pixels", frame.columns(), frame.rows());
+            refused(FringeError::File(format!("{size} for each field: {words}")))
+        })?;
         let places: Vec<_> = (0..frame.pixels())
             .map(|pixel| frame.place(pixel))
             .collect();

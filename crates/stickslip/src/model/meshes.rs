@@ -20,7 +20,7 @@ use crate::scene::schema::{Division, MeshSettings, Outline, Shape, Substance};
 pub const NODE_LIMIT: usize = 4_000_000;
 /// Bytes per node of mesh, matrix and factor, by which a mesh that is too large is reported: a factor of n unknowns of a
 /// plane mesh holds about 8 n log₂ n numbers.
-const BYTES_PER_NODE: f64 = 2.0 * 8.0 * 8.0 * 24.0;
+pub(crate) const BYTES_PER_NODE: f64 = 2.0 * 8.0 * 8.0 * 24.0;
 /// Layers that start with square cells.
 const SQUARE: Growth = Growth::Geometric { aspect: 1.0 };
 
@@ -29,7 +29,8 @@ pub(super) fn build(
     half: bool,
     choices: &mut Vec<Choice>,
 ) -> Result<Meshes, ModelError> {
-    let mut meshes = lines::build(scene, half)?;
+    let most = most_nodes(scene);
+    let mut meshes = lines::build(scene, half, most)?;
     let mut layers = Vec::new();
     let mut counts = Vec::new();
     for (name, body) in &scene.bodies {
@@ -38,7 +39,7 @@ pub(super) fn build(
             meshes.remove(name);
             continue;
         }
-        let refuse = |cause| refuse(name, cause);
+        let refuse = |cause| refuse(scene, name, cause);
         let angles = if body.shape.is_round() {
             angles::on_circles(scene, name, half)?
         } else {
@@ -56,7 +57,7 @@ pub(super) fn build(
                     layers.push(format!("{count} in '{name}'"));
                     counts.push(angles.len());
                 }
-                let mesh = plate(kind, hole_radius, outline, &angles, count, half);
+                let mesh = plate(kind, hole_radius, outline, &angles, count, half, most);
                 let place = placement::centre(scene, name);
                 let moved = mesh.map_err(refuse)?.translated(place);
                 moved.map_err(|cause| ModelError::Mesh {
@@ -69,10 +70,10 @@ pub(super) fn build(
                     layers.push(format!("{} in '{name}'", disk_layers(angles.len(), half)));
                     counts.push(angles.len());
                 }
-                disk(scene, name, radius, &angles, half).map_err(refuse)?
+                disk(scene, name, radius, &angles, half, most).map_err(refuse)?
             }
             Shape::Rectangle { width, height } => {
-                rectangle(settings, width, height).map_err(refuse)?
+                rectangle(settings, width, height, most).map_err(refuse)?
             }
             Shape::Block { .. } | Shape::Cylinder { .. } => continue,
         };
@@ -90,17 +91,50 @@ pub(super) fn build(
             ),
         });
     }
+    check_together(scene, &meshes)?;
     Ok(meshes)
 }
 
-fn refuse(body: &str, cause: GenerateError) -> ModelError {
+/// Most nodes of one body: a fixed number, or what there is memory for.
+fn most_nodes(scene: &Scene) -> usize {
+    let room = scene.limits().memory as f64 / BYTES_PER_NODE;
+    (room as usize).min(NODE_LIMIT)
+}
+
+fn refuse(scene: &Scene, body: &str, cause: GenerateError) -> ModelError {
     match cause {
-        GenerateError::TooLarge { nodes, .. } => too_many(body, nodes as f64),
+        GenerateError::TooLarge { nodes, .. } if nodes > NODE_LIMIT => too_many(body, nodes as f64),
+        GenerateError::TooLarge { nodes, .. } => {
+            // The generator has found that this is more than the memory holds.
+            let words = scene.limits().check(nodes as f64 * BYTES_PER_NODE);
+            too_large(body, nodes, words.err().unwrap_or_default())
+        }
         cause => ModelError::Generate {
             body: body.to_owned(),
             cause,
         },
     }
+}
+
+fn too_large(body: &str, nodes: usize, words: String) -> ModelError {
+    ModelError::TooLittleMemory {
+        body: body.to_owned(),
+        nodes: nodes as f64,
+        words,
+    }
+}
+
+/// Refuses meshes that fit into the memory one by one and not together.
+fn check_together(scene: &Scene, meshes: &Meshes) -> Result<(), ModelError> {
+    let nodes: usize = meshes.values().map(|mesh| mesh.nodes().len()).sum();
+    let largest = meshes.iter().max_by_key(|(_, mesh)| mesh.nodes().len());
+    let (Err(words), Some((body, mesh))) =
+        (scene.limits().check(nodes as f64 * BYTES_PER_NODE), largest)
+    else {
+        return Ok(());
+    };
+    let words = format!("with the other bodies {words}");
+    Err(too_large(body, mesh.nodes().len(), words))
 }
 
 fn too_many(body: &str, nodes: f64) -> ModelError {
@@ -154,6 +188,7 @@ fn plate(
     angles: &[f64],
     layers: usize,
     half: bool,
+    most: usize,
 ) -> Result<Mesh, GenerateError> {
     let outline = match outline {
         Outline::Strip {
@@ -179,7 +214,7 @@ fn plate(
         far_cells: ((half_count(angles.len(), half) / 4.0).round() as usize).max(3),
         kind,
     }
-    .generate_within(NODE_LIMIT)
+    .generate_within(most)
 }
 
 fn disk(
@@ -188,6 +223,7 @@ fn disk(
     radius: f64,
     angles: &[f64],
     half: bool,
+    most: usize,
 ) -> Result<Mesh, GenerateError> {
     Disk {
         radius,
@@ -199,10 +235,15 @@ fn disk(
         growth: SQUARE,
         kind: scene.mesh_of(name).element,
     }
-    .generate_within(NODE_LIMIT)
+    .generate_within(most)
 }
 
-fn rectangle(settings: &MeshSettings, width: f64, height: f64) -> Result<Mesh, GenerateError> {
+fn rectangle(
+    settings: &MeshSettings,
+    width: f64,
+    height: f64,
+    most: usize,
+) -> Result<Mesh, GenerateError> {
     let spacing = match settings.division {
         Division::Linear(grading) => grading.spacing,
         Division::AngleList(_) | Division::Angular(_) => width.min(height) / 20.0,
@@ -214,5 +255,5 @@ fn rectangle(settings: &MeshSettings, width: f64, height: f64) -> Result<Mesh, G
         [cells(width), cells(height)],
         settings.element,
     )?
-    .generate_within(NODE_LIMIT)
+    .generate_within(most)
 }

@@ -1,6 +1,7 @@
 //! Tables as CSV files: one per step and edge, and one of all steps. Headings carry the units: `CPRESS [psi]`.
 
 use stickslip_contact::Status;
+use stickslip_report::plain::csv_cell;
 
 use super::display::{EdgeView, tidy};
 use super::names::{FileNames, step_name};
@@ -50,7 +51,8 @@ pub(super) fn write(
     };
     let mut writer = csv::Writer::from_writer(Vec::new());
     for row in rows {
-        writer.write_record(&row).map_err(fail)?;
+        let cells = row.iter().map(|cell| csv_cell(cell).into_owned());
+        writer.write_record(cells).map_err(fail)?;
     }
     writer
         .into_inner()

@@ -9,10 +9,12 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use serde_json::{Map, Value};
+use stickslip_report::plain::is_control;
 use toml::de::{DeTable, DeValue};
 
 use super::json;
 use crate::diagnostic::{Finding, SceneError, SceneProblem, SourceText, offset_of};
+use crate::limits::Limits;
 
 /// The two spellings of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -54,6 +56,8 @@ pub(crate) struct Document {
     pub(crate) source: Arc<SourceText>,
     pub(crate) root: Value,
     pub(crate) places: BTreeMap<String, Place>,
+    /// What reading it, and the files that it names, may take.
+    pub(crate) limits: Limits,
 }
 
 /// `parent.name`, or `name` at the top.
@@ -77,6 +81,7 @@ impl Document {
             source: Arc::new(source),
             root: Value::Null,
             places: BTreeMap::new(),
+            limits: Limits::NONE,
         };
         match format {
             Format::Toml => document.read_toml()?,
@@ -184,6 +189,16 @@ impl Document {
         self.places.insert(key.to_owned(), place);
     }
 
+    /// Refuses texts and keys with control characters, which would steer a terminal or spoil a page that shows them. Line breaks
+    /// and tabs may stand in a `description`.
+    pub(crate) fn check_texts(&self) -> Result<(), SceneError> {
+        let found = control_in(&self.root, "", true);
+        found.map_or(Ok(()), |(key, part, letter)| {
+            let problem = SceneProblem::ControlCharacter { letter };
+            Err(self.error(&key, part, problem))
+        })
+    }
+
     fn syntax(
         &self,
         format: &'static str,
@@ -262,6 +277,28 @@ impl Document {
     /// The same as [`finding`](Self::finding), as an error of its own.
     pub(crate) fn error(&self, key: &str, part: Part, problem: SceneProblem) -> SceneError {
         SceneError::new(self.finding(key, part, problem), [])
+    }
+}
+
+/// The first control character in a value or its keys, with the key.
+fn control_in(value: &Value, key: &str, one_line: bool) -> Option<(String, Part, char)> {
+    let find = |text: &str, one_line: bool| {
+        let refused = |letter: char| is_control(letter) || (one_line && letter.is_control());
+        text.chars().find(|letter| refused(*letter))
+    };
+    match value {
+        Value::String(text) => {
+            find(text, one_line).map(|letter| (key.to_owned(), Part::Value, letter))
+        }
+        Value::Array(list) => list
+            .iter()
+            .enumerate()
+            .find_map(|(index, value)| control_in(value, &child(key, index), one_line)),
+        Value::Object(map) => map.iter().find_map(|(name, value)| match find(name, true) {
+            Some(letter) => Some((child(key, name), Part::Key, letter)),
+            None => control_in(value, &child(key, name), name != "description"),
+        }),
+        _ => None,
     }
 }
 

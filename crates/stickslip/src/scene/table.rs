@@ -4,6 +4,8 @@
 
 use std::path::Path;
 
+use crate::limits::{Content, Limits};
+
 /// Why a table cannot be used, in words that name the line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct TableError {
@@ -24,8 +26,9 @@ impl TableError {
 pub(super) fn read<const N: usize>(
     path: &Path,
     columns: [&str; N],
+    limits: Limits,
 ) -> Result<[Vec<f64>; N], TableError> {
-    let text = std::fs::read_to_string(path).map_err(|error| {
+    let text = limits.read_text(path, Content::Table).map_err(|error| {
         TableError::new(
             format!("cannot be read: {error}"),
             "paths of data files are relative to the folder of the scene file",

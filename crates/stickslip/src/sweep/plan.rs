@@ -10,6 +10,7 @@ use serde_json::Value;
 
 use super::axis::{Axis, AxisKey, tidy};
 use crate::diagnostic::{Finding, SceneError, SceneProblem, SourceText};
+use crate::limits::{Content, Limits};
 use crate::scene::document::{Document, Part};
 use crate::scene::schema::{Outline, Shape, Substance};
 use crate::scene::{Format, Scene};
@@ -65,12 +66,20 @@ struct Base {
     name: String,
     folder: PathBuf,
     overrides: Vec<String>,
+    limits: Limits,
 }
 
 impl Base {
     fn scene(&self, further: &[String]) -> Result<Scene, SceneError> {
         let all: Vec<&String> = self.overrides.iter().chain(further).collect();
-        Scene::from_text(&self.text, self.format, &self.name, &self.folder, &all)
+        Scene::from_text_within(
+            &self.text,
+            self.format,
+            &self.name,
+            &self.folder,
+            &all,
+            self.limits,
+        )
     }
 }
 
@@ -81,8 +90,20 @@ impl Sweep {
     /// # Errors
     /// [`SceneError`] with the first thing that is wrong at its line, in the sweep or in its scene.
     pub fn from_file(path: &Path, overrides: &[impl AsRef<str>]) -> Result<Self, SceneError> {
+        Self::from_file_within(path, overrides, Limits::NONE)
+    }
+
+    /// As [`from_file`](Self::from_file), where each case may take no more than `limits`.
+    ///
+    /// # Errors
+    /// As [`from_file`](Self::from_file), and for files that are larger.
+    pub fn from_file_within(
+        path: &Path,
+        overrides: &[impl AsRef<str>],
+        limits: Limits,
+    ) -> Result<Self, SceneError> {
         let name = path.display().to_string();
-        let text = std::fs::read_to_string(path).map_err(|error| {
+        let text = limits.read_text(path, Content::Document).map_err(|error| {
             let problem = SceneProblem::Unreadable {
                 path: name.clone(),
                 cause: error.to_string(),
@@ -102,7 +123,8 @@ impl Sweep {
         let folder = path.parent().unwrap_or(Path::new(""));
         let overrides = overrides.iter().map(|one| one.as_ref().to_owned());
         let source = SourceText { name, text };
-        read::sweep(source, Format::of_path(path), folder, overrides.collect())
+        let overrides = overrides.collect();
+        read::sweep(source, Format::of_path(path), folder, overrides, limits)
     }
 
     /// Number of cases.

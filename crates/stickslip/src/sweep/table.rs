@@ -17,6 +17,8 @@
 
 use std::io::Write;
 
+use stickslip_report::plain::{csv_cell, csv_text};
+
 use super::row::{JointLoad, Measures, Outcome, PlyFailure, Row, load_unit};
 use super::{Sweep, SweepError};
 use crate::results::JointMode;
@@ -150,7 +152,7 @@ impl<W: Write> Writer<W> {
     fn put(&mut self, cells: &[String]) -> Result<(), SweepError> {
         let written = self
             .csv
-            .write_record(cells)
+            .write_record(cells.iter().map(|cell| csv_cell(cell).into_owned()))
             .and_then(|()| Ok(self.csv.flush()?));
         written.map_err(|cause| SweepError::Write { cause })
     }
@@ -191,8 +193,13 @@ pub fn read(sweep: &Sweep, text: &str) -> Result<Vec<Row>, SweepError> {
             what,
         };
         let record = record.map_err(|cause| fail(cause.to_string()))?;
+        let found: Vec<&str> = record.iter().map(csv_text).collect();
         if index == 0 {
-            if record.iter().ne(expected.iter().map(String::as_str)) {
+            if found
+                .iter()
+                .copied()
+                .ne(expected.iter().map(String::as_str))
+            {
                 let what = "its columns are others".to_owned();
                 return Err(SweepError::Other { what });
             }
@@ -202,10 +209,9 @@ pub fn read(sweep: &Sweep, text: &str) -> Result<Vec<Row>, SweepError> {
             let what = format!("{} cells under {} headings", record.len(), expected.len());
             return Err(fail(what));
         }
-        let cells: Vec<&str> = record.iter().collect();
-        let row = row(sweep, &cells).map_err(fail)?;
+        let row = row(sweep, &found).map_err(fail)?;
         let values = sweep.values_of(row.case);
-        let mut own = sweep.axes.iter().zip(values).zip(&cells[1..]);
+        let mut own = sweep.axes.iter().zip(values).zip(&found[1..]);
         if let Some(((axis, value), found)) =
             own.find(|((axis, value), found)| axis.cell(*value) != **found)
         {

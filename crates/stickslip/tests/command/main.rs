@@ -3,9 +3,12 @@
 mod checks;
 mod conflicts;
 mod files;
+mod folders;
+mod limits;
 mod lists;
 mod particular;
 mod refusals;
+mod texts;
 
 use std::fs;
 use std::path::Path;

@@ -98,7 +98,7 @@ fn the_page_tells_of_laws_and_of_the_whole_plate() {
     );
 
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("laws-page");
-    let folder = ResultFolder::create(&path, Overwrite::Force).unwrap();
+    let folder = ResultFolder::create(&path, Overwrite::Force(|_| None)).unwrap();
     let path = story.write(folder).unwrap();
     for file in ["laws.csv", "law-fit-up.csv", "whole-plate-down.csv"] {
         assert!(path.join(file).exists(), "{file}");

@@ -13,6 +13,8 @@ use stickslip_hybrid::region::outline::boundary_edges;
 
 use crate::experiment::error::ExperimentError;
 use crate::experiment::plan::{Hole, MeshPlan};
+use crate::limits::{Content, Limits};
+use crate::model::BYTES_PER_NODE;
 
 /// Part of the radius by which a node may be off the hole.
 const ON_HOLE: f64 = 1e-3;
@@ -22,16 +24,24 @@ const ON_HOLE: f64 = 1e-3;
 /// # Errors
 /// [`ExperimentError::File`] for a file that cannot be read or makes no mesh, [`ExperimentError::Missing`] for one without cells or
 /// without an edge on the hole.
-pub(super) fn mesh(plan: &MeshPlan, hole: &Hole, edge: &str) -> Result<Mesh, ExperimentError> {
+pub(super) fn mesh(
+    plan: &MeshPlan,
+    hole: &Hole,
+    edge: &str,
+    limits: Limits,
+) -> Result<Mesh, ExperimentError> {
     let unreadable = |cause: String| ExperimentError::File {
         key: "region.mesh.file".to_owned(),
         path: plan.file.display().to_string(),
         cause,
     };
-    let bytes = std::fs::read(&plan.file).map_err(|cause| unreadable(cause.to_string()))?;
+    let bytes = limits.read(&plan.file, Content::Table);
+    let bytes = bytes.map_err(|cause| unreadable(cause.to_string()))?;
     let file = parse_msh_bytes(&bytes)
         .map_err(|_| unreadable("it is no mesh of Gmsh's format 4.1".to_owned()))?;
     let parts = parts(&file, plan.scale).map_err(unreadable)?;
+    let memory = parts.nodes.len() as f64 * BYTES_PER_NODE;
+    limits.check(memory).map_err(unreadable)?;
     if parts.blocks.is_empty() {
         return Err(missing(
             "the mesh has no triangles and no quadrilaterals of one or two orders".to_owned(),

@@ -22,6 +22,7 @@ use super::{Analysed, Checked, MisfitAt, NodalForce};
 use crate::experiment::error::{ExperimentError, of_reduction, of_region};
 use crate::experiment::measured::Measured;
 use crate::experiment::plan::{Area, Experiment, Hole, RegionPlan, RegionShape};
+use crate::limits::Limits;
 
 /// The edge set on which stresses are asked for.
 const EDGE: &str = "inner";
@@ -57,13 +58,14 @@ fn unusable(cause: RegionError) -> ExperimentError {
 pub(in crate::experiment) fn meshed(
     plan: &RegionPlan,
     hole: &Hole,
+    limits: Limits,
 ) -> Result<(Mesh, f64), ExperimentError> {
     match &plan.shape {
         RegionShape::Sector(sector) => {
             let sector = sector.around(hole);
             Ok((sector.mesh().map_err(unusable)?, sector.inner()))
         }
-        RegionShape::Mesh(mesh) => Ok((imported::mesh(mesh, hole, EDGE)?, hole.radius)),
+        RegionShape::Mesh(mesh) => Ok((imported::mesh(mesh, hole, EDGE, limits)?, hole.radius)),
     }
 }
 
@@ -104,7 +106,7 @@ impl<'a> Workbench<'a> {
             .as_ref()
             .ok_or_else(|| missing("region", "edge stresses need a [region]", SECTOR))?;
         let specimen = &experiment.specimen;
-        let (mesh, radius) = meshed(plan, &specimen.hole)?;
+        let (mesh, radius) = meshed(plan, &specimen.hole, experiment.limits())?;
         let mesh = Arc::new(mesh);
         let material = (specimen.material.in_plane(specimen.plane)).map_err(|cause| {
             let what = format!("the specimen's material is none: {cause}");

@@ -40,7 +40,7 @@ pub(super) fn check(scope: &Scope<'_>, measured: &Measured) -> Result<(), Experi
         return Ok(());
     }
     let hole = scope.experiment.specimen.hole;
-    let Ok((mesh, _)) = meshed(region, &hole) else {
+    let Ok((mesh, _)) = meshed(region, &hole, scope.experiment.limits()) else {
         // The hybrid analysis says why there is no such mesh.
         return Ok(());
     };

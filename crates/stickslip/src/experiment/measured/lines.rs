@@ -9,6 +9,7 @@ use super::{Measured, Reading, Scope};
 use crate::experiment::error::ExperimentError;
 use crate::experiment::plan::LineSource;
 use crate::experiment::synthesis::field_name;
+use crate::limits::Content;
 use crate::output::short;
 
 /// What tables of fringe centres say.
@@ -26,7 +27,7 @@ pub(super) fn read(scope: &Scope<'_>, source: &LineSource) -> Result<Reading, Ex
     let mut warnings = Vec::new();
     let mut of = |field: Field| -> Result<FringeLines, ExperimentError> {
         let file = &source.files[field.component()];
-        let bytes = scope.bytes(file)?;
+        let bytes = scope.bytes(file, Content::Table)?;
         let name = file.display().to_string();
         let reading = &source.reading[field.component()];
         let (lines, doubts) = FringeLines::read_with_doubts(&bytes[..], &name, field, reading)

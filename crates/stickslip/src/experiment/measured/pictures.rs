@@ -3,13 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use stickslip_hybrid::data::Field;
-use stickslip_hybrid::fringe::{FringeError, PixelMap, decode};
+use stickslip_hybrid::fringe::{FringeError, PixelMap, decode, size};
 
 use super::phase::{FieldInput, orders};
 use super::{Reading, Scope};
 use crate::experiment::error::ExperimentError;
 use crate::experiment::plan::PictureSource;
 use crate::experiment::synthesis::{FieldPictures, field_name};
+use crate::limits::Content;
 
 /// Orders of synthetic pictures.
 pub(super) fn synthetic(
@@ -42,13 +43,15 @@ pub(super) fn read(
     source: &PictureSource,
     takes_off: bool,
 ) -> Result<Reading, ExperimentError> {
-    let decoded = |field: Field| -> Result<Vec<PixelMap>, ExperimentError> {
-        let files = source.files[field.component()].iter();
-        files
-            .map(|file| picture(scope, source, field, file))
+    let [u, v] = opened(scope, source)?;
+    let decoded = |field: Field, files: Vec<Vec<u8>>| -> Result<Vec<PixelMap>, ExperimentError> {
+        let names = source.files[field.component()].iter();
+        names
+            .zip(files)
+            .map(|(name, bytes)| picture(scope, source, field, name, &bytes))
             .collect()
     };
-    let (u, v) = rayon::join(|| decoded(Field::U), || decoded(Field::V));
+    let (u, v) = rayon::join(|| decoded(Field::U, u), || decoded(Field::V, v));
     let (u, v) = (u?, v?);
     if takes_off && source.carrier.is_none() && [&u, &v].iter().any(|field| field.len() == 1) {
         return Err(untold(scope));
@@ -77,6 +80,33 @@ pub(super) fn read(
     Ok(Reading::Pictures(Box::new([u?, v?])))
 }
 
+/// The files of both fields as they are, whose pictures fit into the memory.
+fn opened(scope: &Scope<'_>, source: &PictureSource) -> Result<[Vec<Vec<u8>>; 2], ExperimentError> {
+    let mut files = [Vec::new(), Vec::new()];
+    let mut pixels = 0.0;
+    for field in Field::BOTH {
+        let c = field.component();
+        for file in &source.files[c] {
+            let bytes = scope.bytes(file, Content::Picture)?;
+            let own = [file.clone()];
+            let size =
+                size(&bytes).map_err(|cause| failed(scope, field, &own, cause, String::new()))?;
+            pixels += size[0] as f64 * size[1] as f64;
+            scope
+                .experiment
+                .limits()
+                .check_pixels(pixels)
+                .map_err(|words| {
+                    let cause =
+                        FringeError::File(format!("{} x {} pixels: {words}", size[0], size[1]));
+                    failed(scope, field, &own, cause, String::new())
+                })?;
+            files[c].push(bytes);
+        }
+    }
+    Ok(files)
+}
+
 /// Pictures whose carrier nothing tells.
 fn untold(scope: &Scope<'_>) -> ExperimentError {
     ExperimentError::Missing {
@@ -96,12 +126,12 @@ fn picture(
     source: &PictureSource,
     field: Field,
     file: &Path,
+    bytes: &[u8],
 ) -> Result<PixelMap, ExperimentError> {
-    let bytes = scope.bytes(file)?;
     let down = if source.upright { -1.0 } else { 1.0 };
     let step = [source.pixel, down * source.pixel];
     let first = [0, 1].map(|axis| source.top_left[axis] + 0.5 * step[axis]);
-    let placed = decode(&bytes).and_then(|raster| raster.placed(first, step, source.dark));
+    let placed = decode(bytes).and_then(|raster| raster.placed(first, step, source.dark));
     let files = [file.to_owned()];
     placed.map_err(|cause| failed(scope, field, &files, cause, String::new()))
 }

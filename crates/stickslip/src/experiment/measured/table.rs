@@ -8,6 +8,7 @@ use super::{Reading, Scope, scatter};
 use crate::experiment::error::ExperimentError;
 use crate::experiment::plan::TableSource;
 use crate::experiment::synthesis::field_name;
+use crate::limits::Content;
 use crate::output::short;
 use crate::units::{Dimension, Expected, parse};
 
@@ -35,7 +36,7 @@ pub(super) struct Scattered {
 /// A table as its source says, its origin moved to the body's, masked where it shows no specimen and where places do not go with their
 /// neighbours.
 pub(super) fn read(scope: &Scope<'_>, source: &TableSource) -> Result<Reading, ExperimentError> {
-    let bytes = scope.bytes(&source.file)?;
+    let bytes = scope.bytes(&source.file, Content::Table)?;
     let name = source.file.display().to_string();
     let (mut measurement, rows) =
         Measurement::read_rows(&bytes[..], &name, &source.format, &source.reading)

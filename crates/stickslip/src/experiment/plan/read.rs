@@ -18,6 +18,7 @@ use crate::experiment::format::{
     ExperimentFormat, FileKindFormat, FringesFormat, GratingFormat, MaskFormat, PlaceFormat,
     SeriesFormat,
 };
+use crate::limits::Limits;
 use crate::scene::document::{Document, Part};
 use crate::scene::read::Reader;
 use crate::scene::{Format, UnitsFormat, apply_override};
@@ -28,9 +29,10 @@ pub(super) fn experiment(
     format: Format,
     folder: &Path,
     overrides: &[impl AsRef<str>],
+    limits: Limits,
 ) -> Result<Experiment, SceneError> {
     let source_name = source.name.clone();
-    let (document, read) = keys(source, format, overrides)?;
+    let (document, read) = keys(source, format, overrides, limits)?;
     let refuse = Refuse(&document);
     let mut specimen = specimen::read(refuse, &read, folder)?;
     let display = shown_in(read.units.as_ref(), &mut specimen);
@@ -93,11 +95,14 @@ fn keys(
     source: SourceText,
     format: Format,
     overrides: &[impl AsRef<str>],
+    limits: Limits,
 ) -> Result<(Document, ExperimentFormat), SceneError> {
     let mut document = Document::parse(source, format)?;
+    document.limits = limits;
     for argument in overrides {
         apply_override(&mut document, argument.as_ref())?;
     }
+    document.check_texts()?;
     check_version(&document)?;
     let read = ExperimentFormat::deserialize(Reader::new(&document.root, ""));
     let read = read.map_err(|error| {

@@ -55,7 +55,7 @@ fn of_scene(
             "the path is relative to the folder of the experiment file",
         ));
     }
-    let scene = Scene::from_file(path, &given.overrides)?;
+    let scene = Scene::from_file_within(path, &given.overrides, refuse.0.limits)?;
     let body = body_of(refuse, given, &scene)?;
     let Some(found) = scene.bodies.get(&body) else {
         let known = scene.bodies.keys().cloned().collect();
@@ -150,7 +150,7 @@ fn model_of(
         return Ok(own.clone());
     }
     let overrides = given.overrides.iter().chain(&given.model_overrides);
-    let scene = Scene::from_file(path, &overrides.collect::<Vec<_>>())?;
+    let scene = Scene::from_file_within(path, &overrides.collect::<Vec<_>>(), refuse.0.limits)?;
     let circle = |scene: &Scene| {
         let body = scene.bodies.get(&own.body)?;
         Some((centre_of(scene, &own.body), body.shape.circle(&own.edge)?))

@@ -22,13 +22,17 @@ pub(in crate::model) fn fine_to(given: Option<f64>, half_length: f64) -> f64 {
 }
 
 /// Meshes of all cylinders and blocks by body.
-pub(super) fn build(scene: &Scene, half: bool) -> Result<BTreeMap<String, Arc<Mesh>>, ModelError> {
+pub(super) fn build(
+    scene: &Scene,
+    half: bool,
+    most: usize,
+) -> Result<BTreeMap<String, Arc<Mesh>>, ModelError> {
     let mut meshes = BTreeMap::new();
     for [cylinder, block] in pairs(scene)? {
         let divided_as = |name: &str| {
             together(scene, [cylinder, block], name, half)?
-                .generate_within(NODE_LIMIT)
-                .map_err(|cause| refuse(name, cause))
+                .generate_within(most)
+                .map_err(|cause| refuse(scene, name, cause))
         };
         let made = divided_as(cylinder)?;
         let lower = if scene.mesh_of(cylinder) == scene.mesh_of(block) {

@@ -240,7 +240,7 @@ impl Builder<'_> {
             given.radial.as_str(),
             given.shear.as_str(),
         ];
-        let read = table::read(&file, columns)
+        let read = table::read(&file, columns, self.document.limits)
             .and_then(|columns| table::check_angles(&columns[0]).map(|()| columns));
         let [theta, radial, shear] = match read {
             Ok(columns) => columns,

@@ -10,6 +10,7 @@ use sha2::{Digest as _, Sha256};
 
 use super::{Base, Sweep, VERSION, joint};
 use crate::diagnostic::{SceneError, SceneProblem, SourceText, nearest};
+use crate::limits::{Content, Limits};
 use crate::scene::Format;
 use crate::scene::document::{Document, Part};
 use crate::scene::read::Reader;
@@ -26,9 +27,12 @@ pub(super) fn sweep(
     format: Format,
     folder: &Path,
     overrides: Vec<String>,
+    limits: Limits,
 ) -> Result<Sweep, SceneError> {
     let source_name = source.name.clone();
-    let document = Document::parse(source, format)?;
+    let mut document = Document::parse(source, format)?;
+    document.limits = limits;
+    document.check_texts()?;
     check_version(&document)?;
     let read = SweepFormat::deserialize(Reader::new(&document.root, "")).map_err(|error| {
         let key = error.key.as_deref().unwrap_or_default();
@@ -88,7 +92,8 @@ fn base(
 ) -> Result<Base, SceneError> {
     let path = folder.join(scene);
     let name = path.display().to_string();
-    let text = std::fs::read_to_string(&path).map_err(|error| {
+    let text = document.limits.read_text(&path, Content::Document);
+    let text = text.map_err(|error| {
         let problem = SceneProblem::Conflict {
             message: format!("the scene file '{name}' cannot be read: {error}"),
             remedy: "the path is relative to the folder of the sweep file".to_owned(),
@@ -101,6 +106,7 @@ fn base(
         folder: path.parent().unwrap_or(Path::new("")).to_owned(),
         name,
         overrides,
+        limits: document.limits,
     })
 }
 

@@ -72,7 +72,7 @@ fn read(text: &str, scale: f64) -> Result<Mesh, ExperimentError> {
     let folder = TempDir::new().unwrap();
     let file = folder.path().join("region.msh");
     std::fs::write(&file, text).unwrap();
-    mesh(&MeshPlan { file, scale }, &HOLE, "inner")
+    mesh(&MeshPlan { file, scale }, &HOLE, "inner", Limits::NONE)
 }
 
 #[test]

@@ -8,7 +8,7 @@ use crate::experiment::laws::{
     Discrepancy, Fit, LawStage, MeshError, SharedNull, StateMeshError, figures,
 };
 use crate::experiment::plan::Experiment;
-use crate::experiment::story::csv_table;
+use crate::experiment::story::{csv_line, csv_table};
 
 pub(super) fn csv(experiment: &Experiment, stage: &LawStage) -> Vec<u8> {
     let header =
@@ -20,7 +20,7 @@ pub(super) fn csv(experiment: &Experiment, stage: &LawStage) -> Vec<u8> {
             let (factor, unit) = figures::unit(experiment, fit.law.dimensions[index]);
             let [low, high] = ends(own.bounds).map(|end| number(end.map(|end| factor * end)));
             let cells = [
-                format!("\"{}\"", fit.law.name.replace('"', "\"\"")),
+                fit.law.name.clone(),
                 own.name.clone(),
                 unit.to_owned(),
                 format!("{}", factor * own.value),
@@ -32,7 +32,7 @@ pub(super) fn csv(experiment: &Experiment, stage: &LawStage) -> Vec<u8> {
                 format!("{}", calibration.aicc()),
                 format!("{}", calibration.bic()),
             ];
-            text += &(cells.join(",") + "\n");
+            text += &csv_line(&cells);
         }
     }
     text.into_bytes()

@@ -1,0 +1,114 @@
+//! The folder that a command writes, and which older folders are its own.
+
+use std::path::Path;
+
+use serde_json::Value;
+use stickslip_report::folder::{FolderError, Overwrite, ResultFolder};
+
+use super::console::Console;
+use super::interrupt::guarded;
+
+/// Makes the folder for the results of a run or an experiment; what had to be put right of an earlier process is said.
+pub(super) fn prepare(
+    path: &Path,
+    force: bool,
+    console: Console,
+) -> Result<ResultFolder, FolderError> {
+    let overwrite = if force {
+        Overwrite::Force(older)
+    } else {
+        Overwrite::Refuse
+    };
+    let folder = guarded(console, || ResultFolder::create(path, overwrite))?;
+    for remark in folder.remarks() {
+        console.note(remark);
+    }
+    Ok(folder)
+}
+
+/// Which files results of a version without a list of its files consist of, by the format that their summary names.
+fn older(summary: &[u8]) -> Option<fn(&str) -> bool> {
+    let summary: Value = serde_json::from_slice(summary).ok()?;
+    match summary.get("format")?.as_str()? {
+        "stickslip-summary" => Some(of_a_run),
+        "stickslip-experiment-summary" => Some(of_an_experiment),
+        _ => None,
+    }
+}
+
+fn of_a_run(name: &str) -> bool {
+    const FILES: [&str; 4] = ["summary.json", "report.html", "steps.csv", "results.pvd"];
+    const TABLES: [&str; 8] = [
+        "edge-",
+        "failure-",
+        "first-ply-",
+        "characteristic-",
+        "envelopes-",
+        "plies-",
+        "load-displacement-",
+        "damage-",
+    ];
+    const FIGURES: [&str; 15] = [
+        "stresses-",
+        "pressure-",
+        "shear-",
+        "hoop-",
+        "map-",
+        "extent-",
+        "friction-",
+        "ply-",
+        "characteristic-",
+        "envelope-normal-",
+        "envelope-shear-",
+        "load-displacement-",
+        "edge-strains-",
+        "damage-",
+        "field-",
+    ];
+    FILES.contains(&name)
+        || is_one_of(name, "", &TABLES, &[".csv"])
+        || is_one_of(name, "fields/", &[""], &[".vtu"])
+        || is_one_of(name, "figures/", &FIGURES, &[".svg", ".png"])
+}
+
+fn of_an_experiment(name: &str) -> bool {
+    const FILES: [&str; 6] = [
+        "summary.json",
+        "index.html",
+        "laws.csv",
+        "friction.csv",
+        "gallery.png",
+        "measured.toml",
+    ];
+    const TABLES: [&str; 5] = ["law-fit-", "edge-", "forces-", "whole-plate-", "measured-"];
+    const FIGURES: [&str; 9] = [
+        "law-",
+        "friction.",
+        "edge-",
+        "misfit-",
+        "fringes-",
+        "whole-plate-",
+        "phase-",
+        "orders-",
+        "data-",
+    ];
+    FILES.contains(&name)
+        || is_one_of(name, "", &TABLES, &[".csv"])
+        || is_one_of(name, "fringes/", &[""], &[".png", ".tiff"])
+        || is_one_of(name, "figures/", &FIGURES, &[".svg", ".png"])
+}
+
+/// Which files a sweep of such a version consists of.
+pub(super) fn of_a_sweep(name: &str) -> bool {
+    ["sweep.json", "cases.csv", "report.html", "summary.json"].contains(&name)
+        || is_one_of(name, "figures/", &["modes", "loads"], &[".svg", ".png"])
+}
+
+/// Whether `name` is a file in `folder`, not deeper, that starts and ends with one of the given texts.
+fn is_one_of(name: &str, folder: &str, starts: &[&str], ends: &[&str]) -> bool {
+    name.strip_prefix(folder).is_some_and(|name| {
+        !name.contains('/')
+            && starts.iter().any(|start| name.starts_with(start))
+            && ends.iter().any(|end| name.ends_with(end))
+    })
+}
