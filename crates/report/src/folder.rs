@@ -273,16 +273,60 @@ impl Drop for ResultFolder {
 /// [`FolderError::NoName`] and [`FolderError::Unwritable`].
 pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), FolderError> {
     let target = resolved(path)?;
-    hidden::clear(&target)?;
-    let (staging, mut file, _held) = hidden::locked(&target, |path| File::create(path))?;
+    staged(&target, bytes, |staging| fs::rename(staging, &target))
+}
+
+/// Writes a file that appears whole or not at all, where none is.
+///
+/// # Errors
+/// [`FolderError::Exists`], [`FolderError::NoName`] and [`FolderError::Unwritable`].
+pub fn write_new(path: &Path, bytes: &[u8]) -> Result<(), FolderError> {
+    let exists_already = || FolderError::Exists {
+        path: path.to_owned(),
+    };
+    if exists(path) {
+        return Err(exists_already());
+    }
+    let target = resolved(path)?;
+    let placed = staged(&target, bytes, |staging| {
+        // Unlike a rename, a link does not replace a file that has appeared meanwhile.
+        match fs::hard_link(staging, &target) {
+            Ok(()) => {
+                // The file is in place; a second, hidden name of it does no harm.
+                let _ = fs::remove_file(staging);
+                Ok(())
+            }
+            Err(cause) if cause.kind() == io::ErrorKind::AlreadyExists => Err(cause),
+            // Not every file system has links.
+            Err(_) => fs::rename(staging, &target),
+        }
+    });
+    match placed {
+        Err(FolderError::Unwritable { cause, .. })
+            if cause.kind() == io::ErrorKind::AlreadyExists =>
+        {
+            Err(exists_already())
+        }
+        placed => placed,
+    }
+}
+
+/// Writes a hidden file beside `target`, which `place` puts there.
+fn staged(
+    target: &Path,
+    bytes: &[u8],
+    place: impl FnOnce(&Path) -> io::Result<()>,
+) -> Result<(), FolderError> {
+    hidden::clear(target)?;
+    let (staging, mut file, _held) = hidden::locked(target, |path| File::create(path))?;
     let written = file
         .write_all(bytes)
         .and_then(|()| file.sync_all())
-        .and_then(|()| fs::rename(&staging, &target));
+        .and_then(|()| place(&staging));
     written.map_err(|cause| {
         // The first error is the one to report.
         let _ = fs::remove_file(&staging);
-        unwritable(&target, cause)
+        unwritable(target, cause)
     })
 }
 

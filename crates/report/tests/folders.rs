@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use stickslip_report::folder::{
-    Abandoned, FolderError, LIST, MARKER, Overwrite, ResultFolder, write_atomic,
+    Abandoned, FolderError, LIST, MARKER, Overwrite, ResultFolder, write_atomic, write_new,
 };
 
 /// Replaces what a list says is its own.
@@ -217,4 +217,16 @@ fn complete_results_are_not_abandoned() {
     results.finish("{}").unwrap();
     assert!(matches!(handle.abandon(), Abandoned::TooLate));
     assert_eq!(names(&target), [LIST, MARKER]);
+}
+
+#[test]
+fn a_new_file_is_written_whole_and_replaces_none() {
+    let home = tempfile::tempdir().unwrap();
+    let file = home.path().join("scene.toml");
+    write_new(&file, b"one").unwrap();
+    let error = write_new(&file, b"two").unwrap_err();
+    assert!(matches!(error, FolderError::Exists { .. }), "{error}");
+    assert_eq!(fs::read(&file).unwrap(), b"one");
+    assert!(write_new(&home.path().join("none/scene.toml"), b"one").is_err());
+    assert_eq!(names(home.path()), ["scene.toml"]);
 }

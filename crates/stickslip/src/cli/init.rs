@@ -1,11 +1,10 @@
 //! `stickslip init`: scenes and an experiment to start from.
 
-use std::fs::OpenOptions;
-use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use serde_json::json;
+use stickslip_report::folder::{FolderError, write_new};
 
 use super::console::Console;
 use super::failure::{CommandError, Failure};
@@ -127,9 +126,7 @@ pub(super) fn init(arguments: &InitArguments, console: Console) -> Result<(), Fa
     if let Some((path, _)) = files.iter().find(|(path, _)| path.exists()) {
         return Err(exists(path, template).into());
     }
-    for (path, text) in &files {
-        write_new(path, text, template)?;
-    }
+    write_all_new(&files, template)?;
     let shown = file.display().to_string();
     let names: Vec<_> = files
         .iter()
@@ -181,20 +178,29 @@ fn exists(path: &Path, template: &Template) -> CommandError {
     }
 }
 
-/// Writes a file that must not exist yet.
-fn write_new(path: &Path, text: &str, template: &Template) -> Result<(), CommandError> {
-    let written = OpenOptions::new()
-        .write(true)
-        .create_new(true)
-        .open(path)
-        .and_then(|mut file| file.write_all(text.as_bytes()));
-    written.map_err(|error| match error.kind() {
-        ErrorKind::AlreadyExists => exists(path, template),
-        _ => CommandError::Write {
-            path: path.display().to_string(),
-            cause: error.to_string(),
-        },
-    })
+/// Writes files that must not exist yet, all of them or none.
+fn write_all_new(files: &[(PathBuf, String)], template: &Template) -> Result<(), CommandError> {
+    for (index, (path, text)) in files.iter().enumerate() {
+        let written = write_new(path, text.as_bytes());
+        if let Err(error) = written {
+            for (path, _) in &files[..index] {
+                // The first error is the one to report.
+                let _ = std::fs::remove_file(path);
+            }
+            return Err(match error {
+                FolderError::Exists { path } => exists(&path, template),
+                FolderError::Unwritable { cause, .. } => CommandError::Write {
+                    path: path.display().to_string(),
+                    cause: cause.to_string(),
+                },
+                other => CommandError::Write {
+                    path: path.display().to_string(),
+                    cause: other.to_string(),
+                },
+            });
+        }
+    }
+    Ok(())
 }
 
 #[cfg(test)]
