@@ -45,6 +45,16 @@ pub enum ExperimentError {
         /// What the system says.
         cause: String,
     },
+    /// What there is too little memory for.
+    #[error("{what}: {words}")]
+    Memory {
+        /// Key that asks for it.
+        key: String,
+        /// What it is.
+        what: String,
+        /// The memory that it would take and the memory that there is.
+        words: String,
+    },
     /// Measured data that cannot be read or combined.
     #[error("state '{state}': {cause}")]
     Data {
@@ -144,6 +154,7 @@ impl ExperimentError {
             Self::Identify(_) => "identify",
             Self::Missing { key, .. }
             | Self::File { key, .. }
+            | Self::Memory { key, .. }
             | Self::Data { key, .. }
             | Self::Fringes { key, .. }
             | Self::Reduction { key, .. }
@@ -161,6 +172,9 @@ impl ExperimentError {
             }
             Self::Missing { remedy, .. } => return remedy.clone(),
             Self::File { .. } => "paths are relative to the folder of the experiment file",
+            Self::Memory { .. } => {
+                "cut pictures to the specimen or join their pixels, or make cells larger; or take a machine with more memory"
+            }
             Self::Data { cause, .. } => match cause.as_ref() {
                 DataError::MissingColumn { .. } | DataError::RepeatedColumn { .. } => {
                     "`stickslip list presets` shows the columns of each preset; columns = { u = \"…\" } names others"

@@ -92,9 +92,15 @@ impl<'a> Camera<'a> {
         let pictures = if fringes.four { 8.0 } else { 2.0 };
         let pixels = frame.columns() as f64 * frame.rows() as f64;
         let limits = experiment.limits();
-        limits.check_pixels(pixels * pictures).map_err(|words| {
-            let size = format!("{} x {} pixels", frame.columns(), frame.rows());
-            refused(FringeError::File(format!("{size} for each field: {words}")))
+        let fits = limits.check_pixels(pixels * pictures);
+        fits.map_err(|words| ExperimentError::Memory {
+            key: "fringes.pixel".to_owned(),
+            what: format!(
+                "synthetic pictures have {} x {} pixels",
+                frame.columns(),
+                frame.rows()
+            ),
+            words,
         })?;
         let places: Vec<_> = (0..frame.pixels())
             .map(|pixel| frame.place(pixel))

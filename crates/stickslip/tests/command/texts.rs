@@ -13,8 +13,8 @@ fn has_controls(text: &str) -> bool {
 fn control_characters_in_a_file_are_refused_at_their_line() {
     let places = [
         ("title = \"Pin\"", "title = \"Pin\\u001b[2J\"", 2),
-        ("name = \"pin\"", "name = \"p\\u009bin\"", 17),
-        ("name = \"pin\"", "name = \"p\\u202ein\"", 17),
+        ("name = \"pin\"", "name = \"p\\u009bin\"", 19),
+        ("name = \"pin\"", "name = \"p\\u202ein\"", 19),
         ("title = \"Pin\"", "title = \"Pin\\nsecond\"", 2),
     ];
     for (old, new, line) in places {

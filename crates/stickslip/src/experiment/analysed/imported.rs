@@ -41,7 +41,13 @@ pub(super) fn mesh(
         .map_err(|_| unreadable("it is no mesh of Gmsh's format 4.1".to_owned()))?;
     let parts = parts(&file, plan.scale).map_err(unreadable)?;
     let memory = parts.nodes.len() as f64 * BYTES_PER_NODE;
-    limits.check(memory).map_err(unreadable)?;
+    limits
+        .check(memory)
+        .map_err(|words| ExperimentError::Memory {
+            key: "region.mesh.file".to_owned(),
+            what: format!("the mesh has {} nodes", parts.nodes.len()),
+            words,
+        })?;
     if parts.blocks.is_empty() {
         return Err(missing(
             "the mesh has no triangles and no quadrilaterals of one or two orders".to_owned(),

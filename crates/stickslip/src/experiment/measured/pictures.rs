@@ -92,15 +92,17 @@ fn opened(scope: &Scope<'_>, source: &PictureSource) -> Result<[Vec<Vec<u8>>; 2]
             let size =
                 size(&bytes).map_err(|cause| failed(scope, field, &own, cause, String::new()))?;
             pixels += size[0] as f64 * size[1] as f64;
-            scope
-                .experiment
-                .limits()
-                .check_pixels(pixels)
-                .map_err(|words| {
-                    let cause =
-                        FringeError::File(format!("{} x {} pixels: {words}", size[0], size[1]));
-                    failed(scope, field, &own, cause, String::new())
-                })?;
+            let fits = scope.experiment.limits().check_pixels(pixels);
+            fits.map_err(|words| ExperimentError::Memory {
+                key: scope.key.clone(),
+                what: format!(
+                    "the picture '{}' has {} x {} pixels",
+                    file.display(),
+                    size[0],
+                    size[1]
+                ),
+                words,
+            })?;
             files[c].push(bytes);
         }
     }
