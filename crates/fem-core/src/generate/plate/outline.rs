@@ -113,35 +113,11 @@ impl Frame {
     /// rays of its half and their mirror images, so that both have the same cells.
     fn corner_rays(&self, rim: &Rim) -> Result<Vec<usize>, GenerateError> {
         if let Some(half) = rim.mirrored_half() {
-            let above = self.nearest_rays(&half, &self.corner_points()[..2])?;
+            let above = nearest_rays(&half, &self.corner_points()[..2])?;
             let below = above.iter().rev().map(|ray| rim.intervals() - ray);
             return Ok(above.iter().copied().chain(below).collect());
         }
-        self.nearest_rays(rim, &self.corner_points())
-    }
-
-    /// Of two rays equally far from their corner the one closer to the x axis is taken, at both ends of the box.
-    fn nearest_rays(&self, rim: &Rim, corners: &[Point]) -> Result<Vec<usize>, GenerateError> {
-        let mut rays = Vec::with_capacity(corners.len());
-        let mut first = 1;
-        for (k, corner) in corners.iter().map(|&corner| direction(corner)).enumerate() {
-            let end = (rim.intervals() + 1).saturating_sub(corners.len() - k);
-            let away = |ray: usize| (rim.angles[ray] - corner).abs();
-            let closer = |best: usize, ray: usize| {
-                let gain = away(best) - away(ray);
-                let axis = rim.angles[best].sin().abs() - rim.angles[ray].sin().abs();
-                let equal = gain.abs() <= ANGLE_ROUNDING;
-                let better = if equal { axis > 0.0 } else { gain > 0.0 };
-                if better { ray } else { best }
-            };
-            let Some(ray) = (first..end).reduce(closer) else {
-                let nearest = rim.angles[first.min(rim.intervals())];
-                return Err(GenerateError::CornerUnresolved { corner, nearest });
-            };
-            rays.push(ray);
-            first = ray + 1;
-        }
-        Ok(rays)
+        nearest_rays(rim, &self.corner_points())
     }
 
     /// Outline points at half steps: between two corners the hole angles are stretched to the corners' directions.
@@ -262,6 +238,30 @@ pub(super) fn check_rays(rim: &Rim, far: &[Point], hole_radius: f64) -> Result<(
         }
     }
     Ok(())
+}
+
+/// For every one of `corners` the nearest ray; of two equally far ones that closer to the x axis, at both ends of the box.
+fn nearest_rays(rim: &Rim, corners: &[Point]) -> Result<Vec<usize>, GenerateError> {
+    let mut rays = Vec::with_capacity(corners.len());
+    let mut first = 1;
+    for (k, corner) in corners.iter().map(|&corner| direction(corner)).enumerate() {
+        let end = (rim.intervals() + 1).saturating_sub(corners.len() - k);
+        let away = |ray: usize| (rim.angles[ray] - corner).abs();
+        let closer = |best: usize, ray: usize| {
+            let gain = away(best) - away(ray);
+            let axis = rim.angles[best].sin().abs() - rim.angles[ray].sin().abs();
+            let equal = gain.abs() <= ANGLE_ROUNDING;
+            let better = if equal { axis > 0.0 } else { gain > 0.0 };
+            if better { ray } else { best }
+        };
+        let Some(ray) = (first..end).reduce(closer) else {
+            let nearest = rim.angles[first.min(rim.intervals())];
+            return Err(GenerateError::CornerUnresolved { corner, nearest });
+        };
+        rays.push(ray);
+        first = ray + 1;
+    }
+    Ok(rays)
 }
 
 /// Direction of a point seen from the origin `[rad]`, in [0, 2π).
