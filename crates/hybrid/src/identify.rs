@@ -14,6 +14,7 @@
 
 mod confidence;
 mod simulate;
+mod simultaneous;
 mod together;
 
 use std::ops::Range;
@@ -25,6 +26,7 @@ use crate::region::dense;
 
 use confidence::CHI_SQUARED_95;
 pub use confidence::{chi_squared_of_one, normal_quantile};
+pub use simultaneous::simultaneous_quantile;
 
 /// Parts of a zone at its inner end that may not have a lesser coefficient of their own.
 const INNER_PARTS: [f64; 2] = [0.5, 0.25];

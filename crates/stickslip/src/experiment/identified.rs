@@ -1,7 +1,7 @@
 //! Friction of measured states: where edges slip, and with which coefficient.
 //!
 //! ```text
-//! slip at the end of contact:   s τ = μ_d p,     stick inside:   |τ| ≤ μ_s p   ⇒   μ_s ≥ max |τ|/p
+//! slip at the end of contact:   s τ = μ_d p,     stick inside:   |τ| ≤ μ_s p   ⇒   μ_s ≥ |τ|/p
 //! ```
 //!
 //! Slip starts at the ends of contact. A zone goes from there inwards as far as one coefficient explains its tractions; places nearer to
@@ -10,13 +10,14 @@
 
 mod coarser;
 mod figures;
+mod grip;
 mod static_friction;
 mod tell;
 mod zones;
 
 use std::ops::Range;
 
-use stickslip_hybrid::identify::{Bounds, SlipFit, Tractions, chi_squared_of_one, normal_quantile};
+use stickslip_hybrid::identify::{Bounds, SlipFit, Tractions, chi_squared_of_one};
 
 use super::analysed::Analysed;
 use super::error::ExperimentError;
@@ -24,8 +25,9 @@ use super::plan::{Experiment, RegionShape};
 use crate::output::short;
 
 pub use coarser::{Coarser, on_half_the_cells};
+pub use grip::Grip;
 pub use static_friction::moves;
-pub(super) use tell::{Told, dynamic_words, tell};
+pub(super) use tell::{Told, tell};
 
 /// A zone that slips.
 #[derive(Clone, Debug)]
@@ -64,19 +66,6 @@ pub struct Simulation {
     pub interval: [f64; 2],
 }
 
-/// What sticks at a ratio that needs static friction.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Grip {
-    /// Index of the state.
-    pub state: usize,
-    /// Angle of the place `[rad]`.
-    pub angle: f64,
-    /// τ/p there, along the friction of the zone beside it.
-    pub ratio: f64,
-    /// μ_s is at least this.
-    pub at_least: f64,
-}
-
 /// Friction of an experiment.
 #[derive(Clone, Debug)]
 pub struct Identified {
@@ -84,14 +73,41 @@ pub struct Identified {
     pub zones: Vec<SlipZone>,
     /// The coefficient of all zones together; `None` where nothing slips beyond doubt.
     pub dynamic: Option<SlipFit>,
-    /// Whether the zones' own coefficients are the same, as far as their errors let tell.
+    /// Whether the zones' own coefficients are the same within their errors.
     pub zones_agree: bool,
     /// Monte Carlo simulation of that, where it has an upper end.
     pub simulation: Option<Simulation>,
-    /// What asks for the greatest static friction, of all places inside of slip zones.
+    /// What asks for the greatest static friction, of all stretches inside of slip zones.
     pub grip: Option<Grip>,
-    /// What a reader must know.
+    /// Notes for the reader.
     pub remarks: Vec<String>,
+}
+
+/// Standard deviations by which χ² of all zones may exceed its mean before one coefficient is rejected.
+const CONSISTENT: f64 = 3.0;
+
+impl Identified {
+    /// The interval of the coefficient of all zones; `None` without slip zones, and where χ² rejects one coefficient for all of them.
+    pub fn dynamic_bounds(&self) -> Option<Bounds> {
+        let fit = self.dynamic.as_ref()?;
+        self.is_explained().then_some(fit.bounds)
+    }
+
+    /// Whether one coefficient explains all slip zones: χ² of all together, and beside that of each alone.
+    pub fn is_explained(&self) -> bool {
+        let consistent = |fit: &SlipFit| fit.is_consistent(CONSISTENT);
+        self.zones_agree && self.dynamic.as_ref().is_none_or(consistent)
+    }
+
+    /// The stretch that bounds static friction from below; `None` where no bound lies above what slipping places leave of the dynamic
+    /// coefficient, or where that is rejected.
+    pub fn static_bound(&self) -> Option<&Grip> {
+        let highest = match self.dynamic_bounds()? {
+            Bounds::Between(_, high) | Bounds::AtMost(high) => high,
+            Bounds::AtLeast(_) | Bounds::Nothing => f64::INFINITY,
+        };
+        self.grip.as_ref().filter(|grip| grip.at_least > highest)
+    }
 }
 
 /// Identifies friction from the edge stresses of all states.
@@ -120,7 +136,7 @@ pub fn identify(
         dynamic = Some(fit);
     }
     Ok(Identified {
-        grip: grip(experiment, analysed, &zones),
+        grip: grip::grip(&experiment.identify, analysed, &zones)?,
         zones_agree: dynamic.as_ref().is_none_or(|fit| agree(&zones, fit)),
         zones,
         dynamic,
@@ -196,33 +212,6 @@ fn summarised(mut draws: Vec<f64>, confidence: f64) -> Option<Simulation> {
         deviation: (squares.sum::<f64>() / (count - 1) as f64).sqrt(),
         interval: [at(beyond), at((count - 1) as f64 - beyond)],
     })
-}
-
-/// The place inside of a slip zone whose ratio asks for the greatest static coefficient. Of n places the largest ratio is the largest of
-/// n noises, so each gets the confidence that all together are asked for (Bonferroni).
-fn grip(experiment: &Experiment, analysed: &[Analysed], zones: &[SlipZone]) -> Option<Grip> {
-    let count: usize = zones.iter().map(|zone| zone.inside.len()).sum();
-    let beyond = (1.0 - experiment.identify.confidence) / count.max(1) as f64;
-    let quantile = normal_quantile(1.0 - beyond);
-    let of_zone = |zone: &SlipZone| {
-        let found = analysed.iter().find(|found| found.state == zone.state)?;
-        let sign = if zone.positive { 1.0 } else { -1.0 };
-        let at = |place: usize| {
-            let (ratio, deviation) = ratio(found, place);
-            Grip {
-                state: zone.state,
-                angle: found.angle[place],
-                ratio: sign * ratio,
-                at_least: sign * ratio - quantile * deviation,
-            }
-        };
-        zone.inside.clone().map(at).max_by(greater)
-    };
-    zones.iter().filter_map(of_zone).max_by(greater)
-}
-
-fn greater(a: &Grip, b: &Grip) -> std::cmp::Ordering {
-    a.at_least.total_cmp(&b.at_least)
 }
 
 /// τ/p at a place and its deviation, to first order.

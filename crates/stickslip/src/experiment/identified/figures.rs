@@ -128,11 +128,11 @@ fn with_coefficient(mut chart: LineChart, identified: &Identified, sign: f64) ->
     let color = Color::category(1);
     let name = format!("μd {}", signed(sign * fit.mu));
     chart = chart.reference(ReferenceLine::horizontal(name, sign * fit.mu).color(color));
-    let ends: Vec<f64> = match fit.bounds {
-        Bounds::Between(low, high) => vec![low, high],
-        Bounds::AtMost(high) => vec![high],
-        Bounds::AtLeast(low) => vec![low],
-        Bounds::Nothing => Vec::new(),
+    let ends: Vec<f64> = match identified.dynamic_bounds() {
+        Some(Bounds::Between(low, high)) => vec![low, high],
+        Some(Bounds::AtMost(high)) => vec![high],
+        Some(Bounds::AtLeast(low)) => vec![low],
+        Some(Bounds::Nothing) | None => Vec::new(),
     };
     let faint = color.tint(0.6);
     for end in ends {

@@ -6,7 +6,9 @@ use serde_json::{Value, json};
 use stickslip_hybrid::identify::{Bounds, SlipFit};
 use stickslip_report::table::{Column, Table};
 
-use super::{Coarser, Grip, Identified, SlipZone, figures, ratio, static_friction, words};
+use super::{
+    CONSISTENT, Coarser, Grip, Identified, SlipZone, figures, ratio, static_friction, words,
+};
 use crate::experiment::analysed::{Analysed, true_edge};
 use crate::experiment::error::ExperimentError;
 use crate::experiment::laws::LawsError;
@@ -14,13 +16,13 @@ use crate::experiment::plan::Experiment;
 use crate::experiment::story::Story;
 use crate::experiment::truth::Truth;
 
-/// Deviations by which χ² of all zones may exceed its mean before one coefficient is doubted.
-const CONSISTENT: f64 = 3.0;
-
 /// What is said of either coefficient where nothing touches the edge.
 const NO_CONTACT: &str = "no pressure on the edge: no contact, no friction to identify";
 /// And where that cannot be told.
 const HIDDEN: &str = "not identifiable: no pressure on the edge exceeds its uncertainty";
+
+/// Stands in place of an interval where χ² rejects one coefficient.
+const REJECTED: &str = "no interval: one coefficient is rejected";
 
 /// What is told, and of what.
 #[derive(Clone, Copy, Debug)]
@@ -91,7 +93,7 @@ impl Told<'_> {
             None if !self.bears() => self.without().to_owned(),
             _ => {
                 let confidence = 100.0 * self.experiment.identify.confidence;
-                let found = static_words(self.experiment, hold(self.identified), confidence);
+                let found = static_words(self.experiment, self.identified, confidence);
                 let [from, to] = static_friction::RATIOS;
                 match self.moves {
                     Some(Ok(fringes)) => format!(
@@ -106,16 +108,14 @@ impl Told<'_> {
 
 /// What makes the coefficient doubtful.
 fn doubts(identified: &Identified, fit: &SlipFit, story: &mut Story) {
-    if !fit.is_consistent(CONSISTENT) {
-        story.warn(
+    if !identified.is_explained() {
+        story.warn(if identified.zones_agree {
             "One coefficient does not explain all slip zones together: friction changes within them, or the edge does not slip all over \
-             them. Its interval does not hold; fit laws by [[laws]], or state [identify] zones.",
-        );
-    } else if !identified.zones_agree {
-        story.warn(
-            "The coefficients of the slip zones differ by more than their errors: at least one of them holds places that stick. The \
-             interval of all together does not hold; state [identify] zones, or fit laws by [[laws]].",
-        );
+             them. No interval is given; fit laws by [[laws]], or state [identify] zones."
+        } else {
+            "The coefficients of the slip zones differ by more than their errors: at least one of them holds places that stick. No \
+             interval of all together is given; state [identify] zones, or fit laws by [[laws]]."
+        });
     }
     let has_friction = matches!(fit.bounds, Bounds::Between(..) | Bounds::AtLeast(_));
     if has_friction && identified.zones.iter().any(SlipZone::has_no_end) {
@@ -133,7 +133,10 @@ fn answers(told: &Told<'_>, story: &mut Story) {
     let confidence = 100.0 * experiment.identify.confidence;
     match &identified.dynamic {
         Some(fit) => {
-            story.answer("Dynamic friction μd", dynamic_words(fit, confidence));
+            story.answer(
+                "Dynamic friction μd",
+                identified.dynamic_words(fit, confidence),
+            );
             doubts(identified, fit, story);
         }
         None if !told.bears() => story.answer("Dynamic friction μd", told.without()),
@@ -186,58 +189,47 @@ fn mesh(told: &Told<'_>, story: &mut Story) {
     }
 }
 
-/// The coefficient of all zones with its bounds, or that there is none.
-pub(in crate::experiment) fn dynamic_words(fit: &SlipFit, confidence: f64) -> String {
-    let bounds = words(fit.bounds);
-    if !fit.is_consistent(CONSISTENT) {
+impl Identified {
+    /// The coefficient `fit` of all zones with its bounds, or why it has none.
+    pub(in crate::experiment) fn dynamic_words(&self, fit: &SlipFit, confidence: f64) -> String {
+        if !self.is_explained() {
+            return format!(
+                "{:.4} at best; no interval: one coefficient for all zones is rejected, χ² = {:.1} with {} degrees of freedom{}",
+                fit.mu,
+                fit.chi_squared,
+                fit.degrees,
+                if self.zones_agree {
+                    ""
+                } else {
+                    ", more than those of the zones by themselves"
+                }
+            );
+        }
+        let bounds = words(fit.bounds);
+        match fit.bounds {
+            Bounds::Between(..) => format!("{:.4}, {bounds} ({confidence} %)", fit.mu),
+            Bounds::AtMost(_) | Bounds::AtLeast(_) => format!("{bounds} ({confidence} %)"),
+            Bounds::Nothing => bounds,
+        }
+    }
+}
+
+fn static_words(experiment: &Experiment, identified: &Identified, confidence: f64) -> String {
+    if let Some(grip) = identified.static_bound() {
+        let [from, to] = grip.angles.map(f64::to_degrees);
         return format!(
-            "{:.4} at best, but one coefficient does not explain the zones that slip: χ² = {:.1} with {} degrees of freedom",
-            fit.mu, fit.chi_squared, fit.degrees
+            "at least {:.4} ({confidence} %), exceeded by shear over pressure all along θ = {from:.1} to {to:.1}° in state '{}', which \
+             sticks; no upper bound: not identifiable beyond that",
+            grip.at_least, experiment.states[grip.state].name
         );
     }
-    match fit.bounds {
-        Bounds::Between(..) => format!("{:.4}, {bounds} ({confidence} %)", fit.mu),
-        Bounds::AtMost(_) | Bounds::AtLeast(_) => format!("{bounds} ({confidence} %)"),
-        Bounds::Nothing => bounds,
-    }
-}
-
-/// What sticking places say of μs beyond what slipping ones say of μd.
-#[derive(Clone, Copy)]
-enum Hold<'a> {
-    /// At least this.
-    AtLeast(&'a Grip),
-    /// No more than μd.
-    NoMore,
-    /// Nothing sticks beside a slip zone.
-    Nothing,
-}
-
-fn hold(identified: &Identified) -> Hold<'_> {
-    let highest = identified.dynamic.as_ref().map(|fit| match fit.bounds {
-        Bounds::Between(_, high) | Bounds::AtMost(high) => high,
-        Bounds::AtLeast(_) | Bounds::Nothing => f64::INFINITY,
-    });
-    match (&identified.grip, highest) {
-        (Some(grip), Some(highest)) if grip.at_least > highest => Hold::AtLeast(grip),
-        (Some(_), Some(_)) => Hold::NoMore,
-        _ => Hold::Nothing,
-    }
-}
-
-fn static_words(experiment: &Experiment, hold: Hold<'_>, confidence: f64) -> String {
-    match hold {
-        Hold::AtLeast(grip) => format!(
-            "at least {:.4} ({confidence} %), by what sticks at θ = {:.1}° in state '{}'; no upper bound: not identifiable beyond that",
-            grip.at_least,
-            grip.angle.to_degrees(),
-            experiment.states[grip.state].name
-        ),
-        Hold::NoMore => {
-            "not identifiable: at least μd, and no place sticks beyond doubt at a larger ratio than slip has".to_owned()
-        }
-        Hold::Nothing => "not identifiable: no sticking place beside a slip zone".to_owned(),
-    }
+    let stuck = identified.grip.is_some() && identified.dynamic.is_some();
+    let words = if stuck {
+        "not identifiable: at least μd, and nothing sticks beyond doubt at a larger ratio than slip has"
+    } else {
+        "not identifiable: nothing that clearly sticks beside a slip zone is wide enough"
+    };
+    words.to_owned()
 }
 
 fn table(experiment: &Experiment, analysed: &[Analysed], identified: &Identified) -> Table {
@@ -260,7 +252,7 @@ fn table(experiment: &Experiment, analysed: &[Analysed], identified: &Identified
             [format!("{from:.1}"), format!("{to:.1}")],
             zone.places.len(),
             if zone.positive { "+θ" } else { "−θ" },
-            &zone.fit,
+            (&zone.fit, zone.fit.is_consistent(CONSISTENT)),
         ));
     }
     if let (Some(fit), true) = (&identified.dynamic, identified.zones.len() > 1) {
@@ -270,7 +262,7 @@ fn table(experiment: &Experiment, analysed: &[Analysed], identified: &Identified
             [String::new(), String::new()],
             places,
             "",
-            fit,
+            (fit, identified.is_explained()),
         ));
     }
     table
@@ -281,7 +273,7 @@ fn row(
     [from, to]: [String; 2],
     places: usize,
     along: &str,
-    fit: &SlipFit,
+    (fit, explained): (&SlipFit, bool),
 ) -> Vec<String> {
     vec![
         name.to_owned(),
@@ -290,7 +282,11 @@ fn row(
         places.to_string(),
         along.to_owned(),
         format!("{:.4}", fit.mu),
-        words(fit.bounds),
+        if explained {
+            words(fit.bounds)
+        } else {
+            REJECTED.to_owned()
+        },
         format!("{:.1}", fit.chi_squared),
         fit.degrees.to_string(),
     ]
@@ -324,25 +320,22 @@ fn csv(experiment: &Experiment, analysed: &[Analysed]) -> Vec<u8> {
 
 fn entry(told: &Told<'_>) -> Value {
     let (experiment, identified) = (told.experiment, told.identified);
-    let grip = match hold(identified) {
-        Hold::AtLeast(grip) => Some(grip),
-        Hold::NoMore | Hold::Nothing => None,
-    };
+    let grip = identified.static_bound();
     let zones = identified.zones.iter().map(|zone| {
         json!({
             "state": experiment.states[zone.state].name,
             "places": zone.places.len(),
             "along_theta": zone.positive,
             "given": zone.given,
-            "mu": fit_entry(&zone.fit),
+            "mu": fit_entry(&zone.fit, zone.fit.is_consistent(CONSISTENT)),
         })
     });
     json!({
         "confidence": experiment.identify.confidence,
-        "mu_dynamic": identified.dynamic.as_ref().map(fit_entry),
+        "mu_dynamic": identified.dynamic.as_ref().map(|fit| fit_entry(fit, identified.is_explained())),
         "half_the_cells": told.coarser.as_ref().ok().and_then(Option::as_ref).map(|coarser| json!({
             "cells": coarser.cells,
-            "mu_dynamic": coarser.dynamic.as_ref().map(fit_entry),
+            "mu_dynamic": coarser.dynamic.as_ref().map(|fit| fit_entry(fit, fit.is_consistent(CONSISTENT))),
         })),
         "simulation": identified.simulation.map(|simulation| json!({
             "samples": simulation.samples,
@@ -364,13 +357,16 @@ fn entry(told: &Told<'_>) -> Value {
 fn grip_entry(experiment: &Experiment, grip: &Grip) -> Value {
     json!({
         "state": experiment.states[grip.state].name,
-        "theta_degrees": grip.angle.to_degrees(),
+        "from_degrees": grip.angles[0].to_degrees(),
+        "to_degrees": grip.angles[1].to_degrees(),
         "ratio": grip.ratio,
     })
 }
 
-fn fit_entry(fit: &SlipFit) -> Value {
+/// A coefficient, without interval unless it is `explained`.
+fn fit_entry(fit: &SlipFit, explained: bool) -> Value {
     let (low, high) = match fit.bounds {
+        _ if !explained => (None, None),
         Bounds::Between(low, high) => (Some(low), Some(high)),
         Bounds::AtMost(high) => (None, Some(high)),
         Bounds::AtLeast(low) => (Some(low), None),
@@ -382,6 +378,7 @@ fn fit_entry(fit: &SlipFit) -> Value {
         "high": high,
         "chi_squared": fit.chi_squared,
         "degrees_of_freedom": fit.degrees,
-        "in_words": words(fit.bounds),
+        "rejected": !explained,
+        "in_words": if explained { words(fit.bounds) } else { REJECTED.to_owned() },
     })
 }

@@ -5,14 +5,13 @@ use std::ops::Range;
 use stickslip_hybrid::identify::{Bounds, IdentifyError, SlipFit, Tractions};
 
 use super::SlipZone;
+use super::grip::MARGIN;
 use crate::experiment::analysed::Analysed;
 use crate::experiment::error::ExperimentError;
 use crate::experiment::plan::{Experiment, ZonePlan};
 
 /// Standard deviations by which χ² of a zone may exceed what it should be.
 const CONSISTENT: f64 = 3.0;
-/// Resolved angles at either end of a zone whose stresses cannot be trusted: tractions and their derivatives jump there.
-const MARGIN: f64 = 2.0;
 /// Fewest places of a zone.
 const FEWEST: usize = 3;
 /// Places next to the end of contact that say which way friction acts.
@@ -83,7 +82,7 @@ fn stated(
     Ok(SlipZone {
         state: found.state,
         fit: data.slip_within(places.clone(), positive, rise)?,
-        inside: towards_bearing(found, &places),
+        inside: beyond_slip(found, &places, positive)?,
         places,
         positive,
         given: true,
@@ -215,17 +214,27 @@ fn bearing(found: &Analysed, contact: &Range<usize>) -> usize {
     nearest.unwrap_or(contact.start)
 }
 
-/// Places from a zone to the bearing point.
-fn towards_bearing(found: &Analysed, zone: &Range<usize>) -> Range<usize> {
+/// Places from where slip is recognised to end, beyond a stated zone or at its end, to the bearing point.
+fn beyond_slip(
+    found: &Analysed,
+    zone: &Range<usize>,
+    positive: bool,
+) -> Result<Range<usize>, IdentifyError> {
     let Some(contact) = found.contact() else {
-        return 0..0;
+        return Ok(0..0);
     };
     let bearing = bearing(found, &contact);
-    if bearing < zone.start {
-        bearing..zone.start
-    } else {
-        zone.end..(bearing + 1).max(zone.end)
+    let after = bearing < zone.start;
+    if !after && bearing < zone.end {
+        return Ok(0..0);
     }
+    let end = if after { zone.end - 1 } else { zone.start };
+    let (full, _) = (found.tractions).slip_zone(end, bearing, positive, CONSISTENT)?;
+    Ok(if after {
+        bearing..full.start.min(zone.start)
+    } else {
+        full.end.max(zone.end)..bearing + 1
+    })
 }
 
 /// Whether friction acts along +τ: the direction that explains the places better.

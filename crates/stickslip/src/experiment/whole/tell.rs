@@ -6,7 +6,7 @@ use stickslip_report::table::{Column, Table};
 use super::{WholeState, figures};
 use crate::experiment::analysed::Analysed;
 use crate::experiment::error::ExperimentError;
-use crate::experiment::identified::{Identified, dynamic_words, identify, words};
+use crate::experiment::identified::{Identified, identify, words};
 use crate::experiment::plan::Experiment;
 use crate::experiment::story::{Story, csv_table};
 use crate::output::short;
@@ -39,7 +39,7 @@ pub fn tell(
     story.table(zones(experiment, states, &friction));
     let found = friction.dynamic.as_ref().map_or_else(
         || "no slip zone is recognised".to_owned(),
-        |fit| dynamic_words(fit, 100.0 * experiment.identify.confidence),
+        |fit| friction.dynamic_words(fit, 100.0 * experiment.identify.confidence),
     );
     story.answer("Dynamic friction by the whole plate", found);
     story.figure(
