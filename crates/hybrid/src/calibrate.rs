@@ -6,6 +6,9 @@
 //! AIC = χ² + 2k,     AICc = AIC + 2k(k + 1)/(n − k − 1),     BIC = χ² + k ln n,     k: parameters and nuisances together.
 //! ```
 //!
+//! Where errors of neighbouring data go together ([`Correlation`]), criteria take χ² and n over the inflation v of their variance, and
+//! intervals z² times v.
+//!
 //! m are the data with covariance Σ, h the model's prediction, and Z b what nobody can predict and no one asks for: the rigid motion
 //! of a grating, whole fringe orders, what is left of a carrier. It is projected out before anything is weighed. An error of known shape d
 //! whose amount is known no better than by its order, as that of a mesh, adds d dᵀ to Σ ([`Data::with_shapes`]).
@@ -38,6 +41,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod correlation;
 mod data;
 mod error;
 mod information;
@@ -45,6 +49,7 @@ mod profile;
 mod result;
 mod search;
 
+pub use correlation::{Correlation, Residual};
 pub use data::{Amount, Block, Data, Noise};
 pub use error::CalibrateError;
 pub use result::{Calibration, Estimate, Least};
@@ -131,6 +136,9 @@ pub struct Settings {
     pub grid: [usize; MOST_PARAMETERS],
     /// How many of the grid's minima are followed.
     pub starts: usize,
+    /// How errors of the data go together although they are stated to be independent. Intervals widen by the root of its inflation, and
+    /// criteria count fewer data.
+    pub correlation: Correlation,
 }
 
 impl Default for Settings {
@@ -139,6 +147,7 @@ impl Default for Settings {
             confidence: 0.95,
             grid: [21, 11, 7, 5],
             starts: 3,
+            correlation: Correlation::NONE,
         }
     }
 }
@@ -162,12 +171,16 @@ pub fn calibrate<E: std::fmt::Display>(
     let mut search = Search::new(&predict, parameters, data);
     let grid = search.grid(settings.grid[parameters.len() - 1].max(2))?;
     let mut best = search.best_of(&grid, settings.starts.max(1))?;
-    let limit = chi_squared_of_one(settings.confidence);
+    let inflation = settings.correlation.inflation.max(1.0);
+    let limit = inflation * chi_squared_of_one(settings.confidence);
     let mut estimates = Vec::new();
     for round in 1..=ROUNDS {
         match search.estimates(&best, &grid, limit, round == ROUNDS)? {
             Profiles::All(found) => {
                 estimates = found;
+                for own in &mut estimates {
+                    own.inflate(inflation);
+                }
                 break;
             }
             Profiles::Better(found) => best = search.refined(found, &[])?,
@@ -176,8 +189,13 @@ pub fn calibrate<E: std::fmt::Display>(
     let information = search.information(&best)?;
     let values: Vec<f64> = search.values(&best.parts);
     let predicted = predict(&values).unwrap_or_default();
+    let mut covariance = information.covariance(parameters, &best.parts);
+    for entry in &mut covariance {
+        *entry *= inflation;
+    }
     Ok(Calibration {
-        covariance: information.covariance(parameters, &best.parts),
+        covariance,
+        correlation: settings.correlation,
         chi_squared: best.chi_squared,
         data: data.count(),
         nuisances: data.nuisances(),
@@ -208,7 +226,7 @@ pub fn least<E: std::fmt::Display>(
     Ok(Least {
         values: search.values(&best.parts),
         chi_squared: best.chi_squared,
-        aicc: result::aicc(best.chi_squared, unknowns, data.count()),
+        aicc: result::aicc(best.chi_squared, unknowns, data.count() as f64),
         evaluations: search.evaluations,
     })
 }

@@ -3,7 +3,9 @@
 
 use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
-use stickslip_hybrid::calibrate::{Block, Data, Noise, Parameter, Settings, calibrate};
+use stickslip_hybrid::calibrate::{
+    Block, Calibration, Correlation, Data, Noise, Parameter, Settings, calibrate,
+};
 use stickslip_hybrid::identify::Bounds;
 
 const PLACES: usize = 30;
@@ -170,4 +172,57 @@ fn an_error_of_known_shape_adds_its_square_to_the_covariance() {
     let taken = plain.clone().with_shapes(&[vec![0.0; 4]]).unwrap();
     assert_eq!(taken.amounts(&predicted), [None]);
     assert!(plain.with_shapes(&[vec![1.0; 3]]).is_err());
+}
+
+/// Each datum four times over says no more than once, if its inflation says so.
+#[test]
+fn repeated_data_with_their_inflation_say_what_single_ones_say() {
+    const COPIES: usize = 4;
+    let mut random = StdRng::seed_from_u64(5);
+    let values: Vec<f64> = (0..PLACES)
+        .map(|k| 0.4 + 0.6 * along(k) + 0.1 * (random.random::<f64>() - 0.5))
+        .collect();
+    let fitted = |copies: usize, inflation: f64| {
+        let block = Block {
+            values: values.repeat(copies),
+            noise: Noise::Independent(vec![0.03; copies * PLACES]),
+            nuisance: Vec::new(),
+        };
+        let line = |at: &[f64]| -> Result<Vec<f64>, String> {
+            let once: Vec<f64> = (0..PLACES).map(|k| at[0] + at[1] * along(k)).collect();
+            Ok(once.repeat(copies))
+        };
+        let settings = Settings {
+            correlation: Correlation {
+                inflation,
+                squares: inflation,
+            },
+            ..Settings::default()
+        };
+        let parameters = ["offset", "slope"].map(|name| Parameter::new(name, [0.0, 1.0]));
+        calibrate(
+            &line,
+            &parameters,
+            &Data::new(vec![block]).unwrap(),
+            &settings,
+        )
+        .unwrap()
+    };
+    let [once, often] = [fitted(1, 1.0), fitted(COPIES, COPIES as f64)];
+    let near = |a: f64, b: f64| (a - b).abs() < 1e-3 * (a.abs() + b.abs());
+    for (a, b) in once.estimates.iter().zip(&often.estimates) {
+        assert!(near(a.value, b.value), "{a:?} {b:?}");
+        assert!(near(a.deviation.unwrap(), b.deviation.unwrap()));
+        let (Bounds::Between(low, high), Bounds::Between(other, end)) = (a.bounds, b.bounds) else {
+            panic!("{a:?} {b:?}");
+        };
+        assert!(near(low, other) && near(high, end), "{a:?} {b:?}");
+    }
+    assert!(near(once.covariance[1], often.covariance[1]));
+    for of in [Calibration::aic, Calibration::aicc, Calibration::bic] {
+        assert!(near(of(&once), of(&often)), "{} {}", of(&once), of(&often));
+    }
+    assert!(near(often.effective_data(), PLACES as f64));
+    // χ² itself is that of all data.
+    assert!(near(COPIES as f64 * once.chi_squared, often.chi_squared));
 }

@@ -1,5 +1,6 @@
 //! What a fit says: parameters with their intervals, and the criteria by which models are compared.
 
+use super::Correlation;
 use crate::identify::Bounds;
 
 /// What the data say of one parameter.
@@ -13,8 +14,18 @@ pub struct Estimate {
     pub deviation: Option<f64>,
     /// Interval of the profile. It ends where the profile passes its limit, and has no end where the range or the model ends before.
     pub bounds: Bounds,
-    /// The profile: values, ascending, and what χ² is above its least.
+    /// The profile: values, ascending, and what χ² over the inflation of its variance is above its least.
     pub profile: Vec<(f64, f64)>,
+}
+
+impl Estimate {
+    /// Widens what is known of independent data to those whose variance is `inflation` times as large; the interval has its width.
+    pub(super) fn inflate(&mut self, inflation: f64) {
+        self.deviation = self.deviation.map(|own| own * inflation.sqrt());
+        for (_, increase) in &mut self.profile {
+            *increase /= inflation;
+        }
+    }
 }
 
 /// The best fit of a model, without what the data say of it.
@@ -31,9 +42,9 @@ pub struct Least {
 }
 
 /// Akaike's criterion corrected for few data; infinite where there are too few for it.
-pub(super) fn aicc(chi_squared: f64, unknowns: usize, data: usize) -> f64 {
+pub(super) fn aicc(chi_squared: f64, unknowns: usize, data: f64) -> f64 {
     let k = unknowns as f64;
-    let left = data as f64 - k - 1.0;
+    let left = data - k - 1.0;
     if left > 0.0 {
         chi_squared + 2.0 * k + 2.0 * k * (k + 1.0) / left
     } else {
@@ -48,8 +59,10 @@ pub struct Calibration {
     pub estimates: Vec<Estimate>,
     /// Covariance of the parameters by the curvature of χ², square, row by row; empty unless all of them have a deviation.
     pub covariance: Vec<f64>,
-    /// The least χ².
+    /// The least χ², of data with their stated deviations.
     pub chi_squared: f64,
+    /// How errors of the data go together.
+    pub correlation: Correlation,
     /// Number of data.
     pub data: usize,
     /// Number of independent nuisances.
@@ -82,26 +95,42 @@ impl Calibration {
         self.chi_squared / self.degrees().max(1) as f64
     }
 
+    /// How many independent data would say as much.
+    pub fn effective_data(&self) -> f64 {
+        self.data as f64 / self.inflation()
+    }
+
+    fn inflation(&self) -> f64 {
+        self.correlation.inflation.max(1.0)
+    }
+
+    /// χ² over the inflation of its variance.
+    fn deviance(&self) -> f64 {
+        self.chi_squared / self.inflation()
+    }
+
     /// Akaike's criterion, up to a constant of the data.
     pub fn aic(&self) -> f64 {
-        self.chi_squared + 2.0 * self.unknowns()
+        self.deviance() + 2.0 * self.unknowns()
     }
 
     /// Akaike's criterion corrected for few data, up to a constant of the data; infinite where there are too few for it.
     pub fn aicc(&self) -> f64 {
         let unknowns = self.estimates.len() + self.nuisances;
-        aicc(self.chi_squared, unknowns, self.data)
+        aicc(self.deviance(), unknowns, self.effective_data())
     }
 
     /// Schwarz's criterion, up to a constant of the data.
     pub fn bic(&self) -> f64 {
-        self.chi_squared + self.unknowns() * (self.data as f64).ln()
+        self.deviance() + self.unknowns() * self.effective_data().ln()
     }
 
     /// By how many standard deviations χ² lies above what it should be if the model holds, by the cube root that makes it nearly normal
-    /// (Wilson & Hilferty 1931). Above 3 the model does not explain the data, or their deviations are too small.
+    /// (Wilson & Hilferty 1931), of as many degrees of freedom as the correlation leaves. Above 3 the model does not explain the data, or
+    /// their deviations are too small.
     pub fn excess(&self) -> f64 {
-        let spread = 2.0 / (9.0 * self.degrees().max(1) as f64);
+        let degrees = self.degrees().max(1) as f64 / self.correlation.squares.max(1.0);
+        let spread = 2.0 / (9.0 * degrees);
         (self.reduced().cbrt() - (1.0 - spread)) / spread.sqrt()
     }
 

@@ -74,6 +74,8 @@ pub struct Analysed {
     pub scale_assumed: Option<String>,
     /// What the picture may have added to the displacements of loads.
     pub picture: Vec<PictureMotion>,
+    /// Residuals of the fit that the noise factor is measured by, over the stated deviations.
+    pub(super) residuals: Vec<scale::Residual>,
     /// What the checks of the data say.
     pub checks: Checked,
     /// Forces along x and y `[N]`, with their covariance: what the region exerts through the edge by its stresses, then what acts on the

@@ -31,20 +31,22 @@ mod figures;
 mod mesh_error;
 mod observation;
 mod passage;
+mod resolved;
 mod rings;
 mod scale;
 mod sensitivity;
 mod shared_null;
 mod stage;
 mod tell;
+mod verdict;
 
 use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::calibrate::CalibrateError;
 use thiserror::Error;
 
 pub use candidate::Candidate;
-use compare::told_on_two_meshes;
-pub use compare::{Comparison, Fit, StateFit, Verdict, fit, fit_on_two_meshes};
+use compare::fit_with_progress;
+pub use compare::{Comparison, Fit, StateFit, fit, fit_on_two_meshes};
 pub use contact::{ContactModel, View};
 pub use discrepancy::{Discrepancy, discrepancies};
 pub use mesh_error::{MeshError, StateMeshError, coarser};
@@ -55,6 +57,7 @@ pub use sensitivity::{Sensitivity, sensitivity};
 pub use shared_null::SharedNull;
 pub use stage::{Known, LawStage, stage};
 pub use tell::tell;
+pub use verdict::Verdict;
 
 use crate::run::RunError;
 

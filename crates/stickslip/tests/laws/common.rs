@@ -157,3 +157,9 @@ force = {{ direction = [-1, 0], steps = ["750 lbf", "1500 lbf", "900 lbf"] }}
     })
     .unwrap()
 }
+
+/// How many seeds a study of intervals asks: `few`, or as many as the environment variable `STICKSLIP_SEEDS` says.
+pub(crate) fn seeds(few: u64) -> u64 {
+    let many = std::env::var("STICKSLIP_SEEDS").ok();
+    many.and_then(|own| own.parse().ok()).unwrap_or(few)
+}

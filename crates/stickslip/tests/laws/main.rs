@@ -1,5 +1,6 @@
 //! Friction laws fitted by contact solves: truth known.
 
+mod choice;
 mod common;
 mod contact;
 mod fits;
@@ -7,4 +8,5 @@ mod mesh_error;
 mod model;
 mod page;
 mod sensitivity;
+mod static_bound;
 mod whole;

@@ -28,6 +28,8 @@ pub(super) struct Boundary {
     pub(super) taken_off: Vec<(FreeMotion, f64)>,
     /// What residuals say of the variance of a single datum, at least that of its deviation.
     pub(super) single: f64,
+    /// Residuals of the fit over the stated deviations; none where nothing was fitted.
+    pub(super) residuals: Vec<Residual>,
 }
 
 impl Workbench<'_> {
@@ -61,7 +63,10 @@ impl Workbench<'_> {
         let mut boundary = Boundary::plain(displacements);
         // s² is that of a fit to the same data: residuals of the displacements themselves would hold their own errors too.
         match self.fitted(used, measured.floor) {
-            Ok(fit) => (boundary.scale, boundary.single) = (fit.scale, fit.single),
+            Ok(fit) => {
+                (boundary.scale, boundary.single) = (fit.scale, fit.single);
+                boundary.residuals = fit.residuals;
+            }
             Err(cause) => {
                 boundary.scale = least_scale(used.deviation, measured.floor).max(1.0);
                 boundary.assumed = Some(of_region(self.experiment, &cause));
@@ -150,6 +155,7 @@ impl Workbench<'_> {
                 of_residuals,
             }),
             displacements: fit.displacements,
+            residuals,
         })
     }
 
@@ -203,6 +209,7 @@ impl Boundary {
             responses: Vec::new(),
             taken_off: Vec::new(),
             single: 1.0,
+            residuals: Vec::new(),
         }
     }
 }

@@ -205,6 +205,7 @@ impl<'a> Workbench<'a> {
             scale: boundary.scale,
             scale_assumed: boundary.assumed.clone(),
             picture: Vec::new(),
+            residuals: boundary.residuals.clone(),
             checks: Checked::default(),
             forces: self.forces(boundary).map_err(refuse)?,
             nodal_forces: Vec::new(),

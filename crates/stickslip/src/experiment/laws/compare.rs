@@ -2,17 +2,17 @@
 
 use std::sync::Arc;
 
-use stickslip_hybrid::calibrate::{Block, Calibration, Data, Settings, calibrate, least};
+use stickslip_hybrid::calibrate::{
+    Block, Calibration, Correlation, Data, Least, Residual, Settings, calibrate, least,
+};
 use stickslip_hybrid::identify::Bounds;
 
-use super::mesh_error::{MeshError, shapes};
+use super::mesh_error::{Coarser, MeshError};
+use super::resolved::Resolved;
+use super::verdict::{Verdict, judge};
 use super::{Candidate, ContactModel, LawsError, Observation, View};
 use crate::run::Progress;
 
-/// Criteria that differ by less do not decide (Burnham & Anderson 2002).
-const DECIDES: f64 = 2.0;
-/// A law whose criterion is worse by as much has next to no support.
-const RULED_OUT: f64 = 10.0;
 /// χ² this many standard deviations above what it should be is unexplained.
 const UNEXPLAINED: f64 = 3.0;
 
@@ -38,7 +38,8 @@ pub struct Fit {
     pub calibration: Calibration,
     /// One per observation.
     pub states: Vec<StateFit>,
-    /// AICc above that of the best law; infinite where there are too few data for it.
+    /// AICc above that of the best law; negative where the mesh does not resolve what makes it less, infinite where there are too few
+    /// data for it.
     pub distance: f64,
     /// BIC above that of the law with the least.
     pub bic_distance: f64,
@@ -48,41 +49,16 @@ pub struct Fit {
     pub seconds: f64,
 }
 
-/// What the data say of a law beside the others.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// There is no other law to compare it with.
-    Only,
-    /// The least AICc, and the next law is clearly worse.
-    Preferred,
-    /// Not clearly worse than the best.
-    AsGood,
-    /// Worse, yet not ruled out.
-    Weaker,
-    /// Next to no support.
-    RuledOut,
-    /// Too few data for the criterion, which is not finite.
-    Undecided,
-}
-
-impl Verdict {
-    /// In words.
-    pub const fn words(self) -> &'static str {
-        match self {
-            Self::Only => "the only law",
-            Self::Preferred => "preferred",
-            Self::AsGood => "as good as the best",
-            Self::Weaker => "weaker",
-            Self::RuledOut => "ruled out",
-            Self::Undecided => "too few data to compare it",
-        }
-    }
-}
-
 impl Fit {
     /// Whether χ² is as large as the deviations of the data make it.
     pub fn explains(&self) -> bool {
         self.calibration.excess() <= UNEXPLAINED
+    }
+
+    /// The interval of parameter `index`; `None` where χ² rejects the model, whose errors no interval of the data's noise holds.
+    pub fn bounds(&self, index: usize) -> Option<Bounds> {
+        let own = self.calibration.estimates.get(index)?;
+        self.explains().then_some(own.bounds)
     }
 
     /// What the data say of each parameter and of the law, in a sentence or two.
@@ -113,7 +89,7 @@ impl Fit {
 pub struct Comparison {
     /// In the order of the file.
     pub fits: Vec<Fit>,
-    /// Index of the one with the least AICc.
+    /// Index of the one with the least AICc, of those whose advantage the mesh resolves.
     pub best: usize,
     /// Number of data.
     pub data: usize,
@@ -124,14 +100,15 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// The law with the least AICc.
+    /// The law with the least AICc, of those whose advantage the mesh resolves.
     pub fn best(&self) -> &Fit {
         // `fit` sets an index of a list that is not empty.
         &self.fits[self.best]
     }
 }
 
-/// Fits each of `laws` to all of `observations`. Intervals hold the errors of the data alone.
+/// Fits each of `laws` to all of `observations`. Intervals hold the errors of the data alone, and the correlation of what the law with the
+/// least χ² leaves of them; no coarser mesh says which differences of laws the mesh resolves.
 ///
 /// # Errors
 /// [`LawsError::NoLaw`], [`LawsError::Step`], [`LawsError::Outside`], and [`LawsError::Calibrate`] for data that cannot be fitted.
@@ -147,7 +124,9 @@ pub fn fit(
         views: &views,
         count,
     };
-    compared(&seen, laws, (observations, &data), settings, &mut |_| ())
+    let firsts = first_fits(&seen, laws, &data, settings, &mut |_| ())?;
+    let settings = correlated(&seen, laws, &firsts, (observations, &data), settings)?;
+    compared(&seen, laws, (observations, &data), &settings, &mut |_| ())
 }
 
 /// The same with intervals that hold the error of the model's mesh as well, so far as it has the shape of the difference to `coarser`, a
@@ -155,7 +134,8 @@ pub fn fit(
 ///
 /// The laws are fitted twice. The best law of the first time gives the shapes, one for each state, which are then errors of the data for
 /// all laws: their criteria compare the same data with the same covariance. That of a law which does not hold would be the error of
-/// displacements that are not there.
+/// displacements that are not there. A law with more parameters than another is not preferred to it for what the coarser mesh does not
+/// show as well.
 ///
 /// # Errors
 /// Those of [`fit`], and of the history on the coarser mesh.
@@ -167,11 +147,11 @@ pub fn fit_on_two_meshes(
     settings: &Settings,
 ) -> Result<Comparison, LawsError> {
     let models = [model, coarser];
-    told_on_two_meshes(models, laws, observations, settings, &mut |_| ())
+    fit_with_progress(models, laws, observations, settings, &mut |_| ())
 }
 
 /// As [`fit_on_two_meshes`] on `[model, coarser]`; `progress` hears of every fit.
-pub(super) fn told_on_two_meshes(
+pub(super) fn fit_with_progress(
     [model, coarser]: [&ContactModel; 2],
     laws: &[Candidate],
     observations: &[Observation],
@@ -185,17 +165,8 @@ pub(super) fn told_on_two_meshes(
         count,
     };
     let total = 2 * laws.len();
-    let mut firsts = Vec::new();
-    for law in laws {
-        let start = std::time::Instant::now();
-        let predict = |values: &[f64]| seen.predicted(law, values);
-        let found = least(&predict, &law.parameters, &data, settings).map_err(failed(law))?;
-        firsts.push((found, start.elapsed().as_secs_f64()));
-        progress(Progress::Step {
-            done: firsts.len(),
-            total,
-        });
-    }
+    let mut first = |done: usize| progress(Progress::Step { done, total });
+    let firsts = first_fits(&seen, laws, &data, settings, &mut first)?;
     let order = |&a: &usize, &b: &usize| {
         let [a, b] = [a, b].map(|k| &firsts[k].0);
         (a.aicc.total_cmp(&b.aicc)).then(a.chi_squared.total_cmp(&b.chi_squared))
@@ -204,17 +175,23 @@ pub(super) fn told_on_two_meshes(
     let first = (0..laws.len()).min_by(order).unwrap_or(0);
     let (law, values) = (&laws[first], &firsts[first].0.values);
     let own = seen.predicted(law, values)?;
-    let shapes = shapes(coarser, law.law(values)?, observations, &own)?;
+    let coarser = Coarser::new(coarser, observations)?;
+    let shapes = coarser.shapes(law.law(values)?, &own)?;
     let data = data.with_shapes(&shapes).map_err(LawsError::Data)?;
+    let settings = correlated(&seen, laws, &firsts, (observations, &data), settings)?;
     let mut second = |done: usize| {
         let done = laws.len() + done;
         progress(Progress::Step { done, total });
     };
-    let mut found = compared(&seen, laws, (observations, &data), settings, &mut second)?;
+    let mut found = compared(&seen, laws, (observations, &data), &settings, &mut second)?;
     for (fit, (first, seconds)) in found.fits.iter_mut().zip(&firsts) {
         fit.calibration.evaluations += first.evaluations;
         fit.seconds += seconds;
     }
+    let resolved = resolved(&seen, &coarser, &found.fits, &data)?;
+    found.best = judge(&mut found.fits, |complex, simple| {
+        resolved.prefers(complex, simple)
+    });
     let best = found.best();
     let predicted = seen.predicted(&best.law, &best.calibration.values())?;
     found.mesh_error = Some(MeshError::of(
@@ -224,6 +201,76 @@ pub(super) fn told_on_two_meshes(
         &data.amounts(&predicted),
     )?);
     Ok(found)
+}
+
+/// The best fit of each law without intervals, and how long it took `[s]`.
+fn first_fits(
+    seen: &Seen<'_>,
+    laws: &[Candidate],
+    data: &Data,
+    settings: &Settings,
+    fitted: &mut dyn FnMut(usize),
+) -> Result<Vec<(Least, f64)>, LawsError> {
+    let mut firsts = Vec::new();
+    for law in laws {
+        let start = std::time::Instant::now();
+        let predict = |values: &[f64]| seen.predicted(law, values);
+        let found = least(&predict, &law.parameters, data, settings).map_err(failed(law))?;
+        firsts.push((found, start.elapsed().as_secs_f64()));
+        fitted(firsts.len());
+    }
+    Ok(firsts)
+}
+
+/// `settings` with the correlation of what the law with the least χ² leaves of the data: the least that any law calls an error.
+fn correlated(
+    seen: &Seen<'_>,
+    laws: &[Candidate],
+    firsts: &[(Least, f64)],
+    (observations, data): (&[Observation], &Data),
+    settings: &Settings,
+) -> Result<Settings, LawsError> {
+    let fits = laws.iter().zip(firsts);
+    let Some((law, (first, _))) =
+        fits.min_by(|(_, (a, _)), (_, (b, _))| a.chi_squared.total_cmp(&b.chi_squared))
+    else {
+        return Ok(*settings);
+    };
+    let left = data.residual(&seen.predicted(law, &first.values)?);
+    let places = observations.iter().enumerate().flat_map(|(index, own)| {
+        let datum = move |&(place, axis): &(usize, usize)| (own.places[place], 2 * index + axis);
+        own.components.iter().map(datum)
+    });
+    let residuals: Vec<Residual> = (places.zip(left))
+        .map(|((place, field), value)| Residual {
+            place,
+            field,
+            value,
+        })
+        .collect();
+    Ok(Settings {
+        correlation: Correlation {
+            inflation: Correlation::of(&residuals).inflation,
+            ..settings.correlation
+        },
+        ..*settings
+    })
+}
+
+/// What the fits predict on both meshes.
+fn resolved<'a>(
+    seen: &Seen<'_>,
+    coarser: &Coarser<'_>,
+    fits: &[Fit],
+    data: &'a Data,
+) -> Result<Resolved<'a>, LawsError> {
+    let mut meshes = Vec::new();
+    for fit in fits {
+        let values = fit.calibration.values();
+        let fine = seen.predicted(&fit.law, &values)?;
+        meshes.push((fine, coarser.seen(fit.law.law(&values)?).ok()));
+    }
+    Ok(Resolved::new(data, fits, meshes))
 }
 
 fn failed(
@@ -285,7 +332,7 @@ fn compared(
         });
         fitted(fits.len());
     }
-    let best = judge(&mut fits);
+    let best = judge(&mut fits, |_, _| true);
     let (law, values) = (&laws[best], fits[best].calibration.values());
     let start = std::time::Instant::now();
     seen.predicted(law, &values)?;
@@ -342,78 +389,4 @@ fn state_fits(observations: &[Observation], calibration: &Calibration) -> Vec<St
         });
     }
     fits
-}
-
-/// Distances and verdicts; the index of the law with the least AICc, or the least χ² where no law has a finite one.
-fn judge(fits: &mut [Fit]) -> usize {
-    let aicc: Vec<f64> = fits.iter().map(|fit| fit.calibration.aicc()).collect();
-    let bic = fits.iter().map(|fit| fit.calibration.bic());
-    let least_bic = bic.fold(f64::INFINITY, f64::min);
-    let order = |&a: &usize, &b: &usize| {
-        let chi_squared = |k: usize| fits[k].calibration.chi_squared;
-        (aicc[a].total_cmp(&aicc[b])).then(chi_squared(a).total_cmp(&chi_squared(b)))
-    };
-    let best = (0..fits.len()).min_by(order).unwrap_or(0);
-    let verdicts = verdicts(&aicc, best);
-    for ((fit, aicc_of), verdict) in fits.iter_mut().zip(&aicc).zip(verdicts) {
-        fit.distance = distance(*aicc_of, aicc[best]);
-        fit.bic_distance = fit.calibration.bic() - least_bic;
-        fit.verdict = verdict;
-    }
-    best
-}
-
-/// How far a criterion lies above the least; infinite where it is not finite itself.
-fn distance(own: f64, least: f64) -> f64 {
-    if own.is_finite() {
-        own - least
-    } else {
-        f64::INFINITY
-    }
-}
-
-/// What the criteria say, that of `best` being the least.
-fn verdicts(aicc: &[f64], best: usize) -> Vec<Verdict> {
-    let near = |k: usize| distance(aicc[k], aicc[best]) < DECIDES;
-    let alone = (0..aicc.len()).all(|k| k == best || !near(k));
-    let verdict = |k: usize| match distance(aicc[k], aicc[best]) {
-        _ if aicc.len() == 1 => Verdict::Only,
-        _ if !aicc[k].is_finite() => Verdict::Undecided,
-        _ if k == best && alone => Verdict::Preferred,
-        far if far < DECIDES => Verdict::AsGood,
-        far if far < RULED_OUT => Verdict::Weaker,
-        _ => Verdict::RuledOut,
-    };
-    (0..aicc.len()).map(verdict).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_lone_law_is_compared_with_nothing() {
-        assert_eq!(verdicts(&[12.0], 0), [Verdict::Only]);
-        assert_eq!(verdicts(&[f64::INFINITY], 0), [Verdict::Only]);
-    }
-
-    #[test]
-    fn criteria_decide_by_their_distance_from_the_least() {
-        let found = verdicts(&[15.0, 10.0, 30.0, f64::INFINITY], 1);
-        let expected = [
-            Verdict::Weaker,
-            Verdict::Preferred,
-            Verdict::RuledOut,
-            Verdict::Undecided,
-        ];
-        assert_eq!(found, expected);
-        assert_eq!(verdicts(&[1.0, 2.5], 0), [Verdict::AsGood; 2]);
-    }
-
-    #[test]
-    fn criteria_that_are_not_finite_decide_nothing() {
-        let none = [f64::INFINITY; 2];
-        assert_eq!(verdicts(&none, 0), [Verdict::Undecided; 2]);
-        assert!(distance(none[1], none[0]).is_infinite());
-    }
 }

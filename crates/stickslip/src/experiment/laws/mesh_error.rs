@@ -14,7 +14,7 @@ use stickslip_fem_core::mesh::Point;
 use stickslip_friction::FrictionLaw;
 use stickslip_hybrid::calibrate::{Amount, Block, Data, Noise};
 
-use super::{ContactModel, LawsError, Observation};
+use super::{ContactModel, LawsError, Observation, View};
 use crate::experiment::plan::SpecimenScene;
 use crate::scene::schema::{Division, Grading, MeshSettings};
 
@@ -98,22 +98,21 @@ fn doubled(own: &MeshSettings) -> MeshSettings {
     }
 }
 
-/// δ at the data of each observation. `fine`: displacements of the model at all data under the same law. A place that the coarser
-/// polygon does not hold has none.
-pub(super) fn shapes(
-    coarser: &ContactModel,
-    law: Box<dyn FrictionLaw>,
-    observations: &[Observation],
-    fine: &[f64],
-) -> Result<Vec<Vec<f64>>, LawsError> {
-    let states = coarser.states(Arc::from(law), coarser.steps())?;
-    let mut rest = fine;
-    (observations.iter())
-        .map(|own| {
-            let (fine, next) = rest.split_at(own.values.len().min(rest.len()));
-            rest = next;
+/// A coarser model as it is seen at the data.
+pub(super) struct Coarser<'a> {
+    model: &'a ContactModel,
+    /// The row of each place of an observation in its view; none where the coarser polygon does not hold the place.
+    views: Vec<(&'a Observation, Vec<Option<usize>>, View<'a>)>,
+}
+
+impl<'a> Coarser<'a> {
+    pub(super) fn new(
+        model: &'a ContactModel,
+        observations: &'a [Observation],
+    ) -> Result<Self, LawsError> {
+        let view = |own: &'a Observation| {
             let mut row = 0;
-            let rows: Vec<Option<usize>> = (coarser.inside(&own.places).into_iter())
+            let rows: Vec<Option<usize>> = (model.inside(&own.places).into_iter())
                 .map(|inside| {
                     row += usize::from(inside);
                     inside.then(|| row - 1)
@@ -123,24 +122,50 @@ pub(super) fn shapes(
             let places: Vec<Point> = both
                 .filter_map(|(&place, row)| row.map(|_| place))
                 .collect();
-            let view = coarser.view(&places)?;
-            let state = |step: usize| {
-                states.get(step).ok_or(LawsError::Step {
-                    step: step + 1,
-                    steps: states.len(),
-                })
-            };
+            Ok((own, rows, model.view(&places)?))
+        };
+        let views = observations.iter().map(view);
+        Ok(Self {
+            model,
+            views: views.collect::<Result<_, LawsError>>()?,
+        })
+    }
+
+    /// Displacements at the data of all observations under `law`, one after the other; none where there is no place.
+    pub(super) fn seen(&self, law: Box<dyn FrictionLaw>) -> Result<Vec<Option<f64>>, LawsError> {
+        let states = self.model.states(Arc::from(law), self.model.steps())?;
+        let state = |step: usize| {
+            states.get(step).ok_or(LawsError::Step {
+                step: step + 1,
+                steps: states.len(),
+            })
+        };
+        let mut all = Vec::new();
+        for (own, rows, view) in &self.views {
             let mut seen = view.displacements(state(own.step)?);
             if let Some(null) = own.null {
                 seen -= view.displacements(state(null)?);
             }
-            let data = own.components.iter().zip(fine);
-            let difference = data.map(|(&(place, axis), fine)| {
-                rows[place].map_or(0.0, |row| fine - seen[2 * row + axis])
-            });
-            Ok(difference.collect())
-        })
-        .collect()
+            let data = own.components.iter();
+            all.extend(data.map(|&(place, axis)| rows[place].map(|row| seen[2 * row + axis])));
+        }
+        Ok(all)
+    }
+
+    /// δ at the data of each observation. `fine`: displacements of the model at all data under the same law. A place that the coarser
+    /// polygon does not hold has none.
+    pub(super) fn shapes(
+        &self,
+        law: Box<dyn FrictionLaw>,
+        fine: &[f64],
+    ) -> Result<Vec<Vec<f64>>, LawsError> {
+        let both = fine.iter().zip(self.seen(law)?);
+        let mut difference = both.map(|(fine, coarse)| coarse.map_or(0.0, |coarse| fine - coarse));
+        let own = self.views.iter();
+        Ok(own
+            .map(|(own, ..)| difference.by_ref().take(own.values.len()).collect())
+            .collect())
+    }
 }
 
 /// Root of the mean square of what the free motion of a state leaves of `shape`.

@@ -43,13 +43,13 @@ fn passes(law: &dyn FrictionLaw, slip: f64) -> bool {
     }
 }
 
-/// The band of `fit` at `slip`: half its width; `None` where not all parameters have a deviation.
+/// The band of `fit` at `slip`: half its width; `None` where not all parameters have a deviation, and where χ² rejects the model.
 fn half_width(fit: &Fit, slip: f64, confidence: f64) -> Option<f64> {
     /// Parts of the values by which they are changed.
     const CHANGE: f64 = 1e-4;
     let values = fit.calibration.values();
     let covariance = &fit.calibration.covariance;
-    if covariance.is_empty() {
+    if covariance.is_empty() || !fit.explains() {
         return None;
     }
     let mut gradient = Vec::new();

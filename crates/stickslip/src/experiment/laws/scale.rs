@@ -1,7 +1,11 @@
 //! How much the errors of a state exceed their stated deviation, by fits that know of no friction law.
 
-use super::Known;
-use crate::experiment::analysed::scale::IN_A_BLOCK;
+use std::collections::HashSet;
+
+use stickslip_fem_core::mesh::Point;
+use stickslip_hybrid::calibrate::{Correlation, Residual};
+
+use super::{Known, Observation};
 
 /// By what the variance of a state was multiplied.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,25 +44,21 @@ impl Scale {
     /// What a fit cannot follow adds to its residuals, and nothing takes away from them but its parameters, which are allowed for. So the
     /// smaller of two fits is nearer to the errors.
     ///
-    /// Places that are farther apart than blocks of neighbours have errors of their own, whose variance is that of single residuals.
-    /// Nearer ones go together, and count by the means of blocks.
-    pub(super) fn of(state: usize, known: Known<'_>, kept: usize, all: usize) -> Self {
-        let apart = kept as f64 * IN_A_BLOCK <= all as f64;
-        let scale = |residual: f64, data: usize, parameters: f64, blocks: f64| {
-            let single = residual / (data as f64 - parameters).max(1.0);
-            if apart { single } else { single.max(blocks) }
+    /// It is the variance of single data. That errors of neighbours go together is counted by [`Correlation`].
+    pub(super) fn of(state: usize, known: Known<'_>) -> Self {
+        let scale = |residual: f64, data: usize, parameters: f64| {
+            residual / (data as f64 - parameters).max(1.0)
         };
         let analysed = known.analysed.iter().find(|own| own.state == state);
         let localized = analysed.and_then(|own| {
             let fit = own.fit?;
-            let factor = scale(fit.residual, fit.data, fit.parameters, own.scale);
+            let factor = scale(fit.residual, fit.data, fit.parameters);
             Some((factor, ScaleSource::Localized))
         });
         let plate = known.plates.iter().find(|own| own.state == state);
         let plate = plate.map(|own| {
             let (residual, data, parameters) = own.solution.fit;
-            let factor = scale(residual, data, parameters, own.solution.scale);
-            (factor, ScaleSource::WholePlate)
+            (scale(residual, data, parameters), ScaleSource::WholePlate)
         });
         let least = localized.into_iter().chain(plate);
         let least = least.min_by(|(a, _), (b, _)| a.total_cmp(b));
@@ -74,4 +74,26 @@ impl Scale {
             },
         }
     }
+}
+
+/// By how much χ² scatters more than that of independent data, by the residuals that the localized analysis leaves at the compared places:
+/// they know of no law, whose errors would pass for correlation.
+pub(super) fn squares(observations: &[Observation], states: &[usize], known: Known<'_>) -> f64 {
+    let mut all: Vec<Residual> = Vec::new();
+    for (index, (own, &state)) in observations.iter().zip(states).enumerate() {
+        let Some(found) = known.analysed.iter().find(|found| found.state == state) else {
+            continue;
+        };
+        let key = |place: Point| place.map(f64::to_bits);
+        let compared: HashSet<[u64; 2]> = own.places.iter().map(|&place| key(place)).collect();
+        let residuals = found.residuals.iter();
+        all.extend(
+            (residuals.filter(|left| compared.contains(&key(left.place)))).map(|left| Residual {
+                place: left.place,
+                field: 2 * index + left.axis,
+                value: left.value,
+            }),
+        );
+    }
+    Correlation::of(&all).squares
 }

@@ -3,13 +3,14 @@
 use std::sync::Arc;
 
 use stickslip_fem_core::mesh::Point;
-use stickslip_hybrid::calibrate::{Parameter, Settings};
+use stickslip_hybrid::calibrate::{Correlation, Parameter, Settings};
 
+use super::scale::squares;
 use super::shared_null::shared_nulls;
 use super::{
     Candidate, Comparison, ContactModel, Discrepancy, Fit, LawsError, Nuisance, Observation, Scale,
-    Sensitivity, SharedNull, coarser, decimated, discrepancies, fit, sensitivity,
-    told_on_two_meshes,
+    Sensitivity, SharedNull, coarser, decimated, discrepancies, fit, fit_with_progress,
+    sensitivity,
 };
 use crate::experiment::analysed::Analysed;
 use crate::experiment::error::ExperimentError;
@@ -93,6 +94,10 @@ pub fn stage(
     let confidence = experiment.identify.confidence;
     let settings = Settings {
         confidence,
+        correlation: Correlation {
+            squares: squares(&observations, &states, known),
+            ..Correlation::NONE
+        },
         ..Settings::default()
     };
     let coarser = ContactModel::for_laws(&coarser(own), &laws);
@@ -178,7 +183,7 @@ fn compared(
     })
 }
 
-/// The laws fitted with the error of the model's mesh in their intervals, as a coarser one tells it; without it where that cannot be had.
+/// The laws fitted with the error of the model's mesh in their intervals, as a coarser one shows it; without it where there is none.
 fn fitted(
     model: &ContactModel,
     coarser: Result<ContactModel, LawsError>,
@@ -189,13 +194,13 @@ fn fitted(
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Comparison, LawsError> {
     let two_meshes = coarser
-        .and_then(|own| told_on_two_meshes([model, &own], laws, observations, settings, progress));
+        .and_then(|own| fit_with_progress([model, &own], laws, observations, settings, progress));
     two_meshes.or_else(|cause| {
         // Where data or laws are at fault and not the coarser mesh, this says so.
         let found = fit(model, laws, observations, settings)?;
         warnings.push(format!(
-            "Intervals hold the errors of the data alone and not that of the model's mesh: a mesh twice as coarse, which would tell, \
-             cannot be solved: {cause}."
+            "Intervals hold the errors of the data alone and not that of the model's mesh, and a law may be preferred for what that mesh \
+             does not resolve: a mesh twice as coarse, which would show it, cannot be solved: {cause}."
         ));
         Ok(found)
     })
@@ -264,13 +269,11 @@ fn observed(
             .zip(&inside)
             .for_each(|(valid, inside)| *valid &= inside);
     }
-    let all = (0..data.places.len()).filter(|&k| data.valid.iter().any(|valid| valid[k]));
-    let all = all.count();
     let mut data = decimated(&data, MOST_PLACES);
     if data.places.is_empty() {
         return Err("none of its places lies in the specimen of the scene".to_owned());
     }
-    let scale = Scale::of(measured.state, known, data.places.len(), all);
+    let scale = Scale::of(measured.state, known);
     for deviation in &mut data.deviation {
         *deviation *= scale.factor.sqrt();
     }

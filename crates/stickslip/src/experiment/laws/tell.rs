@@ -11,7 +11,10 @@ use crate::experiment::plan::Experiment;
 use crate::experiment::story::Story;
 use crate::output::short;
 
-/// Tells of the fitted laws.
+/// Stands in place of an interval where χ² rejects the model.
+const REJECTED: &str = "no interval: the model is rejected";
+
+/// Reports the fitted laws.
 pub fn tell(experiment: &Experiment, stage: &LawStage, story: &mut Story) {
     let comparison = &stage.comparison;
     let best = comparison.best();
@@ -19,7 +22,8 @@ pub fn tell(experiment: &Experiment, stage: &LawStage, story: &mut Story) {
     story.text(format!(
         "Each law was put into the contact of the scene, its load history solved, and the displacements compared with {} measured ones of \
          {} states; of each state {} is free and not compared. Bodies are condensed once: a history with what is seen of it takes {} ms by itself on {} \
-         nodes of the edge. The interval of a parameter is where χ² stays within its limit when all other parameters follow.",
+         nodes of the edge. The interval of a parameter is where χ² stays within its limit when all other parameters follow. Where χ² \
+         rejects a model there is none: no interval of the noise holds the errors of a model.",
         comparison.data,
         stage.observations.len(),
         free_motion(stage),
@@ -27,6 +31,7 @@ pub fn tell(experiment: &Experiment, stage: &LawStage, story: &mut Story) {
         stage.edge_nodes,
     ));
     story.text(scaled(experiment, stage));
+    story.text(correlated(stage));
     for own in &stage.shared_nulls {
         story.text(sharing(experiment, own));
     }
@@ -84,7 +89,7 @@ fn doubts(stage: &LawStage, story: &mut Story) {
     if !best.explains() {
         story.warn(format!(
             "No law explains the data: that of the best, '{}', leaves χ² = {} of {} degrees of freedom, {} standard deviations too many. \
-             Intervals are too narrow; look at the residuals near the edge.",
+             No interval is given: load, clearance, material, scale or place of the hole may be wrong; look at the residuals near the edge.",
             best.law.name,
             short(best.calibration.chi_squared),
             best.calibration.degrees(),
@@ -144,6 +149,22 @@ fn scaled(experiment: &Experiment, stage: &LawStage) -> String {
     format!(
         "The variance of the data was multiplied by what fits that know of no friction law say of their deviation: {}.",
         each.join("; ")
+    )
+}
+
+/// How many independent data the data count as.
+fn correlated(stage: &LawStage) -> String {
+    let own = &stage.comparison.best().calibration;
+    let inflation = own.correlation.inflation;
+    if inflation <= 1.0 {
+        return "Residuals of neighbouring data do not go together: data count in full.".to_owned();
+    }
+    format!(
+        "Residuals of neighbouring data go together, or exceed their deviation: {} data count as {} independent ones in criteria, and \
+         intervals are wider by the factor {}.",
+        own.data,
+        own.effective_data().round(),
+        short(inflation.sqrt()),
     )
 }
 
@@ -246,7 +267,7 @@ fn laws(stage: &LawStage) -> Table {
         Column::new("free parameters", ""),
         Column::new("χ²", ""),
         Column::new("χ² per degree of freedom", ""),
-        Column::new("AICc above the least", ""),
+        Column::new("AICc above the best law's", ""),
         Column::new("BIC above the least", ""),
         Column::new("solves", ""),
         Column::new("verdict", ""),
@@ -270,8 +291,9 @@ fn laws(stage: &LawStage) -> Table {
         ]);
     }
     table.note(
-        "A law whose AICc is less than 2 above the least is as good; from 10 it has next to no support (Burnham & Anderson 2002). BIC \
-         counts further parameters more heavily.",
+        "A law whose AICc is less than 2 above that of the best is as good; from 10 it has next to no support (Burnham & Anderson 2002). BIC \
+         counts further parameters more heavily. A law with more parameters is not preferred for displacements that a mesh twice as coarse \
+         does not show.",
     )
 }
 
@@ -298,8 +320,9 @@ fn parameters(experiment: &Experiment, stage: &LawStage) -> Table {
                 .range
                 .map(|value| short(factor * value));
             let [low, high] = range;
-            let value = match own.bounds {
-                Bounds::Nothing => "–".to_owned(),
+            let bounds = fit.bounds(index);
+            let value = match bounds {
+                Some(Bounds::Nothing) => "–".to_owned(),
                 _ => short(factor * own.value),
             };
             table.push(vec![
@@ -307,7 +330,7 @@ fn parameters(experiment: &Experiment, stage: &LawStage) -> Table {
                 own.name.clone(),
                 unit.to_owned(),
                 value,
-                interval(own.bounds, factor),
+                bounds.map_or_else(|| REJECTED.to_owned(), |own| interval(own, factor)),
                 low,
                 high,
             ]);
@@ -328,10 +351,13 @@ fn interval(bounds: Bounds, factor: f64) -> String {
 
 fn words(experiment: &Experiment, fit: &Fit, index: usize, own: &Estimate) -> String {
     let (factor, unit) = figures::unit(experiment, fit.law.dimensions[index]);
-    let interval = interval(own.bounds, factor);
-    let text = match own.bounds {
-        Bounds::Between(..) => format!("{} ({interval}) {unit}", short(factor * own.value)),
-        _ => format!("{interval} {unit}"),
+    let text = match fit.bounds(index) {
+        None => format!("{} {unit} at best; {REJECTED}", short(factor * own.value)),
+        Some(bounds @ Bounds::Between(..)) => {
+            let interval = interval(bounds, factor);
+            format!("{} ({interval}) {unit}", short(factor * own.value))
+        }
+        Some(bounds) => format!("{} {unit}", interval(bounds, factor)),
     };
     text.trim_end().to_owned()
 }

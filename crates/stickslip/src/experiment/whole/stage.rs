@@ -34,6 +34,7 @@ impl WholeState {
             without_direct: None,
             fit: None,
             scale: own.scale,
+            residuals: Vec::new(),
             scale_assumed: None,
             picture: Vec::new(),
             checks: Checked::default(),

@@ -18,7 +18,8 @@ pub(super) fn csv(experiment: &Experiment, stage: &LawStage) -> Vec<u8> {
         let calibration = &fit.calibration;
         for (index, own) in calibration.estimates.iter().enumerate() {
             let (factor, unit) = figures::unit(experiment, fit.law.dimensions[index]);
-            let [low, high] = ends(own.bounds).map(|end| number(end.map(|end| factor * end)));
+            let [low, high] =
+                ends(fit.bounds(index)).map(|end| number(end.map(|end| factor * end)));
             let cells = [
                 fit.law.name.clone(),
                 own.name.clone(),
@@ -26,7 +27,11 @@ pub(super) fn csv(experiment: &Experiment, stage: &LawStage) -> Vec<u8> {
                 format!("{}", factor * own.value),
                 low,
                 high,
-                number(own.deviation.map(|own| factor * own)),
+                number(
+                    own.deviation
+                        .filter(|_| fit.explains())
+                        .map(|own| factor * own),
+                ),
                 format!("{}", calibration.chi_squared),
                 calibration.degrees().to_string(),
                 format!("{}", calibration.aicc()),
@@ -38,12 +43,12 @@ pub(super) fn csv(experiment: &Experiment, stage: &LawStage) -> Vec<u8> {
     text.into_bytes()
 }
 
-fn ends(bounds: Bounds) -> [Option<f64>; 2] {
+fn ends(bounds: Option<Bounds>) -> [Option<f64>; 2] {
     match bounds {
-        Bounds::Between(low, high) => [Some(low), Some(high)],
-        Bounds::AtMost(high) => [None, Some(high)],
-        Bounds::AtLeast(low) => [Some(low), None],
-        Bounds::Nothing => [None, None],
+        Some(Bounds::Between(low, high)) => [Some(low), Some(high)],
+        Some(Bounds::AtMost(high)) => [None, Some(high)],
+        Some(Bounds::AtLeast(low)) => [Some(low), None],
+        Some(Bounds::Nothing) | None => [None, None],
     }
 }
 
@@ -78,7 +83,7 @@ pub(super) fn entry(experiment: &Experiment, stage: &LawStage) -> Value {
         let own = &fit.calibration;
         let parameter = |(index, estimate): (usize, &Estimate)| {
             let (factor, unit) = figures::unit(experiment, fit.law.dimensions[index]);
-            let [low, high] = ends(estimate.bounds).map(|end| end.map(|end| factor * end));
+            let [low, high] = ends(fit.bounds(index)).map(|end| end.map(|end| factor * end));
             json!({
                 "name": estimate.name,
                 "unit": unit,
@@ -94,6 +99,7 @@ pub(super) fn entry(experiment: &Experiment, stage: &LawStage) -> Value {
             "parameters": own.estimates.iter().enumerate().map(parameter).collect::<Vec<_>>(),
             "chi_squared": own.chi_squared,
             "degrees_of_freedom": own.degrees(),
+            "rejected": !fit.explains(),
             "aicc": own.aicc(),
             "bic": own.bic(),
             "solves": own.evaluations,
@@ -135,6 +141,7 @@ pub(super) fn entry(experiment: &Experiment, stage: &LawStage) -> Value {
     json!({
         "best": stage.comparison.best().law.name,
         "data": stage.comparison.data,
+        "effective_data": stage.comparison.best().calibration.effective_data(),
         "variance_scales": stage.scales.iter().map(|own| own.factor).collect::<Vec<_>>(),
         "variance_scales_by": stage.scales.iter().map(|own| own.source.words()).collect::<Vec<_>>(),
         "shared_nulls": stage.shared_nulls.iter().map(shared).collect::<Vec<_>>(),
