@@ -2,7 +2,7 @@
 //!
 //! Each number is measured by the largest of its kind on its edge in the whole history of both answers: stresses by the largest
 //! pressure or stress, gaps and slips by the largest of both or by what the largest pressure gives the softest body, forces by the
-//! largest force.
+//! largest force. Stresses and forces below a millionth of what the largest motion would give if it were strain are none.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -10,6 +10,9 @@ use stickslip::results::{EdgeKind, Results};
 
 /// How far apart two places on an edge are still one: radians, or parts of the edge's length.
 const SAME_PLACE: f64 = 1e-7;
+
+/// Part of the stress that a motion would give a body which counts as none at all.
+const REST: f64 = 1e-6;
 
 /// One node of an edge: pressure, shear, gap, slip, stress along the edge.
 #[derive(Clone, Copy, Debug)]
@@ -221,11 +224,24 @@ impl Scales {
         } else {
             0.0
         };
-        let length = largest(2).max(slip).max(give * stress);
+        let motion = largest(2).max(slip);
+        let length = motion.max(give * stress);
+        // Where nothing presses, stresses and forces are the rounding of motions.
+        let rest = if give > 0.0 {
+            REST * motion / give
+        } else {
+            0.0
+        };
+        let lifted = if stress > 0.0 {
+            (rest / stress).max(1.0)
+        } else {
+            1.0
+        };
+        let stress = stress.max(rest);
         let forces = steps().flat_map(|step| step.resultant.into_iter().chain([step.normal]));
         Self {
             values: [stress, stress, length, length, largest(4).max(stress)],
-            force: forces.fold(0.0, |most: f64, force| most.max(force.abs())),
+            force: lifted * forces.fold(0.0, |most: f64, force| most.max(force.abs())),
         }
     }
 }
