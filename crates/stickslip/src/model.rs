@@ -26,6 +26,7 @@ use crate::results::{Choice, EdgeGeometry};
 use crate::scene::Scene;
 
 pub(crate) use extent::{mirror, obstacle as obstacle_to_half};
+pub(crate) use loads::frame as frame_of_loads;
 pub(crate) use meshes::BYTES_PER_NODE;
 pub use meshes::NODE_LIMIT;
 pub(crate) use placement::centre as centre_of;

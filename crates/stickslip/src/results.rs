@@ -1,6 +1,7 @@
 //! What a run yields, in base units (mm, N, MPa, rad): the source of every table, file and figure.
 
 mod failure;
+mod frame;
 mod progressive;
 mod resolution;
 
@@ -11,6 +12,9 @@ pub use failure::{
     BesideSupports, BodyFailure, CharacteristicFailure, EdgePlies, EdgePly, Envelope,
     EnvelopePoint, FailurePoint, FirstPly, JointFailure, JointMode, PlyGroup, PlyMap,
 };
+
+pub(crate) use frame::wrapped;
+pub use frame::{BearingSource, ContactFrame};
 
 pub use progressive::{
     CurvePoint, EdgeStrain, LinearJoint, PlyLoss, ProgressiveEnd, ProgressiveFailure,
@@ -83,7 +87,7 @@ pub struct BodySummary {
 /// How places along an edge are measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum EdgeKind {
-    /// A circle: `parameter` is the angle θ `[rad]`, counter-clockwise from the bearing point.
+    /// A circle: `parameter` is the angle θ `[rad]`, counter-clockwise from +x about its centre.
     Circle {
         /// Centre `[mm]`.
         centre: [f64; 2],
@@ -115,6 +119,8 @@ pub struct EdgeGeometry {
     pub bearing_area: Option<f64>,
     /// Name of the friction law; empty without contact.
     pub law: String,
+    /// From where its places are measured.
+    pub frame: ContactFrame,
 }
 
 /// One node of an edge at the end of a load step. What is rounding beside the largest of the history is zero.
@@ -149,8 +155,12 @@ pub struct EdgeResults {
     /// Half of what contact reaches over, gaps between its parts included `[rad or mm]`: half of the distance from its first to its
     /// last place, on a circle half of all but the longest opening; `None` if the pair is open or not a contact.
     pub contact_half_extent: Option<f64>,
-    /// Half of the extent of the stick zone around the bearing point or x = 0 `[rad or mm]`: 0 where that point slips or is
-    /// open, `None` without contact or without friction.
+    /// Place of the step's own bearing point, as in `parameter`: the direction of the contact force on the first body `[rad]`, or the
+    /// centre of pressure `[mm]`. `None` where nothing bears in the step; what is measured from it is then measured from the edge's
+    /// [`frame`](EdgeGeometry::frame).
+    pub bearing: Option<f64>,
+    /// Half of the extent of the stick zone around the bearing point of the step `[rad or mm]`: 0 where that point slips or is
+    /// open, `None` without contact, without friction, or without a bearing point unless all sticks all around.
     pub stick_half_extent: Option<f64>,
     /// Largest pressure `[MPa]` and its place.
     pub peak_pressure: Option<(f64, f64)>,
@@ -159,13 +169,14 @@ pub struct EdgeResults {
     /// Uncertainty of that stress where it sits in the cusp at the end of contact `[MPa]`: the larger change to a neighbouring
     /// node. The peak there converges only like the root of the spacing; elsewhere `None`.
     pub peak_hoop_uncertainty: Option<f64>,
-    /// σ_θ at the bearing point, or σ_xx at x = 0 `[MPa]`.
+    /// σ_θ or σ_xx at the bearing point `[MPa]`; without one at θ = 0 or x = 0.
     pub hoop_at_bearing_point: Option<f64>,
     /// Resultant force on the first body, of the whole (both halves) `[N]`.
     pub resultant: [f64; 2],
-    /// Signed sum of the friction forces over the whole contact `[N]`. On a circle ∫q dA with q = −λ_t sgn θ: q is positive where
-    /// friction pulls the first body along the edge towards the bearing point θ = 0, negative where it pulls away from it; parts
-    /// of opposite signs cancel, so the sum says which prevails. On a line the tangential force on the first body along +x.
+    /// Signed sum of the friction forces over the whole contact `[N]`. On a circle ∫q dA with q = −λ_t sgn(sin(θ − θ_b)): q is positive
+    /// where friction pulls the first body along the edge towards the bearing point, negative where it pulls away from it; parts
+    /// of opposite signs cancel, so the sum says which prevails; zero without a bearing point. On a line the tangential force on
+    /// the first body along +x.
     pub friction_force: f64,
     /// ∫p dA over the whole contact `[N]`.
     pub normal_force: f64,
@@ -175,6 +186,14 @@ impl EdgeGeometry {
     /// The length of `parameter` after which the edge closes on itself, if it does.
     pub fn closed(&self) -> Option<f64> {
         matches!(self.kind, EdgeKind::Circle { .. }).then_some(TAU)
+    }
+
+    /// Where a reader looks for a place of `parameter`: its angle φ from the bearing point `[rad]`, or x `[mm]`.
+    pub fn seen(&self, place: f64) -> f64 {
+        match self.kind {
+            EdgeKind::Circle { .. } => self.frame.angle(place),
+            EdgeKind::Line => place,
+        }
     }
 }
 

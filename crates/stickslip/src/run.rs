@@ -1,5 +1,6 @@
 //! Solves a scene: condense the bodies, follow the load history, recover what is reported.
 
+mod bearing;
 mod doubts;
 mod edges;
 mod failure;
@@ -296,7 +297,7 @@ fn reported(
     otherwise: &[Otherwise],
     start: Instant,
 ) -> Result<Results, RunError> {
-    let edges = edges::all(model, &solved, recovered)?;
+    let (geometries, edges) = edges::all(model, &solved, recovered)?;
     let mut steps = Vec::with_capacity(solved.records.len());
     for (index, (record, edges)) in solved.records.iter().zip(edges).enumerate() {
         steps.push(StepResults {
@@ -321,7 +322,7 @@ fn reported(
         });
     }
     let mut notes = model.notes.clone();
-    notes.extend(remarks::of_steps(scene, model, &steps));
+    notes.extend(remarks::of_steps(scene, &geometries, &steps));
     notes.extend(doubts::of_steps(model, &steps));
     notes.extend(remarks::of_freedom(model, &solved.problem));
     notes.extend(doubts::of_looseness(model, &solved.records));
@@ -337,11 +338,7 @@ fn reported(
         notes,
         bodies: bodies(model, &solved),
         factorisations: operators.filter_map(Operator::elastic).count(),
-        edges: model
-            .edges
-            .iter()
-            .map(|edge| edge.geometry.clone())
-            .collect(),
+        edges: geometries,
         steps,
         failure: Vec::new(),
         phases: Vec::new(),

@@ -177,7 +177,7 @@ fn mesh_line(scene: &Scene, settings: &MeshSettings) -> String {
         Division::AngleList(angles) => format!("{element:?}, {} given angles", angles.len()),
         Division::Angular(grading) => {
             format!(
-                "{element:?}, corner nodes every {} at the bearing point",
+                "{element:?}, corner nodes every {} at θ = 0",
                 DEGREE.show(grading.spacing)
             )
         }

@@ -7,14 +7,14 @@
 //! ```
 //!
 //! Stresses at the edge itself are too local to break a joint; R_t and R_c are material constants, measured on notched and bolted
-//! coupons. Sources: Whitney & Nuismer, J. Compos. Mater. 8 (1974) 253, for the point; Chang, Scott & Springer, J. Compos.
+//! coupons. θ counts from the bearing point here. Sources: Whitney & Nuismer, J. Compos. Mater. 8 (1974) 253, for the point; Chang, Scott & Springer, J. Compos.
 //! Mater. 16 (1982) 470, for the curve and its modes.
 
 use std::f64::consts::FRAC_PI_2;
 
 use stickslip_fem_core::mesh::Point;
 
-use crate::results::JointMode;
+use crate::results::{ContactFrame, JointMode};
 use crate::scene::schema::Characteristic;
 
 /// Steps of the curve from one end to the bearing point.
@@ -34,17 +34,28 @@ impl Region {
     }
 }
 
-/// Angles `[rad]` and places of the characteristic curve, one per degree, from −90° or, of a half model, from 0° to 90°. The
-/// first or middle one is the bearing point, the last one the net section.
-pub(crate) fn curve(hole: Region, distances: Characteristic, half: bool) -> Vec<(f64, Point)> {
+/// Angles from the bearing point `[rad]` and places of the characteristic curve, one per degree, from −90° or, of a half model, from
+/// 0° to 90° or −90°, on the modelled side. The first or middle one is the bearing point, the last one the net section.
+pub(crate) fn curve(
+    hole: Region,
+    distances: Characteristic,
+    half: bool,
+    frame: ContactFrame,
+) -> Vec<(f64, Point)> {
     let Characteristic {
         tension,
         compression,
     } = distances;
     let first = if half { 0 } else { -i32::from(INTERVALS) };
+    let bearing = frame.bearing.unwrap_or(0.0);
+    let side = if half && bearing.abs() > FRAC_PI_2 {
+        -1.0
+    } else {
+        1.0
+    };
     (first..=i32::from(INTERVALS))
         .map(|k| {
-            let theta = FRAC_PI_2 * f64::from(k) / f64::from(INTERVALS);
+            let theta = side * FRAC_PI_2 * f64::from(k) / f64::from(INTERVALS);
             // cos 90° is zero, which the end of the curve must not miss by rounding.
             let cosine = if k.abs() == i32::from(INTERVALS) {
                 0.0
@@ -52,7 +63,7 @@ pub(crate) fn curve(hole: Region, distances: Characteristic, half: bool) -> Vec<
                 theta.cos()
             };
             let distance = tension + (compression - tension) * cosine;
-            (theta, hole.at(hole.radius + distance, theta))
+            (theta, hole.at(hole.radius + distance, bearing + theta))
         })
         .collect()
 }
@@ -84,7 +95,7 @@ mod tests {
             tension: 0.5,
             compression: 2.0,
         };
-        let places = curve(hole, distances, true);
+        let places = curve(hole, distances, true, ContactFrame::NONE);
         assert_eq!(places.len(), 91);
         assert_eq!(places[0].1, [1.0 + 7.0, 0.0]);
         let [x, y] = places[90].1;
@@ -93,9 +104,36 @@ mod tests {
         // 60° is where the cosine is one half.
         let [x, y] = places[60].1;
         assert!(((x - 1.0).hypot(y) - 6.25).abs() < 1e-12);
-        let whole = curve(hole, distances, false);
+        let whole = curve(hole, distances, false, ContactFrame::NONE);
         assert_eq!(whole.len(), 181);
         assert_eq!(whole[90].1, places[0].1);
+    }
+
+    #[test]
+    fn the_curve_turns_with_the_bearing_point() {
+        let hole = Region {
+            centre: [0.0, 0.0],
+            radius: 5.0,
+        };
+        let distances = Characteristic {
+            tension: 0.5,
+            compression: 2.0,
+        };
+        let bearing_at = |degrees: f64| ContactFrame {
+            bearing: Some(degrees.to_radians()),
+            ..ContactFrame::NONE
+        };
+        let near = |[x, y]: Point, to: Point| {
+            assert!((x - to[0]).hypot(y - to[1]) < 1e-13, "{x} {y} {to:?}");
+        };
+        let up = curve(hole, distances, false, bearing_at(90.0));
+        near(up[90].1, [0.0, 7.0]);
+        near(up[180].1, [-5.5, 0.0]);
+        // A half model has y ≥ 0: the net section beside a bearing point at 180° is at −90° from it.
+        let back = curve(hole, distances, true, bearing_at(180.0));
+        near(back[0].1, [-7.0, 0.0]);
+        near(back[90].1, [0.0, 5.5]);
+        assert_eq!(back[90].0, -FRAC_PI_2);
     }
 
     #[test]

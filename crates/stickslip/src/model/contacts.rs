@@ -63,6 +63,7 @@ pub(super) fn build(
         let edge = edge_nodes(scene, reported, meshes, half)?;
         let mut edge = edge.into_model_edge(scene, reported, index(&reported.body), half, None);
         edge.tractions = loads::edge_tractions(scene, reported, &edge);
+        edge.geometry.frame = loads::frame(scene, reported, half);
         contacts.edges.push(edge);
     }
     choices.extend(projection::choices(scene, &chosen));

@@ -13,6 +13,7 @@ use super::bearing::unit_forces;
 use super::polar_table::PolarField;
 use super::resultant::{centre_of, matched};
 use super::{Meshes, ModelBodyKind, ModelEdge, ModelError};
+use crate::results::{BearingSource, ContactFrame};
 use crate::scene::Scene;
 use crate::scene::schema::{self, Hold, LoadKind, SetRef, Shape, Substance};
 
@@ -215,6 +216,23 @@ fn unit_load(
     Ok(LoadCase {
         forces,
         ..LoadCase::default()
+    })
+}
+
+/// The frame of an edge under an assumed bearing load, of several under the first; +x without one.
+pub(crate) fn frame(scene: &Scene, on: &SetRef, half: bool) -> ContactFrame {
+    let direction = scene.loads.iter().find_map(|load| match &load.kind {
+        LoadKind::Bearing {
+            on: loaded,
+            direction,
+            ..
+        } if loaded == on => Some(*direction),
+        _ => None,
+    });
+    direction.map_or(ContactFrame::NONE, |[x, y]| ContactFrame {
+        bearing: Some(y.atan2(x)),
+        found: BearingSource::Load,
+        clockwise: half && x < 0.0,
     })
 }
 

@@ -4,7 +4,7 @@ use stickslip_contact::zones::{Zone, ends_of_contact};
 
 use super::meshes::lines;
 use super::placement::radii;
-use crate::results::{EdgeGeometry, EdgeKind};
+use crate::results::{EdgeGeometry, EdgeKind, wrapped};
 use crate::scene::Scene;
 use crate::scene::schema::{Contact, Division, Grading, Shape, Substance};
 
@@ -69,29 +69,44 @@ pub(crate) fn beyond_fine_zone(
         return None;
     };
     let limit = fine_to(scene, edge, grading)?;
-    let farthest = |zones: &&[Zone]| {
-        let ends = ends_of_contact(zones, edge.closed());
-        ends.into_iter()
-            .fold(0.0, |far: f64, end| far.max(end.abs()))
+    let place = |end: f64| match edge.kind {
+        EdgeKind::Circle { .. } => wrapped(end),
+        EdgeKind::Line => end,
     };
-    let (step, reach) = steps
-        .iter()
-        .map(farthest)
-        .enumerate()
-        .max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)))?;
+    let ends = |zones: &[Zone]| -> Vec<f64> {
+        let ends = ends_of_contact(zones, edge.closed());
+        ends.into_iter().map(place).collect()
+    };
+    let farther = |a: &f64, b: &f64| a.abs().total_cmp(&b.abs());
+    let farthest = |zones: &&[Zone]| ends(zones).into_iter().max_by(farther);
+    let by_step = steps.iter().map(farthest).enumerate();
+    let (step, end) = by_step
+        .filter_map(|(step, end)| Some((step, end?)))
+        .max_by(|a, b| farther(&a.1, &b.1).then(b.0.cmp(&a.0)))?;
     // An end on the limit to rounding is not beyond it.
-    if reach <= limit * (1.0 + 1e-9) {
+    if end.abs() <= limit * (1.0 + 1e-9) {
         return None;
     }
     let show = |value: f64| match edge.kind {
         EdgeKind::Circle { .. } => format!("{:.1}°", value.to_degrees()),
         EdgeKind::Line => scene.display.length.show(value),
     };
+    let both = ends(steps[step])
+        .iter()
+        .any(|other| (other + end).abs() <= 1e-6 * end.abs());
+    let symbol = match edge.kind {
+        EdgeKind::Circle { .. } => "θ",
+        EdgeKind::Line => "x",
+    };
+    let at = if both {
+        format!("±{}", show(end.abs()))
+    } else {
+        format!("{symbol} = {}", show(end))
+    };
     Some(format!(
-        "Contact '{}' ends at ±{} in load step {}, beyond the fine part of its mesh, which ends at ±{}: stresses near that end are as \
+        "Contact '{}' ends at {at} in load step {}, beyond the fine part of its mesh, which ends at ±{}: stresses near that end are as \
          accurate as the coarser mesh there. mesh.fine_to moves the limit.",
         edge.name,
-        show(reach),
         step + 1,
         show(limit)
     ))

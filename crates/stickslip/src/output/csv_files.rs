@@ -78,7 +78,8 @@ fn edge_table(edge: &EdgeView<'_>, step: usize) -> Result<Vec<u8>, OutputError> 
     let mut header = vec![format!("{place} [{}]", edge.place_unit())];
     header.extend(columns.iter().map(|(name, _)| name.clone()));
     let row = |(parameter, row): (&f64, &EdgeRow)| {
-        let mut cells = vec![number(edge.place(*parameter))];
+        // From +x, as the mesh and the field files have it.
+        let mut cells = vec![number(edge.length(*parameter))];
         cells.extend(columns.iter().map(|(_, cell)| cell(row)));
         cells
     };
@@ -180,15 +181,21 @@ fn edge_quantities<'a>(edge: EdgeView<'a>, prefix: &str) -> Vec<StepColumn<'a>> 
     let stress = units.stress.name;
     if edge.geometry.contact {
         let place = move |value: Option<f64>| value.map(|value| edge.place(value));
+        let length = move |value: Option<f64>| value.map(|value| edge.length(value));
         add(
             format!("contact_{}", names[0]),
             place_unit,
-            Box::new(move |k| place(edge.step(k).contact_half_extent)),
+            Box::new(move |k| length(edge.step(k).contact_half_extent)),
         );
         add(
             format!("stick_{}", names[0]),
             place_unit,
-            Box::new(move |k| place(edge.step(k).stick_half_extent)),
+            Box::new(move |k| length(edge.step(k).stick_half_extent)),
+        );
+        add(
+            format!("bearing_{}", names[1]),
+            place_unit,
+            Box::new(move |k| edge.bearing_place(k)),
         );
         add(
             "peak_pressure".into(),
@@ -237,7 +244,7 @@ fn edge_quantities<'a>(edge: EdgeView<'a>, prefix: &str) -> Vec<StepColumn<'a>> 
         add(
             "friction_force".into(),
             force.name,
-            Box::new(move |k| in_force(edge.step(k).friction_force)),
+            Box::new(move |k| edge.friction_force(k).and_then(in_force)),
         );
         add(
             "normal_force".into(),

@@ -5,6 +5,8 @@ use crate::scene::schema::DisplayUnits;
 
 /// Resultant of balanced pressures relative to their sum: rounding of a sum of some thousand terms, with a margin.
 const ROUNDING: f64 = 1e-9;
+/// Part of its length by which a range may be off its middle and still be said to lie evenly.
+const EVEN: f64 = 1e-6;
 
 /// An edge with its results of all steps, in display units.
 #[derive(Clone, Copy, Debug)]
@@ -51,13 +53,18 @@ impl<'a> EdgeView<'a> {
         matches!(self.geometry.kind, EdgeKind::Circle { .. })
     }
 
-    /// A place or an extent along the edge `[rad or mm]`, in degrees or the display unit.
-    pub(super) fn place(&self, parameter: f64) -> f64 {
+    /// A length along the edge `[rad or mm]`, in degrees or the display unit.
+    pub(super) fn length(&self, length: f64) -> f64 {
         if self.is_circle() {
-            parameter.to_degrees()
+            length.to_degrees()
         } else {
-            self.units().length.from_base(parameter)
+            self.units().length.from_base(length)
         }
+    }
+
+    /// A place of the edge's `parameter` as a reader sees it: its angle from the bearing point, or x, in display units.
+    pub(super) fn place(&self, parameter: f64) -> f64 {
+        self.length(self.geometry.seen(parameter))
     }
 
     /// "deg" or the unit of lengths.
@@ -69,23 +76,111 @@ impl<'a> EdgeView<'a> {
         }
     }
 
-    /// "θ" or "x".
+    /// "φ" from a bearing point, "θ" from +x where there is none, or "x".
     pub(super) fn place_symbol(&self) -> &'static str {
-        if self.is_circle() { "θ" } else { "x" }
+        if self.is_circle() {
+            self.geometry.frame.symbol()
+        } else {
+            "x"
+        }
     }
 
-    /// "at θ = 12.3°" or "at x = 1.23 mm".
+    /// What an axis of places is called.
+    pub(super) fn place_name(&self) -> &'static str {
+        match self.place_symbol() {
+            "φ" => "Angle φ from the bearing point",
+            "θ" => "Angle θ from +x",
+            _ => "Place x along the edge",
+        }
+    }
+
+    /// "φ = 12.3°" or "x = 1.23 mm".
     pub(super) fn at(&self, parameter: f64) -> String {
-        format!("{} = {}", self.place_symbol(), self.extent(parameter))
+        format!(
+            "{} = {}",
+            self.place_symbol(),
+            self.extent(self.geometry.seen(parameter))
+        )
     }
 
-    /// "12.3°" or "1.23 mm".
-    pub(super) fn extent(&self, parameter: f64) -> String {
-        let value = short(self.place(parameter));
+    /// A length along the edge `[rad or mm]`: "12.3°" or "1.23 mm".
+    pub(super) fn extent(&self, length: f64) -> String {
+        self.shown(self.length(length))
+    }
+
+    /// A value in display units: "12.3°" or "1.23 mm".
+    pub(super) fn shown(&self, value: f64) -> String {
+        let value = short(value);
         if self.is_circle() {
             format!("{value}°")
         } else {
             format!("{value} {}", self.place_unit())
+        }
+    }
+
+    /// Places in display units as "±12.3°" where they lie evenly about the bearing point or x = 0, otherwise as "φ = −10° to 14.6°".
+    pub(super) fn range(&self, [start, end]: [f64; 2]) -> String {
+        if even([start, end]) {
+            format!("±{}", self.shown(0.5 * (end - start)))
+        } else {
+            let (start, end) = (self.shown(start), self.shown(end));
+            format!("{} = {start} to {end}", self.place_symbol())
+        }
+    }
+
+    /// All of `ranges`: "φ = −40° to −20° and 20° to 40°"; "all around" where one is the whole circle.
+    pub(super) fn ranges(&self, ranges: &[[f64; 2]]) -> Option<String> {
+        let (first, rest) = ranges.split_first()?;
+        if self.is_whole(*first) {
+            return Some("all around".into());
+        }
+        let further = rest
+            .iter()
+            .map(|&[start, end]| format!(" and {} to {}", self.shown(start), self.shown(end)));
+        let first = if rest.is_empty() {
+            self.range(*first)
+        } else {
+            let [start, end] = first.map(|at| self.shown(at));
+            format!("{} = {start} to {end}", self.place_symbol())
+        };
+        Some(first + &further.collect::<String>())
+    }
+
+    /// Whether a range in display units is the whole circle.
+    pub(super) fn is_whole(&self, [start, end]: [f64; 2]) -> bool {
+        self.is_circle() && end - start > 360.0 * (1.0 - ROUNDING)
+    }
+
+    /// Whether one range in display units is the mirror image of another on the bearing point, or on x = 0.
+    pub(super) fn are_images(&self, one: [f64; 2], other: [f64; 2]) -> bool {
+        let turn = if self.is_circle() { 360.0 } else { 0.0 };
+        (0..2).all(|k| {
+            let apart = (one[k] + other[1 - k]).abs();
+            apart.min((apart - turn).abs()) <= EVEN * (one[1] - one[0]).max(turn)
+        })
+    }
+
+    /// Place of the bearing point of a step in display units: θ_b from +x, or x.
+    pub(super) fn bearing_place(&self, step: usize) -> Option<f64> {
+        self.step(step).bearing.map(|at| self.length(at))
+    }
+
+    /// The same from the frame's bearing point.
+    pub(super) fn bearing_point(&self, step: usize) -> Option<f64> {
+        self.step(step).bearing.map(|at| self.place(at))
+    }
+
+    /// The point from which slip and friction of a step are judged: its own bearing point, or that of the frame.
+    pub(super) fn judged_from(&self, step: usize) -> Option<f64> {
+        self.step(step).bearing.or(self.geometry.frame.bearing)
+    }
+
+    /// What the two directions of slip are called: about a bearing point, away from it and towards it; otherwise along +e_t and −e_t.
+    pub(super) fn slip_names(&self) -> [&'static str; 2] {
+        if self.is_circle() && self.geometry.frame.bearing.is_some() {
+            ["slip away", "slip towards"]
+        } else {
+            ["slip +", "slip −"]
         }
     }
 
@@ -116,10 +211,16 @@ impl<'a> EdgeView<'a> {
         }
     }
 
+    /// Signed friction force `[N]`; `None` without contact, and on a circle without a bearing point.
+    pub(super) fn friction_force(&self, step: usize) -> Option<f64> {
+        let told = !self.is_circle() || self.judged_from(step).is_some();
+        (self.geometry.contact && told).then(|| self.step(step).friction_force)
+    }
+
     /// Friction over pressure, ∫q dA / ∫p dA; `None` without pressure.
     pub(super) fn friction_ratio(&self, step: usize) -> Option<f64> {
-        let edge = self.step(step);
-        (edge.normal_force > 0.0).then(|| edge.friction_force / edge.normal_force)
+        let normal = self.step(step).normal_force;
+        (self.friction_force(step).filter(|_| normal > 0.0)).map(|friction| friction / normal)
     }
 
     /// What [`Self::friction_ratio`] is called.
@@ -130,27 +231,11 @@ impl<'a> EdgeView<'a> {
             "Q/N"
         }
     }
+}
 
-    /// Total length of the zones of a kind `[rad or mm]`; `None` without contact.
-    pub(super) fn zone_extent(&self, step: usize, kind: impl Fn(f64) -> bool) -> Option<f64> {
-        let edge = self.step(step);
-        edge.contact_half_extent?;
-        let touching = edge.zones.iter().filter(|zone| zone.status.touches());
-        Some(
-            touching
-                .filter(|zone| kind(zone.status.slip_sign()))
-                .map(|zone| zone.end - zone.start)
-                .sum(),
-        )
-    }
-
-    /// Largest half of the contact's extent over all steps `[rad or mm]`.
-    pub(super) fn widest_contact(&self) -> Option<f64> {
-        let steps = 0..self.results.steps.len();
-        steps
-            .filter_map(|step| self.step(step).contact_half_extent)
-            .reduce(f64::max)
-    }
+/// Whether a range lies evenly about zero.
+pub(super) fn even([start, end]: [f64; 2]) -> bool {
+    (start + end).abs() <= EVEN * (end - start)
 }
 
 /// "1 state", "2 states".

@@ -42,11 +42,11 @@ impl<'a> FailureView<'a> {
         self.results.units.length.from_base(length)
     }
 
-    /// Names and units of the two coordinates of a place: θ and r about a hole, otherwise x and y.
+    /// Names and units of the two coordinates of a place: φ or θ and r about a hole, otherwise x and y.
     pub(super) fn place_columns(&self) -> [(&'static str, &'static str); 2] {
         let length = self.results.units.length.name;
         match self.failure.centre {
-            Some(_) => [("θ", "deg"), ("r", length)],
+            Some(_) => [(self.failure.frame.symbol(), "deg"), ("r", length)],
             None => [("x", length), ("y", length)],
         }
     }

@@ -6,7 +6,7 @@ mod fields;
 mod history;
 mod map;
 
-pub(super) use edge::{TICK_INTERVALS, place_axis};
+pub(super) use edge::{TICK_INTERVALS, along, place_axis};
 pub(super) use fields::border;
 
 use stickslip_contact::Status;
@@ -162,6 +162,15 @@ impl Gallery {
     }
 }
 
+/// The largest of `values` by `size`; of those that are equal but for rounding the last.
+fn last_largest<T: Copy>(values: impl Iterator<Item = T>, size: impl Fn(T) -> f64) -> Option<T> {
+    const ROUNDING: f64 = 1e-7;
+    let values: Vec<T> = values.collect();
+    let most = values.iter().map(|&value| size(value)).reduce(f64::max)?;
+    let high = |value: &&T| size(**value) >= most * (1.0 - ROUNDING);
+    values.iter().rev().find(high).copied()
+}
+
 /// Colour of a zone in every figure.
 fn zone_color(status: Status) -> Color {
     match status {
@@ -173,12 +182,13 @@ fn zone_color(status: Status) -> Color {
 }
 
 /// Name of a zone for a reader.
-fn zone_name(status: Status) -> &'static str {
+fn zone_name(view: &EdgeView<'_>, status: Status) -> &'static str {
+    let [positive, negative] = view.slip_names();
     match status {
         Status::Open => "open",
         Status::Stick => "stick",
-        Status::SlipPositive => "slip +",
-        Status::SlipNegative => "slip −",
+        Status::SlipPositive => positive,
+        Status::SlipNegative => negative,
     }
 }
 
@@ -186,7 +196,9 @@ fn zone_name(status: Status) -> &'static str {
 fn zone_bands(view: &EdgeView<'_>, step: usize) -> Vec<Band> {
     let ranges = shown_ranges(view, step).into_iter();
     ranges
-        .map(|(status, [start, end])| Band::new(zone_name(status), start, end, zone_color(status)))
+        .map(|(status, [start, end])| {
+            Band::new(zone_name(view, status), start, end, zone_color(status))
+        })
         .collect()
 }
 

@@ -10,6 +10,7 @@ use super::figures::{Drawing, Group};
 use super::loads::LoadScale;
 use super::progressive::{self, ProgressiveView};
 use super::tables::{self, Detail};
+use super::zones::{contact_ranges, stick_ranges};
 use crate::results::{Results, StepResults};
 
 /// The page of `results` with its figures; `failures` are figures that could not be drawn.
@@ -157,18 +158,16 @@ fn edge_summary(edge: &EdgeView<'_>, step: usize) -> Vec<(String, String)> {
             format!("{} {unit}", significant(edge.stress(bearing), 5)),
         );
     }
-    if let Some(extent) = record.contact_half_extent {
-        add("Contact".into(), format!("±{}", edge.extent(extent)));
-        let stick = edge
-            .step(step)
-            .stick_half_extent
-            .filter(|stick| *stick > 0.0);
+    if let Some(bearing) = edge.geometry.frame.bearing.filter(|_| edge.is_circle()) {
         add(
-            "Stick".into(),
-            stick.map_or("nowhere around the middle".into(), |stick| {
-                format!("±{}", edge.extent(stick))
-            }),
+            "Bearing point φ = 0".into(),
+            format!("at θ = {} from +x", edge.extent(bearing)),
         );
+    }
+    if let Some(contact) = edge.ranges(&contact_ranges(edge, step)) {
+        add("Contact".into(), contact);
+        let stick = edge.ranges(&stick_ranges(edge, step));
+        add("Stick".into(), stick.unwrap_or_else(|| "nowhere".into()));
     }
     if let Some((pressure, place)) = record.peak_pressure {
         add(
@@ -213,7 +212,7 @@ fn steps_section(results: &Results) -> Section {
             let mut table = tables::contact_table(&edge, Detail::Full);
             table.caption = format!("Contact '{}'", edge.geometry.name);
             table
-                .note("Contact ± and stick ± are half-extents; slip± are the lengths of the zones that slip along ±e_t.")
+                .note(extents_note(&edge))
                 .note("Solves are interface solves of all increments; balance is the unbalanced force over the load.")
         } else {
             tables::stress_table(&edge)
@@ -230,6 +229,32 @@ fn steps_section(results: &Results) -> Section {
         section = section.with(Block::Text(text));
     }
     section
+}
+
+/// What the columns of extents mean.
+fn extents_note(edge: &EdgeView<'_>) -> String {
+    let extents = if tables::lies_evenly(edge) {
+        "Contact ± and stick ± are half-extents"
+    } else {
+        "Contact goes from the first to the last place that touches, gaps between included, stick over all zones that stick"
+    };
+    let slip = match edge.slip_names() {
+        ["slip +", _] => "slip± are the lengths of the zones that slip along ±e_t",
+        _ => {
+            "slip away and slip towards are the lengths of the zones that slip away from the bearing point of the step and towards it"
+        }
+    };
+    let angles = match (edge.is_circle(), edge.geometry.frame.bearing) {
+        (true, Some(bearing)) => format!(
+            " Angles φ are counted counter-clockwise from the bearing point, which lies at θ = {} from +x.",
+            edge.extent(bearing)
+        ),
+        (true, None) => {
+            " Angles θ are counted counter-clockwise from +x: there is no bearing point.".into()
+        }
+        (false, _) => String::new(),
+    };
+    format!("{extents}; {slip}.{angles}")
 }
 
 /// A joint that was followed to its end: what it bears, how it fails and why, with its figures.

@@ -10,8 +10,8 @@ use stickslip_contact::history::Difference;
 use super::display::{EdgeView, tidy};
 use super::failure::{self, FailureView};
 use super::loads::LoadScale;
-use super::zones::{contact_ranges, zone_ranges};
-use crate::results::{EdgeKind, LoadValue, Results, StepNotes};
+use super::zones::{contact_ranges, stick_ranges, zone_ranges};
+use crate::results::{BearingSource, EdgeKind, LoadValue, Results, StepNotes};
 use crate::scene::schema::DisplayUnits;
 use keys::{
     Body, Choice, ContactZone, Cycle, Edge, EdgeStep, FORMAT_VERSION, Failed, Load, OtherAnswer,
@@ -115,6 +115,13 @@ fn edge<'a>(view: &EdgeView<'a>) -> Edge<'a> {
         body: &geometry.body,
         law: geometry.contact.then_some(geometry.law.as_str()),
         radius,
+        bearing_angle_deg: (geometry.frame.bearing.filter(|_| view.is_circle()))
+            .and_then(|theta| tidy(theta.to_degrees())),
+        bearing_found: match geometry.frame.found {
+            BearingSource::Nowhere => None,
+            BearingSource::Contact { step } => Some(format!("contact force of step {}", step + 1)),
+            BearingSource::Load => Some("bearing load".to_owned()),
+        },
         nodes: geometry.parameter.len(),
         half: geometry.half,
     }
@@ -222,7 +229,7 @@ fn edge_step(view: &EdgeView<'_>, step: usize) -> EdgeStep {
         peak_hoop: edge.peak_hoop.map(|(value, _)| stress(value)),
         peak_hoop_uncertainty: edge.peak_hoop_uncertainty.map(stress),
         hoop_at_bearing_point: edge.hoop_at_bearing_point.map(stress),
-        friction_force: in_contact(edge.friction_force).map(force),
+        friction_force: view.friction_force(step).map(force),
         normal_force: in_contact(edge.normal_force).map(force),
         resultant: view.geometry.contact.then(|| Resultant {
             x: tidy(units.force.from_base(edge.resultant[0])),
@@ -235,12 +242,15 @@ fn edge_step(view: &EdgeView<'_>, step: usize) -> EdgeStep {
 fn on_circle(view: &EdgeView<'_>, step: usize) -> Places {
     let edge = view.step(step);
     let degrees = |angle: f64| tidy(angle.to_degrees());
+    let place = |peak: Option<(f64, f64)>| peak.and_then(|(_, place)| tidy(view.place(place)));
     let bearing = view.bearing(step);
     let over_bearing = |stress: f64| bearing.and_then(|bearing| tidy(stress / bearing));
     Places::Circle {
+        bearing_angle_deg: view.bearing_place(step).and_then(tidy),
         contact_half_angle_deg: edge.contact_half_extent.and_then(degrees),
         stick_half_angle_deg: view.step(step).stick_half_extent.and_then(degrees),
-        contact_zones_deg: contact_zones(view, step),
+        contact_zones_deg: zone_list(view, contact_ranges(view, step)),
+        stick_zones_deg: zone_list(view, stick_ranges(view, step)),
         slip_zones_deg: slip_zones(view, step),
         bearing_stress: bearing.map(|bearing| Quantity {
             value: tidy(view.stress(bearing)),
@@ -249,9 +259,9 @@ fn on_circle(view: &EdgeView<'_>, step: usize) -> Places {
         peak_pressure_over_bearing: edge
             .peak_pressure
             .and_then(|(value, _)| over_bearing(value)),
-        peak_pressure_angle_deg: edge.peak_pressure.and_then(|(_, place)| degrees(place)),
+        peak_pressure_angle_deg: place(edge.peak_pressure),
         peak_hoop_over_bearing: edge.peak_hoop.and_then(|(value, _)| over_bearing(value)),
-        peak_hoop_angle_deg: edge.peak_hoop.and_then(|(_, place)| degrees(place)),
+        peak_hoop_angle_deg: place(edge.peak_hoop),
         hoop_at_bearing_point_over_bearing: edge.hoop_at_bearing_point.and_then(over_bearing),
     }
 }
@@ -260,9 +270,11 @@ fn on_line(view: &EdgeView<'_>, step: usize) -> Places {
     let edge = view.step(step);
     let length = |value: f64| length(view, value);
     Places::Line {
+        bearing_position: edge.bearing.map(length),
         contact_half_width: edge.contact_half_extent.map(length),
         stick_half_width: view.step(step).stick_half_extent.map(length),
-        contact_zones: contact_zones(view, step),
+        contact_zones: zone_list(view, contact_ranges(view, step)),
+        stick_zones: zone_list(view, stick_ranges(view, step)),
         slip_zones: slip_zones(view, step),
         peak_pressure_position: edge.peak_pressure.map(|(_, place)| length(place)),
         peak_hoop_position: edge.peak_hoop.map(|(_, place)| length(place)),
@@ -277,19 +289,23 @@ fn length(view: &EdgeView<'_>, value: f64) -> Quantity {
     }
 }
 
-fn contact_zones(view: &EdgeView<'_>, step: usize) -> Vec<ContactZone> {
+fn zone_list(view: &EdgeView<'_>, ranges: Vec<[f64; 2]>) -> Vec<ContactZone> {
     let zone = |[start, end]: [f64; 2]| ContactZone {
         start: tidy(start),
         end: tidy(end),
         unit: zone_unit(view),
     };
-    contact_ranges(view, step).into_iter().map(zone).collect()
+    ranges.into_iter().map(zone).collect()
 }
 
 fn slip_zones(view: &EdgeView<'_>, step: usize) -> Vec<SlipZone> {
+    let [positive, negative] = match view.slip_names() {
+        ["slip +", _] => ["+", "-"],
+        _ => ["away", "towards"],
+    };
     let direction = |status: Status| match status {
-        Status::SlipPositive => Some("+"),
-        Status::SlipNegative => Some("-"),
+        Status::SlipPositive => Some(positive),
+        Status::SlipNegative => Some(negative),
         Status::Open | Status::Stick => None,
     };
     let zone = |(status, [start, end]): (Status, [f64; 2])| {

@@ -1,13 +1,19 @@
 //! Tables for the terminal and the page: load steps, signs, choices, bodies.
 
 mod fit;
+mod signs;
 
+pub(crate) use signs::SIGNS;
+pub(super) use signs::signs;
+
+use stickslip_contact::Status;
 use stickslip_report::table::{Column, Table};
 
-use super::display::{EdgeView, decimals, short, significant};
+use super::display::{EdgeView, decimals, even, short, significant};
 use super::failure::{self, FailureView};
 use super::loads::LoadScale;
 use super::progressive::{self, ProgressiveView};
+use super::zones::{contact_reach, stick_ranges, zone_length};
 use crate::results::Results;
 use fit::fitted;
 
@@ -110,27 +116,80 @@ fn load_columns(results: &Results) -> Vec<StepColumn<'_>> {
     columns
 }
 
+/// A place or a length along the edge in display units.
+fn along(edge: EdgeView<'_>, value: Option<f64>) -> String {
+    if edge.is_circle() {
+        decimals(value, 1)
+    } else {
+        value.map_or("–".into(), short)
+    }
+}
+
+/// Contact, stick and slip: half-extents where all lies evenly about the bearing point, otherwise both ends.
 fn extent_columns(edge: EdgeView<'_>) -> Vec<StepColumn<'_>> {
-    let digits = move |value: Option<f64>| {
-        let shown = value.map(|value| edge.place(value));
-        if edge.is_circle() {
-            decimals(shown, 1)
-        } else {
-            shown.map_or("–".into(), short)
-        }
-    };
-    let zone = move |kind: fn(f64) -> bool| move |step| digits(edge.zone_extent(step, kind));
     let unit = edge.place_unit();
-    vec![
-        column("contact ±", unit, move |step| {
-            digits(edge.step(step).contact_half_extent)
-        }),
-        column("stick ±", unit, move |step| {
-            digits(edge.step(step).stick_half_extent)
-        }),
-        column("slip+", unit, zone(|sign| sign > 0.0)),
-        column("slip−", unit, zone(|sign| sign < 0.0)),
-    ]
+    let range = move |[start, end]: [f64; 2]| {
+        let digits = |value| along(edge, Some(value));
+        format!("{} … {}", digits(start), digits(end))
+    };
+    let mut columns = if lies_evenly(&edge) {
+        let half = move |value: Option<f64>| along(edge, value.map(|value| edge.length(value)));
+        vec![
+            column("contact ±", unit, move |step| {
+                half(edge.step(step).contact_half_extent)
+            }),
+            column("stick ±", unit, move |step| {
+                half(edge.step(step).stick_half_extent)
+            }),
+        ]
+    } else {
+        vec![
+            column("contact", unit, move |step| {
+                contact_reach(&edge, step).map_or("–".into(), range)
+            }),
+            column("stick", unit, move |step| {
+                let all = stick_ranges(&edge, step).into_iter().map(range);
+                let all: Vec<String> = all.collect();
+                if all.is_empty() {
+                    "–".into()
+                } else {
+                    all.join(", ")
+                }
+            }),
+        ]
+    };
+    if wanders(&edge) {
+        columns.insert(
+            0,
+            column("bears at", unit, move |step| {
+                along(edge, edge.bearing_point(step))
+            }),
+        );
+    }
+    let slip = move |status| move |step| along(edge, zone_length(&edge, step, status));
+    let [positive, negative] = edge.slip_names().map(|name| {
+        // Signs stand close to their name in the narrow columns of a table.
+        name.replace(" +", "+").replace(" −", "−")
+    });
+    columns.push(column(positive, unit, slip(Status::SlipPositive)));
+    columns.push(column(negative, unit, slip(Status::SlipNegative)));
+    columns
+}
+
+/// Whether the bearing point of a circle moves by what a reader can see.
+fn wanders(edge: &EdgeView<'_>) -> bool {
+    const SEEN: f64 = 0.05;
+    let mut points = (0..edge.results().steps.len()).filter_map(|step| edge.bearing_point(step));
+    edge.is_circle() && points.any(|point| point.abs() > SEEN)
+}
+
+/// Whether contact and stick lie evenly about the bearing point, or about x = 0, in all steps.
+pub(super) fn lies_evenly(edge: &EdgeView<'_>) -> bool {
+    (0..edge.results().steps.len()).all(|step| {
+        let stick = stick_ranges(edge, step);
+        let has_image = |one: &[f64; 2]| stick.iter().any(|other| edge.are_images(*one, *other));
+        stick.iter().all(has_image) && contact_reach(edge, step).is_none_or(even)
+    })
 }
 
 fn peak_columns(edge: EdgeView<'_>, detail: Detail) -> Vec<StepColumn<'_>> {
@@ -193,14 +252,7 @@ fn place_column<'a>(
     column(
         format!("at {}", edge.place_symbol()),
         edge.place_unit(),
-        move |step| {
-            let place = peak(step).map(|(_, place)| edge.place(place));
-            if edge.is_circle() {
-                decimals(place, 1)
-            } else {
-                place.map_or("–".into(), short)
-            }
-        },
+        move |step| along(edge, peak(step).map(|(_, place)| edge.place(place))),
     )
 }
 
@@ -221,77 +273,6 @@ fn work_columns(edge: EdgeView<'_>, detail: Detail) -> Vec<StepColumn<'_>> {
     }));
     columns
 }
-
-/// What each quantity's sign means, and what other programs do.
-pub(super) fn signs() -> Table {
-    let columns = ["quantity", "meaning and sign", "elsewhere"];
-    let mut table = Table::new(
-        "Signs",
-        columns.iter().map(|name| Column::new(*name, "")).collect(),
-    );
-    for row in SIGNS {
-        table.push(row);
-    }
-    table
-}
-
-/// Quantity, its sign here, and where other programs or texts differ.
-pub(crate) const SIGNS: [[&str; 3]; 12] = [
-    [
-        "x, θ",
-        "x is the load axis; θ = 0 is the bearing point, counter-clockwise positive",
-        "some reports count θ from the net section",
-    ],
-    ["σ_r, σ_θ, σ_xx, …", "tension positive", "–"],
-    [
-        "τ_rθ, τ_xy",
-        "positive on a positive face in the positive direction",
-        "–",
-    ],
-    [
-        "e_n, e_t",
-        "e_n points from the second body into the first, e_t is e_n turned by +90°; \
-         pin in a hole: e_r and e_θ; cylinder on a block: +y and −x",
-        "Abaqus: local directions of the contact surface",
-    ],
-    [
-        "CPRESS",
-        "contact pressure, compression positive, never negative; −σ_r of the hole's edge, −σ_yy of a line",
-        "Abaqus, Ansys (PRES): same",
-    ],
-    [
-        "CSHEAR1",
-        "friction traction on the first body along e_t; −τ_rθ of the hole's edge, +τ_xy of a line",
-        "Abaqus: along its local 1-direction; check which body",
-    ],
-    [
-        "COPEN",
-        "gap, open positive, 0 in contact",
-        "Abaqus: same; Ansys (GAP): open is negative",
-    ],
-    [
-        "CSLIP1",
-        "accumulated motion of the first body against the second along e_t",
-        "Abaqus: along its local 1-direction; check which body",
-    ],
-    [
-        "CSTATUS",
-        "open, stick, slip+ (first body slips along +e_t, CSHEAR1 < 0), slip- (along −e_t, CSHEAR1 > 0)",
-        "Abaqus: sticking or slipping, without direction",
-    ],
-    [
-        "resultant",
-        "force of the contact on the first body",
-        "reactions of the second body are opposite",
-    ],
-    [
-        "q, Q",
-        "hole: q is positive where friction pulls the first body along the edge towards the bearing point, \
-         negative where it pulls away from it; line: Q is the tangential force on the first body along +x",
-        "–",
-    ],
-    ["σ_b", "bearing stress |resultant| / (D t) of the step", "–"],
-];
 
 /// What the program chose.
 pub(super) fn choices(results: &Results) -> Table {

@@ -4,7 +4,7 @@ use std::fmt;
 
 use stickslip_laminate::FailureMode;
 
-use super::{LoadValue, ProgressiveFailure};
+use super::{ContactFrame, LoadValue, ProgressiveFailure};
 use crate::scene::schema::EnvelopePlane;
 
 /// Failure of one laminated body.
@@ -22,6 +22,8 @@ pub struct BodyFailure {
     pub criteria: Vec<&'static str>,
     /// Centre of its hole, about which angles and radii of places are measured `[mm]`.
     pub centre: Option<[f64; 2]>,
+    /// From where these angles are measured: the bearing point of what loads the hole, or +x.
+    pub frame: ContactFrame,
     /// For every load step the weakest point by each criterion.
     pub steps: Vec<Vec<FailurePoint>>,
     /// First-ply failure by each criterion; `None` where no load of any step fails a ply.
@@ -165,7 +167,7 @@ pub struct CharacteristicFailure {
     pub net_section: Vec<Option<FirstPly>>,
     /// At the bearing point alone, by criterion.
     pub bearing_point: Vec<Option<FirstPly>>,
-    /// Angle `[rad]` of each place of the curve, ascending from −90° to 90°.
+    /// Angle from the bearing point `[rad]` of each place of the curve, ascending from −90° to 90°.
     pub angles: Vec<f64>,
     /// Places of the curve `[mm]`.
     pub places: Vec<[f64; 2]>,
@@ -178,7 +180,7 @@ pub struct CharacteristicFailure {
 pub struct JointFailure {
     /// Load, ply and place.
     pub first: FirstPly,
-    /// Angle of the place `[rad]`.
+    /// Angle of the place from the bearing point `[rad]`.
     pub angle: f64,
     /// The mode that the angle stands for.
     pub mode: JointMode,
@@ -268,8 +270,14 @@ impl BodyFailure {
         }
     }
 
-    /// Angle `[rad]` and radius `[mm]` of a place about the hole's centre.
+    /// Angle from the bearing point `[rad]` and radius `[mm]` of a place about the hole's centre.
     pub fn polar(&self, position: [f64; 2]) -> Option<(f64, f64)> {
+        let (theta, radius) = self.polar_from_x(position)?;
+        Some((self.frame.turned(theta), radius))
+    }
+
+    /// Angle from +x `[rad]` and radius `[mm]` of a place about the hole's centre.
+    pub fn polar_from_x(&self, position: [f64; 2]) -> Option<(f64, f64)> {
         let centre = self.centre?;
         let [x, y] = [position[0] - centre[0], position[1] - centre[1]];
         Some((y.atan2(x), x.hypot(y)))

@@ -69,7 +69,7 @@ impl EdgeResults {
 mod tests {
     use stickslip_contact::Status;
 
-    use super::super::{EdgeKind, EdgeRow};
+    use super::super::{ContactFrame, EdgeKind, EdgeRow};
     use super::*;
 
     fn fewest(half: bool, closed: bool, pressures: &[f64]) -> Option<usize> {
@@ -99,6 +99,7 @@ mod tests {
             half,
             bearing_area: None,
             law: String::new(),
+            frame: ContactFrame::NONE,
         };
         let row = |&pressure: &f64| EdgeRow {
             pressure,
@@ -117,6 +118,7 @@ mod tests {
         let edge = EdgeResults {
             rows: pressures.iter().map(row).collect(),
             zones: Vec::new(),
+            bearing: None,
             contact_half_extent: None,
             stick_half_extent: None,
             peak_pressure: None,

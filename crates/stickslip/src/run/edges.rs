@@ -8,17 +8,19 @@ use stickslip_contact::{ContactState, InterfaceProblem, Status, StepRecord};
 use stickslip_fem_core::stress::{EdgeData, PathEnd, PathEnds, StressError, edge_stresses};
 
 use super::Solved;
+use super::bearing;
 use super::fields::Recovered;
-use super::reported::{Reported, clear_stresses, clear_sums, reported};
+use super::reported::{Reported, clear_friction, clear_stresses, clear_sums, reported};
 use crate::model::{Model, ModelBodyKind, ModelEdge};
-use crate::results::{EdgeGeometry, EdgeKind, EdgeResults, EdgeRow};
+use crate::results::{EdgeGeometry, EdgeKind, EdgeResults, EdgeRow, wrapped};
 
-/// All edges in every load step: one list of edges per step.
+/// All edges, with their frames, and their results in every load step: one list of edges per step.
 pub(super) fn all(
     model: &Model,
     solved: &Solved,
     recovered: &[Recovered],
-) -> Result<Vec<Vec<EdgeResults>>, StressError> {
+) -> Result<(Vec<EdgeGeometry>, Vec<Vec<EdgeResults>>), StressError> {
+    let mut geometries = Vec::with_capacity(model.edges.len());
     let reported = reported(&solved.problem, &solved.records);
     let mut steps: Vec<Vec<EdgeResults>> = vec![Vec::new(); reported.len()];
     for edge in &model.edges {
@@ -32,11 +34,17 @@ pub(super) fn all(
             .map(|(rows, reported)| summarise(model, solved, edge, rows, reported))
             .collect();
         clear_sums(&mut results);
+        let frame = bearing::find(edge, &mut results);
+        clear_friction(&mut results);
+        geometries.push(EdgeGeometry {
+            frame,
+            ..edge.geometry.clone()
+        });
         for (step, result) in steps.iter_mut().zip(results) {
             step.push(result);
         }
     }
-    Ok(steps)
+    Ok((geometries, steps))
 }
 
 /// One row per node of `edge` in load step `step`.
@@ -219,62 +227,37 @@ fn add_stresses(
     Ok(())
 }
 
-/// Friction force of the modelled part, with sign. On a circle ∫ q dA with q = −λ_t sgn θ, positive where friction pulls the first
-/// body towards the bearing point; on a line the force on the first body along +x, which is against e_t.
-fn friction_force(edge: &ModelEdge, rows: &[EdgeRow]) -> f64 {
-    let friction = rows.iter().zip(&edge.areas).zip(&edge.geometry.parameter);
-    let side = |at: f64| match edge.geometry.kind {
-        EdgeKind::Line => 1.0,
-        EdgeKind::Circle { .. } if at == 0.0 => 0.0,
-        EdgeKind::Circle { .. } => at.signum(),
-    };
-    friction
-        .map(|((row, area), &at)| -side(at) * row.shear * area)
-        .sum()
-}
-
 /// Uncertainty of the largest tangential stress if it lies within four nodes of an end of contact.
-fn cusp_uncertainty(rows: &[EdgeRow], ends: &[f64], parameter: &[f64]) -> Option<f64> {
+fn cusp_uncertainty(rows: &[EdgeRow], ends: &[f64], geometry: &EdgeGeometry) -> Option<f64> {
     const REACH: usize = 4;
+    let (count, parameter) = (rows.len(), &geometry.parameter);
     let stress = |k: usize| rows[k].sigma_tangential;
-    let peak = (0..rows.len()).max_by(|&a, &b| stress(a).total_cmp(&stress(b)))?;
-    let (low, high) = (
-        peak.saturating_sub(REACH),
-        (peak + REACH).min(rows.len() - 1),
-    );
-    let near = parameter[low]..=parameter[high];
-    if !ends.iter().any(|end| near.contains(end)) {
+    let peak = (0..count).max_by(|&a, &b| stress(a).total_cmp(&stress(b)))?;
+    let round = geometry.closed().is_some();
+    let walk_closes = round && !geometry.half;
+    let away = |place: f64| {
+        let apart = place - parameter[peak];
+        if round { wrapped(apart) } else { apart }
+    };
+    let before = |offset: usize| match peak.checked_sub(offset) {
+        None if walk_closes => Some((peak + count - offset % count) % count),
+        found => found,
+    };
+    let after = |offset: usize| match peak + offset {
+        k if walk_closes => Some(k % count),
+        k => Some(k).filter(|&k| k < count),
+    };
+    let near = away(parameter[before(REACH).unwrap_or(0)])
+        ..=away(parameter[after(REACH).unwrap_or(count - 1)]);
+    if !ends.iter().any(|&end| near.contains(&away(end))) {
         return None;
     }
-    let neighbours = [
-        peak.checked_sub(1),
-        Some(peak + 1).filter(|&k| k < rows.len()),
-    ];
+    let neighbours = [before(1), after(1)];
     neighbours
         .into_iter()
         .flatten()
         .map(|k| (stress(peak) - stress(k)).abs())
         .reduce(f64::max)
-}
-
-/// The largest of `values` and its place. Of values that are equal but for rounding, as on both sides of a symmetric edge, the one
-/// nearest to the middle on the positive side has the place.
-fn largest(values: &[f64], parameter: &[f64]) -> Option<(f64, f64)> {
-    // Solvers promise 1e-10 of the largest force; the traction of a node may be less by its small area.
-    const ROUNDING: f64 = 1e-7;
-    let most = values.iter().copied().reduce(f64::max)?;
-    let high = values.iter().zip(parameter);
-    let places = high.filter(|(value, _)| **value >= most - ROUNDING * most.abs());
-    let nearer = |a: &f64, b: &f64| {
-        let apart = a.abs() - b.abs();
-        if apart.abs() > ROUNDING {
-            apart.total_cmp(&0.0)
-        } else {
-            b.total_cmp(a)
-        }
-    };
-    let place = places.map(|(_, place)| *place).min_by(nearer)?;
-    Some((most, place))
 }
 
 /// Zones of the whole edge, of which the model may be half.
@@ -292,6 +275,7 @@ fn whole_zones(
     }
 }
 
+/// What does not depend on the bearing point, which [`bearing::find`] adds.
 fn summarise(
     model: &Model,
     solved: &Solved,
@@ -299,7 +283,6 @@ fn summarise(
     rows: Vec<EdgeRow>,
     reported: &Reported,
 ) -> EdgeResults {
-    let parameter = &edge.geometry.parameter;
     let (half, problem, state) = (model.half, &solved.problem, &reported.state);
     let zones = edge.pair.map_or_else(Vec::new, |pair| {
         whole_zones(problem, state, pair, &edge.geometry)
@@ -308,52 +291,38 @@ fn summarise(
     let rubs = edge
         .pair
         .is_some_and(|pair| carries_friction(problem, state, pair));
-    // A closed walk starts at −π, which is π.
-    let far = |place: f64| match closed {
-        Some(length) if place < -0.5 * length * (1.0 - 1e-9) => place + length,
-        _ => place,
-    };
-    let peak = |value: &dyn Fn(&EdgeRow) -> f64| {
-        let values: Vec<f64> = rows.iter().map(value).collect();
-        largest(&values, parameter).map(|(value, place)| (value, far(place)))
-    };
     let extent = half_extent(&zones, closed);
-    let around_middle = |zone: &&Zone| {
-        let holds = |middle: f64| zone.start <= middle && middle <= zone.end;
-        zone.status == Status::Stick && (holds(0.0) || closed.is_some_and(holds))
-    };
-    let middle = zones.iter().find(around_middle);
-    let stick = extent
-        .filter(|_| rubs)
-        .map(|_| middle.map_or(0.0, |zone| 0.5 * zone.length()));
-    let double = if half { 2.0 } else { 1.0 };
-    // The friction forces of two symmetric halves of a line cancel; around a hole both pull the same way.
-    let doubled_friction = match edge.geometry.kind {
-        EdgeKind::Line if half => 0.0,
-        EdgeKind::Line | EdgeKind::Circle { .. } => double,
-    };
-    let (resultant, sums) = edge.pair.map_or_else(Default::default, |pair| {
+    let (resultant, normal) = edge.pair.map_or_else(Default::default, |pair| {
         let [x, y] = reported.sums[pair].resultant;
         let whole = match (half, edge.geometry.kind) {
             (false, _) => [x, y],
             (true, EdgeKind::Circle { .. }) => [2.0 * x, 0.0],
             (true, EdgeKind::Line) => [0.0, 2.0 * y],
         };
-        (whole, reported.sums[pair])
+        (whole, reported.sums[pair].normal)
     });
-    let bearing =
-        (0..rows.len()).min_by(|&a, &b| parameter[a].abs().total_cmp(&parameter[b].abs()));
+    // Values without their places.
+    let most = |value: fn(&EdgeRow) -> f64| rows.iter().map(value).reduce(f64::max);
+    let stressed = rows.iter().any(|row| row.sigma_tangential != 0.0);
     EdgeResults {
+        bearing: None,
         contact_half_extent: extent,
-        stick_half_extent: stick,
-        peak_pressure: peak(&|row| row.pressure).filter(|_| extent.is_some()),
-        peak_hoop: peak(&|row| row.sigma_tangential)
-            .filter(|_| rows.iter().any(|row| row.sigma_tangential != 0.0)),
-        peak_hoop_uncertainty: cusp_uncertainty(&rows, &ends_of_contact(&zones, closed), parameter),
-        hoop_at_bearing_point: bearing.map(|k| rows[k].sigma_tangential),
+        stick_half_extent: extent.filter(|_| rubs),
+        peak_pressure: most(|row| row.pressure)
+            .filter(|_| extent.is_some())
+            .map(|most| (most, 0.0)),
+        peak_hoop: most(|row| row.sigma_tangential)
+            .filter(|_| stressed)
+            .map(|most| (most, 0.0)),
+        peak_hoop_uncertainty: cusp_uncertainty(
+            &rows,
+            &ends_of_contact(&zones, closed),
+            &edge.geometry,
+        ),
+        hoop_at_bearing_point: None,
         resultant,
-        friction_force: doubled_friction * friction_force(edge, &rows),
-        normal_force: double * sums.normal,
+        friction_force: 0.0,
+        normal_force: if half { 2.0 } else { 1.0 } * normal,
         rows,
         zones,
     }

@@ -17,13 +17,14 @@ use stickslip_laminate::{FailureCriterion, FailureError};
 use super::fields::{Recovered, heating};
 use super::{RunError, progressive};
 use crate::failure::{PlyStresses, Region, Sites, Tracker, mirror_axis};
-use crate::model::{Model, ModelBodyKind};
+use crate::model::{Model, ModelBodyKind, frame_of_loads};
 use crate::output::LoadScale;
 use crate::results::{
-    BodyFailure, EdgeKind, EdgePlies, EdgePly, EdgeResults, FailurePoint, FirstPly, PlyMap, Results,
+    BodyFailure, ContactFrame, EdgeKind, EdgePlies, EdgePly, EdgeResults, FailurePoint, FirstPly,
+    PlyMap, Results,
 };
 use crate::scene::Scene;
-use crate::scene::schema::{Failure, LaminateSheet, Substance};
+use crate::scene::schema::{Failure, LaminateSheet, SetRef, Substance};
 
 /// What the scene asks about the failure of its laminates; `fields` are the steps that have fields.
 pub(super) fn all(
@@ -105,12 +106,13 @@ impl<'a> Subject<'a> {
         results: &Results,
         fields: &[usize],
     ) -> Result<BodyFailure, RunError> {
+        let frame = self.frame(results);
         let steps = (0..recovered.len())
             .into_par_iter()
             .map(|step| self.stresses(&recovered[step], &results.steps[step].edges))
             .collect::<Result<Vec<Sites>, _>>()?;
         let characteristic = match self.failure.characteristic {
-            Some(distances) => Some(self.characteristic(distances, &steps)?),
+            Some(distances) => Some(self.characteristic(distances, frame, &steps)?),
             None => None,
         };
         let edges = self.edges(&steps)?;
@@ -124,6 +126,7 @@ impl<'a> Subject<'a> {
         if let Some(beside) = &mut beside {
             beside.keep_sooner_than(&found.first_ply);
         }
+        found.frame = frame;
         found.beside_supports = beside;
         found.edges = edges;
         found.characteristic = characteristic;
@@ -219,6 +222,7 @@ impl<'a> Subject<'a> {
             plies: self.plies.shown().to_vec(),
             criteria: self.criteria().map(FailureCriterion::name).collect(),
             centre: self.hole().map(|hole| hole.centre),
+            frame: ContactFrame::NONE,
             steps,
             first_ply,
             beside_supports: None,
@@ -306,6 +310,33 @@ impl<'a> Subject<'a> {
                 .map(of_group)
                 .collect::<Result<_, _>>()?,
         })
+    }
+
+    /// From where angles about the hole are measured: the bearing point of the contact that loads it, or of its bearing load. Counter-
+    /// clockwise also for a half, because plies are no mirror images of each other.
+    fn frame(&self, results: &Results) -> ContactFrame {
+        let Some(hole) = self.hole() else {
+            return ContactFrame::NONE;
+        };
+        let same = |kind: EdgeKind| match kind {
+            EdgeKind::Circle { centre, radius } => {
+                centre == hole.centre && (radius - hole.radius).abs() <= 1e-9 * radius
+            }
+            EdgeKind::Line => false,
+        };
+        let edges = self.model.edges.iter().zip(&results.edges);
+        let own = edges.filter(|(edge, geometry)| edge.body == self.index && same(geometry.kind));
+        let found = own.map(|(_, geometry)| geometry.frame);
+        let found = found.filter(|frame| frame.bearing.is_some());
+        let on = SetRef {
+            body: self.name.to_owned(),
+            set: "hole".to_owned(),
+        };
+        let asked = || frame_of_loads(self.scene, &on, self.model.half);
+        ContactFrame {
+            clockwise: false,
+            ..found.into_iter().next().unwrap_or_else(asked)
+        }
     }
 
     fn hole(&self) -> Option<Region> {

@@ -6,26 +6,33 @@ use stickslip_contact::history::FailedAttempts;
 use stickslip_contact::uniqueness::NEAR_BOUND;
 use stickslip_contact::zones::Zone;
 
-use crate::model::{Model, ModelEdge, beyond_fine_zone};
-use crate::results::{EdgeKind, StepResults};
+use crate::model::{Model, beyond_fine_zone};
+use crate::results::{BearingSource, EdgeGeometry, EdgeKind, EdgeResults, StepResults, wrapped};
 use crate::scene::Scene;
 
-/// Mean cosine of the places in contact that is rounding of contact all around.
-const ROUNDING: f64 = 1e-9;
+/// Angle `[rad]` by which the bearing point of a round contact may move in a history before it is reported.
+const WANDERS: f64 = 5.0 * std::f64::consts::PI / 180.0;
+/// The same on a line, as a part of the widest half of the contact.
+const WANDERS_PART: f64 = 0.1;
 
 /// Remarks on the load steps.
-pub(super) fn of_steps(scene: &Scene, model: &Model, steps: &[StepResults]) -> Vec<String> {
+pub(super) fn of_steps(
+    scene: &Scene,
+    edges: &[EdgeGeometry],
+    steps: &[StepResults],
+) -> Vec<String> {
     let mut notes: Vec<String> = doubtful(steps)
         .into_iter()
         .chain(recovered(steps))
         .chain(several(steps))
         .chain(near_bound(steps))
         .collect();
-    for (index, edge) in model.edges.iter().enumerate() {
-        if edge.pair.is_some() {
-            let zones: Vec<&[Zone]> = steps.iter().map(|step| &*step.edges[index].zones).collect();
-            notes.extend(beyond_fine_zone(scene, &edge.geometry, &zones));
-            notes.extend(bears_behind(edge, &zones));
+    for (index, edge) in edges.iter().enumerate() {
+        if edge.contact {
+            let own: Vec<&EdgeResults> = steps.iter().map(|step| &step.edges[index]).collect();
+            let zones: Vec<&[Zone]> = own.iter().map(|step| &*step.zones).collect();
+            notes.extend(beyond_fine_zone(scene, edge, &zones));
+            notes.extend(wanders(scene, edge, &own));
         }
     }
     notes
@@ -108,22 +115,47 @@ fn near_bound(steps: &[StepResults]) -> Option<String> {
     ))
 }
 
-/// Says where two circles touch around θ = 180° in place of θ = 0; `steps` holds their zones for each step.
-fn bears_behind(edge: &ModelEdge, steps: &[&[Zone]]) -> Option<String> {
-    let EdgeKind::Circle { .. } = edge.geometry.kind else {
+/// Says where the bearing point of a contact moves along its edge in the history.
+fn wanders(scene: &Scene, edge: &EdgeGeometry, steps: &[&EdgeResults]) -> Option<String> {
+    let (from, BearingSource::Contact { step }) = (edge.frame.bearing?, edge.frame.found) else {
         return None;
     };
-    let behind = |zones: &&[Zone]| {
-        let touching = zones.iter().filter(|zone| zone.status.touches());
-        let cosines: f64 = touching.map(|zone| zone.end.sin() - zone.start.sin()).sum();
-        cosines < -ROUNDING
+    let widest = steps.iter().filter_map(|step| step.contact_half_extent);
+    let widest = widest.fold(0.0, f64::max);
+    let (symbol, least) = match edge.kind {
+        EdgeKind::Circle { .. } => ("θ", WANDERS),
+        EdgeKind::Line => ("x", WANDERS_PART * widest),
     };
-    let which = steps_where(steps, behind)?;
-    Some(format!(
-        "Contact '{}' lies nearer to θ = 180° than to θ = 0 in load step {which}. The bearing point, the fine mesh and the zones \
-         around it are counted from θ = 0: turn the load, so that the contact bears there.",
-        edge.geometry.name
-    ))
+    let away = |at: f64| match edge.kind {
+        EdgeKind::Circle { .. } => wrapped(at - from).abs(),
+        EdgeKind::Line => (at - from).abs(),
+    };
+    let points = steps.iter().map(|step| step.bearing).enumerate();
+    let points = points.filter_map(|(step, at)| Some((step, at?)));
+    let (farthest, at) =
+        points.max_by(|a, b| away(a.1).total_cmp(&away(b.1)).then(b.0.cmp(&a.0)))?;
+    let show = |at: f64| match edge.kind {
+        EdgeKind::Circle { .. } => {
+            format!("{symbol} = {:.1}°", wrapped(at).to_degrees()).replace('-', "−")
+        }
+        EdgeKind::Line => format!("{symbol} = {}", scene.display.length.show(at)),
+    };
+    (away(at) > least).then(|| {
+        let measured = match edge.kind {
+            EdgeKind::Circle { .. } => "Angles φ are counted from the latter",
+            EdgeKind::Line => "Places x are counted from x = 0",
+        };
+        format!(
+            "The bearing point of contact '{}' wanders: it is at {} in load step {} and at {} in load step {}, where the contact force is \
+             largest. {measured}; stick, slip and friction of a step refer to the step's own bearing point, which summary.json and \
+             steps.csv give.",
+            edge.name,
+            show(at),
+            farthest + 1,
+            show(from),
+            step + 1,
+        )
+    })
 }
 
 /// Says which bodies move as a whole without resistance, so that where they stand is not unique.

@@ -115,17 +115,30 @@ pub(super) fn clear_stresses(steps: &mut [Vec<EdgeRow>]) {
     }
 }
 
-/// Clears the rounding from the sums of forces on an edge, given for all steps.
-pub(super) fn clear_sums(steps: &mut [EdgeResults]) {
+/// Up to where sums of forces on an edge, given for all steps, are rounding.
+fn rounding_of_sums(steps: &[EdgeResults]) -> f64 {
     let largest = steps.iter().fold(0.0_f64, |largest, edge| {
         let [x, y] = edge.resultant;
         largest.max(x.abs()).max(y.abs()).max(edge.normal_force)
     });
-    let cut = |force: &mut f64| *force = beyond(*force, SUM_ROUNDING * largest);
+    SUM_ROUNDING * largest
+}
+
+/// Clears the rounding from the contact force and the normal force of an edge, given for all steps.
+pub(super) fn clear_sums(steps: &mut [EdgeResults]) {
+    let rounding = rounding_of_sums(steps);
+    let cut = |force: &mut f64| *force = beyond(*force, rounding);
     for edge in steps {
         edge.resultant.iter_mut().for_each(cut);
-        cut(&mut edge.friction_force);
         cut(&mut edge.normal_force);
+    }
+}
+
+/// Clears the rounding from the friction forces of an edge, given for all steps.
+pub(super) fn clear_friction(steps: &mut [EdgeResults]) {
+    let rounding = rounding_of_sums(steps);
+    for edge in steps {
+        edge.friction_force = beyond(edge.friction_force, rounding);
     }
 }
 

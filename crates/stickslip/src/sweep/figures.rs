@@ -213,7 +213,7 @@ impl View<'_> {
             width: 720.0,
         };
         let caption = format!(
-            "Failure mode by the place on the characteristic curve where a ply fails first (|θ| ≤ 15° bearing, 30° to 60° \
+            "Failure mode by the place on the characteristic curve where a ply fails first (|φ| ≤ 15° bearing, 30° to 60° \
              shear-out, 75° to 90° net tension, mixed between them), and the load in {unit} at which it does{}.",
             self.conditions()
         );

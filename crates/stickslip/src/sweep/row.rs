@@ -115,6 +115,8 @@ impl Measures {
         };
         let stress = |value: f64| tidy(results.units.stress.from_base(value));
         let degrees = |angle: f64| tidy(angle.to_degrees());
+        let geometry = results.edges.get(sweep.contact);
+        let seen = |place: f64| geometry.map_or(place, |geometry| geometry.seen(place));
         let edge = results
             .steps
             .get(step)
@@ -133,7 +135,7 @@ impl Measures {
             contact_half_angle: edge.and_then(|edge| edge.contact_half_extent).map(degrees),
             peak_hoop: edge
                 .and_then(|edge| edge.peak_hoop)
-                .map(|(most, place)| [stress(most), degrees(place)]),
+                .map(|(most, place)| [stress(most), degrees(seen(place))]),
             first_ply: failure.and_then(|failure| first_ply(failure, &value)),
             joint: failure.and_then(|failure| joint(failure, results, sweep, &value)),
         }

@@ -3,15 +3,15 @@
 use std::sync::Arc;
 
 use stickslip::results::{
-    BodyFields, BodySummary, Choice, EdgeGeometry, EdgeKind, EdgeResults, EdgeRow, LoadValue,
-    Results, StepNotes, StepResults,
+    BearingSource, BodyFields, BodySummary, Choice, ContactFrame, EdgeGeometry, EdgeKind,
+    EdgeResults, EdgeRow, LoadValue, Results, StepNotes, StepResults,
 };
 use stickslip::scene::schema::DisplayUnits;
 use stickslip::units::{Dimension, Unit};
 use stickslip_contact::Status;
 use stickslip_contact::history::{Cycle, Difference, FailedAttempts, Otherwise, Recovery};
 use stickslip_contact::solver::{Residuals, Work};
-use stickslip_contact::zones::Zone;
+use stickslip_contact::zones::{Zone, mirrored};
 use stickslip_fem_core::generate::{
     Extent, Generate, Growth, Outline, PlateWithHole, uniform_angles,
 };
@@ -73,6 +73,7 @@ pub(crate) fn open_hole() -> Results {
     edge.name = "plate.hole".into();
     edge.contact = false;
     edge.law = String::new();
+    edge.frame = ContactFrame::NONE;
     edge.half = false;
     // A closed walk from −π: its last node lies one interval before +π.
     edge.parameter = (0..72)
@@ -127,6 +128,7 @@ fn circle() -> EdgeGeometry {
         half: true,
         bearing_area: Some(2.0 * RADIUS * THICKNESS),
         law: "static_dynamic".into(),
+        frame: bears_at_zero(),
     }
 }
 
@@ -145,6 +147,20 @@ fn line(name: &str, contact: bool) -> EdgeGeometry {
         } else {
             String::new()
         },
+        frame: if contact {
+            bears_at_zero()
+        } else {
+            ContactFrame::NONE
+        },
+    }
+}
+
+/// Contact is largest in the third step.
+fn bears_at_zero() -> ContactFrame {
+    ContactFrame {
+        bearing: Some(0.0),
+        found: BearingSource::Contact { step: 2 },
+        clockwise: false,
     }
 }
 
@@ -281,6 +297,7 @@ fn edge_step(edge: &EdgeGeometry, step: usize) -> EdgeResults {
     let touching = edge.contact.then_some(half);
     EdgeResults {
         zones: zones(edge, &rows),
+        bearing: edge.contact.then_some(0.0),
         contact_half_extent: touching,
         stick_half_extent: touching.map(|half| half / 2.0),
         peak_pressure: touching.map(|_| (100.0, 0.0)),
@@ -308,9 +325,12 @@ fn status(edge: &EdgeGeometry, place: f64, half: f64, sign: f64) -> Status {
     }
 }
 
+/// Zones of the whole edge: those of its half at places ≥ 0, and their mirror images.
 fn zones(edge: &EdgeGeometry, rows: &[EdgeRow]) -> Vec<Zone> {
+    let places = edge.parameter.iter().zip(rows);
+    let own = places.filter(|(place, _)| edge.contact && **place >= 0.0);
     let mut zones: Vec<Zone> = Vec::new();
-    for (&place, row) in edge.parameter.iter().zip(rows).filter(|_| edge.contact) {
+    for (&place, row) in own {
         match zones.last_mut() {
             Some(last) if last.status == row.status => last.end = place,
             Some(last) => {
@@ -328,5 +348,5 @@ fn zones(edge: &EdgeGeometry, rows: &[EdgeRow]) -> Vec<Zone> {
             }),
         }
     }
-    zones
+    mirrored(&zones, edge.closed())
 }

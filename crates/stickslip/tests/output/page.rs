@@ -37,8 +37,8 @@ fn captions_say_the_numbers() {
     let (_place, folder) = written(&results(), true);
     let page = fs::read_to_string(folder.join("report.html")).unwrap();
     // 4000 N on 20 mm × 2 mm: σ_b = 100 MPa = 14504 psi.
-    assert!(page.contains("Contact reaches to ±80°; it sticks within ±40°."));
-    assert!(page.contains("The largest pressure is 14504 psi (1.00 σ_b) at θ = 0°."));
+    assert!(page.contains("Contact reaches to ±75°; it sticks within ±40°."));
+    assert!(page.contains("The largest pressure is 14504 psi (1.00 σ_b) at φ = 0°."));
     assert!(
         page.contains(
             "3 steps of rising load (blue, solid) and 1 of falling load (orange, dashed)"

@@ -23,7 +23,7 @@ fn close(value: &Value, expected: f64) -> bool {
 fn the_first_contact_edge_stands_in_each_step() {
     let summary = summary_json(&results());
     assert_eq!(summary["format"], "stickslip-summary");
-    assert_eq!(summary["format_version"], 1);
+    assert_eq!(summary["format_version"], 2);
     assert_eq!(summary["edge"], "pin");
     assert_eq!(summary["program"]["version"], env!("CARGO_PKG_VERSION"));
     assert_eq!(summary["steps"].as_array().unwrap().len(), LOADS.len());
@@ -41,14 +41,34 @@ fn the_first_contact_edge_stands_in_each_step() {
     assert!(close(&step["stick_half_angle_deg"], 40.0));
     let contact = step["contact_zones_deg"].as_array().unwrap();
     assert_eq!(contact.len(), 1);
-    assert!(contact[0]["start"] == 0.0 && close(&contact[0]["end"], 75.0));
-    let slip = &step["slip_zones_deg"][0];
+    assert!(close(&contact[0]["start"], -75.0) && close(&contact[0]["end"], 75.0));
+    let stick = &step["stick_zones_deg"][0];
     assert!(
-        close(&slip["start"], 40.0) && close(&slip["end"], 75.0),
+        close(&stick["start"], -40.0) && close(&stick["end"], 40.0),
+        "{stick}"
+    );
+    // Both sides slip away from the bearing point under a rising load, and towards it under a falling one.
+    let slip = &step["slip_zones_deg"];
+    assert!(
+        close(&slip[0]["start"], -75.0) && close(&slip[0]["end"], -40.0),
         "{slip}"
     );
-    assert_eq!(slip["direction"], "+");
-    assert_eq!(summary["steps"][3]["slip_zones_deg"][0]["direction"], "-");
+    assert!(
+        close(&slip[1]["start"], 40.0) && close(&slip[1]["end"], 75.0),
+        "{slip}"
+    );
+    for zone in slip.as_array().unwrap() {
+        assert_eq!(zone["direction"], "away");
+    }
+    for zone in summary["steps"][3]["slip_zones_deg"].as_array().unwrap() {
+        assert_eq!(zone["direction"], "towards");
+    }
+    assert_eq!(step["bearing_angle_deg"], 0.0);
+    assert_eq!(summary["edges"][0]["bearing_angle_deg"], 0.0);
+    assert_eq!(
+        summary["edges"][0]["bearing_found"],
+        "contact force of step 3"
+    );
     assert_eq!(summary["steps"][3]["unloading"], true);
     assert_eq!(step["iterations"], 5);
     assert_eq!(step["points_in_doubt"], 1);

@@ -6,7 +6,7 @@ use stickslip_fem_core::mesh::Curve;
 
 use super::substance;
 use crate::model::{Meshes, ModelEdge, ModelError};
-use crate::results::{EdgeGeometry, EdgeKind};
+use crate::results::{ContactFrame, EdgeGeometry, EdgeKind};
 use crate::scene::Scene;
 use crate::scene::schema::SetRef;
 
@@ -72,7 +72,7 @@ pub(super) fn edge_nodes(
 }
 
 impl EdgeNodes {
-    /// Rotates a closed walk so that its angles ascend from −π and the bearing point lies in the middle.
+    /// Rotates a closed walk so that its angles ascend from −π.
     fn start_at_minus_pi(&mut self) {
         let first = (0..self.nodes.len())
             .filter(|&k| self.corner[k])
@@ -120,6 +120,7 @@ impl EdgeNodes {
                 half,
                 bearing_area,
                 law: String::new(),
+                frame: ContactFrame::NONE,
             },
             body,
             nodes: self.nodes,

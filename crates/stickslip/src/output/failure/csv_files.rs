@@ -91,7 +91,7 @@ fn point_cells(view: &FailureView<'_>, point: &FailurePoint) -> Vec<String> {
         point.mode.name().to_owned(),
     ];
     cells.extend(point.position.map(|x| number(view.length(x))));
-    match view.failure.polar(point.position) {
+    match view.failure.polar_from_x(point.position) {
         Some((angle, radius)) => {
             cells.extend([number(angle.to_degrees()), number(view.length(radius))]);
         }
@@ -176,9 +176,9 @@ fn curve_rows(view: &FailureView<'_>) -> Vec<Vec<String>> {
         format!("y [{length}]"),
     ];
     heading.extend((1..=characteristic.index.len()).map(|step| format!("index step {step} [-]")));
-    let places = characteristic.angles.iter().zip(&characteristic.places);
-    let rows = places.enumerate().map(|(k, (angle, place))| {
-        let mut cells = vec![number(angle.to_degrees())];
+    let rows = characteristic.places.iter().enumerate().map(|(k, place)| {
+        let polar = view.failure.polar_from_x(*place);
+        let mut cells = vec![polar.map_or(String::new(), |(theta, _)| number(theta.to_degrees()))];
         cells.extend(place.map(|x| number(view.length(x))));
         cells.extend(characteristic.index.iter().map(|step| number(step[k])));
         cells
@@ -236,7 +236,7 @@ fn ply_rows(
     }
     let groups = &edge.steps[step];
     let row = |(k, &at): (usize, &f64)| {
-        let mut cells = vec![number(shown.place(at))];
+        let mut cells = vec![number(shown.length(at))];
         for group in groups {
             cells.extend(group[k].stress.map(|stress| number(view.stress(stress))));
             cells.extend(group[k].index.iter().map(|&index| number(index)));

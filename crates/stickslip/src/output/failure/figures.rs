@@ -6,7 +6,7 @@ use stickslip_report::color::Color;
 
 use super::{FailureView, criterion_name, plane_symbols};
 use crate::output::display::{EdgeView, short, significant};
-use crate::output::figures::{Attempt, TICK_INTERVALS, place_axis};
+use crate::output::figures::{Attempt, TICK_INTERVALS, along, place_axis};
 use crate::output::loads::LoadScale;
 use crate::results::{EdgePlies, EdgePly, Envelope};
 use crate::scene::schema::EnvelopePlane;
@@ -33,27 +33,42 @@ fn curves(
 ) -> Vec<Series> {
     let groups = edge.steps[step].iter().enumerate();
     let curve = |(group, plies): (usize, &Vec<EdgePly>)| {
-        let mut points: Vec<[f64; 2]> = (edge.parameter.iter().zip(plies))
-            .map(|(&at, ply)| [shown.place(at), value(ply)])
-            .collect();
-        // A closed edge that starts at −180° ends at 180°.
-        if let (true, Some(&[start, first])) = (shown.is_circle(), points.first())
-            && start < -179.999
-        {
-            points.push([start + 360.0, first]);
-        }
+        let points =
+            (edge.parameter.iter().zip(plies)).map(|(&at, ply)| (place(shown, at), value(ply)));
+        // A whole circle has no point twice.
+        let points = along(points, shown.is_circle() && is_whole(&edge.parameter));
         Series::new(view.failure.ply_name(group), points).dash(DASHES[group % DASHES.len()])
     };
     groups.map(curve).collect()
 }
 
+/// A place of the whole edge in display units, counter-clockwise from the bearing point: the plies of two halves differ.
+fn place(shown: &EdgeView<'_>, at: f64) -> f64 {
+    if shown.is_circle() {
+        shown.length(shown.geometry.frame.turned(at))
+    } else {
+        shown.length(at)
+    }
+}
+
+/// "φ = 12.3°" or "x = 1.23 mm" of a place of the whole edge.
+fn at_place(shown: &EdgeView<'_>, at: f64) -> String {
+    format!(
+        "{} = {}",
+        shown.place_symbol(),
+        shown.shown(place(shown, at))
+    )
+}
+
+/// Whether places `[rad]` go around a circle.
+fn is_whole(parameter: &[f64]) -> bool {
+    let ends = parameter.first().zip(parameter.last());
+    ends.is_some_and(|(first, last)| last - first > 1.5 * std::f64::consts::PI)
+}
+
 /// The axis of the whole edge.
 fn whole_axis(shown: &EdgeView<'_>, intervals: f64) -> Axis {
-    let ends = if shown.is_circle() {
-        Some([-std::f64::consts::PI, std::f64::consts::PI])
-    } else {
-        None
-    };
+    let ends = shown.is_circle().then_some([-180.0, 180.0]);
     place_axis(shown, ends, intervals)
 }
 
@@ -101,7 +116,7 @@ pub(crate) fn index_along(view: &FailureView<'_>, edge: &EdgePlies) -> Attempt {
                 LoadScale::of(view.results).step_text(step),
                 significant(first(ply), 4),
                 view.failure.ply_name(group),
-                shown.at(at),
+                at_place(&shown, at),
             )
         });
     Ok(Some((chart.render()?, caption)))
@@ -155,7 +170,7 @@ pub(crate) fn stresses_along(view: &FailureView<'_>, edge: &EdgePlies) -> Attemp
                  the {} ply at {}.",
                 significant(view.stress(stress), 4),
                 view.failure.ply_name(group),
-                shown.at(at),
+                at_place(&shown, at),
             )
         });
     Ok(Some((picture, caption)))
@@ -172,9 +187,11 @@ pub(crate) fn characteristic(view: &FailureView<'_>) -> Attempt {
     };
     let name = criterion_name(criterion);
     let load = LoadScale::of(view.results);
-    let x = Axis::linear("Angle θ from the bearing point [deg]")
-        .between(-90.0, 90.0)
-        .every(15.0);
+    let from = match view.failure.frame.bearing {
+        Some(_) => "Angle φ from the bearing point [deg]",
+        None => "Angle θ from +x [deg]",
+    };
+    let x = Axis::linear(from).between(-90.0, 90.0).every(15.0);
     let y = Axis::linear(format!("Largest ply index, {name} [–]"));
     let title = format!("Characteristic curve of '{}'", view.body());
     let mut chart = LineChart::new(title, x, y)
@@ -197,8 +214,9 @@ pub(crate) fn characteristic(view: &FailureView<'_>) -> Attempt {
             .collect();
         chart = chart.with(Series::new(load.text(k), points).color(color));
     }
+    let symbol = view.failure.frame.symbol();
     let mut sentences = vec![format!(
-        "Index by {name} on r_c(θ) = R + R_t + (R_c − R_t) cos θ (Chang, Scott & Springer 1982) up to the largest load; the place where it \
+        "Index by {name} on r_c({symbol}) = R + R_t + (R_c − R_t) cos {symbol} (Chang, Scott & Springer 1982) up to the largest load; the place where it \
          first is 1 names the mode."
     )];
     sentences.extend(super::tables::joint_modes(view));

@@ -4,12 +4,12 @@ use stickslip_report::axis::Axis;
 use stickslip_report::chart::{Dash, LineChart, Series};
 
 use super::{Attempt, half_remark, zone_bands};
-use crate::output::display::{EdgeView, decimals, short, significant};
+use crate::output::display::{EdgeView, decimals, even, short, significant};
 use crate::output::loads::LoadScale;
-use crate::output::zones::closing_angle;
+use crate::output::zones::{contact_ranges, contact_reach, is_closed, modelled, stick_ranges};
 use crate::results::EdgeRow;
 
-/// Part of a contact line that is shown, in half-widths of the widest contact.
+/// Part of a contact line that is shown, in widths of all contact.
 const CONTACT_WIDTHS: f64 = 2.5;
 /// Intervals between ticks over the width of a page.
 pub(in crate::output) const TICK_INTERVALS: f64 = 13.0;
@@ -106,19 +106,7 @@ fn caption(view: &EdgeView<'_>, step: usize) -> String {
         "Stresses at {}.",
         LoadScale::of(view.results()).step_text(step)
     )];
-    if let Some(extent) = edge.contact_half_extent {
-        let stick = view
-            .step(step)
-            .stick_half_extent
-            .filter(|stick| *stick > 0.0);
-        let stick = stick.map_or("no zone around its middle sticks".to_owned(), |stick| {
-            format!("it sticks within ±{}", view.extent(stick))
-        });
-        sentences.push(format!(
-            "Contact reaches to ±{}; {stick}.",
-            view.extent(extent)
-        ));
-    }
+    sentences.extend(contact_sentences(view, step));
     if let Some((pressure, place)) = edge.peak_pressure.filter(|_| view.geometry.contact) {
         let place = view.at(place);
         sentences.push(format!(
@@ -151,26 +139,52 @@ fn caption(view: &EdgeView<'_>, step: usize) -> String {
     sentences.join(" ")
 }
 
-/// The place axis with ticks where a reader of angles expects them, in at most `intervals`; `window` is the part to show
-/// `[rad or mm]`.
+/// Where the contact bears, touches and sticks.
+fn contact_sentences(view: &EdgeView<'_>, step: usize) -> Vec<String> {
+    let mut sentences = Vec::new();
+    let Some(reach) = contact_reach(view, step) else {
+        return sentences;
+    };
+    if let Some(bearing) = view.geometry.frame.bearing.filter(|_| view.is_circle()) {
+        sentences.push(format!(
+            "The bearing point, φ = 0, lies at θ = {} from +x.",
+            view.extent(bearing)
+        ));
+    }
+    let stick = match view.ranges(&stick_ranges(view, step)) {
+        Some(ranges) if ranges.starts_with('±') => format!("it sticks within {ranges}"),
+        Some(ranges) if ranges.starts_with("all") => format!("it sticks {ranges}"),
+        Some(ranges) => format!("it sticks at {ranges}"),
+        None => "nothing sticks".to_owned(),
+    };
+    let parts = contact_ranges(view, step).len();
+    let parts = if parts > 1 {
+        format!(" in {parts} parts")
+    } else {
+        String::new()
+    };
+    sentences.push(if view.is_whole(reach) {
+        format!("Contact is all around; {stick}.")
+    } else if even(reach) {
+        format!("Contact reaches to {}{parts}; {stick}.", view.range(reach))
+    } else {
+        format!(
+            "Contact reaches over {}{parts}; {stick}.",
+            view.range(reach)
+        )
+    });
+    sentences
+}
+
+/// The place axis with ticks where a reader of angles expects them, in at most `intervals`; `window` is the part to show in display
+/// units.
 pub(in crate::output) fn place_axis(
     view: &EdgeView<'_>,
     window: Option<[f64; 2]>,
     intervals: f64,
 ) -> Axis {
-    let unit = view.place_unit();
-    let name = if view.is_circle() {
-        "Angle θ from the bearing point"
-    } else {
-        "Place x along the edge"
-    };
-    let axis = Axis::linear(format!("{name} [{unit}]"));
-    let parameter = &view.geometry.parameter;
-    let whole = parameter
-        .first()
-        .zip(parameter.last())
-        .map(|(first, last)| [*first, *last]);
-    let Some([low, high]) = window.or(whole).map(|ends| ends.map(|end| view.place(end))) else {
+    let axis = Axis::linear(format!("{} [{}]", view.place_name(), view.place_unit()));
+    let Some([low, high]) = window.or_else(|| modelled(view)) else {
         return axis;
     };
     if low >= high {
@@ -193,32 +207,60 @@ pub(in crate::output) fn place_axis(
 
 /// The neighbourhood of the contact on a line, where the edge is much longer.
 fn contact_window(view: &EdgeView<'_>) -> Option<[f64; 2]> {
-    let reach = CONTACT_WIDTHS * view.widest_contact().filter(|_| !view.is_circle())?;
-    around_contact(view, reach)
+    around_contact(view, CONTACT_WIDTHS).filter(|_| !view.is_circle())
 }
 
-/// The part of the edge within `reach` of the bearing point `[rad or mm]`.
-pub(super) fn around_contact(view: &EdgeView<'_>, reach: f64) -> Option<[f64; 2]> {
-    let (first, last) = view
-        .geometry
-        .parameter
-        .first()
-        .zip(view.geometry.parameter.last())?;
-    (reach > 0.0).then(|| [first.max(-reach), last.min(reach)])
+/// What the contact reaches over in any step, in display units; of a half on its modelled side.
+pub(super) fn all_contact(view: &EdgeView<'_>) -> Option<[f64; 2]> {
+    let reaches = (0..view.results().steps.len()).filter_map(|step| contact_reach(view, step));
+    let all = reaches.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])?;
+    let whole = view.is_circle() && (all[0] < -180.0 || all[1] > 180.0);
+    Some(if whole { [-180.0, 180.0] } else { all })
 }
 
-/// A quantity along the edge, closed at +180° where the edge is a closed circle.
+/// The part of the edge around all places that are in contact in any step, which take one part in `room` of it; in display units.
+pub(super) fn around_contact(view: &EdgeView<'_>, room: f64) -> Option<[f64; 2]> {
+    let [start, end] = all_contact(view)?;
+    let [first, last] = modelled(view)?;
+    let (middle, reach) = (0.5 * (start + end), 0.5 * room * (end - start));
+    (reach > 0.0).then(|| [first.max(middle - reach), last.min(middle + reach)])
+}
+
+/// A quantity along the edge by ascending place, from −180° to 180° where the edge is a closed circle.
 pub(super) fn curve(
     view: &EdgeView<'_>,
     step: usize,
     value: impl Fn(&EdgeRow) -> f64,
 ) -> Vec<[f64; 2]> {
-    let rows = &view.step(step).rows;
-    let mut points: Vec<[f64; 2]> = (view.geometry.parameter.iter().zip(rows))
-        .map(|(parameter, row)| [view.place(*parameter), value(row)])
-        .collect();
-    if let (Some(end), Some(&[_, start])) = (closing_angle(view), points.first()) {
-        points.push([end, start]);
+    let rows = view.step(step).rows.iter().map(|row| {
+        // Of a half that is read clockwise the other side is shown, whose shear and slip are opposite.
+        if view.geometry.frame.clockwise {
+            value(&EdgeRow {
+                shear: -row.shear,
+                slip: -row.slip,
+                tau: -row.tau,
+                ..*row
+            })
+        } else {
+            value(row)
+        }
+    });
+    let places = view.geometry.parameter.iter().map(|&at| view.place(at));
+    along(places.zip(rows), is_closed(view))
+}
+
+/// Points by ascending place `[degree]`, and where they are those of a closed circle continued to ±180°.
+pub(in crate::output) fn along(
+    points: impl Iterator<Item = (f64, f64)>,
+    closed: bool,
+) -> Vec<[f64; 2]> {
+    let mut points: Vec<[f64; 2]> = points.map(|(place, value)| [place, value]).collect();
+    points.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    if let (true, &[[low, first], .., [high, last]]) = (closed, &points[..]) {
+        points.insert(0, [high - 360.0, last]);
+        if low > -180.0 && high < 180.0 - ROUNDING {
+            points.push([low + 360.0, first]);
+        }
     }
     points
 }

@@ -6,17 +6,18 @@ use stickslip_report::chart::{Dash, Legend, LineChart, Panels, Series};
 use stickslip_report::color::{Color, loading_sequence, sequence, unloading_sequence};
 use stickslip_report::svg::Svg;
 
-use super::Attempt;
 use super::edge::{around_contact, curve, place_axis};
-use crate::output::display::{EdgeView, decimals, significant};
+use super::{Attempt, last_largest};
+use crate::output::display::{EdgeView, decimals, even, significant};
 use crate::output::loads::LoadScale;
+use crate::output::zones::contact_reach;
 use crate::results::{EdgeRow, Results};
 
 /// Steps up to which every curve has its own entry in the legend: as many as stand beside one chart.
 const NAMED_STEPS: usize = 24;
 /// Intervals between ticks under a panel.
 const TICK_INTERVALS: f64 = 8.0;
-/// Part of the edge that is shown, in half-extents of the widest contact.
+/// Part of the edge that is shown, in extents of all contact.
 const REACH: f64 = 1.12;
 
 /// A quantity of a row, with what the axis and the caption call it.
@@ -52,12 +53,7 @@ pub(super) fn shear(view: &EdgeView<'_>) -> Attempt {
         value: |row| row.shear,
         near_contact: true,
     };
-    let peak = largest(view, |step| {
-        let rows = view.step(step).rows.iter().map(|row| row.shear);
-        let places = view.geometry.parameter.iter().copied();
-        rows.zip(places)
-            .max_by(|(a, _), (b, _)| a.abs().total_cmp(&b.abs()))
-    });
+    let peak = largest(view, |step| largest_shear(view, step));
     if peak.is_some_and(|(_, shear, _)| shear == 0.0) {
         return Ok(None);
     }
@@ -66,6 +62,23 @@ pub(super) fn shear(view: &EdgeView<'_>) -> Attempt {
         &quantity,
         peak_sentence(view, "The largest friction traction", peak),
     )
+}
+
+/// The largest friction traction of a step and its place; of equal ones on both sides that at the larger angle.
+fn largest_shear(view: &EdgeView<'_>, step: usize) -> Option<(f64, f64)> {
+    const ROUNDING: f64 = 1e-7;
+    let rows = view.step(step).rows.iter().map(|row| row.shear);
+    let most = rows.clone().map(f64::abs).reduce(f64::max)?;
+    let side = if view.geometry.frame.clockwise {
+        -1.0
+    } else {
+        1.0
+    };
+    let high = rows
+        .zip(&view.geometry.parameter)
+        .filter(|(shear, _)| shear.abs() >= most * (1.0 - ROUNDING));
+    high.map(|(shear, &place)| (side * shear, place))
+        .max_by(|a, b| view.place(a.1).total_cmp(&view.place(b.1)))
 }
 
 /// σ_θ or σ_xx of all steps.
@@ -94,9 +107,9 @@ fn largest(
     view: &EdgeView<'_>,
     of_step: impl Fn(usize) -> Option<(f64, f64)>,
 ) -> Option<(usize, f64, f64)> {
-    (0..view.results().steps.len())
-        .filter_map(|step| of_step(step).map(|(value, place)| (step, value, place)))
-        .max_by(|(_, a, _), (_, b, _)| a.abs().total_cmp(&b.abs()))
+    let steps = (0..view.results().steps.len())
+        .filter_map(|step| of_step(step).map(|(value, place)| (step, value, place)));
+    last_largest(steps, |(_, value, _)| value.abs())
 }
 
 fn peak_sentence(
@@ -195,13 +208,16 @@ fn what_is_seen(view: &EdgeView<'_>, quantity: &Quantity, over_bearing: bool) ->
             "The legend names {NAMED_STEPS} of the {count} steps; the shades of the others lie between."
         ));
     }
-    let halves = || (0..count).filter_map(|step| view.step(step).contact_half_extent);
+    let reaches = || (0..count).filter_map(|step| contact_reach(view, step));
+    let halves = || reaches().map(|[start, end]| 0.5 * (end - start));
     let ends = halves().reduce(f64::min).zip(halves().reduce(f64::max));
     if let Some((low, high)) = ends.filter(|_| quantity.near_contact) {
-        let (low, high) = (view.extent(low), view.extent(high));
-        sentences.push(format!(
-            "The half-extent of contact lies between {low} and {high}."
-        ));
+        let (low, high) = (view.shown(low), view.shown(high));
+        sentences.push(if reaches().all(even) {
+            format!("The half-extent of contact lies between {low} and {high}.")
+        } else {
+            format!("Half of what contact reaches over lies between {low} and {high}.")
+        });
     }
     sentences
 }
@@ -212,8 +228,7 @@ fn chart(
     label: String,
     scaled: impl Fn(usize, f64) -> Option<f64>,
 ) -> LineChart {
-    let reach = view.widest_contact().filter(|_| quantity.near_contact);
-    let window = reach.and_then(|reach| around_contact(view, REACH * reach));
+    let window = around_contact(view, REACH).filter(|_| quantity.near_contact);
     let mut chart = LineChart::new(
         "",
         place_axis(view, window, TICK_INTERVALS),

@@ -6,6 +6,7 @@ use stickslip_report::color::Colormap;
 use stickslip_report::field::{FieldPlot, Mirror};
 
 use super::Attempt;
+use super::edge::all_contact;
 use crate::output::display::{EdgeView, significant};
 use crate::output::loads::LoadScale;
 use crate::output::vtk_files::{polar_stresses, von_mises_stresses};
@@ -193,11 +194,16 @@ impl<'a> Scene<'a> {
     fn window(&self) -> [f64; 4] {
         let unit = self.edge.units().length;
         let (centre, reach) = match self.edge.geometry.kind {
-            EdgeKind::Circle { centre, radius } => (centre, HOLE_WINDOW * radius),
-            EdgeKind::Line => (
-                [0.0, 0.0],
-                LINE_WINDOW * self.edge.widest_contact().unwrap_or(f64::INFINITY),
+            EdgeKind::Circle { centre, radius } => (
+                centre.map(|x| unit.from_base(x)),
+                HOLE_WINDOW * unit.from_base(radius),
             ),
+            EdgeKind::Line => {
+                all_contact(self.edge).map_or(([0.0, 0.0], f64::INFINITY), |[start, end]| {
+                    let reach = LINE_WINDOW * 0.5 * (end - start);
+                    ([0.5 * (start + end), 0.0], reach)
+                })
+            }
         };
         let along = |axis: usize| {
             let low = self
@@ -215,8 +221,10 @@ impl<'a> Scene<'a> {
             } else {
                 low
             };
-            let (middle, reach) = (unit.from_base(centre[axis]), unit.from_base(reach));
-            [low.max(middle - reach), high.min(middle + reach)]
+            [
+                low.max(centre[axis] - reach),
+                high.min(centre[axis] + reach),
+            ]
         };
         let ([left, right], [bottom, top]) = (along(0), along(1));
         [left, right, bottom, top]

@@ -4,9 +4,12 @@ use stickslip_report::axis::Axis;
 use stickslip_report::chart::{Dash, Legend, LineChart, Panels, Series, SeriesStyle};
 use stickslip_report::color::Color;
 
-use super::Attempt;
+use super::edge::all_contact;
+use super::{Attempt, last_largest};
 use crate::output::display::{EdgeView, decimals, short};
 use crate::output::loads::LoadScale;
+use crate::output::tables::lies_evenly;
+use crate::output::zones::{contact_ranges, contact_reach, stick_ranges};
 use crate::results::Results;
 
 /// Relative difference below which values count as equal.
@@ -17,28 +20,10 @@ const UNLOADING: Color = Color::rgb(0xd9, 0x48, 0x01);
 /// Contact and stick half-extents, and the peak pressure, over the load.
 pub(super) fn extent_and_peak(view: &EdgeView<'_>) -> Attempt {
     let results = view.results();
-    if !load_varies(results) || view.widest_contact().is_none() {
+    if !load_varies(results) || all_contact(view).is_none() {
         return Ok(None);
     }
-    let unit = view.place_unit();
-    let half = if view.is_circle() {
-        "Half-angle"
-    } else {
-        "Half-width"
-    };
-    let mut extents = chart("(a) contact and stick", results, format!("{half} [{unit}]"));
-    let extent = |value: Option<f64>| value.map(|value| view.place(value));
-    for series in branches(results, "contact", |step| {
-        extent(view.step(step).contact_half_extent)
-    }) {
-        extents = extents.with(series.style(SeriesStyle::Both));
-    }
-    for mut series in branches(results, "stick", |step| {
-        extent(view.step(step).stick_half_extent)
-    }) {
-        series.color = series.color.map(|color| color.tint(0.6));
-        extents = extents.with(series.dash(Dash::Dotted).style(SeriesStyle::Both));
-    }
+    let extents = extents(view);
     let over_bearing = view.bears();
     let label = if over_bearing {
         "Largest pressure / bearing stress σ_b [–]".to_owned()
@@ -69,6 +54,67 @@ pub(super) fn extent_and_peak(view: &EdgeView<'_>) -> Attempt {
     Ok(Some((picture, caption(view))))
 }
 
+/// Contact and stick over the load: half-extents where they lie evenly about the bearing point, otherwise both ends.
+fn extents(view: &EdgeView<'_>) -> LineChart {
+    type Extent<'a> = Box<dyn Fn(usize) -> Option<f64> + 'a>;
+    let (results, unit) = (view.results(), view.place_unit());
+    let half = |value: Option<f64>| value.map(|value| view.length(value));
+    let (label, contact, stick): (String, Vec<Extent<'_>>, Vec<Extent<'_>>) = if lies_evenly(view) {
+        let name = if view.is_circle() {
+            "Half-angle"
+        } else {
+            "Half-width"
+        };
+        (
+            format!("{name} [{unit}]"),
+            vec![Box::new(move |step| {
+                half(view.step(step).contact_half_extent)
+            })],
+            vec![Box::new(move |step| {
+                half(view.step(step).stick_half_extent)
+            })],
+        )
+    } else {
+        let end = |of: fn(&EdgeView<'_>, usize) -> Option<[f64; 2]>, k: usize| -> Extent<'_> {
+            Box::new(move |step| of(view, step).map(|ends| ends[k]))
+        };
+        (
+            format!("{} [{unit}]", view.place_name()),
+            (0..2).map(|k| end(contact_reach, k)).collect(),
+            (0..2).map(|k| end(stick_reach, k)).collect(),
+        )
+    };
+    let mut chart = chart("(a) contact and stick", results, label);
+    for (k, extent) in contact.iter().enumerate() {
+        for series in named(branches(results, "contact", extent), k == 0) {
+            chart = chart.with(series.style(SeriesStyle::Both));
+        }
+    }
+    for (k, extent) in stick.iter().enumerate() {
+        for mut series in named(branches(results, "stick", extent), k == 0) {
+            series.color = series.color.map(|color| color.tint(0.6));
+            chart = chart.with(series.dash(Dash::Dotted).style(SeriesStyle::Both));
+        }
+    }
+    chart
+}
+
+/// First and last place that sticks, in display units.
+fn stick_reach(view: &EdgeView<'_>, step: usize) -> Option<[f64; 2]> {
+    let ranges = stick_ranges(view, step);
+    Some([ranges.first()?[0], ranges.last()?[1]])
+}
+
+/// The series, without their names in the legend where others of the same name are there.
+fn named(mut series: Vec<Series>, first: bool) -> Vec<Series> {
+    if !first {
+        for series in &mut series {
+            series.label.clear();
+        }
+    }
+    series
+}
+
 fn caption(view: &EdgeView<'_>) -> String {
     let results = view.results();
     let load = LoadScale::of(results);
@@ -76,16 +122,16 @@ fn caption(view: &EdgeView<'_>) -> String {
         return String::new();
     };
     let edge = view.step(step);
-    let mut sentences = vec![
-        "Half-extents of contact and of the stick zone around its middle, and the largest pressure, over the load.".to_owned(),
-    ];
-    if let Some(contact) = edge.contact_half_extent {
-        let mut parts = vec![format!("contact ±{}", view.extent(contact))];
-        parts.extend(
-            view.step(step)
-                .stick_half_extent
-                .map(|stick| format!("stick ±{}", view.extent(stick))),
-        );
+    let what = if lies_evenly(view) {
+        "Half-extents of contact and of the stick zone around the bearing point"
+    } else {
+        "First and last place in contact and, dotted, of those that stick"
+    };
+    let mut sentences = vec![format!("{what}, and the largest pressure, over the load.")];
+    if let Some(contact) = view.ranges(&contact_ranges(view, step)) {
+        let mut parts = vec![format!("contact {contact}")];
+        let stick = view.ranges(&stick_ranges(view, step));
+        parts.extend(stick.map(|stick| format!("stick {stick}")));
         if let (Some((pressure, _)), Some(bearing)) = (edge.peak_pressure, view.bearing(step)) {
             parts.push(format!(
                 "largest pressure {} σ_b",
@@ -107,7 +153,7 @@ pub(super) fn friction(view: &EdgeView<'_>) -> Attempt {
     let results = view.results();
     let ratios =
         (0..results.steps.len()).filter_map(|step| Some((step, view.friction_ratio(step)?)));
-    let largest = ratios.max_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
+    let largest = last_largest(ratios, |(_, ratio)| ratio.abs());
     let Some((step, largest)) = largest.filter(|(_, ratio)| *ratio != 0.0 && load_varies(results))
     else {
         return Ok(None);
@@ -128,8 +174,8 @@ pub(super) fn friction(view: &EdgeView<'_>) -> Attempt {
         chart = chart.with(series.style(SeriesStyle::Both));
     }
     let meaning = if view.is_circle() {
-        "q is positive where friction pulls the plate along the edge towards the bearing point, negative where it pulls away from \
-         it. Where all slips one way under one coefficient μ the ratio is ±μ."
+        "q is positive where friction pulls the first body along the edge towards the bearing point of the step, negative where it pulls \
+         away from it. Where all slips one way under one coefficient μ the ratio is ±μ."
     } else {
         "Q is the tangential force on the first body along +x, N the normal force; |Q/N| = μ means that all slips."
     };

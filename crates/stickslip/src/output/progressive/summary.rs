@@ -116,7 +116,7 @@ fn length(view: &ProgressiveView<'_>, value: f64) -> Quantity {
 
 fn loss<'a>(view: &ProgressiveView<'a>, entry: &PlyLoss) -> Loss<'a> {
     let group = &view.failure.failure.plies[entry.ply];
-    let polar = view.failure.failure.polar(entry.position);
+    let polar = view.failure.failure.polar_from_x(entry.position);
     Loss {
         ply: &group.ply,
         ply_angle_deg: tidy(group.angle),

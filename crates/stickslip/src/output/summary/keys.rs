@@ -7,7 +7,7 @@ use serde::Serialize;
 use crate::output::failure::summary::Failure;
 
 /// Version of the format; a change that could break a reader raises it.
-pub(super) const FORMAT_VERSION: u32 = 1;
+pub(super) const FORMAT_VERSION: u32 = 2;
 
 /// Everything in `summary.json`, in its order.
 #[derive(Debug, Serialize)]
@@ -75,6 +75,10 @@ pub(super) struct Edge<'a> {
     pub(super) body: &'a str,
     pub(super) law: Option<&'a str>,
     pub(super) radius: Option<Quantity>,
+    /// θ_b of the bearing point from which angles are counted; null where they count from +x, and on a line.
+    pub(super) bearing_angle_deg: Option<f64>,
+    /// How the bearing point was found.
+    pub(super) bearing_found: Option<String>,
     pub(super) nodes: usize,
     pub(super) half: bool,
 }
@@ -187,8 +191,10 @@ pub(super) struct Resultant {
 #[serde(untagged)]
 pub(super) enum Places {
     Circle {
+        bearing_angle_deg: Option<f64>,
         contact_half_angle_deg: Option<f64>,
         contact_zones_deg: Vec<ContactZone>,
+        stick_zones_deg: Vec<ContactZone>,
         stick_half_angle_deg: Option<f64>,
         slip_zones_deg: Vec<SlipZone>,
         bearing_stress: Option<Quantity>,
@@ -199,8 +205,10 @@ pub(super) enum Places {
         hoop_at_bearing_point_over_bearing: Option<f64>,
     },
     Line {
+        bearing_position: Option<Quantity>,
         contact_half_width: Option<Quantity>,
         contact_zones: Vec<ContactZone>,
+        stick_zones: Vec<ContactZone>,
         stick_half_width: Option<Quantity>,
         slip_zones: Vec<SlipZone>,
         peak_pressure_position: Option<Quantity>,

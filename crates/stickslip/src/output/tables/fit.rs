@@ -3,16 +3,18 @@
 use stickslip_report::table::Table;
 
 /// What can be left out, first things first; of two columns of one name the last goes first, and the parts of one thing together.
-const DISPENSABLE: [&[&str]; 9] = [
+const DISPENSABLE: [&[&str]; 11] = [
     &["time"],
     &["σ_1", "σ_2", "τ_12"],
     &["solves"],
     &["±"],
-    &["at θ"],
+    &["at φ", "at θ"],
     &["at x"],
-    &["slip+", "slip−"],
-    &["at θ"],
+    &["slip+", "slip−", "slip away", "slip towards"],
+    &["at φ", "at θ"],
     &["at x"],
+    &["stick"],
+    &["bears at"],
 ];
 
 /// The text of `table`, with as many columns as fit `width` characters, and a note of what was left out.

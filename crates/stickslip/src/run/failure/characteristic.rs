@@ -5,13 +5,14 @@ use stickslip_fem_core::mesh::Point;
 use super::{RunError, Subject};
 use crate::failure::{Region, Sample, Sites, curve, joint_mode, locate};
 use crate::model::ModelError;
-use crate::results::{CharacteristicFailure, FirstPly, JointFailure};
+use crate::results::{CharacteristicFailure, ContactFrame, FirstPly, JointFailure};
 use crate::scene::schema::Characteristic;
 
 impl Subject<'_> {
     pub(super) fn characteristic(
         &self,
         distances: Characteristic,
+        frame: ContactFrame,
         steps: &[Sites],
     ) -> Result<CharacteristicFailure, RunError> {
         let outside = |why: String| ModelError::Unsupported {
@@ -22,7 +23,9 @@ impl Subject<'_> {
             .hole()
             .ok_or_else(|| outside(format!("body '{}' has no hole to measure from", self.name)))?;
         let (angles, places): (Vec<f64>, Vec<Point>) =
-            curve(hole, distances, self.model.half).into_iter().unzip();
+            curve(hole, distances, self.model.half, frame)
+                .into_iter()
+                .unzip();
         let samples = locate(self.mesh, &places);
         let found: Option<Vec<&Sample>> = samples.iter().map(Option::as_ref).collect();
         let samples = found.ok_or_else(|| {
@@ -46,10 +49,10 @@ impl Subject<'_> {
         } else {
             vec![last, 0]
         };
-        Ok(CharacteristicFailure {
+        let mut found = CharacteristicFailure {
             tension: distances.tension,
             compression: distances.compression,
-            curve: self.joint_failures(&sites, &places, hole)?,
+            curve: self.joint_failures(&sites, &places, hole, frame)?,
             net_section: self.at_places(&sites, &places, &net)?,
             bearing_point: self.at_places(&sites, &places, &[middle])?,
             index: sites
@@ -58,7 +61,14 @@ impl Subject<'_> {
                 .collect::<Result<_, _>>()?,
             angles: self.whole_curve(&angles),
             places: self.whole_places(&places),
-        })
+        };
+        // The modelled half of a hole that bears at −x lies at negative angles.
+        if found.angles.first() > found.angles.last() {
+            found.angles.reverse();
+            found.places.reverse();
+            found.index.iter_mut().for_each(|index| index.reverse());
+        }
+        Ok(found)
     }
 
     fn joint_failures(
@@ -66,11 +76,12 @@ impl Subject<'_> {
         sites: &[Sites],
         places: &[Point],
         hole: Region,
+        frame: ContactFrame,
     ) -> Result<Vec<Option<JointFailure>>, RunError> {
         let all: Vec<usize> = (0..places.len()).collect();
         let joint = |first: FirstPly| {
             let [x, y] = first.at.position;
-            let angle = (y - hole.centre[1]).atan2(x - hole.centre[0]);
+            let angle = frame.turned((y - hole.centre[1]).atan2(x - hole.centre[0]));
             JointFailure {
                 mode: joint_mode(angle),
                 angle,
