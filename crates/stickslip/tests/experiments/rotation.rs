@@ -103,12 +103,12 @@ fn a_null_field_that_turned_is_turned_back_by_its_own_angle() {
     let null = "states.0.null.table={ file = \"null.csv\", columns = { x = \"X_mm\", y = \"Y_mm\", u = \"DX_um\", v = \"DY_um\" }, scale = \"1 mm\", displacement_scale = \"1 um\", y_axis = \"up\", deviation = \"0.01 um\" }";
     let reduced = |table: &str, turn: f64| {
         moved(path, "null.csv", |place, [x, y]| {
-            // A tenth of the load.
+            // Half of the load, which turns the field by more than 1e-5 rad.
             turned_by(turn)(
                 place,
                 [
-                    place[0] + 0.1 * (x - place[0]),
-                    place[1] + 0.1 * (y - place[1]),
+                    place[0] + 0.5 * (x - place[0]),
+                    place[1] + 0.5 * (y - place[1]),
                 ],
             )
         });
