@@ -13,9 +13,9 @@ use stickslip_report::folder::{
 
 /// Older results are known by a summary that says `ours` and by tables.
 const FORCE: Overwrite = Overwrite::Force(|summary| {
-    summary
-        .starts_with(b"ours")
-        .then_some(|name: &str| name.ends_with(".csv") || name == MARKER)
+    summary.starts_with(b"ours").then_some(|name: &str| {
+        Path::new(name).extension().is_some_and(|end| end == "csv") || name == MARKER
+    })
 });
 const TABLES: [&str; 3] = ["a.csv", "deep/b.csv", "deep/er/c.csv"];
 

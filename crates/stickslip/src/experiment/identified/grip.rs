@@ -64,13 +64,16 @@ pub(super) fn grip(
     greatest(&beside.collect::<Vec<_>>(), plan.confidence, plan.seed)
 }
 
+/// Tractions of a state, and the places asked for with the sign of their shear.
+type Asked<'a> = (&'a Tractions, Vec<(usize, f64)>);
+
 /// The stretch of `all` with the greatest bound, by errors that stay below theirs together with the probability `confidence`.
 fn greatest(
     all: &[Candidates<'_>],
     confidence: f64,
     seed: u64,
 ) -> Result<Option<Grip>, IdentifyError> {
-    let mut states: BTreeMap<usize, (&Tractions, Vec<(usize, f64)>)> = BTreeMap::new();
+    let mut states: BTreeMap<usize, Asked<'_>> = BTreeMap::new();
     for own in all.iter().filter(|own| own.stretches().next().is_some()) {
         let places = own.places.clone().map(|place| (place, own.sign));
         let (_, of_state) = (states.entry(own.state)).or_insert((own.tractions, Vec::new()));
