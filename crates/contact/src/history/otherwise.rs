@@ -9,7 +9,7 @@ use crate::state::ContactState;
 use crate::uniqueness::{NEAR_BOUND, bound_with_turns_held};
 
 /// Floating-point operations of pivoting that all comparisons of a history may take.
-const EFFORT: f64 = 5e8;
+const EFFORT: f64 = 1e9;
 /// Number of increments up to which a step that was cut back is walked again in twice as many.
 const MANY: usize = 32;
 /// Number of touching points up to which the bound of uniqueness is estimated for each step.
