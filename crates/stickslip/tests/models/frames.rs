@@ -34,7 +34,7 @@ spacing = "7.5 deg"
 name = "pin"
 first = "ring.hole"
 second = "pin.rim"
-friction.coulomb = { mu = 0.5 }
+friction.coulomb = { mu = 0.3 }
 [[supports]]
 on = "ring.outer"
 fix = ["x", "y"]
@@ -61,7 +61,9 @@ const ELASTIC: [&str; 1] =
     ["bodies.pin={ material = \"metal\", thickness = \"2 mm\", shape.disk.radius = \"10 mm\" }"];
 
 /// Keys that say how a scene was solved and not what it does.
-const OF_THE_SOLUTION: [&str; 12] = [
+const OF_THE_SOLUTION: [&str; 14] = [
+    "other_solver",
+    "finer_increments",
     "wall_time_s",
     "solvers",
     "iterations",
