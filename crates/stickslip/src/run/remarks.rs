@@ -103,7 +103,7 @@ fn near_bound(steps: &[StepResults]) -> Option<String> {
     let counted = match notes.solutions {
         Some(1) => "enumeration found no other with the same points in contact".into(),
         Some(count) => format!("{count} were found by enumeration of the points in contact"),
-        None if asked => "another solver was asked".into(),
+        None if asked => "they were not enumerated, but another solver was asked".into(),
         None if beyond => "they were not enumerated, because too many points touch".into(),
         None => "none was looked for".into(),
     };
