@@ -49,7 +49,22 @@ fn sweep_text(sample: &Sample) -> Option<Value> {
     })
 }
 
-fn compared(sample: &Sample, text: &Value) -> Result<Verdict, String> {
+/// The comparison with single runs, after the peak pressures of the sweep were multiplied by `factor`.
+#[cfg(test)]
+pub(super) fn tampered(sample: &Sample, factor: f64) -> Result<Verdict, String> {
+    let text = sweep_text(sample).ok_or("no sweep")?;
+    let (sweep, _folder) = made(sample, &text)?;
+    let mut rows = rows(&sweep, &(0..sweep.cases()).collect::<Vec<_>>())?;
+    for row in &mut rows {
+        if let Outcome::Solved(measures) = &mut row.outcome {
+            measures.peak_pressure = measures.peak_pressure.map(|peak| factor * peak);
+        }
+    }
+    single(&sweep, &rows)
+}
+
+/// The sweep, and the folder in which its scene lies.
+fn made(sample: &Sample, text: &Value) -> Result<(Sweep, tempfile::TempDir), String> {
     let words = |error: &dyn std::fmt::Display| error.to_string();
     let folder = tempfile::tempdir().map_err(|error| words(&error))?;
     let write = |name: &str, value: &Value| {
@@ -58,6 +73,12 @@ fn compared(sample: &Sample, text: &Value) -> Result<Verdict, String> {
     write("scene.json", &sample.value)?;
     write("sweep.json", text)?;
     let sweep = sweep(&folder.path().join("sweep.json"))?;
+    Ok((sweep, folder))
+}
+
+fn compared(sample: &Sample, text: &Value) -> Result<Verdict, String> {
+    let words = |error: &dyn std::fmt::Display| error.to_string();
+    let (sweep, _folder) = made(sample, text)?;
     let all: Vec<usize> = (0..sweep.cases()).collect();
     let whole = rows(&sweep, &all)?;
     let written = table::text(&sweep, &whole).map_err(|error| words(&error))?;
