@@ -103,8 +103,8 @@ impl Answer {
         })
     }
 
-    /// The mirror image about the x axis (circles) or the y axis (lines).
-    pub(super) fn mirrored(mut self) -> Self {
+    /// The mirror image about the x axis of `round` bodies, also of their straight edges, or about the y axis of a line contact.
+    pub(super) fn mirrored(mut self, round: bool) -> Self {
         for edge in &mut self.edges {
             if let Some((body, set)) = edge.name.split_once('.') {
                 let other = match set {
@@ -116,9 +116,11 @@ impl Answer {
             }
         }
         for (circle, step) in self.each_step() {
-            step.resultant[usize::from(circle)] *= -1.0;
+            step.resultant[usize::from(round)] *= -1.0;
             for row in &mut step.rows {
-                row.place = -row.place;
+                if circle || !round {
+                    row.place = -row.place;
+                }
                 row.values[1] *= -1.0;
                 row.values[3] *= -1.0;
             }

@@ -7,6 +7,9 @@ use super::sample::{Sample, Verdict};
 /// Sums of some hundred forces, relative to the largest of the history.
 const ROUNDING: f64 = 1e-8;
 
+/// Part of the force that a motion would take if it were strain which counts as none at all.
+const REST: f64 = 1e-6;
+
 /// A residual of balance above this is reported in the notes.
 const REPORTED: f64 = 1e-8;
 
@@ -17,7 +20,7 @@ pub(super) fn bodies(sample: &Sample) -> Verdict {
     let names = sample.results.bodies.iter().map(|body| &body.name);
     let scale = names
         .filter_map(|name| largest(sample, name))
-        .fold(0.0, f64::max);
+        .fold(REST * stiffness(sample) * sample.motion(), f64::max);
     for (index, body) in sample.results.bodies.iter().enumerate() {
         for step in 0..sample.results.steps.len() {
             let Some(mut sum) = load(sample, &body.name, step) else {
@@ -61,6 +64,19 @@ pub(super) fn bodies(sample: &Sample) -> Verdict {
         }
     }
     if any { Verdict::Holds } else { Verdict::Beside }
+}
+
+/// Force `[N]` that a motion of 1 mm as strain would take: the largest modulus times the largest thickness.
+fn stiffness(sample: &Sample) -> f64 {
+    let thickness = sample
+        .scene
+        .bodies
+        .values()
+        .filter_map(|body| match body.substance {
+            Substance::Elastic { thickness, .. } => Some(thickness),
+            Substance::Rigid => None,
+        });
+    sample.moduli()[1] * thickness.fold(0.0, f64::max)
 }
 
 /// The largest force on the body in the history, of one contact or load.

@@ -61,7 +61,7 @@ pub(super) fn mirrored(sample: &Sample) -> Verdict {
     same(
         sample,
         &transform::mirrored(&sample.value, round),
-        Answer::mirrored,
+        |answer| answer.mirrored(round),
     )
 }
 

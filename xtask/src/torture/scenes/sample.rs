@@ -98,13 +98,38 @@ impl Sample {
 
     /// The length `[mm]` by which a pressure of 1 MPa shortens the softest body: its largest circle or edge over its smallest modulus.
     pub(super) fn give(&self) -> f64 {
-        let moduli = self.scene.materials.keys().filter_map(|name| {
-            let material = &self.value["materials"][name];
-            let own = ["/isotropic/young", "/orthotropic/e2"];
-            let given = own.iter().find_map(|key| quantity::number(material, key));
-            given.or(material.get("laminate").map(|_| 9000.0))
+        self.size() / self.moduli()[0]
+    }
+
+    /// The smallest and the largest modulus `[MPa]`.
+    pub(super) fn moduli(&self) -> [f64; 2] {
+        let keys = ["/isotropic/young", "/orthotropic/e2", "/orthotropic/e1"];
+        let materials = quantity::table(&self.value, "materials").map(|(_, material)| material);
+        let all = materials.flat_map(|material| {
+            // Those of the only ply.
+            let plies = material
+                .get("laminate")
+                .map_or([None; 2], |_| [Some(9e3), Some(14e4)]);
+            let given = keys.map(|key| quantity::number(material, key));
+            given.into_iter().chain(plies).flatten()
         });
-        self.size() / moduli.fold(f64::INFINITY, f64::min)
+        all.fold([f64::INFINITY, 0.0], |[least, most]: [f64; 2], modulus| {
+            [least.min(modulus), most.max(modulus)]
+        })
+    }
+
+    /// The largest gap, slip or given displacement of the history `[mm]`.
+    pub(super) fn motion(&self) -> f64 {
+        let edges = self.results.steps.iter().flat_map(|step| &step.edges);
+        let rows = edges
+            .flat_map(|edge| &edge.rows)
+            .map(|row| row.gap.abs().max(row.slip.abs()));
+        let given = self
+            .scene
+            .supports
+            .iter()
+            .map(|support| support.displacement.abs());
+        rows.chain(given).fold(0.0, f64::max)
     }
 
     /// The size of what touches `[mm]`: the largest hole, rim or half length.
