@@ -256,7 +256,9 @@ pub(super) fn dissipation(sample: &Sample) -> Verdict {
         .map(|contact| {
             let forces = contact.steps(sample);
             let most = forces.fold(0.0, |most: f64, edge| most.max(edge.normal_force));
-            most * contact.most(sample, |row| row.slip)
+            // Without slip, dissipation is the rounding of what the contact does elastically.
+            let give = sample.give();
+            most * contact.most(sample, |row| row.slip.abs().max(give * row.pressure))
         })
         .sum();
     for (index, step) in sample.results.steps.iter().enumerate() {
