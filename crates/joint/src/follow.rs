@@ -258,8 +258,7 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
         Ok(())
     }
 
-    fn record(&mut self, (step, reached): (usize, f64), mut accepted: Accepted, cutbacks: usize) {
-        self.report_at_borne_loads(&mut accepted);
+    fn record(&mut self, (step, reached): (usize, f64), accepted: Accepted, cutbacks: usize) {
         let mut contact = accepted.contact;
         contact.cutbacks = cutbacks;
         self.state = accepted.state;
@@ -286,21 +285,6 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
         self.records.push(record);
     }
 
-    /// Plies fail in a trial state, whose load the joint does not reach where their failure costs it load: they are reported at the
-    /// largest load that it bore at either end of the increment, so that none fails above the peak.
-    fn report_at_borne_loads(&self, accepted: &mut Accepted) {
-        let last = self.records.last();
-        let [load, displacement] = last.map_or([0.0; 2], |last| [last.load, last.displacement]);
-        for event in &mut accepted.events {
-            if event.load > accepted.load.max(load) {
-                event.load = accepted.load.max(load);
-                if load > accepted.load {
-                    event.displacement = displacement;
-                }
-            }
-        }
-    }
-
     fn largest_load(&self) -> f64 {
         let loads = self.records.iter().map(|record| record.load);
         loads.fold(0.0, f64::max)
@@ -317,7 +301,17 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
         })
     }
 
-    fn finish(self, ending: Ending) -> JointHistory {
+    /// Plies fail in a trial state, whose load the joint does not reach where their failure costs it load: one above the peak is reported
+    /// at the peak.
+    fn finish(mut self, ending: Ending) -> JointHistory {
+        let peak = self.largest_load();
+        for event in self
+            .records
+            .iter_mut()
+            .flat_map(|record| &mut record.events)
+        {
+            event.load = event.load.min(peak);
+        }
         JointHistory {
             records: self.records,
             ending,
