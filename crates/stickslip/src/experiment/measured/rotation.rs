@@ -7,8 +7,9 @@ use stickslip_hybrid::data::{Measurement, Places, Rotation};
 use super::Scope;
 use crate::output::{short, significant};
 
-/// A rotation of fringes `[rad]` that is kept: of the size of strains, as loads make it, it changes stresses by less than their part of it.
-const OF_STRAINS: f64 = 3e-4;
+/// A rotation of fringes `[rad]` that is kept, as loads alone make it: it strains the field by half of its square, 5e-7, a tenth of what moves
+/// friction out of its interval.
+const OF_STRAINS: f64 = 1e-3;
 
 /// A rotation of a table that is kept `[rad]`: it changes strains by 1e-5 of them, and taking it off would mix errors of both components.
 const NONE: f64 = 1e-5;
