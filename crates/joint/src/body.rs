@@ -201,6 +201,16 @@ impl ProgressiveBody {
         self.rest_force
     }
 
+    /// Nodal forces `[force]` beside which those that rounding makes of the displacements `u` are small, as of a body that travels
+    /// before it touches anything; far less than those of strains that would make such displacements.
+    pub(crate) fn force_of_rounding(&self, tangents: &[PlaneStiffness], u: &[f64]) -> f64 {
+        const PART: f64 = 1e-5;
+        let largest = |most: f64, value: f64| most.max(value.abs());
+        let stiffest = tangents.iter().flat_map(|d| [d[0][0], d[1][1]]);
+        let travel = u.iter().copied().fold(0.0, largest);
+        PART * stiffest.fold(0.0, largest) * self.body.thickness() * travel
+    }
+
     /// The response of all points to the nodal displacements `u`, coming from the states `base`.
     pub(crate) fn respond(
         &self,

@@ -88,7 +88,8 @@ impl<'a> Solving<'a> {
     }
 
     /// Largest unbalanced nodal force of all bodies with a history, relative to the largest nodal force, or to a thousandth of the
-    /// largest so far, or of those that plies exert on each other, where that is more.
+    /// largest so far, or of those that plies exert on each other, or to those of a body that moves without strain but for rounding, where
+    /// that is more.
     pub(super) fn residual(&mut self, linear: &Linear, responses: &[Response]) -> f64 {
         const FLOOR: f64 = 1e-3;
         let mut worst = 0.0;
@@ -100,7 +101,10 @@ impl<'a> Solving<'a> {
             let scale = (internal.iter().chain(&applied)).fold(0.0, |m: f64, f| m.max(f.abs()));
             scales.push(scale);
             let before = self.start.bodies[working.index].largest_force;
-            let scale = scale.max(FLOOR * before.max(working.body.rest_force()));
+            let travelling = (working.body)
+                .force_of_rounding(&response.tangents, &linear.displacements[working.index]);
+            let least = FLOOR * before.max(working.body.rest_force());
+            let scale = scale.max(least).max(travelling);
             let unbalanced = working.body.structure().largest_on_unknowns(&rest);
             if unbalanced > worst * scale || unbalanced.is_nan() {
                 worst = unbalanced / scale;

@@ -40,9 +40,10 @@ impl<'a> ProgressiveView<'a> {
         self.failure.results.units.length.name
     }
 
-    /// Angle `[degree]` from the bearing point of a joint, which lies at +x, and radius in display units of a place about the hole.
+    /// Angle `[degree]` from the bearing point of the joint and radius in display units of a place about the hole.
     fn polar(&self, position: [f64; 2]) -> Option<[f64; 2]> {
         let (angle, radius) = self.failure.failure.polar_from_x(position)?;
+        let angle = self.progressive.frame.turned(angle);
         Some([angle.to_degrees(), self.failure.length(radius)])
     }
 }

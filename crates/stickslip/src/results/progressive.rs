@@ -3,6 +3,8 @@
 use stickslip_joint::ModeCall;
 use stickslip_laminate::FailureMode;
 
+use super::ContactFrame;
+
 /// Progressive failure of a body.
 #[derive(Clone, Debug)]
 pub struct ProgressiveFailure {
@@ -30,6 +32,8 @@ pub struct ProgressiveFailure {
     pub cells: usize,
     /// Whether half of a symmetric joint was followed.
     pub half: bool,
+    /// Where the pin bears: the load is read along this direction, and angles are counted from it.
+    pub frame: ContactFrame,
     /// What the scene asks for and the followed joint has less of, one sentence each.
     pub notes: Vec<String>,
 }
@@ -44,7 +48,7 @@ pub struct LinearJoint {
 /// Strains next to the hole's edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EdgeStrain {
-    /// Angle about the hole's centre `[rad]`.
+    /// Angle about the hole's centre from +x `[rad]`.
     pub angle: f64,
     /// Radial and circumferential strain of the joint that was followed `[-]`.
     pub followed: [f64; 2],
@@ -59,9 +63,9 @@ pub struct CurvePoint {
     pub step: usize,
     /// Part of it that was reached.
     pub reached: f64,
-    /// Displacement of the pin against the far end of the plate `[mm]`.
+    /// Displacement of the pin against the far end of the plate, along the direction in which the pin bears `[mm]`.
     pub displacement: f64,
-    /// Force of the pin on the plate `[N]`.
+    /// Force of the pin on the plate along that direction `[N]`.
     pub load: f64,
     /// Work of the loads since the start `[N mm]`.
     pub work: f64,
@@ -125,7 +129,7 @@ impl ProgressiveFailure {
         let departs =
             |edge: &EdgeStrain| (0..2).any(|i| (edge.followed[i] - edge.linear[i]).abs() > limit);
         let mut by_angle: Vec<(f64, bool)> = strains()
-            .map(|edge| (edge.angle.abs(), departs(edge)))
+            .map(|edge| (self.frame.angle(edge.angle).abs(), departs(edge)))
             .collect();
         by_angle.sort_by(|a, b| a.0.total_cmp(&b.0));
         let runs = by_angle.chunk_by(|a, b| a.1 == b.1);

@@ -1,14 +1,15 @@
 //! A joint followed beyond the failure of its plies: the scene's model with a history at every point of one body.
 //!
 //! Under displacement control the scene's loads are left out, and the driven edge or point is held along the driven axis at a
-//! displacement that grows. The load is the force of the pin on the plate, positive towards +x, the bearing point; the displacement is
-//! that of the pin's centre against the far end of the plate.
+//! displacement that grows. The load is the force of the pin on the plate along the direction in which the pin bears under the scene's
+//! own loads, or without any against the drive; the displacement is that of the pin's centre against the far end of the plate.
 
 mod edge;
 mod notes;
 mod words;
 
 use std::borrow::Cow;
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
 use stickslip_contact::InterfaceSolver;
@@ -24,7 +25,10 @@ use thiserror::Error;
 
 use super::RunError;
 use crate::model::{Model, ModelBodyKind};
-use crate::results::{BodyFailure, CurvePoint, PlyLoss, ProgressiveEnd, ProgressiveFailure};
+use crate::results::{
+    BearingSource, BodyFailure, ContactFrame, CurvePoint, PlyLoss, ProgressiveEnd,
+    ProgressiveFailure,
+};
 use crate::scene::Scene;
 use crate::scene::schema::{
     Axes, Axis, Control, Hold, LaminateSheet, Progressive, ProgressiveModel, Support,
@@ -45,9 +49,19 @@ pub enum ProgressiveRunError {
     Joint(#[from] JointError),
     /// The pin never presses on the bearing point.
     #[error(
-        "the pin never presses on the bearing point of '{body}', on the +x side of its hole, where the load of a joint is read: turn the load or the drive round"
+        "the pin never presses on the bearing point of '{body}', at {angle_deg:.0}° of its hole, where the load of a joint is read: turn the load or the drive round, or drive it farther"
     )]
     WrongWay {
+        /// The body.
+        body: String,
+        /// Place of the bearing point, from +x `[degree]`.
+        angle_deg: f64,
+    },
+    /// Nothing says where the pin bears.
+    #[error(
+        "no load presses the pin against the hole of '{body}', so its bearing point is unknown: give the scene the load that the joint is to bear, or drive it by failure.progressive.control.displacement"
+    )]
+    NoBearing {
         /// The body.
         body: String,
     },
@@ -106,11 +120,12 @@ impl<'a> Subject<'a> {
             body: self.asked.body.clone(),
             cause: Box::new(cause),
         };
-        let reading = self.reading(&model).ok_or_else(|| {
-            refused(ProgressiveRunError::NoPin {
-                body: self.asked.body.clone(),
-            })
-        })?;
+        let body = || self.asked.body.clone();
+        let frame = (self.frame(model.half))
+            .ok_or_else(|| refused(ProgressiveRunError::NoBearing { body: body() }))?;
+        let bearing = frame.bearing.unwrap_or_default();
+        let reading = (self.reading(&model, direction(bearing)))
+            .ok_or_else(|| refused(ProgressiveRunError::NoPin { body: body() }))?;
         let joint = |bodies| {
             Joint::new(bodies, model.pairs.clone(), reading.gauge)
                 .and_then(|joint| joint.with_options(self.options()))
@@ -131,7 +146,8 @@ impl<'a> Subject<'a> {
             .map_err(|cause| refused(cause.into()))?;
         if most.1.is_empty() {
             return Err(refused(ProgressiveRunError::WrongWay {
-                body: self.asked.body.clone(),
+                body: body(),
+                angle_deg: bearing.to_degrees(),
             }));
         }
         let sound = self.bodies(&model, false)?;
@@ -139,6 +155,7 @@ impl<'a> Subject<'a> {
             .and_then(|joint| edge::linear(&joint, self.found.body, steps, solver, most.0))
             .map_err(|cause| refused(cause.into()))?;
         let mut told = self.told(scene, &model, &history, &reading.hole);
+        told.frame = frame;
         if let (Some((linear, displacements)), ModelBodyKind::Elastic(plate)) =
             (linear, &model.bodies[self.found.body].kind)
         {
@@ -211,8 +228,39 @@ impl<'a> Subject<'a> {
         Ok(body.at_temperature(self.sheet.cure)?)
     }
 
-    /// `None` if no pin touches the hole.
-    fn reading(&self, model: &Model) -> Option<Reading> {
+    /// Where the pin bears under the scene's loads, or without any against the drive; `None` if neither says.
+    fn frame(&self, half: bool) -> Option<ContactFrame> {
+        if self.found.frame.bearing.is_some() {
+            let frame = self.found.frame;
+            let behind = frame.bearing.is_some_and(|at| at.abs() > FRAC_PI_2);
+            return Some(ContactFrame {
+                clockwise: half && behind,
+                ..frame
+            });
+        }
+        let Control::Displacement { on, axis, end, .. } = &self.asked.control else {
+            return None;
+        };
+        let own = if *on.body == self.asked.body {
+            -1.0
+        } else {
+            1.0
+        };
+        let towards = own * end.signum();
+        let bearing = match (axis, towards > 0.0) {
+            (Axis::X, true) => 0.0,
+            (Axis::X, false) => PI,
+            (Axis::Y, _) => towards * FRAC_PI_2,
+        };
+        Some(ContactFrame {
+            bearing: Some(bearing),
+            found: BearingSource::Load,
+            clockwise: half && bearing == PI,
+        })
+    }
+
+    /// What is read along `direction`, in which the pin bears; `None` if no pin touches the hole.
+    fn reading(&self, model: &Model, direction: [f64; 2]) -> Option<Reading> {
         let centre = self.found.centre?;
         let own = self.found.body;
         let ModelBodyKind::Elastic(plate) = &model.bodies[own].kind else {
@@ -238,29 +286,40 @@ impl<'a> Subject<'a> {
             model.pairs[pair].first
         };
         let nodes = mesh.nodes();
-        let distance = |node: &Point| (node[0] - centre[0]).hypot(node[1] - centre[1]);
+        let arm = |node: &Point| [node[0] - centre[0], node[1] - centre[1]];
+        let distance = |node: &Point| arm(node)[0].hypot(arm(node)[1]);
+        let [x, y] = direction;
+        let ahead = |node: &Point| arm(node)[0] * x + arm(node)[1] * y;
+        let aside = |node: &Point| arm(node)[1] * x - arm(node)[0] * y;
         let largest = |value: &dyn Fn(&Point) -> f64| nodes.iter().map(value).fold(0.0, f64::max);
-        let far = largest(&|node| centre[0] - node[0]);
+        let far = largest(&|node| -ahead(node));
+        let sides = [1.0, -1.0].map(|sign| largest(&|node| sign * aside(node)));
+        // A half has one side.
+        let side_distance = if model.half {
+            sides[0].max(sides[1])
+        } else {
+            sides[0].min(sides[1])
+        };
         Some(Reading {
             gauge: Gauge {
                 pull: Pull::Contact {
                     pair,
-                    direction: [if first { 1.0 } else { -1.0 }, 0.0],
+                    direction: if first { direction } else { [-x, -y] },
                 },
                 multiple: if model.half { 2.0 } else { 1.0 },
-                direction: [1.0, 0.0],
+                direction,
                 first: pin_mark(model, pin, centre),
                 second: Mark::Node {
                     body: own,
-                    node: nearest(mesh, [centre[0] - far, centre[1]]),
+                    node: nearest(mesh, [centre[0] - far * x, centre[1] - far * y]),
                 },
             },
             hole: Hole {
                 centre,
                 radius: nodes.iter().map(distance).fold(f64::INFINITY, f64::min),
-                bearing: [1.0, 0.0],
-                side_distance: largest(&|node| (node[1] - centre[1]).abs()),
-                end_distance: largest(&|node| node[0] - centre[0]),
+                bearing: direction,
+                side_distance,
+                end_distance: largest(&ahead),
             },
         })
     }
@@ -301,6 +360,7 @@ impl<'a> Subject<'a> {
             edge: Vec::new(),
             cells,
             half: model.half,
+            frame: ContactFrame::NONE,
             notes: notes::of(self, scene, model),
         }
     }
@@ -386,6 +446,12 @@ fn drive(scene: &mut Scene, on: &crate::scene::schema::SetRef, axis: Axis, end: 
     if held_across {
         hold(across, 0.0);
     }
+}
+
+/// Unit vector at the angle `bearing` `[rad]`, exact along the axes.
+fn direction(bearing: f64) -> [f64; 2] {
+    let exact = |part: f64| if part.abs() < 1e-15 { 0.0 } else { part };
+    [exact(bearing.cos()), exact(bearing.sin())]
 }
 
 fn nearest(mesh: &Mesh, place: Point) -> usize {

@@ -65,13 +65,15 @@ pub(crate) fn edge_strains(view: &ProgressiveView<'_>) -> Attempt {
     let chart = |component: usize, name: &str| {
         let line = |of: &dyn Fn(&EdgeStrain) -> f64| {
             let points = own.edge.iter();
+            let mut points: Vec<[f64; 2]> = points
+                .map(|edge| [own.frame.angle(edge.angle).to_degrees(), 100.0 * of(edge)])
+                .collect();
+            points.sort_by(|a, b| a[0].total_cmp(&b[0]));
             points
-                .map(|edge| [edge.angle.to_degrees(), 100.0 * of(edge)])
-                .collect()
         };
         let linear = Series::new("no ply fails", line(&|edge| edge.linear[component]));
         let [low, high] = shown(own, component).map(|strain| 100.0 * strain);
-        let x = Axis::linear("Angle θ from the bearing point [deg]").every(30.0);
+        let x = Axis::linear("Angle φ from the bearing point [deg]").every(30.0);
         LineChart::new(
             name,
             x,

@@ -18,6 +18,7 @@ pub(crate) struct Progressive<'a> {
     mode: Option<Call<'a>>,
     end: &'static str,
     end_reason: Option<&'a str>,
+    bearing_angle_deg: Option<f64>,
     edge_departures_deg: Vec<[Option<f64>; 2]>,
     curve: Vec<Point>,
     notes: &'a [String],
@@ -92,6 +93,7 @@ pub(crate) fn progressive<'a>(view: &ProgressiveView<'a>) -> Progressive<'a> {
         }),
         end,
         end_reason,
+        bearing_angle_deg: tidy(own.frame.bearing.unwrap_or_default().to_degrees()),
         edge_departures_deg: (own.departures(DEPARTURE).into_iter())
             .map(|range| range.map(|angle| tidy(angle.to_degrees())))
             .collect(),
@@ -116,7 +118,7 @@ fn length(view: &ProgressiveView<'_>, value: f64) -> Quantity {
 
 fn loss<'a>(view: &ProgressiveView<'a>, entry: &PlyLoss) -> Loss<'a> {
     let group = &view.failure.failure.plies[entry.ply];
-    let polar = view.failure.failure.polar_from_x(entry.position);
+    let polar = view.polar(entry.position);
     Loss {
         ply: &group.ply,
         ply_angle_deg: tidy(group.angle),
@@ -126,7 +128,10 @@ fn loss<'a>(view: &ProgressiveView<'a>, entry: &PlyLoss) -> Loss<'a> {
         displacement: length(view, entry.displacement),
         x: length(view, entry.position[0]),
         y: length(view, entry.position[1]),
-        angle_deg: polar.and_then(|(angle, _)| tidy(angle.to_degrees())),
-        radius: polar.map(|(_, radius)| length(view, radius)),
+        angle_deg: polar.and_then(|[angle, _]| tidy(angle)),
+        radius: polar.map(|[_, radius]| Quantity {
+            value: tidy(radius),
+            unit: view.length_unit(),
+        }),
     }
 }

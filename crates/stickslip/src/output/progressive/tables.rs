@@ -16,7 +16,7 @@ pub(crate) fn milestones(view: &ProgressiveView<'_>) -> Table {
         Column::new("displacement", length),
         Column::new("ply", ""),
         Column::new("mode", ""),
-        Column::new("θ", "deg"),
+        Column::new("φ", "deg"),
         Column::new("r", length),
     ];
     let own = view.progressive;
@@ -170,7 +170,7 @@ pub(super) fn departures(own: &ProgressiveFailure) -> String {
         return "Under the largest load no strain at the hole's edge differs from the linear one by a tenth of the largest.".to_owned();
     }
     format!(
-        "Under the largest load the strains at the hole's edge leave the linear ones, by more than a tenth of the largest, at θ = {}.",
+        "Under the largest load the strains at the hole's edge leave the linear ones, by more than a tenth of the largest, {} from the bearing point.",
         told.join(", ")
     )
 }

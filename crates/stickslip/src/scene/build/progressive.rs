@@ -275,14 +275,6 @@ impl Builder<'_> {
         let on = self.set(&key, &given.on, Fits::EdgesAndPoints)?;
         self.can_be_driven(&key, &on, given.axis, around);
         self.nothing_else_loads(&key, &on, given.axis, around);
-        let away = if on.body == body { 1.0 } else { -1.0 };
-        if given.axis == Axis::X && given.end.value() * away > 0.0 {
-            let message = format!(
-                "end = {} moves {on} so that the pin leaves the bearing point, on the +x side of the hole of '{body}'",
-                given.end.text()
-            );
-            self.conflict(&child(table, "end"), message, "turn its sign");
-        }
         Some(Control::Displacement {
             on,
             axis: given.axis,
