@@ -61,3 +61,57 @@ fn a_pressure_within_its_uncertainty_is_not_identifiable_rather_than_none() {
     );
     assert!(!page.contains("no contact"), "{page}");
 }
+
+/// The sample turned by a quarter, as of a test that pulls along y: the bearing point is found where all of the contact is in sight, and
+/// stated where the region cuts it.
+#[test]
+fn a_turned_specimen_has_the_same_friction() {
+    let folder = folder_with(&[]);
+    let path = folder.path();
+    succeeds(path, &["init", "experiment", "mine.toml"]);
+    succeeds(path, &["init", "experiment", "turned.toml"]);
+    let table = std::fs::read_to_string(path.join("turned.csv")).unwrap();
+    let mut rows = table.lines();
+    let mut turned = rows.next().unwrap().to_owned() + "\n";
+    for row in rows {
+        let [x, y, u, v] = [0, 1, 2, 3].map(|k| row.split(',').nth(k).unwrap());
+        let minus = |text: &str| match text.strip_prefix('-') {
+            Some(rest) => rest.to_owned(),
+            None => format!("-{text}"),
+        };
+        turned += &format!("{},{x},{},{u}\n", minus(y), minus(v));
+    }
+    std::fs::write(path.join("turned.csv"), turned).unwrap();
+    let friction = |file: &str, angles: [i32; 2], further: &[&str]| {
+        let [from, to] = angles;
+        let sector = format!(
+            "region.sector={{ angles = [\"{from} deg\", \"{to} deg\"], outer = \"13 mm\", cells = [40, 10], growth = 2.0 }}"
+        );
+        let mut arguments = vec!["identify", file, "--force", "--set", &sector];
+        for set in further {
+            arguments.extend(["--set", set]);
+        }
+        succeeds(path, &arguments)["friction"].clone()
+    };
+    let zones = |friction: &serde_json::Value| {
+        let zones = friction["zones"].as_array().unwrap().iter();
+        zones
+            .map(|zone| zone["along_theta"].as_bool().unwrap())
+            .collect::<Vec<_>>()
+    };
+    for (angles, stated) in [([-110, 110], None), ([-10, 110], Some("90 deg"))] {
+        let own = friction("mine.toml", angles, &[]);
+        let set = stated.map(|at| format!("identify.bearing={at}"));
+        let further: Vec<&str> = set.iter().map(String::as_str).collect();
+        let other = friction("turned.toml", angles.map(|at| at + 90), &further);
+        // Held-out places and blocks of residuals lie along x and y, so smoothing and noise are not quite the same.
+        let [a, b] = [&own, &other].map(|found| {
+            ["low", "best", "high"].map(|key| found["mu_dynamic"][key].as_f64().unwrap())
+        });
+        println!("{a:.4?} {b:.4?}");
+        assert!((a[1] - b[1]).abs() < 0.2 * (a[2] - a[0]), "{a:?} {b:?}");
+        assert!(b[0] < 0.25 && 0.25 < b[2], "{b:?}");
+        assert!(!zones(&own).is_empty());
+        assert_eq!(zones(&own), zones(&other));
+    }
+}

@@ -1,5 +1,6 @@
 //! The edge of a region: its places and the rows of its stresses.
 
+use std::f64::consts::PI;
 use std::ops::Range;
 
 use stickslip_fem_core::ElasticBody;
@@ -10,6 +11,7 @@ use stickslip_hybrid::region::outputs::EdgeRows;
 use stickslip_hybrid::region::transfer::Propagated;
 
 use super::Analysed;
+use crate::results::wrapped;
 
 /// Deviations by which a pressure has to exceed zero, and part of the largest, to count as contact.
 const CONTACT: [f64; 2] = [3.0, 0.05];
@@ -18,6 +20,8 @@ const CONTACT: [f64; 2] = [3.0, 0.05];
 const OPEN: f64 = 0.03;
 /// Part of the largest hoop stress below which a pressure with its uncertainty is none.
 const HIDDEN: f64 = 0.1;
+/// Angle from θ = 0 from which on a contact bears elsewhere `[rad]`.
+const ELSEWHERE: f64 = 5.0 * PI / 180.0;
 /// Resolved angles between the last place in contact and the part of the edge that is taken as free.
 const CELLS_BEYOND: f64 = 2.0;
 
@@ -189,6 +193,32 @@ impl Analysed {
         let last = (peak..inner.end).take_while(bears).last()?;
         let first = (inner.start..=peak).rev().take_while(bears).last()?;
         Some(first..last + 1)
+    }
+
+    /// The place of `contact` nearest to the bearing point `[rad]`: the one that is `stated`, or θ = 0 unless all of the contact is in
+    /// sight and bears elsewhere.
+    pub fn bearing_place(&self, contact: &Range<usize>, stated: Option<f64>) -> usize {
+        let seen = || {
+            let inner = self.inner();
+            let ends = inner.start < contact.start && contact.end < inner.end;
+            (ends.then(|| self.force_direction(contact))).filter(|at| at.abs() > ELSEWHERE)
+        };
+        let bearing = stated.or_else(seen).unwrap_or(0.0);
+        let away = |k: &usize| wrapped(self.angle[*k] - bearing).abs();
+        let nearest = (contact.clone()).min_by(|a, b| away(a).total_cmp(&away(b)));
+        nearest.unwrap_or(contact.start)
+    }
+
+    /// Direction of the force ∫(p e_r − τ e_θ) dθ on the places `contact`, which have neighbours on both sides `[rad]`.
+    fn force_direction(&self, contact: &Range<usize>) -> f64 {
+        let own = &self.tractions;
+        let force = contact.clone().fold([0.0, 0.0], |[x, y], k| {
+            let width = 0.5 * (self.angle[k + 1] - self.angle[k - 1]);
+            let (s, c) = self.angle[k].sin_cos();
+            let [p, t] = [own.pressure[k], own.shear[k]].map(|stress| stress * width);
+            [x + p * c + t * s, y + p * s - t * c]
+        });
+        force[1].atan2(force[0])
     }
 }
 

@@ -158,6 +158,7 @@ pub(in crate::experiment) struct IdentifyFormat {
     pub(in crate::experiment) confidence: Option<f64>,
     pub(in crate::experiment) samples: Option<usize>,
     pub(in crate::experiment) seed: Option<u64>,
+    pub(in crate::experiment) bearing: Option<Quantity<Angle>>,
     pub(in crate::experiment) zones: Vec<ZoneFormat>,
 }
 

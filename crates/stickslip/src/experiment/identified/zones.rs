@@ -30,7 +30,7 @@ pub(super) fn of_state(
     if !own.is_empty() {
         return own
             .into_iter()
-            .map(|plan| stated(found, name, plan, rise))
+            .map(|plan| stated(found, name, plan, experiment.identify.bearing, rise))
             .collect();
     }
     let mut zones = Vec::new();
@@ -40,12 +40,14 @@ pub(super) fn of_state(
         ));
         return Ok(zones);
     };
+    let bearing = found.bearing_place(&contact, experiment.identify.bearing);
     for flank in [Flank::After, Flank::Before] {
-        match recognised(found, &contact, flank, rise)? {
+        match recognised(found, &contact, bearing, flank, rise)? {
             Some(zone) => zones.push(zone),
             None if flank.ends_in_sight(found, &contact) => remarks.push(format!(
-                "state '{name}': no zone that slips is recognised at θ {} 0",
-                flank.sign()
+                "state '{name}': no zone that slips is recognised at θ {} {:.0}°",
+                flank.sign(),
+                found.angle[bearing].to_degrees()
             )),
             None => {}
         }
@@ -58,6 +60,7 @@ fn stated(
     found: &Analysed,
     name: &str,
     plan: &ZonePlan,
+    bearing: Option<f64>,
     rise: f64,
 ) -> Result<SlipZone, ExperimentError> {
     let [from, to] = plan.angles;
@@ -82,7 +85,7 @@ fn stated(
     Ok(SlipZone {
         state: found.state,
         fit: data.slip_within(places.clone(), positive, rise)?,
-        inside: beyond_slip(found, &places, positive)?,
+        inside: beyond_slip(found, bearing, &places, positive)?,
         places,
         positive,
         given: true,
@@ -137,6 +140,7 @@ impl Flank {
 fn recognised(
     found: &Analysed,
     contact: &Range<usize>,
+    bearing: usize,
     flank: Flank,
     rise: f64,
 ) -> Result<Option<SlipZone>, IdentifyError> {
@@ -145,7 +149,6 @@ fn recognised(
     }
     let margin = MARGIN * found.resolution * (1.0 - 1e-6);
     let angle = &found.angle;
-    let bearing = bearing(found, contact);
     let end = match flank {
         Flank::After => angle
             .partition_point(|a| *a <= angle[contact.end - 1] - margin)
@@ -206,24 +209,17 @@ fn surest(
     })
 }
 
-/// The place nearest to θ = 0, or the end of contact that is nearest to it.
-fn bearing(found: &Analysed, contact: &Range<usize>) -> usize {
-    let nearest = contact
-        .clone()
-        .min_by(|a, b| found.angle[*a].abs().total_cmp(&found.angle[*b].abs()));
-    nearest.unwrap_or(contact.start)
-}
-
 /// Places from where slip is recognised to end, beyond a stated zone or at its end, to the bearing point.
 fn beyond_slip(
     found: &Analysed,
+    bearing: Option<f64>,
     zone: &Range<usize>,
     positive: bool,
 ) -> Result<Range<usize>, IdentifyError> {
     let Some(contact) = found.contact() else {
         return Ok(0..0);
     };
-    let bearing = bearing(found, &contact);
+    let bearing = found.bearing_place(&contact, bearing);
     let after = bearing < zone.start;
     if !after && bearing < zone.end {
         return Ok(0..0);

@@ -302,6 +302,7 @@ pub(super) fn identify(
             "from 2 to 1000000",
         )?,
         seed: given.seed.unwrap_or(1),
+        bearing: given.bearing.as_ref().map(crate::units::Quantity::value),
         zones,
     })
 }

@@ -171,6 +171,8 @@ pub struct Identify {
     pub samples: usize,
     /// Its seed.
     pub seed: u64,
+    /// Where the contact bears `[rad]`; without it θ = 0, or what a contact that is wholly in sight shows.
+    pub bearing: Option<f64>,
     /// Slip zones given by hand; recognised where there are none for a state.
     pub zones: Vec<ZonePlan>,
 }

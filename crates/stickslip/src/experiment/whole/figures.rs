@@ -41,9 +41,7 @@ impl WholeSolution {
 }
 
 fn angles() -> Axis {
-    Axis::linear("angle from the bearing point [deg]")
-        .between(-180.0, 180.0)
-        .every(60.0)
+    Axis::linear("θ [deg]").between(-180.0, 180.0).every(60.0)
 }
 
 /// Pressure and shear of every state.

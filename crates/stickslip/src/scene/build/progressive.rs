@@ -48,7 +48,7 @@ impl Builder<'_> {
         let sheet = Arc::clone(self.sheet(&body, materials)?);
         let model = self.progressive_model(given, failure, &sheet);
         let crack_band = self.crack_band(given);
-        let control = self.control(given, &body, around);
+        let control = self.control(given, around);
         Some(Progressive {
             body,
             model: model?,
@@ -227,12 +227,7 @@ impl Builder<'_> {
         })
     }
 
-    fn control(
-        &mut self,
-        given: &ProgressiveFormat,
-        body: &str,
-        around: &Surroundings<'_>,
-    ) -> Option<Control> {
+    fn control(&mut self, given: &ProgressiveFormat, around: &Surroundings<'_>) -> Option<Control> {
         let table = child(TABLE, "control");
         match &given.control {
             ControlFormat::Loads(loads) => {
@@ -242,7 +237,7 @@ impl Builder<'_> {
                 })
             }
             ControlFormat::Displacement(displacement) => {
-                self.driven(&child(&table, "displacement"), displacement, body, around)
+                self.driven(&child(&table, "displacement"), displacement, around)
             }
         }
     }
@@ -259,7 +254,6 @@ impl Builder<'_> {
         &mut self,
         table: &str,
         given: &DisplacementFormat,
-        body: &str,
         around: &Surroundings<'_>,
     ) -> Option<Control> {
         self.increments(table, given.increments);
