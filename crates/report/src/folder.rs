@@ -35,17 +35,25 @@ use swap::SwapError;
 /// The file that says that results are complete; [`ResultFolder::finish`] writes it last.
 pub const MARKER: &str = "summary.json";
 
-/// Recognises results of versions that wrote no [`LIST`]: given the content of [`MARKER`], which files such results consist of, by
-/// their relative path; `None` if it is no summary of this program.
-pub type Older = fn(summary: &[u8]) -> Option<fn(&str) -> bool>;
+/// Recognises results by the content of [`MARKER`]; `None` if it is no summary of this program.
+pub type Known = fn(summary: &[u8]) -> Option<Results>;
+
+/// Whose results a folder holds.
+#[derive(Debug, Clone, Copy)]
+pub enum Results {
+    /// Those of the same command. Versions that wrote no [`LIST`] wrote the files for which this is true, by their relative path.
+    Same(fn(&str) -> bool),
+    /// Those of another one, such as "`stickslip run`".
+    Other(&'static str),
+}
 
 /// What to do with a result folder that is there already.
 #[derive(Debug, Clone, Copy)]
 pub enum Overwrite {
     /// Leave it and report an error.
     Refuse,
-    /// Replace it when the new results are complete, if this program wrote all that is in it.
-    Force(Older),
+    /// Replace it when the new results are complete, if this program wrote all that is in it, by the same command.
+    Force(Known),
 }
 
 /// A result folder being filled. Nothing is at its path before [`Self::finish`].
@@ -366,7 +374,7 @@ fn is_inside(name: &str) -> bool {
     normal && path.file_name().is_some() && !name.chars().any(char::is_control)
 }
 
-/// The files of the folder at `target`, all of which may be replaced; `None` where nothing is.
+/// The files and folders in the folder at `target`, all of which may be replaced; `None` where nothing is.
 fn check_target(
     target: &Path,
     overwrite: Overwrite,
@@ -375,26 +383,35 @@ fn check_target(
     if !exists(target) {
         return Ok(None);
     }
-    let Overwrite::Force(older) = overwrite else {
+    let Overwrite::Force(known) = overwrite else {
         return Err(FolderError::Exists {
             path: target.to_owned(),
         });
     };
     let failed = |cause| unwritable(target, cause);
-    let contents = match FileList::read(target).map_err(failed)? {
-        Some(list) if list.kind == Kind::Whole => Contents::of(target, &|name| list.holds(name)),
-        Some(_) => Contents::of(target, &|_| false),
-        None => {
-            let summary = small_file(&target.join(MARKER));
-            match summary.and_then(|summary| older(&summary)) {
-                Some(owned) => Contents::of(target, &owned),
-                None => Contents::of(target, &|_| false),
-            }
+    let found = small_file(&target.join(MARKER)).and_then(|summary| known(&summary));
+    let list = FileList::read(target).map_err(failed)?;
+    let other = match (found, &list) {
+        (Some(Results::Other(command)), _) => Some(command),
+        (_, Some(list)) if list.kind == Kind::Shared => {
+            Some("a command that replaces them one by one")
         }
+        _ => None,
+    };
+    if let Some(command) = other {
+        return Err(FolderError::OtherResults {
+            path: target.to_owned(),
+            command,
+        });
+    }
+    let contents = match (list, found) {
+        (Some(list), _) => Contents::of(target, &|name| list.holds(name)),
+        (None, Some(Results::Same(owned))) => Contents::of(target, &owned),
+        (None, _) => Contents::of(target, &|_| false),
     };
     let contents = contents.map_err(failed)?;
     if contents.foreign.is_empty() {
-        Ok(Some(contents.names(target)))
+        Ok(Some(contents.names_and_folders(target)))
     } else {
         Err(FolderError::Foreign {
             path: target.to_owned(),

@@ -8,14 +8,16 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use stickslip_report::folder::{
-    FolderError, LIST, MARKER, Overwrite, ResultFolder, SharedFolder, write_atomic,
+    FolderError, LIST, MARKER, Overwrite, ResultFolder, Results, SharedFolder, write_atomic,
 };
 
 /// Older results are known by a summary that says `ours` and by tables.
-const FORCE: Overwrite = Overwrite::Force(|summary| {
-    summary.starts_with(b"ours").then_some(|name: &str| {
+const FORCE: Overwrite = Overwrite::Force(|summary| match summary {
+    b"ours" => Some(Results::Same(|name| {
         Path::new(name).extension().is_some_and(|end| end == "csv") || name == MARKER
-    })
+    })),
+    b"theirs" => Some(Results::Other("`another command`")),
+    _ => None,
 });
 const TABLES: [&str; 3] = ["a.csv", "deep/b.csv", "deep/er/c.csv"];
 
@@ -118,6 +120,42 @@ fn a_summary_of_something_else_makes_no_results() {
     // A list that this program did not write says nothing.
     fs::write(target.join(LIST), "letter.odt\nsummary.json\n").unwrap();
     assert_eq!(foreign(&target).len(), 4);
+}
+
+#[test]
+fn results_of_another_command_are_not_replaced() {
+    let home = tempfile::tempdir().unwrap();
+    let target = home.path().join("results");
+    write(&target, "theirs");
+    let error = ResultFolder::create(&target, FORCE).unwrap_err();
+    assert!(matches!(error, FolderError::OtherResults { .. }), "{error}");
+    assert!(error.to_string().contains("`another command`"), "{error}");
+    assert_eq!(content(&target), "theirs");
+}
+
+#[test]
+fn a_folder_whose_files_the_user_deleted_is_still_replaced() {
+    let home = tempfile::tempdir().unwrap();
+    let target = home.path().join("results");
+    write(&target, "old");
+    fs::remove_file(target.join("deep/b.csv")).unwrap();
+    fs::remove_file(target.join("deep/er/c.csv")).unwrap();
+    write(&target, "new");
+    assert_eq!(content(&target), "new");
+}
+
+#[test]
+fn a_deletion_that_was_killed_is_ended_by_the_next_run() {
+    let home = tempfile::tempdir().unwrap();
+    let target = home.path().join("results");
+    write(&target, "old");
+    // The old results, as far as they were deleted.
+    let half = home.path().join(".results.partial-1-0");
+    fs::rename(&target, &half).unwrap();
+    fs::remove_file(half.join("deep/b.csv")).unwrap();
+    fs::remove_file(half.join("deep/er/c.csv")).unwrap();
+    write(&target, "new");
+    assert_eq!(names(home.path()), ["results".to_owned()].into());
 }
 
 #[test]
@@ -260,5 +298,6 @@ fn a_shared_folder_replaces_its_own_files_only() {
     assert!(shared.write("README.md", b"new").is_err());
     // It is no folder that a run may replace.
     drop(shared);
-    assert_eq!(foreign(&path).len(), 3);
+    let error = ResultFolder::create(&path, FORCE).unwrap_err();
+    assert!(matches!(error, FolderError::OtherResults { .. }), "{error}");
 }

@@ -29,6 +29,14 @@ pub enum FolderError {
         /// What is in the way, relative to the target; folders end in `/`.
         files: Vec<String>,
     },
+    /// The folder holds what another command computed.
+    #[error("'{}' holds results of {command}, which are not replaced; choose another folder", path.display())]
+    OtherResults {
+        /// The target.
+        path: PathBuf,
+        /// The command.
+        command: &'static str,
+    },
     /// Another process writes into the folder.
     #[error("another process writes into '{}'; wait for it or choose another folder", path.display())]
     Busy {

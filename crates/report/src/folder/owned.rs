@@ -73,9 +73,12 @@ impl FileList {
         text
     }
 
-    /// Whether this program wrote `name`, the list itself included.
+    /// Whether this program wrote `name`, the list itself included; of a name that ends in `/`, whether it wrote files there.
     pub(super) fn holds(&self, name: &str) -> bool {
-        name == LIST || self.names.contains(name)
+        let is_folder = name.ends_with('/');
+        name == LIST
+            || self.names.contains(name)
+            || (is_folder && self.names.iter().any(|own| own.starts_with(name)))
     }
 }
 
@@ -91,7 +94,7 @@ pub(super) struct Contents {
 
 impl Contents {
     /// Parts the entries of `folder` by `owned`, which is asked the path of each file relative to the folder, with `/` between
-    /// its parts. Links, devices and empty folders are foreign.
+    /// its parts, and of each empty folder, which ends in `/`. Links and devices are foreign.
     pub(super) fn of(folder: &Path, owned: &dyn Fn(&str) -> bool) -> io::Result<Self> {
         let mut contents = Self::default();
         contents.add(folder, "", owned)?;
@@ -116,12 +119,14 @@ impl Contents {
                 let place = self.folders.len();
                 self.folders.push(entry.path());
                 let before = self.foreign.len();
-                if self.add(&entry.path(), &format!("{relative}/"), owned)? {
+                let inner = relative + "/";
+                let has_owned = self.add(&entry.path(), &inner, owned)?;
+                if has_owned || (self.foreign.len() == before && owned(&inner)) {
                     any = true;
                 } else {
                     self.folders.truncate(place);
                     self.foreign.truncate(before);
-                    self.foreign.push(relative + "/");
+                    self.foreign.push(inner);
                 }
             } else if kind.is_file() && name.to_str().is_some() && owned(&relative) {
                 any = true;
@@ -135,13 +140,24 @@ impl Contents {
 
     /// Names of the files that are not foreign, relative to `folder`, which they were read from.
     pub(super) fn names(&self, folder: &Path) -> BTreeSet<String> {
-        let relative = |path: &PathBuf| {
-            let inner = path.strip_prefix(folder).ok()?;
-            let parts: Vec<&str> = inner.iter().filter_map(|part| part.to_str()).collect();
-            Some(parts.join("/"))
-        };
-        self.files.iter().filter_map(relative).collect()
+        let files = self.files.iter();
+        files.filter_map(|path| relative(path, folder)).collect()
     }
+
+    /// The same with the folders that are not foreign, which end in `/`.
+    pub(super) fn names_and_folders(&self, folder: &Path) -> BTreeSet<String> {
+        let mut names = self.names(folder);
+        let folders = self.folders.iter();
+        names.extend(folders.filter_map(|path| Some(relative(path, folder)? + "/")));
+        names
+    }
+}
+
+/// The path of an entry in the folder that is listed, with `/` between its parts.
+fn relative(path: &Path, folder: &Path) -> Option<String> {
+    let inner = path.strip_prefix(folder).ok()?;
+    let parts: Vec<&str> = inner.iter().filter_map(|part| part.to_str()).collect();
+    Some(parts.join("/"))
 }
 
 /// Deletes the owned files of `folder`, the folders that held them, and `folder` itself.
@@ -149,7 +165,11 @@ impl Contents {
 /// # Errors
 /// [`io::Error`] where something foreign is left in the folder or something cannot be deleted.
 pub(super) fn remove(folder: &Path, owned: &dyn Fn(&str) -> bool) -> io::Result<()> {
-    let contents = Contents::of(folder, owned)?;
+    let mut contents = Contents::of(folder, owned)?;
+    // Whoever is interrupted leaves the list, by which the rest is known.
+    contents
+        .files
+        .sort_by_key(|file| *file == folder.join(LIST));
     for file in &contents.files {
         gone(fs::remove_file(file))?;
     }

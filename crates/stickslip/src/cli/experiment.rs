@@ -13,7 +13,7 @@ use thiserror::Error;
 
 use super::console::Console;
 use super::failure::{CommandError, Failure};
-use super::folder::prepare;
+use super::folder::{Owner, prepare};
 use super::memory::limits;
 use super::run::located;
 use crate::diagnostic::{SceneError, SourceText};
@@ -72,7 +72,8 @@ pub(super) fn experiment(
         Experiment::from_file_within(&arguments.experiment, &arguments.overrides, limits())?;
     let path = arguments.folder();
     keep_apart(&experiment, &arguments.experiment, &path)?;
-    let folder = prepare(&path, arguments.force, console).map_err(KeepError::from)?;
+    let folder =
+        prepare(&path, arguments.force, Owner::Experiment, console).map_err(KeepError::from)?;
     let bar = bar(console);
     let told = tell(&experiment, depth, folder.path(), &mut |progress| {
         show(&bar, progress);

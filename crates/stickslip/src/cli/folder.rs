@@ -3,21 +3,31 @@
 use std::path::Path;
 
 use serde_json::Value;
-use stickslip_report::folder::{FolderError, Overwrite, ResultFolder};
+use stickslip_report::folder::{FolderError, Overwrite, ResultFolder, Results};
 
 use super::console::Console;
 use super::interrupt::guarded;
 
-/// Makes the folder for the results of a run or an experiment; what had to be put right of an earlier process is said.
+/// The commands whose results replace one another.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Owner {
+    /// `run`.
+    Run,
+    /// The chain of experiments, of which a deeper command repeats the earlier ones.
+    Experiment,
+}
+
+/// Makes the folder for the results of `owner`; what had to be put right of an earlier process is said.
 pub(super) fn prepare(
     path: &Path,
     force: bool,
+    owner: Owner,
     console: Console,
 ) -> Result<ResultFolder, FolderError> {
-    let overwrite = if force {
-        Overwrite::Force(older)
-    } else {
-        Overwrite::Refuse
+    let overwrite = match (force, owner) {
+        (false, _) => Overwrite::Refuse,
+        (true, Owner::Run) => Overwrite::Force(|summary| found(summary, Owner::Run)),
+        (true, Owner::Experiment) => Overwrite::Force(|summary| found(summary, Owner::Experiment)),
     };
     let folder = guarded(console, || ResultFolder::create(path, overwrite))?;
     for remark in folder.remarks() {
@@ -26,14 +36,18 @@ pub(super) fn prepare(
     Ok(folder)
 }
 
-/// Which files results of a version without a list of its files consist of, by the format that their summary names.
-fn older(summary: &[u8]) -> Option<fn(&str) -> bool> {
+/// Whose results a summary is of, by the format that it names, seen from `own`.
+fn found(summary: &[u8], own: Owner) -> Option<Results> {
+    const CHAIN: &str = "an experiment (`stickslip reduce`, `hybrid`, `identify` or `fringes`)";
     let summary: Value = serde_json::from_slice(summary).ok()?;
-    match summary.get("format")?.as_str()? {
-        "stickslip-summary" => Some(of_a_run),
-        "stickslip-experiment-summary" => Some(of_an_experiment),
-        _ => None,
-    }
+    Some(match (summary.get("format")?.as_str()?, own) {
+        ("stickslip-summary", Owner::Run) => Results::Same(of_a_run),
+        ("stickslip-summary", Owner::Experiment) => Results::Other("`stickslip run`"),
+        ("stickslip-experiment-summary", Owner::Experiment) => Results::Same(of_an_experiment),
+        ("stickslip-experiment-summary", Owner::Run) => Results::Other(CHAIN),
+        ("stickslip-sweep-summary", _) => Results::Other("`stickslip joint`"),
+        _ => return None,
+    })
 }
 
 fn of_a_run(name: &str) -> bool {

@@ -14,7 +14,7 @@ use super::SceneArguments;
 use super::console::Console;
 use super::experiment::{Kind, kind_of};
 use super::failure::{CommandError, Failure};
-use super::folder::prepare;
+use super::folder::{Owner, prepare};
 use super::located::locate;
 use crate::diagnostic::{SceneError, SceneProblem};
 use crate::output;
@@ -64,7 +64,8 @@ pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Fail
         return Err(CommandError::ExperimentGiven { path }.into());
     }
     let scene = arguments.scene.read()?;
-    let folder = prepare(&arguments.folder(), arguments.force, console).map_err(KeepError::from)?;
+    let folder = prepare(&arguments.folder(), arguments.force, Owner::Run, console)
+        .map_err(KeepError::from)?;
     let bar = bar(&scene, console);
     let solved = solve(&scene, &mut |progress| show(&bar, progress));
     bar.finish_and_clear();

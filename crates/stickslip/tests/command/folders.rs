@@ -50,6 +50,35 @@ fn files_of_others_are_named_and_kept() {
 }
 
 #[test]
+fn results_of_another_command_are_kept_with_its_name() {
+    let folder = folder_with("pin.toml", SCENE);
+    let path = folder.path();
+    succeeds(path, &["init", "experiment", "e.toml"]);
+    let reduce = ["reduce", "e.toml", "--output", "results", "--force"];
+    succeeds(path, &reduce);
+    // A deeper command of the same chain repeats it.
+    let region =
+        "region.sector={ angles = [\"-10 deg\", \"110 deg\"], outer = \"13 mm\", cells = [12, 4] }";
+    let hybrid = [
+        "hybrid", "e.toml", "--output", "results", "--force", "--set", region,
+    ];
+    succeeds(path, &hybrid);
+    for with_list in [true, false] {
+        let before = fs::read(path.join("results/summary.json")).unwrap();
+        let message = forced(path);
+        assert!(message.contains("`stickslip reduce`"), "{message}");
+        assert_eq!(fs::read(path.join("results/summary.json")).unwrap(), before);
+        if with_list {
+            fs::remove_file(path.join("results/.stickslip-files")).unwrap();
+        }
+    }
+    fs::remove_dir_all(path.join("results")).unwrap();
+    succeeds(path, &RUN);
+    let message = fails(path, &reduce);
+    assert!(message.contains("results of `stickslip run`"), "{message}");
+}
+
+#[test]
 fn results_of_older_versions_are_known_by_their_names() {
     let folder = folder_with("pin.toml", SCENE);
     let path = folder.path();
