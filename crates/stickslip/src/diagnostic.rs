@@ -118,9 +118,40 @@ impl Diagnostic for Finding {
         } else {
             &self.key
         };
-        let label = LabeledSpan::new(Some(label.to_owned()), span.start, span.len());
+        let length = self.source.shown(&span).len();
+        let label = LabeledSpan::new(Some(label.to_owned()), span.start, length);
         Some(Box::new(std::iter::once(label)))
     }
+}
+
+impl SourceText {
+    /// The last boundary of characters up to `at`.
+    fn boundary(&self, at: usize) -> usize {
+        let mut places = (0..=at.min(self.text.len())).rev();
+        // There is one at 0.
+        places
+            .find(|&place| self.text.is_char_boundary(place))
+            .unwrap_or(0)
+    }
+
+    /// The part of a span that is marked: its beginning, where it lies in long lines.
+    fn shown(&self, span: &Span) -> Span {
+        let end = if has_long_lines(self.text.get(span.clone()).unwrap_or_default()) {
+            self.boundary(span.start + BESIDE)
+        } else {
+            span.end
+        };
+        span.start..end
+    }
+}
+
+/// Bytes of the longest line that is shown whole; [`miette`] panics from 65536 columns on.
+const LONGEST_LINE: usize = 1000;
+/// Bytes that are shown of long lines, of a span and on either side of it.
+const BESIDE: usize = 100;
+
+fn has_long_lines(text: &str) -> bool {
+    text.lines().any(|line| line.len() > LONGEST_LINE)
 }
 
 impl SourceCode for SourceText {
@@ -131,13 +162,27 @@ impl SourceCode for SourceText {
         lines_after: usize,
     ) -> Result<Box<dyn miette::SpanContents<'a> + 'a>, miette::MietteError> {
         let inner = self.text.read_span(span, lines_before, lines_after)?;
+        let (mut from, mut line, mut column) =
+            (inner.span().offset(), inner.line(), inner.column());
+        let mut to = from + inner.span().len();
+        let text = self.text.get(from..to).unwrap_or_default();
+        if has_long_lines(text) {
+            let begin = self.boundary(span.offset().saturating_sub(BESIDE));
+            if begin > from {
+                line += self.text[from..begin].matches('\n').count();
+                (from, column) = (begin, 0);
+            }
+            let end = span.offset() + span.len() + BESIDE;
+            to = to.min(self.boundary(end));
+        }
+        let part = &self.text.as_bytes()[from..to];
         Ok(Box::new(miette::MietteSpanContents::new_named(
             self.name.clone(),
-            inner.data(),
-            *inner.span(),
-            inner.line(),
-            inner.column(),
-            inner.line_count(),
+            part,
+            (from, part.len()).into(),
+            line,
+            column,
+            part.split(|&byte| byte == b'\n').count(),
         )))
     }
 }

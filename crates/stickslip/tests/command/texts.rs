@@ -39,6 +39,27 @@ fn control_characters_in_a_file_are_refused_at_their_line() {
 }
 
 #[test]
+fn errors_in_long_lines_show_what_is_beside_them() {
+    let folder = folder_with("pin.toml", SCENE);
+    let path = folder.path();
+    let long = "é".repeat(50_000);
+    let toml = format!("{SCENE}title2 = \"{long}\"\n");
+    let before = format!("{{\"description\": \"{long}\", \"version\": 1, \"bodis\": {{}}}}");
+    let value = format!("{{\"version\": 1, \"bodies\": [\"{long}\"]}}");
+    for (name, text, place) in [
+        ("after.toml", &toml, "title2 = \"é"),
+        ("before.json", &before, "\"bodis\": {}"),
+        ("value.json", &value, "\"bodies\": [\"é"),
+    ] {
+        fs::write(path.join(name), text).unwrap();
+        let message = fails(path, &["check", name]);
+        let longest = message.lines().map(|line| line.chars().count()).max();
+        assert!(message.contains(place), "{name}: {message}");
+        assert!(longest < Some(500), "{name}: {longest:?} columns");
+    }
+}
+
+#[test]
 fn control_characters_from_elsewhere_are_written_out() {
     let folder = folder_with("pin.toml", SCENE);
     let path = folder.path();
