@@ -123,3 +123,21 @@ fn a_mesh_that_reaches_beyond_the_data_is_refused_by_every_method_with_the_place
         }
     }
 }
+
+#[test]
+fn headers_with_other_sizes_of_numbers_are_refused() {
+    let folder = folder_with(&[]);
+    let path = folder.path();
+    succeeds(path, &["init", "experiment", "mine.toml"]);
+    let mesh = "region={ mesh = { file = \"region.msh\", scale = \"1 mm\" } }";
+    let endless = "9".repeat(80);
+    for header in [
+        format!("4.1 0 {endless}"),
+        "4.1 1 3\n\u{1}\0\0\0".to_owned(),
+    ] {
+        let text = polar(1.0, OUTER).replacen("4.1 0 8", &header, 1);
+        fs::write(path.join("region.msh"), text).unwrap();
+        let error = fails(path, &["hybrid", "mine.toml", "--set", mesh]);
+        assert!(error.contains("no mesh of Gmsh's format 4.1"), "{error}");
+    }
+}

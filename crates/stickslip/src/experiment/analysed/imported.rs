@@ -19,6 +19,25 @@ use crate::model::BYTES_PER_NODE;
 /// Part of the radius by which a node may be off the hole.
 const ON_HOLE: f64 = 1e-3;
 
+/// Whether every header is one of format 4.1 that [`parse_msh_bytes`] reads: it panics where numbers have other sizes than 4 or 8 bytes.
+fn has_header(bytes: &[u8]) -> bool {
+    const BEGIN: &[u8] = b"$MeshFormat";
+    let after = |place: usize| &bytes[place + BEGIN.len()..];
+    let is_read = |rest: &[u8]| {
+        let words = rest.split(u8::is_ascii_whitespace);
+        let mut words = words.filter(|word| !word.is_empty());
+        words.next().is_some()
+            && matches!(words.next(), Some(b"0" | b"1"))
+            && matches!(words.next(), Some(b"4" | b"8"))
+    };
+    let mut headers = bytes
+        .windows(BEGIN.len())
+        .enumerate()
+        .filter(|(_, found)| *found == BEGIN)
+        .map(|(place, _)| after(place));
+    headers.all(is_read)
+}
+
 /// The mesh of `plan`, its edges on `hole` in the set `edge`.
 ///
 /// # Errors
@@ -37,8 +56,11 @@ pub(super) fn mesh(
     };
     let bytes = limits.read(&plan.file, Content::Table);
     let bytes = bytes.map_err(|cause| unreadable(cause.to_string()))?;
-    let file = parse_msh_bytes(&bytes)
-        .map_err(|_| unreadable("it is no mesh of Gmsh's format 4.1".to_owned()))?;
+    let other = || unreadable("it is no mesh of Gmsh's format 4.1".to_owned());
+    if !has_header(&bytes) {
+        return Err(other());
+    }
+    let file = parse_msh_bytes(&bytes).map_err(|_| other())?;
     let parts = parts(&file, plan.scale).map_err(unreadable)?;
     let memory = parts.nodes.len() as f64 * BYTES_PER_NODE;
     limits
