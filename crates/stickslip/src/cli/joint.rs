@@ -23,6 +23,7 @@ use super::failure::Failure;
 use super::folder::of_a_sweep;
 use super::interrupt::{INTERRUPTED, flag};
 use super::memory::limits;
+use crate::limits::Content;
 use crate::sweep::engine::run;
 use crate::sweep::figures::{Drawing, draw};
 use crate::sweep::page::{Account, page};
@@ -71,6 +72,16 @@ enum JointError {
         help("check that the folder and its files can be read and written")
     )]
     File { path: String, cause: String },
+    #[error("'{path}' cannot be written: {cause}")]
+    #[diagnostic(
+        code(joint::table),
+        help("make room on the disk, and go on with --resume")
+    )]
+    Table {
+        path: String,
+        #[source]
+        cause: csv::Error,
+    },
     #[error("the figure '{name}' cannot be drawn as PNG: {cause}")]
     #[diagnostic(code(joint::picture))]
     Picture {
@@ -129,7 +140,13 @@ pub(super) fn joint(arguments: &JointArguments, console: Console) -> Result<(), 
     });
     drop(writer);
     bar.finish_and_clear();
-    let effort = ended.map_err(JointError::from)?;
+    let effort = ended.map_err(|error| match error {
+        SweepError::Write { cause } => JointError::Table {
+            path: path.display().to_string(),
+            cause,
+        },
+        error => error.into(),
+    })?;
     rows.sort_by_key(|row| row.case);
     let account = Account {
         seconds: start.elapsed().as_secs_f64(),
@@ -190,11 +207,14 @@ fn open(
         if !resume {
             return Err(JointError::Exists { path: shown });
         }
-        let read = |path: &Path| fs::read_to_string(path).map_err(|cause| file(path, &cause));
-        check_identity(sweep, &read(&identity)?)?;
+        let read = |path: &Path, content| {
+            let text = limits().read_text(path, content);
+            text.map_err(|cause| file(path, &cause))
+        };
+        check_identity(sweep, &read(&identity, Content::Document)?)?;
         // A sweep that ended before its first row has no table yet.
         if table.is_file() {
-            rows = table::read(sweep, &read(&table)?)?;
+            rows = table::read(sweep, &read(&table, Content::Table)?)?;
         }
     } else if others.next().is_some() {
         return Err(JointError::NotASweep { path: shown });
