@@ -36,6 +36,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use clap::Args;
+use stickslip_report::folder::write_atomic;
 
 use check::{Check, Checks, Verdict};
 use laboratory::{Laboratory, Size, Trouble};
@@ -258,8 +259,8 @@ pub(crate) fn main(options: &Options) -> ExitCode {
     eprintln!("{:.0} s", start.elapsed().as_secs_f64());
     if options.write {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/validation.md");
-        if let Err(cause) = std::fs::write(&path, render::markdown(&outcomes)) {
-            eprintln!("{}: {cause}", path.display());
+        if let Err(cause) = write_atomic(&path, render::markdown(&outcomes).as_bytes()) {
+            eprintln!("{cause}");
             return ExitCode::FAILURE;
         }
     }
