@@ -47,9 +47,19 @@ enum Task {
     MeshDependence(publish::Options),
     /// Tries random cases, and checks them by what holds whatever the answer is; fails if a check does.
     Torture(torture::Options),
+    /// Reads a batch of mutants; what `torture` starts in a process of its own.
+    #[command(hide = true)]
+    TortureReaders(torture::readers::Batch),
 }
 
+/// The name under which this program is the command, for trials that start it.
+pub(crate) const COMMAND: &str = "stickslip";
+
 fn main() -> ExitCode {
+    let name = std::env::args_os().next().unwrap_or_default();
+    if std::path::Path::new(&name).ends_with(COMMAND) {
+        return stickslip::cli::main();
+    }
     match Arguments::parse().task {
         Task::Validate(options) => validate::main(&options),
         Task::Chart(options) => chart::main(&options),
@@ -60,5 +70,6 @@ fn main() -> ExitCode {
         Task::HybridNoise(options) => hybrid_noise::main(&options),
         Task::MeshDependence(options) => mesh_dependence::main(&options),
         Task::Torture(options) => torture::main(&options),
+        Task::TortureReaders(batch) => torture::readers::child(&batch),
     }
 }

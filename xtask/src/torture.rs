@@ -5,9 +5,11 @@
 //! ```
 
 mod open;
+pub(crate) mod readers;
 mod record;
 mod scenes;
 mod trial;
+mod writers;
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -42,9 +44,12 @@ pub(crate) struct Options {
     /// Folder for failures.
     #[arg(long, value_name = "FOLDER", default_value = "target/torture")]
     output: PathBuf,
-    /// Keep the counts in docs/torture.md.
+    /// Keep the counts in docs/torture and docs/torture.md; those of kinds that are not tried stay.
     #[arg(long)]
     write: bool,
+    /// Write docs/torture.md from the counts that are kept, and try nothing.
+    #[arg(long)]
+    page: bool,
     /// Ask scenes that failed again, and nothing else.
     #[arg(long, value_name = "FILE", num_args = 1..)]
     replay: Vec<PathBuf>,
@@ -68,9 +73,13 @@ fn seeds(text: &str) -> Result<Range<u64>, String> {
 
 /// All kinds of trial; what is drawn, and which checks are made, is theirs.
 fn kinds(options: &Options) -> Vec<Box<dyn Kind>> {
-    vec![Box::new(scenes::Scenes {
-        shrinks: !options.quick,
-    })]
+    vec![
+        Box::new(scenes::Scenes {
+            shrinks: !options.quick,
+        }),
+        Box::new(readers::Readers),
+        Box::new(writers::Writers),
+    ]
 }
 
 /// Runs the trials; fails where a check did.
@@ -90,6 +99,10 @@ fn torture(options: &Options) -> Result<bool, Trouble> {
         return replay(&options.replay);
     }
     let all = kinds(options);
+    if options.page {
+        Record::kept(&all)?.write(&all)?;
+        return Ok(true);
+    }
     let all_kinds = all.iter().map(AsRef::as_ref);
     let wanted = |kind: &&dyn Kind| options.only.as_ref().is_none_or(|only| only == kind.name());
     let chosen: Vec<&dyn Kind> = all_kinds.filter(wanted).collect();
@@ -101,22 +114,29 @@ fn torture(options: &Options) -> Result<bool, Trouble> {
         )
         .into());
     }
-    let mut record = if options.write {
-        Record::kept()?
-    } else {
-        Record::default()
-    };
     let mut clean = true;
+    let mut runs = Vec::new();
     for kind in &chosen {
+        if let Some(what) = kind.lacks() {
+            eprintln!("{} are NOT TRIED: {what}", kind.name());
+            // The continuous check goes on without, for machines that cannot.
+            clean &= options.quick && options.only.is_none();
+            continue;
+        }
         let share = options
             .minutes
             .map(|minutes| Duration::from_secs_f64(60.0 * minutes / chosen.len() as f64));
         let (run, failures) = tried(*kind, options, share);
         print!("{}", run.markdown(*kind));
         clean &= keep(kind.name(), &failures, &options.output)?;
-        record.put(kind.name(), run);
+        runs.push((kind.name(), run));
     }
     if options.write {
+        // Read now, because another process may have tried other kinds meanwhile.
+        let mut record = Record::kept(&all)?;
+        for (kind, run) in runs {
+            record.put(kind, run);
+        }
         record.write(&all)?;
     }
     Ok(clean)

@@ -1,4 +1,4 @@
-//! The counts of all kinds: kept as JSON beside the documents, and shown as a page.
+//! The counts of all kinds: kept beside the documents, each kind in a file of its own, and shown together as a page.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -12,7 +12,7 @@ use super::trial::{Counts, Kind};
 use crate::publish::Trouble;
 
 /// Counts by kind, with the seeds that they come from.
-#[derive(Debug, Default, Serialize, Deserialize)]
+#[derive(Debug, Default)]
 pub(super) struct Record(BTreeMap<String, Run>);
 
 /// One kind's run.
@@ -27,25 +27,45 @@ fn docs() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs")
 }
 
+fn file_of(kind: &str) -> PathBuf {
+    docs().join(format!("torture/{kind}.json"))
+}
+
 impl Record {
-    /// The record that lies beside the documents; an empty one if there is none.
-    pub(super) fn kept() -> Result<Self, Trouble> {
-        match std::fs::read(docs().join("torture.json")) {
-            Ok(bytes) => Ok(serde_json::from_slice(&bytes)?),
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(Self::default()),
-            Err(error) => Err(error.into()),
+    /// The runs that lie beside the documents.
+    pub(super) fn kept(kinds: &[Box<dyn Kind>]) -> Result<Self, Trouble> {
+        let mut record = Self::default();
+        for kind in kinds {
+            match std::fs::read(file_of(kind.name())) {
+                Ok(bytes) => {
+                    let run = serde_json::from_slice(&bytes)?;
+                    record.0.insert(kind.name().to_owned(), run);
+                }
+                Err(error) if error.kind() == std::io::ErrorKind::NotFound => {}
+                Err(error) => return Err(error.into()),
+            }
+        }
+        Ok(record)
+    }
+
+    /// Puts the run of a kind in the place of its last one, or adds it to that if its seeds are the next ones.
+    pub(super) fn put(&mut self, kind: &str, run: Run) {
+        match self.0.get_mut(kind) {
+            Some(last) if last.seeds[1] == run.seeds[0] && run.seeds[0] > 0 => {
+                last.seeds[1] = run.seeds[1];
+                last.counts.add(&run.counts);
+            }
+            _ => drop(self.0.insert(kind.to_owned(), run)),
         }
     }
 
-    /// Puts the run of a kind in the place of its last one.
-    pub(super) fn put(&mut self, kind: &str, run: Run) {
-        self.0.insert(kind.to_owned(), run);
-    }
-
-    /// Writes record and page beside the documents.
+    /// Writes the runs, and a page of them all, beside the documents.
     pub(super) fn write(&self, kinds: &[Box<dyn Kind>]) -> Result<(), Trouble> {
-        let text = serde_json::to_string_pretty(self)? + "\n";
-        write_atomic(&docs().join("torture.json"), text.as_bytes())?;
+        std::fs::create_dir_all(docs().join("torture"))?;
+        for (kind, run) in &self.0 {
+            let text = serde_json::to_string_pretty(run)? + "\n";
+            write_atomic(&file_of(kind), text.as_bytes())?;
+        }
         write_atomic(&docs().join("torture.md"), self.page(kinds).as_bytes())?;
         Ok(())
     }
@@ -128,5 +148,34 @@ impl Run {
             );
         }
         text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn run(seeds: [u64; 2], trials: u64) -> Run {
+        let counts = Counts {
+            trials,
+            ..Counts::default()
+        };
+        Run { seeds, counts }
+    }
+
+    #[test]
+    fn a_run_is_added_to_the_seeds_before_it_and_replaces_any_others() {
+        let mut record = Record::default();
+        record.put("other", run([0, 2], 2));
+        for (seeds, trials, kept) in [
+            ([0, 10], 10, ([0, 10], 10)),
+            ([10, 30], 20, ([0, 30], 30)),
+            ([0, 7], 7, ([0, 7], 7)),
+        ] {
+            record.put("kind", run(seeds, trials));
+            let found = &record.0["kind"];
+            assert_eq!((found.seeds, found.counts.trials), kept);
+        }
+        assert_eq!(record.0["other"].seeds, [0, 2]);
     }
 }

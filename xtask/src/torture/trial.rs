@@ -16,6 +16,11 @@ pub(crate) trait Kind: Sync {
     /// Each check by its name with what it demands, in the order of the page.
     fn checks(&self) -> Vec<(&'static str, &'static str)>;
 
+    /// What keeps this kind from being tried on this machine.
+    fn lacks(&self) -> Option<String> {
+        None
+    }
+
     /// Tries what `seed` draws. Equal seeds give equal trials, on any thread.
     fn trial(&self, seed: u64) -> Trial;
 }
