@@ -79,7 +79,8 @@ fn a_turned_specimen_has_the_same_friction() {
             Some(rest) => rest.to_owned(),
             None => format!("-{text}"),
         };
-        turned += &format!("{},{x},{},{u}\n", minus(y), minus(v));
+        turned += &[&minus(y), x, &minus(v), u].join(",");
+        turned.push('\n');
     }
     std::fs::write(path.join("turned.csv"), turned).unwrap();
     let friction = |file: &str, angles: [i32; 2], further: &[&str]| {
