@@ -141,10 +141,11 @@ pub fn write(
     figures: bool,
 ) -> Result<PathBuf, OutputError> {
     check(results)?;
-    let (tables, mut notes) = csv_files::files(results)?;
+    let mut put = |name: &str, bytes: &[u8]| Ok(folder.write(name, bytes)?);
+    let mut notes = csv_files::files(results, &mut put)?;
     let (fields, field_notes) = vtk_files::files(results)?;
     notes.extend(field_notes);
-    for (name, bytes) in tables.iter().chain(&fields) {
+    for (name, bytes) in &fields {
         folder.write(name, bytes)?;
     }
     let (drawings, failures) = if figures {

@@ -11,9 +11,12 @@ use crate::results::{EdgeRow, Results};
 /// A file's name and bytes.
 pub(super) type File = (String, Vec<u8>);
 
-/// All CSV files, and what they hold.
-pub(super) fn files(results: &Results) -> Result<(Vec<File>, Vec<FileNote>), OutputError> {
-    let mut files = vec![("steps.csv".to_owned(), steps(results)?)];
+/// Takes a file's name and bytes.
+pub(super) type Put<'a> = dyn FnMut(&str, &[u8]) -> Result<(), OutputError> + 'a;
+
+/// Hands all CSV files to `put`, one after the other, because those of a long history are many; what they hold.
+pub(super) fn files(results: &Results, put: &mut Put<'_>) -> Result<Vec<FileNote>, OutputError> {
+    put("steps.csv", &steps(results)?)?;
     let mut notes = vec![FileNote::new(
         "steps.csv",
         "one row per load step: loads, extents, peaks, residuals",
@@ -22,10 +25,8 @@ pub(super) fn files(results: &Results) -> Result<(Vec<File>, Vec<FileNote>), Out
     for edge in EdgeView::all(results) {
         let name = names.unique(&format!("edge-{}", edge.geometry.name));
         for step in 0..results.steps.len() {
-            files.push((
-                format!("{}.csv", step_name(&name, step, results)),
-                edge_table(&edge, step)?,
-            ));
+            let file = format!("{}.csv", step_name(&name, step, results));
+            put(&file, &edge_table(&edge, step)?)?;
         }
         let pattern = format!("{name}-step-*.csv");
         let what = if edge.geometry.contact {
@@ -36,9 +37,11 @@ pub(super) fn files(results: &Results) -> Result<(Vec<File>, Vec<FileNote>), Out
         notes.push(FileNote::new(pattern, what));
     }
     let (tables, about) = failure::csv_files::files(results)?;
-    files.extend(tables);
+    for (name, bytes) in tables {
+        put(&name, &bytes)?;
+    }
     notes.extend(about);
-    Ok((files, notes))
+    Ok(notes)
 }
 
 pub(super) fn write(
