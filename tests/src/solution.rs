@@ -50,7 +50,7 @@ impl Solution {
     pub fn contact_forces(&self, body: usize, record: &StepRecord) -> Vec<f64> {
         let count = self.solved.operators[body].interface().points().len();
         self.solved
-            .problem
+            .interface
             .forces_on_body(body, count, &record.state.forces)
     }
 
@@ -62,7 +62,7 @@ impl Solution {
         let motions = record
             .state
             .rigid
-            .rows_range(self.solved.problem.body_modes(body));
+            .rows_range(self.solved.interface.body_modes(body));
         condensed.displacements(
             &self.contact_forces(body, record),
             &record.state.multipliers,

@@ -1,6 +1,6 @@
 //! Equilibrium of a step, reported and never assumed.
 
-use crate::problem::InterfaceProblem;
+use crate::problem::{Contacts, InterfaceProblem};
 use crate::state::ContactState;
 
 /// Part of the largest forces on a body in the history that its forces in a step are at least measured by: below that, what is left
@@ -38,9 +38,9 @@ pub struct PairSums {
 
 impl PairSums {
     /// The sums of every pair in `state`.
-    pub fn of(problem: &InterfaceProblem, state: &ContactState) -> Vec<Self> {
-        let mut sums = vec![Self::default(); problem.pairs().len()];
-        for (k, point) in problem.points().iter().enumerate() {
+    pub fn of(contacts: &Contacts, state: &ContactState) -> Vec<Self> {
+        let mut sums = vec![Self::default(); contacts.pairs().len()];
+        for (k, point) in contacts.points().iter().enumerate() {
             let (normal, tangential) = (state.normal_force(k), state.tangential_force(k));
             let [pressing, shearing] = point.actions;
             let action = |i: usize| normal * pressing[i] + tangential * shearing[i];
@@ -113,7 +113,7 @@ impl FloatingBalance {
 impl Audit {
     /// Audits `state`.
     pub fn of(problem: &InterfaceProblem, state: &ContactState) -> Self {
-        let pairs = PairSums::of(problem, state);
+        let pairs = PairSums::of(problem.contacts(), state);
         let bodies = (0..problem.body_count())
             .filter_map(|body| FloatingBalance::of(problem, state, &pairs, body))
             .collect();
@@ -140,14 +140,24 @@ impl Audit {
     }
 }
 
-/// Measures the balance of each body in all of `audits`, those of one history, by its forces there.
-pub(crate) fn measure<'a>(audits: impl IntoIterator<Item = &'a mut Audit>) {
-    let mut audits: Vec<&mut Audit> = audits.into_iter().collect();
-    for body in 0..audits.first().map_or(0, |audit| audit.bodies.len()) {
-        let scales = audits.iter().map(|audit| audit.bodies[body].scale);
-        let largest = scales.fold(0.0, f64::max);
-        for audit in &mut audits {
-            audit.bodies[body].measured_by(largest);
+/// The largest scale of each floating body in the audits of one history `[force]`.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct LargestScales(Vec<f64>);
+
+impl LargestScales {
+    /// Takes `audit` into account, and measures its balance by the largest scales so far.
+    pub(crate) fn add(&mut self, audit: &mut Audit) {
+        self.0.resize(audit.bodies.len(), 0.0);
+        for (largest, body) in self.0.iter_mut().zip(&audit.bodies) {
+            *largest = largest.max(body.scale);
+        }
+        self.measure(audit);
+    }
+
+    /// Measures the balance of each body in `audit` by its largest scale.
+    pub(crate) fn measure(&self, audit: &mut Audit) {
+        for (largest, body) in self.0.iter().zip(&mut audit.bodies) {
+            body.measured_by(*largest);
         }
     }
 }

@@ -45,8 +45,11 @@ pub enum ContactError {
         step: usize,
         /// Fraction of the step's increment that was reached.
         reached: f64,
+        /// Indices of the bodies whose contact was not solved, where others do not depend on them; empty for all. The points and rigid
+        /// motions in `cause` are those of these bodies alone.
+        bodies: Vec<usize>,
         /// What the last attempt said.
         #[source]
-        cause: StepFailure,
+        cause: Box<StepFailure>,
     },
 }

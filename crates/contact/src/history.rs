@@ -1,15 +1,19 @@
-//! Load histories: from one load step to the next by sub-steps, cut back where a solver fails.
+//! Load histories: from one load step to the next by sub-steps, cut back where a solver fails. The parts of an [`Interface`] walk each
+//! step side by side and are cut back each for itself; a history ends where the first of them does.
 
 mod frictionless;
 mod increment;
+mod merged;
 mod otherwise;
 mod recovery;
 
 use nalgebra::DVector;
+use rayon::prelude::*;
 
-use crate::audit::{Audit, measure};
+use crate::audit::{Audit, LargestScales};
 use crate::error::ContactError;
 use crate::freedom::loose_pairs;
+use crate::interface::{Interface, Part};
 use crate::problem::InterfaceProblem;
 use crate::solver::{FailureCause, InterfaceSolver, Residuals, Step, StepFailure, Work};
 use crate::state::ContactState;
@@ -92,7 +96,7 @@ impl LoadHistory {
         }
     }
 
-    /// Walks the history with `solver`; `observe` sees each record as soon as its step is accepted.
+    /// Walks the history of one problem with `solver`; `observe` sees each record as soon as its step is accepted.
     ///
     /// # Errors
     /// [`ContactError::InvalidLoad`] if the problem has another number of load cases; [`ContactError::StepFailed`] with
@@ -103,25 +107,73 @@ impl LoadHistory {
         solver: &dyn InterfaceSolver,
         mut observe: impl FnMut(&StepRecord),
     ) -> Result<Vec<StepRecord>, ContactError> {
-        let mut state = ContactState::unloaded(problem);
-        let mut records: Vec<StepRecord> = Vec::with_capacity(self.steps.len());
+        let observe = |records: &[StepRecord]| records.iter().for_each(&mut observe);
+        let steps = self.follow_all(&[problem], solver, observe);
+        let steps = steps.map_err(|ended| *ended.error)?;
+        Ok(steps.into_iter().flatten().collect())
+    }
+
+    /// Walks the history of all parts of `interface` with `solver`, one record of the whole for each step; `observe` is called as soon
+    /// as a step is accepted. The result does not depend on the number of threads.
+    ///
+    /// # Errors
+    /// As [`follow`](Self::follow), for the part that comes to its end first, with its bodies.
+    pub fn follow_parts(
+        &self,
+        interface: &Interface,
+        solver: &dyn InterfaceSolver,
+        mut observe: impl FnMut(),
+    ) -> Result<Vec<StepRecord>, ContactError> {
+        let problems: Vec<&InterfaceProblem> =
+            interface.parts().iter().map(Part::problem).collect();
+        let steps = self.follow_all(&problems, solver, |_| observe());
+        let steps = steps.map_err(|ended| interface.ended(ended.part, *ended.error))?;
+        Ok(steps
+            .into_iter()
+            .map(|records| interface.merged(records))
+            .collect())
+    }
+
+    /// The records of each step, one for each of `problems`; or the problem that comes to its end first, and why.
+    fn follow_all(
+        &self,
+        problems: &[&InterfaceProblem],
+        solver: &dyn InterfaceSolver,
+        mut observe: impl FnMut(&[StepRecord]),
+    ) -> Result<Vec<Vec<StepRecord>>, Ended> {
+        let unloaded: Vec<ContactState> = problems
+            .iter()
+            .map(|problem| ContactState::unloaded(problem))
+            .collect();
+        let mut scales = vec![LargestScales::default(); problems.len()];
+        let mut steps: Vec<Vec<StepRecord>> = Vec::with_capacity(self.steps.len());
         for (index, target) in self.steps.iter().enumerate() {
-            if target.len() != problem.load_cases() {
-                let what = format!(
-                    "{} multipliers for {} load cases",
-                    target.len(),
-                    problem.load_cases()
-                );
-                return Err(ContactError::InvalidLoad { step: index, what });
+            let last = steps.last();
+            let walked = each(problems, |part, problem| {
+                let start = last.map_or(&unloaded[part], |records| &records[part].state);
+                self.walk(problem, solver, start, index, target)
+            });
+            let mut records = all_or_first_end(walked)?;
+            for (record, scales) in records.iter_mut().zip(&mut scales) {
+                scales.add(&mut record.audit);
             }
-            let record = self.walk(problem, solver, &state, index, target)?;
-            state = record.state.clone();
-            records.push(record);
-            measure(records.iter_mut().map(|record| &mut record.audit));
-            records.last().into_iter().for_each(&mut observe);
+            observe(&records);
+            steps.push(records);
         }
-        estimate_uniqueness(problem, &mut records);
-        Ok(records)
+        for records in &mut steps {
+            for (record, scales) in records.iter_mut().zip(&scales) {
+                scales.measure(&mut record.audit);
+            }
+        }
+        let bounds = each(problems, |part, problem| {
+            estimate_uniqueness(problem, steps.iter().map(|records| &records[part]))
+        });
+        for (part, bound) in bounds.into_iter().enumerate() {
+            if let Some((step, bound)) = bound {
+                steps[step][part].uniqueness = bound;
+            }
+        }
+        Ok(steps)
     }
 
     /// Fraction of a step's increment that is applied after the part `k` of it.
@@ -160,6 +212,11 @@ impl LoadHistory {
         index: usize,
         target: &[f64],
     ) -> Result<StepRecord, ContactError> {
+        if target.len() != problem.load_cases() {
+            let (given, cases) = (target.len(), problem.load_cases());
+            let what = format!("{given} multipliers for {cases} load cases");
+            return Err(ContactError::InvalidLoad { step: index, what });
+        }
         let mut walk = Walk::new(start.clone());
         let whole = 1.0 / self.substeps as f64;
         for substep in 0..self.substeps {
@@ -189,7 +246,8 @@ impl LoadHistory {
                         return Err(ContactError::StepFailed {
                             step: index,
                             reached,
-                            cause,
+                            bodies: Vec::new(),
+                            cause: Box::new(cause),
                         });
                     }
                 }
@@ -199,16 +257,65 @@ impl LoadHistory {
     }
 }
 
-/// Estimates the bound of uniqueness at the end of the step in which most points touch, the last of equal ones: it costs more
-/// than an interface solve, and tells nothing new of fewer points under the same law.
-fn estimate_uniqueness(problem: &InterfaceProblem, records: &mut [StepRecord]) {
-    let touching = |record: &&mut StepRecord| {
+/// `of` each of `problems` with its number, side by side where there are several.
+fn each<T: Send>(
+    problems: &[&InterfaceProblem],
+    of: impl Fn(usize, &InterfaceProblem) -> T + Sync,
+) -> Vec<T> {
+    match problems {
+        [only] => vec![of(0, only)],
+        _ => problems
+            .par_iter()
+            .enumerate()
+            .map(|(part, problem)| of(part, problem))
+            .collect(),
+    }
+}
+
+/// Where a history ends before its last step.
+struct Ended {
+    /// Number of the problem.
+    part: usize,
+    error: Box<ContactError>,
+}
+
+/// All records, or the part that reached least of the step, one with a proof before others.
+fn all_or_first_end(
+    walked: Vec<Result<StepRecord, ContactError>>,
+) -> Result<Vec<StepRecord>, Ended> {
+    let key = |error: &ContactError| match error {
+        ContactError::StepFailed { reached, cause, .. } => (*reached, cause.is_unresolved()),
+        _ => (-1.0, false),
+    };
+    let mut records = Vec::with_capacity(walked.len());
+    let mut end: Option<Ended> = None;
+    for (part, outcome) in walked.into_iter().enumerate() {
+        match outcome {
+            Ok(record) => records.push(record),
+            Err(error) => {
+                let first = |other: &Ended| key(&error) < key(&other.error);
+                if end.as_ref().is_none_or(first) {
+                    let error = Box::new(error);
+                    end = Some(Ended { part, error });
+                }
+            }
+        }
+    }
+    end.map_or(Ok(records), Err)
+}
+
+/// The step in which most points touch, the last of equal ones, and its estimated bound of uniqueness: it costs more than an
+/// interface solve, and tells nothing new of fewer points under the same law.
+fn estimate_uniqueness<'a>(
+    problem: &InterfaceProblem,
+    records: impl Iterator<Item = &'a StepRecord>,
+) -> Option<(usize, Option<f64>)> {
+    let touching = |(_, record): &(usize, &StepRecord)| {
         let status = record.state.status.iter();
         status.filter(|status| status.touches()).count()
     };
-    if let Some(record) = records.iter_mut().max_by_key(touching) {
-        record.uniqueness = uniqueness_bound(problem, &record.state.status);
-    }
+    let (step, record) = records.enumerate().max_by_key(touching)?;
+    Some((step, uniqueness_bound(problem, &record.state.status)))
 }
 
 /// The increments of one load step as they are accepted.
@@ -293,14 +400,7 @@ impl Walk {
         let increment = Increment::accept(&step, solution.trial);
         self.work += solution.work;
         let residuals = increment.residuals;
-        self.residuals = Residuals {
-            complementarity: self
-                .residuals
-                .complementarity
-                .max(residuals.complementarity),
-            cone: self.residuals.cone.max(residuals.cone),
-            balance: self.residuals.balance.max(residuals.balance),
-        };
+        self.residuals = self.residuals.worse(residuals);
         self.doubtful = self.doubtful.max(solution.doubtful);
         if !self.solvers.contains(&solution.solver) {
             self.solvers.push(solution.solver);
@@ -334,11 +434,12 @@ impl Walk {
             dissipation: self.dissipation,
             slip: self.slip,
             state: self.state,
+            parts: Vec::new(),
         }
     }
 }
 
-/// One accepted load step.
+/// One accepted load step, of one problem or of all parts of an [`Interface`].
 #[derive(Clone, Debug)]
 pub struct StepRecord {
     /// Contact at its end.
@@ -373,4 +474,13 @@ pub struct StepRecord {
     pub slip: DVector<f64>,
     /// Equilibrium at its end.
     pub audit: Audit,
+    /// The records of the parts of an [`Interface`] of several, of which this one holds sums and largest values; empty for one problem.
+    pub parts: Vec<StepRecord>,
+}
+
+impl StepRecord {
+    /// The record of part `part`.
+    fn part(&self, part: usize) -> &Self {
+        self.parts.get(part).unwrap_or(self)
+    }
 }

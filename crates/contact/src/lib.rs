@@ -1,8 +1,8 @@
 //! Frictional contact of condensed bodies over load histories.
 //!
 //! Elasticity is linear and expensive, contact nonlinear and cheap; they meet on the contact points. Bodies arrive as
-//! [`InterfaceOperator`](stickslip_fem_core::InterfaceOperator)s, are assembled into one dense [`InterfaceProblem`], and a
-//! [`LoadHistory`] walks that problem through its load steps with an [`InterfaceSolver`].
+//! [`InterfaceOperator`](stickslip_fem_core::InterfaceOperator)s, are assembled into an [`Interface`], which has one dense [`InterfaceProblem`] for all
+//! bodies that contact links, and a [`LoadHistory`] walks these problems through its load steps with an [`InterfaceSolver`].
 //!
 //! ```text
 //! g_n ≥ 0,  λ_n ≥ 0,  g_n λ_n = 0;     |λ_t| ≤ F (stick),   λ_t = −F sign Δs (slip)
@@ -12,7 +12,8 @@
 //! | --- | --- |
 //! | [`gap`] | initial gaps from the true geometry |
 //! | [`mortar`] | contact points between edges whose nodes do not match |
-//! | [`problem`] | pairs, points, and the operators of all bodies in one problem |
+//! | [`problem`] | pairs, points, and the operators of bodies in one problem |
+//! | [`interface`] | all contacts, in parts that know nothing of each other |
 //! | [`state`] | what is known at the end of a step |
 //! | [`solver`] | the family of one-step solvers and their fallback chain |
 //! | [`history`] | load steps, sub-steps, cut-back, dissipation |
@@ -29,6 +30,7 @@ mod error;
 pub mod freedom;
 pub mod gap;
 pub mod history;
+pub mod interface;
 pub mod mortar;
 pub mod problem;
 pub mod solver;
@@ -38,8 +40,9 @@ pub mod zones;
 
 pub use error::ContactError;
 pub use history::{Increment, LoadHistory, Ramp, StepRecord};
+pub use interface::Interface;
 pub use mortar::{EdgeSide, InitialGap, MortarError, Multipliers, Projected, Projection};
-pub use problem::{ContactPair, ContactPoint, InterfaceProblem, Stencil, StencilTerm};
+pub use problem::{ContactPair, ContactPoint, Contacts, InterfaceProblem, Stencil, StencilTerm};
 pub use solver::{
     AugmentedLagrangian, Chain, Continuation, Enumeration, GaussSeidel, InterfaceSolver, Penalty,
     Pivoting, PrincipalPivoting, SemismoothNewton, StatusIteration, TrescaFixedPoint,

@@ -11,79 +11,26 @@
 //! and − for the second. Forces λ `[force]` act on the first body. A contact point is a node of each body, or a short
 //! weighted [`Stencil`] of nodes as the [`mortar`](crate::mortar) projection makes it.
 
-mod check;
+pub(crate) mod check;
+mod contacts;
 mod stencil;
 
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector, Matrix2};
 use stickslip_fem_core::InterfaceOperator;
-use stickslip_fem_core::mesh::Point;
-use stickslip_friction::{FrictionLaw, Place};
+use stickslip_friction::FrictionLaw;
 
+pub use contacts::{ContactPair, ContactPoint, Contacts, ProblemPoint};
 pub use stencil::{BodyRows, Stencil, StencilTerm};
 
 use crate::error::ContactError;
-
-/// One contact point of a pair: a node of the first body against a node of the second, or a weighted share of both edges.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ContactPoint {
-    /// Where it stands on the first body; a node converts from its index among the body's contact points.
-    pub first: Stencil,
-    /// Where it stands on the second body.
-    pub second: Stencil,
-    /// Unit normal e_n from the second body into the first; e_t is e_n turned by +90°.
-    pub normal: [f64; 2],
-    /// Initial gap g₀ `[length]`; negative for interference.
-    pub gap: f64,
-    /// Contact area that the point stands for `[length²]`: traction = force / area.
-    pub area: f64,
-    /// Angle of the first body's 1-axis from x `[rad]`.
-    pub material_angle: f64,
-}
-
-/// Two bodies that may touch, and the friction between them.
-#[derive(Clone, Debug)]
-pub struct ContactPair {
-    /// Name for messages and results.
-    pub name: String,
-    /// Index of the first body.
-    pub first: usize,
-    /// Index of the second body.
-    pub second: usize,
-    /// Points in walk order along the contact.
-    pub points: Vec<ContactPoint>,
-    /// Friction law.
-    pub law: Arc<dyn FrictionLaw>,
-}
-
-/// One contact point of the assembled problem.
-#[derive(Clone, Debug)]
-pub struct ProblemPoint {
-    /// Index of the pair it belongs to.
-    pub pair: usize,
-    /// Initial gap `[length]`.
-    pub gap: f64,
-    /// Contact area `[length²]`.
-    pub area: f64,
-    /// Place handed to the friction law.
-    pub place: Place,
-    /// Unit normal e_n.
-    pub normal: [f64; 2],
-    /// What a unit normal and a unit tangential contact force do to the first body: force along x and y `[1]`, and moment
-    /// about the origin `[length]`.
-    pub actions: [[f64; 3]; 2],
-    /// Whether the bodies can move against each other tangentially here; not so on a line of symmetry.
-    pub slides: bool,
-}
+use contacts::frame;
 
 /// The assembled interface problem: everything that solvers of one load step see.
 #[derive(Clone, Debug)]
 pub struct InterfaceProblem {
-    pairs: Vec<ContactPair>,
-    points: Vec<ProblemPoint>,
-    /// First point of each pair, and the number of points at the end.
-    offsets: Vec<usize>,
+    contacts: Contacts,
     compliance: DMatrix<f64>,
     compliance_unit: f64,
     modes: DMatrix<f64>,
@@ -104,35 +51,20 @@ impl InterfaceProblem {
         bodies: &[&dyn InterfaceOperator],
         pairs: Vec<ContactPair>,
     ) -> Result<Self, ContactError> {
-        let cases = bodies.first().map_or(0, |body| body.load_cases());
-        if let Some(other) = bodies.iter().find(|body| body.load_cases() != cases) {
-            return Err(ContactError::LoadCases {
-                first: cases,
-                other: other.load_cases(),
-            });
-        }
-        pairs
-            .iter()
-            .try_for_each(|pair| check::pair(pair, bodies))?;
-        let mut offsets = vec![0];
-        for pair in &pairs {
-            offsets.push(offsets[offsets.len() - 1] + pair.points.len());
-        }
+        let cases = check::all(&pairs, bodies)?;
         let mut mode_offsets = vec![0];
         for body in bodies {
             mode_offsets.push(mode_offsets[mode_offsets.len() - 1] + body.modes().ncols());
         }
-        let points = problem_points(&pairs, bodies);
-        let size = 2 * points.len();
+        let contacts = Contacts::new(pairs, bodies);
+        let size = 2 * contacts.points().len();
         let mut problem = Self {
             compliance: DMatrix::zeros(size, size),
             compliance_unit: 1.0,
             modes: DMatrix::zeros(size, mode_offsets[bodies.len()]),
             case_motion: vec![DVector::zeros(size); cases],
             case_mode_load: vec![DVector::zeros(mode_offsets[bodies.len()]); cases],
-            pairs,
-            points,
-            offsets,
+            contacts,
             mode_offsets,
         };
         for (index, body) in bodies.iter().enumerate() {
@@ -207,11 +139,11 @@ impl InterfaceProblem {
     /// The rows of B of body `index`, of the points where it touches, in their order.
     pub fn body_rows(&self, index: usize) -> Vec<BodyRows> {
         let mut rows = Vec::new();
-        for (pair, &offset) in self.pairs.iter().zip(&self.offsets) {
+        for (pair, number) in self.pairs().iter().zip(0..) {
             if ![pair.first, pair.second].contains(&index) {
                 continue;
             }
-            for (k, point) in pair.points.iter().enumerate() {
+            for (point, k) in pair.points.iter().zip(self.pair_points(number)) {
                 let frame = frame(point.normal);
                 let mut terms = Vec::new();
                 if pair.first == index {
@@ -222,10 +154,7 @@ impl InterfaceProblem {
                     let of = |term: &StencilTerm| (term.node, -(term.matrix() * frame));
                     terms.extend(point.second.terms().iter().map(of));
                 }
-                rows.push(BodyRows {
-                    point: offset + k,
-                    terms,
-                });
+                rows.push(BodyRows { point: k, terms });
             }
         }
         rows
@@ -234,7 +163,7 @@ impl InterfaceProblem {
     fn find_sliding_points(&mut self) {
         const NEGLIGIBLE: f64 = 1e-12;
         let stiffest = self.compliance.diagonal().max();
-        for (k, point) in self.points.iter_mut().enumerate() {
+        for (k, point) in self.contacts.points_mut().iter_mut().enumerate() {
             let row = 2 * k + 1;
             let gives = self.compliance[(row, row)] > NEGLIGIBLE * stiffest;
             point.slides = gives
@@ -246,33 +175,36 @@ impl InterfaceProblem {
         }
     }
 
+    /// The pairs and their points.
+    pub fn contacts(&self) -> &Contacts {
+        &self.contacts
+    }
+
     /// Contact points, pair by pair in walk order.
     pub fn points(&self) -> &[ProblemPoint] {
-        &self.points
+        self.contacts.points()
     }
 
     /// The pairs.
     pub fn pairs(&self) -> &[ContactPair] {
-        &self.pairs
+        self.contacts.pairs()
     }
 
     /// The same problem with `law` as the friction of pair `pair`; nothing is assembled anew. A pair that does not exist changes nothing.
     #[must_use]
     pub fn with_law(mut self, pair: usize, law: Arc<dyn FrictionLaw>) -> Self {
-        if let Some(pair) = self.pairs.get_mut(pair) {
-            pair.law = law;
-        }
+        self.contacts.set_law(pair, law);
         self
     }
 
     /// Range of the points of pair `pair`.
     pub fn pair_points(&self, pair: usize) -> std::ops::Range<usize> {
-        self.offsets[pair]..self.offsets[pair + 1]
+        self.contacts.pair_points(pair)
     }
 
     /// Friction law at point `point`.
     pub fn law(&self, point: usize) -> &dyn FrictionLaw {
-        self.pairs[self.points[point].pair].law.as_ref()
+        self.contacts.law(point)
     }
 
     /// Compliance A `[length/force]`, 2n × 2n, symmetric positive semidefinite.
@@ -308,7 +240,7 @@ impl InterfaceProblem {
 
     /// Relative motion Σ m_k d_k `[length]` of the points by the loads alone, 2n.
     pub fn load_motion(&self, multipliers: &[f64]) -> DVector<f64> {
-        combine(&self.case_motion, multipliers, 2 * self.points.len())
+        combine(&self.case_motion, multipliers, 2 * self.points().len())
     }
 
     /// Resultants Σ m_k r_k `[force]` of the loads in the rigid motions, m. What is left by rounding where load cases cancel
@@ -344,41 +276,12 @@ impl InterfaceProblem {
     }
 }
 
-/// Rows e_n and e_t.
-fn frame(normal: [f64; 2]) -> Matrix2<f64> {
-    Matrix2::new(normal[0], normal[1], -normal[1], normal[0])
-}
-
 fn combine(parts: &[DVector<f64>], multipliers: &[f64], size: usize) -> DVector<f64> {
     let mut sum = DVector::zeros(size);
     for (part, &factor) in parts.iter().zip(multipliers) {
         sum.axpy(factor, part, 1.0);
     }
     sum
-}
-
-fn problem_points(pairs: &[ContactPair], bodies: &[&dyn InterfaceOperator]) -> Vec<ProblemPoint> {
-    let mut points = Vec::new();
-    for (index, pair) in pairs.iter().enumerate() {
-        for point in &pair.points {
-            let nodes = bodies[pair.first].points();
-            let place = Place {
-                position: point.first.position(nodes),
-                tangent: [-point.normal[1], point.normal[0]],
-                material_angle: point.material_angle,
-            };
-            points.push(ProblemPoint {
-                pair: index,
-                gap: point.gap,
-                area: point.area,
-                place,
-                normal: point.normal,
-                actions: actions(point, nodes),
-                slides: true,
-            });
-        }
-    }
-    points
 }
 
 /// The power of two next below `value`, or 1 without a value.
@@ -388,21 +291,4 @@ fn power_of_two_near(value: f64) -> f64 {
     } else {
         1.0
     }
-}
-
-/// Force and moment on the first body by a unit normal and a unit tangential force at `point`.
-fn actions(point: &ContactPoint, nodes: &[Point]) -> [[f64; 3]; 2] {
-    let frame = frame(point.normal);
-    let mut actions = [[0.0; 3]; 2];
-    for term in point.first.terms() {
-        let forces = term.matrix() * frame;
-        let [x, y] = nodes[term.node];
-        for (row, action) in actions.iter_mut().enumerate() {
-            let (along_x, along_y) = (forces[(row, 0)], forces[(row, 1)]);
-            action[0] += along_x;
-            action[1] += along_y;
-            action[2] += x * along_y - y * along_x;
-        }
-    }
-    actions
 }

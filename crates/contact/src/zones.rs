@@ -8,7 +8,7 @@
 //! A closed contact has no first point: its zones are joined across the place where its walk starts, and a mirrored half
 //! ([`mirrored`]) has the zones of the whole.
 
-use crate::problem::InterfaceProblem;
+use crate::problem::Contacts;
 use crate::state::{ContactState, Status};
 
 /// A run of equal status along a contact.
@@ -32,20 +32,20 @@ impl Zone {
 /// Zones of pair `pair` in walk order. `parameter` is the place of each of its points along the contact (angle or length),
 /// ascending; `closed` is the length after which the contact closes on itself (2π for angles), if it does.
 pub fn zones(
-    problem: &InterfaceProblem,
+    contacts: &Contacts,
     state: &ContactState,
     pair: usize,
     parameter: &[f64],
     closed: Option<f64>,
 ) -> Vec<Zone> {
-    let range = problem.pair_points(pair);
-    let slides: Vec<bool> = problem.points()[range.clone()]
+    let range = contacts.pair_points(pair);
+    let slides: Vec<bool> = contacts.points()[range.clone()]
         .iter()
         .map(|point| point.slides)
         .collect();
     let squared = range
         .clone()
-        .map(|k| (state.normal_force(k) / problem.points()[k].area).powi(2))
+        .map(|k| (state.normal_force(k) / contacts.points()[k].area).powi(2))
         .collect();
     Course::new(
         state.status[range].to_vec(),
@@ -132,11 +132,11 @@ fn joined(zones: impl IntoIterator<Item = Zone>, closed: Option<f64>) -> Vec<Zon
 
 /// Whether friction carries anything at the touching points of pair `pair`: under a law without friction it cannot, and then
 /// there is no stick to speak of.
-pub fn carries_friction(problem: &InterfaceProblem, state: &ContactState, pair: usize) -> bool {
-    problem.pair_points(pair).any(|k| {
-        let point = &problem.points()[k];
+pub fn carries_friction(contacts: &Contacts, state: &ContactState, pair: usize) -> bool {
+    contacts.pair_points(pair).any(|k| {
+        let point = &contacts.points()[k];
         let pressure = state.normal_force(k) / point.area;
-        let bound = problem
+        let bound = contacts
             .law(k)
             .bound(pressure, 0.0, &point.place, &state.history[k]);
         state.status[k].touches() && (bound.stick > 0.0 || bound.slip > 0.0)

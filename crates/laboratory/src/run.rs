@@ -89,7 +89,7 @@ pub fn run(scene: &Scene, path: Path<'_>) -> Result<Run, LaboratoryError> {
             &whole
         }
     };
-    let solved = follow(&model, operators, problem, solver, &mut |_| {})?;
+    let solved = follow(&model, operators, problem.into(), solver, &mut |_| {})?;
     [seconds.contact, processor.contact] = clock.lap();
     let unknowns = unknowns(&solved.operators);
     let results = results(scene, &model, solver, solved)?;

@@ -16,7 +16,7 @@ use std::time::Instant;
 use rayon::prelude::*;
 use stickslip_contact::history::Otherwise;
 use stickslip_contact::{
-    Chain, ContactError, InterfaceProblem, InterfaceSolver, Pivoting, StepRecord,
+    Chain, ContactError, Contacts, Interface, InterfaceSolver, Pivoting, StepRecord,
 };
 use stickslip_fem_core::body::BodyError;
 use stickslip_fem_core::stress::StressError;
@@ -26,6 +26,7 @@ use thiserror::Error;
 
 pub(crate) use loads::loads_reached;
 pub use progressive::ProgressiveRunError;
+pub(crate) use remarks::quoted;
 
 use crate::model::{Model, ModelBodyKind, ModelError};
 use crate::output::LoadScale;
@@ -121,8 +122,8 @@ impl Operator {
 pub struct Solved {
     /// One operator per body.
     pub operators: Vec<Operator>,
-    /// The interface problem.
-    pub problem: InterfaceProblem,
+    /// All contacts, in independent parts.
+    pub interface: Interface,
     /// One record per load step.
     pub records: Vec<StepRecord>,
     /// Wall time of each load step `[s]`.
@@ -172,26 +173,26 @@ pub fn solve(
     let operators = condense(model)?;
     let condensed = start.elapsed().as_secs_f64();
     let faces: Vec<&dyn InterfaceOperator> = operators.iter().map(Operator::interface).collect();
-    let problem = InterfaceProblem::new(&faces, model.pairs.clone())?;
+    let interface = Interface::new(&faces, model.pairs.clone())?;
     let assembled = start.elapsed().as_secs_f64();
     let phases = vec![
         ("factorisation", condensed),
         ("interface", assembled - condensed),
     ];
     drop(faces);
-    let mut solved = follow(model, operators, problem, solver, progress)?;
+    let mut solved = follow(model, operators, interface, solver, progress)?;
     solved.phases.splice(0..0, phases);
     Ok(solved)
 }
 
-/// Follows the history of `model` with `solver`, on the `problem` of its condensed bodies `operators`.
+/// Follows the history of `model` with `solver`, on the `interface` of its condensed bodies `operators`.
 ///
 /// # Errors
 /// [`RunError::Contact`].
 pub fn follow(
     model: &Model,
     operators: Vec<Operator>,
-    problem: InterfaceProblem,
+    interface: Interface,
     solver: &dyn InterfaceSolver,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Solved, RunError> {
@@ -200,7 +201,7 @@ pub fn follow(
     let total = model.history.steps().len();
     let mut step_seconds = Vec::with_capacity(total);
     let mut last = start;
-    let records = model.history.follow(&problem, solver, |_| {
+    let records = (model.history).follow_parts(&interface, solver, || {
         step_seconds.push(last.elapsed().as_secs_f64());
         last = Instant::now();
         progress(Progress::Step {
@@ -210,7 +211,7 @@ pub fn follow(
     })?;
     Ok(Solved {
         operators,
-        problem,
+        interface,
         records,
         step_seconds,
         phases: vec![("contact", start.elapsed().as_secs_f64())],
@@ -256,12 +257,24 @@ pub fn results(
     scene: &Scene,
     model: &Model,
     solver: &dyn InterfaceSolver,
-    solved: Solved,
+    mut solved: Solved,
 ) -> Result<Results, RunError> {
     let start = Instant::now();
-    let recovered = fields::recover(&solved);
-    let otherwise = (model.history).walked_otherwise(&solved.problem, solver, &solved.records);
-    reported(scene, model, solver, solved, &recovered, &otherwise, start)
+    let mut recovered = fields::recover(scene, model, &solved);
+    let otherwise = (model.history).walked_otherwise(&solved.interface, solver, &solved.records);
+    solved
+        .records
+        .iter_mut()
+        .for_each(|record| record.parts.clear());
+    reported(
+        scene,
+        model,
+        solver,
+        solved,
+        &mut recovered,
+        &otherwise,
+        start,
+    )
 }
 
 /// As [`results`], but displacements are recovered of `bodies` alone and no balance is audited but that of the interface problem:
@@ -277,13 +290,13 @@ pub(crate) fn results_without_audit(
     bodies: &[usize],
 ) -> Result<Results, RunError> {
     let start = Instant::now();
-    let recovered = fields::recover_some(&solved, bodies);
-    reported(scene, model, solver, solved, &recovered, &[], start)
+    let mut recovered = fields::recover_some(model, &solved, bodies);
+    reported(scene, model, solver, solved, &mut recovered, &[], start)
 }
 
 /// Displacements of the body `index` at the end of every load step, x and y of each node in turn; empty for a rigid body.
-pub(crate) fn displacements_of(solved: &Solved, index: usize) -> Vec<Vec<f64>> {
-    let recovered = fields::recover_some(solved, &[index]);
+pub(crate) fn displacements_of(model: &Model, solved: &Solved, index: usize) -> Vec<Vec<f64>> {
+    let recovered = fields::recover_some(model, solved, &[index]);
     let own = |step: &fields::Recovered| fields::moved(&solved.operators, step, index);
     recovered.iter().map(own).collect()
 }
@@ -293,7 +306,7 @@ fn reported(
     model: &Model,
     solver: &dyn InterfaceSolver,
     mut solved: Solved,
-    recovered: &[fields::Recovered],
+    recovered: &mut [fields::Recovered],
     otherwise: &[Otherwise],
     start: Instant,
 ) -> Result<Results, RunError> {
@@ -311,7 +324,7 @@ fn reported(
             doubtful: record.doubtful,
             notes: StepNotes {
                 otherwise: otherwise.get(index).copied().unwrap_or_default(),
-                ..step_notes(record, &solved.problem)
+                ..step_notes(record, solved.interface.contacts())
             },
             residuals: record.residuals,
             balance_residual: record.audit.balance().max(recovered[index].imbalance()),
@@ -324,7 +337,7 @@ fn reported(
     let mut notes = model.notes.clone();
     notes.extend(remarks::of_steps(scene, &geometries, &steps));
     notes.extend(doubts::of_steps(model, &steps));
-    notes.extend(remarks::of_freedom(model, &solved.problem));
+    notes.extend(remarks::of_freedom(model, &solved.interface));
     notes.extend(doubts::of_looseness(model, &solved.records));
     let mut choices = model.choices.clone();
     choices.push(solver_choice(scene.analysis.solver));
@@ -358,6 +371,7 @@ fn reported(
         &with_fields,
     )?;
     for index in with_fields {
+        fields::complete(&solved, &mut recovered[index], index);
         results.steps[index].fields =
             fields::with_stresses(scene, model, &solved.operators, &recovered[index])?;
     }
@@ -368,12 +382,12 @@ fn reported(
     Ok(results)
 }
 
-fn step_notes(record: &StepRecord, problem: &InterfaceProblem) -> StepNotes {
+fn step_notes(record: &StepRecord, contacts: &Contacts) -> StepNotes {
     let cycle = record.recovery.first_cycle.iter();
     let points = cycle.flat_map(|cycle| &cycle.points);
     StepNotes {
         cycle_places: points
-            .map(|&point| problem.points()[point].place.position)
+            .map(|&point| contacts.points()[point].place.position)
             .collect(),
         recovery: record.recovery.clone(),
         solutions: record.solutions,

@@ -188,7 +188,13 @@ fn followed(
     let problem = InterfaceProblem::new(&faces, model.pairs.clone())?;
     drop(faces);
     let solver = run::solver(scene.analysis.solver);
-    let solved = run::follow(&model, operators, problem, solver.as_ref(), &mut |_| {})?;
+    let solved = run::follow(
+        &model,
+        operators,
+        problem.into(),
+        solver.as_ref(),
+        &mut |_| {},
+    )?;
     let results = run::results(&scene, &model, solver.as_ref(), solved)?;
     steps(case, &results, scene.contacts[0].law.as_ref())
 }

@@ -2,13 +2,14 @@
 //!
 //! Neither walk is cut back, so a step that the other way does not solve is left without a comparison.
 
-use super::{LoadHistory, StepRecord, Walk};
+use super::{LoadHistory, StepRecord, Walk, each};
+use crate::interface::{Interface, Part};
 use crate::problem::InterfaceProblem;
 use crate::solver::{InterfaceSolver, Pivoting, SemismoothNewton};
 use crate::state::ContactState;
 use crate::uniqueness::{NEAR_BOUND, bound_with_turns_held};
 
-/// Floating-point operations of pivoting that all comparisons of a history may take.
+/// Floating-point operations of pivoting that all comparisons of one problem's history may take.
 const EFFORT: f64 = 1e9;
 /// Number of increments up to which a step that was cut back is walked again in twice as many.
 const MANY: usize = 32;
@@ -47,21 +48,64 @@ pub struct Otherwise {
     pub finer: Option<Difference>,
 }
 
+impl Otherwise {
+    /// Of both, what differs more.
+    fn or_worse(self, other: Self) -> Self {
+        let more = |one: Option<Difference>, other: Option<Difference>| {
+            let all = one.into_iter().chain(other);
+            all.reduce(|one, other| {
+                if other.traction > one.traction {
+                    other
+                } else {
+                    one
+                }
+            })
+        };
+        Self {
+            other_solver: more(self.other_solver, other.other_solver),
+            finer: more(self.finer, other.finer),
+        }
+    }
+}
+
 impl LoadHistory {
     /// Compares each of `records`, which `solver` found of this history, with other ways to the end of its step: with another
     /// solver where friction is not below the estimated bound of uniqueness or the step was cut back, with smaller increments
-    /// where it was cut back. It costs nothing where neither is so, about as much as the step elsewhere.
+    /// where it was cut back. It costs nothing where neither is so, about as much as the step elsewhere. Parts of `interface` are compared
+    /// each for itself, relative to its own largest pressure, and that which differs most is returned.
     pub fn walked_otherwise(
+        &self,
+        interface: &Interface,
+        solver: &dyn InterfaceSolver,
+        records: &[StepRecord],
+    ) -> Vec<Otherwise> {
+        let problems: Vec<&InterfaceProblem> =
+            interface.parts().iter().map(Part::problem).collect();
+        let parts = each(&problems, |part, problem| {
+            let own: Vec<&StepRecord> = records.iter().map(|record| record.part(part)).collect();
+            self.problem_otherwise(problem, solver, &own)
+        });
+        let mut all = vec![Otherwise::default(); records.len()];
+        for part in parts {
+            for (known, found) in all.iter_mut().zip(part) {
+                *known = known.or_worse(found);
+            }
+        }
+        all
+    }
+
+    fn problem_otherwise(
         &self,
         problem: &InterfaceProblem,
         solver: &dyn InterfaceSolver,
-        records: &[StepRecord],
+        records: &[&StepRecord],
     ) -> Vec<Otherwise> {
         let touching = |record: &&StepRecord| {
             let status = record.state.status.iter();
             status.filter(|status| status.touches()).count()
         };
-        let rubbing = records.iter().filter(|record| record.coefficient > 0.0);
+        let rubbing = records.iter().copied();
+        let rubbing = rubbing.filter(|record| record.coefficient > 0.0);
         let estimate = rubbing.max_by_key(touching).and_then(|record| {
             let held = || bound_with_turns_held(problem, &record.state.status);
             record.uniqueness.or_else(held)
@@ -69,7 +113,7 @@ impl LoadHistory {
         let unloaded = ContactState::unloaded(problem);
         let mut effort = EFFORT;
         let mut all = Vec::with_capacity(records.len());
-        for (index, record) in records.iter().enumerate() {
+        for (index, &record) in records.iter().enumerate() {
             let mut found = Otherwise::default();
             let start = index
                 .checked_sub(1)

@@ -46,19 +46,23 @@ impl Recovery {
         recovery
     }
 
+    /// Counts `count` failures of `solver` in the way `kind`.
+    pub(super) fn count(&mut self, solver: &'static str, kind: &'static str, count: usize) {
+        let mut known = self.failures.iter_mut();
+        match known.find(|entry| entry.solver == solver && entry.kind == kind) {
+            Some(entry) => entry.count += count,
+            None => self.failures.push(FailedAttempts {
+                solver,
+                kind,
+                count,
+            }),
+        }
+    }
+
     /// Takes over the failed attempts at one increment.
     pub(super) fn add(&mut self, attempts: &[(&'static str, FailureCause)]) {
         for (solver, cause) in attempts {
-            let (solver, kind) = (*solver, cause.kind());
-            let mut known = self.failures.iter_mut();
-            match known.find(|entry| entry.solver == solver && entry.kind == kind) {
-                Some(entry) => entry.count += 1,
-                None => self.failures.push(FailedAttempts {
-                    solver,
-                    kind,
-                    count: 1,
-                }),
-            }
+            self.count(solver, cause.kind(), 1);
             if let (None, FailureCause::Cycled { period, points }) = (&self.first_cycle, cause) {
                 self.first_cycle = Some(Cycle {
                     solver,

@@ -5,10 +5,23 @@ use stickslip_fem_core::InterfaceOperator;
 use super::{ContactPair, ContactPoint, Stencil};
 use crate::error::ContactError;
 
-pub(super) fn pair(
-    pair: &ContactPair,
+/// Checks `pairs` and `bodies`; the number of load cases that these have in common.
+pub(crate) fn all(
+    pairs: &[ContactPair],
     bodies: &[&dyn InterfaceOperator],
-) -> Result<(), ContactError> {
+) -> Result<usize, ContactError> {
+    let cases = bodies.first().map_or(0, |body| body.load_cases());
+    if let Some(other) = bodies.iter().find(|body| body.load_cases() != cases) {
+        return Err(ContactError::LoadCases {
+            first: cases,
+            other: other.load_cases(),
+        });
+    }
+    pairs.iter().try_for_each(|one| pair(one, bodies))?;
+    Ok(cases)
+}
+
+fn pair(pair: &ContactPair, bodies: &[&dyn InterfaceOperator]) -> Result<(), ContactError> {
     let refuse = |point: usize, what: String| ContactError::InvalidPair {
         pair: pair.name.clone(),
         point,

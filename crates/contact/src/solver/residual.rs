@@ -29,6 +29,15 @@ impl Residuals {
         }
     }
 
+    /// The larger ones of both.
+    pub(crate) fn worse(self, other: Self) -> Self {
+        Self {
+            complementarity: self.complementarity.max(other.complementarity),
+            cone: self.cone.max(other.cone),
+            balance: self.balance.max(other.balance),
+        }
+    }
+
     /// Measures `trial` against the conditions of `step`.
     pub fn of(step: &Step<'_>, trial: &TrialState) -> Self {
         let scales = Scales::of(step, &trial.forces, &trial.motion);

@@ -9,6 +9,7 @@ mod invariants;
 mod laws;
 mod oracle;
 mod otherwise;
+mod parts;
 mod proofs;
 mod random;
 mod recovery;

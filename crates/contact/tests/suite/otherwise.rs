@@ -37,7 +37,7 @@ fn walk(solver: &dyn InterfaceSolver) -> (Vec<StepRecord>, Vec<Otherwise>) {
     let steps = vec![START.to_vec(), END.to_vec()];
     let history = LoadHistory::new(steps, 1, Ramp::Linear).unwrap();
     let records = history.follow(&problem, solver, |_| {}).unwrap();
-    let otherwise = history.walked_otherwise(&problem, solver, &records);
+    let otherwise = history.walked_otherwise(&problem.into(), solver, &records);
     (records, otherwise)
 }
 

@@ -117,6 +117,7 @@ fn a_block_pulled_beyond_friction_is_not_held() {
         step,
         reached,
         cause,
+        ..
     } = error
     else {
         panic!("{error}")
@@ -175,6 +176,7 @@ fn a_pull_ends_the_history_where_the_load_vanishes() {
         step: 1,
         reached,
         cause,
+        ..
     } = error
     else {
         panic!("{error}")

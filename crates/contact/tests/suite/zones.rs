@@ -26,7 +26,7 @@ fn zones_of(status: &[Status], slides: bool, parameter: &[f64], closed: Option<f
         state.status[k] = status;
         state.forces[2 * k] = if status.touches() { 1.0 } else { 0.0 };
     }
-    zones(&problem, &state, 0, parameter, closed)
+    zones(problem.contacts(), &state, 0, parameter, closed)
 }
 
 fn zone(status: Status, start: f64, end: f64) -> Zone {

@@ -149,6 +149,7 @@ impl Solving<'_> {
         let coefficient = step.largest_coefficient(&solution.trial);
         let increment = Increment::accept(&step, solution.trial);
         let contact = StepRecord {
+            parts: Vec::new(),
             audit: Audit::of(&linear.problem, &increment.state),
             loose: loose_pairs(&linear.problem, &increment.state),
             state: increment.state,

@@ -19,7 +19,7 @@ use super::located::locate;
 use crate::diagnostic::{SceneError, SceneProblem};
 use crate::output;
 use crate::results::LoadValue;
-use crate::run::{Progress, RunError, loads_reached, run as solve};
+use crate::run::{Progress, RunError, loads_reached, quoted, run as solve};
 use crate::scene::Scene;
 
 /// Histories with fewer steps are over before a bar helps.
@@ -71,6 +71,8 @@ pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Fail
     bar.finish_and_clear();
     let results = solved.map_err(|error| located(&scene, &error))?;
     let path = output::write(&results, folder, scene.output.figures).map_err(KeepError::from)?;
+    // As large as the results of a long history: made for those who read it only.
+    let summary = console.json.then(|| output::summary_json(&results));
     console.result(
         || {
             format!(
@@ -79,7 +81,7 @@ pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Fail
                 path.display()
             )
         },
-        &output::summary_json(&results),
+        &summary,
     )
 }
 
@@ -122,11 +124,25 @@ fn show(bar: &ProgressBar, progress: Progress) {
     }
 }
 
+/// ", for 'pin' and 'plate'", if these are not all bodies.
+fn among(scene: &Scene, bodies: &[usize]) -> String {
+    // A model numbers its bodies in the order of their names.
+    let names: Vec<&String> = scene.bodies.keys().collect();
+    let own = bodies.iter().filter_map(|&body| names.get(body));
+    let quoted = quoted(own.map(|name| name.as_str()));
+    if quoted.is_empty() {
+        quoted
+    } else {
+        format!(", for {quoted}")
+    }
+}
+
 /// The error in words, with the load that a history reached.
 fn message(scene: &Scene, error: &RunError) -> String {
     let RunError::Contact(ContactError::StepFailed {
         step,
         reached,
+        bodies,
         cause,
     }) = error
     else {
@@ -143,9 +159,10 @@ fn message(scene: &Scene, error: &RunError) -> String {
     };
     let loads: Vec<String> = loads.iter().map(value).collect();
     format!(
-        "load step {} was not solved beyond {}, {reached:.4} of its increment{}: {cause}",
+        "load step {} was not solved beyond {}, {reached:.4} of its increment{}{}: {cause}",
         step + 1,
         loads.join(", "),
+        among(scene, bodies),
         if cause.is_unresolved() {
             " and is unresolved"
         } else {

@@ -4,7 +4,7 @@ use nalgebra::DVector;
 use stickslip_contact::zones::{
     Zone, carries_friction, ends_of_contact, half_extent, mirrored, zones,
 };
-use stickslip_contact::{ContactState, InterfaceProblem, Status, StepRecord};
+use stickslip_contact::{ContactState, Contacts, Status, StepRecord};
 use stickslip_fem_core::stress::{EdgeData, PathEnd, PathEnds, StressError, edge_stresses};
 
 use super::Solved;
@@ -21,11 +21,14 @@ pub(super) fn all(
     recovered: &[Recovered],
 ) -> Result<(Vec<EdgeGeometry>, Vec<Vec<EdgeResults>>), StressError> {
     let mut geometries = Vec::with_capacity(model.edges.len());
-    let reported = reported(&solved.problem, &solved.records);
+    let reported = reported(solved.interface.contacts(), &solved.records);
     let mut steps: Vec<Vec<EdgeResults>> = vec![Vec::new(); reported.len()];
-    for edge in &model.edges {
+    for (index, edge) in model.edges.iter().enumerate() {
         let mut rows = (0..reported.len())
-            .map(|step| rows(model, solved, &reported[step], &recovered[step], step, edge))
+            .map(|step| {
+                let moved = &recovered[step].free_edges[index];
+                rows(model, solved, &reported[step], moved, step, edge)
+            })
             .collect::<Result<Vec<_>, _>>()?;
         clear_stresses(&mut rows);
         let mut results: Vec<EdgeResults> = rows
@@ -47,27 +50,18 @@ pub(super) fn all(
     Ok((geometries, steps))
 }
 
-/// One row per node of `edge` in load step `step`.
+/// One row per node of `edge` in load step `step`; `moved` are the displacements of an edge without contact.
 fn rows(
     model: &Model,
     solved: &Solved,
     reported: &Reported,
-    recovered: &Recovered,
+    moved: &[[f64; 2]],
     step: usize,
     edge: &ModelEdge,
 ) -> Result<Vec<EdgeRow>, StressError> {
     let displacement = match edge.pair {
         Some(_) => interface_displacement(solved, &solved.records[step], edge),
-        None => edge
-            .nodes
-            .iter()
-            .map(|&node| {
-                [
-                    recovered.displacement[edge.body][2 * node],
-                    recovered.displacement[edge.body][2 * node + 1],
-                ]
-            })
-            .collect(),
+        None => moved.to_vec(),
     };
     let mut rows = contact_rows(solved, reported, edge);
     let initial = match &model.bodies[edge.body].kind {
@@ -88,7 +82,7 @@ fn rows(
 fn interface_displacement(solved: &Solved, record: &StepRecord, edge: &ModelEdge) -> Vec<[f64; 2]> {
     let operator = solved.operators[edge.body].interface();
     let count = operator.points().len();
-    let forces = DVector::from_vec(solved.problem.forces_on_body(
+    let forces = DVector::from_vec(solved.interface.forces_on_body(
         edge.body,
         count,
         &record.state.forces,
@@ -135,11 +129,11 @@ fn contact_rows(solved: &Solved, reported: &Reported, edge: &ModelEdge) -> Vec<E
         };
         return (0..edge.nodes.len()).map(row).collect();
     };
-    solved
-        .problem
+    let contacts = solved.interface.contacts();
+    contacts
         .pair_points(pair)
         .map(|k| {
-            let area = solved.problem.points()[k].area;
+            let area = contacts.points()[k].area;
             EdgeRow {
                 pressure: state.normal_force(k) / area,
                 shear: state.tangential_force(k) / area,
@@ -262,16 +256,16 @@ fn cusp_uncertainty(rows: &[EdgeRow], ends: &[f64], geometry: &EdgeGeometry) -> 
 
 /// Zones of the whole edge, of which the model may be half.
 fn whole_zones(
-    problem: &InterfaceProblem,
+    contacts: &Contacts,
     state: &ContactState,
     pair: usize,
     geometry: &EdgeGeometry,
 ) -> Vec<Zone> {
     let (parameter, closed) = (&geometry.parameter, geometry.closed());
     if geometry.half {
-        mirrored(&zones(problem, state, pair, parameter, None), closed)
+        mirrored(&zones(contacts, state, pair, parameter, None), closed)
     } else {
-        zones(problem, state, pair, parameter, closed)
+        zones(contacts, state, pair, parameter, closed)
     }
 }
 
@@ -283,14 +277,14 @@ fn summarise(
     rows: Vec<EdgeRow>,
     reported: &Reported,
 ) -> EdgeResults {
-    let (half, problem, state) = (model.half, &solved.problem, &reported.state);
+    let (half, contacts, state) = (model.half, solved.interface.contacts(), &reported.state);
     let zones = edge.pair.map_or_else(Vec::new, |pair| {
-        whole_zones(problem, state, pair, &edge.geometry)
+        whole_zones(contacts, state, pair, &edge.geometry)
     });
     let closed = edge.geometry.closed();
     let rubs = edge
         .pair
-        .is_some_and(|pair| carries_friction(problem, state, pair));
+        .is_some_and(|pair| carries_friction(contacts, state, pair));
     let extent = half_extent(&zones, closed);
     let (resultant, normal) = edge.pair.map_or_else(Default::default, |pair| {
         let [x, y] = reported.sums[pair].resultant;

@@ -1,8 +1,9 @@
 //! What a reader must know of the solution: where an answer was not unique, where the history was cut back, where contact lies.
 
-use stickslip_contact::InterfaceProblem;
+use stickslip_contact::Interface;
 use stickslip_contact::freedom::{FreeBody, free_bodies};
 use stickslip_contact::history::FailedAttempts;
+use stickslip_contact::interface::Part;
 use stickslip_contact::uniqueness::NEAR_BOUND;
 use stickslip_contact::zones::Zone;
 
@@ -89,10 +90,15 @@ fn several(steps: &[StepResults]) -> Option<String> {
 
 /// Says where friction comes near the estimated bound of uniqueness.
 fn near_bound(steps: &[StepResults]) -> Option<String> {
+    // Independent contacts have each their own such step.
     let (index, estimate) = steps
         .iter()
         .enumerate()
-        .find_map(|(index, step)| Some((index, step.notes.uniqueness?)))?;
+        .filter_map(|(index, step)| Some((index, step.notes.uniqueness?)))
+        .max_by(|&(a, bound), &(b, other)| {
+            let nearness = |step: usize, bound: f64| steps[step].notes.friction / bound;
+            nearness(a, bound).total_cmp(&nearness(b, other))
+        })?;
     let notes = &steps[index].notes;
     if notes.friction <= NEAR_BOUND * estimate {
         return None;
@@ -159,8 +165,22 @@ fn wanders(scene: &Scene, edge: &EdgeGeometry, steps: &[&EdgeResults]) -> Option
 }
 
 /// Says which bodies move as a whole without resistance, so that where they stand is not unique.
-pub(super) fn of_freedom(model: &Model, problem: &InterfaceProblem) -> Vec<String> {
-    let free = free_bodies(problem);
+pub(super) fn of_freedom(model: &Model, interface: &Interface) -> Vec<String> {
+    let of_part = |part: &Part| {
+        let (bodies, pairs) = (&part.group().bodies, &part.group().pairs);
+        let numbered = |free: FreeBody| FreeBody {
+            body: bodies[free.body],
+            slipping: free.slipping.iter().map(|&own| pairs[own]).collect(),
+            ..free
+        };
+        let free = free_bodies(part.problem());
+        moving_freely(model, &free.into_iter().map(numbered).collect::<Vec<_>>())
+    };
+    interface.parts().iter().flat_map(of_part).collect()
+}
+
+/// The same of bodies that are linked by contact.
+fn moving_freely(model: &Model, free: &[FreeBody]) -> Vec<String> {
     let (slipping, together): (Vec<_>, Vec<_>) =
         free.iter().partition(|body| !body.slipping.is_empty());
     let mut notes: Vec<String> = slipping.iter().map(|body| freely(model, body)).collect();
@@ -187,7 +207,7 @@ fn freely(model: &Model, free: &FreeBody) -> String {
 }
 
 /// "'a', 'b' and 'c'".
-pub(super) fn quoted<'a>(names: impl Iterator<Item = &'a str>) -> String {
+pub(crate) fn quoted<'a>(names: impl Iterator<Item = &'a str>) -> String {
     let mut names: Vec<String> = names.map(|name| format!("'{name}'")).collect();
     let last = names.pop().unwrap_or_default();
     if names.is_empty() {

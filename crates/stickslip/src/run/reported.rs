@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use nalgebra::DVector;
 use stickslip_contact::audit::PairSums;
-use stickslip_contact::{ContactState, InterfaceProblem, Status, StepRecord};
+use stickslip_contact::{ContactState, Contacts, Status, StepRecord};
 
 use crate::results::{EdgeResults, EdgeRow};
 
@@ -31,11 +31,11 @@ pub(super) struct Reported {
 }
 
 /// All load steps of `records` without rounding.
-pub(super) fn reported(problem: &InterfaceProblem, records: &[StepRecord]) -> Vec<Reported> {
-    let cuts: Vec<Cut> = (0..problem.pairs().len())
-        .map(|pair| Cut::of(problem, records, pair))
+pub(super) fn reported(contacts: &Contacts, records: &[StepRecord]) -> Vec<Reported> {
+    let cuts: Vec<Cut> = (0..contacts.pairs().len())
+        .map(|pair| Cut::of(contacts, records, pair))
         .collect();
-    let mut slip = DVector::zeros(problem.points().len());
+    let mut slip = DVector::zeros(contacts.points().len());
     records
         .iter()
         .map(|record| {
@@ -49,7 +49,7 @@ pub(super) fn reported(problem: &InterfaceProblem, records: &[StepRecord]) -> Ve
                 }
             }
             Reported {
-                sums: PairSums::of(problem, &state),
+                sums: PairSums::of(contacts, &state),
                 slip: seen,
                 state,
             }
@@ -66,8 +66,8 @@ struct Cut {
 }
 
 impl Cut {
-    fn of(problem: &InterfaceProblem, records: &[StepRecord], pair: usize) -> Self {
-        let points = problem.pair_points(pair);
+    fn of(contacts: &Contacts, records: &[StepRecord], pair: usize) -> Self {
+        let points = contacts.pair_points(pair);
         let largest = |of: fn(&ContactState) -> &DVector<f64>| {
             let values = records.iter().map(|record| of(&record.state));
             let sizes = values.map(|all| all.rows(2 * points.start, 2 * points.len()).amax());

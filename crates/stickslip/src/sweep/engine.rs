@@ -11,7 +11,7 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use rayon::ThreadPool;
-use stickslip_contact::InterfaceProblem;
+use stickslip_contact::Interface;
 use stickslip_fem_core::InterfaceOperator;
 
 use super::queue::Queue;
@@ -168,11 +168,11 @@ impl<'a> Shop<'a> {
         let operators = self.operators(scene, &model)?;
         let faces: Vec<&dyn InterfaceOperator> =
             operators.iter().map(Operator::interface).collect();
-        let problem = InterfaceProblem::new(&faces, model.pairs.clone())
-            .map_err(|error| error.to_string())?;
+        let interface =
+            Interface::new(&faces, model.pairs.clone()).map_err(|error| error.to_string())?;
         drop(faces);
         let solver = solver(scene.analysis.solver);
-        let solved = follow(&model, operators, problem, solver.as_ref(), &mut |_| {})
+        let solved = follow(&model, operators, interface, solver.as_ref(), &mut |_| {})
             .map_err(|error| error.to_string())?;
         let wanted = needed(scene, &model);
         results_without_audit(scene, &model, solver.as_ref(), solved, &wanted)
@@ -215,7 +215,7 @@ fn modelled(scene: &Scene, last: &mut LastModel) -> Result<Model, ModelError> {
     }
 }
 
-/// Bodies whose inner displacements are needed: those asked for failure, and those with a reported edge that does not touch.
+/// Bodies whose inner displacements are needed.
 fn needed(scene: &Scene, model: &Model) -> Vec<usize> {
     let fails = |index: usize| {
         let failure = scene.failure.as_ref();

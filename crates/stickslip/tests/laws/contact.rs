@@ -28,8 +28,8 @@ fn what_is_seen_is_what_the_scene_recovers() {
         let state = &solved.records[step].state;
         assert_eq!(&states[step], state);
         let count = plate.interface_nodes().len();
-        let forces = solved.problem.forces_on_body(body, count, &state.forces);
-        let motions = state.rigid.rows_range(solved.problem.body_modes(body));
+        let forces = solved.interface.forces_on_body(body, count, &state.forces);
+        let motions = state.rigid.rows_range(solved.interface.body_modes(body));
         let motions = motions.clone_owned();
         let exact = plate.displacements(&forces, &state.multipliers, motions.as_slice());
         let seen = view.displacements(state);

@@ -1,11 +1,11 @@
 //! Several contacts that know nothing of each other, in one scene.
 
-use stickslip::run::{run_with, solver};
+use stickslip::run::{run_with, solve, solver};
 use stickslip::scene::schema::SolverChoice;
 use stickslip_contact::InterfaceSolver;
 use stickslip_contact::solver::{Step, StepFailure, StepSolution};
 
-use super::{BUSHING, difference, scene, solved, tractions};
+use super::{BUSHING, difference, model, scene, solved, tractions};
 
 const LINES: &str = r#"
 version = 1
@@ -145,10 +145,75 @@ fn two_joints_are_as_each_is_alone() {
     }
 }
 
+/// `count` joints of a lug and its bolt, loaded by `load(k)` in newtons and once more by half of it.
+fn lugs(count: i32, load: impl Fn(i32) -> f64) -> String {
+    let mut text = BUSHING[..BUSHING.find("[bodies").unwrap()].to_owned();
+    text += "[mesh]\nspacing = \"12 deg\"\nelement = \"Q4\"\n[output]\nfields = \"none\"\nfigures = false\n";
+    for k in 0..count {
+        let own = LUG
+            .replace("lug", &format!("lug{k:02}"))
+            .replace("bolt", &format!("bolt{k:02}"));
+        let steps = format!("steps = [\"{} N\", \"{} N\"]", load(k), 0.5 * load(k));
+        text += &own.replace("steps = [\"500 N\", \"700 N\", \"900 N\"]", &steps);
+    }
+    text
+}
+
+#[test]
+fn copies_of_a_joint_are_as_each_is_alone_to_the_last_bit() {
+    let load = |k: i32| 900.0 / 10_f64.powi(2 * k);
+    let together = solved(&lugs(4, load), &[]);
+    for (k, joint) in (0..4).enumerate() {
+        let alone = solved(&lugs(1, |_| load(joint)), &[]);
+        for (together, alone) in together.steps.iter().zip(&alone.steps) {
+            assert_eq!(together.edges[k].rows, alone.edges[0].rows);
+            assert_eq!(together.edges[k].zones, alone.edges[0].zones);
+            assert_eq!(together.edges[k].resultant, alone.edges[0].resultant);
+        }
+    }
+}
+
+#[test]
+fn what_is_stored_grows_with_the_number_of_joints() {
+    let entries = |count: i32| {
+        let model = model(&lugs(count, |_| 900.0), &[]);
+        let solver = solver(SolverChoice::Auto);
+        let solved = solve(&model, solver.as_ref(), &mut |_| {}).unwrap();
+        assert_eq!(solved.interface.parts().len(), count as usize);
+        let operations: u64 = solved
+            .records
+            .iter()
+            .map(|record| record.work.operations)
+            .sum();
+        (solved.interface.entries(), operations)
+    };
+    let (entries_of_one, operations_of_one) = entries(1);
+    assert_eq!(entries(12), (12 * entries_of_one, 12 * operations_of_one));
+}
+
+/// The wheel is lifted off its slab, and the roller's history ends with it.
+#[test]
+fn bodies_without_balance_are_named() {
+    let folder = tempfile::TempDir::new().unwrap();
+    std::fs::write(folder.path().join("lines.toml"), LINES).unwrap();
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_stickslip"))
+        .current_dir(folder.path())
+        .args(["run", "lines.toml"])
+        .args(["--set", "loads.2.force.direction=[0, 1]"])
+        .output()
+        .unwrap();
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    for part in ["for 'slab' and 'wheel'", "cannot be balanced", "(proved)"] {
+        assert!(message.contains(part), "{part}: {message}");
+    }
+    assert!(!message.contains("'roller'"), "{message}");
+}
+
 /// Solves as the command does, then makes the largest normal force of a pair wrong.
 #[derive(Debug)]
 struct Wrong {
-    pair: usize,
+    pair: String,
     error: f64,
 }
 
@@ -160,7 +225,11 @@ impl InterfaceSolver for Wrong {
     fn solve(&self, step: &Step<'_>) -> Result<StepSolution, StepFailure> {
         let mut solution = solver(SolverChoice::Auto).solve(step)?;
         let forces = &mut solution.trial.forces;
-        let rows = step.problem.pair_points(self.pair).map(|k| 2 * k);
+        let mut pairs = step.problem.pairs().iter();
+        let Some(pair) = pairs.position(|pair| pair.name == self.pair) else {
+            return Ok(solution);
+        };
+        let rows = step.problem.pair_points(pair).map(|k| 2 * k);
         let largest = rows
             .max_by(|&a, &b| forces[a].total_cmp(&forces[b]))
             .unwrap();
@@ -176,6 +245,7 @@ fn balances(pair: usize, error: f64) -> Vec<f64> {
         "loads.1.force.steps=[\"0.005 N\", \"0.007 N\", \"0 N\"]",
     ];
     let scene = scene(&format!("{BUSHING}{LUG}"), &changes);
+    let pair = scene.contacts[pair].name.clone();
     let results = run_with(&scene, &Wrong { pair, error }, &mut |_| {}).unwrap();
     results
         .steps

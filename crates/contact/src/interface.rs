@@ -1,0 +1,263 @@
+//! All contacts of a scene, in parts that know nothing of each other.
+//!
+//! Contacts depend on each other where bodies that give or move link them; a rigid body that is held passes nothing on. Without such
+//! links the compliance of all contacts and their rigid motions are block-diagonal,
+//!
+//! ```text
+//! A = diag(A_1, …, A_P),   G = diag(G_1, …, G_P),
+//! ```
+//!
+//! so that each part is an [`InterfaceProblem`] of its own with its own scales, increments and proofs, and memory and work are sums
+//! over the parts. Points, pairs, bodies and rigid motions keep the numbers that they have in the whole.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use nalgebra::DVector;
+use rayon::prelude::*;
+use stickslip_fem_core::InterfaceOperator;
+
+use crate::error::ContactError;
+use crate::problem::{ContactPair, Contacts, InterfaceProblem, check};
+
+/// All contacts of a scene, in independent parts.
+#[derive(Clone, Debug)]
+pub struct Interface {
+    parts: Vec<Part>,
+    contacts: Contacts,
+    /// First rigid motion of each body, and the number of rigid motions at the end.
+    mode_offsets: Vec<usize>,
+}
+
+/// Bodies that are linked by contact, and their interface problem.
+#[derive(Clone, Debug)]
+pub struct Part {
+    problem: InterfaceProblem,
+    group: Group,
+    /// The number in the whole of each of its points.
+    points: Vec<usize>,
+    /// The number in the whole of each of its rigid motions.
+    modes: Vec<usize>,
+}
+
+/// Bodies that are linked by contact, and their pairs, both ascending.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Group {
+    /// Indices of the bodies.
+    pub bodies: Vec<usize>,
+    /// Indices of the pairs.
+    pub pairs: Vec<usize>,
+}
+
+/// Groups the bodies that `pairs` link, given by the indices of their two bodies. `links[b]` says whether body `b` gives or moves; one
+/// that does neither is in every group that touches it, and in none without contact.
+pub fn groups(links: &[bool], pairs: &[[usize; 2]]) -> Vec<Group> {
+    let mut parent: Vec<usize> = (0..links.len()).collect();
+    for &[first, second] in pairs {
+        if links[first] && links[second] {
+            let (one, other) = (root(&mut parent, first), root(&mut parent, second));
+            parent[one.max(other)] = one.min(other);
+        }
+    }
+    // A root is the least of its bodies.
+    let mut groups: BTreeMap<usize, Group> = BTreeMap::new();
+    for body in (0..links.len()).filter(|&body| links[body]) {
+        let group = groups.entry(root(&mut parent, body)).or_default();
+        group.bodies.push(body);
+    }
+    for (index, &[first, second]) in pairs.iter().enumerate() {
+        let link = if links[first] { first } else { second };
+        let group = groups.entry(root(&mut parent, link)).or_default();
+        group.pairs.push(index);
+        group.bodies.extend([first, second]);
+    }
+    let mut groups: Vec<Group> = groups.into_values().collect();
+    for group in &mut groups {
+        group.bodies.sort_unstable();
+        group.bodies.dedup();
+    }
+    groups
+}
+
+fn root(parent: &mut [usize], mut body: usize) -> usize {
+    while parent[body] != body {
+        parent[body] = parent[parent[body]];
+        body = parent[body];
+    }
+    body
+}
+
+impl Interface {
+    /// Assembles the problems of `pairs` between `bodies`, those of different parts side by side.
+    ///
+    /// # Errors
+    /// As [`InterfaceProblem::new`].
+    pub fn new(
+        bodies: &[&dyn InterfaceOperator],
+        pairs: Vec<ContactPair>,
+    ) -> Result<Self, ContactError> {
+        check::all(&pairs, bodies)?;
+        let moves = |body: usize| bodies[body].modes().ncols() > 0;
+        let links: Vec<bool> = (0..bodies.len())
+            .map(|body| moves(body) || bodies[body].compliance().is_some())
+            .collect();
+        let ends: Vec<[usize; 2]> = pairs.iter().map(|pair| [pair.first, pair.second]).collect();
+        let mut groups = groups(&links, &ends);
+        // Others have nothing to solve for.
+        groups.retain(|group| !group.pairs.is_empty() || group.bodies.iter().any(|&b| moves(b)));
+        if groups.len() < 2 {
+            return Ok(InterfaceProblem::new(bodies, pairs)?.into());
+        }
+        let mut mode_offsets = vec![0];
+        for body in bodies {
+            mode_offsets.push(mode_offsets[mode_offsets.len() - 1] + body.modes().ncols());
+        }
+        let mut contacts = Contacts::new(pairs, bodies);
+        let parts: Vec<Part> = groups
+            .into_par_iter()
+            .map(|group| Part::new(group, bodies, &contacts, &mode_offsets))
+            .collect::<Result<_, _>>()?;
+        let points = contacts.points_mut();
+        for part in &parts {
+            for (&k, point) in part.points.iter().zip(part.problem.points()) {
+                points[k].slides = point.slides;
+            }
+        }
+        Ok(Self {
+            parts,
+            contacts,
+            mode_offsets,
+        })
+    }
+
+    /// The parts, ordered by their first body.
+    pub fn parts(&self) -> &[Part] {
+        &self.parts
+    }
+
+    /// All pairs and points.
+    pub fn contacts(&self) -> &Contacts {
+        &self.contacts
+    }
+
+    /// Number of rigid motions of all bodies.
+    pub fn mode_count(&self) -> usize {
+        self.mode_offsets[self.mode_offsets.len() - 1]
+    }
+
+    /// Range of the rigid motions of body `body` among those of all bodies.
+    pub fn body_modes(&self, body: usize) -> Range<usize> {
+        self.mode_offsets[body]..self.mode_offsets[body + 1]
+    }
+
+    /// Numbers held in the compliances and rigid motions of all parts.
+    pub fn entries(&self) -> usize {
+        let parts = self.parts.iter().map(|part| &part.problem);
+        parts
+            .map(|problem| problem.compliance().len() + problem.modes().len())
+            .sum()
+    }
+
+    /// As [`InterfaceProblem::forces_on_body`], of all parts that touch body `index`.
+    pub fn forces_on_body(&self, index: usize, count: usize, forces: &DVector<f64>) -> Vec<f64> {
+        let mut on_body = vec![0.0; 2 * count];
+        for part in &self.parts {
+            let Ok(local) = part.group.bodies.binary_search(&index) else {
+                continue;
+            };
+            let found = if self.is_undivided() {
+                part.problem.forces_on_body(local, count, forces)
+            } else {
+                part.problem
+                    .forces_on_body(local, count, &part.own_components(forces))
+            };
+            let both = on_body.iter_mut().zip(found);
+            both.for_each(|(sum, force)| *sum += force);
+        }
+        on_body
+    }
+
+    /// Whether one problem holds all bodies.
+    pub(crate) fn is_undivided(&self) -> bool {
+        self.parts.len() == 1
+    }
+}
+
+/// One part that holds all bodies, linked or not.
+impl From<InterfaceProblem> for Interface {
+    fn from(problem: InterfaceProblem) -> Self {
+        let bodies = problem.body_count();
+        let ends = (0..bodies).map(|body| problem.body_modes(body).end);
+        let contacts = problem.contacts().clone();
+        Self {
+            mode_offsets: std::iter::once(0).chain(ends).collect(),
+            parts: vec![Part {
+                group: Group {
+                    bodies: (0..bodies).collect(),
+                    pairs: (0..contacts.pairs().len()).collect(),
+                },
+                points: (0..contacts.points().len()).collect(),
+                modes: (0..problem.modes().ncols()).collect(),
+                problem,
+            }],
+            contacts,
+        }
+    }
+}
+
+impl Part {
+    fn new(
+        group: Group,
+        bodies: &[&dyn InterfaceOperator],
+        contacts: &Contacts,
+        mode_offsets: &[usize],
+    ) -> Result<Self, ContactError> {
+        let own: Vec<&dyn InterfaceOperator> =
+            group.bodies.iter().map(|&body| bodies[body]).collect();
+        // Both bodies of each of its pairs are among its own.
+        let local = |body: usize| group.bodies.partition_point(|&other| other < body);
+        let pairs = group.pairs.iter().map(|&pair| {
+            let pair = &contacts.pairs()[pair];
+            ContactPair {
+                first: local(pair.first),
+                second: local(pair.second),
+                ..pair.clone()
+            }
+        });
+        let modes = |&body: &usize| mode_offsets[body]..mode_offsets[body + 1];
+        Ok(Self {
+            problem: InterfaceProblem::new(&own, pairs.collect())?,
+            points: (group.pairs.iter())
+                .flat_map(|&pair| contacts.pair_points(pair))
+                .collect(),
+            modes: group.bodies.iter().flat_map(modes).collect(),
+            group,
+        })
+    }
+
+    /// Its interface problem, in which bodies, pairs and points are counted anew in the order of [`group`](Self::group).
+    pub fn problem(&self) -> &InterfaceProblem {
+        &self.problem
+    }
+
+    /// Its bodies and pairs.
+    pub fn group(&self) -> &Group {
+        &self.group
+    }
+
+    /// The number in the whole of each of its points.
+    pub fn points(&self) -> &[usize] {
+        &self.points
+    }
+
+    /// The number in the whole of each of its rigid motions.
+    pub fn modes(&self) -> &[usize] {
+        &self.modes
+    }
+
+    /// Its normal and tangential components of `all`, those of the whole.
+    fn own_components(&self, all: &DVector<f64>) -> DVector<f64> {
+        let rows = self.points.iter().flat_map(|&k| [2 * k, 2 * k + 1]);
+        DVector::from_iterator(2 * self.points.len(), rows.map(|row| all[row]))
+    }
+}

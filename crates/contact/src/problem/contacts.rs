@@ -1,0 +1,164 @@
+//! Pairs of bodies that may touch, and the points of all pairs in one list.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use nalgebra::Matrix2;
+use stickslip_fem_core::InterfaceOperator;
+use stickslip_fem_core::mesh::Point;
+use stickslip_friction::{FrictionLaw, Place};
+
+use super::Stencil;
+
+/// One contact point of a pair: a node of the first body against a node of the second, or a weighted share of both edges.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ContactPoint {
+    /// Where it stands on the first body; a node converts from its index among the body's contact points.
+    pub first: Stencil,
+    /// Where it stands on the second body.
+    pub second: Stencil,
+    /// Unit normal e_n from the second body into the first; e_t is e_n turned by +90°.
+    pub normal: [f64; 2],
+    /// Initial gap g₀ `[length]`; negative for interference.
+    pub gap: f64,
+    /// Contact area that the point stands for `[length²]`: traction = force / area.
+    pub area: f64,
+    /// Angle of the first body's 1-axis from x `[rad]`.
+    pub material_angle: f64,
+}
+
+/// Two bodies that may touch, and the friction between them.
+#[derive(Clone, Debug)]
+pub struct ContactPair {
+    /// Name for messages and results.
+    pub name: String,
+    /// Index of the first body.
+    pub first: usize,
+    /// Index of the second body.
+    pub second: usize,
+    /// Points in walk order along the contact.
+    pub points: Vec<ContactPoint>,
+    /// Friction law.
+    pub law: Arc<dyn FrictionLaw>,
+}
+
+/// One contact point of the assembled problem.
+#[derive(Clone, Debug)]
+pub struct ProblemPoint {
+    /// Index of the pair it belongs to.
+    pub pair: usize,
+    /// Initial gap `[length]`.
+    pub gap: f64,
+    /// Contact area `[length²]`.
+    pub area: f64,
+    /// Place handed to the friction law.
+    pub place: Place,
+    /// Unit normal e_n.
+    pub normal: [f64; 2],
+    /// What a unit normal and a unit tangential contact force do to the first body: force along x and y `[1]`, and moment
+    /// about the origin `[length]`.
+    pub actions: [[f64; 3]; 2],
+    /// Whether the bodies can move against each other tangentially here; not so on a line of symmetry.
+    pub slides: bool,
+}
+
+/// The points of all pairs, pair by pair in walk order.
+#[derive(Clone, Debug)]
+pub struct Contacts {
+    pairs: Vec<ContactPair>,
+    points: Vec<ProblemPoint>,
+    /// First point of each pair, and the number of points at the end.
+    offsets: Vec<usize>,
+}
+
+impl Contacts {
+    /// The points of `pairs`, which [`check`](super::check) accepts, between `bodies`.
+    pub(crate) fn new(pairs: Vec<ContactPair>, bodies: &[&dyn InterfaceOperator]) -> Self {
+        let mut offsets = vec![0];
+        for pair in &pairs {
+            offsets.push(offsets[offsets.len() - 1] + pair.points.len());
+        }
+        Self {
+            points: problem_points(&pairs, bodies),
+            pairs,
+            offsets,
+        }
+    }
+
+    pub(crate) fn points_mut(&mut self) -> &mut [ProblemPoint] {
+        &mut self.points
+    }
+
+    /// Replaces the friction of pair `pair`, if there is one.
+    pub(super) fn set_law(&mut self, pair: usize, law: Arc<dyn FrictionLaw>) {
+        if let Some(pair) = self.pairs.get_mut(pair) {
+            pair.law = law;
+        }
+    }
+
+    /// Contact points, pair by pair in walk order.
+    pub fn points(&self) -> &[ProblemPoint] {
+        &self.points
+    }
+
+    /// The pairs.
+    pub fn pairs(&self) -> &[ContactPair] {
+        &self.pairs
+    }
+
+    /// Range of the points of pair `pair`.
+    pub fn pair_points(&self, pair: usize) -> Range<usize> {
+        self.offsets[pair]..self.offsets[pair + 1]
+    }
+
+    /// Friction law at point `point`.
+    pub fn law(&self, point: usize) -> &dyn FrictionLaw {
+        self.pairs[self.points[point].pair].law.as_ref()
+    }
+}
+
+/// Rows e_n and e_t.
+pub(super) fn frame(normal: [f64; 2]) -> Matrix2<f64> {
+    Matrix2::new(normal[0], normal[1], -normal[1], normal[0])
+}
+
+fn problem_points(pairs: &[ContactPair], bodies: &[&dyn InterfaceOperator]) -> Vec<ProblemPoint> {
+    let mut points = Vec::new();
+    for (index, pair) in pairs.iter().enumerate() {
+        for point in &pair.points {
+            let nodes = bodies[pair.first].points();
+            let place = Place {
+                position: point.first.position(nodes),
+                tangent: [-point.normal[1], point.normal[0]],
+                material_angle: point.material_angle,
+            };
+            points.push(ProblemPoint {
+                pair: index,
+                gap: point.gap,
+                area: point.area,
+                place,
+                normal: point.normal,
+                actions: actions(point, nodes),
+                slides: true,
+            });
+        }
+    }
+    points
+}
+
+/// Force and moment on the first body by a unit normal and a unit tangential force at `point`.
+fn actions(point: &ContactPoint, nodes: &[Point]) -> [[f64; 3]; 2] {
+    let frame = frame(point.normal);
+    let mut actions = [[0.0; 3]; 2];
+    for term in point.first.terms() {
+        let forces = term.matrix() * frame;
+        let [x, y] = nodes[term.node];
+        for (row, action) in actions.iter_mut().enumerate() {
+            let (along_x, along_y) = (forces[(row, 0)], forces[(row, 1)]);
+            action[0] += along_x;
+            action[1] += along_y;
+            action[2] += x * along_y - y * along_x;
+        }
+    }
+    actions
+}
