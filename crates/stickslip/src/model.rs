@@ -10,6 +10,7 @@ mod placement;
 mod polar_table;
 mod remarks;
 mod resultant;
+mod room;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -58,6 +59,28 @@ pub enum ModelError {
         /// Nodes that the scene asks for.
         nodes: f64,
         /// The memory that it would take and the memory that there is, in words.
+        words: String,
+    },
+    /// Contacts that share bodies, with more points than there is memory for.
+    #[error(
+        "contact '{contact}' is one of {contacts} that share bodies, with {points} points together: {words}"
+    )]
+    InterfaceTooLarge {
+        /// Name of one of the contacts.
+        contact: String,
+        /// Number of contacts that are solved together.
+        contacts: usize,
+        /// Number of their points.
+        points: usize,
+        /// The memory that all contacts would take and the memory that there is, in words.
+        words: String,
+    },
+    /// A load history of more steps than there is memory for.
+    #[error("the history has {steps} load steps: {words}")]
+    HistoryTooLong {
+        /// Number of load steps.
+        steps: usize,
+        /// The memory that their results would take and the memory that there is, in words.
         words: String,
     },
     /// A mesh generator refused.
@@ -234,7 +257,7 @@ impl Model {
                      a few tenths of a percent"
                 .into(),
         });
-        Ok(Self {
+        let model = Self {
             bodies,
             pairs: contacts.pairs,
             edges: contacts.edges,
@@ -242,7 +265,9 @@ impl Model {
             half,
             choices,
             notes: remarks::of_scene(scene),
-        })
+        };
+        room::check(scene, &model)?;
+        Ok(model)
     }
 }
 

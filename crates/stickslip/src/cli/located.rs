@@ -12,6 +12,14 @@ pub(super) fn locate(scene: &Scene, error: &ModelError) -> SceneError {
             mesh_key(scene, body),
             "make mesh.spacing larger, or let it grow with mesh.fine_to and mesh.coarse_spacing; mesh.layers counts too",
         ),
+        ModelError::InterfaceTooLarge { contact, .. } => (
+            contact_key(scene, contact),
+            "make mesh.spacing larger, or let it grow with mesh.fine_to and mesh.coarse_spacing; split the scene where its bodies allow it",
+        ),
+        ModelError::HistoryTooLong { .. } => (
+            "loads".to_owned(),
+            "take fewer load steps; analysis.substeps divides them without results of their own",
+        ),
         ModelError::Generate { body, .. }
         | ModelError::Mesh { body, .. }
         | ModelError::Body { body, .. } => (
