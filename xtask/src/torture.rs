@@ -179,7 +179,10 @@ fn tried(kind: &dyn Kind, options: &Options, time: Option<Duration>) -> (Run, Ve
                 Err(_) => kind.trial(seed),
             };
             for failure in &trial.failures {
-                progress.println(format!("seed {seed}, {}: {}", failure.check, failure.found));
+                // Seen at once also where no terminal shows a bar.
+                progress.suspend(|| {
+                    eprintln!("seed {seed}, {}: {}", failure.check, failure.found);
+                });
             }
             progress.inc(1);
             let mut found = found

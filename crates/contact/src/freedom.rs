@@ -6,8 +6,6 @@
 //!
 //! If the load does no work along such an α, as it must where there is balance, every multiple of it may be added to a solution.
 
-use std::ops::Range;
-
 use nalgebra::{DMatrix, DVector};
 use stickslip_friction::History;
 
@@ -15,7 +13,7 @@ use crate::problem::InterfaceProblem;
 use crate::solver::FreeMotions;
 use crate::state::{ContactState, Status};
 
-/// Singular values up to this part of the largest are those of a motion that nothing resists.
+/// Singular values up to this part of the largest motion are those of a motion that nothing resists.
 const NEGLIGIBLE: f64 = 1e-10;
 
 /// Part of the largest contact force up to which a force is rounding.
@@ -70,7 +68,7 @@ pub fn free_bodies(problem: &InterfaceProblem) -> Vec<FreeBody> {
 }
 
 /// The pairs whose gaps the contact of `state` leaves undetermined: a rigid motion that moves no pressed point along its normal
-/// and no sticking one along its tangent changes no force, and the gaps of these pairs.
+/// and no sticking one along its tangent changes no force, and the gaps of these pairs. Pairs that nothing presses are among them.
 pub fn loose_pairs(problem: &InterfaceProblem, state: &ContactState) -> Vec<usize> {
     // A point that closes without force is as well a moment before it does.
     let least = FORCELESS * state.forces.amax();
@@ -87,13 +85,11 @@ pub fn loose_pairs(problem: &InterfaceProblem, state: &ContactState) -> Vec<usiz
         return Vec::new();
     };
     let relative = problem.modes() * free.projector;
-    let loose = |points: &Range<usize>| {
-        let touches = points.clone().any(pressed);
-        touches && points.clone().any(|k| relative.row(2 * k).amax() > MOVES)
+    let loose = |&pair: &usize| {
+        let mut points = problem.pair_points(pair);
+        points.any(|k| relative.row(2 * k).amax() > MOVES)
     };
-    (0..problem.pairs().len())
-        .filter(|&pair| loose(&problem.pair_points(pair)))
-        .collect()
+    (0..problem.pairs().len()).filter(loose).collect()
 }
 
 /// Columns α of length 1 that nothing resists, of a problem with rigid motions.
@@ -112,7 +108,11 @@ fn null_motions(problem: &InterfaceProblem) -> DMatrix<f64> {
     let missing = modes.ncols().saturating_sub(resisted.nrows());
     let rows = resisted.nrows();
     let svd = resisted.insert_rows(rows, missing, 0.0).svd(false, true);
-    let largest = svd.singular_values.iter().fold(0.0, |a: f64, b| a.max(*b));
+    // Beside whole motions: where friction is missing, the normal parts of a turn about its centre are all rounding.
+    let largest = modes
+        .column_iter()
+        .map(|mode| mode.norm())
+        .fold(0.0, f64::max);
     let Some(right) = svd.v_t else {
         return DMatrix::zeros(modes.ncols(), 0);
     };

@@ -20,7 +20,7 @@ use crate::state::ContactState;
 use crate::uniqueness::uniqueness_bound;
 
 pub use increment::Increment;
-pub use otherwise::{Difference, Otherwise};
+pub use otherwise::{Difference, Missing, Otherwise};
 pub use recovery::{Cycle, FailedAttempts, Recovery};
 
 /// How the load grows within the first load step, from nothing; later steps are always linear.

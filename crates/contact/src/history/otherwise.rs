@@ -39,11 +39,22 @@ impl Difference {
     }
 }
 
+/// Why a step that may have several solutions was not compared with another solver's answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Missing {
+    /// The comparisons of the history would take more work than they may.
+    Effort,
+    /// The other solver found no answer.
+    Answer,
+}
+
 /// A load step's answer beside those of other ways to it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Otherwise {
     /// By another solver in the increments that the history asks for: where the step may have several solutions, or was cut back.
     pub other_solver: Option<Difference>,
+    /// Why that is missing where it was called for.
+    pub missing: Option<Missing>,
     /// By the same solver in twice as many increments: where the step was cut back under friction into few of them.
     pub finer: Option<Difference>,
 }
@@ -63,6 +74,7 @@ impl Otherwise {
         };
         Self {
             other_solver: more(self.other_solver, other.other_solver),
+            missing: self.missing.or(other.missing),
             finer: more(self.finer, other.finer),
         }
     }
@@ -70,9 +82,10 @@ impl Otherwise {
 
 impl LoadHistory {
     /// Compares each of `records`, which `solver` found of this history, with other ways to the end of its step: with another
-    /// solver where friction is not below the estimated bound of uniqueness or the step was cut back, with smaller increments
-    /// where it was cut back. It costs nothing where neither is so, about as much as the step elsewhere. Parts of `interface` are compared
-    /// each for itself, relative to its own largest pressure, and that which differs most is returned.
+    /// solver where friction falls with slip or is not below the estimated bound of uniqueness, contact left gaps undetermined or the
+    /// step was cut back, with smaller increments where it was cut back. It costs nothing where none is so, about as much as the step
+    /// elsewhere.
+    /// Parts of `interface` are compared each for itself, relative to its own largest pressure, and that which differs most is returned.
     pub fn walked_otherwise(
         &self,
         interface: &Interface,
@@ -130,7 +143,10 @@ impl LoadHistory {
                     found.finer = again.by(solver, solver.name(), 2 * record.increments);
                 }
                 if record.cutbacks > 0 || may_have_several(problem, record, estimate) {
-                    found.other_solver = again.by_another(&mut effort);
+                    match again.by_another(&mut effort) {
+                        Ok(difference) => found.other_solver = Some(difference),
+                        Err(missing) => found.missing = Some(missing),
+                    }
                 }
             }
             all.push(found);
@@ -139,14 +155,14 @@ impl LoadHistory {
     }
 }
 
-/// Whether contact left gaps undetermined on the way, or friction of `record` is not below the bound of uniqueness: that of its own
-/// points where these are few, else `estimate`, that of the most points of its history.
+/// Whether contact left gaps undetermined on the way, or friction of `record` falls with slip or is not below the bound of uniqueness:
+/// that of its own points where these are few, else `estimate`, that of the most points of its history.
 fn may_have_several(
     problem: &InterfaceProblem,
     record: &StepRecord,
     estimate: Option<f64>,
 ) -> bool {
-    if !record.loose.is_empty() {
+    if !record.loose.is_empty() || falls_with_slip(problem, record) {
         return true;
     }
     let status = &record.state.status;
@@ -159,6 +175,23 @@ fn may_have_several(
     bound.is_none_or(|bound| record.coefficient >= NEAR_BOUND * bound)
 }
 
+/// Whether a point that touches could stick with more than it slips with, so that the bound of uniqueness says nothing.
+fn falls_with_slip(problem: &InterfaceProblem, record: &StepRecord) -> bool {
+    /// Part of a bound that is rounding.
+    const ROUNDING: f64 = 1e-12;
+    let state = &record.state;
+    let falls = |k: usize| {
+        let point = &problem.points()[k];
+        let (pressure, slip) = (state.normal_force(k) / point.area, record.slip[k].abs());
+        let law = problem.law(k);
+        let bound = law.bound(pressure, slip, &point.place, &state.history[k]);
+        let rounding = ROUNDING * bound.slip;
+        bound.stick > bound.slip + rounding || bound.slip_ds * slip < -rounding
+    };
+    let slides = |k: usize| state.status[k].touches() && problem.points()[k].slides;
+    (0..state.status.len()).any(|k| slides(k) && falls(k))
+}
+
 /// A load step to be walked again.
 struct Again<'a> {
     history: &'a LoadHistory,
@@ -169,22 +202,24 @@ struct Again<'a> {
 }
 
 impl Again<'_> {
-    /// By pivoting, or by Newton where pivoting found the step; `None` also where that would take more than `effort`, which is
-    /// reduced by what it takes.
-    fn by_another(&self, effort: &mut f64) -> Option<Difference> {
+    /// By pivoting, or by Newton where pivoting found the step, unless that would take more than `effort`, which is reduced by what it
+    /// takes.
+    fn by_another(&self, effort: &mut f64) -> Result<Difference, Missing> {
         let parts = self.history.substeps;
         let (newton, pivoting) = (SemismoothNewton::default(), Pivoting::default());
         if self.record.solvers.contains(&pivoting.name()) {
-            return self.by(&newton, newton.name(), parts);
+            let found = self.by(&newton, newton.name(), parts);
+            return found.ok_or(Missing::Answer);
         }
         // Of order three times the number of points, with about two pivots per unknown.
         let order = 3.0 * self.problem.points().len() as f64;
         let cost = 4.0 * order.powi(3) * parts as f64;
         if cost > *effort {
-            return None;
+            return Err(Missing::Effort);
         }
         *effort -= cost;
-        self.by(&pivoting, pivoting.name(), parts)
+        let found = self.by(&pivoting, pivoting.name(), parts);
+        found.ok_or(Missing::Answer)
     }
 
     fn by(

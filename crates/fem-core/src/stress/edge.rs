@@ -11,6 +11,13 @@
 //! exact arc length through a node and its p neighbours on either side, p being the order of the edge. It uses nothing but
 //! the displacements of the edge, so neither the facets of the mesh nor the interior nodes of the cells spoil it.
 //!
+//! A rotation ω of the body has the derivative ω e_z × x′, with a part along t where x′ of the polynomial is not: between cells of
+//! unequal length. It is taken off, so that stresses do not depend on how far a free body has turned:
+//!
+//! ```text
+//! ε_tt = t · u′ + (n · x′)/(t · x′) n · u′
+//! ```
+//!
 //! At an open end the neighbours are all on one side, unless the end lies on a line of symmetry: then the path goes on
 //! beyond it by reflection.
 //!
@@ -92,10 +99,14 @@ pub fn edge_stresses(
 ) -> Result<Vec<EdgeStress>, StressError> {
     let turn = check(edge)?;
     let compliance = material.compliance();
+    let normals = EdgeData {
+        displacement: edge.normal,
+        ..*edge
+    };
     let stress = (0..edge.parameter.len()).map(|node| {
         let n = edge.normal[node];
         let slope = displacement_slope(edge, turn, node);
-        let strain = slope[1] * n[0] - slope[0] * n[1];
+        let strain = slope[1] * n[0] - slope[0] * n[1] + turned(&normals, turn, node, slope);
         let [tn, tt, ts] = rotated_compliance(&compliance, n)[1];
         let initial = rotated_strain(initial_strain, n)[1];
         let (normal, shear) = (edge.normal_stress[node], edge.shear_stress[node]);
@@ -189,6 +200,21 @@ fn displacement_slope(edge: &EdgeData<'_>, turn: f64, node: usize) -> [f64; 2] {
         .map(|k| point_beyond(edge, turn, k))
         .collect();
     lagrange_slope(&points, node as isize - first)
+}
+
+/// What the part along n of the displacement's `slope` at `node` adds to the strain along the edge. On a circle x′ is R n′, with n in
+/// the place of displacements; straight edges have n′ = 0, and x′ along t.
+fn turned(normals: &EdgeData<'_>, turn: f64, node: usize, slope: [f64; 2]) -> f64 {
+    let n = normals.normal[node];
+    let change = displacement_slope(normals, turn, node);
+    let (along_n, along_t) = (
+        change[0] * n[0] + change[1] * n[1],
+        change[1] * n[0] - change[0] * n[1],
+    );
+    if along_t == 0.0 {
+        return 0.0;
+    }
+    along_n / along_t * (slope[0] * n[0] + slope[1] * n[1])
 }
 
 /// Derivative, at the point number `at`, of the polynomial through `points`.

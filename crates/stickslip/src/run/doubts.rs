@@ -1,8 +1,11 @@
 //! What limits the trust in an answer: rounding, a mesh too coarse for the contact, other answers of equal right.
 
-use stickslip_contact::StepRecord;
-use stickslip_contact::history::Difference;
+use std::collections::BTreeSet;
 
+use stickslip_contact::history::{Difference, Missing};
+use stickslip_contact::{ContactPair, ContactPoint, Stencil, StepRecord};
+
+use super::Solved;
 use super::remarks::{quoted, steps_where};
 use crate::model::Model;
 use crate::results::{EdgeGeometry, EdgeResults, StepResults};
@@ -15,6 +18,7 @@ pub(super) fn of_steps(model: &Model, steps: &[StepResults]) -> Vec<String> {
     let edges = model.edges.iter().enumerate();
     (cut_back(steps).into_iter())
         .chain(other_solver(steps))
+        .chain(no_other_solver(steps))
         .chain(unbalanced(steps))
         .chain(edges.filter_map(|(index, edge)| unresolved(&edge.geometry, index, steps)))
         .collect()
@@ -59,6 +63,26 @@ fn other_solver(steps: &[StepResults]) -> Option<String> {
         percent(most.peak_pressure),
         percent(most.traction),
     ))
+}
+
+/// Says where another solver should have been asked and gave no answer.
+fn no_other_solver(steps: &[StepResults]) -> Option<String> {
+    let missing =
+        |why: Missing| steps_where(steps, |step| step.notes.otherwise.missing == Some(why));
+    let dear = missing(Missing::Effort).map(|which| {
+        format!(
+            "load step {which} would take more work than comparisons of a history may, 1e9 operations"
+        )
+    });
+    let unsolved = missing(Missing::Answer)
+        .map(|which| format!("the other solver did not solve load step {which}"));
+    let reasons: Vec<String> = dear.into_iter().chain(unsolved).collect();
+    (!reasons.is_empty()).then(|| {
+        format!(
+            "Whether another solver finds another answer is not known where friction, cut-back or loose contact allow one: {}.",
+            reasons.join("; ")
+        )
+    })
 }
 
 /// The step, counted from 1, in which tractions differ most, and its difference.
@@ -115,6 +139,41 @@ fn unresolved(geometry: &EdgeGeometry, index: usize, steps: &[StepResults]) -> O
     ))
 }
 
+/// How many times stiffer than the second a finer first body is from which on its pressures are no longer unique node by node.
+const STIFFER: f64 = 10.0;
+
+/// Says where a mortar projection has more pressures than the body that gives can follow: those between are resisted by the stiff first
+/// body alone, and what is left over by the coarse second one multiplied by how much stiffer that is.
+pub(super) fn of_ripples(model: &Model, solved: &Solved) -> Vec<String> {
+    let note = |pair: &ContactPair| {
+        let nodes = |side: fn(&ContactPoint) -> &Stencil| -> BTreeSet<usize> {
+            let terms = pair.points.iter().flat_map(|point| side(point).terms());
+            terms.map(|term| term.node).collect()
+        };
+        let sides = [nodes(|point| &point.first), nodes(|point| &point.second)];
+        let gives = |body: usize, nodes: &BTreeSet<usize>| {
+            let compliance = solved.operators[body].interface().compliance()?;
+            let give = |&node: &usize| {
+                let [x, y] = [2 * node, 2 * node + 1].map(|i| compliance[(i, i)]);
+                x + y
+            };
+            Some(nodes.iter().map(give).sum::<f64>() / nodes.len() as f64)
+        };
+        let stiffer = gives(pair.second, &sides[1])? / gives(pair.first, &sides[0])?;
+        let [finer, coarser] = sides.map(|nodes| nodes.len());
+        (finer > coarser && stiffer > STIFFER).then(|| {
+            let [first, second] = [pair.first, pair.second].map(|body| &model.bodies[body].name);
+            format!(
+                "Contact '{}' has {finer} nodes of '{first}' on {coarser} of '{second}', which gives {stiffer:.0} times as much and \
+                 cannot follow so many: pressures node by node are not unique and may open every other one. Their means over cells of \
+                 '{second}' and the resultant hold. Give '{first}' a mesh no finer than that of '{second}' along the contact.",
+                pair.name
+            )
+        })
+    };
+    model.pairs.iter().filter_map(note).collect()
+}
+
 /// Says where contact leaves open gaps undetermined.
 pub(super) fn of_looseness(model: &Model, records: &[StepRecord]) -> Vec<String> {
     let note = |index: usize| {
@@ -122,8 +181,8 @@ pub(super) fn of_looseness(model: &Model, records: &[StepRecord]) -> Vec<String>
         let pair = &model.pairs[index];
         let bodies = [pair.first, pair.second].map(|body| &*model.bodies[body].name);
         Some(format!(
-            "In an increment of load step {which} contact '{}' touches at too few points to hold {} against a rigid motion that \
-             changes no force: COPEN, displacements and what closes next are one of many answers of equal right, and so is what \
+            "In an increment of load step {which} contact '{}' touches at too few points, or at none, to hold {} against a rigid \
+             motion that changes no force: COPEN, displacements and what closes next are one of many answers of equal right, and so is what \
              follows from them.",
             pair.name,
             quoted(bodies.into_iter())

@@ -40,11 +40,44 @@ struct Edge {
     steps: Vec<EdgeStep>,
 }
 
+/// What the notes say is free at the end of a step.
+#[derive(Clone, Debug, Default)]
+struct Free {
+    /// Edges whose gaps and slips are one of many.
+    places: Vec<String>,
+    /// Whether everything else is, because it follows from such gaps.
+    all: bool,
+}
+
+impl Free {
+    /// For each step of `results`.
+    fn of(results: &Results) -> Vec<Self> {
+        let mut free = vec![Self::default(); results.steps.len()];
+        for note in &results.notes {
+            let Some((start, rest)) = note.split_once(" touches at too few points") else {
+                continue;
+            };
+            let name = start.split('\'').nth(1).unwrap_or_default();
+            let digits = start.split(|c: char| !c.is_ascii_digit());
+            let Some(first) = digits.filter_map(|part| part.parse::<usize>().ok()).next() else {
+                continue;
+            };
+            debug_assert!(rest.contains("COPEN"), "{note}");
+            for (index, step) in free.iter_mut().enumerate().skip(first - 1) {
+                step.places.push(name.to_owned());
+                step.all |= index >= first || results.steps[index].increments > 1;
+            }
+        }
+        free
+    }
+}
+
 /// The numbers of a run.
 #[derive(Clone, Debug)]
 pub(super) struct Answer {
     edges: Vec<Edge>,
     dissipation: Vec<f64>,
+    free: Vec<Free>,
 }
 
 /// The largest difference of two answers.
@@ -93,6 +126,7 @@ impl Answer {
         Self {
             edges: edges.collect(),
             dissipation: results.steps.iter().map(|step| step.dissipation).collect(),
+            free: Free::of(results),
         }
     }
 
@@ -174,11 +208,18 @@ impl Answer {
             edge.steps.drain(..edge.steps.len().saturating_sub(1));
         }
         self.dissipation.clear();
+        self.free.drain(..self.free.len().saturating_sub(1));
         self
     }
 
-    /// The largest difference of the two at the places of `self`; `give` is the length `[mm]` that a stress of 1 MPa gives.
-    pub(super) fn difference(&self, other: &Self, give: f64) -> Difference {
+    /// Whether the notes call some gaps free.
+    pub(super) fn is_free(&self) -> bool {
+        self.free.iter().any(|step| !step.places.is_empty())
+    }
+
+    /// The largest difference of the two at the places of `self`; `give` is the length `[mm]` that a stress of 1 MPa gives. With `firm`
+    /// what the notes of either call free is left out.
+    pub(super) fn difference(&self, other: &Self, give: f64, firm: bool) -> Difference {
         let mut worst = Difference {
             relative: 0.0,
             found: "nothing".into(),
@@ -198,13 +239,37 @@ impl Answer {
             let scales = Scales::of(own, others, give);
             work += scales.force * scales.values[3];
             for (step, (a, b)) in own.steps.iter().zip(&others.steps).enumerate() {
-                worst.against(own, [a, b], step, &scales, own.slips && others.slips);
+                if firm && self.is_free_in(other, step) {
+                    continue;
+                }
+                let places = firm && self.frees(other, &own.name, step);
+                let compared = [
+                    true,
+                    true,
+                    !places,
+                    !places && own.slips && others.slips,
+                    true,
+                ];
+                worst.against(own, [a, b], step, &scales, compared);
             }
         }
         for (step, (a, b)) in self.dissipation.iter().zip(&other.dissipation).enumerate() {
-            worst.take(*a, *b, work, || format!("dissipation, step {}", step + 1));
+            if !(firm && self.is_free_in(other, step)) {
+                worst.take(*a, *b, work, || format!("dissipation, step {}", step + 1));
+            }
         }
         worst
+    }
+
+    /// Whether the notes of either say that everything in `step` may be another.
+    fn is_free_in(&self, other: &Self, step: usize) -> bool {
+        [self, other].iter().any(|answer| answer.free[step].all)
+    }
+
+    /// Whether the notes of either say that the gaps of `edge` at the end of `step` may be others.
+    fn frees(&self, other: &Self, edge: &str, step: usize) -> bool {
+        let names = |answer: &&Self| answer.free[step].places.iter().any(|name| name == edge);
+        [self, other].iter().any(names)
     }
 }
 
@@ -271,7 +336,7 @@ impl Difference {
         pair: [&EdgeStep; 2],
         step: usize,
         scales: &Scales,
-        slips: bool,
+        compared: [bool; 5],
     ) {
         let size = pair[0]
             .rows
@@ -299,7 +364,7 @@ impl Difference {
                 return;
             }
             for (index, name) in NAMES.iter().enumerate() {
-                if index == 3 && !slips {
+                if !compared[index] {
                     continue;
                 }
                 let place = if edge.circle {

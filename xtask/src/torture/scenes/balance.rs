@@ -84,7 +84,7 @@ fn largest(sample: &Sample, body: &str) -> Option<f64> {
     let mut most = 0.0_f64;
     for step in 0..sample.results.steps.len() {
         let [x, y] = load(sample, body, step)?;
-        most = most.max(x.hypot(y));
+        most = most.max(x.hypot(y)).max(pressed(sample, body, step));
         for (edge, contact) in sample.scene.contacts.iter().enumerate() {
             if contact.first.body == body || contact.second.body == body {
                 most = most.max(sample.results.steps[step].edges[edge].normal_force);
@@ -99,6 +99,21 @@ fn largest(sample: &Sample, body: &str) -> Option<f64> {
         .flat_map(|step| step.balance.iter().flatten());
     let reaction = reactions.map(|balance| balance.reaction[0].hypot(balance.reaction[1]));
     Some(reaction.fold(most, f64::max))
+}
+
+/// The largest force `[N]` on one side of a body by the pressures on its edges, also of those that balance themselves around a circle.
+fn pressed(sample: &Sample, body: &str, step: usize) -> f64 {
+    let thickness = match sample.scene.bodies.get(body).map(|body| &body.substance) {
+        Some(Substance::Elastic { thickness, .. }) => *thickness,
+        _ => 0.0,
+    };
+    let forces = sample.scene.loads.iter().map(|load| match &load.kind {
+        LoadKind::Pressure { on, steps } if on.body == body => {
+            steps[step].abs() * thickness * sample.size()
+        }
+        _ => 0.0,
+    });
+    forces.fold(0.0, f64::max)
 }
 
 /// Resultant of the loads on a body `[N]`; `None` where it is not known from the scene alone.

@@ -173,10 +173,17 @@ impl Sample {
 
 /// What `results` say of an answer that need not be the only one, or that depends on the path of the solution.
 pub(super) fn declared(results: &Results) -> Option<String> {
+    let words = [
+        "answer is not unique",
+        "further solutions",
+        "answer depends on the solver",
+        "another answer is not known",
+        "pressures node by node are not unique",
+        "cut back",
+    ];
+    // A cut-back that changed nothing explains nothing.
     let says = |note: &&String| {
-        ["answer is not unique", "further solutions", "cut back"]
-            .iter()
-            .any(|words| note.contains(words))
+        words.iter().any(|words| note.contains(words)) && !note.contains("changed nothing")
     };
     results.notes.iter().find(says).cloned()
 }

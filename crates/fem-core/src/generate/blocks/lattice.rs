@@ -216,14 +216,26 @@ enum Cut {
 
 impl Cut {
     /// The shorter diagonal. Of equal ones, as in rings, the one that ends farther from the axes through `centre`: that choice depends
-    /// neither on numbering nor on orientation, so meshes of mirrored points are mirrored, and a half is the whole cut in two.
+    /// neither on numbering nor on orientation, so meshes of mirrored points are mirrored, and a half is the whole cut in two. Of a cell
+    /// that an axis cuts in two, the one whose outer end lies on its positive side: mirrored about the other axis it is the same.
     fn of(x: &[Point; 8], centre: Point) -> Self {
         let [a, b, c, d] = [0, 1, 2, 3].map(|k| [0, 1].map(|i| (x[k][i] - centre[i]).abs()));
         let area = |p: Point| p[0] * p[1];
+        let outer_end = |p: usize, q: usize| {
+            let end = if distance(x[p], centre) > distance(x[q], centre) {
+                x[p]
+            } else {
+                x[q]
+            };
+            [0, 1].map(|i| end[i] - centre[i])
+        };
+        let ends = [outer_end(0, 2), outer_end(1, 3)];
         let criteria = [
             [-distance(x[0], x[2]), -distance(x[1], x[3])],
             [area(a).max(area(c)), area(b).max(area(d))],
             [a[1].max(c[1]), b[1].max(d[1])],
+            ends.map(|end| end[0]),
+            ends.map(|end| end[1]),
         ];
         let decided = criteria
             .into_iter()

@@ -8,7 +8,7 @@ use super::substance;
 use crate::model::{Meshes, ModelEdge, ModelError};
 use crate::results::{ContactFrame, EdgeGeometry, EdgeKind};
 use crate::scene::Scene;
-use crate::scene::schema::SetRef;
+use crate::scene::schema::{SetRef, Shape};
 
 /// The nodes of an edge by ascending parameter.
 pub(super) struct EdgeNodes {
@@ -105,6 +105,9 @@ impl EdgeNodes {
     ) -> ModelEdge {
         let normals = self.parameter.iter().map(|&at| self.normal(at)).collect();
         let (thickness, _) = substance(scene, &edge.body);
+        // The straight sides of a round body lie wholly in the half or wholly out of it.
+        let round = matches!(scene.bodies[&edge.body].shape, Shape::PlateWithHole { .. });
+        let half = half && !(round && self.kind == EdgeKind::Line);
         let bearing_area = match self.kind {
             EdgeKind::Circle { radius, .. } => Some(2.0 * radius * thickness),
             EdgeKind::Line => None,
