@@ -1,14 +1,19 @@
 //! Rigid motions that no contact resists.
 
 use nalgebra::{DMatrix, DVector};
-use stickslip_contact::freedom::{FreeBody, free_bodies};
-use stickslip_contact::{ContactPair, ContactPoint, InterfaceProblem};
+use stickslip_contact::freedom::{FreeBody, free_bodies, loose_pairs};
+use stickslip_contact::{ContactPair, ContactPoint, ContactState, InterfaceProblem, Status};
 use stickslip_fem_core::{GivenBody, InterfaceOperator, RigidBody};
 
 use crate::coulomb;
 
 /// A rigid disk that floats in a held hole, eight points around the circle.
 fn disk(mu: f64) -> InterfaceProblem {
+    disk_with(mu, 0)
+}
+
+/// The same without the first `held` of its motions along x, along y, about its centre.
+fn disk_with(mu: f64, held: usize) -> InterfaceProblem {
     let normals: Vec<[f64; 2]> = (0..8)
         .map(|k| f64::from(k) * std::f64::consts::TAU / 8.0)
         .map(|angle| [angle.cos(), angle.sin()])
@@ -18,7 +23,11 @@ fn disk(mu: f64) -> InterfaceProblem {
         let [x, y] = normals[row / 2];
         [[1.0, 0.0, -y], [0.0, 1.0, x]][row % 2][motion]
     });
-    let load = DVector::from_vec(vec![1.0, 0.0, 0.0]);
+    let motions = motions.remove_columns(0, held);
+    let mut load = DVector::zeros(3 - held);
+    if held == 0 {
+        load[0] = 1.0;
+    }
     let disk = GivenBody::floating(
         DMatrix::zeros(16, 16),
         motions,
@@ -65,6 +74,35 @@ fn a_disk_without_friction_turns_in_its_hole() {
     };
     assert_eq!(free_bodies(&disk(0.0)), [free]);
     assert!(free_bodies(&disk(0.1)).is_empty());
+}
+
+/// Held at its centre, its only motion moves no point along a normal but for rounding.
+#[test]
+fn a_disk_held_at_its_centre_turns_without_friction() {
+    let free = FreeBody {
+        body: 1,
+        turns: true,
+        slipping: vec![0],
+    };
+    assert_eq!(free_bodies(&disk_with(0.0, 2)), [free]);
+    assert!(free_bodies(&disk_with(0.1, 2)).is_empty());
+}
+
+/// A disk that no point presses, or one point alone, may lie elsewhere; between two sticking points it cannot.
+#[test]
+fn gaps_are_undetermined_where_too_few_points_press() {
+    let problem = disk(0.1);
+    let pressed = |points: &[usize]| {
+        let mut state = ContactState::unloaded(&problem);
+        for &k in points {
+            state.status[k] = Status::Stick;
+            state.forces[2 * k] = 1.0;
+        }
+        loose_pairs(&problem, &state)
+    };
+    assert_eq!(pressed(&[]), [0]);
+    assert_eq!(pressed(&[0]), [0]);
+    assert!(pressed(&[0, 1]).is_empty());
 }
 
 #[test]

@@ -31,7 +31,7 @@ fn assert_mirrored(mesh: &Mesh, centre: [f64; 2], signs: [f64; 2], what: &str) {
 }
 
 fn angles(extent: Extent) -> Vec<Vec<f64>> {
-    let uniform = [10, 12, 16, 18, 20, 36].map(|half| match extent {
+    let uniform = [10, 12, 15, 16, 18, 20, 36].map(|half| match extent {
         Extent::Half => uniform_angles(extent, half),
         Extent::Whole => uniform_angles(extent, 2 * half),
     });

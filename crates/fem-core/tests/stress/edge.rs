@@ -223,6 +223,27 @@ fn anisotropy_tractions_and_initial_strain_enter_on_a_closed_circle() {
     }
 }
 
+/// A body that turns by 1 rad has no stress, between edges of unequal length too.
+#[test]
+fn a_turn_is_no_stress() {
+    let isotropic = Isotropic::new(70e3, 0.3, PlaneState::Stress).unwrap();
+    for count in [12_u32, 24] {
+        let angles = (0..count).map(|k| {
+            let part = f64::from(k) / f64::from(count);
+            TAU * part + 0.15 * (TAU * part).sin() + 0.1 * (2.0 * TAU * part).cos()
+        });
+        let turn = |[x, y]: Point| [-y, x];
+        let circle = Circle::new(angles.collect(), turn, |_| [0.0; 3]);
+        for order in [1, 2] {
+            let closed = PathEnds::Closed {
+                length: TAU * kirsch::RADIUS,
+            };
+            let most = circle.largest_error((order, closed), &isotropic, [0.0; 3]);
+            assert!(most < 1e-9 * 70e3, "{count} nodes, order {order}: {most:e}");
+        }
+    }
+}
+
 #[test]
 fn the_side_of_the_normal_does_not_matter() {
     let circle = Circle::new(half_circle(10), kirsch::displacement, kirsch::stress);

@@ -218,12 +218,16 @@ fn largest(
     // Solvers promise 1e-10 of the largest force; the traction of a node may be less by its small area.
     const ROUNDING: f64 = 1e-7;
     let most = rows.iter().map(&value).reduce(f64::max)?;
+    let size = geometry.closed().unwrap_or_else(|| {
+        let places = geometry.parameter.iter();
+        places.fold(0.0, |size: f64, place| size.max(place.abs()))
+    });
     let high = rows.iter().zip(&geometry.parameter);
     let places = high.filter(|(row, _)| value(row) >= most - ROUNDING * most.abs());
     let nearer = |&a: &f64, &b: &f64| {
         let (a, b) = (geometry.seen(a), geometry.seen(b));
         let apart = a.abs() - b.abs();
-        if apart.abs() > ROUNDING {
+        if apart.abs() > ROUNDING * size {
             apart.total_cmp(&0.0)
         } else {
             b.total_cmp(&a)

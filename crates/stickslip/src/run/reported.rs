@@ -13,6 +13,8 @@ use crate::results::{EdgeResults, EdgeRow};
 
 /// Forces and lengths up to this part of the largest of their pair in the history are rounding.
 const ROUNDING: f64 = 1e-12;
+/// Up to this part of the largest of all pairs they are rounding too: a pair at rest beside others.
+const REST: f64 = 1e-16;
 /// The same for stresses along an edge: derivatives of displacements lose as many digits as the body is longer than a cell.
 const STRESS_ROUNDING: f64 = 1e-10;
 
@@ -70,8 +72,11 @@ impl Cut {
         let points = contacts.pair_points(pair);
         let largest = |of: fn(&ContactState) -> &DVector<f64>| {
             let values = records.iter().map(|record| of(&record.state));
-            let sizes = values.map(|all| all.rows(2 * points.start, 2 * points.len()).amax());
-            ROUNDING * sizes.fold(0.0, f64::max)
+            let sizes = values.map(|all| {
+                let own = all.rows(2 * points.start, 2 * points.len()).amax();
+                (ROUNDING * own).max(REST * all.amax())
+            });
+            sizes.fold(0.0, f64::max)
         };
         Self {
             force: largest(|state| &state.forces),

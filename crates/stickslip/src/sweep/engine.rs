@@ -3,7 +3,7 @@
 //! Every worker computes on a pool of one thread, so that a case uses one core and its result does not depend on how many there are.
 //! Cases that share bodies are solved one after the other by the same worker, see [`sweep`](crate::sweep) for what they share.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Sender, channel};
@@ -78,6 +78,23 @@ fn keys(sweep: &Sweep, case: usize) -> Vec<String> {
     names.filter_map(|name| bodies::key(&scene, name)).collect()
 }
 
+/// The first case with each key of `plans`.
+fn first_cases(sweep: &Sweep, plans: &BTreeMap<usize, Vec<String>>) -> BTreeMap<String, usize> {
+    let mut wanted: BTreeSet<&String> = plans.values().flatten().collect();
+    let mut first = BTreeMap::new();
+    for case in 0..sweep.cases() {
+        if wanted.is_empty() {
+            break;
+        }
+        for key in keys(sweep, case) {
+            if wanted.remove(&key) {
+                first.insert(key, case);
+            }
+        }
+    }
+    first
+}
+
 /// Cases with equal bodies together, in the order of their first cases.
 fn groups(plans: &BTreeMap<usize, Vec<String>>) -> Vec<Vec<usize>> {
     let mut groups: Vec<Vec<usize>> = Vec::new();
@@ -98,6 +115,9 @@ struct Shop<'a> {
     store: Store,
     queue: Mutex<Queue>,
     plans: BTreeMap<usize, Vec<String>>,
+    /// The first case of the sweep with the body of each key. That one is condensed for all: bodies of equal keys differ in size, and
+    /// by rounding in what they give, so a row would else depend on which cases are asked for and on the order in which they are done.
+    first: BTreeMap<String, usize>,
     condensed: AtomicUsize,
     stop: &'a AtomicBool,
 }
@@ -111,6 +131,7 @@ impl<'a> Shop<'a> {
             sweep,
             store: Store::for_uses(plans.values().flatten()),
             queue: Mutex::new(Queue::new(groups(&plans))),
+            first: first_cases(sweep, &plans),
             plans,
             condensed: AtomicUsize::new(0),
             stop,
@@ -159,13 +180,13 @@ impl<'a> Shop<'a> {
             .sweep
             .scene_of(case)
             .map_err(|error| error.to_string())?;
-        let results = self.results(&scene, last)?;
+        let results = self.results(case, &scene, last)?;
         Ok(Measures::of(&results, self.sweep))
     }
 
-    fn results(&self, scene: &Scene, last: &mut LastModel) -> Result<Results, String> {
+    fn results(&self, case: usize, scene: &Scene, last: &mut LastModel) -> Result<Results, String> {
         let model = modelled(scene, last).map_err(|error| error.to_string())?;
-        let operators = self.operators(scene, &model)?;
+        let operators = self.operators(case, scene, &model)?;
         let faces: Vec<&dyn InterfaceOperator> =
             operators.iter().map(Operator::interface).collect();
         let interface =
@@ -179,19 +200,42 @@ impl<'a> Shop<'a> {
             .map_err(|error| error.to_string())
     }
 
-    fn operators(&self, scene: &Scene, model: &Model) -> Result<Vec<Operator>, String> {
+    /// The body of `key` in the first case that has it; `None` where that is `case` itself, or models another half.
+    fn first_body(&self, key: &str, case: usize, half: bool) -> Result<Option<ModelBody>, String> {
+        let Some(&first) = self.first.get(key).filter(|&&first| first != case) else {
+            return Ok(None);
+        };
+        let words = |error: &dyn std::fmt::Display| error.to_string();
+        let scene = self.sweep.scene_of(first).map_err(|error| words(&error))?;
+        let model = Model::build(&scene).map_err(|error| words(&error))?;
+        let same = |body: &ModelBody| bodies::key(&scene, &body.name).as_deref() == Some(key);
+        let mut bodies = model.bodies.into_iter();
+        Ok(bodies.find(|body| model.half == half && same(body)))
+    }
+
+    fn operators(
+        &self,
+        case: usize,
+        scene: &Scene,
+        model: &Model,
+    ) -> Result<Vec<Operator>, String> {
         let operator = |body: &ModelBody| {
             let elastic = match &body.kind {
                 ModelBodyKind::Rigid(rigid) => return Ok(Operator::Rigid(rigid.clone())),
                 ModelBodyKind::Elastic(elastic) => elastic,
             };
-            let condense = || {
-                elastic
-                    .condense(&body.interface)
-                    .map_err(|cause| format!("body '{}': {cause}", body.name))
-            };
             let Some(key) = bodies::key(scene, &body.name) else {
                 return Err(format!("body '{}' has no elastic material", body.name));
+            };
+            let condense = || {
+                let first = self.first_body(&key, case, model.half)?;
+                let first = first.as_ref().map(|body| (&body.kind, &body.interface));
+                let (elastic, interface) = match first {
+                    Some((ModelBodyKind::Elastic(elastic), interface)) => (elastic, interface),
+                    _ => (elastic, &body.interface),
+                };
+                let condensed = elastic.condense(interface);
+                condensed.map_err(|cause| format!("body '{}': {cause}", body.name))
             };
             let (condensed, made) = self.store.get(&key, model.half, condense);
             self.condensed

@@ -10,6 +10,9 @@ const ROUNDING: f64 = 1e-8;
 /// Part of the force that a motion would take if it were strain which counts as none at all.
 const REST: f64 = 1e-6;
 
+/// Part of the force that thermal strain would take if it were held which counts as none at all.
+const HELD: f64 = 1e-4;
+
 /// A residual of balance above this is reported in the notes.
 const REPORTED: f64 = 1e-8;
 
@@ -20,7 +23,8 @@ pub(super) fn bodies(sample: &Sample) -> Verdict {
     let names = sample.results.bodies.iter().map(|body| &body.name);
     let scale = names
         .filter_map(|name| largest(sample, name))
-        .fold(REST * stiffness(sample) * sample.motion(), f64::max);
+        .fold(REST * stiffness(sample) * sample.motion(), f64::max)
+        .max(HELD * heated(sample));
     for (index, body) in sample.results.bodies.iter().enumerate() {
         for step in 0..sample.results.steps.len() {
             let Some(mut sum) = load(sample, &body.name, step) else {
@@ -77,6 +81,28 @@ fn stiffness(sample: &Sample) -> f64 {
             Substance::Rigid => None,
         });
     sample.moduli()[1] * thickness.fold(0.0, f64::max)
+}
+
+/// Force `[N]` that what is held against its thermal strain may take.
+fn heated(sample: &Sample) -> f64 {
+    let warmest = sample.scene.loads.iter().map(|load| match &load.kind {
+        LoadKind::Temperature { steps, .. } => steps
+            .iter()
+            .fold(0.0, |most: f64, step| most.max(step.abs())),
+        _ => 0.0,
+    });
+    let expansions =
+        super::quantity::table(&sample.value, "materials").flat_map(|(_, material)| {
+            [
+                "/isotropic/expansion",
+                "/orthotropic/expansion1",
+                "/orthotropic/expansion2",
+            ]
+            .map(|key| super::quantity::number(material, key).unwrap_or(0.0).abs())
+        });
+    // A ply's own is that of its resin.
+    let largest = expansions.fold(2e-5, f64::max);
+    stiffness(sample) * sample.size() * largest * warmest.fold(0.0, f64::max)
 }
 
 /// The largest force on the body in the history, of one contact or load.

@@ -62,11 +62,10 @@ pub(super) fn mirrored(sample: &Sample) -> Verdict {
     if flat || sample.is_half() {
         return Verdict::Beside;
     }
-    same(
-        sample,
-        &transform::mirrored(&sample.value, round),
-        |answer| answer.mirrored(round),
-    )
+    let mut scene = transform::mirrored(&sample.value, round);
+    // What keeps a scene from being halved, such as an edge of its lower half, may lie in the other half of its image.
+    scene["analysis"]["model"] = json!("whole");
+    same(sample, &scene, |answer| answer.mirrored(round))
 }
 
 /// A scene of circles turned by a quarter has the turned answer: with quadrilaterals of equal spacing, and with contacts that know no
@@ -95,8 +94,9 @@ fn turns(scene: &Value) -> bool {
             .get("element")
             .is_none_or(|element| element.as_str().is_some_and(|name| name.starts_with('Q')));
         let spacing = super::quantity::number(mesh, "/spacing");
-        let fits =
-            spacing.is_none_or(|spacing| (90.0 / spacing - (90.0 / spacing).round()).abs() < 1e-9);
+        // The core of a pin has its corners at 45°.
+        let eighth = spacing.map(|spacing| 45.0 / spacing);
+        let fits = eighth.is_none_or(|cells| (cells - cells.round()).abs() < 1e-9);
         quads && fits && mesh.get("angles").is_none() && mesh.get("fine_to").is_none()
     });
     let contacts = super::quantity::list(scene, "contacts");
