@@ -24,7 +24,9 @@ use crate::publish::Trouble;
 
 /// What a mutant may take: the longest time, and the memory of its models \[byte\], which keeps meshes small.
 const LONGEST: Duration = Duration::from_secs(10);
-const LIMITS: Limits = Limits { memory: 30_000_000 };
+const LIMITS: Limits = Limits {
+    memory: 250_000_000,
+};
 
 /// Mutants of a seed, the last one excluded.
 #[derive(Debug, Args)]
@@ -200,4 +202,39 @@ fn lacks(target: Target, error: &SceneError) -> Option<String> {
         return Some(format!("{what}: {}", said.message));
     }
     None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_mutated_is_read_itself() {
+        // The folder of the list holds files of others, and is refused.
+        let targets = Target::ALL
+            .into_iter()
+            .filter(|target| *target != Target::List);
+        for target in targets {
+            for choice in 0..4 {
+                let folder = tempfile::tempdir().unwrap();
+                let mut files = target.files();
+                files.push((target.mutated(), mutant::unchanged(target, choice)));
+                for (name, bytes) in files {
+                    fs::write(folder.path().join(name), bytes).unwrap();
+                }
+                let found = read(target, folder.path());
+                assert!(matches!(found, Read::Whole), "{}", target.name());
+                let path = folder.path().join(target.main());
+                let scene = match target.reader() {
+                    Reader::Scene => Scene::from_file_within(&path, &NONE, LIMITS).unwrap(),
+                    Reader::Sweep => {
+                        let sweep = Sweep::from_file_within(&path, &NONE, LIMITS);
+                        sweep.unwrap().scene
+                    }
+                    _ => continue,
+                };
+                Model::build(&scene).unwrap();
+            }
+        }
+    }
 }

@@ -42,7 +42,7 @@ pub(super) enum Reader {
 const SCENES: [&str; 4] = [
     "pin-quasi-isotropic.toml",
     "bushed-pin.toml",
-    "cattaneo-mindlin.toml",
+    "open-hole.toml",
     "joint-bearing.toml",
 ];
 

@@ -91,6 +91,17 @@ pub(super) fn of(target: Target, seed: u64, index: usize) -> Vec<u8> {
     bytes
 }
 
+/// What is mutated, in the form of its mutants.
+#[cfg(test)]
+pub(super) fn unchanged(target: Target, choice: usize) -> Vec<u8> {
+    let original = target.original(choice);
+    if target.is_tree() {
+        tree(&original, 0, &mut Draw(StdRng::seed_from_u64(0)))
+    } else {
+        original
+    }
+}
+
 /// A place and a length within `bytes`.
 fn span(bytes: &[u8], longest: usize, draw: &mut Draw) -> (usize, usize) {
     let start = draw.below(bytes.len());
