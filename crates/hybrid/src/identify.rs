@@ -39,6 +39,8 @@ const ROUNDING: f64 = 1e-10;
 /// Coefficients that are looked at: a grid that is fine where coefficients usually lie.
 const LARGEST: f64 = 100.0;
 const GRID: usize = 400;
+/// Part of the first step of the grid over which the slope of χ² is taken where there is no friction.
+const AT_NONE: f64 = 1e-3;
 
 /// Tractions at places along an edge, with their covariance.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -112,6 +114,23 @@ impl Bounds {
             Self::Nothing => true,
         }
     }
+
+    /// The same with ends whose distances from `best` hold a further error `by` of the value, squares added. An end at or below `least`, the
+    /// least value that there is, is none.
+    #[must_use]
+    pub fn widened(self, best: f64, by: f64, least: f64) -> Self {
+        let below = |low: f64| Some(best - (best - low).hypot(by)).filter(|low| *low > least);
+        let above = |high: f64| best + (high - best).hypot(by);
+        match self {
+            Self::Between(low, high) => match below(low) {
+                Some(low) => Self::Between(low, above(high)),
+                None => Self::AtMost(above(high)),
+            },
+            Self::AtMost(high) => Self::AtMost(above(high)),
+            Self::AtLeast(low) => below(low).map_or(Self::Nothing, Self::AtLeast),
+            Self::Nothing => Self::Nothing,
+        }
+    }
 }
 
 /// Friction of a zone that slips.
@@ -173,16 +192,25 @@ impl Tractions {
         let mu = misfit.least(low, high)?;
         let chi_squared = misfit.at(mu)?;
         let limit = chi_squared + rise;
+        // Where χ² still falls towards coefficients below 0, which there are none, the data ask for the impossible; an interval of the rest
+        // would be the narrower the less they hold. So χ² counts less its slope there, as if it were least at 0 itself.
+        let slope = if best == 0 {
+            let step = AT_NONE * grid[1];
+            ((misfit.at(step)? - misfit.at(0.0)?) / step).max(0.0)
+        } else {
+            0.0
+        };
+        let limit_at = |mu: f64| limit + slope * mu;
         // An interval may lie between two coefficients of the grid, so the least one need not be within.
         let below = (0..=best)
             .rev()
             .find(|&k| grid[k] < mu && values[k] > limit);
-        let above = (best..=GRID).find(|&k| grid[k] > mu && values[k] > limit);
+        let above = (best..=GRID).find(|&k| grid[k] > mu && values[k] > limit_at(grid[k]));
         let low = below
-            .map(|k| misfit.crossing(grid[k], mu, limit))
+            .map(|k| misfit.crossing(grid[k], mu, &|_| limit))
             .transpose()?;
         let high = above
-            .map(|k| misfit.crossing(grid[k], mu, limit))
+            .map(|k| misfit.crossing(grid[k], mu, &limit_at))
             .transpose()?;
         Ok(SlipFit {
             mu,
@@ -387,11 +415,11 @@ impl Misfit {
         &self,
         mut outside: f64,
         mut inside: f64,
-        limit: f64,
+        limit: &dyn Fn(f64) -> f64,
     ) -> Result<f64, IdentifyError> {
         for _ in 0..60 {
             let middle = f64::midpoint(outside, inside);
-            if self.at(middle)? > limit {
+            if self.at(middle)? > limit(middle) {
                 outside = middle;
             } else {
                 inside = middle;

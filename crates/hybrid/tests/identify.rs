@@ -237,6 +237,35 @@ fn no_friction_gives_an_upper_bound_and_noise_alone_gives_nothing() {
     assert_eq!(fit.bounds, Bounds::Nothing);
 }
 
+/// Shears that all lie on the other side of friction: an interval of coefficients from 0 on by the rise of χ² alone would vanish.
+#[test]
+fn an_upper_bound_does_not_shrink_as_the_data_contradict_friction() {
+    let bound = |shift: f64| {
+        let mut data = measured(0.0, 0, 1.0, 3);
+        data.shear.iter_mut().for_each(|shear| *shear -= shift);
+        match data.slip(8..PLACES, true).unwrap().bounds {
+            Bounds::AtMost(high) => high,
+            other => panic!("{other:?}"),
+        }
+    };
+    let [near, far] = [2.0, 20.0].map(bound);
+    assert!(far > 0.5 * near && near > 1e-3, "{near} {far}");
+}
+
+#[test]
+fn bounds_widen_by_squares_and_end_where_there_is_nothing_less() {
+    let wide = Bounds::Between(0.22, 0.28).widened(0.25, 0.04, 0.0);
+    assert!(
+        matches!(wide, Bounds::Between(low, high) if (low - 0.2).abs() < 1e-12 && (high - 0.3).abs() < 1e-12)
+    );
+    let wide = Bounds::Between(0.01, 0.05).widened(0.03, 0.04, 0.0);
+    assert!(matches!(wide, Bounds::AtMost(_)));
+    assert_eq!(
+        Bounds::AtLeast(0.01).widened(0.03, 0.04, 0.0),
+        Bounds::Nothing
+    );
+}
+
 #[test]
 fn what_does_not_fit_is_refused() {
     let data = measured(0.2, 8, 1.0, 3);

@@ -10,7 +10,7 @@
 //! it, so that intervals by this number hold at least as often as they say. χ² of n correlated data scatters as that of n/squares
 //! independent ones. Rings end where c is no longer above its own scatter. Sources: Bartlett (1946); Bayley & Hammersley (1946).
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// A residual over its stated deviation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,9 +59,12 @@ impl Correlation {
             squares: 1.0,
         };
         if let Some(width) = ring_width(&fields).filter(|_| variance > 0.0) {
-            for ring in rings(&fields, width) {
+            let grids: Vec<Grid<'_>> = fields.iter().map(|own| Grid::new(own, width)).collect();
+            for index in 0.. {
+                let own = grids.iter().map(|grid| grid.ring(index));
+                let ring = own.fold(Ring::default(), Ring::with);
                 let mean = ring.sum / ring.pairs;
-                if mean <= variance / ring.pairs.sqrt() {
+                if ring.pairs == 0.0 || mean <= variance / ring.pairs.sqrt() {
                     break;
                 }
                 let neighbours = 2.0 * ring.pairs / count;
@@ -81,12 +84,25 @@ struct Ring {
     sum: f64,
 }
 
-/// One and a half times the median distance of a datum to the next one: the first ring of a square grid holds eight neighbours.
+impl Ring {
+    fn with(self, other: Self) -> Self {
+        Self {
+            pairs: self.pairs + other.pairs,
+            sum: self.sum + other.sum,
+        }
+    }
+}
+
+/// One and a half times the median distance of a datum to the next one, of evenly chosen data: the first ring of a square grid holds eight
+/// neighbours.
 fn ring_width(fields: &[Vec<&Residual>]) -> Option<f64> {
     const RINGS: f64 = 1.5;
+    const ASKED: usize = 500;
+    let count: usize = fields.iter().map(Vec::len).sum();
+    let stride = count.div_ceil(ASKED).max(1);
     let mut nearest: Vec<f64> = Vec::new();
     for field in fields {
-        for (i, own) in field.iter().enumerate() {
+        for (i, own) in field.iter().enumerate().step_by(stride) {
             let others = field.iter().enumerate().filter(|(j, _)| *j != i);
             let next = others.map(|(_, other)| distance(own, other));
             nearest.push(next.fold(f64::INFINITY, f64::min));
@@ -97,27 +113,59 @@ fn ring_width(fields: &[Vec<&Residual>]) -> Option<f64> {
     (median > 0.0 && median.is_finite()).then_some(RINGS * median)
 }
 
-/// Products by distance, up to half of what a field extends.
-fn rings(fields: &[Vec<&Residual>], width: f64) -> Vec<Ring> {
-    let mut rings: Vec<Ring> = Vec::new();
-    for field in fields {
-        let half = 0.5 * extent(field);
-        for (i, own) in field.iter().enumerate() {
-            for other in &field[i + 1..] {
-                let apart = distance(own, other);
-                if apart > half.max(width) {
-                    continue;
+/// Residuals of a field in square cells as wide as a ring.
+struct Grid<'a> {
+    field: &'a [&'a Residual],
+    width: f64,
+    /// The farthest pairs that are compared: half of what the field extends.
+    farthest: f64,
+    cells: HashMap<[i64; 2], Vec<usize>>,
+}
+
+impl<'a> Grid<'a> {
+    fn new(field: &'a [&'a Residual], width: f64) -> Self {
+        let mut grid = Self {
+            field,
+            width,
+            farthest: (0.5 * extent(field)).max(width),
+            cells: HashMap::new(),
+        };
+        for (index, own) in field.iter().enumerate() {
+            let cell = grid.cell(own);
+            grid.cells.entry(cell).or_default().push(index);
+        }
+        grid
+    }
+
+    fn cell(&self, own: &Residual) -> [i64; 2] {
+        own.place.map(|x| (x / self.width).floor() as i64)
+    }
+
+    /// Products of all pairs whose distance in widths rounds down to `index`.
+    fn ring(&self, index: usize) -> Ring {
+        let reach = index as i64 + 1;
+        let mut ring = Ring::default();
+        if index as f64 * self.width > self.farthest {
+            return ring;
+        }
+        for (i, own) in self.field.iter().enumerate() {
+            let [column, row] = self.cell(own);
+            for x in column - reach..=column + reach {
+                for y in row - reach..=row + reach {
+                    let others = self.cells.get(&[x, y]).into_iter().flatten();
+                    for &j in others.filter(|&&j| j > i) {
+                        let other = self.field[j];
+                        let apart = distance(own, other);
+                        if apart <= self.farthest && (apart / self.width) as usize == index {
+                            ring.pairs += 1.0;
+                            ring.sum += own.value * other.value;
+                        }
+                    }
                 }
-                let ring = (apart / width) as usize;
-                if rings.len() <= ring {
-                    rings.resize(ring + 1, Ring::default());
-                }
-                rings[ring].pairs += 1.0;
-                rings[ring].sum += own.value * other.value;
             }
         }
+        ring
     }
-    rings
 }
 
 fn distance(a: &Residual, b: &Residual) -> f64 {

@@ -66,6 +66,7 @@ pub fn tell(
         progress(Progress::Phase("friction"));
         let identified = identified::identify(experiment, &analysed)?;
         let coarser = identified::on_half_the_cells(experiment, &fields);
+        let identified = identified.beside(coarser.as_ref().ok().and_then(Option::as_ref));
         let asked = experiment.laws.is_empty().then_some(&identified.dynamic);
         let moves = asked.and_then(|fit| identified::moves(experiment, fit.as_ref()));
         let told = Told {

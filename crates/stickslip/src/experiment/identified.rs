@@ -77,6 +77,8 @@ pub struct Identified {
     pub zones_agree: bool,
     /// Monte Carlo simulation of that, where it has an upper end.
     pub simulation: Option<Simulation>,
+    /// How far the coefficient moves on half of the region's cells, where that was asked: an error of the mesh that intervals hold.
+    pub mesh: Option<f64>,
     /// What asks for the greatest static friction, of all stretches inside of slip zones.
     pub grip: Option<Grip>,
     /// Notes for the reader.
@@ -87,10 +89,30 @@ pub struct Identified {
 const CONSISTENT: f64 = 3.0;
 
 impl Identified {
-    /// The interval of the coefficient of all zones; `None` without slip zones, and where χ² rejects one coefficient for all of them.
+    /// The interval of the coefficient of all zones, by noise and mesh; `None` without slip zones, and where χ² rejects one coefficient for
+    /// all of them.
     pub fn dynamic_bounds(&self) -> Option<Bounds> {
         let fit = self.dynamic.as_ref()?;
-        self.is_explained().then_some(fit.bounds)
+        self.is_explained().then(|| self.with_mesh(fit))
+    }
+
+    /// The interval of the coefficient of `zone` alone; `None` where χ² rejects it, and where zones contradict each other, so that one of
+    /// them does not slip all over.
+    pub fn zone_bounds(&self, zone: &SlipZone) -> Option<Bounds> {
+        let holds = self.is_explained() && zone.fit.is_consistent(CONSISTENT);
+        holds.then(|| self.with_mesh(&zone.fit))
+    }
+
+    /// Takes what the same data on half of the cells say of the error of the mesh.
+    #[must_use]
+    pub fn beside(mut self, coarser: Option<&Coarser>) -> Self {
+        let moved = |coarse: &SlipFit| Some((self.dynamic.as_ref()?.mu - coarse.mu).abs());
+        self.mesh = coarser.and_then(|own| own.dynamic.as_ref()).and_then(moved);
+        self
+    }
+
+    fn with_mesh(&self, fit: &SlipFit) -> Bounds {
+        fit.bounds.widened(fit.mu, self.mesh.unwrap_or(0.0), 0.0)
     }
 
     /// Whether one coefficient explains all slip zones: χ² of all together, and beside that of each alone.
@@ -141,6 +163,7 @@ pub fn identify(
         zones,
         dynamic,
         simulation,
+        mesh: None,
         remarks,
     })
 }

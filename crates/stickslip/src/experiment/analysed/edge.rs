@@ -22,6 +22,8 @@ const OPEN: f64 = 0.03;
 const HIDDEN: f64 = 0.1;
 /// Angle from θ = 0 from which on a contact bears elsewhere `[rad]`.
 const ELSEWHERE: f64 = 5.0 * PI / 180.0;
+/// Pressures of this part of the largest one must exceed their uncertainty, or noise may hide where contact ends.
+const SEEN: f64 = 0.3;
 /// Resolved angles between the last place in contact and the part of the edge that is taken as free.
 const CELLS_BEYOND: f64 = 2.0;
 
@@ -223,12 +225,18 @@ impl Analysed {
 }
 
 /// Places of the edge that are clear of contact, on either side. None of an edge without contact: beside the stresses of an open hole the
-/// error of the mesh, which is in no deviation, is more than noise.
+/// error of the mesh, which is in no deviation, is more than noise. Nor where noise may hide the greater part of a contact.
 pub(super) fn beyond_contact(found: &Analysed) -> Vec<Range<usize>> {
     let Some(contact) = found.contact() else {
         return Vec::new();
     };
     let inner = found.inner();
+    let [deviation, _] = found.deviations();
+    let pressures = found.tractions.pressure[contact.clone()].iter();
+    let seen = SEEN * pressures.copied().fold(0.0, f64::max);
+    if inner.clone().any(|k| CONTACT[0] * deviation[k] > seen) {
+        return Vec::new();
+    }
     let reach = CELLS_BEYOND * found.resolution;
     let after = found.angle[contact.end - 1] + reach;
     let before = found.angle[contact.start] - reach;

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use stickslip_fem_core::mesh::Point;
+use stickslip_hybrid::calibrate::{self, Correlation};
 
 /// Data in a block, about: three by three.
 pub(in crate::experiment) const IN_A_BLOCK: f64 = 9.0;
@@ -15,11 +16,42 @@ pub(in crate::experiment) struct Residual {
     pub(in crate::experiment) value: f64,
 }
 
-/// χ² of the block means of `residuals` over its degrees of freedom, of a fit with `parameters`; 1 where there are too few data to say.
+/// By what correlated errors must exceed those of blocks to count: their own scatter is about a third.
+const BEYOND_BLOCKS: f64 = 1.5;
+
+/// How much the variance of means of neighbouring `residuals` exceeds that of independent data with their deviations, by a fit with
+/// `parameters`; 1 where there are too few data to say.
 ///
-/// Independent errors give 1 whatever the blocks. Errors that go together over less than a block give the factor by which they count in
-/// everything smoother than blocks.
+/// Independent errors give 1. Errors that go together over less than a block of data give, by the means of blocks, the factor by which they
+/// count in everything smoother. Where the fit leaves blocks too few degrees of freedom, or errors go together farther than a block
+/// reaches, the sum of their covariances gives it.
 pub(in crate::experiment) fn scale(residuals: &[Residual], parameters: f64) -> f64 {
+    let summed = by_covariances(residuals, parameters);
+    match by_blocks(residuals, parameters) {
+        Some(blocks) if summed <= BEYOND_BLOCKS * blocks => blocks,
+        _ => summed,
+    }
+}
+
+/// The sum of the covariances of neighbouring residuals, as large as their own variance at least.
+fn by_covariances(residuals: &[Residual], parameters: f64) -> f64 {
+    let count = residuals.len() as f64;
+    let squares: f64 = residuals.iter().map(|own| own.value.powi(2)).sum();
+    if squares <= 0.0 || count <= parameters {
+        return 1.0;
+    }
+    let size = (squares / count).sqrt();
+    let relative = residuals.iter().map(|own| calibrate::Residual {
+        place: own.place,
+        field: own.axis,
+        value: own.value / size,
+    });
+    let inflation = Correlation::of(&relative.collect::<Vec<_>>()).inflation;
+    squares / (count - parameters) * inflation
+}
+
+/// χ² of the block means of `residuals` over its degrees of freedom; none where these are less than half of the blocks.
+fn by_blocks(residuals: &[Residual], parameters: f64) -> Option<f64> {
     let mut squares = 0.0;
     let mut blocks = 0.0;
     for axis in 0..2 {
@@ -41,11 +73,7 @@ pub(in crate::experiment) fn scale(residuals: &[Residual], parameters: f64) -> f
         blocks += sums.len() as f64;
     }
     let degrees = blocks - parameters;
-    if degrees > 0.5 * blocks {
-        squares / degrees
-    } else {
-        1.0
-    }
+    (degrees > 0.5 * blocks).then(|| squares / degrees)
 }
 
 /// The scale at which errors have the deviations `floor`, where `deviation` are those that residuals were divided by.
@@ -117,5 +145,24 @@ mod tests {
         // rims.
         let found = scale(&field(120, |i, j| noise(61 * (i / 2) + j / 2)), 0.0);
         assert!((2.2..4.2).contains(&found), "{found}");
+    }
+
+    #[test]
+    fn errors_that_go_together_beyond_blocks_count_in_full() {
+        // Means over five by five neighbours: 25 times the variance in everything smoother, of which blocks of nine see about eight.
+        let mean = |i: usize, j: usize| {
+            let near = (0..25).map(|k| noise(131 * (i + k / 5) + j + k % 5));
+            near.sum::<f64>() / 5.0
+        };
+        let field = field(120, mean);
+        let blocks = by_blocks(&field, 0.0).unwrap();
+        let found = scale(&field, 0.0);
+        assert!(
+            blocks < 10.0 && (16.0..34.0).contains(&found),
+            "{blocks} {found}"
+        );
+        // With as many parameters as blocks the residuals still say so.
+        assert!(by_blocks(&field, 1500.0).is_none());
+        assert!(scale(&field, 1500.0) > 16.0);
     }
 }

@@ -282,7 +282,10 @@ fn stresses(experiment: &Experiment, analysed: &[Analysed]) -> Table {
         }
         table.push(row);
     }
-    table
+    table.note(
+        "Standard deviations are those of the place. The largest of many uncertain values is too large as a rule: the highest stress of the \
+         edge itself may lie lower by more than the deviation.",
+    )
 }
 
 /// What each check says, in the order of its columns.

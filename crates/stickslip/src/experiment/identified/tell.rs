@@ -151,10 +151,11 @@ fn answers(told: &Told<'_>, story: &mut Story) {
             "How far static friction moves the edge is not told: {cause}."
         ));
     }
-    if let Some(simulation) = &identified.simulation {
+    let explained = identified.is_explained();
+    if let Some(simulation) = identified.simulation.as_ref().filter(|_| explained) {
         story.text(format!(
-            "Monte Carlo simulation of {} draws around the fit: mean {:.4}, standard deviation {:.4}, {confidence} % of them between \
-             {:.4} and {:.4}.",
+            "Monte Carlo simulation of {} draws of the noise around the fit: mean {:.4}, standard deviation {:.4}, {confidence} % of them \
+             between {:.4} and {:.4}.",
             simulation.samples,
             simulation.mean,
             simulation.deviation,
@@ -171,15 +172,16 @@ fn mesh(told: &Told<'_>, story: &mut Story) {
         Ok(None) => return,
         Err(cause) => {
             story.text(format!(
-                "The interval does not hold the error of the mesh, and half of the cells do not show it: {cause}."
+                "The interval does not hold the error of the mesh, because half of the cells do not show it: {cause}."
             ));
             return;
         }
     };
-    story.text(format!(
-        "{} The interval does not hold the error of the mesh; this is its size on the coarser one.",
-        coarser.words()
-    ));
+    let held = match told.identified.mesh {
+        Some(_) => "Intervals hold this difference as an error of the mesh.",
+        None => "The interval does not hold the error of the mesh.",
+    };
+    story.text(format!("{} {held}", coarser.words()));
     let fit = told.identified.dynamic.as_ref();
     if fit.is_some_and(|fit| coarser.doubts(fit)) {
         story.warn(format!(
@@ -205,11 +207,12 @@ impl Identified {
                 }
             );
         }
-        let bounds = words(fit.bounds);
-        match fit.bounds {
-            Bounds::Between(..) => format!("{:.4}, {bounds} ({confidence} %)", fit.mu),
-            Bounds::AtMost(_) | Bounds::AtLeast(_) => format!("{bounds} ({confidence} %)"),
-            Bounds::Nothing => bounds,
+        let bounds = self.dynamic_bounds().unwrap_or(Bounds::Nothing);
+        let told = words(bounds);
+        match bounds {
+            Bounds::Between(..) => format!("{:.4}, {told} ({confidence} %)", fit.mu),
+            Bounds::AtMost(_) | Bounds::AtLeast(_) => format!("{told} ({confidence} %)"),
+            Bounds::Nothing => told,
         }
     }
 }
@@ -252,7 +255,7 @@ fn table(experiment: &Experiment, analysed: &[Analysed], identified: &Identified
             [format!("{from:.1}"), format!("{to:.1}")],
             zone.places.len(),
             if zone.positive { "+θ" } else { "−θ" },
-            (&zone.fit, zone.fit.is_consistent(CONSISTENT)),
+            (&zone.fit, identified.zone_bounds(zone)),
         ));
     }
     if let (Some(fit), true) = (&identified.dynamic, identified.zones.len() > 1) {
@@ -262,7 +265,7 @@ fn table(experiment: &Experiment, analysed: &[Analysed], identified: &Identified
             [String::new(), String::new()],
             places,
             "",
-            (fit, identified.is_explained()),
+            (fit, identified.dynamic_bounds()),
         ));
     }
     table
@@ -273,7 +276,7 @@ fn row(
     [from, to]: [String; 2],
     places: usize,
     along: &str,
-    (fit, explained): (&SlipFit, bool),
+    (fit, bounds): (&SlipFit, Option<Bounds>),
 ) -> Vec<String> {
     vec![
         name.to_owned(),
@@ -282,11 +285,7 @@ fn row(
         places.to_string(),
         along.to_owned(),
         format!("{:.4}", fit.mu),
-        if explained {
-            words(fit.bounds)
-        } else {
-            REJECTED.to_owned()
-        },
+        bounds.map_or_else(|| REJECTED.to_owned(), words),
         format!("{:.1}", fit.chi_squared),
         fit.degrees.to_string(),
     ]
@@ -327,17 +326,18 @@ fn entry(told: &Told<'_>) -> Value {
             "places": zone.places.len(),
             "along_theta": zone.positive,
             "given": zone.given,
-            "mu": fit_entry(&zone.fit, zone.fit.is_consistent(CONSISTENT)),
+            "mu": fit_entry(&zone.fit, identified.zone_bounds(zone)),
         })
     });
     json!({
         "confidence": experiment.identify.confidence,
-        "mu_dynamic": identified.dynamic.as_ref().map(|fit| fit_entry(fit, identified.is_explained())),
+        "mu_dynamic": identified.dynamic.as_ref().map(|fit| fit_entry(fit, identified.dynamic_bounds())),
         "half_the_cells": told.coarser.as_ref().ok().and_then(Option::as_ref).map(|coarser| json!({
             "cells": coarser.cells,
-            "mu_dynamic": coarser.dynamic.as_ref().map(|fit| fit_entry(fit, fit.is_consistent(CONSISTENT))),
+            "mu_dynamic": coarser.dynamic.as_ref().map(|fit| fit_entry(fit, fit.is_consistent(CONSISTENT).then_some(fit.bounds))),
         })),
-        "simulation": identified.simulation.map(|simulation| json!({
+        "mesh_error": identified.mesh,
+        "simulation": identified.simulation.filter(|_| identified.is_explained()).map(|simulation| json!({
             "samples": simulation.samples,
             "mean": simulation.mean,
             "deviation": simulation.deviation,
@@ -363,14 +363,13 @@ fn grip_entry(experiment: &Experiment, grip: &Grip) -> Value {
     })
 }
 
-/// A coefficient, without interval unless it is `explained`.
-fn fit_entry(fit: &SlipFit, explained: bool) -> Value {
-    let (low, high) = match fit.bounds {
-        _ if !explained => (None, None),
-        Bounds::Between(low, high) => (Some(low), Some(high)),
-        Bounds::AtMost(high) => (None, Some(high)),
-        Bounds::AtLeast(low) => (Some(low), None),
-        Bounds::Nothing => (None, None),
+/// A coefficient with its interval, if it has one.
+fn fit_entry(fit: &SlipFit, bounds: Option<Bounds>) -> Value {
+    let (low, high) = match bounds {
+        None | Some(Bounds::Nothing) => (None, None),
+        Some(Bounds::Between(low, high)) => (Some(low), Some(high)),
+        Some(Bounds::AtMost(high)) => (None, Some(high)),
+        Some(Bounds::AtLeast(low)) => (Some(low), None),
     };
     json!({
         "best": fit.mu,
@@ -378,7 +377,7 @@ fn fit_entry(fit: &SlipFit, explained: bool) -> Value {
         "high": high,
         "chi_squared": fit.chi_squared,
         "degrees_of_freedom": fit.degrees,
-        "rejected": !explained,
-        "in_words": if explained { words(fit.bounds) } else { REJECTED.to_owned() },
+        "rejected": bounds.is_none(),
+        "in_words": bounds.map_or_else(|| REJECTED.to_owned(), words),
     })
 }

@@ -14,6 +14,9 @@ use crate::experiment::plan::{Experiment, ZonePlan};
 const CONSISTENT: f64 = 3.0;
 /// Fewest places of a zone.
 const FEWEST: usize = 3;
+/// Part of a flank that a zone must cover to be one although it goes as far as the bearing point: slip of pins in holes covers less than
+/// half of it only where friction exceeds 0.4, and twice the resolved angle at the end of contact is left out.
+const COVERED: f64 = 0.6;
 /// Places next to the end of contact that say which way friction acts.
 const LEADING: usize = 5;
 
@@ -170,6 +173,9 @@ fn recognised(
     let positive = direction(data, leading)?;
     let (full, _) = data.slip_zone(end, bearing, positive, CONSISTENT)?;
     let places = if flank.reaches(&full, bearing) {
+        if !covers(&found.angle, contact, bearing, flank, &full) {
+            return Ok(None);
+        }
         surest(data, &full, flank, positive, rise)?
     } else {
         flank.without_inner(&full, angle, margin)
@@ -188,6 +194,25 @@ fn recognised(
         positive,
         given: false,
     }))
+}
+
+/// Whether a zone that goes as far as the bearing point is the greater part of its flank. A lesser one, beside the bearing point, may stick
+/// all over: shear is small there whatever the friction.
+fn covers(
+    angle: &[f64],
+    contact: &Range<usize>,
+    bearing: usize,
+    flank: Flank,
+    full: &Range<usize>,
+) -> bool {
+    let (far, end) = match flank {
+        Flank::After => (full.end - 1, contact.end - 1),
+        Flank::Before => (full.start, contact.start),
+    };
+    let from_bearing = |place: usize| (angle[place] - angle[bearing]).abs();
+    // Where the bearing point is not in contact, or not in sight, the nearest end of contact stands for it.
+    let holds = contact.start < bearing && bearing + 1 < contact.end;
+    holds && from_bearing(far) >= COVERED * from_bearing(end)
 }
 
 /// Places of a zone that goes as far as the bearing point, where friction turns. If it rubs nobody knows where it ends, and its outer half

@@ -45,6 +45,9 @@ pub struct Fit {
     pub bic_distance: f64,
     /// What that says.
     pub verdict: Verdict,
+    /// What the model's mesh may move each parameter by: a third of what a mesh twice as coarse does, in the units of the parameter; empty
+    /// where that is not known.
+    pub by_mesh: Vec<f64>,
     /// Wall time `[s]`.
     pub seconds: f64,
 }
@@ -58,7 +61,10 @@ impl Fit {
     /// The interval of parameter `index`; `None` where χ² rejects the model, whose errors no interval of the data's noise holds.
     pub fn bounds(&self, index: usize) -> Option<Bounds> {
         let own = self.calibration.estimates.get(index)?;
-        self.explains().then_some(own.bounds)
+        let by = self.by_mesh.get(index).copied().unwrap_or(0.0);
+        let [least, _] = self.law.parameters[index].range;
+        self.explains()
+            .then(|| own.bounds.widened(own.value, by, least))
     }
 
     /// What the data say of each parameter and of the law, in a sentence or two.
@@ -67,9 +73,9 @@ impl Fit {
         if !self.explains() {
             words.push("does not explain the data".to_owned());
         }
-        for own in &self.calibration.estimates {
+        for (index, own) in self.calibration.estimates.iter().enumerate() {
             let name = &own.name;
-            match own.bounds {
+            match self.bounds(index).unwrap_or(own.bounds) {
                 Bounds::Nothing => words.push(format!("{name} is not identifiable")),
                 Bounds::AtMost(_) | Bounds::AtLeast(_) => {
                     words.push(format!("{name} is bounded on one side"));
@@ -176,6 +182,7 @@ pub(super) fn fit_with_progress(
     let (law, values) = (&laws[first], &firsts[first].0.values);
     let own = seen.predicted(law, values)?;
     let coarser = Coarser::new(coarser, observations)?;
+    let by_mesh = by_mesh(&seen, &coarser, laws, &firsts, &data, settings)?;
     let shapes = coarser.shapes(law.law(values)?, &own)?;
     let data = data.with_shapes(&shapes).map_err(LawsError::Data)?;
     let settings = correlated(&seen, laws, &firsts, (observations, &data), settings)?;
@@ -184,7 +191,8 @@ pub(super) fn fit_with_progress(
         progress(Progress::Step { done, total });
     };
     let mut found = compared(&seen, laws, (observations, &data), &settings, &mut second)?;
-    for (fit, (first, seconds)) in found.fits.iter_mut().zip(&firsts) {
+    for ((fit, (first, seconds)), by_mesh) in found.fits.iter_mut().zip(&firsts).zip(by_mesh) {
+        fit.by_mesh = by_mesh;
         fit.calibration.evaluations += first.evaluations;
         fit.seconds += seconds;
     }
@@ -220,6 +228,39 @@ fn first_fits(
         fitted(firsts.len());
     }
     Ok(firsts)
+}
+
+/// What the mesh of the model may move the parameters of each law by: displacements that converge with the square of the spacing leave a third
+/// of what a mesh twice as coarse moves them by (Richardson 1911), whatever the shape of their error.
+fn by_mesh(
+    seen: &Seen<'_>,
+    coarser: &Coarser<'_>,
+    laws: &[Candidate],
+    firsts: &[(Least, f64)],
+    data: &Data,
+    settings: &Settings,
+) -> Result<Vec<Vec<f64>>, LawsError> {
+    const PART: f64 = 1.0 / 3.0;
+    let mut all = Vec::new();
+    for (law, (first, _)) in laws.iter().zip(firsts) {
+        let fine = seen.predicted(law, &first.values)?;
+        let predict = |values: &[f64]| -> Result<Vec<f64>, LawsError> {
+            let coarse = coarser.seen(law.law(values)?)?;
+            let both = coarse.into_iter().zip(&fine);
+            Ok(both.map(|(own, fine)| own.unwrap_or(*fine)).collect())
+        };
+        // A law that the coarser mesh does not determine moves by nothing that is known.
+        let found = least(&predict, &law.parameters, data, settings);
+        let moved = found.map_or_else(
+            |_| Vec::new(),
+            |own| {
+                let both = own.values.iter().zip(&first.values);
+                both.map(|(a, b)| PART * (a - b).abs()).collect()
+            },
+        );
+        all.push(moved);
+    }
+    Ok(all)
 }
 
 /// `settings` with the correlation of what the law with the least χ² leaves of the data: the least that any law calls an error.
@@ -328,6 +369,7 @@ fn compared(
             distance: 0.0,
             bic_distance: 0.0,
             verdict: Verdict::AsGood,
+            by_mesh: Vec::new(),
             seconds: start.elapsed().as_secs_f64(),
         });
         fitted(fits.len());

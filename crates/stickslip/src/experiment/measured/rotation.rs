@@ -42,7 +42,7 @@ impl TakenOff {
             ),
         };
         Some(format!(
-            "the specimen turned by {}° ± {}° against its reference picture: taken off as a finite rotation about the middle of the hole{masked}",
+            "the specimen turned by {}° ± {}° (by independent errors) against its reference picture: taken off as a finite rotation about the middle of the hole{masked}",
             short(angle),
             significant(deviation, 2)
         ))

@@ -90,7 +90,8 @@ pub(super) fn entry(experiment: &Experiment, stage: &LawStage) -> Value {
                 "best": factor * estimate.value,
                 "low": low,
                 "high": high,
-                "identifiable": estimate.bounds != Bounds::Nothing,
+                "identifiable": fit.bounds(index).unwrap_or(estimate.bounds) != Bounds::Nothing,
+                "by_mesh": fit.by_mesh.get(index).map(|own| factor * own),
             })
         };
         json!({
