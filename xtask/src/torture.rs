@@ -4,7 +4,10 @@
 //! seed ──► Kind::trial ──► Counts, failures ──► files of small cases, a record, a page
 //! ```
 
+mod draw;
+mod experiments;
 mod open;
+mod quantity;
 pub(crate) mod readers;
 mod record;
 mod scenes;
@@ -77,6 +80,7 @@ fn kinds(options: &Options) -> Vec<Box<dyn Kind>> {
         Box::new(scenes::Scenes {
             shrinks: !options.quick,
         }),
+        Box::new(experiments::Experiments),
         Box::new(readers::Readers),
         Box::new(writers::Writers),
     ]
@@ -129,6 +133,10 @@ fn torture(options: &Options) -> Result<bool, Trouble> {
         let (run, failures) = tried(*kind, options, share);
         print!("{}", run.markdown(*kind));
         clean &= keep(kind.name(), &failures, &options.output)?;
+        for broken in kind.broken(&run.counts) {
+            clean = false;
+            eprintln!("FAILED {}: {broken}", kind.name());
+        }
         runs.push((kind.name(), run));
     }
     if options.write {

@@ -120,7 +120,7 @@ impl Run {
             trials,
             outcomes,
             features,
-            checks,
+            checks: _,
         } = &self.counts;
         let [first, end] = self.seeds;
         let list = |counts: &BTreeMap<String, u64>| -> String {
@@ -137,17 +137,7 @@ impl Run {
         if !features.is_empty() {
             let _ = write!(text, "\nHeld by these: {}.\n", list(features));
         }
-        text += "\n| check | demands; tolerance relative to the largest of its kind | held | declared | no second answer | failed |\n";
-        text += "| --- | --- | --: | --: | --: | --: |\n";
-        for (name, demands) in kind.checks() {
-            let tally = checks.get(name).copied().unwrap_or_default();
-            let _ = writeln!(
-                text,
-                "| {name} | {demands} | {} | {} | {} | {} |",
-                tally.held, tally.declared, tally.unanswered, tally.failed
-            );
-        }
-        text
+        text + &kind.table(&self.counts)
     }
 }
 

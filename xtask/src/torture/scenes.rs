@@ -6,8 +6,6 @@ mod bound;
 mod checks;
 mod conditions;
 mod display;
-mod draw;
-mod quantity;
 mod random;
 mod relations;
 mod replay;
@@ -24,6 +22,7 @@ use std::time::Duration;
 use serde_json::Value;
 
 use super::trial::{Counts, Failure, Kind, Trial};
+use super::{draw, quantity};
 use checks::{Check, checks};
 use draw::Draw;
 pub(super) use replay::replay;

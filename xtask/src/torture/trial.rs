@@ -1,6 +1,7 @@
 //! What a kind of trial is, and what one trial leaves behind.
 
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
@@ -19,6 +20,28 @@ pub(crate) trait Kind: Sync {
     /// What keeps this kind from being tried on this machine.
     fn lacks(&self) -> Option<String> {
         None
+    }
+
+    /// The checks of a run as a table of Markdown.
+    fn table(&self, counts: &Counts) -> String {
+        let mut text = "\n| check | demands; tolerance relative to the largest of its kind | held | declared | no second answer | failed |\n"
+            .to_owned();
+        text += "| --- | --- | --: | --: | --: | --: |\n";
+        for (name, demands) in self.checks() {
+            let tally = counts.checks.get(name).copied().unwrap_or_default();
+            // Writing into a string does not fail.
+            let _ = writeln!(
+                text,
+                "| {name} | {demands} | {} | {} | {} | {} |",
+                tally.held, tally.declared, tally.unanswered, tally.failed
+            );
+        }
+        text
+    }
+
+    /// What the counts of a whole run do not hold, in a line each.
+    fn broken(&self, _counts: &Counts) -> Vec<String> {
+        Vec::new()
     }
 
     /// Tries what `seed` draws. Equal seeds give equal trials, on any thread.

@@ -1,4 +1,4 @@
-//! Random numbers for scenes, from one seed.
+//! Random numbers from one seed.
 
 use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
