@@ -68,12 +68,6 @@ pub(super) const OPEN: &[Open] = &[
     },
     Open {
         kind: "scenes",
-        check: "resumed",
-        seeds: &[1863],
-        reason: "not examined: a sweep has a peak pressure of 0 where its case alone has one",
-    },
-    Open {
-        kind: "scenes",
         check: "half and whole",
         seeds: &[3555],
         reason: "the whole model is left unsolved, and says so; the half is solved",

@@ -235,6 +235,7 @@ fn notes() -> StepNotes {
                 traction: 0.02,
             }),
             finer: None,
+            missing: None,
         },
         friction: 0.5,
         uniqueness: Some(0.4),

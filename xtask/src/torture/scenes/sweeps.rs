@@ -142,14 +142,12 @@ fn single(sweep: &Sweep, rows: &[Row]) -> Result<Verdict, String> {
         let peaks = results
             .steps
             .iter()
-            .filter_map(|step| step.edges[sweep.contact].peak_pressure);
-        let most = peaks
-            .clone()
-            .fold(0.0, |most: f64, (peak, _)| most.max(peak));
+            .map(|step| step.edges[sweep.contact].peak_pressure)
+            // Without contact neither a step nor a row has a peak.
+            .map(|peak| peak.map_or(0.0, |(peak, _)| peak));
+        let most = peaks.clone().fold(0.0, f64::max);
         // The row is that of the largest load, whichever step that is.
-        let near = peaks
-            .map(|(peak, _)| (peak - found).abs())
-            .fold(most, f64::min);
+        let near = peaks.map(|peak| (peak - found).abs()).fold(most, f64::min);
         if near > EXACT * most {
             let words = format!("{name}: a peak of {found:e} MPa, alone none nearer than {near:e}");
             return Ok(declared(&results).map_or(Verdict::Fails(words), Verdict::Declared));
