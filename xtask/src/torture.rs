@@ -178,8 +178,12 @@ fn tried(kind: &dyn Kind, options: &Options, time: Option<Duration>) -> (Run, Ve
         // Without a pool of its own, a trial would wait inside another one's parallel part.
         let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
         loop {
+            // The time first: a seed that is taken is tried, so that the next run goes on after it.
+            if time.is_some_and(|time| start.elapsed() > time) {
+                break;
+            }
             let seed = next.fetch_add(1, Ordering::Relaxed);
-            if seed >= seeds.end || time.is_some_and(|time| start.elapsed() > time) {
+            if seed >= seeds.end {
                 break;
             }
             let trial = match &pool {

@@ -286,10 +286,13 @@ pub(crate) fn results_without_audit(
     scene: &Scene,
     model: &Model,
     solver: &dyn InterfaceSolver,
-    solved: Solved,
+    mut solved: Solved,
     bodies: &[usize],
 ) -> Result<Results, RunError> {
     let start = Instant::now();
+    for record in &mut solved.records {
+        record.parts.clear();
+    }
     let mut recovered = fields::recover_some(model, &solved, bodies);
     reported(scene, model, solver, solved, &mut recovered, &[], start)
 }

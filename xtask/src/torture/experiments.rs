@@ -158,7 +158,8 @@ impl Kind for Experiments {
                     }
                 }
             }
-            Ok(Err(_)) => {}
+            // Every laboratory measures enough to be analysed.
+            Ok(Err(trouble)) => trial.failures.push(fails("refused", trouble.to_string())),
             Err(_) => trial.failures.push(fails("panic", "panic".to_owned())),
         }
         trial

@@ -3,7 +3,7 @@
 //! Every worker computes on a pool of one thread, so that a case uses one core and its result does not depend on how many there are.
 //! Cases that share bodies are solved one after the other by the same worker, see [`sweep`](crate::sweep) for what they share.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Sender, channel};
@@ -78,21 +78,20 @@ fn keys(sweep: &Sweep, case: usize) -> Vec<String> {
     names.filter_map(|name| bodies::key(&scene, name)).collect()
 }
 
-/// The first case with each key of `plans`.
-fn first_cases(sweep: &Sweep, plans: &BTreeMap<usize, Vec<String>>) -> BTreeMap<String, usize> {
-    let mut wanted: BTreeSet<&String> = plans.values().flatten().collect();
-    let mut first = BTreeMap::new();
-    for case in 0..sweep.cases() {
-        if wanted.is_empty() {
-            break;
-        }
-        for key in keys(sweep, case) {
-            if wanted.remove(&key) {
-                first.insert(key, case);
+/// All cases with each key of `plans` up to the last of these cases, ascending.
+fn cases_with(sweep: &Sweep, plans: &BTreeMap<usize, Vec<String>>) -> BTreeMap<String, Vec<usize>> {
+    let wanted = plans.values().flatten().cloned();
+    let mut found: BTreeMap<String, Vec<usize>> = wanted.map(|key| (key, Vec::new())).collect();
+    let count = plans.last_key_value().map_or(0, |(last, _)| last + 1);
+    for case in 0..count {
+        let own = plans.get(&case).cloned();
+        for key in own.unwrap_or_else(|| keys(sweep, case)) {
+            if let Some(cases) = found.get_mut(&key) {
+                cases.push(case);
             }
         }
     }
-    first
+    found
 }
 
 /// Cases with equal bodies together, in the order of their first cases.
@@ -115,9 +114,9 @@ struct Shop<'a> {
     store: Store,
     queue: Mutex<Queue>,
     plans: BTreeMap<usize, Vec<String>>,
-    /// The first case of the sweep with the body of each key. That one is condensed for all: bodies of equal keys differ in size, and
+    /// The cases of the sweep with the body of each key. That of the first is condensed for all: bodies of equal keys differ in size, and
     /// by rounding in what they give, so a row would else depend on which cases are asked for and on the order in which they are done.
-    first: BTreeMap<String, usize>,
+    cases_with: BTreeMap<String, Vec<usize>>,
     condensed: AtomicUsize,
     stop: &'a AtomicBool,
 }
@@ -131,7 +130,7 @@ impl<'a> Shop<'a> {
             sweep,
             store: Store::for_uses(plans.values().flatten()),
             queue: Mutex::new(Queue::new(groups(&plans))),
-            first: first_cases(sweep, &plans),
+            cases_with: cases_with(sweep, &plans),
             plans,
             condensed: AtomicUsize::new(0),
             stop,
@@ -200,17 +199,16 @@ impl<'a> Shop<'a> {
             .map_err(|error| error.to_string())
     }
 
-    /// The body of `key` in the first case that has it; `None` where that is `case` itself, or models another half.
-    fn first_body(&self, key: &str, case: usize, half: bool) -> Result<Option<ModelBody>, String> {
-        let Some(&first) = self.first.get(key).filter(|&&first| first != case) else {
-            return Ok(None);
-        };
-        let words = |error: &dyn std::fmt::Display| error.to_string();
-        let scene = self.sweep.scene_of(first).map_err(|error| words(&error))?;
-        let model = Model::build(&scene).map_err(|error| words(&error))?;
-        let same = |body: &ModelBody| bodies::key(&scene, &body.name).as_deref() == Some(key);
-        let mut bodies = model.bodies.into_iter();
-        Ok(bodies.find(|body| model.half == half && same(body)))
+    /// The body of `key` in the first case before `case` that has it and models the same half, if one can be modelled.
+    fn first_body(&self, key: &str, case: usize, half: bool) -> Option<ModelBody> {
+        let cases = self.cases_with.get(key)?.iter();
+        cases.take_while(|&&other| other < case).find_map(|&other| {
+            let scene = self.sweep.scene_of(other).ok()?;
+            let model = Model::build(&scene).ok()?;
+            let same = |body: &ModelBody| bodies::key(&scene, &body.name).as_deref() == Some(key);
+            let mut bodies = model.bodies.into_iter();
+            bodies.find(|body| model.half == half && same(body))
+        })
     }
 
     fn operators(
@@ -228,7 +226,7 @@ impl<'a> Shop<'a> {
                 return Err(format!("body '{}' has no elastic material", body.name));
             };
             let condense = || {
-                let first = self.first_body(&key, case, model.half)?;
+                let first = self.first_body(&key, case, model.half);
                 let first = first.as_ref().map(|body| (&body.kind, &body.interface));
                 let (elastic, interface) = match first {
                     Some((ModelBodyKind::Elastic(elastic), interface)) => (elastic, interface),

@@ -281,6 +281,8 @@ fn agree(one: &Value, other: &Value, path: &str, tolerance: f64, floor: f64) {
                 "{path}: {one} {other}"
             );
         }
+        // The comparison with another solver may be too dear for the whole, as notes say.
+        (Value::Object(_), Value::Null) if path.ends_with("other_solver") => {}
         (one, other) => assert_eq!(one, other, "{path}"),
     }
 }

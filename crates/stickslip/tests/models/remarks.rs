@@ -103,11 +103,11 @@ fn a_bushing_without_friction_is_said_to_turn_freely() {
     // Symmetry holds it, and so does friction on either side.
     assert!(told(&smooth, "can turn freely").is_empty());
     let rubbing = solved(BUSHING, &["analysis.model=whole"]).notes;
-    assert_eq!(rubbing.len(), 1, "{rubbing:?}");
-    assert!(
-        rubbing[0].starts_with("Nothing holds 'bushing', 'pin' and 'plate' against moving as one"),
-        "{rubbing:?}"
-    );
+    let begins = |part: &str| rubbing.iter().filter(|note| note.starts_with(part)).count();
+    let moving = begins("Nothing holds 'bushing', 'pin' and 'plate' against moving as one");
+    // The other solver would take more work than comparisons may.
+    let dear = begins("Whether another solver finds another answer is not known");
+    assert_eq!([moving, dear, rubbing.len()], [1, 1, 2], "{rubbing:?}");
 }
 
 /// A coefficient beyond the estimate of the bound of uniqueness is told once, with the step in which contact is largest.

@@ -302,8 +302,9 @@ pub(super) fn doubts(experiment: &Experiment, found: &Analysed) -> Vec<String> {
     }
     open.map(|own| {
         format!(
-            "the {} of the picture is declared free, and cannot be told from the load: no part of the region's edge is clear of contact beyond doubt. It is \
-             not taken off; 1e-5 of it changes the pressure by up to {} {}. Take a region whose edge goes on beyond the contact.",
+            "the {} of the picture is declared free, and cannot be told from the load: no part of the region's edge is clear of contact beyond doubt, \
+             or the tractions there are not those of such a motion, but of mesh, material or contact. It is not taken off; 1e-5 of it changes the \
+             pressure by up to {} {}. Take a region whose edge goes on beyond the contact, and finer cells.",
             own.motion.name(),
             short(unit.from_base(1e-5 * own.pressure)),
             unit.name

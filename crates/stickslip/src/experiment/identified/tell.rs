@@ -22,7 +22,7 @@ const NO_CONTACT: &str = "no pressure on the edge: no contact, no friction to id
 const HIDDEN: &str = "not identifiable: no pressure on the edge exceeds its uncertainty";
 
 /// Stands in place of an interval where χ² rejects one coefficient.
-const REJECTED: &str = "no interval: one coefficient is rejected";
+const REJECTED: &str = "no interval: one coefficient is rejected, for this zone or for all";
 
 /// What is told, and of what.
 #[derive(Clone, Copy, Debug)]
@@ -114,7 +114,7 @@ fn doubts(identified: &Identified, fit: &SlipFit, story: &mut Story) {
              them. No interval is given; fit laws by [[laws]], or state [identify] zones."
         } else {
             "The coefficients of the slip zones differ by more than their errors: at least one of them holds places that stick. No \
-             interval of all together is given; state [identify] zones, or fit laws by [[laws]]."
+             interval is given; state [identify] zones, or fit laws by [[laws]]."
         });
     }
     let has_friction = matches!(fit.bounds, Bounds::Between(..) | Bounds::AtLeast(_));

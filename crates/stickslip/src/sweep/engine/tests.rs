@@ -218,3 +218,32 @@ fn a_case_has_the_same_bits_whatever_else_is_asked_for() {
     let end = sweep.cases() - 1;
     assert_eq!(last_of(&[0, end]), last_of(&[end]));
 }
+
+/// A case that is refused does not take others with it that have its bodies.
+#[test]
+fn a_refused_first_case_leaves_the_others() {
+    let axes = r#"
+version = 1
+scene = "joint.toml"
+[[axes]]
+key = "analysis.model"
+values = ["half"]
+[[axes]]
+key = "contacts.0.friction"
+values = [
+  { fibre_coverage = { plies = [{ angle = "45 deg", fraction = 1.0 }], fibre_fraction = 0.6, kernel.tangent.width = "40 deg", fibre.coulomb = { mu = 0.0 }, matrix.coulomb = { mu = 0.8 } } },
+  { coulomb = { mu = 0.2 } },
+]
+"#;
+    let (_folder, sweep) = sweep(axes, &["mesh.spacing=6 deg"]);
+    let mut rows = Vec::new();
+    let stop = AtomicBool::new(false);
+    run(&sweep, &[0, 1], NonZeroUsize::MIN, &stop, &mut |row| {
+        rows.push(row);
+        Ok(())
+    })
+    .unwrap();
+    rows.sort_by_key(|row| row.case);
+    let solved = |k: usize| matches!(rows[k].outcome, Outcome::Solved(_));
+    assert!(!solved(0) && solved(1), "{rows:?}");
+}
