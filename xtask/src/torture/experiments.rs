@@ -62,7 +62,7 @@ const STATED: &[Stated] = &[
     of("static friction", "lower bound of μs"),
     of(
         "pressure",
-        "1.96 standard deviations at a random place of the edge, and 1 % of the largest hoop stress as an error of the mesh, which no band holds",
+        "1.96 deviations at a random place of the edge, squared those of noise and of 1 % of the largest hoop stress, an error of the mesh that no band holds; not where a warning says that a dilation stays in the stresses",
     ),
     of("shear", "the same"),
     of("hoop stress", "the same"),

@@ -331,13 +331,15 @@ impl<'a> Subject<'a> {
         history: &JointHistory,
         hole: &Hole,
     ) -> ProgressiveFailure {
+        // Energies are those of the modelled part.
+        let both = if model.half { 2.0 } else { 1.0 };
         let curve = history.records.iter().map(|record| CurvePoint {
             step: record.step,
             reached: record.reached,
             displacement: record.displacement,
             load: record.load,
-            work: record.energy.external,
-            dissipated: record.energy.dissipated + record.energy.released,
+            work: both * record.energy.external,
+            dissipated: both * (record.energy.dissipated + record.energy.released),
         });
         let cells = self.mesh(model).map_or(0, Mesh::element_count);
         ProgressiveFailure {

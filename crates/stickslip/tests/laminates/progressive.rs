@@ -350,3 +350,19 @@ fn a_drive_bears_on_the_side_that_it_pulls_from() {
         "{error}"
     );
 }
+
+#[test]
+fn a_half_has_the_work_of_the_whole() {
+    let [half, whole] = ["half", "whole"].map(|model| {
+        let model = format!("analysis.model={model:?}");
+        let loads = "loads.0.force.steps=[\"200 N\"]";
+        let control = "failure.progressive.control={loads={increments=2}}";
+        let overrides = ["mesh.spacing=\"15 deg\"", &model, loads, control];
+        let results = run(&scene("joint-net-tension.toml", &overrides), &mut |_| {}).unwrap();
+        results.failure[0].progressive.clone().unwrap()
+    });
+    for (half, whole) in half.curve.iter().zip(&whole.curve) {
+        assert!((half.load / whole.load - 1.0).abs() < 1e-6);
+        assert!((half.work / whole.work - 1.0).abs() < 1e-6);
+    }
+}

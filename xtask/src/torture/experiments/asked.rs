@@ -1,6 +1,6 @@
 //! What `identify` states of a laboratory, and whether the truth is in it.
 
-use stickslip::experiment::analysed::{Analysed, TruePlace, all, true_edge};
+use stickslip::experiment::analysed::{Analysed, PictureMotion, TruePlace, all, true_edge};
 use stickslip::experiment::identified::{Identified, identify, on_half_the_cells};
 use stickslip::experiment::laws::{Fit, Known, LawStage, Verdict, stage};
 use stickslip::experiment::measured::{Measured, state};
@@ -116,6 +116,11 @@ impl List {
                     .clone()
                     .map(|k| found.hoop[k].abs())
                     .fold(0.0, f64::max);
+            // A dilation that cannot be told from the load stays in the stresses, and a warning says how much it may be.
+            let dilated =
+                |own: &PictureMotion| own.motion == FreeMotion::Dilation && !own.taken_off;
+            let untold = lab.dilation != 0.0 && found.picture.iter().any(dilated);
+            let stated = |outcome: Outcome| if untold { Outcome::Unstated } else { outcome };
             let place = draw.whole(inner.start, inner.end - 1);
             let [pressure, shear] = found.deviations();
             let own = [
@@ -127,7 +132,11 @@ impl List {
                 let at = |k: usize| interpolated(&truth, found.angle[k], component);
                 self.push(
                     name,
-                    within(values[place], deviations[place].hypot(mesh), at(place)),
+                    stated(within(
+                        values[place],
+                        deviations[place].hypot(mesh),
+                        at(place),
+                    )),
                 );
                 let largest = inner.clone().max_by(|a, b| {
                     let size = |k: usize| {
@@ -142,7 +151,7 @@ impl List {
                 if let Some(k) = largest {
                     self.push(
                         &format!("largest {name}"),
-                        within(values[k], deviations[k].hypot(mesh), at(k)),
+                        stated(within(values[k], deviations[k].hypot(mesh), at(k))),
                     );
                 }
             }

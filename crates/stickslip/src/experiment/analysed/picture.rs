@@ -158,14 +158,14 @@ impl Workbench<'_> {
         // What no motion of the picture explains is an error of the free edge: of mesh, noise that goes together, or contact after all.
         let left = &tractions - &y * &amounts;
         let degrees = rows.len().saturating_sub(motions.len()).max(1) as f64;
-        let square = |i: usize| left[i].powi(2) / covariance[(i, i)];
+        let pressed = |&row: &usize| if row < count { found.hoop[row] } else { 0.0 };
+        let mesh: Vec<f64> = rows.iter().map(|row| MESH * pressed(row)).collect();
+        let square = |i: usize| left[i].powi(2) / (covariance[(i, i)] + mesh[i].powi(2));
         let excess = ((0..rows.len()).map(square).sum::<f64>() / degrees).max(1.0);
         if excess > UNEXPLAINED {
             return None;
         }
-        let pressed = |&row: &usize| if row < count { found.hoop[row] } else { 0.0 };
-        let mesh = rows.iter().map(|row| MESH * pressed(row));
-        let mesh = &gain * DVector::from_iterator(rows.len(), mesh);
+        let mesh = &gain * DVector::from_vec(mesh);
         let systematic = &gain * bias;
         Some(Estimate {
             amounts,
