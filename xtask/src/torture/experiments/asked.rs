@@ -160,17 +160,14 @@ impl List {
                 let missed = |beyond: f64, words: &str| {
                     Outcome::Missed(beyond, format!("{words}: {check:?}"))
                 };
-                self.push(
-                    "force",
-                    if seen(check.excess) {
-                        missed(
-                            check.excess.abs() / check.explained,
-                            "the true force is doubted",
-                        )
-                    } else {
-                        Outcome::Held
-                    },
-                );
+                let doubted = if seen(check.excess) {
+                    let beyond = check.excess.abs() / check.explained;
+                    missed(beyond, "the true force is doubted")
+                } else {
+                    Outcome::Held
+                };
+                // A dilation that stays in the stresses is rightly doubted.
+                self.push("force", stated(doubted));
                 let spoilt = check.excess - 0.2 * check.size;
                 self.push(
                     "wrong force",
