@@ -1,4 +1,4 @@
-//! Can the load be balanced at all? A proof that it cannot, by Farkas.
+//! Can the load be balanced at all? A proof that it cannot, by Farkas; and where bodies that nothing pushes are clear of each other.
 //!
 //! Contact forces that obey the friction cones act on the rigid motions through Gᵀλ = A z, z ≥ 0, where the columns of A are
 //! the edges G_n ± μ G_t of the cones. The load r has no balance if and only if the nearest point of the cone {A z} to −r
@@ -18,6 +18,44 @@ use stickslip_friction::{History, PointStatus};
 /// Relative size of a remainder that counts.
 const NEGLIGIBLE: f64 = 1e-9;
 
+/// The rigid motions nearest to the last accepted ones at which nothing penetrates, without contact forces; `None` if loads push
+/// floating bodies, or if there are none (least distance programming: Lawson & Hanson 1974, chapter 23).
+pub(super) fn clear(step: &Step<'_>) -> Option<DVector<f64>> {
+    let here = &step.committed.rigid;
+    if here.is_empty() || step.mode_load.amax() > 0.0 {
+        return None;
+    }
+    let motion = step.motion(&DVector::zeros(2 * step.count()), here);
+    let largest = (0..step.count()).fold(0.0, |most: f64, k| most.max(-motion[2 * k]));
+    let units = units(step);
+    let motions = here.len();
+    // Minimal |x| with G x ≥ h, from the remainder of [Gᵀ; hᵀ] z = (0, …, 0, 1).
+    let edges = DMatrix::from_fn(motions + 1, step.count(), |row, k| {
+        if row < motions {
+            step.problem.modes()[(2 * k, row)] * units[row]
+        } else {
+            -motion[2 * k] / largest
+        }
+    });
+    let mut wanted = DVector::zeros(motions + 1);
+    wanted[motions] = -1.0;
+    let remainder = nearest(&edges, &wanted);
+    let reach = -largest / remainder[motions];
+    let way = remainder.rows(0, motions).component_mul(&units) * reach;
+    way.iter()
+        .all(|amount| amount.is_finite())
+        .then(|| here + way)
+}
+
+/// Translations and rotations have different units: the amount of each rigid motion that moves a point by 1 at most.
+fn units(step: &Step<'_>) -> DVector<f64> {
+    let modes = step.problem.modes();
+    DVector::from_fn(modes.ncols(), |mode, _| match modes.column(mode).amax() {
+        largest if largest > 0.0 => 1.0 / largest,
+        _ => 1.0,
+    })
+}
+
 /// A rigid motion along which the load of `step` does work against no friction cone, and whether that is a proof that the load
 /// cannot be balanced; `None` where there is no such motion.
 pub(super) fn impossible(step: &Step<'_>) -> Option<(DVector<f64>, bool)> {
@@ -25,12 +63,7 @@ pub(super) fn impossible(step: &Step<'_>) -> Option<(DVector<f64>, bool)> {
         return None;
     }
     let mut edges = cone_edges(step);
-    // Translations and rotations have different units: all are measured by the largest motion of a point.
-    let modes = step.problem.modes();
-    let units = DVector::from_fn(modes.ncols(), |mode, _| match modes.column(mode).amax() {
-        largest if largest > 0.0 => 1.0 / largest,
-        _ => 1.0,
-    });
+    let units = units(step);
     for (mut row, unit) in edges.row_iter_mut().zip(&units) {
         row *= *unit;
     }

@@ -1,7 +1,9 @@
 //! A solver made of solvers.
 
+use nalgebra::DVector;
+
 use super::attempt::Attempt;
-use super::balance::impossible;
+use super::balance::{clear, impossible};
 use super::{
     Continuation, Enumeration, FailureCause, InterfaceSolver, Pivoting, SemismoothNewton,
     StatusIteration, Step, StepFailure, StepSolution, Work,
@@ -95,12 +97,11 @@ impl Chain {
                 return Err(failure);
             }
         }
-        for member in members {
+        let forceless = step.committed.forces.amax() == 0.0;
+        for (index, member) in members.iter().enumerate() {
             match member.solve(step) {
-                Ok(mut solution) => {
-                    solution.work += failure.work;
-                    solution.attempts = failure.attempts;
-                    return Ok(among_several(step, solution));
+                Ok(solution) => {
+                    return Ok(among_several(step, after(failure, solution)));
                 }
                 Err(next) => {
                     failure.attempts.extend(next.attempts);
@@ -109,15 +110,18 @@ impl Chain {
                     if !failure.is_unresolved() {
                         return Err(failure);
                     }
+                    // Bodies that travel before they touch: a search among points that close without force may go round in circles.
+                    if index == 0
+                        && forceless
+                        && let Some(solution) = released(step)
+                    {
+                        return Ok(after(failure, solution));
+                    }
                 }
             }
         }
         match released(step) {
-            Some(mut solution) => {
-                solution.work += failure.work;
-                solution.attempts = failure.attempts;
-                Ok(solution)
-            }
+            Some(solution) => Ok(after(failure, solution)),
             None => Err(failure),
         }
     }
@@ -163,18 +167,25 @@ fn unchanged(step: &Step<'_>) -> Option<StepSolution> {
     .ok()
 }
 
-/// The state without any contact force, with the bodies where they are or where they were at first. Solvers that follow
-/// a law of unbounded slope at vanishing pressure may miss it.
+/// `solution`, found after `failure`.
+fn after(failure: StepFailure, mut solution: StepSolution) -> StepSolution {
+    solution.work += failure.work;
+    solution.attempts = failure.attempts;
+    solution
+}
+
+/// The state without any contact force, with the bodies where they are, where they were at first, or as near to where they are as they
+/// can be without penetration. Solvers that follow a law of unbounded slope at vanishing pressure may miss it.
 fn released(step: &Step<'_>) -> Option<StepSolution> {
-    let places = [
-        step.committed.rigid.clone(),
-        step.committed.rigid.map(|_| 0.0),
-    ];
-    places.iter().find_map(|rigid| {
+    let accepted = |rigid: &DVector<f64>| {
         Attempt::run(step, "release", |attempt| {
             let trial = attempt.released(rigid);
             attempt.accept(trial)
         })
         .ok()
-    })
+    };
+    let here = &step.committed.rigid;
+    accepted(here)
+        .or_else(|| accepted(&here.map(|_| 0.0)))
+        .or_else(|| accepted(&clear(step)?))
 }

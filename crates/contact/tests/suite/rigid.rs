@@ -337,3 +337,38 @@ fn the_balance_of_an_unloaded_step_has_a_floor_in_the_history() {
     let [first, second] = [0, 1].map(|step: usize| &records[step].audit.bodies[0]);
     assert_eq!(first.relative, first.unbalanced / (1e-3 * second.scale));
 }
+
+/// A pin that touches the hole of a plate at θ = 0, with the clearance c, is driven upwards by v < c; the plate may slide along x and
+/// nothing pushes it. Nothing needs to be pressed: the plate makes way by c − √(c² − v²), but for the angles between the points.
+#[test]
+fn a_plate_makes_way_for_a_driven_pin_without_force() {
+    let (count, clearance) = (72, 0.02);
+    let angle = |k: usize| std::f64::consts::TAU * k as f64 / count as f64;
+    let normal = |k: usize| [-angle(k).cos(), -angle(k).sin()];
+    let upwards = DVector::from_fn(2 * count, |row, _| if row % 2 == 1 { 1.0 } else { 0.0 });
+    let compliance = DMatrix::identity(2 * count, 2 * count);
+    let pin = GivenBody::held(compliance, vec![upwards]).unwrap();
+    let plate = RigidBody::sliding(pin.points().to_vec(), [true, false], &[[0.0; 2]]);
+    let gap = |k: usize| clearance * (1.0 - angle(k).cos());
+    let pair = ContactPair {
+        name: "joint".into(),
+        first: 0,
+        second: 1,
+        points: (0..count).map(|k| point(k, normal(k), gap(k))).collect(),
+        law: coulomb(0.2),
+    };
+    let problem = InterfaceProblem::new(&[&pin, &plate], vec![pair]).unwrap();
+    let between_points = clearance * (angle(1) / 2.0).powi(2);
+    for parts in [1, 4, 15] {
+        let drive = (1..=parts).map(|k| vec![0.9 * clearance * f64::from(k) / f64::from(parts)]);
+        let history = LoadHistory::new(drive.collect(), 1, Ramp::Linear).unwrap();
+        for solver in [&Chain::default(), &Chain::status_first()] {
+            for record in history.follow(&problem, solver, |_| {}).unwrap() {
+                let v = record.state.multipliers[0];
+                let way = clearance - (clearance * clearance - v * v).sqrt();
+                assert_eq!(record.state.forces.amax(), 0.0);
+                assert_abs_diff_eq!(record.state.rigid[0], way, epsilon = 3.0 * between_points);
+            }
+        }
+    }
+}

@@ -16,8 +16,8 @@ use stickslip_contact::InterfaceSolver;
 use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_fem_core::{ElasticBody, QuadraturePoints};
 use stickslip_joint::{
-    CrackBand, CrackBandError, Ending, FractureEnergies, Gauge, Hole, Joint, JointBody, JointError,
-    JointHistory, Mark, Options, PlyEventKind, ProgressiveBody, Pull,
+    CrackBand, CrackBandError, Ending, FractureEnergies, Gauge, Halt, Hole, Joint, JointBody,
+    JointError, JointHistory, Mark, Options, PlyEventKind, ProgressiveBody, Pull,
 };
 use stickslip_laminate::Degradation;
 use stickslip_laminate::progressive::{PointModel, ProgressiveError};
@@ -56,6 +56,18 @@ pub enum ProgressiveRunError {
         body: String,
         /// Place of the bearing point, from +x `[degree]`.
         angle_deg: f64,
+    },
+    /// The history ended before the pin pressed.
+    #[error(
+        "the pin did not press before the history ended, at {percent:.3} % of load step {}: {cause}", .step + 1
+    )]
+    NothingBorne {
+        /// Index of the load step, from 0.
+        step: usize,
+        /// Part of it that was reached `[%]`.
+        percent: f64,
+        /// Why no equilibrium was found beyond.
+        cause: Halt,
     },
     /// Nothing says where the pin bears.
     #[error(
@@ -145,9 +157,21 @@ impl<'a> Subject<'a> {
             })
             .map_err(|cause| refused(cause.into()))?;
         if most.1.is_empty() {
-            return Err(refused(ProgressiveRunError::WrongWay {
-                body: body(),
-                angle_deg: bearing.to_degrees(),
+            return Err(refused(match history.ending {
+                Ending::NoEquilibrium {
+                    step,
+                    reached,
+                    cause,
+                    ..
+                } => ProgressiveRunError::NothingBorne {
+                    step,
+                    percent: 100.0 * reached,
+                    cause,
+                },
+                _ => ProgressiveRunError::WrongWay {
+                    body: body(),
+                    angle_deg: bearing.to_degrees(),
+                },
             }));
         }
         let sound = self.bodies(&model, false)?;

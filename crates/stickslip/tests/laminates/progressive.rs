@@ -245,6 +245,11 @@ fn a_drive_beside_other_loads_is_refused() {
         across.contains("'pull'") && across.contains("delete loads.0"),
         "{across}"
     );
+    let crosswise = refused(&[
+        "failure.progressive.control={displacement={on=\"plate.left\",axis=\"y\",end=\"-0.4 mm\"}}",
+        "loads.1.on=\"plate.left\"",
+    ]);
+    assert!(crosswise.contains("axis = \"x\""), "{crosswise}");
     let moved = refused(&[
         drive,
         "loads.1.on=\"plate.left\"",
@@ -276,6 +281,31 @@ fn what_a_drive_replaces_and_what_has_no_effect_is_said() {
         assert!(note.contains(part), "{part}: {note}");
     }
     assert_eq!(joint.notes.len(), 2);
+}
+
+/// A pin that touches at θ = 0 and is driven along y travels round the hole before it bears, whatever the increments.
+#[test]
+fn a_drive_passes_the_clearance_in_any_increments() {
+    let load = |increments: usize| {
+        let overrides = [
+            "mesh.spacing=\"15 deg\"".to_owned(),
+            "bodies.plate.shape.plate_with_hole.outline.strip={half_width=\"9 mm\",left=\"9 mm\",right=\"9 mm\"}"
+                .to_owned(),
+            "loads.0.on=\"plate.top\"".to_owned(),
+            "loads.0.force={direction=[0,1],steps=[\"1500 N\"]}".to_owned(),
+            format!(
+                "failure.progressive.control={{displacement={{on=\"plate.top\",axis=\"y\",end=\"0.06 mm\",increments={increments}}}}}"
+            ),
+        ];
+        let overrides: Vec<&str> = overrides.iter().map(String::as_str).collect();
+        let results = run(&scene("joint-net-tension.toml", &overrides), &mut |_| {}).unwrap();
+        results.failure[0].progressive.as_ref().unwrap().peak_load()
+    };
+    let loads = [3, 7, 15, 30].map(load);
+    println!("{loads:.1?} N");
+    for load in loads {
+        assert!((load / loads[0] - 1.0).abs() < 0.02, "{loads:?}");
+    }
 }
 
 /// The turned square joint, loaded by increments.

@@ -298,9 +298,24 @@ impl Builder<'_> {
                 "load '{}' does not act on {on} along {along}: a drive replaces the load on the driven set along its axis, and applies no other",
                 load.name
             );
-            let remedy = format!(
-                "delete loads.{index}, or raise all loads in their proportion: failure.progressive.control.loads = {{}}"
-            );
+            let turned = match axis {
+                Axis::X => Axis::Y,
+                Axis::Y => Axis::X,
+            };
+            let remedy = if around
+                .loads
+                .iter()
+                .all(|load| is_replaced(load, on, turned))
+            {
+                format!(
+                    "drive it along the other axis: axis = \"{}\"",
+                    turned.name()
+                )
+            } else {
+                format!(
+                    "delete loads.{index}, or raise all loads in their proportion: failure.progressive.control.loads = {{}}"
+                )
+            };
             self.conflict(key, message, remedy);
         }
         let own = |support: &&Support| support.displacement != 0.0 && support.on == *on;
