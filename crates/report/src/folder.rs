@@ -50,7 +50,7 @@ pub enum Results {
 /// What to do with a result folder that is there already.
 #[derive(Debug, Clone, Copy)]
 pub enum Overwrite {
-    /// Leave it and report an error.
+    /// Leave it and report an error, if anything is in it.
     Refuse,
     /// Replace it when the new results are complete, if this program wrote all that is in it, by the same command.
     Force(Known),
@@ -383,12 +383,16 @@ fn check_target(
     if !exists(target) {
         return Ok(None);
     }
+    let failed = |cause| unwritable(target, cause);
+    let mut entries = fs::read_dir(target).map_err(failed)?;
+    if entries.next().is_none() {
+        return Ok(Some(BTreeSet::new()));
+    }
     let Overwrite::Force(known) = overwrite else {
         return Err(FolderError::Exists {
             path: target.to_owned(),
         });
     };
-    let failed = |cause| unwritable(target, cause);
     let found = small_file(&target.join(MARKER)).and_then(|summary| known(&summary));
     let list = FileList::read(target).map_err(failed)?;
     let other = match (found, &list) {

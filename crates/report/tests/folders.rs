@@ -90,7 +90,7 @@ fn force_never_deletes_what_is_not_a_result() {
     let home = tempfile::tempdir().unwrap();
     let target = home.path().join("thesis");
     fs::create_dir(&target).unwrap();
-    finished(&target, FORCE, "an empty folder may be used");
+    finished(&target, Overwrite::Refuse, "an empty folder may be used");
     let other = home.path().join("other");
     fs::create_dir(&other).unwrap();
     fs::write(other.join("chapter.tex"), "years of work").unwrap();

@@ -19,7 +19,7 @@ use serde::Serialize;
 use stickslip_report::plain::{printable, printable_with_colours};
 
 pub use laminate::LaminateProblem;
-pub(crate) use nearest::nearest;
+pub(crate) use nearest::{nearest, one_of};
 pub use problem::SceneProblem;
 
 /// A text that a problem can be shown in: a scene file, or an argument of `--set`.

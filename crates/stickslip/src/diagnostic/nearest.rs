@@ -28,6 +28,14 @@ fn distance(left: &str, right: &str) -> usize {
     row[right.len()]
 }
 
+/// `body = "plate" or body = "lug"`.
+pub(crate) fn one_of<S: AsRef<str>>(key: &str, names: &[S]) -> String {
+    let stated = names
+        .iter()
+        .map(|name| format!("{key} = \"{}\"", name.as_ref()));
+    stated.collect::<Vec<_>>().join(" or ")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

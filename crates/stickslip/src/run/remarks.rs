@@ -186,7 +186,7 @@ fn moving_freely(model: &Model, free: &[FreeBody]) -> Vec<String> {
     let mut notes: Vec<String> = slipping.iter().map(|body| freely(model, body)).collect();
     if !together.is_empty() {
         notes.push(format!(
-            "Nothing holds {} against moving as one: displacements hold up to that motion, which changes no stress and no slip.",
+            "Nothing holds {} against turning or sliding together, as one rigid body: displacements hold up to that motion, which changes no stress and no slip.",
             quoted(together.iter().map(|body| &*model.bodies[body.body].name))
         ));
     }

@@ -25,7 +25,7 @@ use super::schema::{
     Analysis, Body, Contact, DisplayUnits, Failure, Load, Material, MeshSettings, Output, Platen,
     SetRef, Support,
 };
-use crate::diagnostic::{Finding, SceneError, SceneProblem, nearest};
+use crate::diagnostic::{Finding, SceneError, SceneProblem, nearest, one_of};
 use crate::units::{Measure, Quantity};
 
 /// Most sub-steps of a load step.
@@ -154,10 +154,20 @@ impl Builder<'_> {
     }
 
     fn missing(&mut self, table: &str, name: &str) {
+        let example = super::examples::example(&child(table, name));
+        self.missing_as(table, name, example);
+    }
+
+    /// A missing name, of which the scene has `known`.
+    fn missing_name(&mut self, table: &str, name: &str, known: &[String]) {
+        self.missing_as(table, name, one_of(name, known));
+    }
+
+    fn missing_as(&mut self, table: &str, name: &str, example: String) {
         let problem = SceneProblem::MissingKey {
             key: name.to_owned(),
             table: table.to_owned(),
-            example: super::examples::example(&child(table, name)),
+            example,
         };
         self.report(table, Part::Key, problem);
     }

@@ -243,3 +243,16 @@ fn questions_without_strengths_or_laminates() {
         ],
     );
 }
+
+/// Of several laminates that may be followed the missing key names each.
+#[test]
+fn the_body_of_a_progressive_failure() {
+    let failing = "failure.progressive={model={ply_discount={fibre=0.01,matrix=0.1}}}";
+    let another = "bodies.pin.material=laminate";
+    let error = read(PIN, &[failing, another]).unwrap_err();
+    let told = format!("{:?}", error.findings()[0].summary());
+    assert!(
+        told.contains("body = ") && told.contains(" or body = "),
+        "{told}"
+    );
+}

@@ -8,7 +8,7 @@ use stickslip_fem_core::material::PlaneState;
 
 use super::read::{Refuse, place};
 use super::{Hole, Specimen, SpecimenScene};
-use crate::diagnostic::{SceneError, SceneProblem, nearest};
+use crate::diagnostic::{SceneError, SceneProblem, nearest, one_of};
 use crate::experiment::format::{ExperimentFormat, SpecimenFormat};
 use crate::model::centre_of;
 use crate::scene::document::Part;
@@ -118,7 +118,8 @@ fn body_of(
     match (&given.body, &holes[..]) {
         (Some(name), _) => Ok(name.clone()),
         (None, [only]) => Ok((*only).clone()),
-        (None, _) => Err(refuse.missing("specimen", "body", "body = \"plate\"")),
+        (None, []) => Err(refuse.missing("specimen", "body", "body = \"plate\"")),
+        (None, several) => Err(refuse.missing("specimen", "body", &one_of("body", several))),
     }
 }
 

@@ -67,8 +67,8 @@ impl Builder<'_> {
             }
             (None, [only]) => Some(only.clone()),
             (None, []) => None,
-            (None, _) => {
-                self.missing(TABLE, "body");
+            (None, several) => {
+                self.missing_name(TABLE, "body", several);
                 None
             }
         }
