@@ -70,26 +70,95 @@ pub fn free_bodies(problem: &InterfaceProblem) -> Vec<FreeBody> {
 /// The pairs whose gaps the contact of `state` leaves undetermined: a rigid motion that moves no pressed point along its normal
 /// and no sticking one along its tangent changes no force, and the gaps of these pairs. Pairs that nothing presses are among them.
 pub fn loose_pairs(problem: &InterfaceProblem, state: &ContactState) -> Vec<usize> {
-    // A point that closes without force is as well a moment before it does.
-    let least = FORCELESS * state.forces.amax();
-    let pressed = |k: usize| state.status[k].touches() && state.normal_force(k) > least;
-    let rows = (0..state.status.len())
-        .filter(|&k| pressed(k))
-        .flat_map(|k| {
-            let sticks = state.status[k] == Status::Stick;
-            [Some(2 * k), sticks.then_some(2 * k + 1)]
-                .into_iter()
-                .flatten()
-        });
-    let Some(free) = FreeMotions::of(problem, rows) else {
+    let sticks = |k: usize| state.status[k] == Status::Stick;
+    let Some(relative) = unresisted(problem, state, sticks) else {
         return Vec::new();
     };
-    let relative = problem.modes() * free.projector;
     let loose = |&pair: &usize| {
         let mut points = problem.pair_points(pair);
         points.any(|k| relative.row(2 * k).amax() > MOVES)
     };
     (0..problem.pairs().len()).filter(loose).collect()
+}
+
+/// The pairs with friction whose slip the increment to `state`, in which the points slipped by `slip` `[length]`, leaves undetermined: a
+/// rigid motion that moves no pressed point along its normal, and along its tangent only those that slip on with the same friction,
+/// changes no force. As where all that presses a pin slips, and the pin may turn.
+pub fn sliding_pairs(
+    problem: &InterfaceProblem,
+    state: &ContactState,
+    slip: &DVector<f64>,
+) -> Vec<usize> {
+    // Largest friction force, and whether slip changes it.
+    let bound = |k: usize| {
+        let point = &problem.points()[k];
+        let pressure = state.normal_force(k) / point.area;
+        let law = problem.law(k);
+        let bound = law.bound(pressure, slip[k].abs(), &point.place, &state.history[k]);
+        let stress = match state.status[k] {
+            Status::Stick => bound.stick,
+            _ => bound.slip,
+        };
+        (stress * point.area, bound.slip_ds != 0.0)
+    };
+    let friction = |k: usize| state.forces[2 * k + 1];
+    let held = |k: usize| {
+        let (largest, changes) = bound(k);
+        changes || friction(k).abs() < (1.0 - FORCELESS) * largest
+    };
+    let Some(relative) = unresisted(problem, state, held) else {
+        return Vec::new();
+    };
+    let pressed = pressed(state);
+    let rubbing: Vec<usize> = (0..slip.len())
+        .filter(|&k| pressed(k) && bound(k).0 > 0.0)
+        .collect();
+    let least = FORCELESS * slip.amax();
+    // Where a point stands still at its bound, the motion may only go against its friction.
+    let goes = |motion: usize, sign: f64| {
+        let turns_back = |k: &usize| {
+            slip[*k].abs() <= least
+                && friction(*k).signum() * sign * relative[(2 * k + 1, motion)] > MOVES
+        };
+        !rubbing.iter().any(turns_back)
+    };
+    let motions: Vec<usize> = (0..relative.ncols())
+        .filter(|&motion| goes(motion, 1.0) || goes(motion, -1.0))
+        .collect();
+    let slides = |&pair: &usize| {
+        let points = problem.pair_points(pair);
+        let mut own = rubbing.iter().filter(|k| points.contains(k));
+        own.any(|k| {
+            motions
+                .iter()
+                .any(|&motion| relative[(2 * k + 1, motion)].abs() > MOVES)
+        })
+    };
+    (0..problem.pairs().len()).filter(slides).collect()
+}
+
+/// Relative motions (g, Δs) of all points, 2n × m, in the rigid motions that move no pressed point along its normal and no pressed one that
+/// is `held` along its tangent; `None` if there are none.
+fn unresisted(
+    problem: &InterfaceProblem,
+    state: &ContactState,
+    held: impl Fn(usize) -> bool,
+) -> Option<DMatrix<f64>> {
+    let pressed = pressed(state);
+    let rows = (0..state.status.len())
+        .filter(|&k| pressed(k))
+        .flat_map(|k| {
+            [Some(2 * k), held(k).then_some(2 * k + 1)]
+                .into_iter()
+                .flatten()
+        });
+    Some(problem.modes() * FreeMotions::of(problem, rows)?.projector)
+}
+
+/// Whether a point is pressed; one that closes without force is as well a moment before it does.
+fn pressed(state: &ContactState) -> impl Fn(usize) -> bool + '_ {
+    let least = FORCELESS * state.forces.amax();
+    move |k| state.status[k].touches() && state.normal_force(k) > least
 }
 
 /// Columns α of length 1 that nothing resists, of a problem with rigid motions.

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use crate::audit::{Audit, LargestScales};
 use crate::error::ContactError;
-use crate::freedom::loose_pairs;
+use crate::freedom::{loose_pairs, sliding_pairs};
 use crate::interface::{Interface, Part};
 use crate::problem::InterfaceProblem;
 use crate::solver::{FailureCause, InterfaceSolver, Residuals, Step, StepFailure, Work};
@@ -328,6 +328,7 @@ struct Walk {
     recovery: Recovery,
     solutions: Option<usize>,
     loose: Vec<usize>,
+    sliding: Vec<usize>,
     coefficient: f64,
     increments: usize,
     cutbacks: usize,
@@ -350,6 +351,7 @@ impl Walk {
             recovery: Recovery::default(),
             solutions: None,
             loose: Vec::new(),
+            sliding: Vec::new(),
             coefficient: 0.0,
             increments: 0,
             cutbacks: 0,
@@ -409,15 +411,19 @@ impl Walk {
         self.solutions = self.solutions.max(solution.solutions);
         self.increments += 1;
         self.dissipation += increment.dissipation;
-        self.slip += increment.slip;
-        self.state = increment.state;
-        self.loose.extend(loose_pairs(problem, &self.state));
+        let (state, slip) = (increment.state, increment.slip);
+        self.loose.extend(loose_pairs(problem, &state));
+        self.sliding.extend(sliding_pairs(problem, &state, &slip));
+        self.slip += slip;
+        self.state = state;
         Ok(())
     }
 
     fn finish(mut self, problem: &InterfaceProblem) -> StepRecord {
-        self.loose.sort_unstable();
-        self.loose.dedup();
+        for pairs in [&mut self.loose, &mut self.sliding] {
+            pairs.sort_unstable();
+            pairs.dedup();
+        }
         StepRecord {
             audit: Audit::of(problem, &self.state),
             work: self.work,
@@ -427,6 +433,7 @@ impl Walk {
             recovery: self.recovery,
             solutions: self.solutions,
             loose: self.loose,
+            sliding: self.sliding,
             coefficient: self.coefficient,
             uniqueness: None,
             increments: self.increments,
@@ -459,6 +466,8 @@ pub struct StepRecord {
     pub solutions: Option<usize>,
     /// Pairs whose gaps contact leaves undetermined at the end of an increment, as by [`loose_pairs`].
     pub loose: Vec<usize>,
+    /// Pairs whose slip friction leaves undetermined in an increment, as by [`sliding_pairs`].
+    pub sliding: Vec<usize>,
     /// Largest coefficient of friction of the points in contact at its end (dimensionless).
     pub coefficient: f64,
     /// Estimate of the coefficient up to which its end has one solution, as by [`uniqueness_bound`]; made once in a history,

@@ -15,18 +15,6 @@ pub(super) const OPEN: &[Open] = &[
     Open {
         kind: "scenes",
         check: "half and whole",
-        seeds: &[1031],
-        reason: "all touching points slip, and no friction changes when the pin turns a little: CSLIP1 is one of many, which no note says",
-    },
-    Open {
-        kind: "scenes",
-        check: "another solver",
-        seeds: &[1077],
-        reason: "as seed 1031, in the step in which the load reverses",
-    },
-    Open {
-        kind: "scenes",
-        check: "half and whole",
         seeds: &[768],
         reason: "the whole model is left unsolved, and says so: Newton and continuation cycle, pivoting ends at its work limit; the half is solved",
     },
@@ -59,12 +47,6 @@ pub(super) const OPEN: &[Open] = &[
         check: "mirrored",
         seeds: &[3430],
         reason: "a bushing loose between given displacements without friction: solved or left unsolved, which is said, by rounding",
-    },
-    Open {
-        kind: "scenes",
-        check: "half and whole",
-        seeds: &[3489, 3273],
-        reason: "as seed 1031",
     },
     Open {
         kind: "scenes",

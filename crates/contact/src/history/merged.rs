@@ -35,6 +35,7 @@ impl Interface {
             recovery: Recovery::default(),
             solutions: None,
             loose: Vec::new(),
+            sliding: Vec::new(),
             coefficient: 0.0,
             uniqueness: None,
             increments: 0,
@@ -53,6 +54,7 @@ impl Interface {
         }
         near_its_bound(&mut whole, &parts);
         whole.loose.sort_unstable();
+        whole.sliding.sort_unstable();
         whole.audit.bodies.sort_by_key(|balance| balance.body);
         whole.parts = parts;
         whole
@@ -96,9 +98,9 @@ fn add(whole: &mut StepRecord, part: &Part, record: &StepRecord) {
     add_recovery(&mut whole.recovery, part, &record.recovery);
     whole.solutions = whole.solutions.max(record.solutions);
     let (bodies, pairs) = (&part.group().bodies, &part.group().pairs);
-    whole
-        .loose
-        .extend(record.loose.iter().map(|&own| pairs[own]));
+    let numbered = |own: &usize| pairs[*own];
+    whole.loose.extend(record.loose.iter().map(numbered));
+    whole.sliding.extend(record.sliding.iter().map(numbered));
     whole.coefficient = whole.coefficient.max(record.coefficient);
     whole.increments = whole.increments.max(record.increments);
     whole.cutbacks += record.cutbacks;

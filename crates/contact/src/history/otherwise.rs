@@ -27,15 +27,24 @@ pub struct Difference {
     pub peak_pressure: f64,
     /// Largest change of a pressure or tangential traction, relative to the largest pressure of the answer.
     pub traction: f64,
+    /// Largest change of the slip of a point in the step, relative to the largest slip in it.
+    pub slip: f64,
+    /// Change of the work of friction in the step, relative to that work.
+    pub dissipation: f64,
 }
 
 impl Difference {
-    /// Tractions that differ by more than this part of the largest pressure are another answer, and no rounding.
+    /// Differences beyond this part are more than rounding; of tractions, another answer.
     pub const DISTINCT: f64 = 1e-6;
 
     /// Whether the other way ends at another answer.
     pub fn is_distinct(&self) -> bool {
         self.traction > Self::DISTINCT
+    }
+
+    /// Whether only slip and its work differ, as they do where points close and slip from then on.
+    pub fn differs_in_slip(&self) -> bool {
+        self.slip.max(self.dissipation.abs()) > Self::DISTINCT
     }
 }
 
@@ -238,16 +247,11 @@ impl Again<'_> {
             walk.advance(self.problem, solver, false, &multipliers)
                 .ok()?;
         }
-        Some(self.difference(&walk.state, name, increments))
+        Some(self.difference(&walk, name, increments))
     }
 
-    fn difference(
-        &self,
-        other: &ContactState,
-        solver: &'static str,
-        increments: usize,
-    ) -> Difference {
-        let state = &self.record.state;
+    fn difference(&self, walk: &Walk, solver: &'static str, increments: usize) -> Difference {
+        let (state, other) = (&self.record.state, &walk.state);
         let points = self.problem.points().iter().enumerate();
         let (mut peak, mut other_peak, mut traction) = (0.0_f64, 0.0_f64, 0.0_f64);
         for (k, point) in points {
@@ -257,12 +261,18 @@ impl Again<'_> {
             let tangential = other.tangential_force(k) - state.tangential_force(k);
             traction = traction.max(normal.abs().max(tangential.abs()) / point.area);
         }
-        let over = |value: f64| if peak > 0.0 { value / peak } else { 0.0 };
+        let over = |value: f64, whole: f64| if whole > 0.0 { value / whole } else { 0.0 };
+        let slip = &self.record.slip;
         Difference {
             solver,
             increments,
-            peak_pressure: over(other_peak - peak),
-            traction: over(traction),
+            peak_pressure: over(other_peak - peak, peak),
+            traction: over(traction, peak),
+            slip: over((&walk.slip - slip).amax(), slip.amax()),
+            dissipation: over(
+                walk.dissipation - self.record.dissipation,
+                self.record.dissipation,
+            ),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Rigid motions that no contact resists.
 
 use nalgebra::{DMatrix, DVector};
-use stickslip_contact::freedom::{FreeBody, free_bodies, loose_pairs};
+use stickslip_contact::freedom::{FreeBody, free_bodies, loose_pairs, sliding_pairs};
 use stickslip_contact::{ContactPair, ContactPoint, ContactState, InterfaceProblem, Status};
 use stickslip_fem_core::{GivenBody, InterfaceOperator, RigidBody};
 
@@ -103,6 +103,34 @@ fn gaps_are_undetermined_where_too_few_points_press() {
     assert_eq!(pressed(&[]), [0]);
     assert_eq!(pressed(&[0]), [0]);
     assert!(pressed(&[0, 1]).is_empty());
+}
+
+/// A disk held at its centre that slips one way at two points and the other way at two may turn a little further: its friction stays.
+/// It may not if one of them sticks within its bound, nor if two that stand still at their bound hold it from both sides.
+#[test]
+fn slip_is_undetermined_where_no_pressed_point_sticks() {
+    let problem = disk_with(0.1, 2);
+    let points = [0, 2, 4, 6];
+    let found = |friction: [f64; 4], slips: [f64; 4]| {
+        let mut state = ContactState::unloaded(&problem);
+        let mut slip = DVector::zeros(8);
+        for (k, (friction, slipped)) in points.into_iter().zip(friction.into_iter().zip(slips)) {
+            state.forces[2 * k] = 1.0;
+            state.forces[2 * k + 1] = friction;
+            slip[k] = slipped;
+            state.status[k] = match slipped {
+                0.0 => Status::Stick,
+                _ if slipped > 0.0 => Status::SlipPositive,
+                _ => Status::SlipNegative,
+            };
+        }
+        sliding_pairs(&problem, &state, &slip)
+    };
+    let at_bound = [-0.1, -0.1, 0.1, 0.1];
+    assert_eq!(found(at_bound, [1.0, 2.0, -1.0, -2.0]), [0]);
+    assert_eq!(found(at_bound, [0.0, 2.0, -1.0, -2.0]), [0]);
+    assert!(found(at_bound, [0.0, 2.0, -1.0, 0.0]).is_empty());
+    assert!(found([-0.09, -0.1, 0.1, 0.1], [0.0, 2.0, -1.0, -2.0]).is_empty());
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! What stays of a solved linearisation: the loss of plies that fail, or the state that is accepted.
 
 use stickslip_contact::audit::Audit;
-use stickslip_contact::freedom::loose_pairs;
+use stickslip_contact::freedom::{loose_pairs, sliding_pairs};
 use stickslip_contact::history::Recovery;
 use stickslip_contact::solver::Step;
 use stickslip_contact::{Increment, StepRecord};
@@ -152,6 +152,7 @@ impl Solving<'_> {
             parts: Vec::new(),
             audit: Audit::of(&linear.problem, &increment.state),
             loose: loose_pairs(&linear.problem, &increment.state),
+            sliding: sliding_pairs(&linear.problem, &increment.state, &increment.slip),
             state: increment.state,
             work: self.work,
             residuals: increment.residuals,

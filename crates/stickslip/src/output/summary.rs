@@ -179,6 +179,8 @@ fn other_answer(difference: Difference) -> OtherAnswer {
         increments: difference.increments,
         peak_pressure_change: tidy(difference.peak_pressure),
         traction_change: tidy(difference.traction),
+        slip_change: tidy(difference.slip),
+        dissipation_change: tidy(difference.dissipation),
     }
 }
 

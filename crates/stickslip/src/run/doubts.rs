@@ -38,7 +38,7 @@ fn cut_back(steps: &[StepResults]) -> Option<String> {
         return Some(if rubs { told + unknown } else { told });
     };
     if !most.is_distinct() {
-        return Some(told + " That changed nothing: smaller increments give the same answer.");
+        return Some(told + &in_slip(steps));
     }
     Some(format!(
         "{told} The answer depends on the path: in {} equal increments the largest pressure of load step {step} changes by {}, \
@@ -47,6 +47,21 @@ fn cut_back(steps: &[StepResults]) -> Option<String> {
         percent(most.peak_pressure),
         percent(most.traction),
     ))
+}
+
+/// What smaller increments change where tractions stay.
+fn in_slip(steps: &[StepResults]) -> String {
+    let size = |difference: &Difference| difference.slip.max(difference.dissipation.abs());
+    match largest_by(steps, |step| step.notes.otherwise.finer, size) {
+        Some((step, most)) if most.differs_in_slip() => format!(
+            " Smaller increments give the same tractions. Slip counts from the increment in which a point closes: in {} equal increments CSLIP1 of \
+             load step {step} changes by up to {} of its largest, the work of friction by {}.",
+            most.increments,
+            percent(most.slip),
+            percent(most.dissipation),
+        ),
+        _ => " That changed nothing: smaller increments give the same answer.".to_owned(),
+    }
 }
 
 /// Says where another solver finds another answer.
@@ -90,9 +105,17 @@ fn largest(
     steps: &[StepResults],
     of: impl Fn(&StepResults) -> Option<Difference>,
 ) -> Option<(usize, Difference)> {
+    largest_by(steps, of, |difference| difference.traction)
+}
+
+fn largest_by(
+    steps: &[StepResults],
+    of: impl Fn(&StepResults) -> Option<Difference>,
+    size: impl Fn(&Difference) -> f64,
+) -> Option<(usize, Difference)> {
     let all = steps.iter().enumerate();
     let known = all.filter_map(|(index, step)| Some((index + 1, of(step)?)));
-    known.max_by(|a, b| a.1.traction.total_cmp(&b.1.traction).then(b.0.cmp(&a.0)))
+    known.max_by(|a, b| size(&a.1).total_cmp(&size(&b.1)).then(b.0.cmp(&a.0)))
 }
 
 /// A part in percent with two digits.
@@ -186,6 +209,24 @@ pub(super) fn of_looseness(model: &Model, records: &[StepRecord]) -> Vec<String>
              follows from them.",
             pair.name,
             quoted(bodies.into_iter())
+        ))
+    };
+    (0..model.pairs.len()).filter_map(note).collect()
+}
+
+/// Says where friction leaves slip undetermined.
+pub(super) fn of_sliding(model: &Model, records: &[StepRecord]) -> Vec<String> {
+    let note = |index: usize| {
+        let which = steps_where(records, |record| record.sliding.contains(&index))?;
+        let pair = &model.pairs[index];
+        let bodies = [pair.first, pair.second].map(|body| &*model.bodies[body].name);
+        Some(format!(
+            "In an increment of load step {which} no point of contact '{}' sticks that would hold {} against a rigid motion along it, and \
+             slip in a range has the same friction: CSLIP1 on '{}' and displacements are one of many answers of equal right, and so is what follows \
+             from them.",
+            pair.name,
+            quoted(bodies.into_iter()),
+            pair.name
         ))
     };
     (0..model.pairs.len()).filter_map(note).collect()

@@ -233,6 +233,8 @@ fn notes() -> StepNotes {
                 increments: 1,
                 peak_pressure: -0.01,
                 traction: 0.02,
+                slip: 0.01,
+                dissipation: -0.03,
             }),
             finer: None,
             missing: None,

@@ -54,7 +54,8 @@ impl Free {
     fn of(results: &Results) -> Vec<Self> {
         let mut free = vec![Self::default(); results.steps.len()];
         for note in &results.notes {
-            let Some((start, _)) = note.split_once(" touches at too few points") else {
+            let ends = [" touches at too few points", " sticks that would hold"];
+            let Some((start, _)) = ends.iter().find_map(|end| note.split_once(end)) else {
                 continue;
             };
             let name = start.split('\'').nth(1).unwrap_or_default();

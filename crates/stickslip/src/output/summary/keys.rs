@@ -133,6 +133,8 @@ pub(super) struct OtherAnswer {
     pub(super) increments: usize,
     pub(super) peak_pressure_change: Option<f64>,
     pub(super) traction_change: Option<f64>,
+    pub(super) slip_change: Option<f64>,
+    pub(super) dissipation_change: Option<f64>,
 }
 
 /// What failed before a step was solved.
