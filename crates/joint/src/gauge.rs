@@ -38,7 +38,7 @@ pub enum Mark {
     },
 }
 
-/// How load and displacement are read: load = `multiple` × force, displacement = (u_first − u_second) · direction.
+/// How load and displacement are read: load = `multiple` × force, displacement = (u_first − u_second) · direction − `free_travel`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gauge {
     /// The force.
@@ -51,6 +51,8 @@ pub struct Gauge {
     pub first: Mark,
     /// The place that it moves away from.
     pub second: Mark,
+    /// What the pin moves before it can bear along `direction` `[length]`, so that displacements count from there.
+    pub free_travel: f64,
 }
 
 impl Gauge {
@@ -82,6 +84,10 @@ impl Gauge {
             }
         };
         number("multiple", self.multiple)?;
+        if !self.free_travel.is_finite() {
+            let (what, value) = ("free travel", self.free_travel);
+            return Err(JointError::GaugeNumber { what, value });
+        }
         number("direction", self.direction[0].hypot(self.direction[1]))?;
         if let Pull::Contact { direction, .. } = self.pull {
             number("direction of the force", direction[0].hypot(direction[1]))?;
@@ -117,6 +123,7 @@ impl Gauge {
                 u[2 * node] * self.direction[0] + u[2 * node + 1] * self.direction[1]
             }
         };
-        [self.multiple * force, at(self.first) - at(self.second)]
+        let moved = at(self.first) - at(self.second);
+        [self.multiple * force, moved - self.free_travel]
     }
 }

@@ -43,6 +43,9 @@ impl JointMode {
     /// The pure modes, in the order of [`ModeCall::shares`].
     pub const PURE: [Self; 3] = [Self::Bearing, Self::ShearOut, Self::NetTension];
 
+    /// All modes.
+    const ALL: [Self; 4] = [Self::Bearing, Self::ShearOut, Self::NetTension, Self::Mixed];
+
     /// In words.
     pub fn name(self) -> &'static str {
         match self {
@@ -86,6 +89,8 @@ pub struct DamageSite {
     pub fibre: bool,
     /// Whether it happened as the load path was lost: from 95 % of the peak load on.
     pub late: bool,
+    /// Whether it happened in the collapse at the end: in the increment beyond the last equilibrium, which found none.
+    pub collapse: bool,
 }
 
 /// The mode of a joint, and why.
@@ -97,6 +102,13 @@ pub struct ModeCall {
     pub shares: [f64; 3],
     /// How much of each mode's path, from the hole to the side or end, damage of the deciding kind covers, in fifths.
     pub reach: [f64; 3],
+    /// The same of the damage at the last equilibrium, without that of the collapse.
+    pub followed_reach: [f64; 3],
+    /// Part of the deciding damage that happened in the collapse.
+    pub collapse: f64,
+    /// Other modes that the rules would call if a tenth of the deciding damage lay in another mode's zone, if damage covered a fifth of
+    /// one path more or less, or if the collapse did not count; of mixed damage also those with a fifth of it or more.
+    pub others: Vec<JointMode>,
     /// The reasons, one sentence each.
     pub reasons: Vec<String>,
 }
@@ -115,36 +127,107 @@ const CONFINED: f64 = 0.25;
 const CRUSHED: f64 = 0.45;
 /// Parts of a path that are looked at one by one.
 const PARTS: usize = 5;
+/// Part of the deciding damage that may lie elsewhere on another mesh or under another control.
+const MAY_SHIFT: f64 = 0.1;
 /// Radii within which the angle decides.
 const NEAR: f64 = 1.5;
 
 /// Calls the mode of a joint by its damage; `None` without damage. `retained` is the part of the peak load that the joint still bore
 /// at the end of its history, if that went beyond the peak.
 pub fn call_mode(hole: &Hole, sites: &[DamageSite], retained: Option<f64>) -> Option<ModeCall> {
-    let basis = Basis::of(sites)?;
-    let deciding: Vec<&DamageSite> = sites.iter().filter(|site| basis.takes(site)).collect();
-    let mut sums = [0.0; 3];
-    let mut total = 0.0;
-    for site in &deciding {
-        total += site.volume;
-        for (mode, weight) in zone_weights(hole.local(site.position))
-            .into_iter()
-            .enumerate()
-        {
-            sums[mode] += weight * site.volume;
-        }
+    let evidence = Evidence::of(hole, sites)?;
+    let Evidence {
+        basis,
+        shares,
+        reach: covered,
+        ..
+    } = evidence;
+    let followed: Vec<DamageSite> = sites
+        .iter()
+        .filter(|site| !site.collapse)
+        .copied()
+        .collect();
+    let counted = followed.iter().filter(|site| basis.kind(site));
+    let (mode, why) = decide(shares, covered);
+    let mut called = evidence.neighbours();
+    if let Some(before) = Evidence::of(hole, &followed)
+        && before.basis.fibre == basis.fibre
+    {
+        called.push(decide(before.shares, before.reach).0);
     }
-    let reach = reach(hole, sites.iter().filter(|site| site.fibre || !basis.fibre));
-    let shares = sums.map(|sum| if total > 0.0 { sum / total } else { 0.0 });
-    let (mode, why) = decide(shares, reach);
     let mut call = ModeCall {
         mode,
         shares,
-        reach,
+        reach: covered,
+        followed_reach: reach(hole, counted),
+        collapse: evidence.collapse,
+        others: (JointMode::ALL.into_iter())
+            .filter(|other| *other != mode && called.contains(other))
+            .collect(),
         reasons: Vec::new(),
     };
     call.reasons = reasons::of(&call, basis, why, retained);
     Some(call)
+}
+
+/// What a mode is called by.
+struct Evidence {
+    basis: Basis,
+    shares: [f64; 3],
+    reach: [f64; 3],
+    /// Part of the deciding damage that happened in the collapse.
+    collapse: f64,
+}
+
+impl Evidence {
+    /// That of `sites`; `None` without any.
+    fn of(hole: &Hole, sites: &[DamageSite]) -> Option<Self> {
+        let basis = Basis::of(sites)?;
+        let mut sums = [0.0; 3];
+        let (mut total, mut collapse) = (0.0, 0.0);
+        for site in sites.iter().filter(|site| basis.takes(site)) {
+            total += site.volume;
+            collapse += if site.collapse { site.volume } else { 0.0 };
+            let weights = zone_weights(hole.local(site.position)).into_iter();
+            for (sum, weight) in sums.iter_mut().zip(weights) {
+                *sum += weight * site.volume;
+            }
+        }
+        let part = |sum: f64| if total > 0.0 { sum / total } else { 0.0 };
+        Some(Self {
+            basis,
+            shares: sums.map(part),
+            reach: reach(hole, sites.iter().filter(|site| basis.kind(site))),
+            collapse: part(collapse),
+        })
+    }
+
+    /// The modes that slightly different damage would be called.
+    fn neighbours(&self) -> Vec<JointMode> {
+        let mut called = Vec::new();
+        for from in 0..3 {
+            for to in (0..3).filter(|to| *to != from) {
+                let mut shares = self.shares;
+                let moved = MAY_SHIFT.min(shares[from]);
+                shares[from] -= moved;
+                shares[to] += moved;
+                called.push(decide(shares, self.reach).0);
+            }
+            for step in [-1.0, 1.0] {
+                let mut reach = self.reach;
+                reach[from] = ((reach[from] * PARTS as f64).round() + step)
+                    .clamp(0.0, PARTS as f64)
+                    / PARTS as f64;
+                called.push(decide(self.shares, reach).0);
+            }
+        }
+        if decide(self.shares, self.reach).0 == JointMode::Mixed {
+            let pure = JointMode::PURE.into_iter().zip(self.shares);
+            let parts = pure.filter(|(_, share)| *share >= TAKES_PART);
+            called.extend(parts.map(|(mode, _)| mode));
+        }
+        called
+    }
 }
 
 /// How much of each mode's path `sites` cover: parts of the path in which there is one.
@@ -189,7 +272,12 @@ impl Basis {
     }
 
     fn takes(self, site: &DamageSite) -> bool {
-        (site.fibre || !self.fibre) && (site.late || !self.late)
+        self.kind(site) && (site.late || !self.late)
+    }
+
+    /// Whether damage is of the deciding kind, at any time.
+    fn kind(self, site: &DamageSite) -> bool {
+        site.fibre || !self.fibre
     }
 }
 
@@ -269,19 +357,20 @@ impl JointHistory {
             record
                 .events
                 .iter()
-                .map(move |event| (event, late((index, record))))
+                .map(move |event| (event, late((index, record)), false))
         });
         let collapse: &[PlyEvent] = match &self.ending {
             Ending::NoEquilibrium { collapse, .. } => collapse,
             Ending::Completed | Ending::Severed { .. } | Ending::LoadDropped { .. } => &[],
         };
-        let all = followed.chain(collapse.iter().map(|event| (event, true)));
-        all.filter(|(event, _)| event.body == body && event.is_failure())
-            .map(|(event, late)| DamageSite {
+        let all = followed.chain(collapse.iter().map(|event| (event, true, true)));
+        all.filter(|(event, _, _)| event.body == body && event.is_failure())
+            .map(|(event, late, collapse)| DamageSite {
                 position: event.position,
                 volume: event.volume,
                 fibre: event.breaks_fibres(),
                 late,
+                collapse,
             })
             .collect()
     }

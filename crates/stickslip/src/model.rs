@@ -30,8 +30,9 @@ pub(crate) use extent::{mirror, obstacle as obstacle_to_half};
 pub(crate) use loads::frame as frame_of_loads;
 pub(crate) use meshes::BYTES_PER_NODE;
 pub use meshes::NODE_LIMIT;
-pub(crate) use placement::centre as centre_of;
+pub(crate) use placement::{centre as centre_of, free_travel};
 pub(crate) use remarks::beyond_fine_zone;
+pub(crate) use room::parts;
 
 /// Why a scene that reads well cannot be modelled.
 #[derive(Debug, Error)]

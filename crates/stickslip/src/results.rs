@@ -50,12 +50,25 @@ pub struct Results {
     pub factorisations: usize,
     /// Contact edges, then further edges asked for: what does not change from step to step.
     pub edges: Vec<EdgeGeometry>,
+    /// Bodies that contact links, each part solved apart from the others; empty stands for one part of everything.
+    pub parts: Vec<ResultPart>,
     /// Load steps.
     pub steps: Vec<StepResults>,
     /// Failure of the laminated bodies that the scene asks about.
     pub failure: Vec<BodyFailure>,
     /// Wall time of each phase `[s]`.
     pub phases: Vec<(&'static str, f64)>,
+}
+
+/// Bodies that contact links, and what acts on them; nothing else does. All lists are ascending.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ResultPart {
+    /// Indices in [`Results::bodies`]; a rigid body that is held may be in several parts.
+    pub bodies: Vec<usize>,
+    /// Indices in [`Results::edges`].
+    pub edges: Vec<usize>,
+    /// Indices in [`StepResults::loads`].
+    pub loads: Vec<usize>,
 }
 
 /// A choice that the program made.
@@ -222,9 +235,9 @@ pub struct LoadValue {
 /// One load step.
 #[derive(Clone, Debug)]
 pub struct StepResults {
-    /// Loads at its end, the first being the one that tables show.
+    /// Loads at its end.
     pub loads: Vec<LoadValue>,
-    /// Whether the first load is smaller in magnitude than in the step before.
+    /// Whether the load by which the main edge's steps are counted is smaller in magnitude than in the step before.
     pub unloading: bool,
     /// Edges in the order of [`Results::edges`].
     pub edges: Vec<EdgeResults>,

@@ -357,6 +357,7 @@ fn reported(
         bodies: bodies(model, &solved),
         factorisations: operators.filter_map(Operator::elastic).count(),
         edges: geometries,
+        parts: loads::parts(scene, model),
         steps,
         failure: Vec::new(),
         phases: Vec::new(),
@@ -365,16 +366,8 @@ fn reported(
     for (step, unloading) in results.steps.iter_mut().zip(scale.unloading()) {
         step.unloading = unloading;
     }
-    let with_fields = steps_with_fields(scene.output.fields, &scale, results.steps.len());
-    results.failure = failure::all(
-        scene,
-        model,
-        solver,
-        recovered,
-        &results,
-        &scale,
-        &with_fields,
-    )?;
+    let with_fields = steps_with_fields(scene.output.fields, &results);
+    results.failure = failure::all(scene, model, solver, recovered, &results, &with_fields)?;
     for index in with_fields {
         fields::complete(&solved, &mut recovered[index], index);
         results.steps[index].fields =
@@ -402,10 +395,11 @@ fn step_notes(record: &StepRecord, contacts: &Contacts) -> StepNotes {
     }
 }
 
-fn steps_with_fields(output: FieldOutput, scale: &LoadScale, count: usize) -> Vec<usize> {
+fn steps_with_fields(output: FieldOutput, results: &Results) -> Vec<usize> {
+    let count = results.steps.len();
     match output {
         FieldOutput::None => Vec::new(),
-        FieldOutput::Peak => scale.peak_step().into_iter().collect(),
+        FieldOutput::Peak => LoadScale::peak_steps(results),
         FieldOutput::Last => count.checked_sub(1).into_iter().collect(),
         FieldOutput::All => (0..count).collect(),
     }

@@ -70,6 +70,7 @@ pub(super) fn strength(
             body: 0,
             node: mesh.node_set("left")?[0],
         },
+        free_travel: 0.0,
     };
     let options = Options {
         increments: 64,

@@ -40,6 +40,7 @@ pub(super) fn strength(
         direction: [0.0, 1.0],
         first: Mark::Node { body: 0, node: top },
         second: Mark::Fixed,
+        free_travel: 0.0,
     };
     let options = Options {
         increments: 40,

@@ -92,6 +92,7 @@ fn strength(kind: ElementKind, cell: f64, band: Option<CrackBand>) -> f64 {
             node: set("top")[0],
         },
         second: Mark::Fixed,
+        free_travel: 0.0,
     };
     let options = Options {
         increments: 40,

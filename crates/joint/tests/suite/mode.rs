@@ -25,6 +25,7 @@ fn site(angle: f64, radii: f64, fibre: bool, late: bool) -> DamageSite {
         volume: 1.0,
         fibre,
         late,
+        collapse: false,
     }
 }
 
@@ -101,6 +102,61 @@ fn late_broken_fibres_outweigh_early_cracks() {
     sites.pop();
     assert_eq!(called(&sites), JointMode::NetTension);
     assert!(call_mode(&HOLE, &[], None).is_none());
+}
+
+/// What fails in the increment that finds no equilibrium is named, and the path at the last equilibrium stands beside it.
+#[test]
+fn damage_of_the_collapse_is_told_apart() {
+    let crack = |k: i32| site(90.0, 1.0 + 0.2 * f64::from(k), true, true);
+    // The side lies 2 radii from the edge: two fifths are broken in equilibrium.
+    let mut sites: Vec<DamageSite> = (0..4).map(crack).collect();
+    let before = call_mode(&HOLE, &sites, None).unwrap();
+    assert!((before.reach[2] - 0.4).abs() < 1e-12 && before.collapse == 0.0);
+    assert_eq!(before.reach, before.followed_reach);
+    assert!(!before.reasons.concat().contains("collapse"));
+    sites.extend((4..=10).map(|k| DamageSite {
+        collapse: true,
+        ..crack(k)
+    }));
+    let call = call_mode(&HOLE, &sites, None).unwrap();
+    assert!((call.reach[2] - 1.0).abs() < 1e-12);
+    assert_eq!(call.followed_reach, before.reach);
+    assert!((call.collapse - 7.0 / 11.0).abs() < 1e-12);
+    let text = call.reasons.join("\n");
+    assert!(text.contains("64 % of it failed in the collapse"), "{text}");
+    assert!(
+        text.contains("to the side (40 % at the last equilibrium; 80 % part"),
+        "{text}"
+    );
+}
+
+/// A call names the modes to which a tenth of the damage more, a fifth of a path, or the collapse alone would turn it.
+#[test]
+fn a_call_near_its_threshold_names_the_other_mode() {
+    let shares = |bearing: usize, shear: usize| -> Vec<DamageSite> {
+        let mut sites = vec![site(10.0, 1.1, true, true); bearing];
+        sites.extend(vec![site(60.0, 1.1, true, true); shear]);
+        sites
+    };
+    let others = |sites: &[DamageSite]| call_mode(&HOLE, sites, None).unwrap().others;
+    assert_eq!(called(&shares(65, 35)), JointMode::Bearing);
+    assert_eq!(called(&shares(55, 45)), JointMode::Bearing);
+    assert_eq!(others(&shares(95, 5)), []);
+    assert_eq!(called(&shares(35, 65)), JointMode::ShearOut);
+    assert_eq!(others(&shares(35, 65)), [JointMode::Mixed]);
+    assert_eq!(others(&shares(5, 95)), []);
+    // Mixed damage names what takes part in it.
+    let half = shares(42, 58);
+    assert_eq!(called(&half), JointMode::Mixed);
+    assert_eq!(others(&half), [JointMode::Bearing, JointMode::ShearOut]);
+    // Bearing in equilibrium, a net section that only the collapse parts.
+    let mut sites = shares(30, 5);
+    sites.extend((0..=10).map(|k| DamageSite {
+        collapse: true,
+        ..site(90.0, 1.0 + 0.2 * f64::from(k), true, true)
+    }));
+    assert_eq!(called(&sites), JointMode::NetTension);
+    assert!(others(&sites).contains(&JointMode::Bearing));
 }
 
 /// Geometries of the textbook: a wide plate with a far end bears, one with a near end loses that end, a narrow one tears.

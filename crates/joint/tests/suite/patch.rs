@@ -56,6 +56,7 @@ fn strip(model: &Arc<dyn PointModel>, kind: ElementKind) -> Joint {
             node: mesh.node_set("right").unwrap()[0],
         },
         second: Mark::Fixed,
+        free_travel: 0.0,
     };
     Joint::new(vec![JointBody::Progressive(Arc::new(body))], vec![], gauge).unwrap()
 }

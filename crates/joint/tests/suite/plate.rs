@@ -172,6 +172,7 @@ impl Plate {
             direction: [1.0, 0.0],
             first: Mark::Fixed,
             second: Mark::Node { body: 0, node: far },
+            free_travel: 0.0,
         }
     }
 

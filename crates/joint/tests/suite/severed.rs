@@ -111,6 +111,7 @@ fn history(kind: ElementKind, columns: usize, kept: f64, end: End, most: f64) ->
             node: set("right")[0],
         },
         second: Mark::Fixed,
+        free_travel: 0.0,
     };
     let options = Options {
         increments: 10,

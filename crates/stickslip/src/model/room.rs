@@ -61,7 +61,7 @@ pub(super) fn check(scene: &Scene, model: &Model) -> Result<(), ModelError> {
 }
 
 /// The bodies and pairs that are solved together.
-fn parts(model: &Model) -> Vec<Group> {
+pub(crate) fn parts(model: &Model) -> Vec<Group> {
     let links: Vec<bool> = (model.bodies.iter())
         .map(|body| match &body.kind {
             ModelBodyKind::Elastic(_) => true,

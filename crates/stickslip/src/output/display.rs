@@ -1,5 +1,6 @@
 //! Results as a reader wants them: places in degrees or lengths, stresses and loads in the scene's units, short numbers.
 
+use super::loads::LoadScale;
 use crate::results::{EdgeGeometry, EdgeKind, EdgeResults, Results};
 use crate::scene::schema::DisplayUnits;
 
@@ -43,6 +44,11 @@ impl<'a> EdgeView<'a> {
 
     pub(super) fn results(&self) -> &'a Results {
         self.results
+    }
+
+    /// What its steps are counted by.
+    pub(super) fn load(&self) -> LoadScale {
+        LoadScale::of_edge(self.results, self.index)
     }
 
     pub(super) fn units(&self) -> DisplayUnits {

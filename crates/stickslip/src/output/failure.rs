@@ -9,6 +9,7 @@ pub(super) mod tables;
 pub(super) use maps::index_map;
 
 use super::display::significant;
+use super::loads::LoadScale;
 use crate::results::{BodyFailure, FailurePoint, FirstPly, Results};
 use crate::scene::schema::EnvelopePlane;
 
@@ -28,6 +29,11 @@ impl<'a> FailureView<'a> {
 
     pub(super) fn body(&self) -> &'a str {
         &self.results.bodies[self.failure.body].name
+    }
+
+    /// What its steps are counted by.
+    pub(super) fn load(&self) -> LoadScale {
+        LoadScale::of_body(self.results, self.failure.body)
     }
 
     pub(super) fn stress(&self, stress: f64) -> f64 {

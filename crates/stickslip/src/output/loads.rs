@@ -1,10 +1,12 @@
 //! What tables and figures count the load steps by.
 //!
-//! One load of the scene, where one tells the steps apart; the contact force, where several loads take turns; the step's number,
-//! where there is neither.
+//! Of the bodies that contact links to what is shown: one load that acts on them, where one tells the steps apart; the contact force,
+//! where several loads take turns; the step's number, where there is neither.
+
+use std::collections::BTreeSet;
 
 use super::display::{EdgeView, short};
-use crate::results::{LoadValue, Results};
+use crate::results::{LoadValue, ResultPart, Results};
 
 /// One number per load step that says how much load there is.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,9 +20,36 @@ pub(crate) struct LoadScale {
 }
 
 impl LoadScale {
-    /// The measure for `results`, which are consistent.
+    /// The measure of the main edge of `results`, which are consistent; without edges that of all loads.
     pub(crate) fn of(results: &Results) -> Self {
-        let histories = histories(results);
+        EdgeView::main(results).map_or_else(|| Self::of_part(results, None), |edge| edge.load())
+    }
+
+    /// The measure for the edge with the index `edge`.
+    pub(crate) fn of_edge(results: &Results, edge: usize) -> Self {
+        let mut parts = results.parts.iter();
+        Self::of_part(results, parts.find(|part| part.edges.contains(&edge)))
+    }
+
+    /// The measure for the elastic body with the index `body`.
+    pub(crate) fn of_body(results: &Results, body: usize) -> Self {
+        let mut parts = results.parts.iter();
+        Self::of_part(results, parts.find(|part| part.bodies.contains(&body)))
+    }
+
+    /// The steps of the largest load on each part, ascending.
+    pub(crate) fn peak_steps(results: &Results) -> Vec<usize> {
+        let loaded = results.parts.iter().filter(|part| !part.loads.is_empty());
+        let peaks = loaded.filter_map(|part| Self::of_part(results, Some(part)).peak_step());
+        let peaks: BTreeSet<usize> = peaks.collect();
+        if peaks.is_empty() {
+            return Self::of(results).peak_step().into_iter().collect();
+        }
+        peaks.into_iter().collect()
+    }
+
+    fn of_part(results: &Results, part: Option<&ResultPart>) -> Self {
+        let histories = histories(results, part);
         let changing: Vec<&Self> = histories.iter().filter(|load| load.changes()).collect();
         let rests_while_another_acts = |load: &Self| {
             let steps = 0..load.values.len();
@@ -29,7 +58,7 @@ impl LoadScale {
                 .any(|step| changing.iter().any(|other| other.values[step] != 0.0))
         };
         let chosen = match changing.first() {
-            Some(first) if rests_while_another_acts(first) => contact_force(results),
+            Some(first) if rests_while_another_acts(first) => contact_force(results, part),
             Some(first) => Some((*first).clone()),
             None => histories.first().cloned(),
         };
@@ -116,11 +145,25 @@ impl LoadScale {
     }
 }
 
+/// Different measures, each with the names, in quotes, of the edges whose steps are counted by it.
+pub(super) fn shared(results: &Results) -> Vec<(LoadScale, Vec<String>)> {
+    let mut all: Vec<(LoadScale, Vec<String>)> = Vec::new();
+    for edge in EdgeView::all(results) {
+        let (load, name) = (edge.load(), format!("'{}'", edge.geometry.name));
+        match all.iter_mut().find(|(other, _)| *other == load) {
+            Some((_, names)) => names.push(name),
+            None => all.push((load, vec![name])),
+        }
+    }
+    all
+}
+
 const CONTACT_FORCE: &str = "contact force";
 
-/// The loads of the scene.
-fn histories(results: &Results) -> Vec<LoadScale> {
+/// The loads that act on `part`; without one, all.
+fn histories(results: &Results, part: Option<&ResultPart>) -> Vec<LoadScale> {
     let loads = results.steps.first().map_or(&[][..], |step| &step.loads);
+    let acts = |index: &usize| part.is_none_or(|part| part.loads.contains(index));
     let history = |(index, load): (usize, &LoadValue)| LoadScale {
         name: load.name.clone(),
         unit: load.unit.clone(),
@@ -130,12 +173,15 @@ fn histories(results: &Results) -> Vec<LoadScale> {
             .map(|step| step.loads[index].value)
             .collect(),
     };
-    loads.iter().enumerate().map(history).collect()
+    let own = loads.iter().enumerate().filter(|(index, _)| acts(index));
+    own.map(history).collect()
 }
 
-/// Magnitude of the main contact's resultant.
-fn contact_force(results: &Results) -> Option<LoadScale> {
-    let edge = EdgeView::main(results).filter(|edge| edge.geometry.contact)?;
+/// Magnitude of the resultant of the first contact of `part`; without one, of all.
+fn contact_force(results: &Results, part: Option<&ResultPart>) -> Option<LoadScale> {
+    let own = |index: usize| part.is_none_or(|part| part.edges.contains(&index));
+    let mut edges = EdgeView::all(results).into_iter().enumerate();
+    let (_, edge) = edges.find(|(index, edge)| own(*index) && edge.geometry.contact)?;
     let force = edge.units().force;
     let magnitude = |step: usize| {
         let [x, y] = edge.step(step).resultant;

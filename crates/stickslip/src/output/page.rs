@@ -4,10 +4,10 @@ use stickslip_report::page::{Block, Figure, Page, Section};
 use stickslip_report::table::{Column, Table};
 
 use super::FileNote;
-use super::display::{EdgeView, decimals, short, significant};
+use super::display::{EdgeView, counted, decimals, short, significant};
 use super::failure::{self, FailureView};
 use super::figures::{Drawing, Group};
-use super::loads::LoadScale;
+use super::loads::{LoadScale, shared};
 use super::progressive::{self, ProgressiveView};
 use super::tables::{self, Detail};
 use super::zones::{contact_ranges, stick_ranges};
@@ -80,6 +80,9 @@ fn figure_section(title: &str, drawings: Vec<Drawing>) -> Section {
     figures.fold(Section::new(title), Section::with)
 }
 
+/// Contacts whose numbers are summed up.
+const SUMMED_UP: usize = 4;
+
 /// The most important numbers, at the largest load.
 fn summary(results: &Results) -> Vec<(String, String)> {
     let mut rows = Vec::new();
@@ -95,14 +98,37 @@ fn summary(results: &Results) -> Vec<(String, String)> {
         let (name, value) = progressive::tables::headline(&joint);
         add(name, value);
     }
-    add(
-        "Largest load",
-        format!("{}, {}", load.name, load.step_text(step)),
-    );
-    if let Some(edge) = EdgeView::main(results) {
-        for (name, value) in edge_summary(&edge, step) {
-            add(&name, value);
+    let largest = |load: &LoadScale, step| format!("{}, {}", load.name, load.step_text(step));
+    let one_load = shared(results).len() < 2;
+    if one_load {
+        add("Largest load", largest(&load, step));
+    }
+    let mut edges = EdgeView::all(results);
+    edges.retain(|edge| edge.geometry.contact);
+    let several = edges.len() > 1;
+    if !several {
+        edges = EdgeView::main(results).into_iter().collect();
+    }
+    for edge in edges.iter().take(SUMMED_UP) {
+        let load = edge.load();
+        let Some(step) = load.peak_step() else {
+            continue;
+        };
+        let mut own = edge_summary(edge, step);
+        if !one_load {
+            own.insert(0, ("Largest load".to_owned(), largest(&load, step)));
         }
+        for (name, value) in own {
+            if several {
+                add(&format!("'{}': {name}", edge.geometry.name), value);
+            } else {
+                add(&name, value);
+            }
+        }
+    }
+    if let Some(further @ 1..) = edges.len().checked_sub(SUMMED_UP) {
+        let contacts = counted(further, "contact");
+        add("Further", format!("{contacts}, in the tables below"));
     }
     let worst = |value: fn(&StepResults) -> f64| {
         let values = results.steps.iter().map(value);
@@ -209,8 +235,7 @@ fn steps_section(results: &Results) -> Section {
     let mut section = Section::new("Load steps");
     for edge in EdgeView::all(results) {
         let table = if edge.geometry.contact {
-            let mut table = tables::contact_table(&edge, Detail::Full);
-            table.caption = format!("Contact '{}'", edge.geometry.name);
+            let table = tables::contact_table(&edge, Detail::Full);
             table
                 .note(extents_note(&edge))
                 .note("Solves are interface solves of all increments; balance is the unbalanced force over the load.")
@@ -219,16 +244,32 @@ fn steps_section(results: &Results) -> Section {
         };
         section = section.with(Block::Table(table));
     }
-    let load = LoadScale::of(results);
-    if let Some(step) = load.peak_step().filter(|_| results.steps.len() > 1) {
-        let text = format!(
-            "Figures of a single step show step {} ({}), the largest load.",
-            step + 1,
-            load.text(step)
-        );
-        section = section.with(Block::Text(text));
+    if results.steps.len() > 1 {
+        let text = single_steps(results).map(Block::Text);
+        section = text.into_iter().fold(section, Section::with);
     }
     section
+}
+
+/// Which step figures of a single step show.
+fn single_steps(results: &Results) -> Option<String> {
+    let shown = |load: &LoadScale| {
+        let step = load.peak_step()?;
+        Some(format!("step {} ({})", step + 1, load.text(step)))
+    };
+    let own: Vec<String> = (shared(results).into_iter())
+        .filter_map(|(load, names)| Some(format!("of {} {}", names.join(", "), shown(&load)?)))
+        .collect();
+    if own.len() > 1 {
+        return Some(format!(
+            "Figures of a single step show the largest load that acts there: {}.",
+            own.join("; ")
+        ));
+    }
+    let step = shown(&LoadScale::of(results))?;
+    Some(format!(
+        "Figures of a single step show {step}, the largest load."
+    ))
 }
 
 /// What the columns of extents mean.

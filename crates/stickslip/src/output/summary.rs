@@ -15,7 +15,8 @@ use crate::results::{BearingSource, EdgeKind, LoadValue, Results, StepNotes};
 use crate::scene::schema::DisplayUnits;
 use keys::{
     Body, Choice, ContactZone, Cycle, Edge, EdgeStep, FORMAT_VERSION, Failed, Load, OtherAnswer,
-    Place, Places, Program, Quantity, Resultant, SlipZone, SolverNotes, Step, Summary, Units,
+    OwnEdgeStep, Place, Places, Program, Quantity, Resultant, SlipZone, SolverNotes, Step, Summary,
+    Units,
 };
 
 /// The summary of `results`, which are consistent.
@@ -114,6 +115,7 @@ fn edge<'a>(view: &EdgeView<'a>) -> Edge<'a> {
         contact: geometry.contact,
         body: &geometry.body,
         law: geometry.contact.then_some(geometry.law.as_str()),
+        load_name: view.load().name,
         radius,
         bearing_angle_deg: (geometry.frame.bearing.filter(|_| view.is_circle()))
             .and_then(|theta| tidy(theta.to_degrees())),
@@ -131,20 +133,15 @@ fn step_entry(results: &Results, index: usize) -> Step<'_> {
     let step = &results.steps[index];
     let further = EdgeView::all(results);
     let units = results.units;
-    let scale = LoadScale::of(results);
-    let load = scale.is_load().then(|| Quantity {
-        value: tidy(scale.values[index]),
-        unit: scale.unit.clone(),
-    });
     Step {
         number: index + 1,
-        load,
+        load: load(&LoadScale::of(results), index),
         loads: step.loads.iter().map(named_load).collect(),
         unloading: step.unloading,
         edge: EdgeView::main(results).map(|edge| edge_step(&edge, index)),
         edges: further
             .iter()
-            .map(|edge| (edge.geometry.name.as_str(), edge_step(edge, index)))
+            .map(|edge| (edge.geometry.name.as_str(), own_step(edge, index)))
             .collect(),
         iterations: step.work.solves,
         pivots: step.work.pivots,
@@ -170,6 +167,23 @@ fn step_entry(results: &Results, index: usize) -> Step<'_> {
             unit: energy_unit(units),
         },
         wall_time_s: microseconds(step.seconds),
+    }
+}
+
+/// The load of a step; `None` where nothing but its number tells it apart.
+fn load(scale: &LoadScale, step: usize) -> Option<Quantity> {
+    scale.is_load().then(|| Quantity {
+        value: tidy(scale.values[step]),
+        unit: scale.unit.clone(),
+    })
+}
+
+fn own_step(view: &EdgeView<'_>, step: usize) -> OwnEdgeStep {
+    let scale = view.load();
+    OwnEdgeStep {
+        load: load(&scale, step),
+        unloading: scale.unloading()[step],
+        edge: edge_step(view, step),
     }
 }
 

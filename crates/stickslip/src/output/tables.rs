@@ -11,7 +11,7 @@ use stickslip_report::table::{Column, Table};
 
 use super::display::{EdgeView, decimals, even, short, significant};
 use super::failure::{self, FailureView};
-use super::loads::LoadScale;
+use super::loads::{LoadScale, shared};
 use super::progressive::{self, ProgressiveView};
 use super::zones::{contact_reach, stick_ranges, zone_length};
 use crate::results::Results;
@@ -28,9 +28,7 @@ pub(super) fn terminal(results: &Results, width: usize) -> String {
         }
     }
     for edge in contacts {
-        let mut table = contact_table(edge, Detail::Brief);
-        table.caption = format!("Contact '{}'", edge.geometry.name);
-        text += &fitted(table, width);
+        text += &fitted(contact_table(edge, Detail::Brief), width);
     }
     for view in FailureView::all(results) {
         text += "\n";
@@ -66,21 +64,33 @@ type StepColumn<'a> = (String, String, Box<dyn Fn(usize) -> String + 'a>);
 /// One row per load step for a contact edge.
 pub(super) fn contact_table(edge: &EdgeView<'_>, detail: Detail) -> Table {
     let edge = *edge;
-    let mut columns = load_columns(edge.results());
+    let mut columns = load_columns(edge);
     columns.extend(extent_columns(edge));
     columns.extend(peak_columns(edge, detail));
     columns.extend(work_columns(edge, detail));
-    assembled(edge.results(), &columns)
+    let mut table = assembled(edge.results(), &columns);
+    table.caption = format!("Contact {}", captioned(&edge));
+    table
 }
 
 /// One row per load step for an edge without contact.
 pub(super) fn stress_table(edge: &EdgeView<'_>) -> Table {
     let edge = *edge;
-    let mut columns = load_columns(edge.results());
+    let mut columns = load_columns(edge);
     columns.extend(hoop_columns(edge));
     let mut table = assembled(edge.results(), &columns);
-    table.caption = format!("Edge '{}'", edge.geometry.name);
+    table.caption = format!("Edge {}", captioned(&edge));
     table
+}
+
+/// The name of an edge, with the load that its table shows where those of other edges show others.
+fn captioned(edge: &EdgeView<'_>) -> String {
+    let (name, load) = (&edge.geometry.name, edge.load());
+    if load.is_load() && shared(edge.results()).len() > 1 {
+        format!("'{name}', {}", in_sentence(&load.label()))
+    } else {
+        format!("'{name}'")
+    }
 }
 
 fn assembled(results: &Results, columns: &[StepColumn<'_>]) -> Table {
@@ -103,8 +113,8 @@ fn column<'a>(
     (name.into(), unit.to_owned(), Box::new(cell))
 }
 
-fn load_columns(results: &Results) -> Vec<StepColumn<'_>> {
-    let load = LoadScale::of(results);
+fn load_columns(edge: EdgeView<'_>) -> Vec<StepColumn<'_>> {
+    let load = edge.load();
     let mut columns = vec![column("step", "", |step| (step + 1).to_string())];
     if load.is_load() {
         let unit = if load.unit == "1" { "" } else { &load.unit };
@@ -330,13 +340,23 @@ pub(super) fn phases(results: &Results) -> Table {
 /// What the tables count the steps by, where there are several loads.
 pub(super) fn load_note(results: &Results) -> Option<String> {
     let loads = &results.steps.first()?.loads;
-    let shown = LoadScale::of(results);
-    (loads.len() > 1).then(|| {
-        format!(
-            "Steps are told apart by {}; all loads of every step are in steps.csv.",
-            in_sentence(&shown.label())
-        )
-    })
+    let own = shared(results);
+    let counted = |(load, names): &(LoadScale, Vec<String>)| {
+        let by = in_sentence(&load.label());
+        if own.len() > 1 {
+            format!("of {} by {by}", names.join(", "))
+        } else {
+            format!("by {by}")
+        }
+    };
+    let own: Vec<String> = own.iter().map(counted).collect();
+    let own = if own.is_empty() {
+        format!("by {}", in_sentence(&LoadScale::of(results).label()))
+    } else {
+        own.join("; ")
+    };
+    (loads.len() > 1)
+        .then(|| format!("Steps are told apart {own}; all loads of every step are in steps.csv."))
 }
 
 /// A label within a sentence.

@@ -1,5 +1,7 @@
 //! A joint followed beyond the failure of its plies.
 
+use std::f64::consts::TAU;
+
 use stickslip_joint::ModeCall;
 use stickslip_laminate::FailureMode;
 
@@ -32,6 +34,8 @@ pub struct ProgressiveFailure {
     pub cells: usize,
     /// Whether half of a symmetric joint was followed.
     pub half: bool,
+    /// What the pin moves before it can bear there, which displacements leave out `[mm]`: it starts where it touches at θ = 0.
+    pub free_travel: f64,
     /// Where the pin bears: the load is read along this direction, and angles are counted from it.
     pub frame: ContactFrame,
     /// What the scene asks for and the followed joint has less of, one sentence each.
@@ -41,7 +45,7 @@ pub struct ProgressiveFailure {
 /// A joint whose plies never fail.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LinearJoint {
-    /// Displacement `[mm]` and load `[N]`, from rest.
+    /// Displacement `[mm]` and load `[N]`, from rest, where the displacement is minus [`ProgressiveFailure::free_travel`].
     pub curve: Vec<[f64; 2]>,
 }
 
@@ -63,7 +67,8 @@ pub struct CurvePoint {
     pub step: usize,
     /// Part of it that was reached.
     pub reached: f64,
-    /// Displacement of the pin against the far end of the plate, along the direction in which the pin bears `[mm]`.
+    /// Displacement of the pin against the far end of the plate, along the direction in which the pin bears, without
+    /// [`ProgressiveFailure::free_travel`] `[mm]`: negative before the pin can bear.
     pub displacement: f64,
     /// Force of the pin on the plate along that direction `[N]`.
     pub load: f64,
@@ -121,7 +126,8 @@ impl ProgressiveFailure {
     }
 
     /// Where strains at the edge differ from the linear ones by more than `part` of the largest linear strain: ranges of the angle from
-    /// the bearing point `[rad]`, both sides together.
+    /// the bearing point `[rad]`, from the first to the last point that does; equal ends where it is one. Of a half those of its side,
+    /// positive; of a whole in (−π, π], one across ±π ending beyond π.
     pub fn departures(&self, part: f64) -> Vec<[f64; 2]> {
         let strains = || self.edge.iter();
         let largest = strains().flat_map(|edge| edge.linear).map(f64::abs);
@@ -129,13 +135,24 @@ impl ProgressiveFailure {
         let departs =
             |edge: &EdgeStrain| (0..2).any(|i| (edge.followed[i] - edge.linear[i]).abs() > limit);
         let mut by_angle: Vec<(f64, bool)> = strains()
-            .map(|edge| (self.frame.angle(edge.angle).abs(), departs(edge)))
+            .map(|edge| {
+                let angle = self.frame.angle(edge.angle);
+                (if self.half { angle.abs() } else { angle }, departs(edge))
+            })
             .collect();
         by_angle.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let ends = |run: &[(f64, bool)]| [run[0].0, run[run.len() - 1].0];
         let runs = by_angle.chunk_by(|a, b| a.1 == b.1);
-        runs.filter(|run| run[0].1)
-            .map(|run| [run[0].0, run[run.len() - 1].0])
-            .collect()
+        let mut ranges: Vec<[f64; 2]> = runs.filter(|run| run[0].1).map(ends).collect();
+        let both = |a: &(f64, bool), b: &(f64, bool)| a.1 && b.1;
+        let closes = (by_angle.first().zip(by_angle.last())).is_some_and(|(a, b)| both(a, b));
+        if closes && !self.half && ranges.len() > 1 {
+            let [_, end] = ranges.remove(0);
+            if let Some(last) = ranges.last_mut() {
+                last[1] = end + TAU;
+            }
+        }
+        ranges
     }
 
     /// The largest load `[N]` on the curve.

@@ -33,7 +33,6 @@ pub(super) fn all(
     solver: &dyn InterfaceSolver,
     recovered: &[Recovered],
     results: &Results,
-    scale: &LoadScale,
     fields: &[usize],
 ) -> Result<Vec<BodyFailure>, RunError> {
     let Some(failure) = &scene.failure else {
@@ -45,7 +44,7 @@ pub(super) fn all(
         .filter_map(|(index, _)| Subject::new(scene, model, failure, index))
         .map(|subject| {
             let mut found = subject.assess(recovered, results, fields)?;
-            name_loads(&mut found, scale);
+            name_loads(&mut found, &LoadScale::of_body(results, subject.index));
             if let Some(asked) = &failure.progressive
                 && asked.body == subject.name
             {

@@ -1,6 +1,7 @@
-//! The loads of a history in display units.
+//! The loads of a history in display units, and what they act on.
 
-use crate::results::LoadValue;
+use crate::model::{self, Model};
+use crate::results::{LoadValue, ResultPart};
 use crate::scene::Scene;
 use crate::scene::schema::{Load, LoadKind, Ramp};
 
@@ -14,6 +15,28 @@ pub(super) fn at_step(scene: &Scene, step: usize) -> Vec<LoadValue> {
             shown_load(scene, load, value)
         })
         .collect()
+}
+
+/// The independent parts of `model`, with the loads of `scene` that act on each.
+pub(super) fn parts(scene: &Scene, model: &Model) -> Vec<ResultPart> {
+    let groups = model::parts(model).into_iter();
+    let part = |group: stickslip_contact::interface::Group| {
+        let edges = model.edges.iter().enumerate();
+        let own_edges = edges.filter(|(_, edge)| match edge.pair {
+            Some(pair) => group.pairs.contains(&pair),
+            None => group.bodies.contains(&edge.body),
+        });
+        let own_loads = scene.loads.iter().enumerate().filter(|(_, load)| {
+            let named = |&&body: &&usize| model.bodies[body].name == load.kind.body();
+            group.bodies.iter().any(|body| named(&body))
+        });
+        ResultPart {
+            edges: own_edges.map(|(index, _)| index).collect(),
+            loads: own_loads.map(|(index, _)| index).collect(),
+            bodies: group.bodies,
+        }
+    };
+    groups.map(part).collect()
 }
 
 /// The value of a load in display units.

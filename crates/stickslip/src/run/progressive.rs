@@ -2,7 +2,8 @@
 //!
 //! Under displacement control the scene's loads are left out, and the driven edge or point is held along the driven axis at a
 //! displacement that grows. The load is the force of the pin on the plate along the direction in which the pin bears under the scene's
-//! own loads, or without any against the drive; the displacement is that of the pin's centre against the far end of the plate.
+//! own loads, or without any against the drive; the displacement is that of the pin's centre against the far end of the plate, counted
+//! from where a pin with clearance can bear.
 
 mod edge;
 mod notes;
@@ -24,7 +25,7 @@ use stickslip_laminate::progressive::{PointModel, ProgressiveError};
 use thiserror::Error;
 
 use super::RunError;
-use crate::model::{Model, ModelBodyKind};
+use crate::model::{Model, ModelBodyKind, free_travel};
 use crate::results::{
     BearingSource, BodyFailure, ContactFrame, CurvePoint, PlyLoss, ProgressiveEnd,
     ProgressiveFailure,
@@ -136,7 +137,7 @@ impl<'a> Subject<'a> {
         let frame = (self.frame(model.half))
             .ok_or_else(|| refused(ProgressiveRunError::NoBearing { body: body() }))?;
         let bearing = frame.bearing.unwrap_or_default();
-        let reading = (self.reading(&model, direction(bearing)))
+        let reading = (self.reading(scene, &model, direction(bearing)))
             .ok_or_else(|| refused(ProgressiveRunError::NoPin { body: body() }))?;
         let joint = |bodies| {
             Joint::new(bodies, model.pairs.clone(), reading.gauge)
@@ -176,10 +177,20 @@ impl<'a> Subject<'a> {
         }
         let sound = self.bodies(&model, false)?;
         let linear = joint(sound)
-            .and_then(|joint| edge::linear(&joint, self.found.body, steps, solver, most.0))
+            .and_then(|joint| {
+                edge::linear(
+                    &joint,
+                    &reading.gauge,
+                    self.found.body,
+                    steps,
+                    solver,
+                    most.0,
+                )
+            })
             .map_err(|cause| refused(cause.into()))?;
         let mut told = self.told(scene, &model, &history, &reading.hole);
         told.frame = frame;
+        told.free_travel = reading.gauge.free_travel;
         if let (Some((linear, displacements)), ModelBodyKind::Elastic(plate)) =
             (linear, &model.bodies[self.found.body].kind)
         {
@@ -284,7 +295,7 @@ impl<'a> Subject<'a> {
     }
 
     /// What is read along `direction`, in which the pin bears; `None` if no pin touches the hole.
-    fn reading(&self, model: &Model, direction: [f64; 2]) -> Option<Reading> {
+    fn reading(&self, scene: &Scene, model: &Model, direction: [f64; 2]) -> Option<Reading> {
         let centre = self.found.centre?;
         let own = self.found.body;
         let ModelBodyKind::Elastic(plate) = &model.bodies[own].kind else {
@@ -337,6 +348,7 @@ impl<'a> Subject<'a> {
                     body: own,
                     node: nearest(mesh, [centre[0] - far * x, centre[1] - far * y]),
                 },
+                free_travel: free_travel(scene, pair, direction),
             },
             hole: Hole {
                 centre,
@@ -387,6 +399,7 @@ impl<'a> Subject<'a> {
             cells,
             half: model.half,
             frame: ContactFrame::NONE,
+            free_travel: 0.0,
             notes: notes::of(self, scene, model),
         }
     }

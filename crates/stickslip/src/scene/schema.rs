@@ -321,6 +321,17 @@ pub enum LoadKind {
 }
 
 impl LoadKind {
+    /// Name of the body that it acts on.
+    pub fn body(&self) -> &str {
+        match self {
+            Self::Force { on, .. }
+            | Self::Bearing { on, .. }
+            | Self::Pressure { on, .. }
+            | Self::PolarTraction { on, .. } => &on.body,
+            Self::Temperature { body, .. } => body,
+        }
+    }
+
     /// The history, in whatever unit it has.
     pub fn steps(&self) -> &[f64] {
         match self {
@@ -370,7 +381,7 @@ pub struct Output {
 pub enum FieldOutput {
     /// None.
     None,
-    /// Where the first load is largest.
+    /// Where the load is largest that acts on a part of the scene which contact does not link to others, for every such part.
     Peak,
     /// The last.
     Last,

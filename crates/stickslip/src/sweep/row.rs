@@ -104,7 +104,7 @@ pub fn load_unit(scene: &Scene) -> &'static str {
 impl Measures {
     /// The numbers of a solved case of `sweep`; each to twelve digits, as tables have them.
     pub fn of(results: &Results, sweep: &Sweep) -> Self {
-        let scale = LoadScale::of(results);
+        let scale = LoadScale::of_edge(results, sweep.contact);
         let Some(step) = scale.peak_step() else {
             return Self::default();
         };

@@ -13,7 +13,7 @@ use tempfile::TempDir;
 use super::{PIN, scene};
 
 /// Runs a scene into a folder.
-fn written(scene: &Scene) -> (TempDir, PathBuf) {
+pub(crate) fn written(scene: &Scene) -> (TempDir, PathBuf) {
     let folder = TempDir::new().unwrap();
     let path = folder.path().join("results");
     let results = run::run(scene, &mut |_| {}).unwrap();
@@ -22,11 +22,11 @@ fn written(scene: &Scene) -> (TempDir, PathBuf) {
     (folder, path)
 }
 
-fn read(folder: &Path, name: &str) -> String {
+pub(crate) fn read(folder: &Path, name: &str) -> String {
     fs::read_to_string(folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
-fn summary(folder: &Path) -> Value {
+pub(crate) fn summary(folder: &Path) -> Value {
     serde_json::from_str(&read(folder, "summary.json")).unwrap()
 }
 

@@ -5,6 +5,7 @@ mod failure;
 mod files;
 mod progressive;
 mod refusals;
+mod several;
 mod stiffness;
 mod supports;
 

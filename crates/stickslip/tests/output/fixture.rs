@@ -60,6 +60,7 @@ pub(crate) fn results() -> Results {
         ],
         factorisations: 1,
         edges,
+        parts: Vec::new(),
         steps,
         failure: Vec::new(),
         phases: vec![("mesh", 0.25), ("contact", 0.5)],

@@ -107,7 +107,7 @@ fn load_heading(load: &LoadScale) -> Option<String> {
 }
 
 fn step_rows(view: &FailureView<'_>) -> Vec<Vec<String>> {
-    let load = LoadScale::of(view.results);
+    let load = view.load();
     let mut heading = vec!["step".to_owned()];
     heading.extend(load_heading(&load));
     heading
@@ -132,7 +132,7 @@ fn step_rows(view: &FailureView<'_>) -> Vec<Vec<String>> {
 }
 
 fn first_rows(view: &FailureView<'_>) -> Vec<Vec<String>> {
-    let load = LoadScale::of(view.results);
+    let load = view.load();
     let mut heading = vec!["hypothesis".to_owned(), "criterion".to_owned()];
     heading.extend(load_heading(&load));
     heading.extend(["reached", "step", "factor [-]"].map(str::to_owned));

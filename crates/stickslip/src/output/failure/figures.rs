@@ -7,7 +7,6 @@ use stickslip_report::color::Color;
 use super::{FailureView, criterion_name, plane_symbols};
 use crate::output::display::{EdgeView, short, significant};
 use crate::output::figures::{Attempt, TICK_INTERVALS, along, place_axis};
-use crate::output::loads::LoadScale;
 use crate::results::{EdgePlies, EdgePly, Envelope};
 use crate::scene::schema::EnvelopePlane;
 
@@ -16,11 +15,11 @@ const DASHES: [Dash; 4] = [Dash::Solid, Dash::Dashed, Dash::DashDotted, Dash::Do
 
 /// The step of the largest load.
 fn peak(view: &FailureView<'_>) -> Option<usize> {
-    LoadScale::of(view.results).peak_step()
+    view.load().peak_step()
 }
 
 fn at_load(view: &FailureView<'_>, step: usize) -> String {
-    format!("At {}", LoadScale::of(view.results).step_text(step))
+    format!("At {}", view.load().step_text(step))
 }
 
 /// A quantity of every ply along the edge.
@@ -113,7 +112,7 @@ pub(crate) fn index_along(view: &FailureView<'_>, edge: &EdgePlies) -> Attempt {
         .map_or(String::new(), |(group, ply, at)| {
             format!(
                 "Index by {name} in each ply, at {}; a ply fails where it is 1. The largest is {} in the {} ply at {}.",
-                LoadScale::of(view.results).step_text(step),
+                view.load().step_text(step),
                 significant(first(ply), 4),
                 view.failure.ply_name(group),
                 at_place(&shown, at),
@@ -150,7 +149,7 @@ pub(crate) fn stresses_along(view: &FailureView<'_>, edge: &EdgePlies) -> Attemp
     let title = format!(
         "Ply stresses along '{}' at {}",
         shown.geometry.name,
-        LoadScale::of(view.results).text(step)
+        view.load().text(step)
     );
     let picture = Panels::new(title, 3, charts).common_legend().render()?;
     let transverse = edge.steps[step]
@@ -186,7 +185,7 @@ pub(crate) fn characteristic(view: &FailureView<'_>) -> Attempt {
         return Ok(None);
     };
     let name = criterion_name(criterion);
-    let load = LoadScale::of(view.results);
+    let load = view.load();
     let from = match view.failure.frame.bearing {
         Some(_) => "Angle φ from the bearing point [deg]",
         None => "Angle θ from +x [deg]",

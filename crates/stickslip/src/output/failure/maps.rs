@@ -7,7 +7,6 @@ use stickslip_report::field::FieldPlot;
 use super::{FailureView, criterion_name};
 use crate::output::display::significant;
 use crate::output::figures::{Attempt, border};
-use crate::output::loads::LoadScale;
 use crate::results::{EdgeKind, PlyMap};
 
 /// Half of the window around a hole, in radii.
@@ -75,7 +74,7 @@ pub(crate) fn index_map(view: &FailureView<'_>, map: &PlyMap) -> Attempt {
         .enumerate()
         .map(picture)
         .collect::<Result<Vec<_>, _>>()?;
-    let load = LoadScale::of(results).step_text(map.step);
+    let load = view.load().step_text(map.step);
     let title = format!("Failure index of '{}', {name}, at {load}", view.body());
     let columns = if pictures.len() == 4 { 2 } else { 3 };
     let caption = format!(

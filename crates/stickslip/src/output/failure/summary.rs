@@ -16,6 +16,7 @@ pub(crate) struct Failure<'a> {
     cure: Quantity,
     plies: Vec<Ply<'a>>,
     criteria: &'a [&'static str],
+    load_name: String,
     first_ply: Vec<First<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     beside_supports: Option<BesideSupports<'a>>,
@@ -134,6 +135,7 @@ pub(crate) fn failure<'a>(view: &FailureView<'a>) -> Failure<'a> {
         },
         plies: own.plies.iter().map(|group| ply(view, group)).collect(),
         criteria: &own.criteria,
+        load_name: view.load().name,
         first_ply,
         beside_supports,
         characteristic,

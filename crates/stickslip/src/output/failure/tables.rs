@@ -4,13 +4,12 @@ use stickslip_report::table::{Column, Table};
 
 use super::{FailureView, criterion_name, how, layers, load_text};
 use crate::output::display::{decimals, significant};
-use crate::output::loads::LoadScale;
 use crate::results::{FirstPly, JointFailure};
 
 /// What fails first, by every criterion and hypothesis.
 pub(crate) fn first_ply(view: &FailureView<'_>) -> Table {
     let failure = view.failure;
-    let load = LoadScale::of(view.results);
+    let load = view.load();
     let [(first, first_unit), (second, second_unit)] = view.place_columns();
     let stress = view.stress_unit();
     let mut columns = vec![Column::new("hypothesis", ""), Column::new("criterion", "")];
@@ -151,7 +150,7 @@ pub(crate) fn joint_modes(view: &FailureView<'_>) -> Vec<String> {
 /// The reserve factor of every load step by each criterion, with the weakest ply of the first.
 pub(crate) fn steps(view: &FailureView<'_>) -> Table {
     let failure = view.failure;
-    let load = LoadScale::of(view.results);
+    let load = view.load();
     let [(first, first_unit), (second, second_unit)] = view.place_columns();
     let mut columns = vec![Column::new("step", "")];
     if load.is_load() {

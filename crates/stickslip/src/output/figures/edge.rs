@@ -5,7 +5,6 @@ use stickslip_report::chart::{Dash, LineChart, Series};
 
 use super::{Attempt, half_remark, zone_bands};
 use crate::output::display::{EdgeView, decimals, even, short, significant};
-use crate::output::loads::LoadScale;
 use crate::output::zones::{contact_ranges, contact_reach, is_closed, modelled, stick_ranges};
 use crate::results::EdgeRow;
 
@@ -18,7 +17,7 @@ const ROUNDING: f64 = 1e-6;
 
 /// σ_r, σ_θ and τ_rθ over θ (on a line: σ_yy, σ_xx and τ_xy over x) in the step of the largest load.
 pub(super) fn chart(view: &EdgeView<'_>) -> Attempt {
-    let Some(step) = LoadScale::of(view.results()).peak_step() else {
+    let Some(step) = view.load().peak_step() else {
         return Ok(None);
     };
     let bearing = view.bearing(step).filter(|_| view.geometry.contact);
@@ -72,10 +71,7 @@ fn contact_names(view: &EdgeView<'_>) -> [&'static str; 2] {
 }
 
 fn subtitle(view: &EdgeView<'_>, step: usize) -> String {
-    let mut parts = vec![format!(
-        "At {}",
-        LoadScale::of(view.results()).step_text(step)
-    )];
+    let mut parts = vec![format!("At {}", view.load().step_text(step))];
     if let Some(bearing) = view.bearing(step) {
         let value = significant(view.stress(bearing), 4);
         parts.push(format!(
@@ -102,10 +98,7 @@ fn caption(view: &EdgeView<'_>, step: usize) -> String {
             None => absolute,
         }
     };
-    let mut sentences = vec![format!(
-        "Stresses at {}.",
-        LoadScale::of(view.results()).step_text(step)
-    )];
+    let mut sentences = vec![format!("Stresses at {}.", view.load().step_text(step))];
     sentences.extend(contact_sentences(view, step));
     if let Some((pressure, place)) = edge.peak_pressure.filter(|_| view.geometry.contact) {
         let place = view.at(place);

@@ -9,9 +9,8 @@ use stickslip_report::svg::Svg;
 use super::edge::{around_contact, curve, place_axis};
 use super::{Attempt, last_largest};
 use crate::output::display::{EdgeView, decimals, even, significant};
-use crate::output::loads::LoadScale;
 use crate::output::zones::contact_reach;
-use crate::results::{EdgeRow, Results};
+use crate::results::EdgeRow;
 
 /// Steps up to which every curve has its own entry in the legend: as many as stand beside one chart.
 const NAMED_STEPS: usize = 24;
@@ -126,7 +125,7 @@ fn peak_sentence(
                 decimals(Some(value / bearing), 2)
             )
         });
-        let load = LoadScale::of(view.results()).text(step);
+        let load = view.load().text(step);
         format!(
             "{name} of all steps is {stress} {unit}{over}, at {load} and {}.",
             view.at(place)
@@ -184,7 +183,7 @@ fn side_by_side(
 }
 
 fn what_is_seen(view: &EdgeView<'_>, quantity: &Quantity, over_bearing: bool) -> Vec<String> {
-    let falls = LoadScale::of(view.results()).unloading();
+    let falls = view.load().unloading();
     let (count, falling) = (falls.len(), falls.iter().filter(|falls| **falls).count());
     let order = if falling > 0 {
         let rising = count - falling;
@@ -234,7 +233,7 @@ fn chart(
         place_axis(view, window, TICK_INTERVALS),
         Axis::linear(label),
     );
-    for (step, look) in looks(view.results()).into_iter().enumerate() {
+    for (step, look) in looks(view).into_iter().enumerate() {
         let points = curve(view, step, |row| {
             scaled(step, (quantity.value)(row)).unwrap_or(f64::NAN)
         });
@@ -255,8 +254,8 @@ struct Look {
 }
 
 /// Looks of all steps; the legend names each, or of many steps the first, the last and some between.
-fn looks(results: &Results) -> Vec<Look> {
-    let load = LoadScale::of(results);
+fn looks(view: &EdgeView<'_>) -> Vec<Look> {
+    let load = view.load();
     let falls = load.unloading();
     let count = falls.len();
     let falling = falls.iter().filter(|falls| **falls).count();

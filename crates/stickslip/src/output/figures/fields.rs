@@ -8,7 +8,6 @@ use stickslip_report::field::{FieldPlot, Mirror};
 use super::Attempt;
 use super::edge::all_contact;
 use crate::output::display::{EdgeView, significant};
-use crate::output::loads::LoadScale;
 use crate::output::vtk_files::{polar_stresses, von_mises_stresses};
 use crate::results::{BodyFields, EdgeKind, Results, StepResults};
 
@@ -23,7 +22,8 @@ pub(super) fn all(results: &Results) -> Vec<(String, Attempt)> {
         return Vec::new();
     };
     let with_fields = |step: &usize| !results.steps[*step].fields.is_empty();
-    let mut steps: Vec<usize> = LoadScale::of(results)
+    let mut steps: Vec<usize> = edge
+        .load()
         .peak_step()
         .into_iter()
         .chain(results.steps.len().checked_sub(1))
@@ -121,7 +121,7 @@ impl<'a> Scene<'a> {
         };
         let text = format!(
             "{formula} at {}. Its largest value in sight in '{}' is {} {unit}.",
-            LoadScale::of(self.edge.results()).step_text(self.step),
+            self.edge.load().step_text(self.step),
             self.edge.geometry.body,
             significant(largest, 4),
         );
@@ -151,7 +151,7 @@ impl<'a> Scene<'a> {
         };
         let text = format!(
             "{symbol} at {}: compression blue, tension red.{contact}",
-            LoadScale::of(self.edge.results()).step_text(self.step),
+            self.edge.load().step_text(self.step),
         );
         Ok(Some((plot.render()?, text + self.remark())))
     }
@@ -179,10 +179,7 @@ impl<'a> Scene<'a> {
     fn plot<'p>(&'p self, title: &str, label: String, values: &'p [f64]) -> FieldPlot<'p> {
         let unit = self.edge.units().length.name;
         let mut plot = FieldPlot::new(title, label, unit, &self.nodes, &self.cells, values)
-            .subtitle(format!(
-                "At {}",
-                LoadScale::of(self.edge.results()).step_text(self.step)
-            ))
+            .subtitle(format!("At {}", self.edge.load().step_text(self.step)))
             .window(self.window());
         if self.edge.geometry.half {
             plot = plot.mirror(Mirror::Symmetric);

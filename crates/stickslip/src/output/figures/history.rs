@@ -7,10 +7,8 @@ use stickslip_report::color::Color;
 use super::edge::all_contact;
 use super::{Attempt, last_largest};
 use crate::output::display::{EdgeView, decimals, short};
-use crate::output::loads::LoadScale;
 use crate::output::tables::lies_evenly;
 use crate::output::zones::{contact_ranges, contact_reach, stick_ranges};
-use crate::results::Results;
 
 /// Relative difference below which values count as equal.
 const EQUAL: f64 = 1e-3;
@@ -20,7 +18,7 @@ const UNLOADING: Color = Color::rgb(0xd9, 0x48, 0x01);
 /// Contact and stick half-extents, and the peak pressure, over the load.
 pub(super) fn extent_and_peak(view: &EdgeView<'_>) -> Attempt {
     let results = view.results();
-    if !load_varies(results) || all_contact(view).is_none() {
+    if !load_varies(view) || all_contact(view).is_none() {
         return Ok(None);
     }
     let extents = extents(view);
@@ -38,9 +36,9 @@ pub(super) fn extent_and_peak(view: &EdgeView<'_>) -> Attempt {
             Some(view.stress(pressure))
         }
     };
-    let mut peaks = chart("(b) largest pressure", results, label);
+    let mut peaks = chart("(b) largest pressure", view, label);
     peaks.y = steady((0..results.steps.len()).filter_map(peak), peaks.y);
-    for series in branches(results, "", peak) {
+    for series in branches(view, "", peak) {
         peaks = peaks.with(series.style(SeriesStyle::Both));
     }
     let title = format!(
@@ -57,7 +55,7 @@ pub(super) fn extent_and_peak(view: &EdgeView<'_>) -> Attempt {
 /// Contact and stick over the load: half-extents where they lie evenly about the bearing point, otherwise both ends.
 fn extents(view: &EdgeView<'_>) -> LineChart {
     type Extent<'a> = Box<dyn Fn(usize) -> Option<f64> + 'a>;
-    let (results, unit) = (view.results(), view.place_unit());
+    let unit = view.place_unit();
     let half = |value: Option<f64>| value.map(|value| view.length(value));
     let (label, contact, stick): (String, Vec<Extent<'_>>, Vec<Extent<'_>>) = if lies_evenly(view) {
         let name = if view.is_circle() {
@@ -84,14 +82,14 @@ fn extents(view: &EdgeView<'_>) -> LineChart {
             (0..2).map(|k| end(stick_reach, k)).collect(),
         )
     };
-    let mut chart = chart("(a) contact and stick", results, label);
+    let mut chart = chart("(a) contact and stick", view, label);
     for (k, extent) in contact.iter().enumerate() {
-        for series in named(branches(results, "contact", extent), k == 0) {
+        for series in named(branches(view, "contact", extent), k == 0) {
             chart = chart.with(series.style(SeriesStyle::Both));
         }
     }
     for (k, extent) in stick.iter().enumerate() {
-        for mut series in named(branches(results, "stick", extent), k == 0) {
+        for mut series in named(branches(view, "stick", extent), k == 0) {
             series.color = series.color.map(|color| color.tint(0.6));
             chart = chart.with(series.dash(Dash::Dotted).style(SeriesStyle::Both));
         }
@@ -116,8 +114,7 @@ fn named(mut series: Vec<Series>, first: bool) -> Vec<Series> {
 }
 
 fn caption(view: &EdgeView<'_>) -> String {
-    let results = view.results();
-    let load = LoadScale::of(results);
+    let load = view.load();
     let Some(step) = load.peak_step() else {
         return String::new();
     };
@@ -154,7 +151,7 @@ pub(super) fn friction(view: &EdgeView<'_>) -> Attempt {
     let ratios =
         (0..results.steps.len()).filter_map(|step| Some((step, view.friction_ratio(step)?)));
     let largest = last_largest(ratios, |(_, ratio)| ratio.abs());
-    let Some((step, largest)) = largest.filter(|(_, ratio)| *ratio != 0.0 && load_varies(results))
+    let Some((step, largest)) = largest.filter(|(_, ratio)| *ratio != 0.0 && load_varies(view))
     else {
         return Ok(None);
     };
@@ -164,13 +161,13 @@ pub(super) fn friction(view: &EdgeView<'_>) -> Attempt {
         "Tangential over normal force"
     };
     let label = format!("{name} {} [–]", view.friction_symbol());
-    let mut chart = chart("", results, label).size(620.0, 0.6);
+    let mut chart = chart("", view, label).size(620.0, 0.6);
     chart.title = format!("Mobilised friction on '{}'", view.geometry.name);
     chart.subtitle = Some(format!(
         "Friction law: {}",
         view.geometry.law.replace('_', " ")
     ));
-    for series in branches(results, "", |step| view.friction_ratio(step)) {
+    for series in branches(view, "", |step| view.friction_ratio(step)) {
         chart = chart.with(series.style(SeriesStyle::Both));
     }
     let meaning = if view.is_circle() {
@@ -182,20 +179,20 @@ pub(super) fn friction(view: &EdgeView<'_>) -> Attempt {
     let caption = format!(
         "{name} through the load history. {meaning} The largest magnitude, {}, is at {}.",
         short(largest),
-        LoadScale::of(results).step_text(step)
+        view.load().step_text(step)
     );
     Ok(Some((chart.render()?, caption)))
 }
 
-fn load_varies(results: &Results) -> bool {
-    let load = LoadScale::of(results);
+fn load_varies(view: &EdgeView<'_>) -> bool {
+    let load = view.load();
     load.is_load() && load.changes()
 }
 
-fn chart(title: &str, results: &Results, label: String) -> LineChart {
+fn chart(title: &str, view: &EdgeView<'_>, label: String) -> LineChart {
     LineChart::new(
         title,
-        Axis::linear(LoadScale::of(results).label()),
+        Axis::linear(view.load().label()),
         Axis::linear(label),
     )
 }
@@ -212,8 +209,8 @@ fn steady(values: impl Iterator<Item = f64> + Clone, axis: Axis) -> Axis {
 }
 
 /// A quantity over the load, one series for rising and one for falling load. A branch starts where the one before it ended.
-fn branches(results: &Results, name: &str, value: impl Fn(usize) -> Option<f64>) -> Vec<Series> {
-    let load = LoadScale::of(results);
+fn branches(view: &EdgeView<'_>, name: &str, value: impl Fn(usize) -> Option<f64>) -> Vec<Series> {
+    let load = view.load();
     let (loads, falls) = (&load.values, load.unloading());
     let point = |step: usize| [loads[step], value(step).unwrap_or(f64::NAN)];
     let mut runs = [Vec::new(), Vec::new()];

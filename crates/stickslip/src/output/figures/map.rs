@@ -8,7 +8,6 @@ use stickslip_report::color::Color;
 use super::edge::{TICK_INTERVALS, all_contact, around_contact, place_axis};
 use super::{Attempt, zone_color, zone_name};
 use crate::output::display::{EdgeView, significant};
-use crate::output::loads::LoadScale;
 use crate::output::zones::{shown_ranges, zone_ranges};
 
 /// Width of the figure `[px]`.
@@ -36,7 +35,7 @@ pub(super) fn chart(view: &EdgeView<'_>) -> Attempt {
     };
     let y = place_axis(view, around_contact(view, REACH), TICK_INTERVALS);
     let title = format!("Open, stick and slip on '{}'", view.geometry.name);
-    let load = LoadScale::of(view.results());
+    let load = view.load();
     let subtitle = format!("{} above each bar", load.label());
     let mut chart = LineChart::new(title, x, y)
         .legend(Legend::Below)

@@ -17,7 +17,7 @@ pub(crate) fn curve(view: &ProgressiveView<'_>) -> Attempt {
     let own = view.progressive;
     let place =
         |displacement: f64, load: f64| [view.failure.length(displacement), view.force(load)];
-    let mut points = vec![[0.0, 0.0]];
+    let mut points = vec![place(-own.free_travel, 0.0)];
     points.extend((own.curve.iter()).map(|point| place(point.displacement, point.load)));
     let x = Axis::linear(format!(
         "Displacement of the pin against the far end [{}]",
@@ -52,8 +52,9 @@ pub(crate) fn curve(view: &ProgressiveView<'_>) -> Attempt {
         let name = format!("peak, {}", text(peak.load));
         mark(name, place(peak.displacement, peak.load));
     }
-    let caption = tables::verdict(view).into_iter().next().unwrap_or_default();
-    Ok(Some((chart.render()?, caption)))
+    let sentences = tables::verdict(view).into_iter().take(1);
+    let caption: Vec<String> = sentences.chain(tables::free_travel(view)).collect();
+    Ok(Some((chart.render()?, caption.join(" "))))
 }
 
 /// Radial and circumferential strains at the hole's edge under the largest load, beside the linear ones.

@@ -19,6 +19,7 @@ pub(crate) struct Progressive<'a> {
     end: &'static str,
     end_reason: Option<&'a str>,
     bearing_angle_deg: Option<f64>,
+    free_travel: Quantity,
     edge_departures_deg: Vec<[Option<f64>; 2]>,
     curve: Vec<Point>,
     notes: &'a [String],
@@ -57,6 +58,8 @@ struct Call<'a> {
     bearing: Option<f64>,
     shear_out: Option<f64>,
     net_tension: Option<f64>,
+    collapse: Option<f64>,
+    others: Vec<&'static str>,
     reasons: &'a [String],
 }
 
@@ -88,12 +91,15 @@ pub(crate) fn progressive<'a>(view: &ProgressiveView<'a>) -> Progressive<'a> {
                 bearing,
                 shear_out,
                 net_tension,
+                collapse: tidy(call.collapse),
+                others: call.others.iter().map(|mode| mode.name()).collect(),
                 reasons: &call.reasons,
             }
         }),
         end,
         end_reason,
         bearing_angle_deg: tidy(own.frame.bearing.unwrap_or_default().to_degrees()),
+        free_travel: length(view, own.free_travel),
         edge_departures_deg: (own.departures(DEPARTURE).into_iter())
             .map(|range| range.map(|angle| tidy(angle.to_degrees())))
             .collect(),

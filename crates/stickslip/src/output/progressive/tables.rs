@@ -1,6 +1,6 @@
 //! The answer for the terminal and the page.
 
-use stickslip_joint::JointMode;
+use stickslip_joint::{JointMode, ModeCall};
 use stickslip_report::table::{Column, Table};
 
 use super::{ProgressiveView, mode_name};
@@ -81,12 +81,23 @@ pub(crate) fn headline(view: &ProgressiveView<'_>) -> (&'static str, String) {
         significant(view.force(own.peak_load()), 4),
         view.force_unit()
     );
-    let mode = (own.mode.as_ref()).map_or(String::new(), |call| format!(", {}", call.mode));
+    let mode = (own.mode.as_ref()).map_or(String::new(), |call| {
+        format!(", {}{}", call.mode, near(call))
+    });
     if own.strength.is_some() {
         ("Strength and mode", load + &mode)
     } else {
         ("Largest load followed", load)
     }
+}
+
+/// The modes to which a call is near.
+fn near(call: &ModeCall) -> String {
+    if call.others.is_empty() {
+        return String::new();
+    }
+    let others: Vec<&str> = call.others.iter().map(|mode| mode.name()).collect();
+    format!(", near to {}", others.join(" or "))
 }
 
 /// The strength, the mode with its reasons, and how the history ended: one sentence each.
@@ -100,15 +111,18 @@ pub(crate) fn verdict(view: &ProgressiveView<'_>) -> Vec<String> {
     );
     let mut sentences = vec![match (&own.mode, own.strength) {
         (Some(call), Some(_)) if call.mode == JointMode::Mixed => {
-            format!("'{body}' fails in a mixed mode at {peak}.")
+            format!("'{body}' fails in a mixed mode at {peak}{}.", near(call))
         }
-        (Some(call), Some(_)) => format!("'{body}' fails by {} at {peak}.", call.mode),
+        (Some(call), Some(_)) => {
+            format!("'{body}' fails by {} at {peak}{}.", call.mode, near(call))
+        }
         (Some(call), None) => format!(
-            "'{body}' bears {peak}, and may bear more; its damage so far is that of {}.",
+            "'{body}' bears {peak}, and may bear more; its damage so far is that of {}{}.",
             match call.mode {
                 JointMode::Mixed => "a mixed mode",
                 pure => pure.name(),
-            }
+            },
+            near(call)
         ),
         (None, Some(_)) => format!("'{body}' bears no more than {peak}; no ply has failed."),
         (None, None) if own.losses.is_empty() => {
@@ -123,6 +137,7 @@ pub(crate) fn verdict(view: &ProgressiveView<'_>) -> Vec<String> {
     if !own.edge.is_empty() {
         sentences.push(departures(own));
     }
+    sentences.extend(free_travel(view));
     sentences.push(match &own.end {
         ProgressiveEnd::Completed => {
             "The history was followed to the end that the scene gives.".to_owned()
@@ -150,6 +165,19 @@ pub(crate) fn verdict(view: &ProgressiveView<'_>) -> Vec<String> {
     sentences
 }
 
+/// From where displacements count, where the pin does not start there.
+pub(super) fn free_travel(view: &ProgressiveView<'_>) -> Option<String> {
+    let own = view.progressive;
+    (own.free_travel > 0.0).then(|| {
+        format!(
+            "Displacements count from where the pin can bear at θ = {}°: the {} {} that it moves before, from where it touches at θ = 0, are left out.",
+            decimals(Some(own.frame.bearing.unwrap_or_default().to_degrees()), 0),
+            significant(view.failure.length(own.free_travel), 3),
+            view.length_unit()
+        )
+    })
+}
+
 /// Part of the largest linear strain by which strains at the edge differ where they are said to.
 pub(super) const DEPARTURE: f64 = 0.1;
 
@@ -161,6 +189,8 @@ pub(super) fn departures(own: &ProgressiveFailure) -> String {
             let [from, to] = range.map(|angle| decimals(Some(angle.to_degrees()), 0));
             if from == to {
                 format!("{from}°")
+            } else if range[0] < 0.0 {
+                format!("{from}° to {to}°")
             } else {
                 format!("{from}–{to}°")
             }

@@ -74,6 +74,8 @@ pub(super) struct Edge<'a> {
     pub(super) contact: bool,
     pub(super) body: &'a str,
     pub(super) law: Option<&'a str>,
+    /// Name of what its steps are counted by.
+    pub(super) load_name: String,
     pub(super) radius: Option<Quantity>,
     /// θ_b of the bearing point from which angles are counted; null where they count from +x, and on a line.
     pub(super) bearing_angle_deg: Option<f64>,
@@ -105,7 +107,7 @@ pub(super) struct Step<'a> {
     pub(super) unloading: bool,
     #[serde(flatten)]
     pub(super) edge: Option<EdgeStep>,
-    pub(super) edges: BTreeMap<&'a str, EdgeStep>,
+    pub(super) edges: BTreeMap<&'a str, OwnEdgeStep>,
     pub(super) iterations: usize,
     pub(super) pivots: usize,
     pub(super) solvers: &'a [&'static str],
@@ -163,6 +165,15 @@ pub(super) struct Place {
     pub(super) x: Option<f64>,
     pub(super) y: Option<f64>,
     pub(super) unit: &'static str,
+}
+
+/// One edge at the end of a step, and the load that acts on it.
+#[derive(Debug, Serialize)]
+pub(super) struct OwnEdgeStep {
+    pub(super) load: Option<Quantity>,
+    pub(super) unloading: bool,
+    #[serde(flatten)]
+    pub(super) edge: EdgeStep,
 }
 
 /// Quantities of one edge at the end of a step.

@@ -9,7 +9,7 @@ use stickslip_contact::InterfaceSolver;
 use stickslip_fem_core::QuadraturePoints;
 use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_fem_core::points::strains;
-use stickslip_joint::{Hole, Joint, JointError};
+use stickslip_joint::{Gauge, Hole, Joint, JointError};
 
 use crate::results::{EdgeStrain, LinearJoint};
 
@@ -78,16 +78,17 @@ impl<'a> EdgePoints<'a> {
     }
 }
 
-/// The joint without failure, followed by the same steps to the load `target` `[N]`: its curve as far, and the displacements of body
-/// `body` there. `None` if it does not get so far.
+/// The joint without failure, read by `gauge`, followed by the same steps to the load `target` `[N]`: its curve as far, and the
+/// displacements of body `body` there. `None` if it does not get so far.
 pub(super) fn linear(
     joint: &Joint,
+    gauge: &Gauge,
     body: usize,
     steps: &[Vec<f64>],
     solver: &dyn InterfaceSolver,
     target: f64,
 ) -> Result<Option<(LinearJoint, Vec<f64>)>, JointError> {
-    let mut curve = vec![[0.0, 0.0]];
+    let mut curve = vec![[-gauge.free_travel, 0.0]];
     let mut last: Vec<f64> = Vec::new();
     let mut found = None;
     joint.follow(steps, solver, |record, state| {
