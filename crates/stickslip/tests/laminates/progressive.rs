@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use stickslip::results::{ProgressiveEnd, ProgressiveFailure};
+use stickslip::results::{EdgeStrain, ProgressiveEnd, ProgressiveFailure};
 use stickslip::run::run;
 use stickslip::scene::{Format, Scene};
 
@@ -330,6 +330,7 @@ fn turned(direction: [f64; 2], pulled: &str, angle: f64) -> ProgressiveFailure {
 fn a_joint_is_read_along_the_direction_in_which_its_pin_bears() {
     let along = turned([-1.0, 0.0], "left", 0.0);
     assert_eq!(along.frame.bearing, Some(0.0));
+    assert_eq!(along.free_travel, 0.0);
     for (direction, pulled, angle) in [
         ([1.0, 0.0], "right", 180.0),
         ([0.0, -1.0], "bottom", 90.0),
@@ -355,11 +356,14 @@ fn a_joint_is_read_along_the_direction_in_which_its_pin_bears() {
         close(first, same, 2.1e-3);
         close(other.peak_load(), along.peak_load(), 0.02);
         let [moved, same] = [&other, &along].map(|joint| joint.curve[0].displacement);
-        println!(
-            "first displacements {moved} and {same}, free travel {}",
-            other.free_travel
+        // Gaps are those of a pin with the clearance c that touches at θ = 0, of a radius R: they turn with the load to c²/R.
+        let (clearance, radius): (f64, f64) = (0.05, 3.0);
+        assert!(
+            (moved - same).abs() < clearance.powi(2) / radius,
+            "{moved} and {same}"
         );
-        close(moved, same, 1e-6);
+        let free = clearance * (1.0 - bearing.cos());
+        assert!((other.free_travel - free).abs() < 1e-9);
         let [mode, same] = [&other, &along].map(|joint| joint.mode.as_ref().unwrap().mode);
         assert_eq!(mode, same);
         let ends = |joint: &ProgressiveFailure| joint.departures(0.1).concat();
@@ -401,4 +405,33 @@ fn a_half_has_the_work_of_the_whole() {
         assert!((half.load / whole.load - 1.0).abs() < 1e-6);
         assert!((half.work / whole.work - 1.0).abs() < 1e-6);
     }
+}
+
+#[test]
+fn strains_part_on_either_side_of_a_whole_joint() {
+    let overrides = [
+        "mesh.spacing=\"22.5 deg\"",
+        "failure.progressive.control.displacement.increments=4",
+    ];
+    let results = run(&scene("joint-net-tension.toml", &overrides), &mut |_| {}).unwrap();
+    let mut joint = results.failure[0].progressive.clone().unwrap();
+    let parted = |degrees: i32| {
+        degrees <= -160 || (-90..=-70).contains(&degrees) || [40, 180].contains(&degrees)
+    };
+    joint.half = false;
+    joint.frame.clockwise = false;
+    joint.frame.bearing = Some(0.0);
+    joint.edge = (-17..=18)
+        .map(|k| EdgeStrain {
+            angle: f64::from(10 * k).to_radians(),
+            followed: [if parted(10 * k) { 2.0 } else { 1.0 }, 0.0],
+            linear: [1.0, 0.0],
+        })
+        .collect();
+    let ranges = joint.departures(0.1);
+    let degrees: Vec<[f64; 2]> = ranges
+        .iter()
+        .map(|range| range.map(|angle| angle.to_degrees().round()))
+        .collect();
+    assert_eq!(degrees, [[-90.0, -70.0], [40.0, 40.0], [180.0, 200.0]]);
 }
