@@ -106,8 +106,9 @@ pub struct ModeCall {
     pub followed_reach: [f64; 3],
     /// Part of the deciding damage that happened in the collapse.
     pub collapse: f64,
-    /// Other modes that the rules would call if a tenth of the deciding damage lay in another mode's zone, if damage covered a fifth of
-    /// one path more or less, or if the collapse did not count; of mixed damage also those with a fifth of it or more.
+    /// Other modes that the rules would call if a tenth of the deciding damage lay in another mode's zone and damage covered a fifth of
+    /// one path more or less, or if the collapse did not count; of mixed damage also those with a fifth of it or more, and where most of
+    /// it happened in the collapse those with a tenth.
     pub others: Vec<JointMode>,
     /// The reasons, one sentence each.
     pub reasons: Vec<String>,
@@ -129,6 +130,8 @@ const CRUSHED: f64 = 0.45;
 const PARTS: usize = 5;
 /// Part of the deciding damage that may lie elsewhere on another mesh or under another control.
 const MAY_SHIFT: f64 = 0.1;
+/// Part of the deciding damage in the collapse from which on the collapse, which follows no equilibrium, is what decides.
+const MOSTLY: f64 = 0.5;
 /// Radii within which the angle decides.
 const NEAR: f64 = 1.5;
 
@@ -155,11 +158,16 @@ pub fn call_mode(hole: &Hole, sites: &[DamageSite], retained: Option<f64>) -> Op
     {
         called.push(decide(before.shares, before.reach).0);
     }
+    let followed_reach = reach(hole, counted);
+    if evidence.collapse > MOSTLY {
+        called.push(decide(shares, followed_reach).0);
+        called.extend(evidence.with_share(MAY_SHIFT));
+    }
     let mut call = ModeCall {
         mode,
         shares,
         reach: covered,
-        followed_reach: reach(hole, counted),
+        followed_reach,
         collapse: evidence.collapse,
         others: (JointMode::ALL.into_iter())
             .filter(|other| *other != mode && called.contains(other))
@@ -202,31 +210,41 @@ impl Evidence {
         })
     }
 
-    /// The modes that slightly different damage would be called.
+    /// The modes that slightly different damage would be called, and of mixed damage those that take part in it.
     fn neighbours(&self) -> Vec<JointMode> {
-        let mut called = Vec::new();
+        let mut shares = vec![self.shares];
+        let mut reaches = vec![self.reach];
         for from in 0..3 {
             for to in (0..3).filter(|to| *to != from) {
-                let mut shares = self.shares;
-                let moved = MAY_SHIFT.min(shares[from]);
-                shares[from] -= moved;
-                shares[to] += moved;
-                called.push(decide(shares, self.reach).0);
+                let mut moved = self.shares;
+                let part = MAY_SHIFT.min(moved[from]);
+                moved[from] -= part;
+                moved[to] += part;
+                shares.push(moved);
             }
             for step in [-1.0, 1.0] {
-                let mut reach = self.reach;
-                reach[from] = ((reach[from] * PARTS as f64).round() + step)
-                    .clamp(0.0, PARTS as f64)
-                    / PARTS as f64;
-                called.push(decide(self.shares, reach).0);
+                let parts = (self.reach[from] * PARTS as f64).round() + step;
+                let mut moved = self.reach;
+                moved[from] = parts.clamp(0.0, PARTS as f64) / PARTS as f64;
+                reaches.push(moved);
             }
         }
+        let all = shares.iter().flat_map(|shares| {
+            let call = |reach: &[f64; 3]| decide(*shares, *reach).0;
+            reaches.iter().map(call)
+        });
+        let mut called: Vec<JointMode> = all.collect();
         if decide(self.shares, self.reach).0 == JointMode::Mixed {
-            let pure = JointMode::PURE.into_iter().zip(self.shares);
-            let parts = pure.filter(|(_, share)| *share >= TAKES_PART);
-            called.extend(parts.map(|(mode, _)| mode));
+            called.extend(self.with_share(TAKES_PART));
         }
         called
+    }
+
+    /// The modes with the part `least` of the deciding damage or more.
+    fn with_share(&self, least: f64) -> impl Iterator<Item = JointMode> {
+        let pure = JointMode::PURE.into_iter().zip(self.shares);
+        let large = pure.filter(move |(_, share)| *share >= least);
+        large.map(|(mode, _)| mode)
     }
 }
 

@@ -84,26 +84,20 @@ pub(super) fn of(call: &ModeCall, basis: Basis, why: Why, retained: Option<f64>)
 
 /// How near the damage is to that of other modes.
 fn reserve(call: &ModeCall) -> String {
-    let slightly = format!(
-        "{:.0} % of it lay elsewhere or broken material covered {:.0} % more or less of a way",
-        100.0 * MAY_SHIFT,
-        100.0 / PARTS as f64
-    );
     let collapse = if call.collapse > 0.0 {
-        ", or without the collapse"
+        ", or if the collapse went another way"
     } else {
         ""
     };
-    if call.others.is_empty() {
-        return format!(
-            "no other mode would be called if {slightly}{collapse}; another mesh or control can still lead to another one"
-        );
-    }
+    let changes = format!(
+        "if {:.0} % of it lay elsewhere and broken material covered {:.0} % more or less of a way{collapse}",
+        100.0 * MAY_SHIFT,
+        100.0 / PARTS as f64
+    );
     let others: Vec<&str> = call.others.iter().map(|mode| mode.name()).collect();
-    let others = others.join(" or ");
-    if call.mode == JointMode::Mixed {
-        format!("near to {others}, by its share, or if {slightly}{collapse}")
-    } else {
-        format!("near to {others}, which would be called if {slightly}{collapse}")
-    }
+    let near = match &others[..] {
+        [] => format!("no other mode would be called {changes}"),
+        others => format!("near to {}, {changes}", others.join(" or ")),
+    };
+    format!("{near}; another mesh or control can lead to yet another one")
 }

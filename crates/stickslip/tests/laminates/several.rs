@@ -18,9 +18,8 @@ const JOINTS: [Own; 3] = [
 /// The materials of [`PIN`] and joints of its shape.
 fn joints(own: &[Own]) -> String {
     let materials = PIN.split("[bodies.plate]").next().unwrap();
-    let mut text = materials.to_owned();
-    for (name, edge, direction, steps) in own {
-        text += &format!(
+    let joint = |(name, edge, direction, steps): &Own| {
+        format!(
             r#"
 [bodies.plate_{name}]
 material = "laminate"
@@ -44,9 +43,10 @@ name = "P_{name}"
 on = "plate_{name}.{edge}"
 force = {{ direction = {direction}, steps = {steps} }}
 "#
-        );
-    }
-    text + r#"
+        )
+    };
+    let all: String = own.iter().map(joint).collect();
+    let settings = r#"
 [analysis]
 model = "whole"
 [mesh]
@@ -55,15 +55,18 @@ spacing = "15 deg"
 [failure]
 criteria = ["hashin"]
 characteristic = { tension = "1 mm", compression = "2 mm" }
-"#
+"#;
+    format!("{materials}{all}{settings}")
 }
 
 /// Figures other than fields, of which only the first contact has some: file names and drawings.
 fn figures(folder: &Path) -> Vec<(String, String)> {
     let entries = fs::read_dir(folder.join("figures")).unwrap();
-    let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    let drawn = names.filter(|name| name.ends_with(".svg") && !name.starts_with("field-"));
-    drawn
+    let paths = entries.map(|entry| entry.unwrap().path());
+    let drawn = paths.filter(|path| path.extension().is_some_and(|ending| ending == "svg"));
+    let names = drawn.map(|path| path.file_name().unwrap().to_str().unwrap().to_owned());
+    names
+        .filter(|name| !name.starts_with("field-"))
         .map(|name| (name.clone(), read(folder, &format!("figures/{name}"))))
         .collect()
 }
