@@ -77,6 +77,17 @@ const STATED: &[Stated] = &[
         "wrong force",
         "one that is wrong by a fifth is, or the check says that it is no evidence",
     ),
+    of("bearing", "the true bearing point is not doubted"),
+    unpromised(
+        "wrong bearing",
+        "one that is off by 30° to 180° is, where all of the contact is in sight",
+    ),
+    unpromised(
+        "wrong bearing, contact cut",
+        "the same where the region cuts the contact, of which half may bear at more than one place",
+    ),
+    of("load", "the true load is not doubted"),
+    of("wrong load", "three times and a third of it are"),
     of(
         "dilation",
         "1.96 standard deviations of the picture's dilation",

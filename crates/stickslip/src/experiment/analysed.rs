@@ -10,6 +10,7 @@
 //! rounding: residuals of smoothed data are small whatever their errors, those of calculated ones vanish. b is the bias that smoothing is
 //! estimated to leave: a declared systematic deviation, not a correction.
 
+pub(super) mod bearing;
 mod boundary;
 mod doubts;
 mod edge;
@@ -18,6 +19,7 @@ mod forces;
 mod held_out;
 mod imported;
 mod known_force;
+mod load;
 mod picture;
 mod region;
 pub(super) mod scale;
@@ -33,8 +35,10 @@ use super::error::ExperimentError;
 use super::measured::Measured;
 use super::plan::Experiment;
 
+pub use bearing::BearingCheck;
 pub(super) use edge::smoothing_reach;
 pub use known_force::ForceCheck;
+pub use load::LoadCheck;
 pub use picture::PictureMotion;
 pub use region::Workbench;
 pub(super) use region::meshed;

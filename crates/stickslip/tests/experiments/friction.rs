@@ -1,5 +1,7 @@
 //! Friction from the sample table of `stickslip init experiment`, which was computed with a dynamic coefficient of 0.25.
 
+use std::path::Path;
+
 use super::{folder_with, succeeds};
 
 #[test]
@@ -62,15 +64,10 @@ fn a_pressure_within_its_uncertainty_is_not_identifiable_rather_than_none() {
     assert!(!page.contains("no contact"), "{page}");
 }
 
-/// The sample turned by a quarter, as of a test that pulls along y: the bearing point is found where all of the contact is in sight, and
-/// stated where the region cuts it.
-#[test]
-fn a_turned_specimen_has_the_same_friction() {
-    let folder = folder_with(&[]);
-    let path = folder.path();
-    succeeds(path, &["init", "experiment", "mine.toml"]);
-    succeeds(path, &["init", "experiment", "turned.toml"]);
-    let table = std::fs::read_to_string(path.join("turned.csv")).unwrap();
+/// Turns the table of the sample `turned.toml` by a quarter.
+pub(super) fn turn(folder: &Path) {
+    let file = folder.join("turned.csv");
+    let table = std::fs::read_to_string(&file).unwrap();
     let mut rows = table.lines();
     let mut turned = rows.next().unwrap().to_owned() + "\n";
     for row in rows {
@@ -82,7 +79,18 @@ fn a_turned_specimen_has_the_same_friction() {
         turned += &[&minus(y), x, &minus(v), u].join(",");
         turned.push('\n');
     }
-    std::fs::write(path.join("turned.csv"), turned).unwrap();
+    std::fs::write(file, turned).unwrap();
+}
+
+/// The sample turned by a quarter, as of a test that pulls along y: the bearing point is found where all of the contact is in sight, and
+/// stated where the region cuts it.
+#[test]
+fn a_turned_specimen_has_the_same_friction() {
+    let folder = folder_with(&[]);
+    let path = folder.path();
+    succeeds(path, &["init", "experiment", "mine.toml"]);
+    succeeds(path, &["init", "experiment", "turned.toml"]);
+    turn(path);
     let friction = |file: &str, angles: [i32; 2], further: &[&str]| {
         let [from, to] = angles;
         let sector = format!(

@@ -3,6 +3,7 @@
 mod assumed;
 mod backs;
 mod balance;
+mod bearing;
 mod chain;
 mod commands;
 mod deviations;

@@ -1,6 +1,8 @@
 //! What `identify` states of a laboratory, and whether the truth is in it.
 
-use stickslip::experiment::analysed::{Analysed, PictureMotion, TruePlace, all, true_edge};
+use stickslip::experiment::analysed::{
+    Analysed, LoadCheck, PictureMotion, TruePlace, all, true_edge,
+};
 use stickslip::experiment::identified::{Identified, identify, on_half_the_cells};
 use stickslip::experiment::laws::{Fit, Known, LawStage, Verdict, stage};
 use stickslip::experiment::measured::{Measured, state};
@@ -57,6 +59,7 @@ pub(super) fn statements(lab: &Lab, data: &Measurable) -> Result<Vec<Statement>,
     if lab.wrong.is_none() {
         all.friction(lab, &identified);
         all.edges(lab, data, &analysed);
+        all.sizes(lab, data, &analysed);
         all.motions(lab, data, &fields, &analysed);
     }
     if let Some(stage) = &laws {
@@ -178,6 +181,43 @@ impl List {
                     },
                 );
             }
+        }
+    }
+
+    /// Where the edge bears and how much, as stated and otherwise.
+    fn sizes(&mut self, lab: &Lab, data: &Measurable, analysed: &[Analysed]) {
+        let mut draw = Draw::new(lab.seed, 17);
+        let fails = |failed: bool, words: String| {
+            if failed {
+                Outcome::Missed(1.0, words)
+            } else {
+                Outcome::Held
+            }
+        };
+        for found in analysed {
+            // The truth bears at θ = 0.
+            let sign = draw.weighted(&[(0.5, 1.0), (0.5, -1.0)]);
+            let other = sign * draw.between(30.0, 180.0_f64).to_radians();
+            let [own, wrong] = [0.0, other].map(|at| found.bearing_check(Some(at)));
+            let doubted = own.map(|own| fails(own.fails(), format!("{own:?}")));
+            self.push("bearing", doubted.unwrap_or(Outcome::Unstated));
+            let passes = wrong.map(|own| fails(!own.fails(), format!("{own:?}")));
+            let name = if own.is_some_and(|own| own.is_whole) {
+                "wrong bearing"
+            } else {
+                "wrong bearing, contact cut"
+            };
+            self.push(name, passes.unwrap_or(Outcome::Unstated));
+            let check = found.load_check(&data.asked).ok();
+            let doubted = check.map(|own| fails(own.fails(), format!("{own:?}")));
+            self.push("load", doubted.unwrap_or(Outcome::Unstated));
+            let factor = draw.weighted(&[(0.5, 3.0), (0.5, 1.0 / 3.0)]);
+            let wrong = check.map(|own| LoadCheck {
+                load: factor * own.load,
+                ..own
+            });
+            let passes = wrong.map(|own| fails(!own.fails(), format!("{own:?}")));
+            self.push("wrong load", passes.unwrap_or(Outcome::Unstated));
         }
     }
 

@@ -14,7 +14,7 @@ use super::Analysed;
 use crate::results::wrapped;
 
 /// Deviations by which a pressure has to exceed zero, and part of the largest, to count as contact.
-const CONTACT: [f64; 2] = [3.0, 0.05];
+pub(super) const CONTACT: [f64; 2] = [3.0, 0.05];
 /// Part of the largest hoop stress that the largest pressure has to exceed as well: what noise and smoothing leave on the edge of an
 /// open hole does not.
 const OPEN: f64 = 0.03;
@@ -197,15 +197,20 @@ impl Analysed {
         Some(first..last + 1)
     }
 
-    /// The place of `contact` nearest to the bearing point `[rad]`: the one that is `stated`, or θ = 0 unless all of the contact is in
-    /// sight and bears elsewhere.
-    pub fn bearing_place(&self, contact: &Range<usize>, stated: Option<f64>) -> usize {
+    /// The bearing point of `contact` `[rad]`: the one that is `stated`, or θ = 0 unless all of the contact is in sight and bears
+    /// elsewhere.
+    pub fn bearing(&self, contact: &Range<usize>, stated: Option<f64>) -> f64 {
         let seen = || {
             let inner = self.inner();
             let ends = inner.start < contact.start && contact.end < inner.end;
             (ends.then(|| self.force_direction(contact))).filter(|at| at.abs() > ELSEWHERE)
         };
-        let bearing = stated.or_else(seen).unwrap_or(0.0);
+        stated.or_else(seen).unwrap_or(0.0)
+    }
+
+    /// The place of `contact` nearest to its [bearing point](Self::bearing).
+    pub fn bearing_place(&self, contact: &Range<usize>, stated: Option<f64>) -> usize {
+        let bearing = self.bearing(contact, stated);
         let away = |k: &usize| wrapped(self.angle[*k] - bearing).abs();
         let nearest = (contact.clone()).min_by(|a, b| away(a).total_cmp(&away(b)));
         nearest.unwrap_or(contact.start)

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 use stickslip_report::table::{Column, Table};
 
-use super::{Analysed, ForceCheck};
+use super::{Analysed, ForceCheck, LoadCheck};
 use crate::experiment::plan::Experiment;
 use crate::experiment::story::csv_table;
 use crate::output::short;
@@ -33,11 +33,18 @@ pub(super) fn table(experiment: &Experiment, analysed: &[Analysed]) -> Table {
             Column::new("explained", unit.name),
         ]);
     }
+    let loads: Vec<_> = (analysed.iter())
+        .map(|found| found.load_check(experiment).ok())
+        .collect();
+    let by_load = loads.iter().any(Option::is_some);
+    if by_load {
+        columns.push(Column::new("over load", ""));
+    }
     let mut table = Table::new(
         "Force on the region through its edge, with standard deviations",
         columns,
     );
-    for found in analysed {
+    for (found, load) in analysed.iter().zip(&loads) {
         let mut row = vec![experiment.states[found.state].name.clone()];
         for [force, deviation] in by_nodes(found) {
             row.extend([force, deviation].map(|value| short(unit.from_base(value))));
@@ -49,7 +56,16 @@ pub(super) fn table(experiment: &Experiment, analysed: &[Analysed]) -> Table {
             });
             row.extend(told.unwrap_or_default());
         }
+        if by_load {
+            let ratio = |own: LoadCheck| format!("{:.3}", own.force / own.load);
+            row.push(load.map_or_else(String::new, ratio));
+        }
         table.push(row);
+    }
+    if by_load {
+        table = table.note(
+            "Over load: the force along the bearing point by the stresses, with the mirror image of what the region cuts, over the stated load.",
+        );
     }
     let table = table.note(
         "By the forces that hold the edge's nodes, of the whole edge of a sector and not only where it is in contact. Balance: what these \
@@ -125,8 +141,16 @@ pub(super) fn entry(experiment: &Experiment, found: &Analysed) -> Value {
         let own = |check: Option<ForceCheck>| check.map(|own| unit.from_base(value(&own)));
         checks.map(own)
     };
+    let load = found.load_check(experiment);
     json!({
         "unit": unit.name,
+        "by_load": load.as_ref().ok().map(|own| json!({
+            "force": unit.from_base(own.force),
+            "deviation": unit.from_base(own.deviation),
+            "load": unit.from_base(own.load),
+            "ratio": own.force / own.load,
+        })),
+        "load_not_checked": load.as_ref().err(),
         "x": x[0],
         "x_deviation": x[1],
         "y": y[0],

@@ -7,7 +7,7 @@ use stickslip_report::table::{Column, Table};
 
 use super::doubts::doubts;
 use super::truth::{TruePlace, true_edge};
-use super::{Analysed, UNUSED, figures, forces, picture};
+use super::{Analysed, UNUSED, figures, forces, load, picture};
 use crate::experiment::plan::{Experiment, Method, RegionShape};
 use crate::experiment::story::{Story, csv_table};
 use crate::experiment::truth::Truth;
@@ -135,9 +135,13 @@ fn state(experiment: &Experiment, found: &Analysed, truth: &[TruePlace], story: 
     for warning in doubts(experiment, found)
         .into_iter()
         .chain(forces::doubts(experiment, found))
+        .chain(load::doubt(experiment, found))
         .chain(picture::doubts(experiment, found))
     {
         story.warn(format!("State '{name}': {warning}"));
+    }
+    if let Some(why) = load::unchecked(experiment, found) {
+        story.note(format!("State '{name}': {why}"));
     }
     story.file(
         format!("edge-{name}.csv"),

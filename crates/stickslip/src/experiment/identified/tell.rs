@@ -9,7 +9,7 @@ use stickslip_report::table::{Column, Table};
 use super::{
     CONSISTENT, Coarser, Grip, Identified, SlipZone, figures, ratio, static_friction, words,
 };
-use crate::experiment::analysed::{Analysed, true_edge};
+use crate::experiment::analysed::{Analysed, bearing, true_edge};
 use crate::experiment::error::ExperimentError;
 use crate::experiment::laws::LawsError;
 use crate::experiment::plan::Experiment;
@@ -47,6 +47,11 @@ pub(in crate::experiment) fn tell(told: &Told<'_>, story: &mut Story) {
          contact. A zone goes from there inwards as far as one coefficient explains it and its inner parts ask for no lesser one; at either end twice the angle that the edge \
          resolves is left out, where stresses are not smooth. That angle is a cell, or more where the smoothing goes on beyond cells.",
     );
+    for found in told.analysed {
+        if let Some(warning) = bearing::doubt(experiment, found) {
+            story.warn(warning);
+        }
+    }
     answers(told, story);
     mesh(told, story);
     if told.bears() || identified.dynamic.is_some() {
@@ -320,6 +325,17 @@ fn csv(experiment: &Experiment, analysed: &[Analysed]) -> Vec<u8> {
 fn entry(told: &Told<'_>) -> Value {
     let (experiment, identified) = (told.experiment, told.identified);
     let grip = identified.static_bound();
+    let bearings = told.analysed.iter().map(|found| {
+        let check = found.bearing_check(experiment.identify.bearing);
+        json!({
+            "state": experiment.states[found.state].name,
+            "bearing_degrees": check.map(|own| own.bearing.to_degrees()),
+            "direction_degrees": check.map(|own| own.direction.to_degrees()),
+            "deviation_degrees": check.map(|own| own.deviation.to_degrees()),
+            "beyond_degrees": check.map(|own| own.beyond.to_degrees()),
+            "doubtful": check.map(|own| own.fails()),
+        })
+    });
     let zones = identified.zones.iter().map(|zone| {
         json!({
             "state": experiment.states[zone.state].name,
@@ -351,6 +367,7 @@ fn entry(told: &Told<'_>) -> Value {
             "in_words": told.of_static(),
         },
         "zones": zones.collect::<Vec<_>>(),
+        "bearing": bearings.collect::<Vec<_>>(),
     })
 }
 

@@ -288,6 +288,14 @@ pub(super) fn identify(
         )?;
         zones.push(ZonePlan { state, angles });
     }
+    if let Some(own) = &given.bearing {
+        refuse.within(
+            "identify.bearing",
+            own.text(),
+            own.value().abs() <= WHOLE_TURN,
+            "from -360 to 360 deg",
+        )?;
+    }
     Ok(Identify {
         confidence: refuse.within(
             "identify.confidence",

@@ -1,0 +1,173 @@
+//! The force on an edge against the stated load.
+//!
+//! ```text
+//! F_b = R t ∫ (p cos φ + τ sin φ) dφ,   φ from the bearing point, over the contact in sight and the mirror image of what is not
+//! ```
+//!
+//! A unit that is wrong changes it by a factor that a contact which is not quite symmetric does not. Loads are labels that need not be
+//! exactly those of the contact, and so a factor well away from 1 alone is doubted.
+
+use std::f64::consts::TAU;
+
+use super::Analysed;
+use crate::experiment::history::History;
+use crate::experiment::plan::{Experiment, RegionShape, Source};
+use crate::output::short;
+
+/// Factor between force and load within which they agree.
+const FACTOR: f64 = 2.0;
+/// The same for the load over the force where the initial load is not known, which the force does not hold.
+const ABOVE_NULL: f64 = 10.0;
+/// Deviations, and part of all tractions along the load whatever their sign, by which the force may be wrong.
+const ALLOWED: [f64; 2] = [3.0, 0.2];
+/// Largest angle around the bearing point that may be out of sight, to either side `[rad]`.
+const HIDDEN: f64 = 0.5;
+
+/// The force on an edge along its bearing point against the stated load.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LoadCheck {
+    /// Force of the whole contact `[N]`, by symmetry of what is out of sight.
+    pub force: f64,
+    /// Its standard deviation by noise `[N]`.
+    pub deviation: f64,
+    /// Error that noise, asymmetry and the mesh explain together `[N]`.
+    pub explained: f64,
+    /// The stated load, less that of the null field where it is known `[N]`.
+    pub load: f64,
+    /// Whether there is a null field whose load is not known.
+    pub above_null: bool,
+    /// The bearing point `[rad]`.
+    pub bearing: f64,
+}
+
+impl LoadCheck {
+    /// Whether force and load differ by more than a factor that anything but a wrong unit or value explains.
+    pub fn fails(&self) -> bool {
+        let less = if self.above_null { ABOVE_NULL } else { FACTOR };
+        self.force - self.explained > FACTOR * self.load
+            || (self.force + self.explained) * less < self.load
+    }
+}
+
+impl Analysed {
+    /// Compares the force on the edge with the load of the state.
+    ///
+    /// # Errors
+    /// In words why they cannot be compared.
+    pub fn load_check(&self, experiment: &Experiment) -> Result<LoadCheck, &'static str> {
+        let (load, above_null) = load(experiment, self.state)?;
+        let contact = self.contact().ok_or("no contact shows")?;
+        let sight = (self.sight()).ok_or("noise hides where the contact ends")?;
+        if sight.ends == [false; 2] {
+            return Err("neither end of the contact is in sight");
+        }
+        let stated = experiment.identify.bearing;
+        if (self.bearing_check(stated)).is_some_and(|check| check.fails()) {
+            return Err("the bearing point is doubtful");
+        }
+        let bearing = self.bearing(&contact, stated);
+        let from = sight.from_bearing(&self.angle, bearing);
+        let places = sight.places;
+        let [first, last] = [places.start, places.end - 1];
+        let [start, end] = [first, last].map(|k| from(self.angle[k]));
+        let gap = start.max(-end).max(0.0);
+        if gap > HIDDEN {
+            return Err("the bearing point is out of sight");
+        }
+        let is_seen = |at: f64| {
+            let turns = [at - TAU, at, at + TAU];
+            turns.iter().any(|at| (start..=end).contains(at))
+        };
+        let n = self.angle.len();
+        let mut row = Vec::new();
+        for (k, width) in places.clone().zip(self.widths(&places)) {
+            let angle = from(self.angle[k]);
+            let (s, c) = angle.sin_cos();
+            let width = if is_seen(-angle) { width } else { 2.0 * width };
+            row.extend([(k, width * c), (n + k, width * s)]);
+        }
+        row.push((if start > 0.0 { first } else { last }, 2.0 * gap.sin()));
+        let area = radius(experiment) * experiment.specimen.thickness;
+        row.iter_mut().for_each(|(_, weight)| *weight *= area);
+        let own = &self.tractions;
+        let parts = (row.iter()).map(|(k, weight)| {
+            let stress = if *k < n {
+                own.pressure[*k]
+            } else {
+                own.shear[*k - n]
+            };
+            weight * stress
+        });
+        let (force, gross) = parts.fold((0.0, 0.0), |(force, gross), part| {
+            (force + part, gross + part.abs())
+        });
+        let deviation = self.deviation_of(&row);
+        Ok(LoadCheck {
+            force,
+            deviation,
+            explained: ALLOWED[0] * deviation + ALLOWED[1] * gross,
+            load,
+            above_null,
+            bearing,
+        })
+    }
+}
+
+/// Radius of the region's edge `[mm]`.
+fn radius(experiment: &Experiment) -> f64 {
+    let stand_off = match experiment.region.as_ref().map(|plan| &plan.shape) {
+        Some(RegionShape::Sector(sector)) => sector.stand_off,
+        _ => 0.0,
+    };
+    experiment.specimen.hole.radius + stand_off
+}
+
+/// Load since the null field, and whether that is not known to be free of load.
+fn load(experiment: &Experiment, state: usize) -> Result<(f64, bool), &'static str> {
+    let plan = &experiment.states[state];
+    let load = plan.load.ok_or("no load is stated")?;
+    let scene = experiment.specimen.scene.as_ref();
+    let null = match &plan.null {
+        None => Some(0.0),
+        Some(Source::Step(step)) => scene.and_then(|own| History::of(&own.scene).load(*step)),
+        Some(_) => None,
+    };
+    let load = (load - null.unwrap_or(0.0)).abs();
+    if load > 0.0 {
+        Ok((load, null.is_none()))
+    } else {
+        Err("the load is zero")
+    }
+}
+
+/// A load that the force on the edge contradicts.
+pub(super) fn doubt(experiment: &Experiment, found: &Analysed) -> Option<String> {
+    let check = found.load_check(experiment).ok().filter(LoadCheck::fails)?;
+    let [force, length] = [experiment.display.force, experiment.display.length];
+    let shown = |value: f64| format!("{} {}", short(force.from_base(value)), force.name);
+    let null = if check.above_null {
+        ", which counts from the null field"
+    } else {
+        ""
+    };
+    Some(format!(
+        "the force on the edge is {} ± {}{null}, {} times the stated load of {}: check units and values of thickness ({} {}), of the material's \
+         moduli, of load, and of displacement_scale or the grating's frequency; or whether this load is that of the contact.",
+        shown(check.force),
+        shown(check.deviation),
+        short(check.force / check.load),
+        shown(check.load),
+        short(length.from_base(experiment.specimen.thickness)),
+        length.name,
+    ))
+}
+
+/// Why the size of the force is not checked, where neither the load nor a known force does.
+pub(super) fn unchecked(experiment: &Experiment, found: &Analysed) -> Option<String> {
+    let is_known = found.checks.force.iter().any(Option::is_some);
+    let why = found.load_check(experiment).err().filter(|_| !is_known)?;
+    Some(format!(
+        "the size of the force on the edge is not checked, for {why}: wrong units of thickness, moduli or displacements would not show. State \
+         load or edge_force, with a region that holds an end of the contact.",
+    ))
+}
