@@ -108,6 +108,7 @@ fn a_force_of_another_size_than_the_load_is_reported() {
         ("states.0.load=5.516 N", 1e3),
         ("states.0.load=16548 N", 1.0 / 3.0),
         ("states.0.load=1839 N", 3.0),
+        ("identify.bearing=30 deg", 0.65),
     ] {
         let (ratio, words) = told(half, &[set]);
         let words = words.expect(set);

@@ -147,7 +147,7 @@ impl Analysed {
 
 impl Sight {
     /// Angle from the bearing point, by whole turns the nearest to the middle of what is in sight.
-    pub(super) fn from_bearing(&self, angle: &[f64], bearing: f64) -> impl Fn(f64) -> f64 + use<> {
+    pub(super) fn turned(&self, angle: &[f64], bearing: f64) -> impl Fn(f64) -> f64 + use<> {
         let middle = 0.5 * (angle[self.places.start] + angle[self.places.end - 1]);
         let nearest = middle - wrapped(middle - bearing);
         move |at| at - nearest
@@ -155,7 +155,7 @@ impl Sight {
 
     /// Directions from the bearing point that a contact can have which bears there `[rad]`.
     fn range(&self, angle: &[f64], bearing: f64) -> [f64; 2] {
-        let from = self.from_bearing(angle, bearing);
+        let from = self.turned(angle, bearing);
         let [first, last] = self.contact.map(from);
         // Contact goes as far on either side.
         let half = match self.ends {

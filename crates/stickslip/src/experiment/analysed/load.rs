@@ -15,11 +15,11 @@ use crate::experiment::plan::{Experiment, RegionShape, Source};
 use crate::output::short;
 
 /// Factor between force and load within which they agree.
-const FACTOR: f64 = 2.0;
+const FACTOR: f64 = 1.3;
 /// The same for the load over the force where the initial load is not known, which the force does not hold.
 const ABOVE_NULL: f64 = 10.0;
 /// Deviations, and part of all tractions along the load whatever their sign, by which the force may be wrong.
-const ALLOWED: [f64; 2] = [3.0, 0.2];
+const ALLOWED: [f64; 2] = [3.0, 0.1];
 /// Largest angle around the bearing point that may be out of sight, to either side `[rad]`.
 const HIDDEN: f64 = 0.5;
 
@@ -38,6 +38,8 @@ pub struct LoadCheck {
     pub above_null: bool,
     /// The bearing point `[rad]`.
     pub bearing: f64,
+    /// Whether all of the contact is in sight.
+    pub is_whole: bool,
 }
 
 impl LoadCheck {
@@ -66,8 +68,8 @@ impl Analysed {
             return Err("the bearing point is doubtful");
         }
         let bearing = self.bearing(&contact, stated);
-        let from = sight.from_bearing(&self.angle, bearing);
-        let places = sight.places;
+        let from = sight.turned(&self.angle, bearing);
+        let places = sight.places.clone();
         let [first, last] = [places.start, places.end - 1];
         let [start, end] = [first, last].map(|k| from(self.angle[k]));
         let gap = start.max(-end).max(0.0);
@@ -88,7 +90,9 @@ impl Analysed {
         }
         row.push((if start > 0.0 { first } else { last }, 2.0 * gap.sin()));
         let area = radius(experiment) * experiment.specimen.thickness;
-        row.iter_mut().for_each(|(_, weight)| *weight *= area);
+        for (_, weight) in &mut row {
+            *weight *= area;
+        }
         let own = &self.tractions;
         let parts = (row.iter()).map(|(k, weight)| {
             let stress = if *k < n {
@@ -109,6 +113,7 @@ impl Analysed {
             load,
             above_null,
             bearing,
+            is_whole: sight.ends == [true; 2],
         })
     }
 }
@@ -127,6 +132,9 @@ fn load(experiment: &Experiment, state: usize) -> Result<(f64, bool), &'static s
     let plan = &experiment.states[state];
     let load = plan.load.ok_or("no load is stated")?;
     let scene = experiment.specimen.scene.as_ref();
+    if scene.is_some_and(|own| own.scene.loads.len() > 1 || own.scene.contacts.len() > 1) {
+        return Err("other loads or contacts of the scene take part");
+    }
     let null = match &plan.null {
         None => Some(0.0),
         Some(Source::Step(step)) => scene.and_then(|own| History::of(&own.scene).load(*step)),
@@ -150,9 +158,18 @@ pub(super) fn doubt(experiment: &Experiment, found: &Analysed) -> Option<String>
     } else {
         ""
     };
+    let bearing = if check.is_whole {
+        String::new()
+    } else {
+        format!(
+            "; the bearing point at θ = {:.0}° (identify.bearing), about which the part of the contact that the region cuts is taken for \
+             the mirror image of the other",
+            check.bearing.to_degrees()
+        )
+    };
     Some(format!(
         "the force on the edge is {} ± {}{null}, {} times the stated load of {}: check units and values of thickness ({} {}), of the material's \
-         moduli, of load, and of displacement_scale or the grating's frequency; or whether this load is that of the contact.",
+         moduli, of load, and of displacement_scale or the grating's frequency{bearing}; or whether this load is that of the contact.",
         shown(check.force),
         shown(check.deviation),
         short(check.force / check.load),
