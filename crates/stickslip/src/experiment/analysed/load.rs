@@ -58,7 +58,9 @@ impl Analysed {
     /// In words why they cannot be compared.
     pub fn load_check(&self, experiment: &Experiment) -> Result<LoadCheck, &'static str> {
         let (load, above_null) = load(experiment, self.state)?;
-        let contact = self.contact().ok_or("no contact shows")?;
+        let contact = self
+            .contact()
+            .ok_or("no pressure on it exceeds its uncertainty")?;
         let sight = (self.sight()).ok_or("noise hides where the contact ends")?;
         if sight.ends == [false; 2] {
             return Err("neither end of the contact is in sight");
