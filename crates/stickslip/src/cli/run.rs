@@ -124,12 +124,34 @@ fn show(bar: &ProgressBar, progress: Progress) {
     }
 }
 
+/// The names of `bodies`. A model numbers its bodies in the order of their names.
+fn names<'a>(scene: &'a Scene, bodies: &[usize]) -> Vec<&'a str> {
+    let all: Vec<&String> = scene.bodies.keys().collect();
+    let own = bodies.iter().filter_map(|&body| all.get(body));
+    own.map(|name| name.as_str()).collect()
+}
+
+/// Indices of the loads that act on `bodies`; all where these are all bodies.
+fn loads_on(scene: &Scene, bodies: &[usize]) -> Vec<usize> {
+    let names = names(scene, bodies);
+    let loads = scene.loads.iter().enumerate();
+    loads
+        .filter(|(_, load)| bodies.is_empty() || names.contains(&load.kind.body()))
+        .map(|(index, _)| index)
+        .collect()
+}
+
+/// The key of the load of a history that came to an end for `bodies`, or of all loads.
+fn key_of_loads(scene: &Scene, bodies: &[usize]) -> String {
+    match loads_on(scene, bodies)[..] {
+        [only] => format!("loads.{only}"),
+        _ => "loads".to_owned(),
+    }
+}
+
 /// ", for 'pin' and 'plate'", if these are not all bodies.
 fn among(scene: &Scene, bodies: &[usize]) -> String {
-    // A model numbers its bodies in the order of their names.
-    let names: Vec<&String> = scene.bodies.keys().collect();
-    let own = bodies.iter().filter_map(|&body| names.get(body));
-    let quoted = quoted(own.map(|name| name.as_str()));
+    let quoted = quoted(names(scene, bodies).into_iter());
     if quoted.is_empty() {
         quoted
     } else {
@@ -148,11 +170,13 @@ fn message(scene: &Scene, error: &RunError) -> String {
     else {
         return error.to_string();
     };
-    let loads = loads_reached(scene, *step, *reached);
+    let reached_loads = loads_reached(scene, *step, *reached);
+    let acting = loads_on(scene, bodies);
+    let loads: Vec<&LoadValue> = acting.iter().map(|&index| &reached_loads[index]).collect();
     if loads.is_empty() {
         return error.to_string();
     }
-    let value = |load: &LoadValue| {
+    let value = |load: &&LoadValue| {
         let unit = if load.unit == "1" { "" } else { &load.unit };
         let text = format!("{} {} {unit}", load.name, output::short(load.value));
         text.trim_end().to_owned()
@@ -179,14 +203,19 @@ pub(super) fn located(scene: &Scene, error: &RunError) -> SceneError {
             format!("bodies.{body}"),
             "check the body's supports: it must not be able to move as a whole without contact",
         ),
-        RunError::Contact(ContactError::StepFailed { cause, .. })
+        RunError::Contact(ContactError::StepFailed { cause, bodies, .. })
             if cause.is_proved_impossible() =>
         {
             (
-                "loads".to_owned(),
-                "no contact force can balance this load: add friction or a support against the motion, or turn the load",
+                key_of_loads(scene, bodies),
+                "no contact force can balance this load: let its line of action pass through the contact (beside it, it turns the body), add \
+                 friction or a support against the motion, or turn the load",
             )
         }
+        RunError::Contact(ContactError::StepFailed { bodies, .. }) => (
+            key_of_loads(scene, bodies),
+            "take smaller steps (--set analysis.substeps=4) or another solver (--set analysis.solver=pivoting)",
+        ),
         RunError::Contact(_) => (
             "loads".to_owned(),
             "take smaller steps (--set analysis.substeps=4) or another solver (--set analysis.solver=pivoting)",

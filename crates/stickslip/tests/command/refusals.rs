@@ -469,3 +469,48 @@ fn bodies_that_are_divided_by_themselves() {
         ],
     );
 }
+
+/// Of two joints the second is pulled beside its pin, which turns its plate: its own load is named and shown, and no other.
+#[test]
+fn a_load_that_nothing_balances() {
+    let second = r#"
+[bodies.lug]
+material = "steel"
+thickness = "2 mm"
+[bodies.lug.shape.plate_with_hole]
+hole_radius = "5 mm"
+outline.strip = { half_width = "20 mm", left = "30 mm", right = "20 mm" }
+[bodies.bolt]
+material = "steel"
+thickness = "2 mm"
+shape.disk = { radius = "4.99 mm" }
+[[contacts]]
+name = "bolt"
+first = "lug.hole"
+second = "bolt.rim"
+friction.coulomb = { mu = 0.2 }
+[[supports]]
+on = "bolt.centre"
+fix = ["x", "y"]
+[[loads]]
+name = "askew"
+on = "lug.left"
+force = { direction = [-1, 1], steps = ["10 N", "20 N"] }
+"#;
+    let text = SCENE.replace("6 deg", "15 deg") + second;
+    let folder = folder_with("joints.toml", &text);
+    let message = fails(folder.path(), &["run", "joints.toml"]);
+    let line = 1 + text[..text.find("[[loads]]\nname").unwrap()]
+        .lines()
+        .count();
+    for part in [
+        "not solved beyond askew 0 N",
+        "'bolt' and 'lug'",
+        "loads.1",
+        "line of action",
+        &format!("joints.toml:{line}:1"),
+    ] {
+        assert!(message.contains(part), "'{part}' is missing in:\n{message}");
+    }
+    assert!(!message.contains("load1") && !message.contains("loads.0"));
+}
