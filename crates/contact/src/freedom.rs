@@ -81,37 +81,37 @@ pub fn loose_pairs(problem: &InterfaceProblem, state: &ContactState) -> Vec<usiz
     (0..problem.pairs().len()).filter(loose).collect()
 }
 
-/// The pairs with friction whose slip the increment to `state`, in which the points slipped by `slip` `[length]`, leaves undetermined: a
-/// rigid motion that moves no pressed point along its normal, and along its tangent only those that slip on with the same friction,
-/// changes no force. As where all that presses a pin slips, and the pin may turn.
+/// The pairs with friction whose slip the increment from `committed` to `state`, in which the points slipped by `slip` `[length]`, leaves
+/// undetermined: a rigid motion that moves no pressed point along its normal, and along its tangent only those that slip on with the same
+/// friction, changes no force. As where all that presses a pin slips, and the pin may turn. Of several such motions each is asked
+/// alone, so a pair that only a combination of them moves may be missing.
 pub fn sliding_pairs(
     problem: &InterfaceProblem,
+    committed: &ContactState,
     state: &ContactState,
     slip: &DVector<f64>,
 ) -> Vec<usize> {
-    // Largest friction force, and whether slip changes it.
+    let least_force = FORCELESS * state.forces.amax();
     let bound = |k: usize| {
         let point = &problem.points()[k];
         let pressure = state.normal_force(k) / point.area;
         let law = problem.law(k);
-        let bound = law.bound(pressure, slip[k].abs(), &point.place, &state.history[k]);
-        let stress = match state.status[k] {
-            Status::Stick => bound.stick,
-            _ => bound.slip,
-        };
-        (stress * point.area, bound.slip_ds != 0.0)
+        law.bound(pressure, slip[k].abs(), &point.place, &committed.history[k])
     };
     let friction = |k: usize| state.forces[2 * k + 1];
-    let held = |k: usize| {
-        let (largest, changes) = bound(k);
-        changes || friction(k).abs() < (1.0 - FORCELESS) * largest
+    let held = |k: usize| match state.status[k] {
+        Status::Stick => {
+            let largest = bound(k).stick * problem.points()[k].area;
+            friction(k).abs() < largest - least_force
+        }
+        _ => bound(k).slip_ds != 0.0,
     };
     let Some(relative) = unresisted(problem, state, held) else {
         return Vec::new();
     };
     let pressed = pressed(state);
     let rubbing: Vec<usize> = (0..slip.len())
-        .filter(|&k| pressed(k) && bound(k).0 > 0.0)
+        .filter(|&k| pressed(k) && bound(k).slip > 0.0)
         .collect();
     let least = FORCELESS * slip.amax();
     // Where a point stands still at its bound, the motion may only go against its friction.

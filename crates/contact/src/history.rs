@@ -413,7 +413,8 @@ impl Walk {
         self.dissipation += increment.dissipation;
         let (state, slip) = (increment.state, increment.slip);
         self.loose.extend(loose_pairs(problem, &state));
-        self.sliding.extend(sliding_pairs(problem, &state, &slip));
+        let sliding = sliding_pairs(problem, &self.state, &state, &slip);
+        self.sliding.extend(sliding);
         self.slip += slip;
         self.state = state;
         Ok(())

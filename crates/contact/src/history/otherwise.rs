@@ -11,6 +11,8 @@ use crate::uniqueness::{NEAR_BOUND, bound_with_turns_held};
 
 /// Floating-point operations of pivoting that all comparisons of one problem's history may take.
 const EFFORT: f64 = 1e9;
+/// Part of the largest motion up to which a difference of slips is rounding.
+const ROUNDING: f64 = 1e-9;
 /// Number of increments up to which a step that was cut back is walked again in twice as many.
 const MANY: usize = 32;
 /// Number of touching points up to which the bound of uniqueness is estimated for each step.
@@ -27,9 +29,9 @@ pub struct Difference {
     pub peak_pressure: f64,
     /// Largest change of a pressure or tangential traction, relative to the largest pressure of the answer.
     pub traction: f64,
-    /// Largest change of the slip of a point in the step, relative to the largest slip in it.
+    /// Largest change of the slip of a point in the step, relative to the largest slip in it either way; 0 if it is rounding of motions.
     pub slip: f64,
-    /// Change of the work of friction in the step, relative to that work.
+    /// Change of the work of friction in the step, relative to the larger one; 0 if it is rounding.
     pub dissipation: f64,
 }
 
@@ -42,9 +44,26 @@ impl Difference {
         self.traction > Self::DISTINCT
     }
 
-    /// Whether only slip and its work differ, as they do where points close and slip from then on.
+    /// Whether slip or its work differ, as they do where points close and slip from then on.
     pub fn differs_in_slip(&self) -> bool {
         self.slip.max(self.dissipation.abs()) > Self::DISTINCT
+    }
+
+    /// The largest of each number; the other way is that whose tractions differ more.
+    fn or_worse(self, other: Self) -> Self {
+        let larger = |one: f64, other: f64| if other.abs() > one.abs() { other } else { one };
+        let way = if other.traction > self.traction {
+            other
+        } else {
+            self
+        };
+        Self {
+            peak_pressure: larger(self.peak_pressure, other.peak_pressure),
+            traction: larger(self.traction, other.traction),
+            slip: larger(self.slip, other.slip),
+            dissipation: larger(self.dissipation, other.dissipation),
+            ..way
+        }
     }
 }
 
@@ -72,14 +91,7 @@ impl Otherwise {
     /// Of both, what differs more.
     fn or_worse(self, other: Self) -> Self {
         let more = |one: Option<Difference>, other: Option<Difference>| {
-            let all = one.into_iter().chain(other);
-            all.reduce(|one, other| {
-                if other.traction > one.traction {
-                    other
-                } else {
-                    one
-                }
-            })
+            one.into_iter().chain(other).reduce(Difference::or_worse)
         };
         Self {
             other_solver: more(self.other_solver, other.other_solver),
@@ -262,17 +274,19 @@ impl Again<'_> {
             traction = traction.max(normal.abs().max(tangential.abs()) / point.area);
         }
         let over = |value: f64, whole: f64| if whole > 0.0 { value / whole } else { 0.0 };
-        let slip = &self.record.slip;
+        let (slip, other_slip) = (&self.record.slip, &walk.slip);
+        let (work, other_work) = (self.record.dissipation, walk.dissipation);
+        let length = ROUNDING * state.motion.amax();
+        let beyond = |value: f64, least: f64| if value.abs() > least { value } else { 0.0 };
+        let slipped = beyond((other_slip - slip).amax(), length);
+        let worked = beyond(other_work - work, length * state.forces.lp_norm(1));
         Difference {
             solver,
             increments,
             peak_pressure: over(other_peak - peak, peak),
             traction: over(traction, peak),
-            slip: over((&walk.slip - slip).amax(), slip.amax()),
-            dissipation: over(
-                walk.dissipation - self.record.dissipation,
-                self.record.dissipation,
-            ),
+            slip: over(slipped, slip.amax().max(other_slip.amax())),
+            dissipation: over(worked, work.max(other_work)),
         }
     }
 }

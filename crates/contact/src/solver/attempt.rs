@@ -4,7 +4,6 @@ use nalgebra::DVector;
 
 use super::accept::ACCEPTED;
 use super::frozen::Frozen;
-use super::residual::read_statuses;
 use super::step::Step;
 use super::{FailureCause, Residuals, StepFailure, StepSolution, Stop, Unresolved, Work};
 use crate::state::{Status, TrialState};
@@ -70,11 +69,12 @@ impl<'a> Attempt<'a> {
     }
 
     /// Turns `trial` into a solution if it meets the conditions to 1e-10 of their scales. Where all that is left of the last
-    /// forces is rounding, and none is needed, there are none.
+    /// forces is rounding, and none is needed, there are none, and no slip.
     pub(super) fn accept(&mut self, trial: TrialState) -> Result<StepSolution, FailureCause> {
         let rounding = FADED * self.step.committed.forces.amax();
         let negligible = trial.forces.amax() <= rounding && self.step.mode_load.amax() <= rounding;
-        if negligible && trial.forces.amax() > 0.0 {
+        let slips = || trial.status.iter().any(|status| status.slip_sign() != 0.0);
+        if negligible && (trial.forces.amax() > 0.0 || slips()) {
             let released = self.released(&trial.rigid);
             if let Ok(solution) = self.accept_within(released, ACCEPTED) {
                 return Ok(solution);
@@ -88,7 +88,8 @@ impl<'a> Attempt<'a> {
         let forces = DVector::zeros(2 * self.step.count());
         let motion = self.step.motion(&forces, rigid);
         TrialState {
-            status: read_statuses(self.step, &forces, &motion),
+            // Points that close without force neither stick nor slip.
+            status: vec![Status::Open; self.step.count()],
             motion: self.step.total_motion(motion),
             rigid: rigid.clone(),
             forces,

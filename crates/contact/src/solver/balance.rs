@@ -17,6 +17,8 @@ use stickslip_friction::{History, PointStatus};
 
 /// Relative size of a remainder that counts.
 const NEGLIGIBLE: f64 = 1e-9;
+/// Square of the largest penetration over the way out of it, up to which that way is rounding of there being none.
+const WAY_OUT: f64 = 1e-8;
 
 /// The rigid motions nearest to the last accepted ones at which nothing penetrates, without contact forces; `None` if loads push
 /// floating bodies, or if there are none (least distance programming: Lawson & Hanson 1974, chapter 23).
@@ -27,6 +29,9 @@ pub(super) fn clear(step: &Step<'_>) -> Option<DVector<f64>> {
     }
     let motion = step.motion(&DVector::zeros(2 * step.count()), here);
     let largest = (0..step.count()).fold(0.0, |most: f64, k| most.max(-motion[2 * k]));
+    if largest <= 0.0 {
+        return None;
+    }
     let units = units(step);
     let motions = here.len();
     // Minimal |x| with G x ≥ h, from the remainder of [Gᵀ; hᵀ] z = (0, …, 0, 1).
@@ -40,11 +45,9 @@ pub(super) fn clear(step: &Step<'_>) -> Option<DVector<f64>> {
     let mut wanted = DVector::zeros(motions + 1);
     wanted[motions] = -1.0;
     let remainder = nearest(&edges, &wanted);
-    let reach = -largest / remainder[motions];
-    let way = remainder.rows(0, motions).component_mul(&units) * reach;
-    way.iter()
-        .all(|amount| amount.is_finite())
-        .then(|| here + way)
+    let last = -remainder[motions];
+    (last > WAY_OUT)
+        .then(|| here + remainder.rows(0, motions).component_mul(&units) * (largest / last))
 }
 
 /// Translations and rotations have different units: the amount of each rigid motion that moves a point by 1 at most.

@@ -120,7 +120,9 @@ impl Chain {
                 }
             }
         }
-        match released(step) {
+        // Solvers that follow a law of unbounded slope at vanishing pressure may miss a release.
+        let at_first = || released_at(step, &step.committed.rigid.map(|_| 0.0));
+        match released(step).or_else(at_first) {
             Some(solution) => Ok(after(failure, solution)),
             None => Err(failure),
         }
@@ -174,18 +176,16 @@ fn after(failure: StepFailure, mut solution: StepSolution) -> StepSolution {
     solution
 }
 
-/// The state without any contact force, with the bodies where they are, where they were at first, or as near to where they are as they
-/// can be without penetration. Solvers that follow a law of unbounded slope at vanishing pressure may miss it.
+/// The state without any contact force, with the bodies where they are, or as near to there as they can be without penetration.
 fn released(step: &Step<'_>) -> Option<StepSolution> {
-    let accepted = |rigid: &DVector<f64>| {
-        Attempt::run(step, "release", |attempt| {
-            let trial = attempt.released(rigid);
-            attempt.accept(trial)
-        })
-        .ok()
-    };
     let here = &step.committed.rigid;
-    accepted(here)
-        .or_else(|| accepted(&here.map(|_| 0.0)))
-        .or_else(|| accepted(&clear(step)?))
+    released_at(step, here).or_else(|| released_at(step, &clear(step)?))
+}
+
+fn released_at(step: &Step<'_>, rigid: &DVector<f64>) -> Option<StepSolution> {
+    Attempt::run(step, "release", |attempt| {
+        let trial = attempt.released(rigid);
+        attempt.accept(trial)
+    })
+    .ok()
 }

@@ -124,7 +124,8 @@ fn slip_is_undetermined_where_no_pressed_point_sticks() {
                 _ => Status::SlipNegative,
             };
         }
-        sliding_pairs(&problem, &state, &slip)
+        let committed = ContactState::unloaded(&problem);
+        sliding_pairs(&problem, &committed, &state, &slip)
     };
     let at_bound = [-0.1, -0.1, 0.1, 0.1];
     assert_eq!(found(at_bound, [1.0, 2.0, -1.0, -2.0]), [0]);

@@ -367,8 +367,44 @@ fn a_plate_makes_way_for_a_driven_pin_without_force() {
                 let v = record.state.multipliers[0];
                 let way = clearance - (clearance * clearance - v * v).sqrt();
                 assert_eq!(record.state.forces.amax(), 0.0);
+                assert_eq!(record.slip.amax(), 0.0);
+                assert!(
+                    record
+                        .state
+                        .status
+                        .iter()
+                        .all(|&status| status == Status::Open)
+                );
                 assert_abs_diff_eq!(record.state.rigid[0], way, epsilon = 3.0 * between_points);
             }
         }
+    }
+}
+
+/// A block between two walls that come nearer than it is wide makes no way: it is pressed from both sides.
+#[test]
+fn a_block_between_walls_that_close_is_pressed() {
+    let places = vec![[0.0, 0.0], [0.0, 0.0]];
+    let closing = DVector::from_vec(vec![1.0, 0.0, -1.0, 0.0]);
+    let walls = GivenBody::held(DMatrix::identity(4, 4), vec![closing]).unwrap();
+    let block = RigidBody::sliding(places, [true, true], &[[0.0; 2]]);
+    let points = vec![point(0, [-1.0, 0.0], 0.1), point(1, [1.0, 0.0], 0.2)];
+    let pair = ContactPair {
+        name: "walls".into(),
+        first: 0,
+        second: 1,
+        points,
+        law: coulomb(0.3),
+    };
+    let problem = InterfaceProblem::new(&[&walls, &block], vec![pair]).unwrap();
+    let history = LoadHistory::new(vec![vec![0.12], vec![0.35]], 1, Ramp::Linear).unwrap();
+    for solver in [&Chain::default(), &Chain::status_first()] {
+        let records = history.follow(&problem, solver, |_| {}).unwrap();
+        // Each wall may come by the mean gap 0.15.
+        assert_eq!(records[0].state.forces.amax(), 0.0);
+        for k in 0..2 {
+            assert_abs_diff_eq!(records[1].state.normal_force(k), 0.2, epsilon = EXACT);
+        }
+        assert_abs_diff_eq!(records[1].state.rigid[0], 0.05, epsilon = EXACT);
     }
 }

@@ -152,7 +152,12 @@ impl Solving<'_> {
             parts: Vec::new(),
             audit: Audit::of(&linear.problem, &increment.state),
             loose: loose_pairs(&linear.problem, &increment.state),
-            sliding: sliding_pairs(&linear.problem, &increment.state, &increment.slip),
+            sliding: sliding_pairs(
+                &linear.problem,
+                &self.start.contact,
+                &increment.state,
+                &increment.slip,
+            ),
             state: increment.state,
             work: self.work,
             residuals: increment.residuals,

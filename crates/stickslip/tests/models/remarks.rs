@@ -168,3 +168,64 @@ fn solvers_that_failed_on_the_way_are_told() {
     });
     assert!(cycles.all(|(points, places)| points == places && points > 0));
 }
+
+/// A soft pin in a hole, with the numbers of a scene that random trials found.
+fn pressed_pin(spacing: &str, loads: &str) -> String {
+    format!(
+        r#"
+version = 1
+[materials.plate.orthotropic]
+e1 = "200 GPa"
+e2 = "50 GPa"
+e3 = "50 GPa"
+g12 = "10 GPa"
+nu12 = 0.1
+nu13 = 0.1
+nu23 = 0.1
+expansion2 = "8e-5 1/K"
+[materials.pin.isotropic]
+young = "10 GPa"
+poisson = 0.03
+[bodies.plate]
+material = "plate"
+thickness = "0.8 mm"
+[bodies.plate.shape.plate_with_hole]
+hole_radius = "3.133 mm"
+outline.strip = {{ half_width = "6 mm", left = "20 mm", right = "9 mm" }}
+[bodies.pin]
+material = "pin"
+thickness = "0.8 mm"
+shape.disk = {{ radius = "3.12546827 mm" }}
+[mesh]
+spacing = "{spacing}"
+[[contacts]]
+first = "plate.hole"
+second = "pin.rim"
+friction.coulomb = {{ mu = 0.3 }}
+[[supports]]
+on = "pin.centre"
+fix = ["x", "y"]
+{loads}
+[output]
+fields = "none"
+"#
+    )
+}
+
+/// Where one point stands at its bound and all others slip the pin may turn a little: CSLIP1 is one of many, in the whole model. Symmetry
+/// holds the pin of the half, and one that sticks in the other load holds itself.
+#[test]
+fn slip_that_friction_leaves_undetermined_is_told() {
+    let pull =
+        "[[loads]]\non = \"plate.left\"\nforce = { direction = [-1, 0], steps = [\"5 N\"] }\n";
+    let cooled = format!("{pull}[[loads]]\non = \"plate\"\ntemperature.steps = [\"-70 K\"]\n");
+    let said = |loads: &str, model: &str| {
+        let scene = pressed_pin("10 deg", loads);
+        let notes = solved(&scene, &[&format!("analysis.model={model}")]).notes;
+        let about = |note: &&String| note.contains("slip in a range has the same friction");
+        notes.iter().filter(about).count()
+    };
+    assert_eq!(said(&cooled, "whole"), 1);
+    assert_eq!(said(&cooled, "half"), 0);
+    assert_eq!(said(pull, "whole"), 0);
+}
