@@ -14,6 +14,8 @@ use crate::state::JointState;
 
 /// Part of an increment down to which a burst of failures is resolved.
 const BURST_PART: f64 = 1.0 / 32.0;
+/// Part of the largest load above which a load is more than rounding.
+const LOADED: f64 = 1e-6;
 
 impl Joint {
     /// Follows the load steps `steps`, each the multipliers of all load cases at its end, from rest, with `solver` for the contact.
@@ -41,7 +43,6 @@ impl Joint {
             starting: Vec::new(),
             records: Vec::new(),
             observe,
-            stiffest: 0.0,
             failed: false,
             counted: 0,
         };
@@ -102,6 +103,18 @@ impl Joint {
     }
 }
 
+/// Where the joint begins to bear: the displacement without load on the line through the first two points of `curve`, pairs of load and
+/// displacement, that climb under load. The gauge's own zero is none: a pin may meet the hole before or after it.
+fn onset(curve: &[[f64; 2]]) -> Option<f64> {
+    let largest = curve
+        .iter()
+        .fold(0.0, |most: f64, [load, _]| most.max(*load));
+    let mut loaded = (curve.iter()).filter(|[load, _]| *load > LOADED * largest);
+    let [load, displacement] = *loaded.next()?;
+    let [further, moved] = *loaded.find(|[more, moved]| *more > load && *moved > displacement)?;
+    Some(displacement - load * (moved - displacement) / (further - load))
+}
+
 /// A history on its way.
 struct Walk<'a, F> {
     joint: &'a Joint,
@@ -112,8 +125,6 @@ struct Walk<'a, F> {
     state: JointState,
     records: Vec<JointRecord>,
     observe: F,
-    /// Largest load per displacement so far.
-    stiffest: f64,
     /// Whether a ply has failed.
     failed: bool,
     /// Factorisations that records have counted.
@@ -246,13 +257,24 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
         let options = self.joint.options;
         // That of the increment itself, before plies failed.
         let before = accepted.events.first();
-        let before = before.map_or(0.0, |event| event.load / event.displacement);
-        let after = accepted.load / accepted.displacement;
-        let stiffness = after / self.stiffest.max(before);
-        let lost = stiffness < options.residual_stiffness || after < options.jump * before;
+        let before = before.map(|event| [event.load, event.displacement]);
+        let curve: Vec<[f64; 2]> = (self.records.iter())
+            .map(|record| [record.load, record.displacement])
+            .chain(before)
+            .collect();
+        let start = onset(&curve).unwrap_or(-self.joint.gauge.free_travel);
+        let secant = |&[load, displacement]: &[f64; 2]| {
+            let moved = displacement - start;
+            if moved > 0.0 { load / moved } else { 0.0 }
+        };
+        let [load, displacement] = [accepted.load, accepted.displacement];
+        let after = secant(&[load, displacement]);
+        let stiffness = after / curve.iter().map(secant).fold(0.0, f64::max);
+        let jump = options.jump * before.as_ref().map_or(0.0, secant);
+        let lost = stiffness < options.residual_stiffness || after < jump;
         let last = self.records.last();
-        let further = last.is_none_or(|last| accepted.displacement > last.displacement);
-        if lost && further {
+        let further = last.is_none_or(|last| displacement > last.displacement);
+        if lost && further && displacement > start {
             return Err(Halt::LoadPathLost { stiffness });
         }
         Ok(())
@@ -263,9 +285,6 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
         contact.cutbacks = cutbacks;
         self.state = accepted.state;
         self.starting.clear();
-        if accepted.displacement > 0.0 {
-            self.stiffest = self.stiffest.max(accepted.load / accepted.displacement);
-        }
         self.failed |= accepted.events.iter().any(PlyEvent::is_failure);
         let record = JointRecord {
             step,

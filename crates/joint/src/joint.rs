@@ -27,7 +27,8 @@ pub struct Options {
     pub peak_resolution: f64,
     /// A history with driven supports ends where the load has fallen to this part of its peak.
     pub residual_load: f64,
-    /// Under given loads, the load path is lost where load per displacement falls to this part of its largest value.
+    /// Under given loads, the load path is lost where load per displacement, from where the joint begins to bear, falls to this part of its largest
+    /// value.
     pub residual_stiffness: f64,
     /// Likewise where it falls to this part within one increment: the plate would jump apart, and what is found beyond the jump is
     /// borne by the stiffness that failed plies are left with.

@@ -17,7 +17,9 @@
 //! Source of the ranges: Post & Reddy (1988), part II, 4.4, who found damage at 0–35° in bearing, at 60–80° in shear-out, and at the
 //! net section in net tension.
 
+mod evidence;
 mod reasons;
+mod zones;
 
 use std::fmt;
 
@@ -25,6 +27,8 @@ use stickslip_fem_core::mesh::Point;
 
 use crate::damage::PlyEvent;
 use crate::record::{Ending, JointHistory, JointRecord};
+use evidence::{Evidence, reach};
+use reasons::{Reserve, Without};
 
 /// A mode of failure of a pinned joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -106,7 +110,7 @@ pub struct ModeCall {
     pub followed_reach: [f64; 3],
     /// Part of the deciding damage that happened in the collapse.
     pub collapse: f64,
-    /// Other modes that the rules would call if a tenth of the deciding damage lay in another mode's zone and damage covered a fifth of
+    /// Other modes that the rules would call if a tenth of the deciding damage lay elsewhere and damage covered a fifth of
     /// one path more or less, or if the collapse did not count; of mixed damage also those with a fifth of it or more, and where most of
     /// it happened in the collapse those with a tenth.
     pub others: Vec<JointMode>,
@@ -132,8 +136,6 @@ const PARTS: usize = 5;
 const MAY_SHIFT: f64 = 0.1;
 /// Part of the deciding damage in the collapse from which on the collapse, which follows no equilibrium, is what decides.
 const MOSTLY: f64 = 0.5;
-/// Radii within which the angle decides.
-const NEAR: f64 = 1.5;
 
 /// Calls the mode of a joint by its damage; `None` without damage. `retained` is the part of the peak load that the joint still bore
 /// at the end of its history, if that went beyond the peak.
@@ -151,116 +153,48 @@ pub fn call_mode(hole: &Hole, sites: &[DamageSite], retained: Option<f64>) -> Op
         .copied()
         .collect();
     let counted = followed.iter().filter(|site| basis.kind(site));
+    let followed_reach = reach(hole, counted);
     let (mode, why) = decide(shares, covered);
-    let mut called = evidence.neighbours();
+    let mut near = evidence.neighbours();
+    let mut without = Without::default();
     if let Some(before) = Evidence::of(hole, &followed)
         && before.basis.fibre == basis.fibre
     {
-        called.push(decide(before.shares, before.reach).0);
+        near.push(decide(before.shares, before.reach).0);
+        without.collapse = evidence.collapse > 0.0;
     }
-    let followed_reach = reach(hole, counted);
-    if evidence.collapse > MOSTLY {
-        called.push(decide(shares, followed_reach).0);
-        called.extend(evidence.with_share(MAY_SHIFT));
+    let mostly = evidence.collapse > MOSTLY;
+    if mostly {
+        near.push(decide(shares, followed_reach).0);
+        without.its_ways = true;
     }
+    let least = match mode {
+        _ if mostly => Some(MAY_SHIFT),
+        JointMode::Mixed => Some(TAKES_PART),
+        _ => None,
+    };
+    let part = least.map_or_else(Vec::new, |least| evidence.with_share(least));
+    let others = |found: &[JointMode]| -> Vec<JointMode> {
+        let all = JointMode::ALL.into_iter();
+        all.filter(|other| *other != mode && found.contains(other))
+            .collect()
+    };
+    let reserve = Reserve {
+        near: others(&near),
+        part: least.map(|least| (least, others(&part))),
+        without,
+    };
     let mut call = ModeCall {
         mode,
         shares,
         reach: covered,
         followed_reach,
         collapse: evidence.collapse,
-        others: (JointMode::ALL.into_iter())
-            .filter(|other| *other != mode && called.contains(other))
-            .collect(),
+        others: others(&[near, part].concat()),
         reasons: Vec::new(),
     };
-    call.reasons = reasons::of(&call, basis, why, retained);
+    call.reasons = reasons::of(&call, basis, why, &reserve, retained);
     Some(call)
-}
-
-/// What a mode is called by.
-struct Evidence {
-    basis: Basis,
-    shares: [f64; 3],
-    reach: [f64; 3],
-    /// Part of the deciding damage that happened in the collapse.
-    collapse: f64,
-}
-
-impl Evidence {
-    /// That of `sites`; `None` without any.
-    fn of(hole: &Hole, sites: &[DamageSite]) -> Option<Self> {
-        let basis = Basis::of(sites)?;
-        let mut sums = [0.0; 3];
-        let (mut total, mut collapse) = (0.0, 0.0);
-        for site in sites.iter().filter(|site| basis.takes(site)) {
-            total += site.volume;
-            collapse += if site.collapse { site.volume } else { 0.0 };
-            let weights = zone_weights(hole.local(site.position)).into_iter();
-            for (sum, weight) in sums.iter_mut().zip(weights) {
-                *sum += weight * site.volume;
-            }
-        }
-        let part = |sum: f64| if total > 0.0 { sum / total } else { 0.0 };
-        Some(Self {
-            basis,
-            shares: sums.map(part),
-            reach: reach(hole, sites.iter().filter(|site| basis.kind(site))),
-            collapse: part(collapse),
-        })
-    }
-
-    /// The modes that slightly different damage would be called, and of mixed damage those that take part in it.
-    fn neighbours(&self) -> Vec<JointMode> {
-        let mut shares = vec![self.shares];
-        let mut reaches = vec![self.reach];
-        for from in 0..3 {
-            for to in (0..3).filter(|to| *to != from) {
-                let mut moved = self.shares;
-                let part = MAY_SHIFT.min(moved[from]);
-                moved[from] -= part;
-                moved[to] += part;
-                shares.push(moved);
-            }
-            for step in [-1.0, 1.0] {
-                let parts = (self.reach[from] * PARTS as f64).round() + step;
-                let mut moved = self.reach;
-                moved[from] = parts.clamp(0.0, PARTS as f64) / PARTS as f64;
-                reaches.push(moved);
-            }
-        }
-        let all = shares.iter().flat_map(|shares| {
-            let call = |reach: &[f64; 3]| decide(*shares, *reach).0;
-            reaches.iter().map(call)
-        });
-        let mut called: Vec<JointMode> = all.collect();
-        if decide(self.shares, self.reach).0 == JointMode::Mixed {
-            called.extend(self.with_share(TAKES_PART));
-        }
-        called
-    }
-
-    /// The modes with the part `least` of the deciding damage or more.
-    fn with_share(&self, least: f64) -> impl Iterator<Item = JointMode> {
-        let pure = JointMode::PURE.into_iter().zip(self.shares);
-        let large = pure.filter(move |(_, share)| *share >= least);
-        large.map(|(mode, _)| mode)
-    }
-}
-
-/// How much of each mode's path `sites` cover: parts of the path in which there is one.
-fn reach<'s>(hole: &Hole, sites: impl Iterator<Item = &'s DamageSite>) -> [f64; 3] {
-    let mut covered = [[false; PARTS]; 3];
-    for site in sites {
-        let local = hole.local(site.position);
-        for (mode, weight) in zone_weights(local).into_iter().enumerate() {
-            if weight >= 0.5 {
-                let part = hole.reach(mode, local) * PARTS as f64;
-                covered[mode][(part as usize).min(PARTS - 1)] = true;
-            }
-        }
-    }
-    covered.map(|path| path.iter().filter(|part| **part).count() as f64 / PARTS as f64)
 }
 
 /// Which rule decided.
@@ -271,32 +205,6 @@ enum Why {
     Share,
     Confined,
     NoShare,
-}
-
-/// Damage that decides.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Basis {
-    fibre: bool,
-    late: bool,
-}
-
-impl Basis {
-    fn of(sites: &[DamageSite]) -> Option<Self> {
-        let candidates = [(true, true), (false, true), (true, false), (false, false)];
-        let bases = candidates.map(|(fibre, late)| Self { fibre, late });
-        bases
-            .into_iter()
-            .find(|basis| sites.iter().any(|site| basis.takes(site)))
-    }
-
-    fn takes(self, site: &DamageSite) -> bool {
-        self.kind(site) && (site.late || !self.late)
-    }
-
-    /// Whether damage is of the deciding kind, at any time.
-    fn kind(self, site: &DamageSite) -> bool {
-        site.fibre || !self.fibre
-    }
 }
 
 /// A severed path first, then the share, then whether the damage stays at the hole's edge.
@@ -323,45 +231,6 @@ fn decide(shares: [f64; 3], reach: [f64; 3]) -> (JointMode, Why) {
         (JointMode::Bearing, Why::Confined)
     } else {
         (JointMode::Mixed, Why::NoShare)
-    }
-}
-
-impl Hole {
-    /// A position in radii, first component towards the bearing point, second away from the bearing line.
-    fn local(&self, position: Point) -> [f64; 2] {
-        let arm = [0, 1].map(|i| (position[i] - self.centre[i]) / self.radius);
-        let [bx, by] = self.bearing;
-        [arm[0] * bx + arm[1] * by, (arm[1] * bx - arm[0] * by).abs()]
-    }
-
-    /// How far along the path of a mode a place lies, from 0 at the hole to 1.
-    fn reach(&self, mode: usize, [ahead, aside]: [f64; 2]) -> f64 {
-        let [end, side] = [self.end_distance, self.side_distance].map(|d| d / self.radius);
-        let part = match mode {
-            0 => (ahead - 1.0) / (end - 1.0),
-            // The plug's sides start where shear-out does, at about 60°.
-            1 => (ahead - 0.5) / (end - 0.5),
-            _ => (aside - 1.0) / (side - 1.0),
-        };
-        part.clamp(0.0, 1.0)
-    }
-}
-
-/// How much of a place belongs to each of [`JointMode::PURE`].
-fn zone_weights([ahead, aside]: [f64; 2]) -> [f64; 3] {
-    if ahead.hypot(aside) <= NEAR {
-        let angle = aside.atan2(ahead).to_degrees();
-        let rise = |from: f64, to: f64| ((angle - from) / (to - from)).clamp(0.0, 1.0);
-        let [shear, tension, behind] = [rise(35.0, 45.0), rise(75.0, 85.0), rise(105.0, 115.0)];
-        return [1.0 - shear, shear - tension, tension - behind];
-    }
-    if ahead.abs() <= 0.5 * aside {
-        return [0.0, 0.0, 1.0];
-    }
-    match (ahead > 0.0, aside) {
-        (true, aside) if aside < 0.6 => [1.0, 0.0, 0.0],
-        (true, aside) if aside <= 1.6 => [0.0, 1.0, 0.0],
-        _ => [0.0; 3],
     }
 }
 

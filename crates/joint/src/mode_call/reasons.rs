@@ -1,8 +1,33 @@
 //! Reasons in sentences.
 
-use super::{Basis, GOVERNS, JointMode, MAY_SHIFT, ModeCall, PARTS, SEVERED, Why};
+use super::evidence::Basis;
+use super::{GOVERNS, JointMode, MAY_SHIFT, ModeCall, PARTS, SEVERED, Why};
 
-pub(super) fn of(call: &ModeCall, basis: Basis, why: Why, retained: Option<f64>) -> Vec<String> {
+/// How near the damage is to that of other modes.
+pub(super) struct Reserve {
+    /// Other modes that the rules would call.
+    pub(super) near: Vec<JointMode>,
+    /// Where the share alone counts: that part of the damage, and the other modes that hold it or more.
+    pub(super) part: Option<(f64, Vec<JointMode>)>,
+    pub(super) without: Without,
+}
+
+/// What else of the damage was left out to see what the rules would call.
+#[derive(Default)]
+pub(super) struct Without {
+    /// All that failed in the collapse.
+    pub(super) collapse: bool,
+    /// Of that, what it covers of the paths.
+    pub(super) its_ways: bool,
+}
+
+pub(super) fn of(
+    call: &ModeCall,
+    basis: Basis,
+    why: Why,
+    reserve: &Reserve,
+    retained: Option<f64>,
+) -> Vec<String> {
     let percent = |part: f64| 100.0 * part;
     let what = if basis.fibre {
         "broken fibres"
@@ -68,7 +93,7 @@ pub(super) fn of(call: &ModeCall, basis: Basis, why: Why, retained: Option<f64>)
             format!("no mode has {governs:.0} % of it, and neither path to side or end is alone severed")
         }
     });
-    reasons.push(reserve(call));
+    reasons.push(reserve.sentence());
     if let Some(retained) = retained {
         let kept = percent(retained);
         reasons.push(if retained < 0.7 {
@@ -82,22 +107,39 @@ pub(super) fn of(call: &ModeCall, basis: Basis, why: Why, retained: Option<f64>)
     reasons
 }
 
-/// How near the damage is to that of other modes.
-fn reserve(call: &ModeCall) -> String {
-    let collapse = if call.collapse > 0.0 {
-        ", or if the collapse went another way"
-    } else {
-        ""
-    };
-    let changes = format!(
-        "if {:.0} % of it lay elsewhere and broken material covered {:.0} % more or less of a way{collapse}",
-        100.0 * MAY_SHIFT,
-        100.0 / PARTS as f64
-    );
-    let others: Vec<&str> = call.others.iter().map(|mode| mode.name()).collect();
-    let near = match &others[..] {
-        [] => format!("no other mode would be called {changes}"),
-        others => format!("near to {}, {changes}", others.join(" or ")),
-    };
-    format!("{near}; another mesh or control can lead to yet another one")
+impl Reserve {
+    fn sentence(&self) -> String {
+        let without = match (self.without.collapse, self.without.its_ways) {
+            (true, true) => ", or without the collapse or the ways that it broke",
+            (true, false) => ", or without the collapse",
+            (false, true) => ", or without the ways that the collapse broke",
+            (false, false) => "",
+        };
+        let changes = format!(
+            "if {:.0} % of it lay elsewhere, broken material covered {:.0} % more or less of a way, or both{without}",
+            100.0 * MAY_SHIFT,
+            100.0 / PARTS as f64
+        );
+        let names = |modes: &[JointMode], and: &str| -> String {
+            let names: Vec<&str> = modes.iter().map(|mode| mode.name()).collect();
+            names.join(and)
+        };
+        let near = match &self.near[..] {
+            [] => format!("no other mode would be called {changes}"),
+            near => format!("near to {}, {changes}", names(near, " or ")),
+        };
+        let part = match &self.part {
+            Some((least, modes)) if !modes.is_empty() => {
+                let holds = if modes.len() == 1 {
+                    "holds"
+                } else {
+                    "each hold"
+                };
+                let (modes, least) = (names(modes, " and "), 100.0 * least);
+                format!("; {modes} {holds} {least:.0} % of it or more")
+            }
+            _ => String::new(),
+        };
+        format!("{near}{part}; another mesh or control can lead to yet another one")
+    }
 }

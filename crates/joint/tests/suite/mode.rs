@@ -159,6 +159,72 @@ fn a_call_near_its_threshold_names_the_other_mode() {
     assert!(others(&sites).contains(&JointMode::Bearing));
 }
 
+/// What the sentence about other modes claims is what was asked: shares apart, damage that lies in no zone, and the collapse only where there
+/// was one.
+#[test]
+fn the_reserve_says_what_was_asked() {
+    let damage = |parts: [usize; 4]| -> Vec<DamageSite> {
+        let angles = [10.0, 60.0, 92.0, 170.0];
+        let sites = angles.into_iter().zip(parts);
+        let sites = sites.map(|(angle, count)| vec![site(angle, 1.1, true, true); count]);
+        sites.collect::<Vec<_>>().concat()
+    };
+    let call = |sites: &[DamageSite]| {
+        let call = call_mode(&HOLE, sites, None).unwrap();
+        let about = |reason: &&String| reason.contains("another mesh or control");
+        let sentence = call.reasons.iter().find(about).unwrap().clone();
+        (call.mode, call.others, sentence)
+    };
+    // A tenth from behind the hole makes shear-out of it, a tenth to there ends it.
+    let (mode, others, sentence) = call(&damage([0, 55, 0, 45]));
+    assert_eq!(
+        (mode, &others[..]),
+        (JointMode::Mixed, &[JointMode::ShearOut][..])
+    );
+    assert!(
+        sentence.starts_with("near to shear-out, if 10 %"),
+        "{sentence}"
+    );
+    let (mode, others, _) = call(&damage([0, 65, 0, 35]));
+    assert_eq!(
+        (mode, &others[..]),
+        (JointMode::ShearOut, &[JointMode::Mixed][..])
+    );
+    // Net tension holds a third, and no tenth more makes it the mode.
+    let (mode, others, sentence) = call(&damage([0, 55, 33, 12]));
+    assert_eq!(mode, JointMode::Mixed);
+    assert_eq!(others, [JointMode::ShearOut, JointMode::NetTension]);
+    assert!(
+        sentence.starts_with("near to shear-out, if 10 %")
+            && sentence.contains("; shear-out and net tension each hold 20 % of it or more;"),
+        "{sentence}"
+    );
+    assert!(!sentence.contains("collapse"), "{sentence}");
+    // All late fibres break in the collapse, and of the early cracks no mode is asked.
+    let fallen = |site: DamageSite| DamageSite {
+        collapse: true,
+        ..site
+    };
+    let mut sites = vec![site(10.0, 1.1, false, false); 50];
+    sites.extend(damage([0, 95, 0, 0]).into_iter().map(fallen));
+    let (mode, _, sentence) = call(&sites);
+    assert_eq!(mode, JointMode::ShearOut);
+    assert!(
+        sentence.starts_with("no other mode would be called if")
+            && sentence.contains(", or without the ways that the collapse broke;"),
+        "{sentence}"
+    );
+    // A collapse of a few fibres is left out whole.
+    let mut sites = damage([0, 90, 0, 0]);
+    sites.extend(damage([0, 5, 0, 0]).into_iter().map(fallen));
+    let (_, others, sentence) = call(&sites);
+    assert_eq!(others, []);
+    assert!(
+        sentence.contains(", or without the collapse;"),
+        "{sentence}"
+    );
+}
+
 /// Geometries of the textbook: a wide plate with a far end bears, one with a near end loses that end, a narrow one tears.
 #[test]
 fn computed_joints_fail_as_their_geometry_has_it() {

@@ -25,6 +25,15 @@ fn narrow() -> Plate {
 
 /// The joint of a held plate and the pin that `pin` makes of the hole's points, marked at its node or point `mark`.
 fn joint(pin: impl FnOnce(&Plate, RigidBody) -> JointBody, mark: usize) -> Joint {
+    counted_from(pin, mark, 0.0)
+}
+
+/// The same with displacements that count from `free_travel`.
+fn counted_from(
+    pin: impl FnOnce(&Plate, RigidBody) -> JointBody,
+    mark: usize,
+    free_travel: f64,
+) -> Joint {
     let plate = narrow();
     let mesh = plate.mesh();
     let models = vec![discount(LAYUP); mesh.element_count()];
@@ -38,6 +47,7 @@ fn joint(pin: impl FnOnce(&Plate, RigidBody) -> JointBody, mark: usize) -> Joint
             body: 0,
             node: mesh.node_set("left").unwrap()[0],
         },
+        free_travel,
         ..Plate::gauge(&mesh)
     };
     let options = Options {
@@ -48,6 +58,13 @@ fn joint(pin: impl FnOnce(&Plate, RigidBody) -> JointBody, mark: usize) -> Joint
         .unwrap()
         .with_options(options)
         .unwrap()
+}
+
+/// A rigid pin that a force of 1 N pushes, ½ N on the half model.
+fn pushed(_: &Plate, rigid: RigidBody) -> JointBody {
+    use stickslip_fem_core::InterfaceOperator;
+    let points = rigid.points().to_vec();
+    JointBody::Rigid(RigidBody::sliding(points, [true, false], &[[0.5, 0.0]]))
 }
 
 fn follow(joint: &Joint, size: f64) -> JointHistory {
@@ -132,14 +149,7 @@ fn a_driven_elastic_pin_balances_energy() {
 /// around the driven pin of steel is near.
 #[test]
 fn a_pushed_rigid_pin_ends_at_the_strength() {
-    let pushed = joint(
-        |_, rigid| {
-            use stickslip_fem_core::InterfaceOperator;
-            let points = rigid.points().to_vec();
-            JointBody::Rigid(RigidBody::sliding(points, [true, false], &[[0.5, 0.0]]))
-        },
-        0,
-    );
+    let pushed = joint(pushed, 0);
     let history = follow(&pushed, 4000.0);
     for record in &history.records {
         assert!((record.load / record.multipliers[0] - 1.0).abs() < 1e-9);
@@ -151,4 +161,24 @@ fn a_pushed_rigid_pin_ends_at_the_strength() {
     let middle = disk(&narrow()).node_set("centre").unwrap()[0];
     let driven = follow(&joint(|plate, _| steel(plate), middle), 0.15);
     assert!((strength / driven.strength().unwrap() - 1.0).abs() < 0.15);
+}
+
+/// What a joint bears does not depend on where its displacements count from: as where a pin meets the hole before its free travel is used
+/// up, or later.
+#[test]
+fn the_free_travel_changes_no_strength() {
+    let of = |free_travel| {
+        let history = follow(&counted_from(pushed, 0, free_travel), 4000.0);
+        let failed = history.first_failure().unwrap().displacement + free_travel;
+        (history.strength().unwrap(), history.records.len(), failed)
+    };
+    let (strength, records, failed) = of(0.0);
+    // The pin moves by `failed` until the first ply fails.
+    for part in [-1.0, 0.3, 0.9999, 1.3, 4.0] {
+        let (other, count, _) = of(part * failed);
+        assert!(
+            (other / strength - 1.0).abs() < 1e-9 && count == records,
+            "{part}: {other} N, {count} records; {strength} N, {records} records"
+        );
+    }
 }
