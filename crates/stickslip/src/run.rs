@@ -24,7 +24,7 @@ use stickslip_fem_core::{CondensedBody, InterfaceOperator};
 use stickslip_laminate::FailureError;
 use thiserror::Error;
 
-pub(crate) use loads::loads_reached;
+pub(crate) use loads::{at_step as loads_at_step, linked_by, loads_reached};
 pub use progressive::ProgressiveRunError;
 pub(crate) use remarks::quoted;
 

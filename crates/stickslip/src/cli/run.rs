@@ -141,10 +141,23 @@ fn loads_on(scene: &Scene, bodies: &[usize]) -> Vec<usize> {
         .collect()
 }
 
-/// The key of the load of a history that came to an end for `bodies`, or of all loads.
-fn key_of_loads(scene: &Scene, bodies: &[usize]) -> String {
-    match loads_on(scene, bodies)[..] {
-        [only] => format!("loads.{only}"),
+/// Indices of the supports that move on `bodies`; all where these are all bodies.
+fn drives_on(scene: &Scene, bodies: &[usize]) -> Vec<usize> {
+    let names = names(scene, bodies);
+    let moving = (scene.supports.iter().enumerate()).filter(|(_, held)| held.displacement != 0.0);
+    moving
+        .filter(|(_, held)| bodies.is_empty() || names.contains(&held.on.body.as_str()))
+        .map(|(index, _)| index)
+        .collect()
+}
+
+/// The key of what drives a history that came to an end for `bodies`: its load or all loads, or where it has none the support that moves.
+fn key_of_drive(scene: &Scene, bodies: &[usize]) -> String {
+    let loads = loads_on(scene, bodies);
+    match (&loads[..], &drives_on(scene, bodies)[..]) {
+        ([only], _) => format!("loads.{only}"),
+        ([], [only]) => format!("supports.{only}"),
+        ([], [_, ..]) => "supports".to_owned(),
         _ => "loads".to_owned(),
     }
 }
@@ -207,13 +220,13 @@ pub(super) fn located(scene: &Scene, error: &RunError) -> SceneError {
             if cause.is_proved_impossible() =>
         {
             (
-                key_of_loads(scene, bodies),
+                key_of_drive(scene, bodies),
                 "no contact force can balance this load: let its line of action pass through the contact (beside it, it turns the body), add \
                  friction or a support against the motion, or turn the load",
             )
         }
         RunError::Contact(ContactError::StepFailed { bodies, .. }) => (
-            key_of_loads(scene, bodies),
+            key_of_drive(scene, bodies),
             "take smaller steps (--set analysis.substeps=4) or another solver (--set analysis.solver=pivoting)",
         ),
         RunError::Contact(_) => (
@@ -235,4 +248,55 @@ pub(super) fn located(scene: &Scene, error: &RunError) -> SceneError {
         remedy: remedy.to_owned(),
     };
     scene.error_at(&key, problem)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::key_of_drive;
+    use crate::scene::{Format, Scene};
+
+    /// Two cylinders on blocks: one is loaded, the other, the second of its supports, is driven.
+    #[test]
+    fn the_key_is_that_of_what_drives_the_bodies() {
+        let body = |name: &str, shape: &str| {
+            format!("[bodies.{name}]\nmaterial = \"metal\"\nthickness = \"1 mm\"\nshape.{shape}\n")
+        };
+        let block = "block = { half_length = \"12 mm\", depth = \"12 mm\" }";
+        let roller =
+            "cylinder = { radius = \"50 mm\", half_length = \"12 mm\", depth = \"12 mm\" }";
+        let contact = |first: &str, second: &str| {
+            format!(
+                "[[contacts]]\nfirst = \"{first}.contact\"\nsecond = \"{second}.contact\"\nfriction.coulomb = {{ mu = 0.4 }}\n"
+            )
+        };
+        let support = |on: &str, fix: &str, more: &str| {
+            format!("[[supports]]\non = \"{on}\"\nfix = [{fix}]\n{more}")
+        };
+        let text = [
+            "version = 1\n[materials.metal.isotropic]\nyoung = \"70 GPa\"\npoisson = 0.33\n",
+            &body("block", block),
+            &body("roller", roller),
+            &body("slab", block),
+            &body("wheel", roller),
+            "[mesh]\nspacing = \"1 mm\"\n",
+            &contact("roller", "block"),
+            &contact("wheel", "slab"),
+            &support("block.bottom", "\"x\", \"y\"", ""),
+            &support("slab.bottom", "\"x\", \"y\"", ""),
+            &support("wheel.top", "\"x\"", ""),
+            &support("wheel.top", "\"y\"", "displacement = \"-0.01 mm\"\n"),
+            "[[platens]]\non = \"roller.top\"\nfree = [\"x\", \"y\"]\n",
+            "[[loads]]\non = \"roller.top\"\nforce = { direction = [0, -1], steps = [\"300 N\"] }\n",
+        ]
+        .concat();
+        let nothing: [&str; 0] = [];
+        let scene =
+            Scene::from_text(&text, Format::Toml, "lines.toml", Path::new("."), &nothing).unwrap();
+        // Bodies are numbered by name: block, roller, slab, wheel.
+        assert_eq!(key_of_drive(&scene, &[0, 1]), "loads.0");
+        assert_eq!(key_of_drive(&scene, &[2, 3]), "supports.3");
+        assert_eq!(key_of_drive(&scene, &[]), "loads.0");
+    }
 }

@@ -38,7 +38,7 @@ use super::plan::Experiment;
 pub use bearing::BearingCheck;
 pub(super) use edge::smoothing_reach;
 pub use known_force::ForceCheck;
-pub use load::LoadCheck;
+pub use load::{LoadCheck, NotCompared};
 pub use picture::PictureMotion;
 pub use region::Workbench;
 pub(super) use region::meshed;

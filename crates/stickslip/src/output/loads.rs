@@ -7,6 +7,8 @@ use std::collections::BTreeSet;
 
 use super::display::{EdgeView, short};
 use crate::results::{LoadValue, ResultPart, Results};
+use crate::run::{linked_by, loads_at_step};
+use crate::scene::Scene;
 
 /// One number per load step that says how much load there is.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,8 +50,39 @@ impl LoadScale {
         peaks.into_iter().collect()
     }
 
+    /// Unit of the measure for the contact with the index `contact`, before anything is solved; `None` where steps have a number only.
+    pub(crate) fn unit_of_contact(scene: &Scene, contact: usize) -> Option<String> {
+        let steps: Vec<Vec<LoadValue>> = (0..scene.steps())
+            .map(|step| loads_at_step(scene, step))
+            .collect();
+        let linked = linked_by(scene, contact);
+        let acts = |index: &usize| linked.contains(scene.loads[*index].kind.body());
+        let steps: Vec<&[LoadValue]> = steps.iter().map(Vec::as_slice).collect();
+        let force = || {
+            Some(Self {
+                name: CONTACT_FORCE.into(),
+                unit: scene.display.force.name.into(),
+                values: Vec::new(),
+            })
+        };
+        Self::chosen(&histories(&steps, acts), force).map(|load| load.unit)
+    }
+
     fn of_part(results: &Results, part: Option<&ResultPart>) -> Self {
-        let histories = histories(results, part);
+        let steps: Vec<&[LoadValue]> = (results.steps.iter())
+            .map(|step| step.loads.as_slice())
+            .collect();
+        let acts = |index: &usize| part.is_none_or(|part| part.loads.contains(index));
+        let force = || contact_force(results, part);
+        Self::chosen(&histories(&steps, acts), force).unwrap_or_else(|| Self {
+            name: "step".into(),
+            unit: String::new(),
+            values: (1..=results.steps.len()).map(|step| step as f64).collect(),
+        })
+    }
+
+    /// Which of the loads `histories` tells the steps apart, or the contact force.
+    fn chosen(histories: &[Self], contact_force: impl FnOnce() -> Option<Self>) -> Option<Self> {
         let changing: Vec<&Self> = histories.iter().filter(|load| load.changes()).collect();
         let rests_while_another_acts = |load: &Self| {
             let steps = 0..load.values.len();
@@ -57,16 +90,11 @@ impl LoadScale {
                 .filter(|&step| load.values[step] == 0.0)
                 .any(|step| changing.iter().any(|other| other.values[step] != 0.0))
         };
-        let chosen = match changing.first() {
-            Some(first) if rests_while_another_acts(first) => contact_force(results, part),
+        match changing.first() {
+            Some(first) if rests_while_another_acts(first) => contact_force(),
             Some(first) => Some((*first).clone()),
             None => histories.first().cloned(),
-        };
-        chosen.unwrap_or_else(|| Self {
-            name: "step".into(),
-            unit: String::new(),
-            values: (1..=results.steps.len()).map(|step| step as f64).collect(),
-        })
+        }
     }
 
     /// Whether the steps differ in it.
@@ -160,18 +188,13 @@ pub(super) fn shared(results: &Results) -> Vec<(LoadScale, Vec<String>)> {
 
 const CONTACT_FORCE: &str = "contact force";
 
-/// The loads that act on `part`; without one, all.
-fn histories(results: &Results, part: Option<&ResultPart>) -> Vec<LoadScale> {
-    let loads = results.steps.first().map_or(&[][..], |step| &step.loads);
-    let acts = |index: &usize| part.is_none_or(|part| part.loads.contains(index));
+/// Of the loads `steps` of all steps, those whose index `acts` takes.
+fn histories(steps: &[&[LoadValue]], acts: impl Fn(&usize) -> bool) -> Vec<LoadScale> {
+    let loads = steps.first().copied().unwrap_or_default();
     let history = |(index, load): (usize, &LoadValue)| LoadScale {
         name: load.name.clone(),
         unit: load.unit.clone(),
-        values: results
-            .steps
-            .iter()
-            .map(|step| step.loads[index].value)
-            .collect(),
+        values: steps.iter().map(|loads| loads[index].value).collect(),
     };
     let own = loads.iter().enumerate().filter(|(index, _)| acts(index));
     own.map(history).collect()

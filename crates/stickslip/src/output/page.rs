@@ -99,7 +99,7 @@ fn summary(results: &Results) -> Vec<(String, String)> {
         add(name, value);
     }
     let largest = |load: &LoadScale, step| format!("{}, {}", load.name, load.step_text(step));
-    let one_load = shared(results).len() < 2;
+    let one_load = tables::has_one_load(results);
     if one_load {
         add("Largest load", largest(&load, step));
     }
@@ -233,14 +233,15 @@ fn notes(results: &Results) -> Vec<String> {
 
 fn steps_section(results: &Results) -> Section {
     let mut section = Section::new("Load steps");
+    let one_load = tables::has_one_load(results);
     for edge in EdgeView::all(results) {
         let table = if edge.geometry.contact {
-            let table = tables::contact_table(&edge, Detail::Full);
+            let table = tables::contact_table(&edge, one_load, Detail::Full);
             table
                 .note(extents_note(&edge))
                 .note("Solves are interface solves of all increments; balance is the unbalanced force over the load.")
         } else {
-            tables::stress_table(&edge)
+            tables::stress_table(&edge, one_load)
         };
         section = section.with(Block::Table(table));
     }

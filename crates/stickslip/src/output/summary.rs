@@ -56,9 +56,7 @@ pub(super) fn summary(results: &Results) -> Summary<'_> {
         wall_time_s,
         edge: EdgeView::main(results).map(|edge| edge.geometry.name.as_str()),
         edges: EdgeView::all(results).iter().map(edge).collect(),
-        steps: (0..results.steps.len())
-            .map(|step| step_entry(results, step))
-            .collect(),
+        steps: steps(results),
         failure: FailureView::all(results)
             .iter()
             .map(failure::summary::failure)
@@ -129,19 +127,47 @@ fn edge<'a>(view: &EdgeView<'a>) -> Edge<'a> {
     }
 }
 
-fn step_entry(results: &Results, index: usize) -> Step<'_> {
+fn steps(results: &Results) -> Vec<Step<'_>> {
+    let scale = LoadScale::of(results);
+    let edges: Vec<CountedEdge> = (EdgeView::all(results).into_iter())
+        .map(|view| {
+            let scale = view.load();
+            CountedEdge {
+                unloading: scale.unloading(),
+                scale,
+                view,
+            }
+        })
+        .collect();
+    (0..results.steps.len())
+        .map(|step| step_entry(results, &scale, &edges, step))
+        .collect()
+}
+
+/// An edge with what its steps are counted by.
+struct CountedEdge<'a> {
+    view: EdgeView<'a>,
+    scale: LoadScale,
+    unloading: Vec<bool>,
+}
+
+fn step_entry<'a>(
+    results: &'a Results,
+    scale: &LoadScale,
+    edges: &[CountedEdge<'a>],
+    index: usize,
+) -> Step<'a> {
     let step = &results.steps[index];
-    let further = EdgeView::all(results);
     let units = results.units;
     Step {
         number: index + 1,
-        load: load(&LoadScale::of(results), index),
+        load: load(scale, index),
         loads: step.loads.iter().map(named_load).collect(),
         unloading: step.unloading,
         edge: EdgeView::main(results).map(|edge| edge_step(&edge, index)),
-        edges: further
+        edges: edges
             .iter()
-            .map(|edge| (edge.geometry.name.as_str(), own_step(edge, index)))
+            .map(|edge| (edge.view.geometry.name.as_str(), own_step(edge, index)))
             .collect(),
         iterations: step.work.solves,
         pivots: step.work.pivots,
@@ -178,12 +204,11 @@ fn load(scale: &LoadScale, step: usize) -> Option<Quantity> {
     })
 }
 
-fn own_step(view: &EdgeView<'_>, step: usize) -> OwnEdgeStep {
-    let scale = view.load();
+fn own_step(edge: &CountedEdge<'_>, step: usize) -> OwnEdgeStep {
     OwnEdgeStep {
-        load: load(&scale, step),
-        unloading: scale.unloading()[step],
-        edge: edge_step(view, step),
+        load: load(&edge.scale, step),
+        unloading: edge.unloading[step],
+        edge: edge_step(&edge.view, step),
     }
 }
 

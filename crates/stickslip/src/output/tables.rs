@@ -21,14 +21,15 @@ use fit::fitted;
 pub(super) fn terminal(results: &Results, width: usize) -> String {
     let edges = EdgeView::all(results);
     let contacts: Vec<_> = edges.iter().filter(|edge| edge.geometry.contact).collect();
+    let one_load = has_one_load(results);
     let mut text = String::new();
     if contacts.is_empty() {
         for edge in &edges {
-            text += &fitted(stress_table(edge), width);
+            text += &fitted(stress_table(edge, one_load), width);
         }
     }
     for edge in contacts {
-        text += &fitted(contact_table(edge, Detail::Brief), width);
+        text += &fitted(contact_table(edge, one_load, Detail::Brief), width);
     }
     for view in FailureView::all(results) {
         text += "\n";
@@ -61,32 +62,37 @@ pub(super) enum Detail {
 /// A column of a load-step table: heading, unit, and the cell of a step.
 type StepColumn<'a> = (String, String, Box<dyn Fn(usize) -> String + 'a>);
 
-/// One row per load step for a contact edge.
-pub(super) fn contact_table(edge: &EdgeView<'_>, detail: Detail) -> Table {
+/// Whether the steps of all edges are counted by the same load.
+pub(super) fn has_one_load(results: &Results) -> bool {
+    shared(results).len() < 2
+}
+
+/// One row per load step for a contact edge, with its load in the caption unless there is `one_load` for all.
+pub(super) fn contact_table(edge: &EdgeView<'_>, one_load: bool, detail: Detail) -> Table {
     let edge = *edge;
     let mut columns = load_columns(edge);
     columns.extend(extent_columns(edge));
     columns.extend(peak_columns(edge, detail));
     columns.extend(work_columns(edge, detail));
     let mut table = assembled(edge.results(), &columns);
-    table.caption = format!("Contact {}", captioned(&edge));
+    table.caption = format!("Contact {}", captioned(&edge, one_load));
     table
 }
 
-/// One row per load step for an edge without contact.
-pub(super) fn stress_table(edge: &EdgeView<'_>) -> Table {
+/// One row per load step for an edge without contact; `one_load` as for [`contact_table`].
+pub(super) fn stress_table(edge: &EdgeView<'_>, one_load: bool) -> Table {
     let edge = *edge;
     let mut columns = load_columns(edge);
     columns.extend(hoop_columns(edge));
     let mut table = assembled(edge.results(), &columns);
-    table.caption = format!("Edge {}", captioned(&edge));
+    table.caption = format!("Edge {}", captioned(&edge, one_load));
     table
 }
 
 /// The name of an edge, with the load that its table shows where those of other edges show others.
-fn captioned(edge: &EdgeView<'_>) -> String {
+fn captioned(edge: &EdgeView<'_>, one_load: bool) -> String {
     let (name, load) = (&edge.geometry.name, edge.load());
-    if load.is_load() && shared(edge.results()).len() > 1 {
+    if load.is_load() && !one_load {
         format!("'{name}', {}", in_sentence(&load.label()))
     } else {
         format!("'{name}'")

@@ -1,12 +1,14 @@
 //! The loads of a history in display units, and what they act on.
 
+use std::collections::BTreeSet;
+
 use crate::model::{self, Model};
 use crate::results::{LoadValue, ResultPart};
 use crate::scene::Scene;
-use crate::scene::schema::{Load, LoadKind, Ramp};
+use crate::scene::schema::{Hold, Load, LoadKind, Ramp, Substance};
 
 /// The loads at the end of the step `step`.
-pub(super) fn at_step(scene: &Scene, step: usize) -> Vec<LoadValue> {
+pub(crate) fn at_step(scene: &Scene, step: usize) -> Vec<LoadValue> {
     scene
         .loads
         .iter()
@@ -37,6 +39,34 @@ pub(super) fn parts(scene: &Scene, model: &Model) -> Vec<ResultPart> {
         }
     };
     groups.map(part).collect()
+}
+
+/// Names of the bodies in the independent part of `scene` that holds its contact with the index `contact`, before there is a model.
+pub(crate) fn linked_by(scene: &Scene, contact: usize) -> BTreeSet<&str> {
+    let pairs: Vec<[&str; 2]> = (scene.contacts.iter())
+        .map(|contact| [&contact.first.body, &contact.second.body].map(|name| name.as_str()))
+        .collect();
+    let mut linked: BTreeSet<&str> = pairs.get(contact).into_iter().flatten().copied().collect();
+    loop {
+        let passes = |name: &&str| linked.contains(*name) && !is_held(scene, name);
+        let reached = pairs.iter().filter(|ends| ends.iter().any(passes));
+        let further: BTreeSet<&str> = reached.flatten().copied().collect();
+        if further.is_subset(&linked) {
+            return linked;
+        }
+        linked.extend(further);
+    }
+}
+
+/// Whether `body` is rigid and held along both axes, so that nothing acts on one contact through it to another.
+fn is_held(scene: &Scene, body: &str) -> bool {
+    let rigid = (scene.bodies.get(body)).is_some_and(|body| body.substance == Substance::Rigid);
+    let own = scene.supports.iter().filter(|held| held.on.body == body);
+    let held = own.fold([false; 2], |held, support| match support.hold {
+        Hold::Axes(axes) => [held[0] || axes.x, held[1] || axes.y],
+        Hold::Direction(_) => [true; 2],
+    });
+    rigid && held == [true; 2]
 }
 
 /// The value of a load in display units.

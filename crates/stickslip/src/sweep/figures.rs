@@ -12,7 +12,7 @@ use stickslip_report::svg::Svg;
 
 use super::Sweep;
 use super::axis::Axis;
-use super::row::{Row, load_unit};
+use super::row::Row;
 use super::verdict::ORDER;
 use crate::output::short;
 use crate::results::JointMode;
@@ -179,7 +179,7 @@ impl View<'_> {
             mark: "–".to_owned(),
             color: Color::rgb(0xdd, 0xdd, 0xdd),
         });
-        let unit = load_unit(&self.sweep.scene);
+        let unit = &self.sweep.load_unit;
         let cell = |x, y| match self.row(x, y) {
             Some(row) => match row.joint() {
                 Some(joint) => Cell {
@@ -227,7 +227,7 @@ impl View<'_> {
             .numbers
             .as_ref()
             .filter(|numbers| numbers.len() > 1)?;
-        let unit = load_unit(&self.sweep.scene);
+        let unit = &self.sweep.load_unit;
         let mut chart = LineChart::new(
             "Failure loads",
             FigureAxis::linear(x_axis.title()),

@@ -5,7 +5,7 @@ use stickslip_report::table::{Column, Table};
 
 use super::engine::Effort;
 use super::figures::Drawing;
-use super::row::{Measures, Outcome, Row, load_unit};
+use super::row::{Measures, Outcome, Row};
 use super::verdict::ORDER;
 use super::{Sweep, verdict};
 use crate::output::short;
@@ -165,7 +165,7 @@ fn axes(sweep: &Sweep) -> Table {
 
 fn cases(sweep: &Sweep, rows: &[Row]) -> Table {
     let unit = |axis: &super::axis::Axis| axis.unit.map_or("", |unit| unit.name);
-    let (load, stress) = (load_unit(&sweep.scene), sweep.scene.display.stress.name);
+    let (load, stress) = (sweep.load_unit.as_str(), sweep.scene.display.stress.name);
     let mut columns: Vec<Column> = sweep
         .axes
         .iter()

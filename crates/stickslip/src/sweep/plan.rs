@@ -48,6 +48,8 @@ pub struct Sweep {
     pub plate: String,
     /// Name of the body in the hole.
     pub pin: String,
+    /// Unit of the loads of all cases: that of what the steps of the joint are counted by.
+    pub load_unit: String,
     /// Criterion of the failure load and mode on the characteristic curve; `None` where the scene asks for no curve.
     pub criterion: Option<String>,
     /// Axes along x and y of maps, where there are as many.

@@ -4,8 +4,6 @@ use super::Sweep;
 use super::axis::tidy;
 use crate::output::LoadScale;
 use crate::results::{BodyFailure, FirstPly, JointMode, LoadValue, Results};
-use crate::scene::Scene;
-use crate::scene::schema::LoadKind;
 
 /// A case.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,7 +43,7 @@ pub enum Outcome {
 /// The numbers of a case. Contact and stresses are those of the load step with the largest load.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Measures {
-    /// The load of that step, in [`load_unit`].
+    /// The load of that step, in [`Sweep::load_unit`].
     pub load: Option<f64>,
     /// Largest contact pressure of the joint.
     pub peak_pressure: Option<f64>,
@@ -62,7 +60,7 @@ pub struct Measures {
 /// The first ply to fail.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlyFailure {
-    /// Its load, in [`load_unit`].
+    /// Its load, in [`Sweep::load_unit`].
     pub load: Option<f64>,
     /// Its direction, with its name where there are several plies.
     pub ply: String,
@@ -79,7 +77,7 @@ pub struct PlyFailure {
 /// Failure on the characteristic curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JointLoad {
-    /// Its load, in [`load_unit`].
+    /// Its load, in [`Sweep::load_unit`].
     pub load: Option<f64>,
     /// That load over D t; `None` where the load is no force.
     pub bearing_stress: Option<f64>,
@@ -91,16 +89,6 @@ pub struct JointLoad {
     pub reached: bool,
 }
 
-/// Unit of the loads of a sweep's scene: that of its first load.
-pub fn load_unit(scene: &Scene) -> &'static str {
-    match scene.loads.first().map(|load| &load.kind) {
-        None | Some(LoadKind::Force { .. } | LoadKind::Bearing { .. }) => scene.display.force.name,
-        Some(LoadKind::Pressure { .. }) => scene.display.stress.name,
-        Some(LoadKind::PolarTraction { .. }) => "1",
-        Some(LoadKind::Temperature { .. }) => "K",
-    }
-}
-
 impl Measures {
     /// The numbers of a solved case of `sweep`; each to twelve digits, as tables have them.
     pub fn of(results: &Results, sweep: &Sweep) -> Self {
@@ -108,9 +96,8 @@ impl Measures {
         let Some(step) = scale.peak_step() else {
             return Self::default();
         };
-        let unit = load_unit(&sweep.scene);
         let value = |load: Option<&LoadValue>| {
-            load.filter(|load| load.unit == unit)
+            load.filter(|load| load.unit == sweep.load_unit)
                 .map(|load| tidy(load.value))
         };
         let stress = |value: f64| tidy(results.units.stress.from_base(value));
@@ -179,7 +166,7 @@ fn joint(
         .edges
         .get(sweep.contact)
         .and_then(|edge| edge.bearing_area);
-    let force = load.filter(|_| load_unit(&sweep.scene) == units.force.name);
+    let force = load.filter(|_| sweep.load_unit == units.force.name);
     let bearing = force
         .zip(area)
         .map(|(load, area)| load * units.force.in_base / area);

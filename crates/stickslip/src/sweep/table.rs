@@ -19,7 +19,7 @@ use std::io::Write;
 
 use stickslip_report::plain::{csv_cell, csv_text};
 
-use super::row::{JointLoad, Measures, Outcome, PlyFailure, Row, load_unit};
+use super::row::{JointLoad, Measures, Outcome, PlyFailure, Row};
 use super::{Sweep, SweepError};
 use crate::results::JointMode;
 
@@ -40,7 +40,7 @@ const MODES: [JointMode; 5] = [
 /// Headings of the table of `sweep`.
 pub fn headings(sweep: &Sweep) -> Vec<String> {
     let stress = sweep.scene.display.stress.name;
-    let load = load_unit(&sweep.scene);
+    let load = &sweep.load_unit;
     let mut headings = vec!["case".to_owned()];
     headings.extend(sweep.axes.iter().map(super::axis::Axis::heading));
     headings.extend([

@@ -4,7 +4,6 @@ use super::Sweep;
 use super::row::{JointLoad, Row};
 use crate::output::short;
 use crate::results::JointMode;
-use crate::sweep::row::load_unit;
 
 /// The modes from bearing to net tension.
 pub(super) const ORDER: [JointMode; 5] = [
@@ -106,7 +105,7 @@ fn extremes(sweep: &Sweep, failed: &[(usize, &JointLoad)]) -> Option<String> {
         .clone()
         .min_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
     let most = loads.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
-    let unit = load_unit(&sweep.scene);
+    let unit = &sweep.load_unit;
     let say = |(case, load, mode): (usize, f64, JointMode)| {
         format!(
             "{} {unit} by {} ({})",

@@ -131,3 +131,23 @@ fn a_force_of_another_size_than_the_load_is_reported() {
         "{page}"
     );
 }
+
+/// Why the load says nothing of the force's size, and what would.
+#[test]
+fn a_force_that_no_load_checks_is_told_with_its_remedy() {
+    let folder = folder_with(&[]);
+    let path = folder.path();
+    succeeds(path, &["init", "experiment", "mine.toml"]);
+    let told = |set: &[&str]| {
+        let summary = summary(path, "mine.toml", [-10, 110], set);
+        let texts = [&summary["warnings"], &summary["notes"]].map(ToString::to_string);
+        texts.concat()
+    };
+    let words = told(&["states.0.load=0 N"]);
+    assert!(
+        words.contains("is not checked, for the load is zero")
+            && words.contains("A state whose load is not that of its null field would show them")
+            && !words.contains("State load"),
+        "{words}"
+    );
+}

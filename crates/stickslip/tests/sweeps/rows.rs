@@ -172,3 +172,36 @@ fn a_case_whose_law_does_not_mirror_is_modelled_whole() {
     assert!(matches!(after_a_half, Outcome::Solved(_)));
     assert_eq!(after_a_half, outcome("\"45 deg\", \"0 deg\"", &[0]));
 }
+
+/// Another joint's load, in megapascals and before the joint's own, leaves the row of the joint as it is.
+#[test]
+fn loads_are_those_of_the_joint_of_the_sweep() {
+    let alone = read(&folder_with(SWEEP));
+    let folder = folder_with(SWEEP);
+    let path = folder.path().join("joint.toml");
+    let text = std::fs::read_to_string(&path).unwrap();
+    let spare = r#"[bodies.spare]
+material = "aluminium"
+thickness = "1 mm"
+shape.plate_with_hole = { hole_radius = "3 mm", outline.ring.radius = "12 mm" }
+[[supports]]
+on = "spare.outer"
+fix = ["x", "y"]
+[[loads]]
+on = "spare.hole"
+pressure.steps = ["1 MPa", "2 MPa", "3 MPa", "4 MPa", "5 MPa", "6 MPa"]
+[[loads]]
+name = "pull"
+"#;
+    let pull = "[[loads]]\nname = \"pull\"\n";
+    assert!(text.contains(pull));
+    std::fs::write(&path, text.replace(pull, spare)).unwrap();
+    let beside = read(&folder);
+    assert_eq!((&*alone.load_unit, &*beside.load_unit), ("N", "N"));
+    assert_eq!(table::headings(&alone), table::headings(&beside));
+    let [alone, beside] = [&alone, &beside].map(|sweep| solved(sweep, &[3]));
+    let [alone, beside] = [&alone, &beside].map(|rows| rows[0].measures().unwrap());
+    let joint = beside.joint.as_ref().unwrap();
+    assert!(joint.load.is_some() && joint.bearing_stress.is_some());
+    assert_eq!(alone, beside);
+}

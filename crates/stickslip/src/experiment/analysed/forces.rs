@@ -150,7 +150,7 @@ pub(super) fn entry(experiment: &Experiment, found: &Analysed) -> Value {
             "load": unit.from_base(own.load),
             "ratio": own.force / own.load,
         })),
-        "load_not_checked": load.as_ref().err(),
+        "load_not_checked": load.as_ref().err().map(|cause| cause.why()),
         "x": x[0],
         "x_deviation": x[1],
         "y": y[0],

@@ -51,23 +51,76 @@ impl LoadCheck {
     }
 }
 
+/// Why the force on an edge and the load of its state are not compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NotCompared {
+    /// The state has no load.
+    NoLoad,
+    /// The load is that of the null field.
+    ZeroLoad,
+    /// The scene has other loads or contacts.
+    OtherLoads,
+    /// No pressure exceeds its uncertainty.
+    NoContact,
+    /// Noise hides where the contact ends.
+    Noise,
+    /// Neither end of the contact is in sight.
+    NoEnd,
+    /// The direction of the force contradicts the bearing point.
+    DoubtfulBearing,
+    /// The bearing point is out of sight.
+    HiddenBearing,
+}
+
+impl NotCompared {
+    /// In words.
+    pub fn why(self) -> &'static str {
+        match self {
+            Self::NoLoad => "no load is stated",
+            Self::ZeroLoad => "the load is zero",
+            Self::OtherLoads => "other loads or contacts of the scene take part",
+            Self::NoContact => "no pressure on it exceeds its uncertainty",
+            Self::Noise => "noise hides where the contact ends",
+            Self::NoEnd => "neither end of the contact is in sight",
+            Self::DoubtfulBearing => "the bearing point is doubtful",
+            Self::HiddenBearing => "the bearing point is out of sight",
+        }
+    }
+
+    /// What makes a check of it.
+    fn remedy(self) -> &'static str {
+        match self {
+            Self::NoLoad => {
+                "State load, with a region that holds an end of the contact, or edge_force"
+            }
+            Self::ZeroLoad => "A state whose load is not that of its null field would show them",
+            Self::OtherLoads => "State edge_force: what of them crosses this edge",
+            Self::NoContact | Self::Noise => {
+                "State edge_force, or take pictures with less noise or more load"
+            }
+            Self::NoEnd | Self::HiddenBearing => {
+                "State edge_force, or take a region that holds an end of the contact and the bearing point"
+            }
+            Self::DoubtfulBearing => "Check identify.bearing, or state edge_force",
+        }
+    }
+}
+
 impl Analysed {
     /// Compares the force on the edge with the load of the state.
     ///
     /// # Errors
-    /// In words why they cannot be compared.
-    pub fn load_check(&self, experiment: &Experiment) -> Result<LoadCheck, &'static str> {
+    /// Why they cannot be compared.
+    pub fn load_check(&self, experiment: &Experiment) -> Result<LoadCheck, NotCompared> {
         let (load, above_null) = load(experiment, self.state)?;
-        let contact = self
-            .contact()
-            .ok_or("no pressure on it exceeds its uncertainty")?;
-        let sight = (self.sight()).ok_or("noise hides where the contact ends")?;
+        let contact = self.contact().ok_or(NotCompared::NoContact)?;
+        let sight = (self.sight()).ok_or(NotCompared::Noise)?;
         if sight.ends == [false; 2] {
-            return Err("neither end of the contact is in sight");
+            return Err(NotCompared::NoEnd);
         }
         let stated = experiment.identify.bearing;
         if (self.bearing_check(stated)).is_some_and(|check| check.fails()) {
-            return Err("the bearing point is doubtful");
+            return Err(NotCompared::DoubtfulBearing);
         }
         let bearing = self.bearing(&contact, stated);
         let from = sight.turned(&self.angle, bearing);
@@ -76,7 +129,7 @@ impl Analysed {
         let [start, end] = [first, last].map(|k| from(self.angle[k]));
         let gap = start.max(-end).max(0.0);
         if gap > HIDDEN {
-            return Err("the bearing point is out of sight");
+            return Err(NotCompared::HiddenBearing);
         }
         let is_seen = |at: f64| {
             let turns = [at - TAU, at, at + TAU];
@@ -130,12 +183,12 @@ fn radius(experiment: &Experiment) -> f64 {
 }
 
 /// Load since the null field, and whether that is not known to be free of load.
-fn load(experiment: &Experiment, state: usize) -> Result<(f64, bool), &'static str> {
+fn load(experiment: &Experiment, state: usize) -> Result<(f64, bool), NotCompared> {
     let plan = &experiment.states[state];
-    let load = plan.load.ok_or("no load is stated")?;
+    let load = plan.load.ok_or(NotCompared::NoLoad)?;
     let scene = experiment.specimen.scene.as_ref();
     if scene.is_some_and(|own| own.scene.loads.len() > 1 || own.scene.contacts.len() > 1) {
-        return Err("other loads or contacts of the scene take part");
+        return Err(NotCompared::OtherLoads);
     }
     let null = match &plan.null {
         None => Some(0.0),
@@ -146,7 +199,7 @@ fn load(experiment: &Experiment, state: usize) -> Result<(f64, bool), &'static s
     if load > 0.0 {
         Ok((load, null.is_none()))
     } else {
-        Err("the load is zero")
+        Err(NotCompared::ZeroLoad)
     }
 }
 
@@ -186,7 +239,8 @@ pub(super) fn unchecked(experiment: &Experiment, found: &Analysed) -> Option<Str
     let is_known = found.checks.force.iter().any(Option::is_some);
     let why = found.load_check(experiment).err().filter(|_| !is_known)?;
     Some(format!(
-        "the size of the force on the edge is not checked, for {why}: wrong units of thickness, moduli or displacements would not show. State \
-         load or edge_force, with a region that holds an end of the contact.",
+        "the size of the force on the edge is not checked, for {}: wrong units of thickness, moduli or displacements would not show. {}.",
+        why.why(),
+        why.remedy()
     ))
 }

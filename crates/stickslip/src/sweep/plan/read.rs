@@ -11,6 +11,7 @@ use sha2::{Digest as _, Sha256};
 use super::{Base, Sweep, VERSION, joint};
 use crate::diagnostic::{SceneError, SceneProblem, SourceText, nearest};
 use crate::limits::{Content, Limits};
+use crate::output::LoadScale;
 use crate::scene::Format;
 use crate::scene::document::{Document, Part};
 use crate::scene::read::Reader;
@@ -45,6 +46,7 @@ pub(super) fn sweep(
     let contact = joint::contact(&scene, &read.joint, &document)?;
     let criterion = joint::criterion(&scene, &read.joint, &document)?;
     let pair = &scene.contacts[contact];
+    let unit = LoadScale::unit_of_contact(&scene, contact);
     let stem = Path::new(&source_name).file_stem();
     let sweep = Sweep {
         title: read
@@ -59,6 +61,7 @@ pub(super) fn sweep(
         source_name,
         axes,
         contact,
+        load_unit: unit.unwrap_or_else(|| scene.display.force.name.to_owned()),
         criterion,
         scene,
         base,
