@@ -44,7 +44,7 @@ pub(super) fn parts(scene: &Scene, model: &Model) -> Vec<ResultPart> {
 /// Names of the bodies in the independent part of `scene` that holds its contact with the index `contact`, before there is a model.
 pub(crate) fn linked_by(scene: &Scene, contact: usize) -> BTreeSet<&str> {
     let pairs: Vec<[&str; 2]> = (scene.contacts.iter())
-        .map(|contact| [&contact.first.body, &contact.second.body].map(|name| name.as_str()))
+        .map(|contact| [&contact.first.body, &contact.second.body].map(String::as_str))
         .collect();
     let mut linked: BTreeSet<&str> = pairs.get(contact).into_iter().flatten().copied().collect();
     loop {

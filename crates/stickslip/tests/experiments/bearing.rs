@@ -119,35 +119,24 @@ fn a_force_of_another_size_than_the_load_is_reported() {
         let keys = ["thickness", "moduli", "load", "displacement_scale"];
         assert!(keys.iter().all(|key| words.contains(key)), "{words}");
     }
-    // Without a load nothing is compared, and a note says so.
+    // Without a load nothing is compared, and a note says so and what would check it.
+    let page = || std::fs::read_to_string(path.join("mine-results/index.html")).unwrap();
+    told(half, &["states.0.load=0 N"]);
+    let text = page();
+    assert!(
+        text.contains("not checked, for the load is zero")
+            && text.contains("A state whose load is not that of its null field")
+            && !text.contains("State load"),
+        "{text}"
+    );
     let file = path.join("mine.toml");
     let text = std::fs::read_to_string(&file).unwrap();
     std::fs::write(&file, text.replace("\nload = ", "\n# load = ")).unwrap();
     let (ratio, words) = told(half, &["specimen.thickness=1.524 in"]);
     assert_eq!((ratio, words), (None, None));
-    let page = std::fs::read_to_string(path.join("mine-results/index.html")).unwrap();
+    let text = page();
     assert!(
-        page.contains("not checked, for no load is stated"),
-        "{page}"
-    );
-}
-
-/// Why the load says nothing of the force's size, and what would.
-#[test]
-fn a_force_that_no_load_checks_is_told_with_its_remedy() {
-    let folder = folder_with(&[]);
-    let path = folder.path();
-    succeeds(path, &["init", "experiment", "mine.toml"]);
-    let told = |set: &[&str]| {
-        let summary = summary(path, "mine.toml", [-10, 110], set);
-        let texts = [&summary["warnings"], &summary["notes"]].map(ToString::to_string);
-        texts.concat()
-    };
-    let words = told(&["states.0.load=0 N"]);
-    assert!(
-        words.contains("is not checked, for the load is zero")
-            && words.contains("A state whose load is not that of its null field would show them")
-            && !words.contains("State load"),
-        "{words}"
+        text.contains("not checked, for no load is stated") && text.contains("State load, with"),
+        "{text}"
     );
 }
