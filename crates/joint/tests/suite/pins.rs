@@ -61,7 +61,7 @@ fn counted_from(
 }
 
 /// A rigid pin that a force of 1 N pushes, ½ N on the half model.
-fn pushed(_: &Plate, rigid: RigidBody) -> JointBody {
+fn pushed(rigid: &RigidBody) -> JointBody {
     use stickslip_fem_core::InterfaceOperator;
     let points = rigid.points().to_vec();
     JointBody::Rigid(RigidBody::sliding(points, [true, false], &[[0.5, 0.0]]))
@@ -149,7 +149,7 @@ fn a_driven_elastic_pin_balances_energy() {
 /// around the driven pin of steel is near.
 #[test]
 fn a_pushed_rigid_pin_ends_at_the_strength() {
-    let pushed = joint(pushed, 0);
+    let pushed = joint(|_, rigid| pushed(&rigid), 0);
     let history = follow(&pushed, 4000.0);
     for record in &history.records {
         assert!((record.load / record.multipliers[0] - 1.0).abs() < 1e-9);
@@ -168,7 +168,10 @@ fn a_pushed_rigid_pin_ends_at_the_strength() {
 #[test]
 fn the_free_travel_changes_no_strength() {
     let of = |free_travel| {
-        let history = follow(&counted_from(pushed, 0, free_travel), 4000.0);
+        let history = follow(
+            &counted_from(|_, rigid| pushed(&rigid), 0, free_travel),
+            4000.0,
+        );
         let failed = history.first_failure().unwrap().displacement + free_travel;
         (history.strength().unwrap(), history.records.len(), failed)
     };
