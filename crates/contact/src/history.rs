@@ -6,6 +6,7 @@ mod increment;
 mod merged;
 mod otherwise;
 mod recovery;
+mod travel;
 
 use nalgebra::DVector;
 use rayon::prelude::*;
@@ -22,6 +23,8 @@ use crate::uniqueness::uniqueness_bound;
 pub use increment::Increment;
 pub use otherwise::{Difference, Missing, Otherwise};
 pub use recovery::{Cycle, FailedAttempts, Recovery};
+use travel::parting;
+pub use travel::travelled;
 
 /// How the load grows within the first load step, from nothing; later steps are always linear.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -392,12 +395,19 @@ impl Walk {
         quickly: bool,
         multipliers: &[f64],
     ) -> Result<(), StepFailure> {
-        let step = Step::new(problem, &self.state, multipliers);
+        let ends = [&*self.state.multipliers, multipliers];
+        let travelled = travelled(problem, &self.state, ends);
+        let start = travelled.as_ref().unwrap_or(&self.state);
+        let step = Step::new(problem, start, multipliers);
         let solution = if quickly {
             solver.try_quickly(&step)?
         } else {
             solver.solve(&step)?
         };
+        if let Some(parting) = parting(problem, start, multipliers, &solution.trial.forces) {
+            self.advance(problem, solver, quickly, &parting)?;
+            return self.advance(problem, solver, quickly, multipliers);
+        }
         self.coefficient = step.largest_coefficient(&solution.trial);
         let increment = Increment::accept(&step, solution.trial);
         self.work += solution.work;
@@ -413,7 +423,7 @@ impl Walk {
         self.dissipation += increment.dissipation;
         let (state, slip) = (increment.state, increment.slip);
         self.loose.extend(loose_pairs(problem, &state));
-        let sliding = sliding_pairs(problem, &self.state, &state, &slip);
+        let sliding = sliding_pairs(problem, start, &state, &slip);
         self.sliding.extend(sliding);
         self.slip += slip;
         self.state = state;

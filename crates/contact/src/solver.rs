@@ -45,6 +45,9 @@ mod tresca;
 
 use thiserror::Error;
 
+pub(crate) use balance::{balanced_by, settled};
+pub(crate) use chain::released;
+
 pub use active_set::{SemismoothNewton, StatusIteration};
 pub use augmented::AugmentedLagrangian;
 pub use chain::Chain;

@@ -17,7 +17,7 @@ use std::sync::Arc;
 
 use stickslip_contact::solver::{StepSolution, Work};
 use stickslip_contact::state::TrialState;
-use stickslip_contact::{InterfaceProblem, InterfaceSolver, StepRecord};
+use stickslip_contact::{ContactState, InterfaceProblem, InterfaceSolver, StepRecord};
 use stickslip_fem_core::InterfaceOperator;
 use stickslip_fem_core::material::apply;
 use stickslip_laminate::progressive::PointState;
@@ -148,6 +148,8 @@ struct Linear {
 pub(crate) struct Solving<'a> {
     joint: &'a Joint,
     start: &'a JointState,
+    /// Contact at the start, after the free travel of bodies that do not bear yet; known from the first linearisation on.
+    origin: Option<ContactState>,
     multipliers: &'a [f64],
     manner: Manner,
     parts: Vec<Part<'a>>,
@@ -190,6 +192,7 @@ impl<'a> Solving<'a> {
         Self {
             joint,
             start,
+            origin: None,
             multipliers,
             manner,
             parts: bodies.map(part).collect(),
@@ -201,6 +204,11 @@ impl<'a> Solving<'a> {
             residuals: Vec::new(),
             work: Work::default(),
         }
+    }
+
+    /// The state that contact comes from.
+    fn origin(&self) -> &ContactState {
+        self.origin.as_ref().unwrap_or(&self.start.contact)
     }
 
     fn histories(&self) -> impl Iterator<Item = &Working<'a>> {

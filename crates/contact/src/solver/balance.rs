@@ -12,6 +12,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::FreeMotions;
 use super::step::Step;
 use stickslip_friction::{History, PointStatus};
 
@@ -19,21 +20,57 @@ use stickslip_friction::{History, PointStatus};
 const NEGLIGIBLE: f64 = 1e-9;
 /// Square of the largest penetration over the way out of it, up to which that way is rounding of there being none.
 const WAY_OUT: f64 = 1e-8;
+/// Clearances to the place along a load from which that of its least potential is sought.
+const FAR: f64 = 1e4;
+/// Largest way to where a load comes to rest, in clearances.
+const MOST_CLEARANCES: f64 = 4.0;
 
 /// The rigid motions nearest to the last accepted ones at which nothing penetrates, without contact forces; `None` if loads push
-/// floating bodies, or if there are none (least distance programming: Lawson & Hanson 1974, chapter 23).
+/// floating bodies, or if there are none.
 pub(super) fn clear(step: &Step<'_>) -> Option<DVector<f64>> {
-    let here = &step.committed.rigid;
-    if here.is_empty() || step.mode_load.amax() > 0.0 {
+    let pushed = step.mode_load.amax() > 0.0;
+    (!pushed)
+        .then(|| nearest_clear(step, &step.committed.rigid))
+        .flatten()
+}
+
+/// The rigid motions at which the load `push` `[force]` comes to rest without friction and deformation, the bodies of `step` being without
+/// contact forces. `None` if it does not come to rest within the clearance. What no normal resists does not move.
+pub(crate) fn settled(step: &Step<'_>, push: &DVector<f64>) -> Option<DVector<f64>> {
+    let (problem, here) = (step.problem, &step.committed.rigid);
+    let normals = (0..step.count()).map(|k| 2 * k);
+    let push = match FreeMotions::of(problem, normals) {
+        Some(free) => push - free.projector * push,
+        None => push.clone(),
+    };
+    let units = units(step);
+    let direction = push.component_mul(&units).component_mul(&units);
+    let gaps = step.motion(&DVector::zeros(2 * step.count()), here);
+    let clearance = (0..step.count()).fold(0.0, |most: f64, k| most.max(gaps[2 * k]));
+    let speed = (problem.modes() * &direction).amax();
+    // Of all places that are clear, the one nearest to a far one along the load is that of its least potential.
+    let far = here + direction * (FAR * clearance / speed);
+    let rest = far
+        .iter()
+        .all(|amount| amount.is_finite())
+        .then(|| nearest_clear(step, &far))??;
+    let way = (problem.modes() * (&rest - here)).amax();
+    (way <= MOST_CLEARANCES * clearance).then_some(rest)
+}
+
+/// The rigid motions nearest to `place` at which nothing penetrates, without contact forces (least distance programming: Lawson &
+/// Hanson 1974, chapter 23).
+fn nearest_clear(step: &Step<'_>, place: &DVector<f64>) -> Option<DVector<f64>> {
+    if place.is_empty() {
         return None;
     }
-    let motion = step.motion(&DVector::zeros(2 * step.count()), here);
+    let motion = step.motion(&DVector::zeros(2 * step.count()), place);
     let largest = (0..step.count()).fold(0.0, |most: f64, k| most.max(-motion[2 * k]));
     if largest <= 0.0 {
         return None;
     }
     let units = units(step);
-    let motions = here.len();
+    let motions = place.len();
     // Minimal |x| with G x ≥ h, from the remainder of [Gᵀ; hᵀ] z = (0, …, 0, 1).
     let edges = DMatrix::from_fn(motions + 1, step.count(), |row, k| {
         if row < motions {
@@ -47,7 +84,7 @@ pub(super) fn clear(step: &Step<'_>) -> Option<DVector<f64>> {
     let remainder = nearest(&edges, &wanted);
     let last = -remainder[motions];
     (last > WAY_OUT)
-        .then(|| here + remainder.rows(0, motions).component_mul(&units) * (largest / last))
+        .then(|| place + remainder.rows(0, motions).component_mul(&units) * (largest / last))
 }
 
 /// Translations and rotations have different units: the amount of each rigid motion that moves a point by 1 at most.
@@ -74,6 +111,18 @@ pub(super) fn impossible(step: &Step<'_>) -> Option<(DVector<f64>, bool)> {
     let remainder = nearest(&edges, &load);
     let proved = (0..step.count()).all(|k| step.problem.law(k).is_linear());
     proves(&edges, &load, &remainder).then(|| (remainder.component_mul(&units), proved))
+}
+
+/// Whether contact forces in the friction cones of `points` balance the load of `step`.
+pub(crate) fn balanced_by(step: &Step<'_>, points: &[usize]) -> bool {
+    let units = units(step);
+    let columns: Vec<usize> = points.iter().flat_map(|&k| [2 * k, 2 * k + 1]).collect();
+    let mut edges = cone_edges(step).select_columns(&columns);
+    for (mut row, unit) in edges.row_iter_mut().zip(&units) {
+        row *= *unit;
+    }
+    let load = step.mode_load.component_mul(&units);
+    nearest(&edges, &load).norm() <= NEGLIGIBLE * load.norm()
 }
 
 /// Whether along `remainder` the load does work and no edge of the cones works against it: checked, because the search for

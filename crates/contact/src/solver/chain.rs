@@ -177,7 +177,7 @@ fn after(failure: StepFailure, mut solution: StepSolution) -> StepSolution {
 }
 
 /// The state without any contact force, with the bodies where they are, or as near to there as they can be without penetration.
-fn released(step: &Step<'_>) -> Option<StepSolution> {
+pub(crate) fn released(step: &Step<'_>) -> Option<StepSolution> {
     let here = &step.committed.rigid;
     released_at(step, here).or_else(|| released_at(step, &clear(step)?))
 }

@@ -144,7 +144,7 @@ impl Solving<'_> {
         self.released += jumps.sum::<f64>();
 
         let multipliers = with_correction(self.multipliers);
-        let step = Step::new(&linear.problem, &self.start.contact, &multipliers);
+        let step = Step::new(&linear.problem, self.origin(), &multipliers);
         let solution = linear.solution;
         let coefficient = step.largest_coefficient(&solution.trial);
         let increment = Increment::accept(&step, solution.trial);
@@ -154,7 +154,7 @@ impl Solving<'_> {
             loose: loose_pairs(&linear.problem, &increment.state),
             sliding: sliding_pairs(
                 &linear.problem,
-                &self.start.contact,
+                self.origin(),
                 &increment.state,
                 &increment.slip,
             ),

@@ -1,6 +1,7 @@
 //! One linearisation of all bodies, and what it leaves out of balance.
 
 use nalgebra::DVector;
+use stickslip_contact::history::travelled;
 use stickslip_contact::solver::Step;
 use stickslip_contact::state::TrialState;
 use stickslip_contact::{InterfaceProblem, InterfaceSolver};
@@ -23,7 +24,11 @@ impl<'a> Solving<'a> {
         let faces: Vec<_> = operators.iter().map(Operator::interface).collect();
         let problem = InterfaceProblem::new(&faces, self.joint.pairs.clone())?;
         let multipliers = with_correction(self.multipliers);
-        let mut step = Step::new(&problem, &self.start.contact, &multipliers);
+        if self.origin.is_none() {
+            let from = with_correction(&self.start.multipliers);
+            self.origin = travelled(&problem, &self.start.contact, [&from, &multipliers]);
+        }
+        let mut step = Step::new(&problem, self.origin(), &multipliers);
         if let Some(guess) = guess {
             step = step.near(guess);
         }

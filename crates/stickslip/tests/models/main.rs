@@ -7,6 +7,7 @@ mod halves;
 mod mortar;
 mod remarks;
 mod several;
+mod travel;
 mod unbalanced;
 
 use std::path::Path;

@@ -1,0 +1,119 @@
+//! Bodies that travel freely before they touch.
+//!
+//! An increment takes the way of each point as one: what a pin moves through its clearance before it bears would count as slip under the
+//! forces at the end. So bodies that do not bear where the load presses them are brought there first, without force and without slip.
+//!
+//! ```text
+//! loads on floating bodies     where they come to rest, without friction and deformation
+//! driven bodies                the largest part of the increment in which nothing needs to be pressed
+//! ```
+
+use nalgebra::DVector;
+
+use crate::problem::InterfaceProblem;
+use crate::solver::{Step, balanced_by, released, settled};
+use crate::state::{ContactState, Status};
+
+/// Part of an increment in which driven bodies travel nowhere.
+const NOWHERE: f64 = 1e-6;
+/// Parts of an increment at which driven bodies may be free of each other.
+const PARTS: u32 = 16;
+/// Gaps up to this part of the largest are closed, forces and loads up to this part of the largest are none.
+const CLOSED: f64 = 1e-9;
+/// Halvings in search of the part at which driven bodies touch.
+const HALVINGS: usize = 30;
+
+/// The state from which friction counts in the increment from `committed`, at the load multipliers `from`, to `target`: `committed` with its
+/// bodies moved to where they begin to bear. `None` where there are contact forces, or nothing travels.
+pub fn travelled(
+    problem: &InterfaceProblem,
+    committed: &ContactState,
+    [from, target]: [&[f64]; 2],
+) -> Option<ContactState> {
+    if committed.forces.amax() > 0.0 {
+        return None;
+    }
+    let at = |part: f64| between(from, target, part);
+    let whole = Step::new(problem, committed, target);
+    if whole.mode_load().amax() > 0.0 {
+        if balanced_by(&whole, &closed(committed)) {
+            return None;
+        }
+        let still = Step::new(problem, committed, from);
+        let rest = settled(&still, whole.mode_load())?;
+        return Some(moved(&still, committed, rest));
+    }
+    let without_force = |part: f64| {
+        let multipliers = at(part);
+        let step = Step::new(problem, committed, &multipliers);
+        released(&step).map(|solution| moved(&step, committed, solution.trial.rigid))
+    };
+    if without_force(1.0).is_some() {
+        return None;
+    }
+    let (mut free, mut pressed, mut last) = (0.0, 1.0, None);
+    for _ in 0..HALVINGS {
+        let middle = f64::midpoint(free, pressed);
+        match without_force(middle) {
+            Some(state) => (free, last) = (middle, Some(state)),
+            None => pressed = middle,
+        }
+    }
+    last.filter(|_| free > NOWHERE)
+}
+
+/// Multipliers on the way from `start` to `target` at which nothing is pressed, if no point that was pressed is so in the state `end` there: bodies
+/// that leave one side and come to bear on another one travel in between.
+pub(super) fn parting(
+    problem: &InterfaceProblem,
+    start: &ContactState,
+    target: &[f64],
+    end: &DVector<f64>,
+) -> Option<Vec<f64>> {
+    let pressed = |forces: &DVector<f64>, k: usize| forces[2 * k] > CLOSED * forces.amax();
+    let stays = |k: usize| pressed(&start.forces, k) && pressed(end, k);
+    if start.forces.amax() == 0.0 || end.amax() == 0.0 || (0..start.status.len()).any(stays) {
+        return None;
+    }
+    let at = |part: f64| between(&start.multipliers, target, part);
+    let [before, after] = [&start.multipliers, target].map(|load| problem.mode_load(load));
+    let turn = &after - &before;
+    if turn.norm() > 0.0 {
+        let part = -before.dot(&turn) / turn.norm_squared();
+        let rest = problem.mode_load(&at(part)).norm() <= CLOSED * turn.norm();
+        return (rest && part > CLOSED && part < 1.0 - CLOSED).then(|| at(part));
+    }
+    let free = |part: &f64| {
+        let multipliers = at(*part);
+        released(&Step::new(problem, start, &multipliers)).is_some()
+    };
+    (1..PARTS)
+        .map(|part| f64::from(part) / f64::from(PARTS))
+        .find(free)
+        .map(at)
+}
+
+fn between(from: &[f64], target: &[f64], part: f64) -> Vec<f64> {
+    let ends = from.iter().zip(target);
+    ends.map(|(from, to)| (1.0 - part) * from + part * to)
+        .collect()
+}
+
+/// The points that are closed.
+fn closed(state: &ContactState) -> Vec<usize> {
+    let count = state.status.len();
+    let largest = (0..count).fold(0.0, |most: f64, k| most.max(state.gap(k).abs()));
+    (0..count)
+        .filter(|&k| state.gap(k) <= CLOSED * largest)
+        .collect()
+}
+
+fn moved(step: &Step<'_>, committed: &ContactState, rigid: DVector<f64>) -> ContactState {
+    let forces = DVector::zeros(2 * step.count());
+    ContactState {
+        motion: step.total_motion(step.motion(&forces, &rigid)),
+        rigid,
+        status: vec![Status::Open; step.count()],
+        ..committed.clone()
+    }
+}
