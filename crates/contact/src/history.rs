@@ -23,7 +23,7 @@ use crate::uniqueness::uniqueness_bound;
 pub use increment::Increment;
 pub use otherwise::{Difference, Missing, Otherwise};
 pub use recovery::{Cycle, FailedAttempts, Recovery};
-use travel::parting;
+use travel::parts;
 pub use travel::travelled;
 
 /// How the load grows within the first load step, from nothing; later steps are always linear.
@@ -332,6 +332,7 @@ struct Walk {
     solutions: Option<usize>,
     loose: Vec<usize>,
     sliding: Vec<usize>,
+    parted: bool,
     coefficient: f64,
     increments: usize,
     cutbacks: usize,
@@ -355,6 +356,7 @@ impl Walk {
             solutions: None,
             loose: Vec::new(),
             sliding: Vec::new(),
+            parted: false,
             coefficient: 0.0,
             increments: 0,
             cutbacks: 0,
@@ -404,10 +406,7 @@ impl Walk {
         } else {
             solver.solve(&step)?
         };
-        if let Some(parting) = parting(problem, start, multipliers, &solution.trial.forces) {
-            self.advance(problem, solver, quickly, &parting)?;
-            return self.advance(problem, solver, quickly, multipliers);
-        }
+        self.parted |= parts(&start.forces, &solution.trial.forces);
         self.coefficient = step.largest_coefficient(&solution.trial);
         let increment = Increment::accept(&step, solution.trial);
         self.work += solution.work;
@@ -445,6 +444,7 @@ impl Walk {
             solutions: self.solutions,
             loose: self.loose,
             sliding: self.sliding,
+            parted: self.parted,
             coefficient: self.coefficient,
             uniqueness: None,
             increments: self.increments,
@@ -479,6 +479,8 @@ pub struct StepRecord {
     pub loose: Vec<usize>,
     /// Pairs whose slip friction leaves undetermined in an increment, as by [`sliding_pairs`].
     pub sliding: Vec<usize>,
+    /// Whether contact parted and bore elsewhere in one increment: what bodies travelled in between is counted as slip.
+    pub parted: bool,
     /// Largest coefficient of friction of the points in contact at its end (dimensionless).
     pub coefficient: f64,
     /// Estimate of the coefficient up to which its end has one solution, as by [`uniqueness_bound`]; made once in a history,

@@ -343,6 +343,7 @@ fn reported(
     notes.extend(remarks::of_freedom(model, &solved.interface));
     notes.extend(doubts::of_looseness(model, &solved.records));
     notes.extend(doubts::of_sliding(model, &solved.records));
+    notes.extend(doubts::of_parting(&solved.records));
     notes.extend(doubts::of_ripples(model, &solved));
     let mut choices = model.choices.clone();
     choices.push(solver_choice(scene.analysis.solver));

@@ -36,6 +36,7 @@ impl Interface {
             solutions: None,
             loose: Vec::new(),
             sliding: Vec::new(),
+            parted: false,
             coefficient: 0.0,
             uniqueness: None,
             increments: 0,
@@ -101,6 +102,7 @@ fn add(whole: &mut StepRecord, part: &Part, record: &StepRecord) {
     let numbered = |own: &usize| pairs[*own];
     whole.loose.extend(record.loose.iter().map(numbered));
     whole.sliding.extend(record.sliding.iter().map(numbered));
+    whole.parted |= record.parted;
     whole.coefficient = whole.coefficient.max(record.coefficient);
     whole.increments = whole.increments.max(record.increments);
     whole.cutbacks += record.cutbacks;

@@ -16,9 +16,7 @@ use crate::state::{ContactState, Status};
 
 /// Part of an increment in which driven bodies travel nowhere.
 const NOWHERE: f64 = 1e-6;
-/// Parts of an increment at which driven bodies may be free of each other.
-const PARTS: u32 = 16;
-/// Gaps up to this part of the largest are closed, forces and loads up to this part of the largest are none.
+/// Gaps up to this part of the largest are closed, forces up to this part of the largest are none.
 const CLOSED: f64 = 1e-9;
 /// Halvings in search of the part at which driven bodies touch.
 const HALVINGS: usize = 30;
@@ -62,35 +60,12 @@ pub fn travelled(
     last.filter(|_| free > NOWHERE)
 }
 
-/// Multipliers on the way from `start` to `target` at which nothing is pressed, if no point that was pressed is so in the state `end` there: bodies
-/// that leave one side and come to bear on another one travel in between.
-pub(super) fn parting(
-    problem: &InterfaceProblem,
-    start: &ContactState,
-    target: &[f64],
-    end: &DVector<f64>,
-) -> Option<Vec<f64>> {
+/// Whether contact parts and bears elsewhere between the forces `before` and `after`: no point that was pressed still is. What bodies travel
+/// in between then counts as slip.
+pub(super) fn parts(before: &DVector<f64>, after: &DVector<f64>) -> bool {
     let pressed = |forces: &DVector<f64>, k: usize| forces[2 * k] > CLOSED * forces.amax();
-    let stays = |k: usize| pressed(&start.forces, k) && pressed(end, k);
-    if start.forces.amax() == 0.0 || end.amax() == 0.0 || (0..start.status.len()).any(stays) {
-        return None;
-    }
-    let at = |part: f64| between(&start.multipliers, target, part);
-    let [before, after] = [&start.multipliers, target].map(|load| problem.mode_load(load));
-    let turn = &after - &before;
-    if turn.norm() > 0.0 {
-        let part = -before.dot(&turn) / turn.norm_squared();
-        let rest = problem.mode_load(&at(part)).norm() <= CLOSED * turn.norm();
-        return (rest && part > CLOSED && part < 1.0 - CLOSED).then(|| at(part));
-    }
-    let free = |part: &f64| {
-        let multipliers = at(*part);
-        released(&Step::new(problem, start, &multipliers)).is_some()
-    };
-    (1..PARTS)
-        .map(|part| f64::from(part) / f64::from(PARTS))
-        .find(free)
-        .map(at)
+    let stays = |k: usize| pressed(before, k) && pressed(after, k);
+    before.amax() > 0.0 && after.amax() > 0.0 && !(0..before.len() / 2).any(stays)
 }
 
 fn between(from: &[f64], target: &[f64], part: f64) -> Vec<f64> {
@@ -112,6 +87,7 @@ fn moved(step: &Step<'_>, committed: &ContactState, rigid: DVector<f64>) -> Cont
     let forces = DVector::zeros(2 * step.count());
     ContactState {
         motion: step.total_motion(step.motion(&forces, &rigid)),
+        forces,
         rigid,
         status: vec![Status::Open; step.count()],
         ..committed.clone()

@@ -2,6 +2,7 @@
 
 use nalgebra::{DMatrix, DVector, Matrix2, Rotation2};
 use proptest::prelude::*;
+use stickslip_contact::history::travelled;
 use stickslip_contact::state::TrialState;
 use stickslip_contact::{ContactPair, ContactPoint, ContactState, InterfaceProblem};
 use stickslip_fem_core::{GivenBody, InterfaceOperator, RigidBody};
@@ -54,6 +55,8 @@ proptest! {
         let problem = scene.problem();
         let mut state = ContactState::unloaded(&problem);
         for (record, multipliers) in scene.follow(1).iter().zip(&scene.steps) {
+            let ends = [&*state.multipliers, multipliers];
+            state = travelled(&problem, &state, ends).unwrap_or(state);
             let conditions = Conditions::new(&problem, &state, multipliers);
             let trial = TrialState {
                 forces: record.state.forces.clone(),

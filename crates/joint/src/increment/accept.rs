@@ -158,6 +158,7 @@ impl Solving<'_> {
                 &increment.state,
                 &increment.slip,
             ),
+            parted: false,
             state: increment.state,
             work: self.work,
             residuals: increment.residuals,

@@ -231,3 +231,14 @@ pub(super) fn of_sliding(model: &Model, records: &[StepRecord]) -> Vec<String> {
     };
     (0..model.pairs.len()).filter_map(note).collect()
 }
+
+/// Says where contact parts and bears elsewhere within one increment.
+pub(super) fn of_parting(records: &[StepRecord]) -> Option<String> {
+    let rubs = |record: &StepRecord| record.parted && record.coefficient > 0.0;
+    let which = steps_where(records, rubs)?;
+    Some(format!(
+        "In an increment of load step {which} contact parts and bears elsewhere: what the bodies travel in between counts as slip, and friction has \
+         the direction of that way. Give a step without load in between (steps = [\"1 kN\", \"0 N\", \"-1 kN\"]), from which only the way under \
+         force counts."
+    ))
+}
