@@ -341,6 +341,7 @@ fn reported(
     notes.extend(remarks::of_steps(scene, &geometries, &steps));
     notes.extend(doubts::of_steps(model, &steps));
     notes.extend(remarks::of_freedom(model, &solved.interface));
+    notes.extend(remarks::of_reserve(scene));
     notes.extend(doubts::of_looseness(model, &solved.records));
     notes.extend(doubts::of_sliding(model, &solved.records));
     notes.extend(doubts::of_parting(&solved.records));

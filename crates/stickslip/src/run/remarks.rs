@@ -164,6 +164,18 @@ fn wanders(scene: &Scene, edge: &EdgeGeometry, steps: &[&EdgeResults]) -> Option
     })
 }
 
+/// Says that reserve factors multiply interference too.
+pub(super) fn of_reserve(scene: &Scene) -> Option<String> {
+    let pressed = scene.contacts.iter().filter(|contact| contact.interference);
+    let names = quoted(pressed.map(|contact| contact.name.as_str()));
+    (scene.failure.is_some() && !names.is_empty()).then(|| {
+        format!(
+            "Reserve factors multiply the interference of {names} with the loads: a load of first failure beyond the last step is no prediction. \
+             Raise the loads until a reserve factor falls to 1."
+        )
+    })
+}
+
 /// Says which bodies move as a whole without resistance, so that where they stand is not unique.
 pub(super) fn of_freedom(model: &Model, interface: &Interface) -> Vec<String> {
     let of_part = |part: &Part| {

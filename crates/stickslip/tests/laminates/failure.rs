@@ -224,3 +224,20 @@ fn without_load_nothing_fails() {
     assert!(results.failure[0].first_ply.iter().all(Option::is_none));
     assert!(results.failure[0].steps[0][0].reserve_factor.is_infinite());
 }
+
+/// A reserve factor multiplies all that presses the pin, which is no factor on the load where interference does.
+#[test]
+fn reserve_factors_beside_interference_are_told_of() {
+    let said = |changes: &[&str]| {
+        let results = solved(PIN, changes);
+        let about = |note: &&String| note.contains("multiply the interference");
+        results.notes.iter().filter(about).count()
+    };
+    assert_eq!(said(&["mesh.spacing=15 deg"]), 0);
+    let tight = [
+        "mesh.spacing=15 deg",
+        "contacts.0.interference=true",
+        "bodies.pin.shape.disk.radius=5.01 mm",
+    ];
+    assert_eq!(said(&tight), 1);
+}

@@ -194,7 +194,7 @@ pub(crate) fn steps(view: &FailureView<'_>) -> Table {
     });
     table
         .note(
-            "RF multiplies all loads of the step, at fixed contact; the stress of the cure stays.",
+            "RF multiplies all loads of the step, given displacements and interference among them, at fixed contact; the stress of the cure stays.",
         )
         .note(leading)
 }

@@ -295,7 +295,7 @@ impl Builder<'_> {
         if let Some((index, load)) = beside {
             let along = axis.name();
             let message = format!(
-                "load '{}' does not act on {on} along {along}: a drive replaces the load on the driven set along its axis, and applies no other",
+                "load '{}' does not act on {on} along {along} alone: a drive replaces the load on the driven set along its axis, and applies no other",
                 load.name
             );
             let turned = match axis {
