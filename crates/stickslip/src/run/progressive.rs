@@ -141,7 +141,7 @@ impl<'a> Subject<'a> {
             .ok_or_else(|| refused(ProgressiveRunError::NoPin { body: body() }))?;
         let joint = |bodies| {
             Joint::new(bodies, model.pairs.clone(), reading.gauge)
-                .and_then(|joint| joint.with_options(self.options()))
+                .and_then(|joint| joint.with_options(self.options(model.half)))
         };
         let steps = model.history.steps();
         let mut most = (0.0, Vec::new());
@@ -201,19 +201,21 @@ impl<'a> Subject<'a> {
         Ok(told)
     }
 
-    fn options(&self) -> Options {
-        match self.asked.control {
-            Control::Loads { increments } => Options {
-                increments,
-                ..Options::default()
-            },
+    fn options(&self, half: bool) -> Options {
+        let usual = Options::default();
+        // What fails in a half fails twice in the whole.
+        let burst = if half { usual.burst } else { 2 * usual.burst };
+        let (increments, residual_load) = match self.asked.control {
+            Control::Loads { increments } => (increments, usual.residual_load),
             Control::Displacement {
                 increments, drop, ..
-            } => Options {
-                increments,
-                residual_load: 1.0 - drop,
-                ..Options::default()
-            },
+            } => (increments, 1.0 - drop),
+        };
+        Options {
+            increments,
+            residual_load,
+            burst,
+            ..usual
         }
     }
 

@@ -89,7 +89,10 @@ pub(super) fn build(
     };
     let failure = builder.failure(format, &materials, &surroundings);
     builder.everything_is_held(&contacts, &supports, &platens);
-    builder.something_happens(&contacts, &supports, &loads);
+    let driven = failure.as_ref().is_some_and(Failure::is_driven);
+    if !driven {
+        builder.something_happens(&contacts, &supports, &loads);
+    }
     let Builder {
         findings, bodies, ..
     } = builder;

@@ -308,6 +308,37 @@ fn a_drive_passes_the_clearance_in_any_increments() {
     }
 }
 
+/// A drive needs no load to say where the pin bears.
+#[test]
+fn a_drive_alone_is_followed() {
+    let changes = ["mesh.spacing=\"22.5 deg\"", "loads=[]"];
+    let results = run(&scene("joint-net-tension.toml", &changes), &mut |_| {}).unwrap();
+    let alone = results.failure[0].progressive.as_ref().unwrap();
+    let changes = ["mesh.spacing=\"22.5 deg\""];
+    let results = run(&scene("joint-net-tension.toml", &changes), &mut |_| {}).unwrap();
+    let beside = results.failure[0].progressive.as_ref().unwrap();
+    assert_eq!(alone.peak_load(), beside.peak_load());
+}
+
+/// Under loads the half and the whole are cut where equal numbers of plies fail on either side.
+#[test]
+fn under_loads_the_half_is_as_the_whole() {
+    let strength = |model: &str| {
+        let model = format!("analysis.model=\"{model}\"");
+        let changes = [
+            "mesh.spacing=\"10 deg\"",
+            "failure.progressive.control={loads={increments=10}}",
+            &model,
+        ];
+        let results = run(&scene("joint-net-tension.toml", &changes), &mut |_| {}).unwrap();
+        let joint = results.failure[0].progressive.as_ref().unwrap();
+        (joint.peak_load(), joint.curve.len())
+    };
+    let (half, whole) = (strength("half"), strength("whole"));
+    println!("{half:?} {whole:?}");
+    assert!((half.0 / whole.0 - 1.0).abs() < 1e-6 && half.1 == whole.1);
+}
+
 /// The turned square joint, loaded by increments.
 fn turned(direction: [f64; 2], pulled: &str, angle: f64) -> ProgressiveFailure {
     let [x, y] = direction;

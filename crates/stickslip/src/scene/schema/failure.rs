@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::Progressive;
+use super::{Control, Progressive};
 use serde::{Deserialize, Serialize};
 use stickslip_laminate::{Degradation, FailureCriterion};
 
@@ -21,6 +21,14 @@ pub struct Failure {
     pub envelopes: Option<Envelopes>,
     /// Failure of a joint, followed until its load path is lost.
     pub progressive: Option<Progressive>,
+}
+
+impl Failure {
+    /// Whether a joint is followed by a drive, which needs no load.
+    pub fn is_driven(&self) -> bool {
+        let control = self.progressive.as_ref().map(|asked| &asked.control);
+        matches!(control, Some(Control::Displacement { .. }))
+    }
 }
 
 /// Characteristic distances from the edge of a hole.
