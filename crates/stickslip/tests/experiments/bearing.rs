@@ -140,3 +140,18 @@ fn a_force_of_another_size_than_the_load_is_reported() {
         "{text}"
     );
 }
+
+/// Displacements of the wrong sign pull at the edge, as no contact does.
+#[test]
+fn an_edge_in_tension_is_reported() {
+    let folder = folder_with(&[]);
+    let path = folder.path();
+    succeeds(path, &["init", "experiment", "mine.toml"]);
+    let told = |set: &[&str]| {
+        let summary = summary(path, "mine.toml", [-10, 110], set);
+        warning(&summary, "and no contact pulls").map(str::to_owned)
+    };
+    assert_eq!(told(&[]), None);
+    let words = told(&["states.0.table.reversed=[true,true]"]).unwrap();
+    assert!(words.contains("table.reversed"), "{words}");
+}

@@ -197,6 +197,24 @@ impl Analysed {
         Some(first..last + 1)
     }
 
+    /// The place of the largest tension `[index]`, if it is beyond doubt, of the size of the other stresses, and more than any pressure: no
+    /// contact pulls.
+    pub fn pull(&self) -> Option<usize> {
+        let inner = self.inner();
+        let [deviation, _] = self.deviations();
+        let pressure = &self.tractions.pressure;
+        let by_pressure = |a: &usize, b: &usize| pressure[*a].total_cmp(&pressure[*b]);
+        let (most, least) = (
+            inner.clone().max_by(by_pressure)?,
+            inner.clone().min_by(by_pressure)?,
+        );
+        let hoop = inner.map(|k| self.hoop[k].abs()).fold(0.0, f64::max);
+        let others = (CONTACT[0] * deviation[least])
+            .max(OPEN * hoop)
+            .max(pressure[most]);
+        (-pressure[least] > others).then_some(least)
+    }
+
     /// The bearing point of `contact` `[rad]`: the one that is `stated`, or θ = 0 unless all of the contact is in sight and bears
     /// elsewhere.
     pub fn bearing(&self, contact: &Range<usize>, stated: Option<f64>) -> f64 {

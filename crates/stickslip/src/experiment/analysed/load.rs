@@ -203,6 +203,23 @@ fn load(experiment: &Experiment, state: usize) -> Result<(f64, bool), NotCompare
     }
 }
 
+/// An edge that is pulled, as no contact does.
+pub(super) fn pulled(experiment: &Experiment, found: &Analysed) -> Option<String> {
+    // Beside a field under more load contact is relieved.
+    if experiment.states[found.state].null.is_some() {
+        return None;
+    }
+    let place = found.pull()?;
+    let stress = experiment.display.stress;
+    Some(format!(
+        "the edge bears a tension of {} {} at θ = {:.0}°, more than any pressure, and no contact pulls: check the signs of the displacements \
+         (table.reversed, the sense of the fringe orders) and which state is the unloaded one.",
+        short(-stress.from_base(found.tractions.pressure[place])),
+        stress.name,
+        found.angle[place].to_degrees(),
+    ))
+}
+
 /// A load that the force on the edge contradicts.
 pub(super) fn doubt(experiment: &Experiment, found: &Analysed) -> Option<String> {
     let check = found.load_check(experiment).ok().filter(LoadCheck::fails)?;

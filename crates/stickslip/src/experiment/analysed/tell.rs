@@ -136,6 +136,7 @@ fn state(experiment: &Experiment, found: &Analysed, truth: &[TruePlace], story: 
         .into_iter()
         .chain(forces::doubts(experiment, found))
         .chain(load::doubt(experiment, found))
+        .chain(load::pulled(experiment, found))
         .chain(picture::doubts(experiment, found))
     {
         story.warn(format!("State '{name}': {warning}"));
