@@ -20,6 +20,12 @@ pub(super) const OPEN: &[Open] = &[
     },
     Open {
         kind: "scenes",
+        check: "rescaled",
+        seeds: &[659],
+        reason: "hoop stresses of 2e-3 MPa differ by 5e-10: rounding of thermal stresses of 12 MPa that the tolerance does not know",
+    },
+    Open {
+        kind: "scenes",
         check: "half and whole",
         seeds: &[1451],
         reason: "pivoting alone ends on a ray, where a body floats no proof of anything; the same scene is solved with solver = auto",

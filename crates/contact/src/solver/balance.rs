@@ -48,12 +48,14 @@ pub(crate) fn settled(step: &Step<'_>, push: &DVector<f64>) -> Option<DVector<f6
     let gaps = step.motion(&DVector::zeros(2 * step.count()), here);
     let clearance = (0..step.count()).fold(0.0, |most: f64, k| most.max(gaps[2 * k]));
     let speed = (problem.modes() * &direction).amax();
-    // Of all places that are clear, the one nearest to a far one along the load is that of its least potential.
-    let far = here + direction * (FAR * clearance / speed);
-    let rest = far
-        .iter()
-        .all(|amount| amount.is_finite())
-        .then(|| nearest_clear(step, &far))??;
+    let reach = direction * (clearance / speed);
+    if !reach.iter().all(|amount| amount.is_finite()) {
+        return None;
+    }
+    // Of all places that are clear, the one nearest to a far one along the load is that of its least potential; from a near one the digits that the
+    // far one costs are found again.
+    let rest = nearest_clear(step, &(here + &reach * FAR))?;
+    let rest = nearest_clear(step, &(rest + reach))?;
     let way = (problem.modes() * (&rest - here)).amax();
     (way <= MOST_CLEARANCES * clearance).then_some(rest)
 }
