@@ -3,6 +3,7 @@
 use std::fmt::{self, Debug, Display, Write as _};
 use std::path::Path;
 
+use stickslip::host::HOST;
 use stickslip::results::Results;
 use stickslip::run::{self, RunError};
 use stickslip::scene::{Format, Scene};
@@ -175,12 +176,13 @@ impl Draft {
 
     /// The scene, checked.
     pub fn scene(&self) -> Scene {
-        Scene::from_text(
+        Scene::from_text_on(
             self.text,
             Format::Toml,
             "draft.toml",
             Path::new(""),
             &self.overrides,
+            HOST,
         )
         .unwrap_or_else(|error| panic!("{error}:\n{self:?}"))
     }

@@ -21,11 +21,11 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use clap::Args;
+use stickslip::folder::FolderError;
 use stickslip_fem_core::mesh::ElementKind;
 use stickslip_laboratory::LaboratoryError;
 use stickslip_laboratory::problems::Problem;
 use stickslip_report::FigureError;
-use stickslip_report::folder::FolderError;
 use thiserror::Error;
 
 use bench::{Bench, Cost, Quantity};
@@ -67,12 +67,18 @@ pub(crate) enum Trouble {
         path: PathBuf,
         cause: std::io::Error,
     },
+    /// A picture could not be turned into pixels or written.
+    #[error(transparent)]
+    Picture(Box<dyn std::error::Error + Send + Sync>),
     /// The folder or a file in it could not be written.
     #[error(transparent)]
     Folder(#[from] FolderError),
     /// A table could not be read or written.
     #[error("{}: {cause}", path.display())]
     Csv { path: PathBuf, cause: csv::Error },
+    /// The page could not be made.
+    #[error(transparent)]
+    Page(#[from] minijinja::Error),
     /// Another program could not be run.
     #[error("{0}")]
     Peer(String),
@@ -142,7 +148,7 @@ fn charts(options: &Options) -> Result<String, Trouble> {
     folder.write("work-precision.csv", &data::csv(charts.bench.samples())?)?;
     folder.write("peers.csv", &peers::csv(&charts.peers)?)?;
     draw(&mut folder, &charts)?;
-    folder.write("README.md", text::page(&charts).as_bytes())?;
+    folder.write("README.md", text::page(&charts)?.as_bytes())?;
     unsolved(&charts.bench)?;
     eprintln!("charts, data and page are in {}", folder.path().display());
     Ok(text::short(&charts))

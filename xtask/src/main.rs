@@ -2,7 +2,9 @@
 //! what accuracy costs, `cargo xtask stability` where methods fail, `cargo xtask cosine` how wrong an assumed bearing load is,
 //! `cargo xtask shear-sign` which way friction points along a loaded hole, `cargo xtask mesh-dependence` what ply discount makes of a
 //! finer mesh, `cargo xtask hybrid-noise` what noise and bias are left in stresses from measured displacements, `cargo xtask
-//! closed-loop` how often friction from fringe pictures lies in its interval, `cargo xtask torture` what random cases break.
+//! closed-loop` how often friction from fringe pictures lies in its interval, `cargo xtask torture` what random cases break,
+//! `cargo xtask size` how long the code is, `cargo xtask same-answers` whether results are those of an
+//! earlier revision, `cargo xtask wasm` whether a WebAssembly runtime finds the same numbers.
 
 mod chart;
 mod closed_loop;
@@ -10,10 +12,14 @@ mod cosine;
 mod hybrid_noise;
 mod mesh_dependence;
 mod publish;
+mod same_answers;
 mod shear_sign;
+mod size;
 mod stability;
+mod study;
 mod torture;
 mod validate;
+mod wasm;
 
 use std::process::ExitCode;
 
@@ -45,8 +51,14 @@ enum Task {
     HybridNoise(publish::Options),
     /// Shows how the strength by ply discount depends on the mesh, and what crack bands mend.
     MeshDependence(publish::Options),
+    /// Compares the results of all shipped scenes with those of an earlier revision; fails if a number differs.
+    SameAnswers(same_answers::Options),
+    /// Counts lines of code of every crate; fails if a bound is exceeded.
+    Size,
     /// Tries random cases, and checks them by what holds whatever the answer is; fails if a check does.
     Torture(torture::Options),
+    /// Runs one scene in a WebAssembly runtime; fails if its laws or numbers differ from the native ones.
+    Wasm,
     /// Reads a batch of mutants; what `torture` starts in a process of its own.
     #[command(hide = true)]
     TortureReaders(torture::readers::Batch),
@@ -64,12 +76,15 @@ fn main() -> ExitCode {
         Task::Validate(options) => validate::main(&options),
         Task::Chart(options) => chart::main(&options),
         Task::Stability(options) => stability::main(&options),
-        Task::ClosedLoop(options) => closed_loop::main(&options),
-        Task::Cosine(options) => cosine::main(&options),
-        Task::ShearSign(options) => shear_sign::main(&options),
-        Task::HybridNoise(options) => hybrid_noise::main(&options),
-        Task::MeshDependence(options) => mesh_dependence::main(&options),
+        Task::ClosedLoop(options) => closed_loop::STUDY.main(&options),
+        Task::Cosine(options) => cosine::STUDY.main(&options),
+        Task::ShearSign(options) => shear_sign::STUDY.main(&options),
+        Task::HybridNoise(options) => hybrid_noise::STUDY.main(&options),
+        Task::MeshDependence(options) => mesh_dependence::STUDY.main(&options),
+        Task::SameAnswers(options) => same_answers::main(&options),
+        Task::Size => size::main(),
         Task::Torture(options) => torture::main(&options),
+        Task::Wasm => wasm::main(),
         Task::TortureReaders(batch) => torture::readers::child(&batch),
     }
 }

@@ -1,17 +1,15 @@
-//! What studies share: options, cases solved side by side, and the files that are written in the end.
+//! What tasks share: options of studies, cases solved side by side, and the files that are written in the end.
 
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
-use std::time::Instant;
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
-use stickslip_report::folder::{FolderError, SharedFolder, write_atomic};
+use stickslip::folder::{FolderError, SharedFolder, write_atomic};
 use stickslip_report::raster::{DEFAULT_SCALE, to_png};
 use stickslip_report::svg::Svg;
 
-/// Why a study stopped.
+/// Why a task stopped.
 pub(crate) type Trouble = Box<dyn std::error::Error + Send + Sync>;
 
 /// How much of a study is wanted, and where.
@@ -19,54 +17,10 @@ pub(crate) type Trouble = Box<dyn std::error::Error + Send + Sync>;
 pub(crate) struct Options {
     /// Few values on coarser meshes: at most a minute. Nothing is written unless a folder is named.
     #[arg(long)]
-    quick: bool,
-    /// Folder for table, pictures and page; the study's own below docs for a full run.
+    pub(crate) quick: bool,
+    /// Folder for tables and pictures; the study's own below docs for a full run.
     #[arg(long, value_name = "FOLDER")]
-    output: Option<PathBuf>,
-}
-
-/// A picture, the name of its files, and a text for readers without it.
-pub(crate) struct Picture {
-    pub(crate) name: &'static str,
-    pub(crate) svg: Svg,
-    pub(crate) alternative: &'static str,
-}
-
-/// What a study leaves behind.
-pub(crate) struct Publication {
-    /// Names and contents.
-    pub(crate) tables: Vec<(&'static str, Vec<u8>)>,
-    pub(crate) pictures: Vec<Picture>,
-    /// The page, in Markdown.
-    pub(crate) page: String,
-    /// What the terminal shows.
-    pub(crate) findings: String,
-}
-
-/// Runs a study, quick or full, that lives in `docs/{name}`: progress on stderr, findings on stdout.
-pub(crate) fn main(
-    name: &str,
-    options: &Options,
-    study: impl FnOnce(bool) -> Result<Publication, Trouble>,
-) -> ExitCode {
-    let start = Instant::now();
-    let outcome = study(options.quick).and_then(|publication| {
-        if let Some(mut published) = published(name, options)? {
-            write(&publication, &mut published)?;
-        }
-        Ok(publication.findings)
-    });
-    eprintln!("{:.0} s", start.elapsed().as_secs_f64());
-    match outcome {
-        Ok(text) => {
-            print!("{text}");
-            ExitCode::SUCCESS
-        }
-        Err(trouble) => {
-            eprintln!("{trouble}");
-            ExitCode::FAILURE
-        }
-    }
+    pub(crate) output: Option<PathBuf>,
 }
 
 /// A folder that a task writes its files into.
@@ -111,26 +65,25 @@ impl Published {
             Self::Named(folder) => folder.write(name, bytes),
         }
     }
-}
 
-fn published(name: &str, options: &Options) -> Result<Option<Published>, FolderError> {
-    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs");
-    let own = (!options.quick).then(|| docs.join(name));
-    Published::open(options.output.as_deref(), own)
-}
+    /// Writes a picture as PNG, and in a folder that the user named as SVG too: pages show the PNG.
+    pub(crate) fn write_picture(&mut self, name: &str, svg: &Svg) -> Result<(), Trouble> {
+        self.write_scaled(name, svg, DEFAULT_SCALE)
+    }
 
-fn write(publication: &Publication, folder: &mut Published) -> Result<(), Trouble> {
-    for (name, bytes) in &publication.tables {
-        folder.write(name, bytes)?;
+    /// Writes a picture as [`write_picture`](Self::write_picture) does, with `scale` pixels of the PNG to a pixel of the picture.
+    pub(crate) fn write_scaled(
+        &mut self,
+        name: &str,
+        svg: &Svg,
+        scale: f64,
+    ) -> Result<(), Trouble> {
+        if matches!(self, Self::Named(_)) {
+            self.write(&format!("{name}.svg"), svg.as_str().as_bytes())?;
+        }
+        let png = to_png(svg, scale)?;
+        Ok(self.write(&format!("{name}.png"), &png)?)
     }
-    for picture in &publication.pictures {
-        let svg = picture.svg.as_str().as_bytes();
-        folder.write(&format!("{}.svg", picture.name), svg)?;
-        let png = to_png(&picture.svg, DEFAULT_SCALE)?;
-        folder.write(&format!("{}.png", picture.name), &png)?;
-    }
-    folder.write("README.md", publication.page.as_bytes())?;
-    Ok(())
 }
 
 /// Solves `cases` on all cores with a bar of progress; the order of the results is that of the cases.
@@ -138,11 +91,7 @@ pub(crate) fn side_by_side<C: Sync, R: Send>(
     cases: &[C],
     solve: impl Fn(&C) -> Result<R, Trouble> + Sync,
 ) -> Result<Vec<R>, Trouble> {
-    let progress = ProgressBar::new(cases.len() as u64);
-    // The template is a constant that is known to parse; without a style the bar only looks plainer.
-    if let Ok(style) = ProgressStyle::with_template("{wide_bar} {pos}/{len} {elapsed}") {
-        progress.set_style(style);
-    }
+    let progress = bar("{wide_bar} {pos}/{len} {elapsed}", cases.len() as u64);
     let results = cases
         .par_iter()
         .map(|case| {
@@ -153,4 +102,14 @@ pub(crate) fn side_by_side<C: Sync, R: Send>(
         .collect();
     progress.finish_and_clear();
     results
+}
+
+/// A bar of progress on stderr, drawn by a template of `indicatif` that is known to parse.
+pub(crate) fn bar(template: &str, length: u64) -> ProgressBar {
+    let bar = ProgressBar::new(length);
+    // Without a style the bar only looks plainer.
+    match ProgressStyle::with_template(template) {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
 }

@@ -3,44 +3,62 @@
 //! Post and Reddy (1988, part I, 6.3) saw the shear on the edge of a (0/60/−60) plate change its sign at about 30° from the net section.
 //! Their joint is solved with all friction laws over their parameters, with moduli of the plies and smeared ones, and over lay-up,
 //! clearance and pin, loading and unloading; every load step is asked where the shear is reversed. The plies' transverse stresses along
-//! the edge are compared with the matrix cracks of 6.4. The task writes tables, charts and a page.
+//! the edge are compared with the matrix cracks of 6.4. Angles in tables are the report's: 90° − |θ|.
 
-pub(crate) mod case;
-mod crack;
+mod beneath;
 pub(crate) mod curve;
-mod depth;
-mod figures;
-mod findings;
-mod maps;
-mod page;
-mod plan;
 mod plies;
-mod study;
-mod tables;
+pub(crate) mod signs;
 
-use std::process::ExitCode;
+use toml::Table;
 
-use crate::publish::{self, Options, Publication, Trouble};
-use plan::Plan;
-use study::Study;
+use crate::study::record::{list, text};
+use crate::study::{Study, Trouble, solved_side_by_side};
 
-/// Runs the task.
-pub(crate) fn main(options: &Options) -> ExitCode {
-    publish::main("shear-sign", options, compare)
+pub(crate) const STUDY: Study = Study {
+    name: "shear-sign",
+    solve: |cases| solved_side_by_side(cases, rows),
+    complete: |_| {},
+};
+
+fn rows(case: &Table) -> Result<Vec<Table>, Trouble> {
+    match text(case, "table")? {
+        "beneath" => beneath::rows(case),
+        "plies" => plies::rows(case),
+        _ => signs::rows(case),
+    }
 }
 
-fn compare(quick: bool) -> Result<Publication, Trouble> {
-    let study = Study::of(if quick { Plan::quick() } else { Plan::full() })?;
-    let pictures = figures::all(&study)?;
-    let findings = [findings::all(&study), crack::findings(&study)].concat();
-    Ok(Publication {
-        tables: vec![
-            ("shear-sign.csv", tables::cases(&study)?),
-            ("beneath.csv", tables::beneath(&study)?),
-            ("plies.csv", tables::plies(&study)?),
-        ],
-        page: page::page(&study, &pictures),
-        pictures,
-        findings: findings.join("\n\n") + "\n",
-    })
+/// Load at the end of each step `[lbf]`.
+fn loads(case: &Table) -> Vec<f64> {
+    let texts = list(case, "loads").iter().filter_map(|load| load.as_str());
+    texts
+        .filter_map(|text| text.split(' ').next()?.parse().ok())
+        .collect()
+}
+
+/// The case as the beginning of a row, without what only the scene needs.
+fn begun(case: &Table) -> Table {
+    let mut row = case.clone();
+    for key in ["set", "loads"] {
+        row.remove(key);
+    }
+    row
+}
+
+/// The report's angle of |θ|, and back `[degree]`.
+fn of_report(angle: f64) -> f64 {
+    90.0 - angle
+}
+
+/// Places where the curve through `rows` of angle and shear passes zero.
+fn crossings(rows: &[[f64; 2]]) -> Vec<f64> {
+    let pairs = rows
+        .windows(2)
+        .filter(|pair| pair[0][1].signum() != pair[1][1].signum());
+    let place = |pair: &[[f64; 2]]| {
+        let part = pair[0][1] / (pair[0][1] - pair[1][1]);
+        pair[0][0] + part * (pair[1][0] - pair[0][0])
+    };
+    pairs.map(place).collect()
 }

@@ -1,7 +1,7 @@
 //! `cargo xtask stability`: the failure atlas. What is varied, what should happen, what each method did.
 //!
-//! Every study gives the methods problems with known or independently judged answers, and writes a table, pictures and a
-//! sentence. No method is asked how good its answer is: the conditions are checked by other code, and answers are compared with
+//! Every study gives the methods problems with known or independently judged answers. Its tables, pictures and findings are described
+//! in `studies/stability/study.toml`. No method is asked how good its answer is: the conditions are checked by other code, and answers are compared with
 //! exact ones, with all solutions by enumeration, or with finer models. The task fails if the default chain gives a wrong
 //! answer, leaves a supported problem unsolved, or another one without answer or proof.
 
@@ -16,7 +16,6 @@ mod mesh_quality;
 pub(crate) mod methods;
 mod outcome;
 mod penalty;
-mod picture;
 mod random;
 mod row;
 mod separation;
@@ -27,14 +26,17 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use rayon::prelude::*;
 use stickslip_report::svg::Svg;
+use toml::Table;
 
 use outcome::Outcome;
 use row::Row;
 
-use crate::publish::Published;
+use crate::publish::bar;
+use crate::study::Description;
+use crate::study::table::Tables;
 
 /// Why a study stopped.
 type Trouble = Box<dyn std::error::Error + Send + Sync>;
@@ -58,9 +60,7 @@ struct Study {
     /// Name of its files.
     name: &'static str,
     title: &'static str,
-    varied: &'static str,
-    expectation: &'static str,
-    run: fn(&Context) -> Result<Findings, Trouble>,
+    run: fn(&Context) -> Result<Found, Trouble>,
 }
 
 const STUDIES: [Study; 9] = [
@@ -108,64 +108,40 @@ impl Context {
 
 /// What a study found.
 #[derive(Default)]
-struct Findings {
+struct Found {
+    /// What methods did, whose outcomes are counted; what the table's name adds to the study's; and what is varied.
     rows: Vec<Row>,
-    /// Comma-separated tables, by what their names add to the study's.
-    tables: Vec<(&'static str, String)>,
-    /// Pictures, by what their names add to the study's, with a text for readers without them.
-    pictures: Vec<(&'static str, Svg, String)>,
-    /// What happened, in sentences beyond the counts of outcomes.
-    remarks: Vec<String>,
+    suffix: &'static str,
+    varied: &'static str,
+    /// Further tables, by what their names add to the study's.
+    more: Vec<(&'static str, Vec<Table>)>,
+    /// Pictures that no description can make, called as the study.
+    pictures: Vec<Svg>,
     /// What fails the task.
     failures: Vec<String>,
 }
 
-/// Runs the task: progress on stderr, a table of outcomes on stdout.
-pub(crate) fn main(options: &Options) -> ExitCode {
-    let start = Instant::now();
-    let wanted = |study: &&Study| {
-        options
-            .only
-            .as_ref()
-            .is_none_or(|name| study.name.contains(name.as_str()))
-    };
-    let chosen: Vec<&Study> = STUDIES.iter().filter(wanted).collect();
-    if chosen.is_empty() {
-        let names: Vec<&str> = STUDIES.iter().map(|study| study.name).collect();
-        eprintln!(
-            "no study has that in its name; the studies are {}",
-            names.join(", ")
-        );
-        return ExitCode::FAILURE;
-    }
-    let mut failures = Vec::new();
-    let mut results = Vec::new();
-    for study in chosen {
-        match observe(study, options.quick) {
-            Ok(findings) => {
-                let own = findings
-                    .failures
-                    .iter()
-                    .cloned()
-                    .chain(unanswered(study, &findings.rows));
-                failures.extend(own.map(|failure| format!("{}: {failure}", study.name)));
-                print!("{}", atlas::text(study, &findings));
-                results.push((study, findings));
-            }
-            Err(trouble) => failures.push(format!("{}: {trouble}", study.name)),
+impl Found {
+    fn of(varied: &'static str, rows: Vec<Row>) -> Self {
+        Self {
+            rows,
+            varied,
+            ..Self::default()
         }
     }
-    let all = !options.quick && options.only.is_none();
-    let own = all.then(|| PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/stability")));
-    let written = Published::open(options.output.as_deref(), own)
-        .map_err(Trouble::from)
-        .and_then(|folder| match folder {
-            Some(mut folder) => atlas::write(&mut folder, &results, options.only.is_none()),
-            None => Ok(()),
-        });
-    if let Err(trouble) = written {
-        failures.push(trouble.to_string());
+
+    /// With a further table of rows.
+    fn and(mut self, suffix: &'static str, varied: &str, rows: &[Row]) -> Self {
+        let records = rows.iter().map(|row| row.record(varied)).collect();
+        self.more.push((suffix, records));
+        self
     }
+}
+
+/// Runs the task: progress on stderr, outcomes and findings on stdout.
+pub(crate) fn main(options: &Options) -> ExitCode {
+    let start = Instant::now();
+    let failures = study(options).unwrap_or_else(|trouble| vec![trouble.to_string()]);
     for failure in &failures {
         eprintln!("FAIL {failure}");
     }
@@ -177,12 +153,66 @@ pub(crate) fn main(options: &Options) -> ExitCode {
     }
 }
 
-fn observe(study: &Study, quick: bool) -> Result<Findings, Trouble> {
-    let progress = ProgressBar::new(0);
-    // The template is a constant that is known to parse; without a style the bar only looks plainer.
-    if let Ok(style) = ProgressStyle::with_template("{msg:>28} {wide_bar} {pos}/{len} {elapsed}") {
-        progress.set_style(style);
+/// Makes and writes the chosen studies; what is wrong with them.
+fn study(options: &Options) -> Result<Vec<String>, Trouble> {
+    let only = options.only.as_deref().unwrap_or_default();
+    let chosen: Vec<&Study> = (STUDIES.iter())
+        .filter(|study| study.name.contains(only))
+        .collect();
+    if chosen.is_empty() {
+        let names: Vec<&str> = STUDIES.iter().map(|study| study.name).collect();
+        let names = names.join(", ");
+        return Err(format!("no study has that in its name; the studies are {names}").into());
     }
+    let description = Description::of("stability")?;
+    let is_full = !options.quick && options.only.is_none();
+    let mut folder = description.folder(options.output.as_deref(), is_full)?;
+    let mut failures = Vec::new();
+    let mut tables = Tables::new();
+    for study in chosen {
+        let found = match observe(study, options.quick) {
+            Ok(found) => found,
+            Err(trouble) => {
+                failures.push(format!("{}: {trouble}", study.name));
+                continue;
+            }
+        };
+        let own = found
+            .failures
+            .iter()
+            .cloned()
+            .chain(unanswered(study, &found.rows));
+        failures.extend(own.map(|failure| format!("{}: {failure}", study.name)));
+        print!("{}", atlas::text(study, &found.rows));
+        let outcomes = tables.entry("outcomes".to_owned()).or_default();
+        outcomes.extend(atlas::records(study, &found.rows));
+        if !found.rows.is_empty() {
+            let records = found
+                .rows
+                .iter()
+                .map(|row| row.record(found.varied))
+                .collect();
+            tables.insert(format!("{}{}", study.name, found.suffix), records);
+        }
+        for (suffix, records) in found.more {
+            tables.insert(format!("{}{suffix}", study.name), records);
+        }
+        if let Some(folder) = &mut folder {
+            for picture in &found.pictures {
+                folder.write_picture(study.name, picture)?;
+            }
+        }
+    }
+    let mut kept = description.write(&tables, folder)?;
+    for (name, rows) in tables {
+        kept.entry(name).or_insert(rows);
+    }
+    failures.extend(description.judge(&kept, is_full)?);
+    Ok(failures)
+}
+
+fn observe(study: &Study, quick: bool) -> Result<Found, Trouble> {
+    let progress = bar("{msg:>28} {wide_bar} {pos}/{len} {elapsed}", 0);
     progress.set_message(study.title);
     let context = Context { quick, progress };
     let findings = (study.run)(&context);

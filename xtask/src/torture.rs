@@ -22,10 +22,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
-use stickslip_report::folder::write_atomic;
+use stickslip::folder::write_atomic;
 
-use crate::publish::Trouble;
+use crate::publish::{Trouble, bar};
 use record::{Record, Run};
 use trial::{Counts, Failure, Kind};
 
@@ -168,7 +167,11 @@ fn tried(kind: &dyn Kind, options: &Options, time: Option<Duration>) -> (Run, Ve
         None => SEEDS,
     };
     let start = Instant::now();
-    let progress = bar(kind.name(), seeds.end - seeds.start);
+    let progress = bar(
+        "{prefix} {wide_bar} {pos}/{len} {elapsed}",
+        seeds.end - seeds.start,
+    )
+    .with_prefix(kind.name());
     let next = AtomicU64::new(seeds.start);
     let found = Mutex::new((Counts::default(), Vec::new()));
     let jobs = options
@@ -222,15 +225,6 @@ fn tried(kind: &dyn Kind, options: &Options, time: Option<Duration>) -> (Run, Ve
         },
         failures,
     )
-}
-
-fn bar(kind: &str, length: u64) -> ProgressBar {
-    let bar = ProgressBar::new(length).with_prefix(kind.to_owned());
-    // The template is a constant that is known to parse; without a style the bar only looks plainer.
-    if let Ok(style) = ProgressStyle::with_template("{prefix} {wide_bar} {pos}/{len} {elapsed}") {
-        bar.set_style(style);
-    }
-    bar
 }
 
 /// Writes the failures of `kind` and names them; whether all of them are known.

@@ -36,7 +36,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use clap::Args;
-use stickslip_report::folder::write_atomic;
+use stickslip::folder::write_atomic;
 
 use check::{Check, Checks, Verdict};
 use laboratory::{Laboratory, Size, Trouble};
@@ -68,154 +68,126 @@ struct Case {
     title: &'static str,
     /// Whether friction decides quantities with a bound, so that a mistake in it must show.
     friction: bool,
-    checks: fn(&Laboratory) -> Result<Vec<Check>, Trouble>,
+    checks: Checker,
+}
+
+type Checker = fn(&Laboratory) -> Result<Vec<Check>, Trouble>;
+
+impl Case {
+    const fn new(name: &'static str, title: &'static str, checks: Checker) -> Self {
+        Self {
+            name,
+            title,
+            friction: false,
+            checks,
+        }
+    }
+
+    const fn of_friction(self) -> Self {
+        Self {
+            friction: true,
+            ..self
+        }
+    }
 }
 
 const CASES: [Case; 24] = [
-    Case {
-        name: "elements",
-        title: "Elements",
-        friction: false,
-        checks: elements::checks,
-    },
-    Case {
-        name: "open-hole",
-        title: "Open holes",
-        friction: false,
-        checks: open_hole::checks,
-    },
-    Case {
-        name: "cosine-load",
-        title: "Holes with an assumed cosine pressure",
-        friction: false,
-        checks: cosine_load::checks,
-    },
-    Case {
-        name: "laminates",
-        title: "Laminates",
-        friction: false,
-        checks: laminates::checks,
-    },
-    Case {
-        name: "criteria",
-        title: "Failure criteria",
-        friction: false,
-        checks: criteria::checks,
-    },
-    Case {
-        name: "ply-states",
-        title: "Residual stress, coupling and yield of plies",
-        friction: false,
-        checks: ply_states::checks,
-    },
-    Case {
-        name: "joint-modes",
-        title: "Laminated joints to their end",
-        friction: false,
-        checks: joint_modes::checks,
-    },
-    Case {
-        name: "hybrid-sensitivity",
-        title: "Measured displacements: what their errors do",
-        friction: false,
-        checks: sensitivity::checks,
-    },
-    Case {
-        name: "hybrid-errors",
-        title: "Measured displacements: covariance, reductions, fringe phase",
-        friction: false,
-        checks: hybrid::errors,
-    },
-    Case {
-        name: "closed-loop",
-        title: "Friction from fringe pictures",
-        friction: false,
-        checks: closed_loop::checks,
-    },
-    Case {
-        name: "hybrid-laws",
-        title: "Friction laws fitted by contact solves",
-        friction: false,
-        checks: laws::checks,
-    },
-    Case {
-        name: "persson",
-        title: "Frictionless pin of the plate's material",
-        friction: false,
-        checks: persson::checks,
-    },
-    Case {
-        name: "hertz",
-        title: "Hertz",
-        friction: false,
-        checks: line_contact::hertz,
-    },
-    Case {
-        name: "cattaneo",
-        title: "Cattaneo–Mindlin",
-        friction: true,
-        checks: line_contact::cattaneo,
-    },
-    Case {
-        name: "rigid-pin-frictionless",
-        title: "Rigid pin, orthotropic plate, frictionless",
-        friction: false,
-        checks: rigid_pin::frictionless,
-    },
-    Case {
-        name: "rigid-pin-friction",
-        title: "Rigid pin, orthotropic plate, friction",
-        friction: true,
-        checks: rigid_pin::frictional,
-    },
-    Case {
-        name: "pin-orthotropic",
-        title: "Steel pin, orthotropic strip",
-        friction: false,
-        checks: pins::orthotropic,
-    },
-    Case {
-        name: "press-fit",
-        title: "Press fits of a pin and two rings",
-        friction: false,
-        checks: press_fit::checks,
-    },
-    Case {
-        name: "interference",
-        title: "Pin with interference",
-        friction: false,
-        checks: pins::interference,
-    },
-    Case {
-        name: "aluminium-frictionless",
-        title: "Aluminium plate, frictionless",
-        friction: false,
-        checks: aluminium::frictionless,
-    },
-    Case {
-        name: "aluminium-friction",
-        title: "Aluminium plate, friction",
-        friction: true,
-        checks: aluminium::frictional,
-    },
-    Case {
-        name: "shear-sign",
-        title: "Pin in a quasi-isotropic laminate: sign of the shear, matrix cracks",
-        friction: true,
-        checks: shear_sign::checks,
-    },
-    Case {
-        name: "benchmark-frictionless",
-        title: "Pin benchmark, frictionless",
-        friction: false,
-        checks: benchmark::frictionless,
-    },
-    Case {
-        name: "benchmark-friction",
-        title: "Pin benchmark, friction",
-        friction: true,
-        checks: benchmark::frictional,
-    },
+    Case::new("elements", "Elements", elements::checks),
+    Case::new("open-hole", "Open holes", open_hole::checks),
+    Case::new(
+        "cosine-load",
+        "Holes with an assumed cosine pressure",
+        cosine_load::checks,
+    ),
+    Case::new("laminates", "Laminates", laminates::checks),
+    Case::new("criteria", "Failure criteria", criteria::checks),
+    Case::new(
+        "ply-states",
+        "Residual stress, coupling and yield of plies",
+        ply_states::checks,
+    ),
+    Case::new(
+        "joint-modes",
+        "Laminated joints to their end",
+        joint_modes::checks,
+    ),
+    Case::new(
+        "hybrid-sensitivity",
+        "Measured displacements: what their errors do",
+        sensitivity::checks,
+    ),
+    Case::new(
+        "hybrid-errors",
+        "Measured displacements: covariance, reductions, fringe phase",
+        hybrid::errors,
+    ),
+    Case::new(
+        "closed-loop",
+        "Friction from fringe pictures",
+        closed_loop::checks,
+    ),
+    Case::new(
+        "hybrid-laws",
+        "Friction laws fitted by contact solves",
+        laws::checks,
+    ),
+    Case::new(
+        "persson",
+        "Frictionless pin of the plate's material",
+        persson::checks,
+    ),
+    Case::new("hertz", "Hertz", line_contact::hertz),
+    Case::new("cattaneo", "Cattaneo–Mindlin", line_contact::cattaneo).of_friction(),
+    Case::new(
+        "rigid-pin-frictionless",
+        "Rigid pin, orthotropic plate, frictionless",
+        rigid_pin::frictionless,
+    ),
+    Case::new(
+        "rigid-pin-friction",
+        "Rigid pin, orthotropic plate, friction",
+        rigid_pin::frictional,
+    )
+    .of_friction(),
+    Case::new(
+        "pin-orthotropic",
+        "Steel pin, orthotropic strip",
+        pins::orthotropic,
+    ),
+    Case::new(
+        "press-fit",
+        "Press fits of a pin and two rings",
+        press_fit::checks,
+    ),
+    Case::new("interference", "Pin with interference", pins::interference),
+    Case::new(
+        "aluminium-frictionless",
+        "Aluminium plate, frictionless",
+        aluminium::frictionless,
+    ),
+    Case::new(
+        "aluminium-friction",
+        "Aluminium plate, friction",
+        aluminium::frictional,
+    )
+    .of_friction(),
+    Case::new(
+        "shear-sign",
+        "Pin in a quasi-isotropic laminate: sign of the shear, matrix cracks",
+        shear_sign::checks,
+    )
+    .of_friction(),
+    Case::new(
+        "benchmark-frictionless",
+        "Pin benchmark, frictionless",
+        benchmark::frictionless,
+    ),
+    Case::new(
+        "benchmark-friction",
+        "Pin benchmark, friction",
+        benchmark::frictional,
+    )
+    .of_friction(),
 ];
 
 /// A case and what came of it.

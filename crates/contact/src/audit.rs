@@ -8,7 +8,7 @@ use crate::state::ContactState;
 const FLOOR: f64 = 1e-3;
 
 /// Resultants and balances at the end of a load step.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Audit {
     /// Sums of the contact forces of each pair.
     pub pairs: Vec<PairSums>,

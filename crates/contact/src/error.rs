@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::solver::StepFailure;
+use crate::failure::StepFailure;
 
 /// Why a contact problem cannot be made or a history cannot be followed.
 #[derive(Clone, Debug, Error)]
@@ -17,6 +17,14 @@ pub enum ContactError {
         point: usize,
         /// What is wrong, with the numbers.
         what: String,
+    },
+    /// A pair is named by an index that no pair has.
+    #[error("pair {pair} does not exist: the problem has {pairs}")]
+    UnknownPair {
+        /// The index given, from 0.
+        pair: usize,
+        /// Number of pairs.
+        pairs: usize,
     },
     /// Bodies have different numbers of load cases.
     #[error("bodies with {first} and {other} load cases cannot share one load history")]

@@ -9,8 +9,7 @@
 use nalgebra::{DMatrix, DVector};
 use stickslip_friction::History;
 
-use crate::problem::InterfaceProblem;
-use crate::solver::FreeMotions;
+use crate::problem::{FreeMotions, InterfaceProblem};
 use crate::state::{ContactState, Status};
 
 /// Singular values up to this part of the largest motion are those of a motion that nothing resists.

@@ -1,30 +1,33 @@
-//! Load histories: from one load step to the next by sub-steps, cut back where a solver fails. The parts of an [`Interface`] walk each
+//! Load histories: from one load step to the next by sub-steps, cut back by a [`Walker`] where a solver fails. The parts of an [`Interface`] walk each
 //! step side by side and are cut back each for itself; a history ends where the first of them does.
 
 mod frictionless;
 mod increment;
 mod merged;
 mod otherwise;
+mod record;
 mod recovery;
 mod travel;
+mod walker;
 
-use nalgebra::DVector;
-use rayon::prelude::*;
+use std::convert::Infallible;
 
-use crate::audit::{Audit, LargestScales};
+use stickslip_fem_core::parallel;
+
+use crate::audit::LargestScales;
 use crate::error::ContactError;
-use crate::freedom::{loose_pairs, sliding_pairs};
 use crate::interface::{Interface, Part};
 use crate::problem::InterfaceProblem;
-use crate::solver::{FailureCause, InterfaceSolver, Residuals, Step, StepFailure, Work};
+use crate::solver::{FailureCause, InterfaceSolver, StepFailure};
 use crate::state::ContactState;
 use crate::uniqueness::uniqueness_bound;
 
 pub use increment::Increment;
 pub use otherwise::{Difference, Missing, Otherwise};
+pub use record::StepRecord;
 pub use recovery::{Cycle, FailedAttempts, Recovery};
-use travel::parts;
 pub use travel::travelled;
+pub use walker::{Blocked, Effort, LoadIncrement, LoadPath, Progress, Walker};
 
 /// How the load grows within the first load step, from nothing; later steps are always linear.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -220,59 +223,90 @@ impl LoadHistory {
             let what = format!("{given} multipliers for {cases} load cases");
             return Err(ContactError::InvalidLoad { step: index, what });
         }
-        let mut walk = Walk::new(start.clone());
-        let whole = 1.0 / self.substeps as f64;
+        let walker = Walker {
+            whole: 1.0 / self.substeps as f64,
+            smallest_part: SMALLEST_PART,
+            effort: Some(CUTBACK_EFFORT),
+        };
+        let mut path = StepPath {
+            history: self,
+            problem,
+            solver,
+            start,
+            index,
+            target,
+            record: StepRecord::at(start.clone()),
+        };
         for substep in 0..self.substeps {
-            let (mut reached, end) = (substep as f64 * whole, (substep + 1) as f64 * whole);
-            let mut part = end - reached;
-            (walk.failed, walk.dearest) = (0, 0);
-            while reached < end {
-                let next = if end - reached <= part * (1.0 + 1e-9) {
-                    end
-                } else {
-                    reached + part
-                };
-                let multipliers = self.multipliers(index, start, target, next);
-                // Whether a step has a solution is asked of the whole solver at both ends of cut-back, not on the way.
-                let quickly = part < 0.999 * whole && part > whole * SMALLEST_PART;
-                match walk.advance(problem, solver, quickly, &multipliers) {
-                    Ok(()) => reached = next,
-                    // Also where a balance is proved impossible: the history then ends at the largest load that has one.
-                    Err(cause) if part > whole * SMALLEST_PART && walk.may_cut_back(&cause) => {
-                        walk.work += cause.work;
-                        walk.recovery.add(&cause.attempts);
-                        walk.cutbacks += 1;
-                        part *= 0.5;
-                    }
-                    Err(mut cause) => {
-                        cause.attempts.extend(walk.given_up());
-                        return Err(ContactError::StepFailed {
-                            step: index,
-                            reached,
-                            bodies: Vec::new(),
-                            cause: Box::new(cause),
-                        });
-                    }
-                }
+            let ends = [substep, substep + 1].map(|k| k as f64 * walker.whole);
+            if let Err(blocked) = walker.walk(ends, &mut path) {
+                return Err(failed(index, blocked));
             }
         }
-        Ok(walk.finish(problem))
+        Ok(path.record)
+    }
+}
+
+/// A load step on its way.
+struct StepPath<'a> {
+    history: &'a LoadHistory,
+    problem: &'a InterfaceProblem,
+    solver: &'a dyn InterfaceSolver,
+    start: &'a ContactState,
+    index: usize,
+    target: &'a [f64],
+    record: StepRecord,
+}
+
+impl LoadPath for StepPath<'_> {
+    type End = Infallible;
+    type Refusal = StepFailure;
+
+    /// Grows again where two increments of one size are accepted at once: after a cut-back, the first may only have come close to what
+    /// was refused.
+    fn attempt(&mut self, increment: &LoadIncrement) -> Result<Progress<Infallible>, StepFailure> {
+        let to = (self.history).multipliers(self.index, self.start, self.target, increment.to);
+        let quickly = increment.is_between();
+        (self.record).advance(self.problem, self.solver, quickly, &to)?;
+        let easily = increment.refusals == 0 && increment.steady > 0;
+        Ok(if easily {
+            Progress::Grow
+        } else {
+            Progress::Keep
+        })
+    }
+
+    fn cost(refusal: &StepFailure) -> u64 {
+        refusal.work.operations
+    }
+
+    /// Also where a balance is proved impossible: the history then ends at the largest load that has one.
+    fn cut_back(&mut self, refusal: StepFailure) {
+        self.record.cut_back(&refusal);
+    }
+}
+
+/// The end of a history in load step `step`.
+fn failed(step: usize, blocked: Blocked<StepFailure>) -> ContactError {
+    let mut cause = blocked.refusal;
+    let given_up = blocked.effort.map(|Effort { operations, limit }| {
+        ("cut-back", FailureCause::Effort { operations, limit })
+    });
+    cause.attempts.extend(given_up);
+    ContactError::StepFailed {
+        step,
+        reached: blocked.reached,
+        bodies: Vec::new(),
+        cause: Box::new(cause),
     }
 }
 
 /// `of` each of `problems` with its number, side by side where there are several.
 fn each<T: Send>(
     problems: &[&InterfaceProblem],
-    of: impl Fn(usize, &InterfaceProblem) -> T + Sync,
+    of: impl Fn(usize, &InterfaceProblem) -> T + Sync + Send,
 ) -> Vec<T> {
-    match problems {
-        [only] => vec![of(0, only)],
-        _ => problems
-            .par_iter()
-            .enumerate()
-            .map(|(part, problem)| of(part, problem))
-            .collect(),
-    }
+    parallel::map_range(0..problems.len(), |part| of(part, problems[part]))
 }
 
 /// Where a history ends before its last step.
@@ -319,190 +353,4 @@ fn estimate_uniqueness<'a>(
     };
     let (step, record) = records.enumerate().max_by_key(touching)?;
     Some((step, uniqueness_bound(problem, &record.state.status)))
-}
-
-/// The increments of one load step as they are accepted.
-struct Walk {
-    state: ContactState,
-    work: Work,
-    residuals: Residuals,
-    doubtful: usize,
-    solvers: Vec<&'static str>,
-    recovery: Recovery,
-    solutions: Option<usize>,
-    loose: Vec<usize>,
-    sliding: Vec<usize>,
-    parted: bool,
-    coefficient: f64,
-    increments: usize,
-    cutbacks: usize,
-    dissipation: f64,
-    slip: DVector<f64>,
-    /// Operations of failed attempts at the sub-step, and of the dearest of them.
-    failed: u64,
-    dearest: u64,
-}
-
-impl Walk {
-    fn new(state: ContactState) -> Self {
-        Self {
-            slip: DVector::zeros(state.status.len()),
-            state,
-            work: Work::default(),
-            residuals: Residuals::default(),
-            doubtful: 0,
-            solvers: Vec::new(),
-            recovery: Recovery::default(),
-            solutions: None,
-            loose: Vec::new(),
-            sliding: Vec::new(),
-            parted: false,
-            coefficient: 0.0,
-            increments: 0,
-            cutbacks: 0,
-            dissipation: 0.0,
-            failed: 0,
-            dearest: 0,
-        }
-    }
-
-    /// Counts the attempt that failed with `cause`; whether cut-back may go on after it.
-    fn may_cut_back(&mut self, cause: &StepFailure) -> bool {
-        self.failed += cause.work.operations;
-        self.dearest = self.dearest.max(cause.work.operations);
-        self.failed <= self.effort()
-    }
-
-    /// Operations that failed attempts may cost.
-    fn effort(&self) -> u64 {
-        CUTBACK_EFFORT.max(2 * self.dearest)
-    }
-
-    /// What ended cut-back before it came to its smallest part, if that was its work.
-    fn given_up(&self) -> Option<(&'static str, FailureCause)> {
-        let limit = self.effort();
-        (self.failed > limit).then_some((
-            "cut-back",
-            FailureCause::Effort {
-                operations: self.failed,
-                limit,
-            },
-        ))
-    }
-
-    fn advance(
-        &mut self,
-        problem: &InterfaceProblem,
-        solver: &dyn InterfaceSolver,
-        quickly: bool,
-        multipliers: &[f64],
-    ) -> Result<(), StepFailure> {
-        let ends = [&*self.state.multipliers, multipliers];
-        let travelled = travelled(problem, &self.state, ends);
-        let start = travelled.as_ref().unwrap_or(&self.state);
-        let step = Step::new(problem, start, multipliers);
-        let solution = if quickly {
-            solver.try_quickly(&step)?
-        } else {
-            solver.solve(&step)?
-        };
-        self.parted |= parts(&start.forces, &solution.trial.forces);
-        self.coefficient = step.largest_coefficient(&solution.trial);
-        let increment = Increment::accept(&step, solution.trial);
-        self.work += solution.work;
-        let residuals = increment.residuals;
-        self.residuals = self.residuals.worse(residuals);
-        self.doubtful = self.doubtful.max(solution.doubtful);
-        if !self.solvers.contains(&solution.solver) {
-            self.solvers.push(solution.solver);
-        }
-        self.recovery.add(&solution.attempts);
-        self.solutions = self.solutions.max(solution.solutions);
-        self.increments += 1;
-        self.dissipation += increment.dissipation;
-        let (state, slip) = (increment.state, increment.slip);
-        self.loose.extend(loose_pairs(problem, &state));
-        let sliding = sliding_pairs(problem, start, &state, &slip);
-        self.sliding.extend(sliding);
-        self.slip += slip;
-        self.state = state;
-        Ok(())
-    }
-
-    fn finish(mut self, problem: &InterfaceProblem) -> StepRecord {
-        for pairs in [&mut self.loose, &mut self.sliding] {
-            pairs.sort_unstable();
-            pairs.dedup();
-        }
-        StepRecord {
-            audit: Audit::of(problem, &self.state),
-            work: self.work,
-            residuals: self.residuals,
-            doubtful: self.doubtful,
-            solvers: self.solvers,
-            recovery: self.recovery,
-            solutions: self.solutions,
-            loose: self.loose,
-            sliding: self.sliding,
-            parted: self.parted,
-            coefficient: self.coefficient,
-            uniqueness: None,
-            increments: self.increments,
-            cutbacks: self.cutbacks,
-            dissipation: self.dissipation,
-            slip: self.slip,
-            state: self.state,
-            parts: Vec::new(),
-        }
-    }
-}
-
-/// One accepted load step, of one problem or of all parts of an [`Interface`].
-#[derive(Clone, Debug)]
-pub struct StepRecord {
-    /// Contact at its end.
-    pub state: ContactState,
-    /// Work of all its increments, failed attempts included.
-    pub work: Work,
-    /// Largest residuals of its increments.
-    pub residuals: Residuals,
-    /// Largest number of points in doubt in an increment.
-    pub doubtful: usize,
-    /// Solvers that found its increments.
-    pub solvers: Vec<&'static str>,
-    /// What failed before these were found.
-    pub recovery: Recovery,
-    /// Largest number of solutions of an increment, where they were enumerated: those in which no other points touch than in its
-    /// answer.
-    pub solutions: Option<usize>,
-    /// Pairs whose gaps contact leaves undetermined at the end of an increment, as by [`loose_pairs`].
-    pub loose: Vec<usize>,
-    /// Pairs whose slip friction leaves undetermined in an increment, as by [`sliding_pairs`].
-    pub sliding: Vec<usize>,
-    /// Whether contact parted and bore elsewhere in one increment: what bodies travelled in between is counted as slip.
-    pub parted: bool,
-    /// Largest coefficient of friction of the points in contact at its end (dimensionless).
-    pub coefficient: f64,
-    /// Estimate of the coefficient up to which its end has one solution, as by [`uniqueness_bound`]; made once in a history,
-    /// when all steps are done, for the step in which most points touch.
-    pub uniqueness: Option<f64>,
-    /// Increments accepted.
-    pub increments: usize,
-    /// Increments that failed and were halved.
-    pub cutbacks: usize,
-    /// Work lost to friction in the step `[force·length]`: slip times the mean of the slip forces at both ends of each increment.
-    pub dissipation: f64,
-    /// Slip of each point in the step `[length]`, first body against the second along e_t; zero where it did not slip.
-    pub slip: DVector<f64>,
-    /// Equilibrium at its end.
-    pub audit: Audit,
-    /// The records of the parts of an [`Interface`] of several, of which this one holds sums and largest values; empty for one problem.
-    pub parts: Vec<StepRecord>,
-}
-
-impl StepRecord {
-    /// The record of part `part`.
-    fn part(&self, part: usize) -> &Self {
-        self.parts.get(part).unwrap_or(self)
-    }
 }

@@ -14,8 +14,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use nalgebra::DVector;
-use rayon::prelude::*;
-use stickslip_fem_core::InterfaceOperator;
+use stickslip_fem_core::{InterfaceOperator, parallel};
 
 use crate::error::ContactError;
 use crate::problem::{ContactPair, Contacts, InterfaceProblem, check};
@@ -113,9 +112,9 @@ impl Interface {
             mode_offsets.push(mode_offsets[mode_offsets.len() - 1] + body.modes().ncols());
         }
         let mut contacts = Contacts::new(pairs, bodies);
-        let parts: Vec<Part> = groups
-            .into_par_iter()
-            .map(|group| Part::new(group, bodies, &contacts, &mode_offsets))
+        let part = |group: &Group| Part::new(group.clone(), bodies, &contacts, &mode_offsets);
+        let parts: Vec<Part> = parallel::map(&groups, part)
+            .into_iter()
             .collect::<Result<_, _>>()?;
         let points = contacts.points_mut();
         for part in &parts {
@@ -148,6 +147,21 @@ impl Interface {
     /// Range of the rigid motions of body `body` among those of all bodies.
     pub fn body_modes(&self, body: usize) -> Range<usize> {
         self.mode_offsets[body]..self.mode_offsets[body + 1]
+    }
+
+    /// As [`InterfaceProblem::motions_of_body`], of body `index` with `rigid` those of all parts.
+    pub fn motions_of_body(&self, index: usize, rigid: &DVector<f64>) -> Vec<f64> {
+        let mut amounts = rigid.as_slice()[self.body_modes(index)].to_vec();
+        // A body that moves is in one part only.
+        for part in &self.parts {
+            if let Ok(local) = part.group.bodies.binary_search(&index) {
+                let units = part.problem.mode_units(local);
+                let both = amounts.iter_mut().zip(units);
+                both.for_each(|(amount, unit)| *amount *= unit);
+                break;
+            }
+        }
+        amounts
     }
 
     /// Numbers held in the compliances and rigid motions of all parts.

@@ -22,11 +22,52 @@
 //! | [`audit`] | equilibrium of every step |
 //! | [`freedom`] | rigid motions that no contact resists |
 //!
+//! One point of an elastic body, pressed on a rigid ground with 2 and pushed along it with 1, sticks at μ = 0.6:
+//!
+//! ```
+//! use std::sync::Arc;
+//! use stickslip_contact::nalgebra::{DMatrix, DVector};
+//! use stickslip_contact::{Chain, ContactPair, ContactPoint, InterfaceProblem, LoadHistory, Ramp, Status};
+//! use stickslip_fem_core::{GivenBody, RigidBody};
+//! use stickslip_friction::Coulomb;
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! // Compliances of 1; the load alone would move the point by 2 into the ground and by 1 along it.
+//! let body = GivenBody::held(DMatrix::identity(2, 2), vec![DVector::from_vec(vec![1.0, -2.0])])?;
+//! let ground = RigidBody::held(vec![[0.0, 0.0]], 1);
+//! let point = ContactPoint {
+//!     first: 0.into(),
+//!     second: 0.into(),
+//!     normal: [0.0, 1.0],
+//!     gap: 0.0,
+//!     area: 1.0,
+//!     material_angle: 0.0,
+//! };
+//! let pair = ContactPair {
+//!     name: "ground".into(),
+//!     first: 0,
+//!     second: 1,
+//!     points: vec![point],
+//!     law: Arc::new(Coulomb::new(0.6)?),
+//! };
+//! let problem = InterfaceProblem::new(&[&body, &ground], vec![pair])?;
+//! let history = LoadHistory::new(vec![vec![1.0]], 1, Ramp::Linear)?;
+//! let records = history.follow(&problem, &Chain::default(), |_| {})?;
+//! let end = &records[0].state;
+//! assert_eq!(end.status, [Status::Stick]);
+//! assert!((end.normal_force(0) - 2.0).abs() < 1e-12);
+//! // Its tangent e_t points along −x.
+//! assert!((end.tangential_force(0) - 1.0).abs() < 1e-12);
+//! # Ok(())
+//! # }
+//! ```
+//!
 //! Signs: normals e_n point from the second body into the first, e_t is e_n turned by +90°. Forces λ act on the first
 //! body; λ_n ≥ 0 presses; Δs is the motion of the first body against the second along e_t.
 
 pub mod audit;
 mod error;
+mod failure;
 pub mod freedom;
 pub mod gap;
 pub mod history;
@@ -38,6 +79,11 @@ pub mod state;
 pub mod uniqueness;
 pub mod zones;
 
+/// The crate whose vectors and matrices states and problems are made of.
+pub use nalgebra;
+/// The crates of bodies and friction laws that contacts are between.
+pub use {stickslip_fem_core, stickslip_friction};
+
 pub use error::ContactError;
 pub use history::{Increment, LoadHistory, Ramp, StepRecord};
 pub use interface::Interface;
@@ -45,7 +91,7 @@ pub use mortar::{EdgeSide, InitialGap, MortarError, Multipliers, Projected, Proj
 pub use problem::{ContactPair, ContactPoint, Contacts, InterfaceProblem, Stencil, StencilTerm};
 pub use solver::{
     AugmentedLagrangian, Chain, Continuation, Enumeration, GaussSeidel, InterfaceSolver, Penalty,
-    Pivoting, PrincipalPivoting, SemismoothNewton, StatusIteration, TrescaFixedPoint,
+    Pivoting, PrincipalPivoting, SemismoothNewton, SolverKind, StatusIteration, TrescaFixedPoint,
 };
 pub use state::{ContactState, Status};
 pub use uniqueness::uniqueness_bound;

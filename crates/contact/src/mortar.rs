@@ -17,9 +17,10 @@
 //! | [`Multipliers::Dual`] | ∫ ψ_k N_j ds = δ_kj ∫ N_j ds | the same, to the piecewise linear functions, on the covered part |
 //!
 //! Dual functions are the combinations ψ = D M⁻¹ N of an edge's own shape functions, with M_ij = ∫ N_i N_j ds and
-//! D = diag(∫ N_i ds). Since w_k = D_kk, all weights are positive: on a whole edge of a plane body ∫ N_i ds is ½, ½ or ⅙, ⁴⁄₆, ⅙ of
-//! its length (it is the corners of quadratic *faces* in space that would need a change of basis). On part of a quadratic edge
-//! ∫ N_i ds can be negative, but never with piecewise linear functions (Puso, Laursen & Solberg 2008), which take over there.
+//! D = diag(∫ N_i ds). Since w_k = D_kk, all weights are positive: on a whole edge of a plane body, whose nodes are Gauss–Lobatto
+//! points, ∫ N_i ds is Lobatto's weight: ½, ½ or ⅙, ⁴⁄₆, ⅙ of its length, and so on (it is the corners of quadratic *faces* in space
+//! that would need a change of basis). On part of an edge of order 2 or more ∫ N_i ds can be negative, but never with piecewise linear
+//! functions (Puso, Laursen & Solberg 2008), which take over there.
 //! All functions of an edge sum to 1. Where the second body covers too little of an edge to tell its functions apart, dual
 //! functions do not exist and the standard ones are used.
 //!
@@ -33,7 +34,7 @@ mod side;
 use std::fmt;
 
 use nalgebra::Matrix2;
-use stickslip_fem_core::mesh::Point;
+use stickslip_fem_core::mesh::{MAX_ORDER, Point};
 use thiserror::Error;
 
 pub use side::EdgeSide;
@@ -44,8 +45,8 @@ use crate::problem::{ContactPoint, Stencil};
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum MortarError {
-    /// Edges are linear or quadratic.
-    #[error("edges of order {0}; 1 and 2 exist")]
+    /// Edges have the orders of the elements.
+    #[error("edges of order {0}; 1 to {MAX_ORDER} exist")]
     Order(usize),
     /// There are not as many parameters as nodes.
     #[error("{parameters} parameters for {nodes} nodes")]
@@ -82,6 +83,12 @@ pub enum MortarError {
         node: usize,
         /// Fraction of the edge.
         fraction: f64,
+    },
+    /// The nodes inside an edge of order above 2 are so far from their places that the edge folds back on itself.
+    #[error("edge {edge} of the walk folds back on itself between its nodes")]
+    Folded {
+        /// Place of the edge in the walk.
+        edge: usize,
     },
     /// A closed edge spans more than its period, or two closed edges differ in it.
     #[error("an edge spans {span} of a period of {period}")]
@@ -185,7 +192,7 @@ pub struct Projected {
 
 /// Contact points between the edges of two bodies: one per node of `first` wherever `second` faces it.
 ///
-/// Integrals are exact where mid-side nodes lie in the middle of their edges (by parameter); the balance of forces is exact
+/// Integrals are exact where the inner nodes of edges lie at their Gauss–Lobatto points (by parameter); the balance of forces is exact
 /// in any case. Resultants converge as between edges that match. The pressure at a point ripples with the pattern of the two
 /// spacings, least where the first edge is the coarser one; a rigid body is the second.
 ///

@@ -13,18 +13,21 @@
 
 pub(crate) mod check;
 mod contacts;
+mod free_motions;
 mod stencil;
 
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector, Matrix2};
 use stickslip_fem_core::InterfaceOperator;
-use stickslip_friction::FrictionLaw;
+use stickslip_friction::{FrictionLaw, History};
 
 pub use contacts::{ContactPair, ContactPoint, Contacts, ProblemPoint};
+pub use free_motions::FreeMotions;
 pub use stencil::{BodyRows, Stencil, StencilTerm};
 
 use crate::error::ContactError;
+use crate::state::{ContactState, Status};
 use contacts::frame;
 
 /// The assembled interface problem: everything that solvers of one load step see.
@@ -34,6 +37,8 @@ pub struct InterfaceProblem {
     compliance: DMatrix<f64>,
     compliance_unit: f64,
     modes: DMatrix<f64>,
+    /// Unit of each mode: what an amount of 1 is in the body's own amounts.
+    mode_units: Vec<f64>,
     /// First mode of each body, and the number of modes at the end.
     mode_offsets: Vec<usize>,
     case_motion: Vec<DVector<f64>>,
@@ -62,6 +67,7 @@ impl InterfaceProblem {
             compliance: DMatrix::zeros(size, size),
             compliance_unit: 1.0,
             modes: DMatrix::zeros(size, mode_offsets[bodies.len()]),
+            mode_units: vec![1.0; mode_offsets[bodies.len()]],
             case_motion: vec![DVector::zeros(size); cases],
             case_mode_load: vec![DVector::zeros(mode_offsets[bodies.len()]); cases],
             contacts,
@@ -70,6 +76,7 @@ impl InterfaceProblem {
         for (index, body) in bodies.iter().enumerate() {
             problem.add_body(index, *body);
         }
+        problem.equilibrate_modes();
         problem.find_sliding_points();
         problem.compliance_unit = power_of_two_near(problem.compliance.diagonal().amax());
         Ok(problem)
@@ -160,6 +167,18 @@ impl InterfaceProblem {
         rows
     }
 
+    /// Counts each rigid motion in a unit in which it moves the contact points by about 1, so that neither pivots nor resultants
+    /// depend on the units of a body: a turn in radians moves them by their distance, in millimetres or in metres.
+    fn equilibrate_modes(&mut self) {
+        for (mode, unit) in self.mode_units.iter_mut().enumerate() {
+            *unit = unit_of_motion(self.modes.column(mode).amax());
+            self.modes.column_mut(mode).scale_mut(*unit);
+            for load in &mut self.case_mode_load {
+                load[mode] *= *unit;
+            }
+        }
+    }
+
     fn find_sliding_points(&mut self) {
         const NEGLIGIBLE: f64 = 1e-12;
         let stiffest = self.compliance.diagonal().max();
@@ -190,11 +209,17 @@ impl InterfaceProblem {
         self.contacts.pairs()
     }
 
-    /// The same problem with `law` as the friction of pair `pair`; nothing is assembled anew. A pair that does not exist changes nothing.
-    #[must_use]
-    pub fn with_law(mut self, pair: usize, law: Arc<dyn FrictionLaw>) -> Self {
-        self.contacts.set_law(pair, law);
-        self
+    /// The same problem with `law` as the friction of pair `pair`; nothing is assembled anew.
+    ///
+    /// # Errors
+    /// [`ContactError::UnknownPair`] if the problem has no pair `pair`.
+    pub fn with_law(
+        mut self,
+        pair: usize,
+        law: Arc<dyn FrictionLaw>,
+    ) -> Result<Self, ContactError> {
+        self.contacts.set_law(pair, law)?;
+        Ok(self)
     }
 
     /// Range of the points of pair `pair`.
@@ -218,7 +243,8 @@ impl InterfaceProblem {
         self.compliance_unit
     }
 
-    /// Rigid motions G, 2n × m.
+    /// Rigid motions G, 2n × m, each in a unit in which it moves the contact points by about 1: that of its body times a power of 256,
+    /// which changes no digit of any number. Motions that move them by 1/16 to 16 as they are have a factor of 1.
     pub fn modes(&self) -> &DMatrix<f64> {
         &self.modes
     }
@@ -231,6 +257,18 @@ impl InterfaceProblem {
     /// Range of the rigid motions of body `body` among the columns of G.
     pub fn body_modes(&self, body: usize) -> std::ops::Range<usize> {
         self.mode_offsets[body]..self.mode_offsets[body + 1]
+    }
+
+    /// Amounts of the own rigid motions of body `body`, one for each column of its
+    /// [`modes`](InterfaceOperator::modes), where those of the problem are `rigid`, m.
+    pub fn motions_of_body(&self, body: usize, rigid: &DVector<f64>) -> Vec<f64> {
+        let amount = |mode: usize| self.mode_units[mode] * rigid[mode];
+        self.body_modes(body).map(amount).collect()
+    }
+
+    /// Units of the rigid motions of body `body`.
+    pub(crate) fn mode_units(&self, body: usize) -> &[f64] {
+        &self.mode_units[self.body_modes(body)]
     }
 
     /// Number of load cases.
@@ -276,12 +314,41 @@ impl InterfaceProblem {
     }
 }
 
+impl ContactState {
+    /// The state before any load: no forces, no motion, every point untouched.
+    pub fn unloaded(problem: &InterfaceProblem) -> Self {
+        let count = problem.points().len();
+        let mut motion = DVector::zeros(2 * count);
+        for (k, point) in problem.points().iter().enumerate() {
+            motion[2 * k] = point.gap;
+        }
+        Self {
+            forces: DVector::zeros(2 * count),
+            motion,
+            rigid: DVector::zeros(problem.modes().ncols()),
+            status: vec![Status::Open; count],
+            history: vec![History::default(); count],
+            multipliers: vec![0.0; problem.load_cases()],
+        }
+    }
+}
+
 fn combine(parts: &[DVector<f64>], multipliers: &[f64], size: usize) -> DVector<f64> {
     let mut sum = DVector::zeros(size);
     for (part, &factor) in parts.iter().zip(multipliers) {
         sum.axpy(factor, part, 1.0);
     }
     sum
+}
+
+/// The power of 256 that brings a motion of size `largest` nearest to 1; 1 where nothing moves.
+fn unit_of_motion(largest: f64) -> f64 {
+    const STEP: f64 = 8.0;
+    if largest > 0.0 && largest.is_finite() {
+        (-STEP * (largest.log2() / STEP).round()).exp2()
+    } else {
+        1.0
+    }
 }
 
 /// The power of two next below `value`, or 1 without a value.

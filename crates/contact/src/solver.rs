@@ -18,6 +18,8 @@
 //! | [`Continuation`] | the solution followed from a simpler problem | with a solution, if the path has no fold that it cannot jump |
 //! | [`Enumeration`] | every combination of statuses | after 4ⁿ solves, with a proof if there is no solution |
 //! | [`Chain`] | a solver made of solvers: the next one takes over where one fails | with its last member |
+//!
+//! To add a solver, write its file, and name it here: its module, its [`SolverKind`] and its line in [`SOLVERS`].
 
 mod accept;
 mod active_set;
@@ -25,13 +27,16 @@ mod attempt;
 mod augmented;
 mod balance;
 mod boxed;
+mod candidate;
 mod chain;
 mod complementarity;
 mod continuation;
+pub mod contract;
 mod enumeration;
 mod frozen;
 mod gauss_seidel;
 mod hold;
+mod least_index;
 mod lemke;
 mod mixing;
 mod penalty;
@@ -39,58 +44,30 @@ mod pivoting;
 mod principal;
 mod residual;
 mod rules;
+mod secants;
 mod step;
 mod tableau;
 mod tresca;
 
-use thiserror::Error;
-
 pub(crate) use balance::{balanced_by, settled};
 pub(crate) use chain::released;
 
+pub use crate::failure::{FailureCause, Residuals, StepFailure, Unresolved, Work};
+pub use crate::problem::FreeMotions;
 pub use active_set::{SemismoothNewton, StatusIteration};
 pub use augmented::AugmentedLagrangian;
 pub use chain::Chain;
 pub use continuation::Continuation;
 pub use enumeration::Enumeration;
-pub use frozen::{FreeMotions, Frozen, FrozenSystem, SlipLine};
+pub use frozen::{Frozen, FrozenSystem, SlipLine};
 pub use gauss_seidel::{Acceleration, GaussSeidel};
 pub use penalty::Penalty;
 pub use pivoting::Pivoting;
 pub use principal::PrincipalPivoting;
-pub use residual::Residuals;
 pub use step::Step;
 pub use tresca::TrescaFixedPoint;
 
 use crate::state::TrialState;
-
-/// What a solver did, each in its own units.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Work {
-    /// Interface solves with frozen statuses, the confirming one included.
-    pub solves: usize,
-    /// Complementary pivots.
-    pub pivots: usize,
-    /// Sweeps over all contact points.
-    pub sweeps: usize,
-    /// Updates of friction bounds or multipliers by an outer iteration.
-    pub updates: usize,
-    /// Factorisations: dense ones of the interface, or sparse ones of whole bodies where a solver works on these.
-    pub factorisations: usize,
-    /// Floating-point operations of the dominant kernels (factorisations, pivots, products with the compliance).
-    pub operations: u64,
-}
-
-impl std::ops::AddAssign for Work {
-    fn add_assign(&mut self, other: Self) {
-        self.solves += other.solves;
-        self.pivots += other.pivots;
-        self.sweeps += other.sweeps;
-        self.updates += other.updates;
-        self.factorisations += other.factorisations;
-        self.operations += other.operations;
-    }
-}
 
 /// Why a solver stopped with the state it returns.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -126,164 +103,183 @@ pub struct StepSolution {
     pub attempts: Vec<(&'static str, FailureCause)>,
 }
 
-/// Why a solver did not solve a step.
-#[derive(Clone, Debug, Error, PartialEq)]
+/// A solver that is chosen by its name.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
-pub enum FailureCause {
-    /// The statuses repeat.
-    #[error("the statuses of {} points repeat with period {period}", points.len())]
-    Cycled {
-        /// Number of iterations after which the statuses return.
-        period: usize,
-        /// Points whose status changes within the cycle.
-        points: Vec<usize>,
-    },
-    /// The iteration limit was reached.
-    #[error("not converged after {0} iterations")]
-    Limit(usize),
-    /// The interface matrix of the current statuses is singular.
-    #[error("the interface matrix of the current statuses is singular")]
-    Singular,
-    /// Pivoting ended on a ray, which proves nothing for friction.
-    #[error("complementary pivoting ended on a ray")]
-    Ray,
-    /// A candidate does not meet the conditions.
-    #[error("the candidate violates the contact conditions by {violation:.1e} of their scale")]
-    Inaccurate {
-        /// Largest relative violation.
-        violation: f64,
-    },
-    /// No combination of statuses meets the conditions.
-    #[error("none of {combinations} combinations of statuses meets the contact conditions{}", if *proved { " (proved)" } else { "" })]
-    NoSolution {
-        /// Number of combinations.
-        combinations: usize,
-        /// Whether that is a proof: a body floats, the law is linear within the step, and every combination has one solution
-        /// that misses the conditions by far more than rounding.
-        proved: bool,
-    },
-    /// The problem is too large for enumeration.
-    #[error("{points} points are more than {limit}")]
-    TooManyPoints {
-        /// Number of points.
-        points: usize,
-        /// Largest number that is tried.
-        limit: usize,
-    },
-    /// The work that is given to a search was done.
-    #[error(
-        "given up after {operations:.1e} floating-point operations, of {limit:.1e} that it may take"
-    )]
-    Effort {
-        /// Operations done.
-        operations: u64,
-        /// Operations that the search may take.
-        limit: u64,
-    },
-    /// A floating body's load cannot be balanced: a rigid motion along which the load works separates, or slides along,
-    /// every contact.
-    #[error("the load cannot be balanced: nothing stops a rigid motion on which it does work{}", if *proved { " (proved)" } else { "" })]
-    Unbalanced {
-        /// The rigid motion α, one number per mode.
-        motion: Vec<f64>,
-        /// Whether that motion is a proof (Farkas): no admissible contact force works against it, whatever the points remember
-        /// of slip.
-        proved: bool,
-    },
+pub enum SolverKind {
+    /// [`Chain::newton_first`], as the default.
+    #[default]
+    Auto,
+    /// [`Chain::status_first`].
+    Status,
+    /// [`Chain::newton_first`], by choice.
+    Newton,
+    /// [`Pivoting`].
+    Pivoting,
+    /// [`PrincipalPivoting`].
+    PrincipalPivoting,
+    /// [`GaussSeidel`].
+    GaussSeidel,
+    /// [`AugmentedLagrangian`].
+    AugmentedLagrangian,
+    /// [`Continuation`].
+    Continuation,
+    /// [`Penalty`].
+    Penalty,
+    /// [`TrescaFixedPoint`].
+    Tresca,
+    /// [`Enumeration`].
+    Enumeration,
 }
 
-impl FailureCause {
-    /// What kind of failure it is, in a word or two.
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Self::Cycled { .. } => "cycled",
-            Self::Limit(_) => "iteration limit",
-            Self::Singular => "singular matrix",
-            Self::Ray => "ray",
-            Self::Inaccurate { .. } => "inaccurate",
-            Self::NoSolution { .. } => "no solution among all statuses",
-            Self::TooManyPoints { .. } => "too many points",
-            Self::Effort { .. } => "work limit",
-            Self::Unbalanced { .. } => "no balance",
+/// One line of the list of solvers, [`SOLVERS`].
+#[derive(Clone, Copy, Debug)]
+pub struct SolverInfo {
+    /// Which it is.
+    pub kind: SolverKind,
+    /// Its name in scenes.
+    pub name: &'static str,
+    /// The methods behind it, in the order in which they are tried.
+    pub method: &'static str,
+    /// What it is, in one line.
+    pub summary: &'static str,
+    /// Whether its answers may be regularised, of a looser tolerance, or limited to few points: for studies of methods.
+    pub experimental: bool,
+    /// Makes it with its default options.
+    pub make: fn() -> Box<dyn InterfaceSolver>,
+}
+
+/// All solvers that can be chosen by name, in the order of [`SolverKind`].
+pub const SOLVERS: [SolverInfo; 11] = [
+    SolverInfo {
+        kind: SolverKind::Auto,
+        name: "auto",
+        method: "semismooth Newton, then pivoting",
+        summary: "climbs from the fastest to the safest until one succeeds (default)",
+        experimental: false,
+        make: || Box::new(Chain::newton_first()),
+    },
+    SolverInfo {
+        kind: SolverKind::Status,
+        name: "status",
+        method: "status iteration, then semismooth Newton, then pivoting",
+        summary: "iteration of open, stick and slip per node",
+        experimental: false,
+        make: || Box::new(Chain::status_first()),
+    },
+    SolverInfo {
+        kind: SolverKind::Newton,
+        name: "newton",
+        method: "semismooth Newton, then pivoting",
+        summary: "semismooth Newton on the contact conditions",
+        experimental: false,
+        make: || Box::new(Chain::newton_first()),
+    },
+    SolverInfo {
+        kind: SolverKind::Pivoting,
+        name: "pivoting",
+        method: "pivoting",
+        summary: "Lemke's pivoting on the linear complementarity problem",
+        experimental: false,
+        make: || alone(Pivoting::default()),
+    },
+    SolverInfo {
+        kind: SolverKind::PrincipalPivoting,
+        name: "principal_pivoting",
+        method: "least-index principal pivoting",
+        summary: "exchange of single complementary pairs, for small friction",
+        experimental: false,
+        make: || alone(PrincipalPivoting::default()),
+    },
+    SolverInfo {
+        kind: SolverKind::GaussSeidel,
+        name: "gauss_seidel",
+        method: "accelerated Gauss-Seidel",
+        summary: "each point solved in turn, with acceleration of the sweeps",
+        experimental: false,
+        make: || alone(GaussSeidel::default()),
+    },
+    SolverInfo {
+        kind: SolverKind::AugmentedLagrangian,
+        name: "augmented_lagrangian",
+        method: "augmented Lagrangian",
+        summary: "contact springs, and multipliers that take over from them",
+        experimental: false,
+        make: || alone(AugmentedLagrangian::default()),
+    },
+    SolverInfo {
+        kind: SolverKind::Continuation,
+        name: "continuation",
+        method: "continuation",
+        summary: "the solution followed from less friction or a smaller load",
+        experimental: false,
+        make: || alone(Continuation::default()),
+    },
+    SolverInfo {
+        kind: SolverKind::Penalty,
+        name: "penalty",
+        method: "penalty",
+        summary: "contact springs: answers of the springs' accuracy",
+        experimental: true,
+        make: || Box::new(Penalty::default()),
+    },
+    SolverInfo {
+        kind: SolverKind::Tresca,
+        name: "tresca",
+        method: "Tresca fixed point",
+        summary: "given friction bounds, updated until they fit, for small friction",
+        experimental: true,
+        make: || Box::new(TrescaFixedPoint::default()),
+    },
+    SolverInfo {
+        kind: SolverKind::Enumeration,
+        name: "enumeration",
+        method: "enumeration of all statuses",
+        summary: "every combination of statuses, of at most six points",
+        experimental: true,
+        make: || Box::new(Enumeration::default()),
+    },
+];
+
+fn alone(solver: impl InterfaceSolver + 'static) -> Box<dyn InterfaceSolver> {
+    Box::new(Chain::alone(Box::new(solver)))
+}
+
+impl SolverKind {
+    /// The names of all, in the order of [`SOLVERS`].
+    pub const NAMES: [&'static str; SOLVERS.len()] = {
+        let mut names = [""; SOLVERS.len()];
+        let mut k = 0;
+        while k < SOLVERS.len() {
+            names[k] = SOLVERS[k].name;
+            k += 1;
         }
-    }
-}
+        names
+    };
 
-/// A step that was not solved: what each solver said, the work spent, and the state that came closest.
-#[derive(Clone, Debug, Error, PartialEq)]
-#[error("{}{}", reasons(attempts), best_residual(best.as_deref()))]
-pub struct StepFailure {
-    /// Each solver that was tried, with its reason.
-    pub attempts: Vec<(&'static str, FailureCause)>,
-    /// Work of all of them.
-    pub work: Work,
-    /// The state that met the conditions best, if a solver has one: no solution, and never committed.
-    pub best: Option<Box<Unresolved>>,
-}
-
-/// The best state of a step that no solver solved.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Unresolved {
-    /// The state.
-    pub trial: TrialState,
-    /// How far it is from meeting the conditions.
-    pub residuals: Residuals,
-}
-
-fn reasons(attempts: &[(&'static str, FailureCause)]) -> String {
-    let reason = |(solver, cause): &(&'static str, FailureCause)| format!("{solver}: {cause}");
-    attempts.iter().map(reason).collect::<Vec<_>>().join("; ")
-}
-
-fn best_residual(best: Option<&Unresolved>) -> String {
-    best.map_or_else(String::new, |state| {
-        let residual = state.residuals.largest();
-        format!("; the best state violates the contact conditions by {residual:.1e} of their scale")
-    })
-}
-
-impl StepFailure {
-    /// The failure of one solver after `work`, without a state.
-    pub fn new(solver: &'static str, cause: FailureCause, work: Work) -> Self {
-        Self {
-            attempts: vec![(solver, cause)],
-            work,
-            best: None,
-        }
+    /// The solver called `name`, if there is one.
+    ///
+    /// ```
+    /// use stickslip_contact::solver::SolverKind;
+    ///
+    /// assert_eq!(SolverKind::named("pivoting"), Some(SolverKind::Pivoting));
+    /// assert!(SolverKind::named("penalty").unwrap().info().experimental);
+    /// assert_eq!(SolverKind::named("magic"), None);
+    /// ```
+    pub fn named(name: &str) -> Option<Self> {
+        let found = SOLVERS.iter().find(|solver| solver.name == name);
+        found.map(|solver| solver.kind)
     }
 
-    /// The same failure with a state that came close; the better one is kept.
-    #[must_use]
-    pub fn with_best(mut self, candidate: Option<Box<Unresolved>>) -> Self {
-        if let Some(candidate) = candidate
-            && candidate.residuals.largest().is_finite()
-            && self
-                .best
-                .as_ref()
-                .is_none_or(|best| candidate.residuals.largest() < best.residuals.largest())
-        {
-            self.best = Some(candidate);
-        }
-        self
+    /// Its line in [`SOLVERS`].
+    pub fn info(self) -> &'static SolverInfo {
+        // The list is in the order of the kinds, which a test checks.
+        &SOLVERS[self as usize]
     }
 
-    /// Whether the step is left open: no solution was found, and none was proved not to exist.
-    pub fn is_unresolved(&self) -> bool {
-        !self.attempts.iter().any(|(_, cause)| {
-            matches!(
-                cause,
-                FailureCause::Unbalanced { proved: true, .. }
-                    | FailureCause::NoSolution { proved: true, .. }
-            )
-        })
-    }
-
-    /// Whether the load at the end of the step was proved to have no balance, whatever the contact points remember of slip, so
-    /// that no smaller increments reach it.
-    pub fn is_proved_impossible(&self) -> bool {
-        self.attempts
-            .iter()
-            .any(|(_, cause)| matches!(cause, FailureCause::Unbalanced { proved: true, .. }))
+    /// The solver with its default options.
+    pub fn make(self) -> Box<dyn InterfaceSolver> {
+        (self.info().make)()
     }
 }
 
@@ -304,5 +300,19 @@ pub trait InterfaceSolver: std::fmt::Debug + Send + Sync {
     /// [`StepFailure`], also where [`InterfaceSolver::solve`] would find a solution.
     fn try_quickly(&self, step: &Step<'_>) -> Result<StepSolution, StepFailure> {
         self.solve(step)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_list_is_in_the_order_of_the_kinds() {
+        for (index, solver) in SOLVERS.iter().enumerate() {
+            assert_eq!(solver.kind as usize, index);
+            assert_eq!(solver.kind.info().name, solver.name);
+            assert_eq!(SolverKind::named(solver.name), Some(solver.kind));
+        }
     }
 }

@@ -5,8 +5,6 @@ use std::fmt;
 use nalgebra::DVector;
 use stickslip_friction::{History, PointStatus};
 
-use crate::problem::InterfaceProblem;
-
 /// Status of a contact point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Status {
@@ -73,7 +71,8 @@ pub struct ContactState {
     pub forces: DVector<f64>,
     /// Gap and tangential displacement since the start `[length]`, interleaved, 2n.
     pub motion: DVector<f64>,
-    /// Amounts of the rigid motions α, m.
+    /// Amounts of the rigid motions α, m, in the units of [`InterfaceProblem::modes`](crate::InterfaceProblem::modes); those of a body
+    /// are [`InterfaceProblem::motions_of_body`](crate::InterfaceProblem::motions_of_body).
     pub rigid: DVector<f64>,
     /// Status of each point.
     pub status: Vec<Status>,
@@ -84,23 +83,6 @@ pub struct ContactState {
 }
 
 impl ContactState {
-    /// The state before any load: no forces, no motion, every point untouched.
-    pub fn unloaded(problem: &InterfaceProblem) -> Self {
-        let count = problem.points().len();
-        let mut motion = DVector::zeros(2 * count);
-        for (k, point) in problem.points().iter().enumerate() {
-            motion[2 * k] = point.gap;
-        }
-        Self {
-            forces: DVector::zeros(2 * count),
-            motion,
-            rigid: DVector::zeros(problem.modes().ncols()),
-            status: vec![Status::Open; count],
-            history: vec![History::default(); count],
-            multipliers: vec![0.0; problem.load_cases()],
-        }
-    }
-
     /// Normal force `[force]` at a point, positive in compression.
     pub fn normal_force(&self, point: usize) -> f64 {
         self.forces[2 * point]

@@ -19,8 +19,7 @@
 use nalgebra::{DMatrix, DVector};
 use stickslip_fem_core::linalg::DenseLu;
 
-use crate::problem::InterfaceProblem;
-use crate::solver::FreeMotions;
+use crate::problem::{FreeMotions, InterfaceProblem};
 use crate::state::Status;
 
 /// Part of the bound from which friction is near it: the bound is an estimate.

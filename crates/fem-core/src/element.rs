@@ -16,6 +16,7 @@
 //! | T6      | (0,0) (1,0) (0,1)   | 3, interior     | the same 3             |
 //! | Q4      | `[-1, 1]²`          | 2×2 Gauss       | centre                 |
 //! | Q8, Q9  | `[-1, 1]²`          | 3×3 Gauss       | 2×2 Gauss              |
+//! | P1 … P8 | `[-1, 1]²`          | (p + 1)² Gauss  | p×p Gauss              |
 //!
 //! Every rule leaves exactly the three rigid motions without energy. On a straight-sided T6 the three points integrate the
 //! stiffness exactly; on a curved one they integrate the area exactly and the stiffness with an error of the order of the
@@ -25,6 +26,8 @@
 
 mod edge;
 mod kernel;
+mod legendre;
+mod lobatto;
 mod quadrature;
 mod quads;
 mod tangent;
@@ -32,15 +35,16 @@ mod triangles;
 
 use std::fmt::Debug;
 
-pub use edge::{GAUSS_5, edge_shape, edge_slope};
+pub use edge::{EdgeValues, edge_nodes, edge_rule, edge_shape, edge_slope};
 pub use kernel::{
     Jacobian, PhysicalGradients, gather, jacobian, physical_gradients, stiffness, thermal_load,
 };
+pub use lobatto::Lobatto;
 pub use quads::{Q4, Q8, Q9};
 pub use tangent::tangent_stiffness;
 pub use triangles::{T3, T6};
 
-use crate::mesh::{ElementKind, Point};
+use crate::kind::{ElementKind, Point};
 
 /// A sampling point of a quadrature rule on the reference cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,7 +57,8 @@ pub struct QuadraturePoint {
 
 /// A reference cell with `N` nodes: geometry and sampling points, nothing about material.
 ///
-/// Nodes are numbered as in [`ElementKind`]: corners counter-clockwise, mid-side nodes, centre.
+/// Nodes are numbered as in [`ElementKind`]: corners counter-clockwise, inner nodes of edges along the walk, the inside. Those of an
+/// edge are its Gauss–Lobatto points, on which the shape functions are [`edge_shape`].
 pub trait Element<const N: usize>: Copy + Debug + Default + Send + Sync + 'static {
     /// The name by which meshes know the element.
     const KIND: ElementKind;
@@ -103,5 +108,25 @@ pub fn with_element<V: KindVisitor>(kind: ElementKind, visitor: V) -> V::Output 
         ElementKind::Q4 => visitor.visit::<4, Q4>(),
         ElementKind::Q8 => visitor.visit::<8, Q8>(),
         ElementKind::Q9 => visitor.visit::<9, Q9>(),
+        ElementKind::P1 => visitor.visit::<4, Lobatto<2, 4>>(),
+        ElementKind::P2 => visitor.visit::<9, Lobatto<3, 9>>(),
+        ElementKind::P3 => visitor.visit::<16, Lobatto<4, 16>>(),
+        ElementKind::P4 => visitor.visit::<25, Lobatto<5, 25>>(),
+        ElementKind::P5 => visitor.visit::<36, Lobatto<6, 36>>(),
+        ElementKind::P6 => visitor.visit::<49, Lobatto<7, 49>>(),
+        ElementKind::P7 => visitor.visit::<64, Lobatto<8, 64>>(),
+        ElementKind::P8 => visitor.visit::<81, Lobatto<9, 81>>(),
     }
+}
+
+/// Reference coordinates of the nodes of `kind`, in its numbering.
+pub fn reference_nodes(kind: ElementKind) -> Vec<Point> {
+    struct Nodes;
+    impl KindVisitor for Nodes {
+        type Output = Vec<Point>;
+        fn visit<const N: usize, E: Element<N>>(self) -> Vec<Point> {
+            E::NODES.to_vec()
+        }
+    }
+    with_element(kind, Nodes)
 }

@@ -3,10 +3,10 @@
 //! Every generator maps lattices of cells to the plane,
 //!
 //! ```text
-//! x(i, j),   i = 0, ½, 1, … nᵢ,   j = 0, ½, 1, … nⱼ,
+//! x(i, j),   0 ≤ i ≤ nᵢ,   0 ≤ j ≤ nⱼ,
 //! ```
 //!
-//! half steps giving the mid-side nodes of quadratic cells, so that they lie on the true circle. Lattices are joined where
+//! fractions of steps giving the inner nodes of edges (half steps on quadratic cells), so that they lie on the true circle. Lattices are joined where
 //! their nodes coincide ([`Blocks`]). Triangles come from cutting each quadrilateral along its shorter diagonal.
 //!
 //! | generator          | body                                       | edge and node sets                                 |

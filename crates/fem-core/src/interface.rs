@@ -13,6 +13,8 @@
 //! | R, α | rigid motions that the supports leave free, and their amounts | 2n × f, f | –, length |
 //! | r_k | resultants of load case k in those motions, Rᵀ over the whole body | f | force |
 
+pub mod contract;
+
 use std::fmt::Debug;
 
 use nalgebra::{DMatrix, DVector};
@@ -41,7 +43,8 @@ pub trait InterfaceOperator: Debug + Send + Sync {
     fn mode_load(&self, case: usize) -> &DVector<f64>;
 }
 
-/// Rigid motions of `points`: translations along x and y, and the turn about `centre` divided by `length`.
+/// Computes the rigid motions of `points` `[length]`, 2n × 3 `[1]`: translations along x and y, and the turn about `centre` `[length]`
+/// divided by `length` `[length]`.
 pub fn rigid_motions(points: &[Point], centre: Point, length: f64) -> DMatrix<f64> {
     let mut motions = DMatrix::zeros(2 * points.len(), 3);
     for (k, point) in points.iter().enumerate() {

@@ -10,15 +10,21 @@
 
 mod dense;
 mod lu;
+mod matrix;
 mod ordering;
 mod sparse;
+mod symmetric;
+mod yardstick;
 
 pub use dense::{
     DenseLu, SingularMatrix, invert_from_cholesky, solve_lower, solve_lower_transposed,
 };
 pub use lu::{LuStructure, SparseLu, SparseMatrix};
+pub use matrix::Matrix;
 pub use ordering::minimum_degree;
-pub use sparse::{LowerMatrix, SparseCholesky, SparseStructure, reference_factorisation};
+pub use sparse::{LowerMatrix, SparseCholesky, SparseStructure};
+pub use symmetric::{DenseCholesky, NoEigenvalues, NotPositiveDefinite, SymmetricEigen};
+pub use yardstick::reference_factorisation;
 
 use thiserror::Error;
 

@@ -5,7 +5,8 @@
 //! ```
 
 use crate::element::{
-    Element, GAUSS_5, KindVisitor, edge_shape, edge_slope, gather, thermal_load, with_element,
+    EdgeValues, Element, KindVisitor, edge_rule, edge_shape, edge_slope, gather, thermal_load,
+    with_element,
 };
 use crate::material::PlaneStiffness;
 use crate::mesh::{EdgeRef, Mesh, Point};
@@ -20,7 +21,7 @@ pub struct EdgePoint {
 }
 
 /// Forces `[force]` on all nodes, interleaved (2 × nodes), of a traction `[stress]` on `edges` of a body of `thickness`
-/// `[length]`. The traction is integrated by five Gauss points on each isoparametric edge.
+/// `[length]`. The traction is integrated by the Gauss points of [`edge_rule`] on each isoparametric edge.
 pub fn edge_load(
     mesh: &Mesh,
     edges: &[EdgeRef],
@@ -30,16 +31,21 @@ pub fn edge_load(
     let mut forces = vec![0.0; 2 * mesh.nodes().len()];
     for &edge in edges {
         let nodes = mesh.edge_nodes(edge);
-        let [start, end] = nodes.ends.map(|node| mesh.nodes()[node]);
-        let middle = nodes.mid.map(|node| mesh.nodes()[node]);
-        for (xi, weight) in GAUSS_5 {
-            let order = if middle.is_some() { 2 } else { 1 };
-            let (shape, slope) = (edge_shape(order, xi), edge_slope(order, xi));
-            let interpolate = |f: [f64; 3]| -> Point {
-                std::array::from_fn(|i| {
-                    f[0] * start[i] + f[2] * end[i] + middle.map_or(0.0, |m| f[1] * m[i])
+        let order = nodes.order();
+        // The ends come first, here and in the sums.
+        let ends_first = |values: EdgeValues| {
+            let [first, inner @ ..] = values;
+            [first, values[order]].into_iter().chain(inner)
+        };
+        for &(xi, weight) in edge_rule(order) {
+            let interpolate = |values: EdgeValues| -> Point {
+                let terms = nodes.all().zip(ends_first(values));
+                terms.fold([0.0; 2], |[x, y], (node, value)| {
+                    let at = mesh.nodes()[node];
+                    [x + value * at[0], y + value * at[1]]
                 })
             };
+            let (shape, slope) = (edge_shape(order, xi), edge_slope(order, xi));
             let tangent = interpolate(slope);
             let speed = tangent[0].hypot(tangent[1]);
             let normal = [tangent[1] / speed, -tangent[0] / speed];
@@ -48,9 +54,7 @@ pub fn edge_load(
                 normal,
             });
             let factor = weight * speed * thickness;
-            let [at_start, at_middle, at_end] = shape;
-            let values = [at_start, at_end, at_middle];
-            for (node, value) in nodes.ends.into_iter().chain(nodes.mid).zip(values) {
+            for (node, value) in nodes.all().zip(ends_first(shape)) {
                 forces[2 * node] += factor * value * q[0];
                 forces[2 * node + 1] += factor * value * q[1];
             }

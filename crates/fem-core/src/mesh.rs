@@ -9,7 +9,8 @@
 //! and a [`Mesh`] exists only if det J is positive at every quadrature point and every corner of every cell, all indices
 //! are in range, and every node is used. Code that receives a `Mesh` checks none of this again.
 //!
-//! Local numbering (VTK and Abaqus agree): corners counter-clockwise, then mid-side nodes, then the centre.
+//! Local numbering (VTK and Abaqus agree up to order 2): corners counter-clockwise, then the inner nodes of each edge in walk
+//! order, then the nodes inside, in rows of η.
 //!
 //! ```text
 //!  3───6───2        2
@@ -23,15 +24,14 @@
 
 mod check;
 mod error;
-mod kind;
 mod parts;
 mod path;
 
 use std::collections::BTreeMap;
 
+pub use crate::kind::{EdgeLocal, ElementKind, MAX_ORDER, Point};
 pub use error::MeshError;
-pub use kind::{EdgeLocal, ElementKind};
-pub use parts::{Curve, EdgeNodes, EdgeRef, EdgeSet, ElementBlock, MeshParts, Point};
+pub use parts::{Curve, EdgeNodes, EdgeRef, EdgeSet, ElementBlock, MeshParts};
 pub use path::EdgePath;
 
 /// A checked plane mesh: nodes, blocks of cells, and named sets.
@@ -113,12 +113,12 @@ impl Mesh {
     }
 
     /// Global nodes of a cell's edge, in the cell's orientation: the interior is on the left.
-    pub fn edge_nodes(&self, edge: EdgeRef) -> EdgeNodes {
+    pub fn edge_nodes(&self, edge: EdgeRef) -> EdgeNodes<'_> {
         let (kind, nodes, _) = self.element(edge.element);
         let local = kind.edge_nodes(edge.edge);
         EdgeNodes {
             ends: local.ends.map(|k| nodes[k]),
-            mid: local.mid.map(|k| nodes[k]),
+            inner: &nodes[local.inner],
         }
     }
 

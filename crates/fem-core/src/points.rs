@@ -8,12 +8,11 @@
 
 use std::ops::Range;
 
-use rayon::prelude::*;
-
 use crate::element::{
     Element, KindVisitor, PhysicalGradients, gather, physical_gradients, with_element,
 };
 use crate::mesh::{ElementBlock, Mesh, Point};
+use crate::parallel;
 
 /// Where the quadrature points of a mesh are.
 #[derive(Clone, Debug, PartialEq)]
@@ -128,16 +127,14 @@ impl KindVisitor for Strain<'_> {
     fn visit<const N: usize, E: Element<N>>(self) -> Self::Output {
         let (mesh, u) = (self.mesh, self.u);
         let mut strains = vec![[0.0; 3]; self.block.connectivity.len() / N * E::QUADRATURE.len()];
-        strains
-            .par_chunks_exact_mut(E::QUADRATURE.len())
-            .zip(self.block.connectivity.par_chunks_exact(N))
-            .for_each(|(strains, cell)| {
-                let x: [Point; N] = gather(mesh.nodes(), cell);
-                let moved: [[f64; 2]; N] = cell_values(u, cell);
-                for (strain, point) in strains.iter_mut().zip(E::QUADRATURE) {
-                    *strain = physical_gradients::<N, E>(&x, point.at).strain(&moved);
-                }
-            });
+        parallel::for_each_chunk(&mut strains, E::QUADRATURE.len(), |k, strains| {
+            let cell = &self.block.connectivity[k * N..(k + 1) * N];
+            let x: [Point; N] = gather(mesh.nodes(), cell);
+            let moved: [[f64; 2]; N] = cell_values(u, cell);
+            for (strain, point) in strains.iter_mut().zip(E::QUADRATURE) {
+                *strain = physical_gradients::<N, E>(&x, point.at).strain(&moved);
+            }
+        });
         strains
     }
 }
@@ -180,23 +177,22 @@ impl KindVisitor for Divergence<'_> {
     fn visit<const N: usize, E: Element<N>>(self) -> usize {
         let per_cell = E::QUADRATURE.len();
         let (mesh, thickness) = (self.mesh, self.thickness);
-        let local: Vec<[[f64; 2]; N]> = (self.block.connectivity.par_chunks_exact(N))
-            .zip(self.stress.par_chunks_exact(per_cell))
-            .map(|(cell, stress)| {
-                let x: [Point; N] = gather(mesh.nodes(), cell);
-                let mut forces = [[0.0; 2]; N];
-                for (s, point) in stress.iter().zip(E::QUADRATURE) {
-                    let PhysicalGradients { det, gradients } =
-                        physical_gradients::<N, E>(&x, point.at);
-                    let weight = point.weight * det * thickness;
-                    for (force, [gx, gy]) in forces.iter_mut().zip(gradients) {
-                        force[0] += weight * (gx * s[0] + gy * s[2]);
-                        force[1] += weight * (gy * s[1] + gx * s[2]);
-                    }
+        let cells = (self.block.connectivity.len() / N).min(self.stress.len() / per_cell);
+        let local: Vec<[[f64; 2]; N]> = parallel::map_range(0..cells, |k| {
+            let cell = &self.block.connectivity[k * N..(k + 1) * N];
+            let stress = &self.stress[k * per_cell..(k + 1) * per_cell];
+            let x: [Point; N] = gather(mesh.nodes(), cell);
+            let mut forces = [[0.0; 2]; N];
+            for (s, point) in stress.iter().zip(E::QUADRATURE) {
+                let PhysicalGradients { det, gradients } = physical_gradients::<N, E>(&x, point.at);
+                let weight = point.weight * det * thickness;
+                for (force, [gx, gy]) in forces.iter_mut().zip(gradients) {
+                    force[0] += weight * (gx * s[0] + gy * s[2]);
+                    force[1] += weight * (gy * s[1] + gx * s[2]);
                 }
-                forces
-            })
-            .collect();
+            }
+            forces
+        });
         // The sum in mesh order, so that it does not depend on the threads.
         for (cell, forces) in self.block.connectivity.chunks_exact(N).zip(&local) {
             for (&node, force) in cell.iter().zip(forces) {

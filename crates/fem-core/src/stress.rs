@@ -38,8 +38,8 @@ pub enum StressError {
     },
     /// An edge path with a number of nodes that its order and ends do not admit.
     #[error(
-        "{nodes} nodes do not make {} edge path of order {order}: order 1 takes at least 3, order 2 an odd number of at \
-         least 5 if open, an even number of at least 6 if closed",
+        "{nodes} nodes do not make {} edge path of order {order}: up to order 2 it takes two edges at least, three if closed, \
+         beyond one, two if closed, of {order} nodes each and one more if open",
         if *closed { "a closed" } else { "an open" }
     )]
     PathNodes {

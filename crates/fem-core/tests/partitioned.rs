@@ -5,7 +5,7 @@ use std::sync::Arc;
 use stickslip_fem_core::body::PartitionedBody;
 use stickslip_fem_core::generate::{Generate, Rectangle};
 use stickslip_fem_core::material::{Isotropic, Material, PlaneState};
-use stickslip_fem_core::mesh::ElementKind;
+use stickslip_fem_core::mesh::{ElementBlock, ElementKind, Mesh, MeshParts};
 use stickslip_fem_core::{BodyError, ElasticBody, HeldDirection, LoadCase, Support};
 
 fn held(nodes: &[usize], direction: HeldDirection, displacement: f64) -> Support {
@@ -110,4 +110,56 @@ fn what_cannot_be_prescribed_is_refused() {
         refused(&[2 * left, 2 * left + 1, 2 * right]),
         BodyError::ContradictingSupports { node: right }
     );
+}
+
+/// Two squares side by side that share no node, nodes 0 to 3 and 4 to 7.
+fn two_squares() -> ElasticBody {
+    let nodes = [0.0, 5.0].iter().flat_map(|&x| {
+        let right = x + 1.0;
+        [[x, 0.0], [right, 0.0], [right, 1.0], [x, 1.0]]
+    });
+    let block = ElementBlock {
+        name: "squares".to_owned(),
+        kind: ElementKind::Q4,
+        connectivity: (0..8).collect(),
+    };
+    let parts = MeshParts {
+        nodes: nodes.collect(),
+        blocks: vec![block],
+        ..MeshParts::default()
+    };
+    let material = Isotropic::new(10.0, 0.3, PlaneState::Stress).unwrap();
+    let mesh = Arc::new(Mesh::new(parts).unwrap());
+    ElasticBody::new(mesh, vec![Arc::new(material)], 0.5).unwrap()
+}
+
+/// What is named as loose is: the part that nothing holds, and only where the whole body moves any node of it.
+#[test]
+fn the_loose_part_is_named() {
+    let body = Arc::new(two_squares());
+    let both = |node: usize| [2 * node, 2 * node + 1];
+    let refused = |dofs: &[usize]| PartitionedBody::new(&body, dofs).unwrap_err();
+    let first: Vec<usize> = [0, 1].into_iter().flat_map(both).collect();
+    let second: Vec<usize> = [4, 5].into_iter().flat_map(both).collect();
+    let loose = |node| BodyError::LoosePart { node, motions: 3 };
+    assert_eq!(refused(&first), loose(4));
+    assert_eq!(refused(&second), loose(0));
+    // Both roll along x: the hold that takes the common motion off the first part leaves it to the second.
+    let rollers = [0, 1, 4, 5].map(|node| 2 * node + 1);
+    let BodyError::LoosePart { node, motions: 1 } = refused(&rollers) else {
+        panic!("both parts can roll");
+    };
+    assert!(node == 0 || node == 4);
+    // The second cannot roll, the first can.
+    let rollers = [0, 1, 4, 5].map(|node| 2 * node + 1);
+    let held: Vec<usize> = rollers.into_iter().chain([8]).collect();
+    assert_eq!(
+        refused(&held),
+        BodyError::LoosePart {
+            node: 0,
+            motions: 1
+        }
+    );
+    let all: Vec<usize> = first.into_iter().chain(second).collect();
+    assert!(PartitionedBody::new(&body, &all).is_ok());
 }

@@ -22,7 +22,7 @@ fn disk(extent: Extent, kind: ElementKind) -> Result<Mesh, Box<dyn std::error::E
 
 #[test]
 fn weights_on_an_arc_sum_to_its_true_length() -> Result<(), Box<dyn std::error::Error>> {
-    for kind in ElementKind::ALL {
+    for kind in ElementKind::COMMON {
         for (extent, length) in [(Extent::Half, 2.0 * PI), (Extent::Whole, 2.0 * TAU)] {
             let mesh = disk(extent, kind)?;
             let path = mesh.edge_path("rim")?;
@@ -66,7 +66,7 @@ fn straight_quadratic_edges_have_simpson_weights() -> Result<(), Box<dyn std::er
 
 #[test]
 fn a_rim_is_walked_by_increasing_angle() -> Result<(), Box<dyn std::error::Error>> {
-    for kind in ElementKind::ALL {
+    for kind in ElementKind::COMMON {
         for extent in [Extent::Half, Extent::Whole] {
             let mesh = disk(extent, kind)?;
             let walk = mesh.counter_clockwise(&mesh.edge_path("rim")?, [5.0, -3.0]);

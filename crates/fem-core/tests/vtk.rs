@@ -34,6 +34,50 @@ fn values(attributes: &[Attribute], name: &str) -> Option<(usize, Vec<f64>)> {
     })
 }
 
+/// Cells that VTK does not have are written as the quadrilaterals between their nodes, each with the cell's values.
+#[test]
+fn cells_of_high_order_are_written_in_parts() -> Outcome {
+    for kind in [ElementKind::P3, ElementKind::P8] {
+        let mesh = mesh(kind)?;
+        let parts = kind.order().pow(2);
+        let number: Vec<f64> = (0..mesh.element_count()).map(|cell| cell as f64).collect();
+        let cell = Field {
+            name: "cell",
+            components: 1,
+            values: &number,
+        };
+        let mut file = Vec::new();
+        write_vtu(&mesh, &[], &[cell], &mut file)?;
+        let piece = read(&file)?;
+        assert_eq!(
+            piece.cells.types,
+            vec![CellType::Quad; parts * mesh.element_count()]
+        );
+        let expected = number
+            .iter()
+            .flat_map(|&value| vec![value; parts])
+            .collect();
+        assert_eq!(values(&piece.data.cell, "cell"), Some((1, expected)));
+        let VertexNumbers::XML { connectivity, .. } = piece.cells.cell_verts else {
+            return Err("connectivity is not in XML form".into());
+        };
+        // Twice the area of the polygon through the nodes: each part counter-clockwise, together the whole mesh.
+        let place = |node: u64| mesh.nodes()[node as usize];
+        let twice = |quad: &[u64]| -> f64 {
+            let next = quad.iter().cycle().skip(1);
+            (quad.iter().zip(next))
+                .map(|(&a, &b)| place(a)[0] * place(b)[1] - place(b)[0] * place(a)[1])
+                .sum()
+        };
+        let areas: Vec<f64> = connectivity.chunks(4).map(twice).collect();
+        assert!(areas.iter().all(|&area| area > 0.0));
+        let [low, high] = mesh.bounding_box();
+        let whole = 2.0 * (high[0] - low[0]) * (high[1] - low[1]);
+        assert!((areas.iter().sum::<f64>() / whole - 1.0).abs() < 1e-12);
+    }
+    Ok(())
+}
+
 #[test]
 fn every_kind_survives_the_round_trip_to_the_last_bit() -> Outcome {
     let types = [

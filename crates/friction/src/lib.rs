@@ -19,6 +19,19 @@
 //! | `F`     | friction bound                                    | `[stress]`    |
 //! | `μ`     | coefficient of friction                           | dimensionless |
 //!
+//! ```
+//! use stickslip_friction::{Coulomb, FrictionLaw, History, Place};
+//!
+//! # fn main() -> Result<(), stickslip_friction::FrictionError> {
+//! let law = Coulomb::new(0.3)?;
+//! let place = Place { position: [0.0, 0.0], tangent: [1.0, 0.0], material_angle: 0.0 };
+//! let bound = law.bound(80.0, 0.0, &place, &History::default());
+//! assert_eq!([bound.stick, bound.slip], [24.0, 24.0]);
+//! assert_eq!(bound.slip_dp, 0.3);
+//! # Ok(())
+//! # }
+//! ```
+//!
 //! The crate is unit-free: any consistent set of units works. It knows no mesh, no matrix and no solver.
 //!
 //! # Contents

@@ -45,6 +45,7 @@ mod correlation;
 mod data;
 mod error;
 mod information;
+mod parameter;
 mod profile;
 mod result;
 mod search;
@@ -52,80 +53,14 @@ mod search;
 pub use correlation::{Correlation, Residual};
 pub use data::{Amount, Block, Data, Noise};
 pub use error::CalibrateError;
+pub use parameter::{MOST_PARAMETERS, Parameter};
 pub use result::{Calibration, Estimate, Least};
 
 use crate::identify::chi_squared_of_one;
-use information::Information;
 use search::Search;
-
-/// Most parameters that a fit may have; the grid of starts grows with their number's power.
-pub const MOST_PARAMETERS: usize = 4;
 
 /// A profile that finds something better starts the search anew from there, at most so often.
 const ROUNDS: usize = 6;
-
-/// A parameter and where to look for it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Parameter {
-    /// Name for results.
-    pub name: String,
-    /// Least and greatest value that is looked at, both of them allowed.
-    pub range: [f64; 2],
-    /// Whether the range is divided evenly in the logarithm, as that of a length of unknown order.
-    pub logarithmic: bool,
-}
-
-impl Parameter {
-    /// A parameter whose range is divided evenly.
-    pub fn new(name: impl Into<String>, range: [f64; 2]) -> Self {
-        Self {
-            name: name.into(),
-            range,
-            logarithmic: false,
-        }
-    }
-
-    /// The same with a range that is divided evenly in the logarithm.
-    #[must_use]
-    pub fn logarithmic(mut self) -> Self {
-        self.logarithmic = true;
-        self
-    }
-
-    fn check(&self) -> Result<(), CalibrateError> {
-        let [low, high] = self.range;
-        let increases = low < high && low.is_finite() && high.is_finite();
-        if increases && !(self.logarithmic && low <= 0.0) {
-            return Ok(());
-        }
-        Err(CalibrateError::Range {
-            name: self.name.clone(),
-            range: self.range,
-            logarithmic: self.logarithmic,
-        })
-    }
-
-    /// The value at the part `part` of the range, from 0 to 1.
-    fn at(&self, part: f64) -> f64 {
-        let [low, high] = self.range;
-        let value = if self.logarithmic {
-            low * (high / low).powf(part)
-        } else {
-            low + part * (high - low)
-        };
-        value.clamp(low, high)
-    }
-
-    /// How fast the value grows with the part.
-    fn slope(&self, part: f64) -> f64 {
-        let [low, high] = self.range;
-        if self.logarithmic {
-            self.at(part) * (high / low).ln()
-        } else {
-            high - low
-        }
-    }
-}
 
 /// How to search.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -272,7 +207,7 @@ fn check(parameters: &[Parameter], data: &Data, settings: &Settings) -> Result<(
     if !(1..=MOST_PARAMETERS).contains(&parameters.len()) {
         return Err(CalibrateError::Parameters(parameters.len()));
     }
-    parameters.iter().try_for_each(Parameter::check)?;
+    parameters.iter().try_for_each(check_range)?;
     if !(settings.confidence > 0.0 && settings.confidence < 1.0) {
         return Err(CalibrateError::Confidence(settings.confidence));
     }
@@ -284,4 +219,18 @@ fn check(parameters: &[Parameter], data: &Data, settings: &Settings) -> Result<(
         });
     }
     Ok(())
+}
+
+/// Refuses a range that does not increase, or is not positive although it is logarithmic.
+fn check_range(parameter: &Parameter) -> Result<(), CalibrateError> {
+    let [low, high] = parameter.range;
+    let increases = low < high && low.is_finite() && high.is_finite();
+    if increases && !(parameter.logarithmic && low <= 0.0) {
+        return Ok(());
+    }
+    Err(CalibrateError::Range {
+        name: parameter.name.clone(),
+        range: parameter.range,
+        logarithmic: parameter.logarithmic,
+    })
 }

@@ -19,6 +19,7 @@
 
 mod centres;
 mod error;
+mod field;
 mod format;
 mod lines;
 mod null;
@@ -31,8 +32,10 @@ mod track;
 use stickslip_fem_core::mesh::Point;
 
 pub use error::DataError;
+pub use field::Field;
+pub(crate) use field::letter;
 pub use format::{Format, Places, Reading, YAxis};
-pub use lines::{Field, FringeLines, LineReading, OffTrack};
+pub use lines::{FringeLines, LineReading, OffTrack};
 pub use null::{Difference, NullField, Symmetry};
 pub use outliers::Outlier;
 pub use read::{Rows, Unit};
@@ -50,11 +53,6 @@ pub struct Measurement {
     pub valid: [Vec<bool>; 2],
     /// Standard deviation of each component `[length]`, the same at all places, independent from place to place.
     pub deviation: [f64; 2],
-}
-
-/// What a component is called in messages: U along x, V along y.
-pub(crate) fn letter(component: usize) -> &'static str {
-    if component == 0 { "U" } else { "V" }
 }
 
 /// Displacements of nodes, as a region takes them.

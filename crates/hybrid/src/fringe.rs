@@ -39,9 +39,12 @@
 //! phase. In first order a Fourier phase's deviation is σ/b √(2 ΣH²/n) / 2π with the band's weights H, and that of four pictures
 //! σ/b / (√2 · 2π).
 
+mod carrier;
+mod check;
 mod fourier;
 mod map;
 mod measured;
+mod order;
 mod phase;
 mod plane;
 mod raster;
@@ -53,7 +56,8 @@ mod unwrap;
 use stickslip_fem_core::mesh::Point;
 use thiserror::Error;
 
-pub use fourier::{Carrier, FourierOptions, FourierPhase, fourier};
+pub use carrier::{Carrier, FourierOptions};
+pub use fourier::{FourierPhase, fourier};
 pub use map::{Frame, PixelMap};
 pub use measured::measurement;
 pub use phase::{Phase, four_step};

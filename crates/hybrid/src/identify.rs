@@ -19,10 +19,8 @@ mod together;
 
 use std::ops::Range;
 
-use faer::Mat;
+use stickslip_fem_core::linalg::{DenseCholesky, Matrix};
 use thiserror::Error;
-
-use crate::region::dense;
 
 use confidence::CHI_SQUARED_95;
 pub use confidence::{chi_squared_of_one, normal_quantile};
@@ -264,7 +262,7 @@ impl Tractions {
         mu: f64,
     ) -> Result<bool, IdentifyError> {
         let misfit = Misfit::new(self, zone.clone(), positive)?;
-        let lower = misfit.factor(mu)?;
+        let factor = misfit.factor(mu)?;
         for part in INNER_PARTS {
             let count = (part * zone.len() as f64).round() as usize;
             let inner = if last == zone.start {
@@ -272,7 +270,7 @@ impl Tractions {
             } else {
                 zone.len() - count..zone.len()
             };
-            if misfit.fall(&lower, &inner) > LARGEST_FALL {
+            if misfit.fall(&factor, &inner) > LARGEST_FALL {
                 return Ok(true);
             }
         }
@@ -308,12 +306,19 @@ fn coefficient(part: f64) -> f64 {
     (part * (1.0 + LARGEST).ln()).exp_m1()
 }
 
-/// Lower factor of a covariance whose eigenvalues may be rounding.
-fn factored(mut covariance: Mat<f64>) -> Result<Mat<f64>, usize> {
-    let n = covariance.nrows();
+/// Cholesky factor of a covariance whose eigenvalues may be rounding.
+fn factored(mut covariance: Matrix) -> Result<DenseCholesky, usize> {
+    let n = covariance.rows();
     let mean = (0..n).map(|i| covariance[(i, i)]).sum::<f64>() / n as f64;
     (0..n).for_each(|i| covariance[(i, i)] += ROUNDING * mean);
-    dense::cholesky(covariance)
+    DenseCholesky::new(covariance).map_err(|cause| cause.row)
+}
+
+/// χ² of the residual τ − μ p, whitened by the factor of its covariance.
+fn chi_squared(factor: &DenseCholesky, pressure: &[f64], shear: &[f64], mu: f64) -> f64 {
+    let residual = shear.iter().zip(pressure).map(|(tau, p)| tau - mu * p);
+    let whitened = factor.whiten(&residual.collect::<Vec<f64>>());
+    whitened.iter().map(|r| r * r).sum()
 }
 
 /// χ² of a zone.
@@ -321,7 +326,7 @@ struct Misfit {
     pressure: Vec<f64>,
     shear: Vec<f64>,
     /// Σ_pp, s (Σ_pτ + Σ_τp) and Σ_ττ.
-    blocks: [Mat<f64>; 3],
+    blocks: [Matrix; 3],
 }
 
 impl Misfit {
@@ -331,7 +336,7 @@ impl Misfit {
         let (all, first, count) = (data.pressure.len(), zone.start, zone.len());
         let entry = |i: usize, j: usize| data.covariance[i * 2 * all + j];
         let block = |value: &dyn Fn(usize, usize) -> f64| {
-            Mat::from_fn(count, count, |i, j| value(first + i, first + j))
+            Matrix::from_fn(count, count, |i, j| value(first + i, first + j))
         };
         Ok(Self {
             pressure: data.pressure[zone.clone()].to_vec(),
@@ -348,26 +353,26 @@ impl Misfit {
         self.pressure.len()
     }
 
-    /// Lower factor of C(μ).
-    fn factor(&self, mu: f64) -> Result<Mat<f64>, IdentifyError> {
+    /// Cholesky factor of C(μ).
+    fn factor(&self, mu: f64) -> Result<DenseCholesky, IdentifyError> {
         let n = self.places();
         let [pp, both, tt] = &self.blocks;
-        let spread = Mat::from_fn(n, n, |i, j| {
+        let spread = Matrix::from_fn(n, n, |i, j| {
             mu * mu * pp[(i, j)] - mu * both[(i, j)] + tt[(i, j)]
         });
         factored(spread).map_err(|place| IdentifyError::Covariance { place })
     }
 
     /// By how much χ² falls when the places `inner` have a coefficient of their own, less than that of the others; 0 where it would not
-    /// be less. `lower` is the factor of C.
-    fn fall(&self, lower: &Mat<f64>, inner: &Range<usize>) -> f64 {
+    /// be less. `factor` is that of C.
+    fn fall(&self, factor: &DenseCholesky, inner: &Range<usize>) -> f64 {
         let n = self.places();
-        let mut whitened = Mat::from_fn(n, 3, |i, column| match (column, inner.contains(&i)) {
+        let mut whitened = Matrix::from_fn(n, 3, |i, column| match (column, inner.contains(&i)) {
             (0, _) => self.shear[i],
             (1, false) | (2, true) => self.pressure[i],
             _ => 0.0,
         });
-        dense::solve_lower(lower, &mut whitened);
+        factor.solve_lower(&mut whitened);
         let dot = |i: usize, j: usize| -> f64 {
             (0..n).map(|k| whitened[(k, i)] * whitened[(k, j)]).sum()
         };
@@ -387,11 +392,8 @@ impl Misfit {
     }
 
     fn at(&self, mu: f64) -> Result<f64, IdentifyError> {
-        let n = self.places();
-        let lower = self.factor(mu)?;
-        let mut residual = Mat::from_fn(n, 1, |i, _| self.shear[i] - mu * self.pressure[i]);
-        dense::solve_lower(&lower, &mut residual);
-        Ok((0..n).map(|i| residual[(i, 0)] * residual[(i, 0)]).sum())
+        let factor = self.factor(mu)?;
+        Ok(chi_squared(&factor, &self.pressure, &self.shear, mu))
     }
 
     /// Where χ² is least between `low` and `high`, by golden sections.

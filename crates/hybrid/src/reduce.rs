@@ -43,8 +43,8 @@ pub(crate) mod neighbours;
 mod polynomial;
 pub(crate) mod triangles;
 
-use rayon::prelude::*;
 use stickslip_fem_core::mesh::Point;
+use stickslip_fem_core::parallel;
 
 pub use cover::{Reason, Uncovered};
 pub use error::ReduceError;
@@ -129,10 +129,9 @@ impl Reduction {
         error::check_nodes(places, nodes)?;
         fit.check(measurement)?;
         let trees = [0, 1].map(|c| Neighbours::new(&measurement.places, &measurement.valid[c]));
-        let found = nodes
-            .par_iter()
-            .map(|&node| [0, 1].map(|c| fit.stencil(&trees[c], &measurement.places, places[node])))
-            .collect();
+        let found = parallel::map(nodes, |&node| {
+            [0, 1].map(|c| fit.stencil(&trees[c], &measurement.places, places[node]))
+        });
         Ok(Self::new(
             places,
             nodes,

@@ -29,7 +29,6 @@
 //! | [`locate`] | in which cell a place lies |
 
 pub mod checks;
-pub(crate) mod dense;
 pub mod direct;
 pub mod fit;
 pub mod locate;
@@ -40,9 +39,9 @@ pub mod transfer;
 
 use std::sync::Arc;
 
-use faer::Mat;
 use stickslip_fem_core::body::{PartitionedBody, SparseRow};
 use stickslip_fem_core::generate::GenerateError;
+use stickslip_fem_core::linalg::Matrix;
 use stickslip_fem_core::mesh::{Mesh, MeshError, Point};
 use stickslip_fem_core::{BodyError, ElasticBody};
 use thiserror::Error;
@@ -161,7 +160,7 @@ pub struct RegionSolution {
 }
 
 impl RegionSolution {
-    /// Outputs y = A Δ of the rows A, which are those of the same mesh.
+    /// Computes the outputs y = A Δ of the rows A, which are those of the same mesh; one number per row, `[row · length]`.
     pub fn outputs(&self, rows: &[SparseRow]) -> Vec<f64> {
         rows.iter()
             .map(|row| product(row, &self.displacements))
@@ -268,17 +267,14 @@ impl Region {
     }
 
     /// Covariance of [`values`](Self::values) `[length²]`.
-    pub(crate) fn covariance(
-        &self,
-        measured: &NodalDisplacements,
-    ) -> Result<Mat<f64>, RegionError> {
+    pub(crate) fn covariance(&self, measured: &NodalDisplacements) -> Result<Matrix, RegionError> {
         let positions = positions(measured, self.mesh(), self.prescribed())?;
         submatrix(measured, &positions)
     }
 }
 
 /// The part of the covariance that belongs to the entries `positions` of the values.
-fn submatrix(measured: &NodalDisplacements, positions: &[usize]) -> Result<Mat<f64>, RegionError> {
+fn submatrix(measured: &NodalDisplacements, positions: &[usize]) -> Result<Matrix, RegionError> {
     let size = measured.values.len();
     if measured.covariance.is_empty() {
         return Err(RegionError::NoCovariance);
@@ -287,7 +283,7 @@ fn submatrix(measured: &NodalDisplacements, positions: &[usize]) -> Result<Mat<f
         let name = "the covariance of the displacements";
         return Err(length(name, size * size, measured.covariance.len()));
     }
-    let part = Mat::from_fn(positions.len(), positions.len(), |i, j| {
+    let part = Matrix::from_fn(positions.len(), positions.len(), |i, j| {
         measured.covariance[positions[i] * size + positions[j]]
     });
     match (0..positions.len()).find(|&i| (0..positions.len()).any(|j| !part[(i, j)].is_finite())) {

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use rayon::prelude::*;
 use stickslip_fem_core::material::{PlaneStiffness, inverse};
+use stickslip_fem_core::parallel;
 use stickslip_fem_core::points::{internal_forces, strains};
 use stickslip_fem_core::{
     BodyStructure, CondensedBody, ElasticBody, InterfaceOperator, QuadraturePoints, RigidBody,
@@ -144,9 +144,9 @@ impl ProgressiveBody {
     /// # Errors
     /// [`JointError::Material`] if a model refuses, [`JointError::Cure`] if no such state is found.
     pub fn at_temperature(mut self, temperature: f64) -> Result<Self, JointError> {
-        let rest: Vec<Result<PointState, JointError>> = (self.models.par_iter().enumerate())
-            .map(|(cell, model)| cured(cell, model.as_ref(), temperature))
-            .collect();
+        let rest = parallel::map_range(0..self.models.len(), |cell| {
+            cured(cell, self.models[cell].as_ref(), temperature)
+        });
         self.rest = rest.into_iter().collect::<Result<_, _>>()?;
         let layers = self.rest.iter().flat_map(|state| &state.layers);
         let stress = (layers.flat_map(|layer| layer.stress)).fold(0.0, |m: f64, s| m.max(s.abs()));
@@ -218,13 +218,12 @@ impl ProgressiveBody {
         u: &[f64],
     ) -> Result<Response, (usize, ProgressiveError)> {
         let strain = strains(self.body.mesh(), u);
-        let all: Vec<_> = (base.par_iter().zip(&strain).enumerate())
-            .map(|(point, (state, strain))| {
-                let rest = self.rest(point);
-                let total = [0, 1, 2].map(|i| rest.strain[i] + strain[i]);
-                self.model(point).respond(state, total, rest.temperature)
-            })
-            .collect();
+        let all = parallel::map_range(0..base.len().min(strain.len()), |point| {
+            let rest = self.rest(point);
+            let total = [0, 1, 2].map(|i| rest.strain[i] + strain[point][i]);
+            self.model(point)
+                .respond(&base[point], total, rest.temperature)
+        });
         let mut response = Response {
             strain,
             stress: Vec::with_capacity(all.len()),

@@ -1,5 +1,6 @@
 //! A load history, increment by increment, cut back where there is no equilibrium.
 
+use stickslip_contact::history::{LoadIncrement, LoadPath, Progress, Walker};
 use stickslip_contact::{ContactState, InterfaceProblem, InterfaceSolver};
 use stickslip_fem_core::InterfaceOperator;
 
@@ -136,79 +137,56 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
     fn step(&mut self, index: usize, target: &[f64]) -> Result<Option<Ending>, JointError> {
         let options = self.joint.options;
         let start = self.state.multipliers.clone();
+        let walker = Walker {
+            whole: 1.0 / options.increments as f64,
+            smallest_part: options.smallest_part,
+            effort: None,
+        };
         let driven = self.joint.is_driven(&start, target);
-        let whole = 1.0 / options.increments as f64;
-        let (mut reached, mut part, mut cutbacks, mut smooth) = (0.0, whole, 0, true);
-        while reached < 1.0 {
-            let next = if 1.0 - reached <= part * (1.0 + 1e-9) {
-                1.0
-            } else {
-                reached + part
-            };
-            // Exact at both ends.
-            let multipliers: Vec<f64> = (start.iter().zip(target))
-                .map(|(from, to)| (1.0 - next) * from + next * to)
-                .collect();
-            let smallest = part <= whole * options.smallest_part;
-            let manner = Manner {
-                quickly: part < 0.999 * whole && !smallest,
-                burst: if part > whole * BURST_PART && !smallest {
-                    options.burst
-                } else {
-                    usize::MAX
-                },
-                peak: if driven && !smallest {
-                    self.largest_load()
-                } else {
-                    f64::INFINITY
-                },
-                sound: if self.failed || smallest {
-                    f64::INFINITY
-                } else {
-                    self.largest_load()
-                },
-            };
-            match self.attempt(&multipliers, manner, driven) {
-                Ok(accepted) => {
-                    reached = next;
-                    if accepted.passes == 0 || smooth {
-                        part = whole.min(2.0 * part);
-                    }
-                    smooth = cutbacks == 0;
-                    let severed = accepted.severed;
-                    self.record((index, reached), accepted, cutbacks);
-                    cutbacks = 0;
-                    if driven && self.has_dropped() {
-                        return Ok(Some(Ending::LoadDropped {
-                            step: index,
-                            reached,
-                        }));
-                    }
-                    if severed {
-                        return Ok(Some(Ending::Severed {
-                            step: index,
-                            reached,
-                        }));
-                    }
-                }
-                Err(refused) if smallest && self.records.is_empty() => {
-                    return Err(JointError::NoStart(refused.cause));
-                }
-                Err(Refused { cause, events }) if smallest => {
-                    return Ok(Some(Ending::NoEquilibrium {
-                        step: index,
-                        reached,
-                        cause,
-                        collapse: events,
-                    }));
-                }
-                Err(_) => {
-                    part *= 0.5;
-                    cutbacks += 1;
-                }
-            }
+        let mut path = StepPath {
+            walk: self,
+            index,
+            start,
+            target,
+            driven,
+            smooth: true,
+        };
+        let blocked = match walker.walk([0.0, 1.0], &mut path) {
+            Ok(ending) => return Ok(ending),
+            Err(blocked) => blocked,
+        };
+        let Refused { cause, events } = blocked.refusal;
+        if self.records.is_empty() {
+            return Err(JointError::NoStart(cause));
         }
-        Ok(None)
+        Ok(Some(Ending::NoEquilibrium {
+            step: index,
+            reached: blocked.reached,
+            cause,
+            collapse: events,
+        }))
+    }
+
+    /// How `increment` is to be solved.
+    fn manner(&self, increment: &LoadIncrement, driven: bool) -> Manner {
+        let LoadIncrement { smallest, .. } = *increment;
+        let watched = |unless: bool| {
+            if unless {
+                f64::INFINITY
+            } else {
+                self.largest_load()
+            }
+        };
+        Manner {
+            quickly: increment.is_between(),
+            burst: if increment.exceeds(BURST_PART) && !smallest {
+                self.joint.options.burst
+            } else {
+                usize::MAX
+            },
+            peak: watched(!driven || smallest),
+            sound: watched(self.failed || smallest),
+        }
     }
 
     fn attempt(
@@ -338,4 +316,52 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
             factorisations: self.factors.factorisations,
         }
     }
+}
+
+/// A load step on its way.
+struct StepPath<'w, 'a, 't, F> {
+    walk: &'w mut Walk<'a, F>,
+    index: usize,
+    /// Multipliers of the load cases at both ends.
+    start: Vec<f64>,
+    target: &'t [f64],
+    /// Whether supports move in it.
+    driven: bool,
+    /// Whether the last increment was accepted at once.
+    smooth: bool,
+}
+
+impl<F: FnMut(&JointRecord, &JointState)> LoadPath for StepPath<'_, '_, '_, F> {
+    type End = Ending;
+    type Refusal = Refused;
+
+    /// Grows again after increments without failure, and after two that were accepted at once.
+    fn attempt(&mut self, increment: &LoadIncrement) -> Result<Progress<Ending>, Refused> {
+        let reached = increment.to;
+        // Exact at both ends.
+        let multipliers: Vec<f64> = (self.start.iter().zip(self.target))
+            .map(|(from, to)| (1.0 - reached) * from + reached * to)
+            .collect();
+        let manner = self.walk.manner(increment, self.driven);
+        let accepted = self.walk.attempt(&multipliers, manner, self.driven)?;
+        let grows = accepted.passes == 0 || self.smooth;
+        self.smooth = increment.refusals == 0;
+        let (step, severed) = (self.index, accepted.severed);
+        (self.walk).record((step, reached), accepted, increment.refusals);
+        Ok(if self.driven && self.walk.has_dropped() {
+            Progress::End(Ending::LoadDropped { step, reached })
+        } else if severed {
+            Progress::End(Ending::Severed { step, reached })
+        } else if grows {
+            Progress::Grow
+        } else {
+            Progress::Keep
+        })
+    }
+
+    fn cost(_refusal: &Refused) -> u64 {
+        0
+    }
+
+    fn cut_back(&mut self, _refusal: Refused) {}
 }

@@ -27,6 +27,62 @@
 //! | [`call_mode`], [`ModeCall`], [`Hole`] | bearing, shear-out, net tension or mixed, and why |
 //! | [`CrackBand`] | strengths by which ply discount dissipates the fracture energy on any mesh |
 //!
+//! A ply of 20 mm × 10 mm × 0.125 mm, pulled by a thousandth of its length, bears E₁ ε A:
+//!
+//! ```
+//! use std::sync::Arc;
+//! use stickslip_contact::Chain;
+//! use stickslip_fem_core::generate::{Generate, Rectangle};
+//! use stickslip_fem_core::mesh::ElementKind;
+//! use stickslip_fem_core::{ElasticBody, HeldDirection, LoadCase, Support};
+//! use stickslip_joint::{Gauge, Joint, JointBody, Mark, ProgressiveBody, Pull};
+//! use stickslip_laminate::degradation::Degradation;
+//! use stickslip_laminate::failure::MaximumStress;
+//! use stickslip_laminate::progressive::{PlyDiscount, PointModel};
+//! use stickslip_laminate::{Laminate, Layup, Ply, PlyConstants, Strengths};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! # let constants = PlyConstants {
+//! #     e1: 181_000.0, e2: 10_300.0, g12: 7_170.0, nu12: 0.28, alpha1: 0.0, alpha2: 0.0, thickness: 0.125,
+//! # };
+//! # let strengths = Strengths {
+//! #     xt: Some(1500.0), xc: Some(1500.0), yt: Some(40.0), yc: Some(246.0), s12: Some(68.0), ..Strengths::default()
+//! # };
+//! let ply = Ply::new("T300/5208", constants, strengths)?;
+//! let layup: Layup = "[0]".parse()?;
+//! let laminate = Laminate::new(&layup, &ply)?;
+//! let model: Arc<dyn PointModel> = Arc::new(PlyDiscount::new(
+//!     laminate.clone(),
+//!     Box::new(MaximumStress),
+//!     Degradation::new(0.01, 0.1)?,
+//! )?);
+//! let mesh = Arc::new(Rectangle::uniform([0.0, 20.0], [0.0, 10.0], [2, 1], ElementKind::Q8)?.generate()?);
+//! let nodes = |set: &str| mesh.node_set(set).unwrap_or_default().to_vec();
+//! let hold = |set, direction, displacement| Support { nodes: nodes(set), direction, displacement };
+//! let body = ElasticBody::new(Arc::clone(&mesh), vec![Arc::new(laminate.membrane_material()?)], laminate.thickness())?
+//!     .with_supports([
+//!         hold("left", HeldDirection::X, 0.0),
+//!         hold("bottom", HeldDirection::Y, 0.0),
+//!         hold("right", HeldDirection::X, 1.0),
+//!     ])
+//!     .with_load_cases(vec![LoadCase { moves_supports: true, ..LoadCase::default() }])?;
+//! let body = ProgressiveBody::new(Arc::new(body), &[], &model)?;
+//! let gauge = Gauge {
+//!     pull: Pull::Supports { body: 0 },
+//!     multiple: 1.0,
+//!     direction: [1.0, 0.0],
+//!     first: Mark::Node { body: 0, node: nodes("right")[0] },
+//!     second: Mark::Fixed,
+//!     free_travel: 0.0,
+//! };
+//! let joint = Joint::new(vec![JointBody::Progressive(Arc::new(body))], Vec::new(), gauge)?;
+//! let history = joint.follow(&[vec![0.02]], &Chain::default(), |_, _| {})?;
+//! let load = history.records[history.peak()].load;
+//! assert!((load / (181_000.0 * 0.001 * 10.0 * 0.125) - 1.0).abs() < 1e-9);
+//! # Ok(())
+//! # }
+//! ```
+//!
 //! A body's linearisation costs one sparse factorisation. Factors are kept by their tangents, so the elastic part of a history costs
 //! one in all, as a linear body does.
 //!
@@ -50,6 +106,11 @@ mod mode_call;
 mod operator;
 mod record;
 mod state;
+
+/// The crate whose vectors the contact states of a joint are made of.
+pub use nalgebra;
+/// The crates of bodies, contacts and laminates that joints are made of.
+pub use {stickslip_contact, stickslip_fem_core, stickslip_laminate};
 
 pub use body::{JointBody, ProgressiveBody};
 pub use crack_band::{CrackBand, CrackBandError, FractureEnergies};

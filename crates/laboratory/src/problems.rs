@@ -20,6 +20,7 @@ mod pairing;
 
 use std::path::PathBuf;
 
+use stickslip::host::HOST;
 use stickslip::results::{EdgeResults, Results};
 use stickslip::scene::{Format, Scene};
 use stickslip_fem_core::mesh::ElementKind;
@@ -176,7 +177,7 @@ impl Problem {
         let file = scenes().join(name);
         let folder = file.parent().unwrap_or(&file);
         let shown = file.display().to_string();
-        Scene::from_text(text, Format::Toml, &shown, folder, &settings).map_err(|cause| {
+        Scene::from_text_on(text, Format::Toml, &shown, folder, &settings, HOST).map_err(|cause| {
             LaboratoryError::Scene {
                 scene: self.name().into(),
                 cause: Box::new(cause),

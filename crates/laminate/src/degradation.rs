@@ -15,7 +15,7 @@
 use stickslip_fem_core::material::{PlaneStiffness, inverse};
 use thiserror::Error;
 
-use crate::failure::FailureMode;
+use crate::failure_mode::FailureMode;
 use crate::ply::Ply;
 
 /// A degradation factor that does not degrade.
@@ -48,7 +48,7 @@ pub struct Damage {
 }
 
 impl Damage {
-    /// This damage and the failure in `mode`: fibre modes take fibres and matrix, the others the matrix.
+    /// Adds the failure in `mode` to this damage: fibre modes take fibres and matrix, the others the matrix.
     #[must_use]
     pub fn with(self, mode: FailureMode) -> Self {
         Self {
@@ -62,7 +62,7 @@ impl Degradation {
     /// Smallest factor accepted.
     pub const SMALLEST: f64 = 1e-9;
 
-    /// Factors `fibre` on E₁ after fibre failure and `matrix` on E₂ and G₁₂ after matrix failure.
+    /// Checks the factors `fibre` on E₁ after fibre failure and `matrix` on E₂ and G₁₂ after matrix failure, both dimensionless.
     ///
     /// # Errors
     /// [`DegradationError`] unless both are in [[`Degradation::SMALLEST`], 1].
@@ -75,18 +75,18 @@ impl Degradation {
         Ok(Self { fibre, matrix })
     }
 
-    /// Factor on E₁ after fibre failure.
+    /// Returns the factor on E₁ after fibre failure, dimensionless.
     pub fn fibre(&self) -> f64 {
         self.fibre
     }
 
-    /// Factor on E₂ and G₁₂ after matrix failure.
+    /// Returns the factor on E₂ and G₁₂ after matrix failure, dimensionless.
     pub fn matrix(&self) -> f64 {
         self.matrix
     }
 
-    /// Factors times `part`, as far as [`SMALLEST`](Self::SMALLEST): what is left where failed plies keep next to nothing. A factor of
-    /// 1 stays, because such a failure loses nothing.
+    /// Multiplies the factors by `part` in [0, 1], as far as [`SMALLEST`](Self::SMALLEST): what is left where failed plies keep next to
+    /// nothing. A factor of 1 stays, because such a failure loses nothing.
     #[must_use]
     pub fn weakened(&self, part: f64) -> Self {
         let weaken = |factor: f64| {
@@ -102,7 +102,8 @@ impl Degradation {
         }
     }
 
-    /// Stiffness `[stress]` in material axes of `ply` with `damage`.
+    /// Computes the stiffness Q = S⁻¹ (3×3, `[stress]`) in material axes of `ply` with `damage`, after Matzenmiller, Lubliner & Taylor
+    /// (1995).
     pub fn stiffness(&self, ply: &Ply, damage: Damage) -> PlaneStiffness {
         let (along, across) = match damage {
             Damage { fibre: true, .. } => (self.fibre, self.matrix.min(self.fibre)),

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! A symmetric lay-up acts in its plane as the homogeneous plate with stiffness A/h, which is a
-//! [`Material`](stickslip_fem_core::material::Material) of `stickslip-fem-core`; its ply fractions are what the fibre-coverage
+//! [`Material`] of `stickslip-fem-core`; its ply fractions are what the fibre-coverage
 //! law of [`stickslip_friction`] asks for.
 //!
 //! # From lay-up to first-ply failure
@@ -61,11 +61,22 @@
 //! | [`layup`]       | [`Layup`]: the notation `[0/±45/90]s`                                                       |
 //! | [`laminate`]    | [`Laminate`]: A, B, D, moduli, coupling, ply stresses, residual stresses, membrane material |
 //! | [`failure`]     | the trait [`FailureCriterion`] and the criteria; first and last ply failure, envelopes      |
+//! | [`contract`]    | what every criterion and every point model must fulfil, as checks for the tests of a new one |
 //! | [`degradation`] | ply discount: what a failed ply still carries                                               |
 //! | [`progressive`] | the trait [`PointModel`]: materials with history, by ply discount or plasticity             |
+//!
+//! Criteria and point models are found by the name that a file gives them, those of other crates included:
+//! [`failure::criteria`], [`progressive::point_models`].
 
+/// The README's example.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
+pub mod contract;
 pub mod degradation;
 pub mod failure;
+mod failure_mode;
 pub mod laminate;
 pub mod layup;
 pub mod ply;
@@ -80,4 +91,9 @@ pub use laminate::{
 pub use layup::{Layup, LayupError};
 pub use ply::{Ply, PlyConstants, PlyError};
 pub use progressive::{PointHistory, PointModel, PointState};
+pub use stickslip_fem_core::material::{Material, MaterialError, PlaneStiffness};
+pub use stickslip_friction::{FibreCoverage, FrictionError, FrictionLaw, Kernel, PlyFraction};
 pub use strengths::{Strength, Strengths};
+
+/// The crate behind the registries, so that criteria and point models elsewhere register without a dependency of their own.
+pub use inventory;

@@ -81,7 +81,7 @@ pub struct Ply {
 }
 
 impl Ply {
-    /// Ply called `name` with the given constants and strengths.
+    /// Checks a ply called `name` with the given constants and strengths, and computes its stiffness; Jones (1999), chapter 2.
     ///
     /// # Errors
     /// [`PlyError::Constant`] unless E₁, E₂, G₁₂ are positive, ν₁₂² < E₁/E₂ and the expansions finite,
@@ -121,37 +121,45 @@ impl Ply {
         })
     }
 
-    /// Name of the ply.
+    /// Returns the name of the ply.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Constants and thickness as given.
+    /// Returns the constants and the thickness as given.
     pub fn constants(&self) -> &PlyConstants {
         &self.constants
     }
 
-    /// Strengths as given.
+    /// Returns the strengths as given.
     pub fn strengths(&self) -> &Strengths {
         &self.strengths
     }
 
-    /// Reduced stiffness Q in material axes `[stress]`.
+    /// The same ply with strengths that were checked in another one.
+    pub(crate) fn with_strengths(&self, strengths: Strengths) -> Self {
+        Self {
+            strengths,
+            ..self.clone()
+        }
+    }
+
+    /// Returns the reduced stiffness Q (3×3, `[stress]`) in material axes.
     pub fn stiffness(&self) -> &PlaneStiffness {
         &self.stiffness
     }
 
-    /// Compliance S in material axes `[1/stress]`.
+    /// Returns the compliance S (3×3, `[1/stress]`) in material axes.
     pub fn compliance(&self) -> &PlaneStiffness {
         &self.compliance
     }
 
-    /// Thickness `[length]`.
+    /// Returns the thickness `[length]`.
     pub fn thickness(&self) -> f64 {
         self.constants.thickness
     }
 
-    /// Expansion (α₁, α₂, 0) in material axes `[1/temperature]`.
+    /// Returns the expansion (α₁, α₂, 0) in material axes `[1/temperature]`.
     pub fn expansion(&self) -> [f64; 3] {
         [self.constants.alpha1, self.constants.alpha2, 0.0]
     }

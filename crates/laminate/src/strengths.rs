@@ -61,7 +61,7 @@ impl Strength {
         Self::Strain12,
     ];
 
-    /// Name of the field of [`Strengths`].
+    /// Returns the name of the field of [`Strengths`].
     pub fn name(self) -> &'static str {
         match self {
             Self::Xt => "xt",
@@ -81,7 +81,7 @@ impl Strength {
         }
     }
 
-    /// What it is, in words.
+    /// Describes the strength in a phrase.
     pub fn meaning(self) -> &'static str {
         match self {
             Self::Xt => "tensile strength along the fibres",
@@ -142,7 +142,7 @@ pub struct Strengths {
 }
 
 impl Strengths {
-    /// The five in-plane strengths `[stress]` and nothing else.
+    /// Gives the five in-plane strengths X_t, X_c, Y_t, Y_c, S₁₂ `[stress]`, positive magnitudes, and nothing else.
     pub fn in_plane(xt: f64, xc: f64, yt: f64, yc: f64, s12: f64) -> Self {
         Self {
             xt: Some(xt),
@@ -154,7 +154,7 @@ impl Strengths {
         }
     }
 
-    /// The same strengths, with strain limits that are not given taken from a ply that stays linear up to its strength:
+    /// Fills in strain limits that are not given, from a ply that stays linear up to its strength:
     /// X_t/E₁, X_c/E₁, Y_t/E₂, Y_c/E₂ and S₁₂/G₁₂, for the moduli `e1`, `e2`, `g12` `[stress]`.
     #[must_use]
     pub fn with_linear_strain_limits(self, e1: f64, e2: f64, g12: f64) -> Self {
@@ -171,27 +171,49 @@ impl Strengths {
         }
     }
 
-    /// The strength of this name, if known.
+    /// Returns the strength of this name, `[stress]` or a strain limit, if known.
     pub fn get(&self, strength: Strength) -> Option<f64> {
+        let mut copy = *self;
+        *copy.entry(strength)
+    }
+
+    /// Leaves out `left_out`.
+    #[must_use]
+    pub fn without(self, left_out: Strength) -> Self {
+        let mut rest = self;
+        *rest.entry(left_out) = None;
+        rest
+    }
+
+    /// Leaves out all strengths that are not among `kept`.
+    #[must_use]
+    pub fn only(self, kept: &[Strength]) -> Self {
+        let others = Strength::ALL
+            .into_iter()
+            .filter(|name| !kept.contains(name));
+        others.fold(self, Self::without)
+    }
+
+    fn entry(&mut self, strength: Strength) -> &mut Option<f64> {
         match strength {
-            Strength::Xt => self.xt,
-            Strength::Xc => self.xc,
-            Strength::Yt => self.yt,
-            Strength::Yc => self.yc,
-            Strength::S12 => self.s12,
-            Strength::Zt => self.zt,
-            Strength::Zc => self.zc,
-            Strength::S13 => self.s13,
-            Strength::S23 => self.s23,
-            Strength::Strain1t => self.strain_1t,
-            Strength::Strain1c => self.strain_1c,
-            Strength::Strain2t => self.strain_2t,
-            Strength::Strain2c => self.strain_2c,
-            Strength::Strain12 => self.strain_12,
+            Strength::Xt => &mut self.xt,
+            Strength::Xc => &mut self.xc,
+            Strength::Yt => &mut self.yt,
+            Strength::Yc => &mut self.yc,
+            Strength::S12 => &mut self.s12,
+            Strength::Zt => &mut self.zt,
+            Strength::Zc => &mut self.zc,
+            Strength::S13 => &mut self.s13,
+            Strength::S23 => &mut self.s23,
+            Strength::Strain1t => &mut self.strain_1t,
+            Strength::Strain1c => &mut self.strain_1c,
+            Strength::Strain2t => &mut self.strain_2t,
+            Strength::Strain2c => &mut self.strain_2c,
+            Strength::Strain12 => &mut self.strain_12,
         }
     }
 
-    /// Whether no strength at all is known.
+    /// Tells whether no strength at all is known.
     pub fn is_empty(&self) -> bool {
         Strength::ALL.iter().all(|&name| self.get(name).is_none())
     }

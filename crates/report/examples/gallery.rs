@@ -10,7 +10,6 @@ use stickslip_report::chart::{
 };
 use stickslip_report::color::{Color, Colormap, loading_sequence, unloading_sequence};
 use stickslip_report::field::{FieldPlot, Mirror};
-use stickslip_report::folder::write_atomic;
 use stickslip_report::page::{Block, Figure, Page, Section};
 use stickslip_report::raster::{DEFAULT_SCALE, to_png};
 use stickslip_report::svg::Svg;
@@ -37,21 +36,21 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (name, picture) in &pictures {
         save(&folder, name, picture)?;
     }
-    write_atomic(
-        &folder.join("page.html"),
+    std::fs::write(
+        folder.join("page.html"),
         page(pictures).render()?.as_bytes(),
     )?;
     Ok(())
 }
 
 fn save(folder: &Path, name: &str, picture: &Svg) -> Result<(), Box<dyn Error>> {
-    write_atomic(
-        &folder.join(format!("{name}.svg")),
+    std::fs::write(
+        folder.join(format!("{name}.svg")),
         picture.as_str().as_bytes(),
     )?;
-    write_atomic(
-        &folder.join(format!("{name}.png")),
-        &to_png(picture, DEFAULT_SCALE)?,
+    std::fs::write(
+        folder.join(format!("{name}.png")),
+        to_png(picture, DEFAULT_SCALE)?,
     )?;
     Ok(())
 }

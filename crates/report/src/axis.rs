@@ -50,7 +50,7 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// A linear axis that fits its data.
+    /// Makes a linear axis that fits its data.
     pub fn linear(label: impl Into<String>) -> Self {
         Self {
             label: label.into(),
@@ -60,7 +60,7 @@ impl Axis {
         }
     }
 
-    /// A logarithmic axis that fits its data.
+    /// Makes a logarithmic axis that fits its data.
     pub fn log(label: impl Into<String>) -> Self {
         Self {
             scale: Scale::Log,
@@ -75,7 +75,7 @@ impl Axis {
         self
     }
 
-    /// Shows exactly `[low, high]`.
+    /// Sets the ends of the axis.
     #[must_use]
     pub fn between(mut self, low: f64, high: f64) -> Self {
         self.range = Some([low, high]);

@@ -6,9 +6,9 @@
 use crate::color::Color;
 use crate::error::FigureError;
 use crate::frame::{Heading, INK, LABEL_SIZE, LINE_HEIGHT, OUTER, TICK_SIZE, TITLE_SIZE};
-use crate::legend::{self, MARK_SIZE, ink_on};
-use crate::map::Category;
-use crate::svg::{Anchor, Area, Canvas, Stroke, Svg, TextStyle};
+use crate::legend::{self, Category, MARK_SIZE, ink_on};
+use crate::shape::{Anchor, Area, Stroke, TextStyle};
+use crate::svg::{Canvas, Svg};
 use crate::text;
 
 /// Smallest width of a cell, and its height \[px\].

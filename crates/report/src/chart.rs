@@ -53,12 +53,12 @@ pub enum Dash {
 }
 
 impl Dash {
-    pub(crate) fn pattern(self) -> &'static str {
+    pub(crate) fn pattern(self) -> &'static [f64] {
         match self {
-            Self::Solid => "",
-            Self::Dashed => "7 4",
-            Self::Dotted => "1.5 3",
-            Self::DashDotted => "8 3 1.5 3",
+            Self::Solid => &[],
+            Self::Dashed => &[7.0, 4.0],
+            Self::Dotted => &[1.5, 3.0],
+            Self::DashDotted => &[8.0, 3.0, 1.5, 3.0],
         }
     }
 }
@@ -85,7 +85,7 @@ pub struct Series {
 }
 
 impl Series {
-    /// A solid line through `points`.
+    /// Makes a solid line through `points`, (x, y) in the units of the axes.
     pub fn new(label: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
         Self {
             label: label.into(),
@@ -147,7 +147,7 @@ pub struct Band {
 }
 
 impl Band {
-    /// A band from `low` to `high` on the x axis.
+    /// Makes a band from `low` to `high` on the x axis.
     pub fn new(label: impl Into<String>, low: f64, high: f64, color: Color) -> Self {
         Self {
             label: label.into(),
@@ -181,7 +181,7 @@ pub struct ReferenceLine {
 }
 
 impl ReferenceLine {
-    /// A grey line at `y`.
+    /// Makes a grey line at `y`.
     pub fn horizontal(label: impl Into<String>, y: f64) -> Self {
         let color = Color::rgb(0x55, 0x55, 0x55);
         Self {
@@ -192,7 +192,7 @@ impl ReferenceLine {
         }
     }
 
-    /// A grey line at `x`.
+    /// Makes a grey line at `x`.
     pub fn vertical(label: impl Into<String>, x: f64) -> Self {
         Self {
             direction: Direction::Vertical,
@@ -247,7 +247,7 @@ pub struct LineChart {
 }
 
 impl LineChart {
-    /// An empty chart, 720 px wide.
+    /// Makes an empty chart, 720 px wide.
     pub fn new(title: impl Into<String>, x: Axis, y: Axis) -> Self {
         Self {
             title: title.into(),

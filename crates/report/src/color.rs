@@ -30,18 +30,18 @@ const CATEGORIES: [Color; 8] = [
 ];
 
 impl Color {
-    /// A colour from its sRGB channels, each 0 to 255.
+    /// Makes a colour from its sRGB channels, each 0 to 255.
     #[must_use]
     pub const fn rgb(red: u8, green: u8, blue: u8) -> Self {
         Self { red, green, blue }
     }
 
-    /// The colour of category `index`; repeats after eight.
+    /// Returns the colour of category `index`; repeats after eight.
     pub fn category(index: usize) -> Self {
         CATEGORIES[index % CATEGORIES.len()]
     }
 
-    /// This colour mixed with white: `strength` 1 leaves it, 0 gives white.
+    /// Mixes this colour with white: `strength` 1 leaves it, 0 gives white.
     #[must_use]
     pub fn tint(self, strength: f64) -> Self {
         let strength = strength.clamp(0.0, 1.0);
@@ -56,10 +56,9 @@ impl fmt::Display for Color {
     }
 }
 
-impl From<colorous::Color> for Color {
-    fn from(color: colorous::Color) -> Self {
-        Self::rgb(color.r, color.g, color.b)
-    }
+fn evaluated(gradient: colorous::Gradient, fraction: f64) -> Color {
+    let color = gradient.eval_continuous(fraction);
+    Color::rgb(color.r, color.g, color.b)
 }
 
 /// A continuous map from \[0, 1\] to colours.
@@ -76,7 +75,7 @@ pub enum Colormap {
 }
 
 impl Colormap {
-    /// The colour at `fraction`, which is clamped to \[0, 1\]; NaN gives the colour at 0.
+    /// Returns the colour at `fraction`, which is clamped to \[0, 1\]; NaN gives the colour at 0.
     pub fn at(self, fraction: f64) -> Color {
         let fraction = if fraction.is_nan() {
             0.0
@@ -84,40 +83,36 @@ impl Colormap {
             fraction.clamp(0.0, 1.0)
         };
         match self {
-            Self::Viridis => colorous::VIRIDIS.eval_continuous(fraction).into(),
-            Self::BlueWhiteRed => colorous::RED_BLUE.eval_continuous(1.0 - fraction).into(),
+            Self::Viridis => evaluated(colorous::VIRIDIS, fraction),
+            Self::BlueWhiteRed => evaluated(colorous::RED_BLUE, 1.0 - fraction),
             Self::Gray => {
                 let level = (255.0 * fraction).round() as u8;
                 Color::rgb(level, level, level)
             }
-            Self::Cyclic => colorous::SINEBOW.eval_continuous(fraction).into(),
+            Self::Cyclic => evaluated(colorous::SINEBOW, fraction),
         }
     }
 
-    /// Whether the map's middle stands for zero.
+    /// Tells whether the map's middle stands for zero.
     pub fn is_diverging(self) -> bool {
         self == Self::BlueWhiteRed
     }
 }
 
-/// `count` colours in order from dark blue to light green, for a family of curves
+/// Returns `count` colours in order from dark blue to light green, for a family of curves
 /// that has an order: load steps, mesh levels, coefficients of friction.
 pub fn sequence(count: usize) -> Vec<Color> {
     spread(count, 0.0, 0.85, |t| Colormap::Viridis.at(t))
 }
 
-/// `count` colours for the steps of increasing load, from light to dark blue.
+/// Returns `count` colours for the steps of increasing load, from light to dark blue.
 pub fn loading_sequence(count: usize) -> Vec<Color> {
-    spread(count, 0.4, 1.0, |t| {
-        colorous::BLUES.eval_continuous(t).into()
-    })
+    spread(count, 0.4, 1.0, |t| evaluated(colorous::BLUES, t))
 }
 
-/// `count` colours for the steps of decreasing load, from dark to light orange.
+/// Returns `count` colours for the steps of decreasing load, from dark to light orange.
 pub fn unloading_sequence(count: usize) -> Vec<Color> {
-    spread(count, 1.0, 0.4, |t| {
-        colorous::ORANGES.eval_continuous(t).into()
-    })
+    spread(count, 1.0, 0.4, |t| evaluated(colorous::ORANGES, t))
 }
 
 fn spread(count: usize, from: f64, to: f64, map: impl Fn(f64) -> Color) -> Vec<Color> {

@@ -22,6 +22,7 @@ use crate::axis::{Axis, Padding, Span};
 use crate::color::Colormap;
 use crate::error::FigureError;
 use crate::frame::OUTER;
+use crate::image::Image;
 use crate::svg::{Canvas, Svg};
 use layout::Layout;
 use patch::Patch;
@@ -72,7 +73,7 @@ pub struct FieldPlot<'a> {
 }
 
 impl<'a> FieldPlot<'a> {
-    /// A field over the whole mesh in the colours of Viridis, axes in `length_unit`.
+    /// Makes the picture of a field over the whole mesh in the colours of Viridis, axes in `length_unit`.
     pub fn new(
         title: impl Into<String>,
         label: impl Into<String>,
@@ -172,17 +173,19 @@ impl<'a> FieldPlot<'a> {
     ) -> Result<Svg, FigureError> {
         let frame = &layout.frame;
         let paint = shading::Paint::new(frame, range, self.colormap);
-        let image = pixels::painted(&paint, patches).map_err(|reason| FigureError::Raster {
+        let image = pixels::painted(&paint, patches);
+        let png = image.as_ref().map(Image::png).transpose();
+        let png = png.map_err(|cause| FigureError::Raster {
             width: frame.area.width,
             height: frame.area.height,
             scale: pixels::SCALE,
-            reason,
+            reason: cause.to_string(),
         })?;
         let mut canvas = Canvas::default();
         layout.heading.draw(&mut canvas, [OUTER, OUTER]);
         canvas.clipped(&frame.area, |canvas| {
-            match &image {
-                Some(png) => canvas.image(&frame.area, png),
+            match image.zip(png) {
+                Some((image, png)) => canvas.image(&frame.area, image, png),
                 None => shading::fill(canvas, &paint, patches),
             }
             outline::draw(canvas, self, frame, patches.len());

@@ -5,7 +5,9 @@ use crate::axis::ticks::Ticks;
 use crate::axis::{Axis, Padding, Span};
 use crate::color::Color;
 use crate::error::FigureError;
-use crate::svg::{Anchor, Area, Canvas, Px, Stroke, TextStyle, push_point};
+use crate::markup::{Px, push_point};
+use crate::shape::{Anchor, Area, Stroke, TextStyle};
+use crate::svg::Canvas;
 use crate::text::{self, Weight};
 
 pub(crate) const INK: Color = Color::rgb(0x22, 0x22, 0x22);

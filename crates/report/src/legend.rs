@@ -2,8 +2,8 @@
 
 use crate::color::Color;
 use crate::frame::{INK, MUTED, OUTER, TICK_SIZE};
-use crate::map::Category;
-use crate::svg::{Anchor, Area, Canvas, Stroke, TextStyle};
+use crate::shape::{Anchor, Area, Stroke, TextStyle};
+use crate::svg::Canvas;
 use crate::text::{self, Weight};
 
 /// Size of a category's mark \[px\].
@@ -12,6 +12,17 @@ pub(crate) const MARK_SIZE: f64 = 9.5;
 const SWATCH: f64 = 16.0;
 const ROW: f64 = 22.0;
 const GAP: f64 = 20.0;
+
+/// What a cell can say.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Category {
+    /// Name in the legend.
+    pub label: String,
+    /// One or two characters in the cell; may be empty.
+    pub mark: String,
+    /// Ground of the cell.
+    pub color: Color,
+}
 
 /// Draws the categories with an index in `met` below `top`, in lines of `width`, of those with one name the first; returns where
 /// they end.

@@ -7,7 +7,9 @@ use crate::color::Color;
 use crate::error::FigureError;
 use crate::frame::{Heading, INK, LABEL_SIZE, LINE_HEIGHT, OUTER, TICK_SIZE, TITLE_SIZE};
 use crate::legend;
-use crate::svg::{Anchor, Area, Canvas, Stroke, Svg, TextStyle};
+pub use crate::legend::Category;
+use crate::shape::{Anchor, Area, Stroke, TextStyle};
+use crate::svg::{Canvas, Svg};
 use crate::text::{self, Weight};
 
 /// Smallest width and the height of a cell \[px\].
@@ -17,17 +19,6 @@ const GROUP_HEIGHT: f64 = 25.0;
 const NAME_GAP: f64 = 8.0;
 /// Room between column labels \[px\].
 const LABEL_ROOM: f64 = 5.0;
-
-/// What a cell can say.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Category {
-    /// Name in the legend.
-    pub label: String,
-    /// One or two characters in the cell; may be empty.
-    pub mark: String,
-    /// Ground of the cell.
-    pub color: Color,
-}
 
 /// Rows that belong together, under a heading.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -3,9 +3,10 @@
 use crate::color::Color;
 use crate::error::FigureError;
 use crate::frame::{Frame, Heading, OUTER, TITLE_SIZE};
-use crate::legend;
-use crate::map::Category;
-use crate::svg::{Area, Canvas, Stroke, Svg, push_point};
+use crate::legend::{self, Category};
+use crate::markup::push_point;
+use crate::shape::{Area, Stroke};
+use crate::svg::{Canvas, Svg};
 
 const MESH: Color = Color::rgb(0xc4, 0xc4, 0xc4);
 const GROUND: Color = Color::rgb(0xf4, 0xf4, 0xf4);

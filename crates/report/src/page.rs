@@ -7,9 +7,9 @@ use std::collections::BTreeSet;
 use minijinja::{Environment, Value, context};
 use thiserror::Error;
 
-use crate::plain::printable;
 use crate::svg::Svg;
 use crate::table::Table;
+use stickslip_text::plain::printable;
 
 /// A page that could not be written.
 #[derive(Debug, Error)]
@@ -25,8 +25,8 @@ pub enum PageError {
     #[error("the page could not be put together")]
     Template {
         /// The template engine's reason.
-        #[from]
-        cause: minijinja::Error,
+        #[source]
+        cause: Box<dyn std::error::Error + Send + Sync>,
     },
 }
 
@@ -43,7 +43,7 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// A picture with a caption that `anchor` links to.
+    /// Makes a figure with a caption that `anchor` links to.
     pub fn new(picture: Svg, caption: impl Into<String>, anchor: impl Into<String>) -> Self {
         Self {
             picture,
@@ -74,7 +74,7 @@ pub struct Section {
 }
 
 impl Section {
-    /// An empty section.
+    /// Makes an empty section.
     pub fn new(title: impl Into<String>) -> Self {
         Self {
             title: title.into(),
@@ -110,7 +110,7 @@ pub struct Page {
 }
 
 impl Page {
-    /// An empty page.
+    /// Makes an empty page.
     pub fn new(title: impl Into<String>, subtitle: impl Into<String>) -> Self {
         Self {
             title: title.into(),
@@ -119,10 +119,10 @@ impl Page {
         }
     }
 
-    /// The page as HTML 5, UTF-8.
+    /// Writes the page as HTML 5, UTF-8.
     ///
     /// # Errors
-    /// [`PageError::DuplicateAnchor`] if two figures share an anchor.
+    /// [`PageError::DuplicateAnchor`] if two figures share an anchor; [`PageError::Template`] if the template engine fails.
     pub fn render(&self) -> Result<String, PageError> {
         let sections: Vec<Value> = self
             .sections
@@ -131,10 +131,19 @@ impl Page {
             .map(|(index, section)| section_value(index + 1, section))
             .collect();
         self.check_anchors()?;
+        let page = self.filled(sections);
+        let page = page.map_err(|cause| PageError::Template {
+            cause: Box::new(cause),
+        })?;
+        Ok(printable(&page).into_owned())
+    }
+
+    /// The template with the page's texts.
+    fn filled(&self, sections: Vec<Value>) -> Result<String, minijinja::Error> {
         let mut environment = Environment::new();
         environment.add_template("page.html", include_str!("page.html"))?;
         let pairs = |(name, value): &(String, String)| context! { name, value };
-        let page = environment.get_template("page.html")?.render(context! {
+        environment.get_template("page.html")?.render(context! {
             title => self.title.clone(),
             subtitle => self.subtitle.clone(),
             warnings => self.warnings.clone(),
@@ -142,8 +151,7 @@ impl Page {
             notes => self.notes.clone(),
             sections,
             footer => self.footer.clone(),
-        })?;
-        Ok(printable(&page).into_owned())
+        })
     }
 
     fn check_anchors(&self) -> Result<(), PageError> {

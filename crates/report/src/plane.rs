@@ -10,9 +10,10 @@ use crate::color::{Color, Colormap};
 use crate::error::FigureError;
 use crate::field::color_bar::{self, ColorBar};
 use crate::frame::{Frame, Heading, OUTER, TITLE_SIZE};
-use crate::legend;
-use crate::map::Category;
-use crate::svg::{Area, Canvas, Stroke, Svg, push_point};
+use crate::legend::{self, Category};
+use crate::markup::push_point;
+use crate::shape::{Area, Stroke};
+use crate::svg::{Canvas, Svg};
 
 /// Room left of the plot for ticks and label, and right of it \[px\].
 const LEFT: f64 = 62.0;
@@ -82,7 +83,7 @@ pub struct PlanePlot<'a> {
 }
 
 impl<'a> PlanePlot<'a> {
-    /// An empty plane with axes in `length_unit`.
+    /// Makes an empty plane with axes in `length_unit`.
     pub fn new(title: impl Into<String>, length_unit: &str, window: [f64; 4]) -> Self {
         Self {
             title: title.into(),
@@ -143,12 +144,19 @@ impl<'a> PlanePlot<'a> {
 
     fn draw(&self, frame: &Frame, range: &Span, heading: &Heading) -> Result<Svg, FigureError> {
         let area = frame.area;
-        let image = image::png(self, &area, range)?;
+        let image = image::painted(self, &area, range);
+        let png = image.as_ref().map(|(_, image)| image.png()).transpose();
+        let png = png.map_err(|cause| FigureError::Raster {
+            width: area.width,
+            height: area.height,
+            scale: self.sharpness,
+            reason: cause.to_string(),
+        })?;
         let mut canvas = Canvas::default();
         heading.draw(&mut canvas, [OUTER, OUTER]);
         canvas.clipped(&area, |canvas| {
-            if let Some((area, png)) = &image {
-                canvas.image(area, png);
+            if let Some(((area, image), png)) = image.zip(png) {
+                canvas.image(&area, image, png);
             }
             self.draw_dots(canvas, frame, range);
             for marks in &self.marks {

@@ -12,7 +12,7 @@ pub struct Column {
 }
 
 impl Column {
-    /// A column with a name and a unit (empty for none).
+    /// Makes a column with a name and a unit (empty for none).
     pub fn new(name: impl Into<String>, unit: impl Into<String>) -> Self {
         Self {
             name: name.into(),
@@ -36,7 +36,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// An empty table with headings.
+    /// Makes an empty table with headings.
     pub fn new(caption: impl Into<String>, columns: Vec<Column>) -> Self {
         Self {
             caption: caption.into(),
@@ -61,7 +61,7 @@ impl Table {
         self
     }
 
-    /// The table as plain text: caption, aligned columns with a row of units, notes.
+    /// Writes the table as plain text: caption, aligned columns with a row of units, notes.
     /// Numbers are aligned right. Cells are wrapped so that lines have at most `width`
     /// characters, if one is given. Ends with a line break.
     pub fn to_text(&self, width: Option<u16>) -> String {
@@ -94,7 +94,7 @@ impl Table {
         lines.join("\n") + "\n"
     }
 
-    /// The table without column `index`; as it is if there is none.
+    /// Removes column `index`, if there is one.
     #[must_use]
     pub fn without_column(mut self, index: usize) -> Self {
         for row in &mut self.rows {
@@ -108,7 +108,7 @@ impl Table {
         self
     }
 
-    /// Width of the widest line of the table as text, where no cell is wrapped.
+    /// Measures the widest line of the table as text, where no cell is wrapped.
     pub fn text_width(&self) -> usize {
         let text = self.to_text(None);
         text.lines()

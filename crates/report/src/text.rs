@@ -3,8 +3,7 @@
 
 use std::sync::LazyLock;
 
-use skrifa::instance::{LocationRef, Size};
-use skrifa::{FontRef, MetadataProvider};
+use rustybuzz::Face;
 
 /// The family named in every figure. Verdana has nearly the same widths, for a
 /// viewer without the first.
@@ -13,10 +12,10 @@ pub(crate) const FONT_FAMILY: &str = "DejaVu Sans, Verdana, sans-serif";
 /// Width assumed for a character where a font cannot be read or lacks it \[em\].
 const FALLBACK_ADVANCE: f64 = 0.65;
 
-static REGULAR: LazyLock<Option<FontRef<'static>>> =
-    LazyLock::new(|| FontRef::new(dejavu::sans::regular()).ok());
-static BOLD: LazyLock<Option<FontRef<'static>>> =
-    LazyLock::new(|| FontRef::new(dejavu::sans::bold()).ok());
+static REGULAR: LazyLock<Option<Face<'static>>> =
+    LazyLock::new(|| Face::from_slice(dejavu::sans::regular(), 0));
+static BOLD: LazyLock<Option<Face<'static>>> =
+    LazyLock::new(|| Face::from_slice(dejavu::sans::bold(), 0));
 
 /// Weight of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -25,24 +24,28 @@ pub(crate) enum Weight {
     Bold,
 }
 
+/// The embedded font of a weight; `None` if it cannot be read.
+pub(crate) fn face(weight: Weight) -> Option<&'static Face<'static>> {
+    match weight {
+        Weight::Regular => REGULAR.as_ref(),
+        Weight::Bold => BOLD.as_ref(),
+    }
+}
+
 /// Width of `text` on one line at `size` \[px\].
 pub(crate) fn width(text: &str, size: f64, weight: Weight) -> f64 {
-    let font = match weight {
-        Weight::Regular => &*REGULAR,
-        Weight::Bold => &*BOLD,
-    };
-    let Some(font) = font else {
+    let Some(face) = face(weight) else {
         return text.chars().count() as f64 * FALLBACK_ADVANCE * size;
     };
-    let charmap = font.charmap();
-    let metrics = font.glyph_metrics(Size::new(1.0), LocationRef::default());
-    let advance = |character| {
-        charmap
-            .map(character)
-            .and_then(|glyph| metrics.advance_width(glyph))
-            .map_or(FALLBACK_ADVANCE, f64::from)
+    let units = f64::from(face.units_per_em());
+    let advance = |letter| {
+        let glyph = face.glyph_index(letter)?;
+        Some(f64::from(face.glyph_hor_advance(glyph)?) / units)
     };
-    size * text.chars().map(advance).sum::<f64>()
+    let advances = text
+        .chars()
+        .map(|letter| advance(letter).unwrap_or(FALLBACK_ADVANCE));
+    size * advances.sum::<f64>()
 }
 
 /// The widest of `texts` at `size` \[px\]; 0 for none.
@@ -105,7 +108,7 @@ mod tests {
         let font = REGULAR.as_ref().unwrap();
         for character in "−×·⁰¹²³⁴⁵⁶⁷⁸⁹⁻µ°θσετφμΔδ≤≥–—…→√½".chars()
         {
-            assert!(font.charmap().map(character).is_some(), "{character}");
+            assert!(font.glyph_index(character).is_some(), "{character}");
         }
     }
 

@@ -311,9 +311,9 @@ fn equal_charts_give_equal_bytes() {
 fn a_png_has_the_asked_size_and_shows_text() {
     let picture = chart(vec![[0.0, 0.0], [1.0, 1.0]]).render().unwrap();
     let file = to_png(&picture, 2.0).unwrap();
-    let mut reader = png::Decoder::new(std::io::Cursor::new(file))
-        .read_info()
-        .unwrap();
+    let mut decoder = png::Decoder::new(std::io::Cursor::new(file));
+    decoder.set_transformations(png::Transformations::ALPHA);
+    let mut reader = decoder.read_info().unwrap();
     let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
     let info = reader.next_frame(&mut pixels).unwrap();
     let expected = [picture.width(), picture.height()].map(|side| (2.0 * side).ceil() as u32);

@@ -46,9 +46,9 @@ fn count(picture: &Svg, tag: &str) -> usize {
 /// The colour at a place of the picture, given as parts of its width and height.
 fn color_at(picture: &Svg, part_x: f64, part_y: f64) -> [u8; 3] {
     let file = to_png(picture, 1.0).unwrap();
-    let mut reader = png::Decoder::new(std::io::Cursor::new(file))
-        .read_info()
-        .unwrap();
+    let mut decoder = png::Decoder::new(std::io::Cursor::new(file));
+    decoder.set_transformations(png::Transformations::ALPHA);
+    let mut reader = decoder.read_info().unwrap();
     let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
     let info = reader.next_frame(&mut pixels).unwrap();
     let (x, y) = (

@@ -9,6 +9,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use criterion::{BenchmarkId, Criterion};
+use stickslip::host::HOST;
 use stickslip::model::{Model, ModelBodyKind};
 use stickslip::run::run;
 use stickslip::scene::Scene;
@@ -31,7 +32,8 @@ fn case(spacing: f64) -> Case {
         "mesh.element=Q8".into(),
         "output.fields=none".into(),
     ];
-    let scene = Scene::from_file(&path, &overrides).expect("the scene is part of the repository");
+    let scene =
+        Scene::from_file(&path, &overrides, HOST).expect("the scene is part of the repository");
     let model = Model::build(&scene).expect("the scene can be modelled");
     let mut matrix = LowerMatrix {
         column_start: vec![0],

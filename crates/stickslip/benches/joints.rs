@@ -5,6 +5,7 @@ use std::hint::black_box;
 use std::path::Path;
 
 use criterion::{BenchmarkId, Criterion, Throughput};
+use stickslip::host::HOST;
 use stickslip::run::run;
 use stickslip::scene::{Format, Scene};
 
@@ -52,12 +53,13 @@ force = { direction = [-1, 0], steps = ["1240 lbf"] }
         write!(text, "{}", copy.replace('K', &k.to_string()))
             .expect("text takes all that is written");
     }
-    Scene::from_text(
+    Scene::from_text_on(
         &text,
         Format::Toml,
         "joints.toml",
         Path::new(""),
         &[] as &[&str],
+        HOST,
     )
     .expect("the scene is valid")
 }

@@ -9,8 +9,9 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use criterion::Criterion;
+use stickslip::experiment::SpecimenScene;
 use stickslip::experiment::laws::ContactModel;
-use stickslip::experiment::plan::SpecimenScene;
+use stickslip::host::HOST;
 use stickslip::run::run;
 use stickslip::scene::Scene;
 
@@ -25,7 +26,7 @@ fn scene(degrees: f64) -> SpecimenScene {
         format!("mesh.coarse_spacing=\"{} deg\"", (4.0 * degrees).min(9.0)),
     ];
     SpecimenScene {
-        scene: Arc::new(Scene::from_file(&path, &overrides).expect("part of the repository")),
+        scene: Arc::new(Scene::from_file(&path, &overrides, HOST).expect("part of the repository")),
         body: "plate".to_owned(),
         edge: "hole".to_owned(),
     }

@@ -4,6 +4,7 @@
 use std::path::Path;
 
 use peak_alloc::PeakAlloc;
+use stickslip::host::HOST;
 use stickslip::run::run;
 use stickslip::scene::Scene;
 
@@ -20,7 +21,7 @@ fn main() {
             "output.fields=none".into(),
         ];
         let scene =
-            Scene::from_file(&path, &overrides).expect("the scene is part of the repository");
+            Scene::from_file(&path, &overrides, HOST).expect("the scene is part of the repository");
         let before = ALLOCATOR.current_usage();
         ALLOCATOR.reset_peak_usage();
         let results = run(&scene, &mut |_| {}).expect("every step of the benchmark is solved");

@@ -11,6 +11,7 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
+use stickslip::host::HOST;
 use stickslip::run::run;
 use stickslip::sweep::{Sweep, engine};
 use tempfile::TempDir;
@@ -34,7 +35,7 @@ fn sweep(folder: &Path, failure: bool) -> Sweep {
         |name: &str, text: &str| fs::write(folder.join(name), text).expect("a folder to write to");
     put("pinned-joint.toml", &scene);
     put("sweep.toml", &read("thousand.toml"));
-    Sweep::from_file(&folder.join("sweep.toml"), &[] as &[&str]).expect("the sweep reads")
+    Sweep::from_file(&folder.join("sweep.toml"), &[] as &[&str], HOST).expect("the sweep reads")
 }
 
 fn seconds(work: impl FnOnce()) -> f64 {

@@ -46,11 +46,11 @@ use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
 
-use crate::diagnostic::SceneError;
-use crate::experiment::chain::Depth;
-use crate::scene::Scene;
 use console::Console;
 use failure::CommandError;
+use stickslip_measure::chain::Depth;
+use stickslip_scene::Scene;
+use stickslip_scene::diagnostic::SceneError;
 
 /// Plane frictional contact of elastic bodies.
 #[derive(Debug, Parser)]
@@ -100,7 +100,7 @@ struct SceneArguments {
 
 impl SceneArguments {
     fn read(&self) -> Result<Scene, SceneError> {
-        Scene::from_file_within(&self.scene, &self.overrides, memory::limits())
+        Scene::from_file(&self.scene, &self.overrides, memory::host())
     }
 }
 

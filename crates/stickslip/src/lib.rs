@@ -1,32 +1,38 @@
-//! stickslip: plane frictional contact from a scene file to tractions, pictures and a report.
+//! The `stickslip` command: plane frictional contact from a scene file to tractions, pictures and a report.
 //!
 //! ```text
-//! scene file ──► scene ──► model ──► run ──► results ──► output
-//!                checked   bodies,   steps   numbers in  files, figures,
-//!                          pairs             base units  page, table
+//! scene file ──► scene ──► engine ───────► present ──► files
+//!                checked   model, run,     tables,
+//!                          results         figures, pages
+//! experiment ──► scene ──► measure ──────► present ──► files
 //! ```
 //!
 //! | module | subject |
 //! | --- | --- |
-//! | [`scene`], [`units`], [`diagnostic`] | scene files, quantities with units, errors that point at a line |
-//! | [`model`] | meshes, bodies, contact pairs, load history; the choices made |
-//! | [`run`](mod@run), [`results`] | the solution and what is reported of it |
-//! | [`experiment`] | measured displacements: fringe pictures, their reduction, hybrid analysis, friction |
+//! | [`cli`] | the command |
+//! | [`keep`], [`folder`] | results and findings in folders that appear whole or not at all |
+//! | [`host`] | files and the clock of the machine |
 //! | [`sweep`] | many joints: the axes of a sweep, its engine, its table and pictures |
-//! | [`limits`] | how much memory reading and modelling may take |
-//! | [`output`] | results as files, figures, a page and a table |
+//! | [`scene`], [`units`], [`diagnostic`], [`limits`] | scene files, quantities with units, errors that point at a line (`stickslip-scene`) |
+//! | [`model`], [`run`](mod@run), [`results`] | the solution and what is reported of it (`stickslip-engine`) |
+//! | [`experiment`] | measured displacements: fringe pictures, their reduction, hybrid analysis, friction (`stickslip-measure`) |
+//! | [`output`] | results as files, figures, a page and a table (`stickslip-present`) |
 //!
 //! A program with friction laws of its own links them and calls [`cli::main`].
 
 pub mod cli;
-pub mod diagnostic;
-pub mod experiment;
-mod failure;
-pub mod limits;
-pub mod model;
-pub mod output;
-pub mod results;
-pub mod run;
-pub mod scene;
+pub mod folder;
+pub mod host;
+pub mod keep;
 pub mod sweep;
-pub mod units;
+
+pub use stickslip_engine::{model, results, run};
+pub use stickslip_present::results as output;
+pub use stickslip_scene::{self as scene, diagnostic, limits, units};
+
+/// Experiments: from fringe pictures and measured displacements to friction.
+pub mod experiment {
+    pub use stickslip_measure::*;
+    pub use stickslip_present::experiment::{check, story, tell};
+    pub use stickslip_scene::experiment::*;
+}

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use serde_json::Value;
+use stickslip::host::HOST;
 use stickslip::output::summary_json;
 use stickslip::results::Results;
 use stickslip::scene::{Format, Scene};
@@ -91,8 +92,15 @@ figures = false
 "#;
 
 fn solved(scene: &str, changes: &[&str]) -> Results {
-    let scene = Scene::from_text(scene, Format::Toml, "scene.toml", Path::new("."), changes)
-        .unwrap_or_else(|error| panic!("{error} with {changes:?}"));
+    let scene = Scene::from_text_on(
+        scene,
+        Format::Toml,
+        "scene.toml",
+        Path::new("."),
+        changes,
+        HOST,
+    )
+    .unwrap_or_else(|error| panic!("{error} with {changes:?}"));
     stickslip::run::run(&scene, &mut |_| {}).unwrap()
 }
 

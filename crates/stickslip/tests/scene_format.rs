@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 use stickslip::diagnostic::{SceneError, SceneProblem};
+use stickslip::host::HOST;
 use stickslip::model::Model;
 use stickslip::scene::{Format, Scene};
 
@@ -79,7 +80,7 @@ fn scenes() -> PathBuf {
 }
 
 fn read(overrides: &[String]) -> Result<Scene, SceneError> {
-    Scene::from_text(BASE, Format::Toml, "base.toml", &scenes(), overrides)
+    Scene::from_text_on(BASE, Format::Toml, "base.toml", &scenes(), overrides, HOST)
 }
 
 fn cells(line: &'static str) -> Vec<String> {
@@ -232,7 +233,7 @@ fn the_document_describes_every_key_that_check_prints() {
         for entry in fs::read_dir(folder).unwrap() {
             let path = entry.unwrap().path();
             if path.extension().is_some_and(|end| end == "toml") {
-                let scene = Scene::from_file(&path, &[] as &[&str]).unwrap();
+                let scene = Scene::from_file(&path, &[] as &[&str], HOST).unwrap();
                 let resolved: Value = toml::from_str(scene.resolved()).unwrap();
                 covered(&resolved, "", &sections);
                 count += 1;
@@ -332,7 +333,8 @@ fn whole_scenes_in_the_document_can_be_modelled() {
         assert_eq!(blocks.len(), 1);
         for (text, _) in blocks {
             let scene =
-                Scene::from_text(text, format, "document", &scenes(), &[] as &[&str]).unwrap();
+                Scene::from_text_on(text, format, "document", &scenes(), &[] as &[&str], HOST)
+                    .unwrap();
             Model::build(&scene).unwrap();
         }
     }

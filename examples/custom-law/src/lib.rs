@@ -1,4 +1,4 @@
-//! A friction law in a crate of its own.
+//! A friction law in a crate of its own; [`criterion`] and [`point_model`] are the same for the failure of plies.
 //!
 //! Running-in of a coated surface: the coefficient passes from that of the fresh coating to that of the worn surface along the
 //! slip path s,
@@ -16,6 +16,9 @@ use stickslip_friction::{
     Bound, Dimension, FrictionError, FrictionLaw, History, Interval, LawInfo, Mirror,
     ParameterInfo, Place,
 };
+
+pub mod criterion;
+pub mod point_model;
 
 const NAME: &str = "running_in";
 

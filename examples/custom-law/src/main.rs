@@ -1,4 +1,4 @@
-//! The whole `stickslip` command, with one more friction law.
+//! The whole `stickslip` command, with one more friction law, failure criterion and point model.
 
 use custom_law as _;
 

@@ -4,14 +4,15 @@ use std::path::Path;
 use std::sync::Arc;
 
 use custom_law as _;
+use stickslip::experiment::SpecimenScene;
 use stickslip::experiment::laws::{Candidate, ContactModel};
-use stickslip::experiment::plan::SpecimenScene;
+use stickslip::host::HOST;
 use stickslip::scene::Scene;
 
 #[test]
 fn its_parameters_are_free_by_name_and_change_what_is_seen() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("coated-pin.toml");
-    let scene = Scene::from_file(&path, &["mesh.spacing=\"6 deg\""]).unwrap();
+    let scene = Scene::from_file(&path, &["mesh.spacing=\"6 deg\""], HOST).unwrap();
     let contact = &scene.contacts[0].first;
     let own = SpecimenScene {
         body: contact.body.clone(),

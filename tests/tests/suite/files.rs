@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
+use stickslip::host::HOST;
 use stickslip::results::Results;
 use stickslip::run::{self, RunError};
 use stickslip::scene::{Format, Scene};
@@ -14,7 +15,7 @@ fn text(name: &str) -> String {
 }
 
 fn solve(text: &str, name: &str, changes: &[&str]) -> Result<Results, RunError> {
-    let scene = Scene::from_text(text, Format::Json, name, Path::new(""), changes)
+    let scene = Scene::from_text_on(text, Format::Json, name, Path::new(""), changes, HOST)
         .unwrap_or_else(|cause| panic!("{name}: {cause:?}"));
     run::run(&scene, &mut |_| {})
 }

@@ -1,7 +1,9 @@
 //! Whole scenes: what must hold whatever the numbers in them, equilibrium above all.
 
+mod absence;
 mod answers;
 mod arcs;
+mod circles;
 mod determinism;
 mod equilibrium;
 mod files;

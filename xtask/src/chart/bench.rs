@@ -266,12 +266,14 @@ impl Bench {
         }
     }
 
-    /// The problem's spacings; linear elements, with fewer unknowns for each, go one further.
+    /// The problem's spacings; linear elements, with fewer unknowns for each, go one further, and those of order p > 2 have cells p/2
+    /// times as wide, so that their nodes are as far apart as those of quadratic elements.
     fn spacings(&self, problem: Problem, element: ElementKind) -> Vec<f64> {
-        let mut spacings = problem.spacings().to_vec();
+        let wider = element.order().max(2) as f64 / 2.0;
+        let mut spacings: Vec<f64> = problem.spacings().iter().map(|s| wider * s).collect();
         if self.quick {
             spacings.truncate(2);
-        } else if matches!(element, ElementKind::T3 | ElementKind::Q4) {
+        } else if element.order() == 1 {
             spacings.extend(spacings.last().map(|finest| 0.5 * finest));
         }
         spacings

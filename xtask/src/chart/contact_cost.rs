@@ -1,6 +1,5 @@
 //! What contact costs beside the elastic bodies: iterations of Newton's method, and contact work beside triangular solves.
 
-use std::fmt::Write as _;
 use std::time::Instant;
 
 use stickslip::model::Model;
@@ -94,29 +93,20 @@ fn pair_of_solves(operators: &[Operator]) -> f64 {
     summary(&samples).median
 }
 
-pub(super) fn section(page: &mut String, costs: &[ContactCost]) {
-    page.push_str(
-        "## What contact costs\n\nThe aluminium history with friction (14 load steps, Q8) by Newton's method. *Iterations*: of a load step, \
-         the confirming one included. *Contact of a step* is everything that the solver does in one load step, *solves* one pair of \
-         triangular solves with the factors of all bodies, *factorisation* one ordinary sparse Cholesky factorisation of the same \
-         stiffness matrix, *history* everything of a run but its files. One thread.\n\n\
-         | unknowns | touching nodes of the half model | iterations: median, most | contact of a step | solves | ratio | history | factorisation | ratio |\n\
-         | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n",
-    );
-    for cost in costs {
-        let [median, most] = cost.iterations;
-        let _ = writeln!(
-            page,
-            "| {} | {} | {median}, {most} | {} | {} | {:.2} | {} | {} | {:.2} |",
-            cost.unknowns,
-            cost.touching,
-            seconds(cost.step),
-            seconds(cost.solves),
-            cost.step / cost.solves,
-            seconds(cost.history),
-            seconds(cost.factorisation),
-            cost.history / cost.factorisation,
-        );
+impl ContactCost {
+    /// Its row of the page.
+    pub(super) fn cells(&self) -> Vec<String> {
+        let [median, most] = self.iterations;
+        vec![
+            self.unknowns.to_string(),
+            self.touching.to_string(),
+            format!("{median}, {most}"),
+            seconds(self.step),
+            seconds(self.solves),
+            format!("{:.2}", self.step / self.solves),
+            seconds(self.history),
+            seconds(self.factorisation),
+            format!("{:.2}", self.history / self.factorisation),
+        ]
     }
-    page.push('\n');
 }

@@ -5,7 +5,6 @@ use stickslip_report::FigureError;
 use stickslip_report::axis::Axis;
 use stickslip_report::chart::{Dash, LineChart, Panels, Series, SeriesStyle};
 use stickslip_report::color::Color;
-use stickslip_report::raster::to_png;
 use stickslip_report::svg::Svg;
 
 use super::Trouble;
@@ -246,9 +245,9 @@ pub(super) fn error_label(quantity: Quantity) -> String {
     format!("Relative error of the {}", quantity.name())
 }
 
-/// Writes `picture` as SVG and PNG.
+/// Writes `picture`.
 pub(super) fn save(folder: &mut Published, name: &str, picture: &Svg) -> Result<(), Trouble> {
-    folder.write(&format!("{name}.svg"), picture.as_str().as_bytes())?;
-    folder.write(&format!("{name}.png"), &to_png(picture, 1.5)?)?;
-    Ok(())
+    folder
+        .write_scaled(name, picture, 1.5)
+        .map_err(Trouble::Picture)
 }

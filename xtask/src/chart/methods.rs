@@ -111,11 +111,11 @@ pub(super) struct Group {
 
 /// Elements, at the default contact discretisation and solver.
 pub(super) fn elements() -> Group {
-    use ElementKind::{Q4, Q8, Q9, T3, T6};
+    use ElementKind::{P3, P4, P6, Q4, Q8, Q9, T3, T6};
     Group {
         key: "elements",
         title: "Elements",
-        methods: [T3, Q4, T6, Q8, Q9]
+        methods: [T3, Q4, T6, Q8, Q9, P3, P4, P6]
             .map(|element| (format!("{element:?}"), Method::element(element)))
             .into(),
     }

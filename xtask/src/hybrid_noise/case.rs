@@ -9,7 +9,7 @@ use stickslip_hybrid::region::outputs::EdgeRows;
 use stickslip_hybrid::region::{Region, RegionError, independent_covariance};
 
 use super::specimen::{self, DEVIATION, Specimen, angle, disturbed, tractions};
-use crate::publish::Trouble;
+use crate::study::Trouble;
 
 /// How nodes get their displacements.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,32 +46,21 @@ impl Method {
         Self::Smoothed(SHARE),
     ];
 
-    pub(crate) fn name(self) -> String {
+    pub(crate) fn name(self) -> &'static str {
         match self {
-            Self::Nodes => "nodes themselves".to_owned(),
-            Self::Linear => "linear on triangles".to_owned(),
-            Self::Lines => "linear along fringe lines".to_owned(),
-            Self::Polynomial => "local quadratics".to_owned(),
-            Self::Equilibrium => "fit, equilibrium alone".to_owned(),
-            Self::Smoothed(SHARE) => "fit, smoothed".to_owned(),
-            Self::Smoothed(share) => format!("fit, smoothed × {share}"),
+            Self::Nodes => "nodes themselves",
+            Self::Linear => "linear on triangles",
+            Self::Lines => "linear along fringe lines",
+            Self::Polynomial => "local quadratics",
+            Self::Equilibrium => "fit, equilibrium alone",
+            Self::Smoothed(_) => "fit, smoothed",
         }
     }
-}
-
-/// What is varied.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Varied {
-    Points,
-    Mesh,
-    Smoothing,
-    StandOff,
 }
 
 /// A measurement, a mesh and a reduction.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Case {
-    pub(crate) varied: Varied,
     pub(crate) method: Method,
     /// Size of the cells along the edge `[mm]`.
     pub(crate) size: f64,
@@ -81,10 +70,9 @@ pub(crate) struct Case {
     pub(crate) stand_off: f64,
 }
 
-/// A case with its answer; root mean squares along the edge, two cells at either end left out `[MPa]`.
+/// The answer of a case: root mean squares along the edge, two cells at either end left out `[MPa]`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Row {
-    pub(crate) case: Case,
+pub(crate) struct Quality {
     /// Deviation of the shear by the propagated covariance.
     pub(crate) noise: f64,
     /// Deviation over the seeds.
@@ -95,32 +83,12 @@ pub(crate) struct Row {
     pub(crate) mesh: f64,
 }
 
-impl Row {
-    /// Data per cell next to the edge.
-    pub(crate) fn points(&self) -> f64 {
-        (self.case.size / self.case.spacing).powi(2)
-    }
-
-    /// Noise and bias of the reduction together.
-    pub(crate) fn error(&self) -> f64 {
-        self.noise.hypot(self.bias)
-    }
-
-    /// These and the error of the mesh.
-    pub(crate) fn total(&self) -> f64 {
-        self.error().hypot(self.mesh)
-    }
-}
-
 /// Region, edge, and the shear there by the nodes' true displacements.
 struct Analysis {
     region: Region,
     edge: EdgeRows,
     truth: NodalDisplacements,
 }
-
-/// Noise by the covariance, noise of the draws, bias of the reduction, bias of the mesh.
-type Quality = [f64; 4];
 
 impl Analysis {
     fn new(specimen: &Specimen, size: f64) -> Result<Self, Trouble> {
@@ -155,34 +123,31 @@ impl Analysis {
         let states = states.chunks_exact(shear.len());
         let count = states.len() as f64;
         let squares: f64 = states.map(|state| apart(state, mean).powi(2)).sum();
-        Ok([
-            inside(&propagated.deviations()),
-            (squares / count).sqrt(),
-            apart(mean, &unreduced),
-            apart(&unreduced, &applied),
-        ])
+        Ok(Quality {
+            noise: inside(&propagated.deviations()),
+            drawn: (squares / count).sqrt(),
+            bias: apart(mean, &unreduced),
+            mesh: apart(&unreduced, &applied),
+        })
     }
 }
 
 impl Case {
     /// Solves it with `seeds` draws of the noise; `None` where the method needs data that are not there.
-    pub(crate) fn solve(&self, specimen: &Specimen, seeds: u64) -> Result<Option<Row>, Trouble> {
+    pub(crate) fn solve(
+        &self,
+        specimen: &Specimen,
+        seeds: u64,
+    ) -> Result<Option<Quality>, Trouble> {
         let analysis = Analysis::new(specimen, self.size)?;
         let exact = specimen.measure(self.spacing, self.stand_off)?;
-        let answer = match self.method {
-            Method::Nodes => Some(measured_nodes(&analysis, seeds)?),
-            Method::Linear | Method::Polynomial => self.nodal(&analysis, &exact, seeds)?,
-            Method::Lines => Some(self.along_lines(specimen, &analysis, seeds)?),
-            Method::Equilibrium => fitted(&analysis, &exact, 0.0, seeds)?,
-            Method::Smoothed(share) => fitted(&analysis, &exact, share, seeds)?,
-        };
-        Ok(answer.map(|[noise, drawn, bias, mesh]| Row {
-            case: *self,
-            noise,
-            drawn,
-            bias,
-            mesh,
-        }))
+        match self.method {
+            Method::Nodes => measured_nodes(&analysis, seeds).map(Some),
+            Method::Linear | Method::Polynomial => self.nodal(&analysis, &exact, seeds),
+            Method::Lines => self.along_lines(specimen, &analysis, seeds).map(Some),
+            Method::Equilibrium => fitted(&analysis, &exact, 0.0, seeds),
+            Method::Smoothed(share) => fitted(&analysis, &exact, share, seeds),
+        }
     }
 
     fn nodal(

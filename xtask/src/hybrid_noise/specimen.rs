@@ -17,7 +17,7 @@ use stickslip_hybrid::data::{Field, FringeLine, FringeLines, Measurement, Track}
 use stickslip_hybrid::region::outputs::displacement_rows;
 use stickslip_hybrid::region::sector::ArcSector;
 
-use crate::publish::Trouble;
+use crate::study::Trouble;
 
 /// Radius of the hole, 0.375 in `[mm]`.
 pub(crate) const RADIUS: f64 = 9.525;
@@ -42,13 +42,6 @@ const JITTER: f64 = 0.4;
 pub(crate) fn tractions(theta: f64) -> [f64; 2] {
     let pressure = PRESSURE * (1.0 - (theta / CONTACT).powi(2)).max(0.0).powi(2);
     [pressure, FRICTION * pressure * (2.5 * theta).sin()]
-}
-
-/// Greatest magnitude of the applied shear `[MPa]`.
-pub(crate) fn peak_shear() -> f64 {
-    (0..=800)
-        .map(|k| tractions(f64::from(k) * 1e-3)[1].abs())
-        .fold(0.0, f64::max)
 }
 
 /// An elastic body on the sector's mesh.

@@ -8,40 +8,36 @@ use stickslip_fem_core::generate::{
     Extent, Generate, Growth, Outline, PlateWithHole, uniform_angles,
 };
 use stickslip_fem_core::mesh::{ElementKind, Mesh};
-use stickslip_fem_core::{ElasticBody, HeldDirection, LoadCase, RigidBody, Support};
+use stickslip_fem_core::{HeldDirection, RigidBody};
 use stickslip_friction::Coulomb;
-use stickslip_joint::{Ending, Gauge, Joint, JointBody, Mark, Options, ProgressiveBody, Pull};
+use stickslip_joint::{Ending, Gauge, Joint, JointBody, Mark, Options, Pull};
 
-use super::plies::{Kept, laminate, models};
-use super::{Strengths, Trouble};
+use super::plies::{Breaking, held, laminate};
+use crate::study::Trouble;
 
 /// `[mm]`
-pub(super) const RADIUS: f64 = 3.0;
-const HALF_WIDTH: f64 = 6.0;
-const LEFT: f64 = 18.0;
-const RIGHT: f64 = 12.0;
-pub(super) const LAYUP: &str = "[0/45/-45/90]s";
-const FRICTION: f64 = 0.2;
-const KEPT: Kept = Kept {
-    fibre: 0.01,
-    matrix: 0.1,
+const RADIUS: f64 = 3.0;
+const OUTLINE: Outline = Outline::Strip {
+    half_width: 6.0,
+    left: 18.0,
+    right: 12.0,
 };
-/// Width of a row whose strengths are the plies' own `[mm]`: half a cell where 16 go along the half circle.
-pub(super) const OWN: f64 = 0.5 * PI * RADIUS / 16.0;
+const FRICTION: f64 = 0.2;
+/// Rows with the plies' own strengths are half a cell wide where 16 go along the half circle.
+const BREAKING: Breaking = Breaking {
+    kept: [0.01, 0.1],
+    own: 0.5 * PI * RADIUS / 16.0,
+};
 
 /// Size of the cells on the hole `[mm]`, and largest load over D t `[MPa]`; on quadratic cells.
 pub(super) fn strength(
     kind: ElementKind,
     cells: usize,
-    strengths: Strengths,
+    has_bands: bool,
 ) -> Result<(f64, f64), Trouble> {
     let plate = PlateWithHole {
         hole_radius: RADIUS,
-        outline: Outline::Strip {
-            half_width: HALF_WIDTH,
-            left: LEFT,
-            right: RIGHT,
-        },
+        outline: OUTLINE,
         extent: Extent::Half,
         angles: uniform_angles(Extent::Half, cells),
         layers: 3 * cells / 8,
@@ -50,13 +46,17 @@ pub(super) fn strength(
         kind,
     };
     let mesh: Arc<Mesh> = Arc::new(plate.generate()?);
-    let whole = laminate(LAYUP)?;
+    let whole = laminate("[0/45/-45/90]s")?;
     let thickness = whole.thickness();
-    let nodes = mesh
-        .counter_clockwise(&mesh.edge_path("hole")?, [0.0; 2])
-        .nodes;
-    let models = models(&mesh, kind, &whole, KEPT, (strengths, OWN))?;
-    let body = ProgressiveBody::with_models(Arc::new(driven(&mesh)?), &nodes, models)?;
+    let hole = mesh.edge_path("hole")?;
+    let nodes = mesh.counter_clockwise(&hole, [0.0; 2]).nodes;
+    let left = mesh.node_set("left")?;
+    // A multiplier of one drives the left end by 1 mm.
+    let supports = [
+        held(mesh.node_set("symmetry")?, HeldDirection::Y, 0.0),
+        held(left, HeldDirection::X, -1.0),
+    ];
+    let body = BREAKING.driven(&mesh, kind, &whole, supports, (&nodes, has_bands))?;
     let (pair, pin) = contact(&mesh, &nodes, thickness)?;
     let gauge = Gauge {
         pull: Pull::Contact {
@@ -68,7 +68,7 @@ pub(super) fn strength(
         first: Mark::Fixed,
         second: Mark::Node {
             body: 0,
-            node: mesh.node_set("left")?[0],
+            node: left[0],
         },
         free_travel: 0.0,
     };
@@ -76,10 +76,7 @@ pub(super) fn strength(
         increments: 64,
         ..Options::default()
     };
-    let bodies = vec![
-        JointBody::Progressive(Arc::new(body)),
-        JointBody::Rigid(pin),
-    ];
+    let bodies = vec![JointBody::Progressive(body), JointBody::Rigid(pin)];
     let joint = Joint::new(bodies, vec![pair], gauge)?.with_options(options)?;
     let history = joint.follow(&[vec![0.4]], &Chain::newton_first(), |_, _| {})?;
     if matches!(history.ending, Ending::Completed) {
@@ -87,31 +84,6 @@ pub(super) fn strength(
     }
     let strength = history.strength().ok_or("the joint carries no load")?;
     Ok((PI * RADIUS / cells as f64, strength))
-}
-
-/// The half strip, its left end driven by 1 mm for a multiplier of one.
-fn driven(mesh: &Arc<Mesh>) -> Result<ElasticBody, Trouble> {
-    let hold = |set: &str, direction, displacement| -> Result<Support, Trouble> {
-        Ok(Support {
-            nodes: mesh.node_set(set)?.to_vec(),
-            direction,
-            displacement,
-        })
-    };
-    let supports = [
-        hold("symmetry", HeldDirection::Y, 0.0)?,
-        hold("left", HeldDirection::X, -1.0)?,
-    ];
-    let case = LoadCase {
-        moves_supports: true,
-        ..LoadCase::default()
-    };
-    let whole = laminate(LAYUP)?;
-    let material: Arc<dyn stickslip_fem_core::material::Material> =
-        Arc::new(whole.membrane_material()?);
-    let materials = vec![material; mesh.blocks().len()];
-    let body = ElasticBody::new(Arc::clone(mesh), materials, whole.thickness())?;
-    Ok(body.with_supports(supports).with_load_cases(vec![case])?)
 }
 
 /// The pair of plate (body 0) and fitting pin (body 1) at the hole's nodes, of quadratic edges, and the pin.
@@ -145,6 +117,5 @@ fn contact(
         points: points.collect(),
         law: Arc::new(Coulomb::new(FRICTION)?),
     };
-    let pin = RigidBody::held(positions, 1);
-    Ok((pair, pin))
+    Ok((pair, RigidBody::held(positions, 1)))
 }

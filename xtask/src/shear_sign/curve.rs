@@ -87,14 +87,11 @@ pub(crate) fn read(points: &[Point]) -> Reading {
         .iter()
         .filter(|point| peak > 0.0 && point.shear.abs() > NEGLIGIBLE * peak)
         .collect();
-    let crossings = signed
-        .windows(2)
-        .filter(|pair| pair[0].shear.signum() != pair[1].shear.signum())
-        .map(|pair| {
-            let part = pair[0].shear / (pair[0].shear - pair[1].shear);
-            pair[0].angle + part * (pair[1].angle - pair[0].angle)
-        })
+    let curve: Vec<[f64; 2]> = signed
+        .iter()
+        .map(|point| [point.angle, point.shear])
         .collect();
+    let crossings = super::crossings(&curve);
     let reversed = signed.iter().filter(|point| point.shear < 0.0);
     let largest = reversed.min_by(|a, b| a.shear.total_cmp(&b.shear));
     let last_is_reversed = signed.last().is_some_and(|point| point.shear < 0.0);

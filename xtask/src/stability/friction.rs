@@ -1,36 +1,28 @@
 //! Study 1: the coefficient of friction, through the estimated bound up to which a step has one solution.
 
 mod starts;
-mod text;
 
 use std::sync::Mutex;
 
 use stickslip_contact::{InterfaceProblem, uniqueness_bound};
 use stickslip_laboratory::discrete::{self, Discrete, Known};
-use stickslip_report::svg::Svg;
+use toml::Table;
 
 use super::history::Stages;
 use super::joint::{Joint, coulomb, set};
 use super::methods::{CHAIN, Method, methods};
 use super::outcome::judge;
-use super::picture::{Legend, map};
 use super::row::Row;
-use super::{Context, Findings, Study, Trouble};
+use super::{Context, Found, Study, Trouble};
+use crate::study::record::fields;
 use starts::stuck;
-use text::remarks;
 
 pub(super) const STUDY: Study = Study {
     name: "01-friction",
     title: "Coefficient of friction",
-    varied: "μ from 0 to 3: one node with known answers, pushed and with its load removed; a flat punch; a pin in a plate, \
-             loaded and unloaded; punch and pin with their load removed at once from a state in which all touching points stick",
-    expectation: "Below the bound μ_c a step has one solution and every method may find it. From there on there can be several, \
-                  and states that hold without any load: the answer must be one of them, the one nearest to the last state where \
-                  all are known. A supported body always has one. The bound is exact for one node and an estimate for more.",
     run,
 };
 
-const VARIED: &str = "coefficient of friction μ [1]";
 const PUSHED: &str = "one node, pushed";
 const WEDGED: &str = "one node, load removed";
 const STUCK_PUNCH: &str = "punch of 5 nodes, load removed from full stick";
@@ -42,6 +34,9 @@ const CASES: [&str; 6] = [PUSHED, WEDGED, STUCK_PUNCH, PUNCH, PIN, STUCK_PIN];
 /// are all admissible.
 const STIFFNESS: [[f64; 2]; 2] = [[1.0, -1.0], [-1.0, 2.0]];
 const LOAD: [f64; 2] = [1.25, -1.0];
+/// What bounds are, as maps say it.
+const EXACT: &str = "one solution below μ_c =";
+const ESTIMATE: &str = "estimate: one solution below μ_c ≈";
 /// Bound of the node whose load is removed.
 const WEDGE_BOUND: f64 = 1.5;
 /// Contact force without load, over the largest of the history, from which a state counts as wedged.
@@ -62,7 +57,7 @@ struct Fact {
 /// A case at a μ.
 type Entry = (&'static str, f64, Fact);
 
-fn run(context: &Context) -> Result<Findings, Trouble> {
+fn run(context: &Context) -> Result<Found, Trouble> {
     let count = context.sized(6, 30);
     let values: Vec<f64> = (0..=count)
         .map(|k| 3.0 * f64::from(k) / f64::from(count))
@@ -124,95 +119,59 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
     let facts = facts.into_inner().map_err(|_| "a problem panicked")?;
     // Case by case, for the table.
     rows.sort_by_key(|row| CASES.iter().position(|case| *case == row.case));
-    findings(rows, &facts)
+    let worst = worst_of(&rows, &facts);
+    for row in &mut rows {
+        let mut facts = facts.iter();
+        let own = facts.find(|(case, mu, _)| *case == row.case && *mu == row.value);
+        if let Some(bound) = own.and_then(|(_, _, fact)| fact.bound) {
+            let is_exact = [PUSHED, WEDGED].contains(&row.case.as_str());
+            row.more.extend(fields([
+                ("bound", bound.into()),
+                (
+                    "kind_of_bound",
+                    if is_exact { EXACT } else { ESTIMATE }.into(),
+                ),
+            ]));
+        }
+    }
+    let facts = facts.iter().map(|(case, mu, fact)| fact.record(case, *mu));
+    let mut found = Found::of("mu", rows).and("-summary", "mu", &worst);
+    found.more.push(("-facts", facts.collect()));
+    Ok(found)
 }
 
-fn findings(rows: Vec<Row>, facts: &[Entry]) -> Result<Findings, Trouble> {
-    let dividers = dividers(facts);
-    let picture = map(
-        &rows,
-        &Legend {
-            title: "Which method can be trusted at which coefficient of friction",
-            subtitle: "Left of the line a step has one solution (exact for one node, an estimate elsewhere); right of it there may be several. The worst step of a history counts.",
-            varied: VARIED,
-            label: &|mu| format!("{mu:.1}"),
-            dividers: &dividers,
-        },
-    )?;
-    let summary = summary(&rows, &dividers)?;
-    Ok(Findings {
-        remarks: remarks(&rows, facts, &dividers),
-        tables: vec![("", super::row::csv("mu", &rows))],
-        pictures: vec![
-            (
-                "-summary",
-                summary,
-                "Worst outcome of each method in six problems over the coefficient of friction"
-                    .into(),
-            ),
-            (
-                "",
-                picture,
-                "Outcome of each method over the coefficient of friction".into(),
-            ),
-        ],
-        rows,
-        ..Findings::default()
-    })
+impl Fact {
+    fn record(&self, case: &str, mu: f64) -> Table {
+        let mut record = Table::from_iter(fields([
+            ("case", case.into()),
+            ("mu", mu.into()),
+            ("solutions", (self.solutions as i64).into()),
+            ("wedged", (self.wedged as i64).into()),
+        ]));
+        record.extend(self.bound.map(|bound| ("bound".to_owned(), bound.into())));
+        record
+    }
 }
 
-/// For each case the first μ that reaches the bound at that μ, with the bound.
-fn dividers(facts: &[Entry]) -> Vec<(String, f64, String)> {
-    let of_case = |case: &'static str| {
-        let mut own: Vec<(f64, f64)> = facts
-            .iter()
-            .filter(|(of, _, _)| *of == case)
-            .filter_map(|(_, mu, known)| Some((*mu, known.bound?)))
-            .collect();
-        own.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let (mu, bound) = own.into_iter().find(|(mu, bound)| mu >= bound)?;
-        let name = if [PUSHED, WEDGED].contains(&case) {
-            format!("one solution below μ_c = {bound:.2}")
-        } else {
-            format!("estimate: one solution below μ_c ≈ {bound:.2}")
-        };
-        Some((case.to_owned(), mu, name))
-    };
-    CASES.into_iter().filter_map(of_case).collect()
-}
-
-/// The worst outcome of each method in any of the problems.
-fn summary(rows: &[Row], dividers: &[(String, f64, String)]) -> Result<Svg, Trouble> {
-    const WORST: &str = "worst of the six problems";
+/// The worst outcome of each method in any of the problems, and the least bound of all.
+fn worst_of(rows: &[Row], facts: &[Entry]) -> Vec<Row> {
     let mut worst: Vec<Row> = Vec::new();
     for row in rows {
         let same = |other: &&mut Row| other.method == row.method && other.value == row.value;
-        match worst.iter_mut().find(same) {
-            Some(other) => other.outcome = other.outcome.max(row.outcome),
-            None => worst.push(Row {
-                case: WORST.into(),
-                ..row.clone()
-            }),
+        if let Some(other) = worst.iter_mut().find(same) {
+            other.outcome = other.outcome.max(row.outcome);
+            continue;
         }
+        let own = facts.iter().filter(|(_, mu, _)| *mu == row.value);
+        let bounds = own.filter_map(|(_, _, fact)| fact.bound);
+        let least = bounds.fold(f64::INFINITY, f64::min);
+        worst.push(Row {
+            case: "worst of the six problems".into(),
+            more: fields([("bound", least.into())]).into_iter().collect(),
+            ..row.clone()
+        });
     }
-    let least = dividers
-        .iter()
-        .map(|(_, mu, _)| *mu)
-        .fold(f64::INFINITY, f64::min);
-    Ok(map(
-        &worst,
-        &Legend {
-            title: "Which solver can be trusted at which coefficient of friction",
-            subtitle: "One node, a flat punch and a pin in a plate: pushed, loaded and unloaded, and with their load removed at once.",
-            varied: VARIED,
-            label: &|mu| format!("{mu:.1}"),
-            dividers: &[(
-                WORST.to_owned(),
-                least,
-                "several solutions possible (estimate) →".into(),
-            )],
-        },
-    )?)
+    worst
 }
 
 /// `given` with all its solutions.

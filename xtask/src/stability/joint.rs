@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use stickslip::host::HOST;
 use stickslip::model::{Model, ModelBodyKind};
 use stickslip::run::Operator;
 use stickslip::scene::Scene;
@@ -25,7 +26,7 @@ impl Joint {
     /// Condenses `scenes/{name}.toml` with `overrides`.
     pub(crate) fn of_scene(name: &str, overrides: &[String]) -> Result<Self, Trouble> {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../scenes/{name}.toml"));
-        let scene = Scene::from_file(&path, overrides)?;
+        let scene = Scene::from_file(&path, overrides, HOST)?;
         let model = Model::build(&scene)?;
         let operators = model
             .bodies

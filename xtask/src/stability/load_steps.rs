@@ -1,31 +1,21 @@
 //! Study 2: the size of load steps. Friction remembers its path, so the steps are part of the answer.
 
-mod limit;
-
 use std::sync::Arc;
 
 use stickslip_contact::state::TrialState;
 use stickslip_contact::{ContactState, InterfaceProblem};
 use stickslip_friction::{FrictionLaw, StaticDynamic, Transition};
 use stickslip_laboratory::discrete::{Discrete, commit};
-use stickslip_report::axis::Axis;
-use stickslip_report::chart::{Dash, LineChart, Series, SeriesStyle};
-use stickslip_report::svg::Svg;
 
 use super::joint::{Joint, coulomb, set};
 use super::methods::{CHAIN, Method, methods};
 use super::outcome::{distance, judge};
-use super::picture::{Legend, map, power};
-use super::row::{Row, csv};
-use super::{Context, Findings, Study, Trouble};
+use super::row::Row;
+use super::{Context, Found, Study, Trouble};
 
 pub(super) const STUDY: Study = Study {
     name: "02-load-steps",
     title: "Size of load steps",
-    varied: "number of equal load steps from 1 to 10 000 up to 1240 lbf, and up to 1980 lbf and back to 535 lbf, on the pin; \
-             each method follows its own history and no step is cut back",
-    expectation: "Every step is solved. Under Coulomb's law the answer tends to a limit as the steps get smaller, in proportion to \
-                  their size; for a law whose traction drops when slip begins nothing promises one. One giant step is not the limit.",
     run,
 };
 
@@ -42,7 +32,7 @@ struct Case {
     corners: Vec<f64>,
 }
 
-fn run(context: &Context) -> Result<Findings, Trouble> {
+fn run(context: &Context) -> Result<Found, Trouble> {
     let numbers: &[usize] = context.sized(
         &[1, 2, 5, 10, 100],
         &[1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000],
@@ -101,7 +91,7 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
         let place = |row: &Row| cases.iter().position(|case| case.name == row.case);
         (place(a), a.value as usize, order(a)).cmp(&(place(b), b.value as usize, order(b)))
     });
-    findings(rows, &cases)
+    Ok(Found::of("steps_per_leg", rows))
 }
 
 fn cases(pin: &Joint) -> Result<Vec<Case>, Trouble> {
@@ -161,74 +151,4 @@ fn follow(case: &Case, number: usize, unit: &[f64], method: &Method) -> (Row, Op
     row.method = method.name;
     row.steps = number * case.corners.len();
     (row, end)
-}
-
-fn findings(rows: Vec<Row>, cases: &[Case]) -> Result<Findings, Trouble> {
-    let picture = map(
-        &rows,
-        &Legend {
-            title: "Histories in more and more steps",
-            subtitle: "Each method follows its own history without cut-back; one failing step ends it. Beyond 100 steps only the fast ones run.",
-            varied: "load steps per leg of the history [1]",
-            label: &power,
-            dividers: &[],
-        },
-    )?;
-    let chart = curves(&rows, cases)?;
-    let remarks = cases
-        .iter()
-        .map(|case| limit::remark(case.name, &curve(&rows, case.name)));
-    let remarks = remarks.collect();
-    Ok(Findings {
-        tables: vec![("", csv("steps_per_leg", &rows))],
-        pictures: vec![
-            (
-                "",
-                picture,
-                "Outcome of each method over the number of load steps".into(),
-            ),
-            (
-                "-limit",
-                chart,
-                "Error of a history over the number of its load steps".into(),
-            ),
-        ],
-        remarks,
-        rows,
-        ..Findings::default()
-    })
-}
-
-/// Errors of the default chain's histories over their numbers of steps, the finest one excepted, from which they are counted.
-fn curve(rows: &[Row], case: &str) -> Vec<[f64; 2]> {
-    let own = rows
-        .iter()
-        .filter(|row| row.case == case && row.method == CHAIN);
-    own.filter_map(|row| Some([row.value, row.error?]))
-        .filter(|point| point[1] > 0.0)
-        .collect()
-}
-
-/// One curve per case; later ones are dashed, so that curves that coincide are all seen.
-fn curves(rows: &[Row], cases: &[Case]) -> Result<Svg, Trouble> {
-    const STYLES: [(Dash, f64); 4] = [
-        (Dash::Solid, 5.0),
-        (Dash::Solid, 2.0),
-        (Dash::Dashed, 2.0),
-        (Dash::Dotted, 2.5),
-    ];
-    let mut chart = LineChart::new(
-        "What a history loses by large load steps",
-        Axis::log("load steps per leg of the history [1]"),
-        Axis::log("difference of contact forces from the finest history, over the largest [1]"),
-    )
-    .subtitle("Default chain. The answer of one giant step is not the limit of many. Broken lines lie over unbroken ones.");
-    for (case, (dash, width)) in cases.iter().zip(STYLES) {
-        let series = Series::new(case.name, curve(rows, case.name))
-            .style(SeriesStyle::Line)
-            .dash(dash)
-            .width(width);
-        chart = chart.with(series);
-    }
-    Ok(chart.render()?)
 }

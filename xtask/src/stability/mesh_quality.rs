@@ -1,27 +1,20 @@
 //! Study 6: bad meshes, and where in an element contact ends.
 
 mod block;
-mod curves;
 
 use stickslip_fem_core::mesh::ElementKind;
 
 use super::history::Stages;
-use super::methods::{CHAIN, methods};
+use super::methods::methods;
 use super::outcome::{Outcome, regularised};
-use super::picture::{Legend, map};
-use super::row::{Row, csv, element_name};
-use super::{Context, Findings, Study, Trouble};
+use super::row::Row;
+use super::{Context, Found, Study, Trouble};
+use crate::study::record::fields;
 use block::{Block, Defect, Indenter};
 
 pub(super) const STUDY: Study = Study {
     name: "06-mesh-quality",
     title: "Mesh quality",
-    varied: "an elastic block under a rigid plate and under a rigid cylinder: surface layer up to 10⁴ times as wide as deep; \
-             inner nodes moved by up to half a cell; mid-side nodes of the contact edge moved from the middle to the quarter \
-             points; contact ending at every position within an element",
-    expectation: "Uniform pressure is exact on any valid mesh, up to rounding; a mesh that is not valid is refused. Under the \
-                  cylinder accuracy falls slowly with the mesh, the contact solvers do not mind, and the error has no jumps as \
-                  the end of contact moves. Quadratic edges may oscillate between corner and mid-side nodes.",
     run,
 };
 
@@ -51,7 +44,7 @@ const MESHES: [(&str, Defect); 6] = [
     ("mid-side 0.3", Defect::MidSide(0.3)),
 ];
 
-fn run(context: &Context) -> Result<Findings, Trouble> {
+fn run(context: &Context) -> Result<Found, Trouble> {
     let cells = context.sized(20, 40);
     let nominal = 0.4;
     let mut jobs: Vec<(&str, f64, ElementKind, Defect)> = Vec::new();
@@ -118,8 +111,14 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
     rows.extend(ends(context, cells, &fine)?);
     let order = [ASPECT, DISTORTION, MID_SIDE, END, OSCILLATION];
     rows.sort_by_key(|row| order.iter().position(|case| row.case.starts_with(case)));
+    mark_refused(&mut rows);
     let solvers = solvers(context, cells)?;
-    findings(&rows, solvers)
+    let own = Found::of("mesh", Vec::new()).and("", "value", &rows);
+    Ok(Found {
+        rows: solvers,
+        suffix: "-solvers",
+        ..own
+    })
 }
 
 /// Contact that ends at every position within an element: the load moves it over one cell and a half.
@@ -173,7 +172,12 @@ fn solvers(context: &Context, cells: usize) -> Result<Vec<Row>, Trouble> {
             defect,
         };
         let (problem, loads) = block.problem(&Indenter::cylinder(0.4).pushed(), 0.3)?;
-        Ok(Stages::follow(&problem, &loads).rows(BAD, index as f64, &methods()))
+        let mut rows = Stages::follow(&problem, &loads).rows(BAD, index as f64, &methods());
+        for row in &mut rows {
+            row.more
+                .extend(fields([("mesh_name", MESHES[index].0.into())]));
+        }
+        Ok(rows)
     })
 }
 
@@ -186,7 +190,7 @@ fn row(case: String, value: f64, kind: ElementKind, found: Result<f64, Trouble>)
     Row {
         case,
         value,
-        method: element_name(kind),
+        method: kind.name(),
         outcome,
         solved: usize::from(error.is_some()),
         error,
@@ -195,71 +199,18 @@ fn row(case: String, value: f64, kind: ElementKind, found: Result<f64, Trouble>)
     }
 }
 
-fn findings(rows: &[Row], solvers: Vec<Row>) -> Result<Findings, Trouble> {
-    let picture = map(
-        &solvers,
-        &Legend {
-            title: "Contact solvers on bad meshes",
-            subtitle: "Rigid cylinder on a block of Q8 elements, friction 0.3, pressed and pushed to and fro.",
-            varied: "mesh",
-            label: &|index| MESHES[index as usize].0.to_owned(),
-            dividers: &[],
-        },
-    )?;
-    let worst = |case: &str| {
-        let own = rows.iter().filter(|row| row.case == case);
-        own.filter_map(|row| row.error).fold(0.0, f64::max)
-    };
-    let refused = rows
-        .iter()
-        .filter(|row| row.outcome == Outcome::Refused && row.case.ends_with(PLATE))
-        .count();
-    let oscillation = worst(&format!("{OSCILLATION}: {CYLINDER}"));
-    let mut remarks = vec![
-        format!(
-            "Uniform pressure is off by at most {:.0e} at any aspect ratio, {:.0e} on distorted cells and {:.0e} with moved mid-side nodes.",
-            worst(&format!("{ASPECT}: {PLATE}")),
-            worst(&format!("{DISTORTION}: {PLATE}")),
-            worst(&format!("{MID_SIDE}: {PLATE}")),
-        ),
-        format!("{refused} meshes were refused, each with its cell or node."),
-        format!(
-            "Wherever contact ends, the peak pressure is off by at most {:.1} %.",
-            100.0 * worst(&format!("{END}: {CYLINDER}"))
-        ),
-        format!(
-            "Between mid-side nodes and the mean of their neighbours the pressure of quadratic edges jumps by up to {:.1} % of its peak.",
-            100.0 * oscillation
-        ),
-    ];
-    let chain = solvers.iter().filter(|row| row.method == CHAIN);
-    if chain.clone().all(|row| row.outcome.is_answer()) {
-        remarks.push("The default chain solves every step on every one of these meshes.".into());
+/// Puts refused meshes above all errors of their case, for the charts.
+fn mark_refused(rows: &mut [Row]) {
+    let errors: Vec<(String, f64)> = (rows.iter())
+        .filter_map(|row| Some((row.case.clone(), row.error?)))
+        .collect();
+    for row in rows
+        .iter_mut()
+        .filter(|row| row.outcome == Outcome::Refused)
+    {
+        let own = errors.iter().filter(|(case, _)| *case == row.case);
+        let top = own.fold(f64::MIN_POSITIVE, |top, (_, error)| top.max(*error));
+        row.more
+            .extend(fields([("refused_at", (10.0 * top).into())]));
     }
-    let cells = curves::over_cells(rows)?;
-    let edges = curves::over_edges(rows)?;
-    let table = csv("value", rows);
-    Ok(Findings {
-        tables: vec![("", table), ("-solvers", csv("mesh", &solvers))],
-        pictures: vec![
-            (
-                "-cells",
-                cells,
-                "Errors of each element over the shape of its cells".into(),
-            ),
-            (
-                "-edge",
-                edges,
-                "Errors of each element over mid-side nodes and the end of contact".into(),
-            ),
-            (
-                "-solvers",
-                picture,
-                "Outcome of each method on bad meshes".into(),
-            ),
-        ],
-        remarks,
-        rows: solvers,
-        ..Findings::default()
-    })
 }

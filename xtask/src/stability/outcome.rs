@@ -4,8 +4,6 @@ use nalgebra::DVector;
 use stickslip_contact::solver::{FailureCause, StepFailure, StepSolution, Stop};
 use stickslip_contact::state::TrialState;
 use stickslip_laboratory::discrete::Discrete;
-use stickslip_report::color::Color;
-use stickslip_report::map::Category;
 
 use super::methods::{Method, is_too_large};
 use super::row::Row;
@@ -83,45 +81,10 @@ impl Outcome {
         }
     }
 
-    /// Colour and mark in maps: blue and green where the answer can be used, yellow and red where it cannot.
-    pub(crate) fn category(self) -> Category {
-        let (label, mark, color) = match self {
-            Self::Solved => ("solved", "", Color::rgb(0x8c, 0xc5, 0xe3)),
-            Self::Other => (
-                "solved: another of several solutions",
-                "2",
-                Color::rgb(0x2a, 0x7f, 0xb8),
-            ),
-            Self::Certified => ("proved: no solution", "∅", Color::rgb(0x4d, 0xa3, 0x72)),
-            Self::Approximate => ("within 1 %", "~", Color::rgb(0xc9, 0xe5, 0xc0)),
-            Self::Inaccurate => ("off by more than 1 %", "≈", Color::rgb(0xf2, 0xd9, 0x6b)),
-            Self::NotTried => ("too large for the method", "", Color::rgb(0xe4, 0xe4, 0xe4)),
-            Self::Refused => ("refused with a reason", "R", Color::rgb(0xbd, 0xb7, 0xd6)),
-            Self::Cycled => ("cycled, and said so", "c", Color::rgb(0xe8, 0x8b, 0x3a)),
-            Self::Stopped => (
-                "no convergence, and said so",
-                "×",
-                Color::rgb(0xc6, 0x58, 0x3c),
-            ),
-            Self::Unresolved => ("unresolved", "?", Color::rgb(0x7d, 0x3c, 0x8c)),
-            Self::Wrong => ("wrong answer", "!", Color::rgb(0x11, 0x11, 0x11)),
-        };
-        Category {
-            label: label.into(),
-            mark: mark.into(),
-            color,
-        }
-    }
-
     /// Whether the default chain may end so on a supported problem.
     pub(crate) fn is_answer(self) -> bool {
         matches!(self, Self::Solved | Self::Other)
     }
-}
-
-/// Categories of maps, in the order of [`Outcome`]'s numbers.
-pub(crate) fn categories() -> Vec<Category> {
-    Outcome::ALL.map(Outcome::category).to_vec()
 }
 
 /// Lets `method` solve `given` and judges what it says. `answer` is a verified answer, if there is one.

@@ -1,25 +1,22 @@
 //! Study 9: very many small random problems against all their solutions.
 
-use std::fmt::Write as _;
-
 use rayon::prelude::*;
 use stickslip_contact::problem::ProblemPoint;
 use stickslip_contact::{ContactState, InterfaceProblem};
 use stickslip_laboratory::discrete::{self, Known};
 use stickslip_report::color::Color;
 use stickslip_report::map::{Category, Group, OutcomeMap};
+use stickslip_report::svg::Svg;
+use toml::Table;
 
 use super::methods::{Method, methods};
 use super::outcome::{Outcome, judge};
-use super::{Context, Findings, Study, Trouble};
+use super::{Context, Found, Study, Trouble};
+use crate::study::record::fields;
 
 pub(super) const STUDY: Study = Study {
     name: "09-random",
     title: "Random small problems",
-    varied: "100 000 problems of 1 to 3 points with random compliance, history, gaps, load and μ up to 3, supported or floating \
-             along 1 or 2 motions; every twentieth is given to every method",
-    expectation: "Against enumeration of all statuses: nothing wrong, every supported problem solved, and of the floating ones at \
-                  most 0.1 % left without solution or proof.",
     run,
 };
 
@@ -82,7 +79,7 @@ struct Trial {
     note: String,
 }
 
-fn run(context: &Context) -> Result<Findings, Trouble> {
+fn run(context: &Context) -> Result<Found, Trouble> {
     let problems = if context.quick {
         PROBLEMS[0]
     } else {
@@ -100,7 +97,17 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
             trials
         })
         .collect();
-    findings(&trials, problems)
+    let names: Vec<&str> = methods().iter().map(|method| method.name).collect();
+    Ok(Found {
+        more: vec![
+            ("", table(&trials, &names)),
+            ("-classes", classes(&trials)),
+            ("-nearest", nearest(&trials, &names)),
+        ],
+        pictures: vec![picture(&trials, &names)?],
+        failures: failures(&trials),
+        ..Found::default()
+    })
 }
 
 /// Three of five are supported, one floats along one motion and one along two.
@@ -165,36 +172,67 @@ fn friction(problem: &InterfaceProblem, state: &ContactState) -> f64 {
     problem.points().first().map_or(0.0, bound)
 }
 
-fn findings(trials: &[Trial], problems: u64) -> Result<Findings, Trouble> {
-    let names: Vec<&str> = methods().iter().map(|method| method.name).collect();
-    let mut table = String::from("class,mu_from,mu_to,method,problems");
-    for outcome in Outcome::ALL {
-        // Writing into a string does not fail.
-        let _ = write!(table, ",{}", outcome.name());
-    }
-    table.push('\n');
+/// Outcomes by class, bin of μ and method.
+fn table(trials: &[Trial], names: &[&str]) -> Vec<Table> {
+    let mut rows = Vec::new();
     for class in Class::ALL {
         for bin in 0..BINS {
             for (method, name) in names.iter().enumerate() {
                 let own = |trial: &&Trial| {
                     trial.class == class && trial.bin == bin && trial.method == method
                 };
-                let list: Vec<&Trial> = trials.iter().filter(own).collect();
-                let (from, to) = (BIN * bin as f64, BIN * (bin + 1) as f64);
-                let _ = write!(
-                    table,
-                    "\"{}\",{from:.1},{to:.1},\"{name}\",{}",
-                    class.name(),
-                    list.len()
-                );
-                for outcome in Outcome::ALL {
-                    let count = list.iter().filter(|trial| trial.outcome == outcome).count();
-                    let _ = write!(table, ",{count}");
-                }
-                table.push('\n');
+                let own: Vec<&Trial> = trials.iter().filter(own).collect();
+                let mut row = Table::from_iter(fields([
+                    ("class", class.name().into()),
+                    ("mu_from", (BIN * bin as f64).into()),
+                    ("mu_to", (BIN * (bin + 1) as f64).into()),
+                    ("method", (*name).into()),
+                    ("problems", (own.len() as i64).into()),
+                ]));
+                row.extend(outcomes(&own));
+                rows.push(row);
             }
         }
     }
+    rows
+}
+
+/// How often each outcome occurred.
+fn outcomes(trials: &[&Trial]) -> Table {
+    let count = |outcome: Outcome| {
+        let count = trials
+            .iter()
+            .filter(|trial| trial.outcome == outcome)
+            .count();
+        (outcome.name().to_owned(), (count as i64).into())
+    };
+    Outcome::ALL.map(count).into_iter().collect()
+}
+
+/// What the default chain does with each class.
+fn classes(trials: &[Trial]) -> Vec<Table> {
+    let row = |class: Class| {
+        let own = trials
+            .iter()
+            .filter(|trial| trial.method == 0 && trial.class == class);
+        let own: Vec<&Trial> = own.collect();
+        let count = |wanted: fn(&Trial) -> bool| {
+            let count = own.iter().filter(|trial| wanted(trial)).count();
+            (count as i64).into()
+        };
+        let mut row = Table::from_iter(fields([
+            ("class", class.name().into()),
+            ("problems", count(|_| true)),
+            ("several", count(|trial| trial.solutions > 1)),
+            ("open", count(|trial| !trial.complete)),
+        ]));
+        row.extend(outcomes(&own));
+        row
+    };
+    Class::ALL.map(row).to_vec()
+}
+
+fn picture(trials: &[Trial], names: &[&str]) -> Result<Svg, Trouble> {
     let picture = OutcomeMap {
         title: "Random problems of 1 to 3 points: percentage that is solved or proved impossible"
             .into(),
@@ -206,24 +244,14 @@ fn findings(trials: &[Trial], problems: u64) -> Result<Findings, Trouble> {
             .collect(),
         groups: Class::ALL
             .iter()
-            .map(|&class| shares(trials, &names, class))
+            .map(|&class| shares(trials, names, class))
             .filter(|group| !group.rows.is_empty())
             .collect(),
         categories: levels(),
         width: 860.0,
     }
     .render()?;
-    Ok(Findings {
-        tables: vec![("", table)],
-        pictures: vec![(
-            "",
-            picture,
-            "Share of random problems that each method solves, over friction".into(),
-        )],
-        remarks: remarks(trials, &names, problems),
-        failures: failures(trials),
-        ..Findings::default()
-    })
+    Ok(picture)
 }
 
 /// Cells by the percentage that is answered, from 0 to 100 in their order; the last is for wrong answers.
@@ -278,78 +306,25 @@ fn shares(trials: &[Trial], names: &[&str], class: Class) -> Group {
     }
 }
 
-fn remarks(trials: &[Trial], names: &[&str], problems: u64) -> Vec<String> {
-    let chain = || trials.iter().filter(|trial| trial.method == 0);
-    let mut remarks = vec![format!("Of {problems} problems the default chain:")];
-    for class in Class::ALL {
-        let own: Vec<&Trial> = chain().filter(|trial| trial.class == class).collect();
-        if own.is_empty() {
-            continue;
-        }
-        let counts: Vec<String> = Outcome::ALL
-            .iter()
-            .filter_map(|&outcome| {
-                let count = own.iter().filter(|trial| trial.outcome == outcome).count();
-                (count > 0).then(|| format!("{count} {}", outcome.name()))
-            })
-            .collect();
-        let several = own.iter().filter(|trial| trial.solutions > 1).count();
-        remarks.push(format!(
-            "{} ({}, {several} with several solutions): {}.",
-            class.name(),
-            own.len(),
-            counts.join(", ")
-        ));
-    }
-    let open = chain().filter(|trial| !trial.complete).count();
-    remarks.push(format!(
-        "Statuses on a border or with a family of solutions leave the list of solutions open in {open} problems; there answers are checked \
-         by their conditions alone, and no absence of solutions is counted as known. No problem is left out."
-    ));
-    remarks.push(nearest(trials, names));
-    let wrong: Vec<String> = names
-        .iter()
-        .enumerate()
-        .filter_map(|(method, name)| {
-            let count = trials
-                .iter()
-                .filter(|trial| trial.method == method && trial.outcome == Outcome::Wrong)
-                .count();
-            (count > 0).then(|| format!("{name} {count}"))
-        })
-        .collect();
-    remarks.push(if wrong.is_empty() {
-        "No method gives a wrong answer.".into()
-    } else {
-        format!("Wrong answers: {}.", wrong.join(", "))
-    });
-    remarks
-}
-
 /// How often each method's answer is the solution nearest to the last accepted state, where there are several.
-fn nearest(trials: &[Trial], names: &[&str]) -> String {
-    let share = |method: usize| {
+fn nearest(trials: &[Trial], names: &[&str]) -> Vec<Table> {
+    let row = |(method, name): (usize, &&str)| {
         let own = trials
             .iter()
             .filter(|trial| trial.method == method && trial.solutions > 1);
-        let answers = own.filter(|trial| trial.outcome.is_answer());
-        let taken = answers
-            .clone()
-            .filter(|trial| trial.outcome == Outcome::Solved);
-        (taken.count(), answers.count())
+        let solved: Vec<&Trial> = own.filter(|trial| trial.outcome.is_answer()).collect();
+        let taken = solved
+            .iter()
+            .filter(|trial| trial.outcome == Outcome::Solved)
+            .count();
+        let row = fields([
+            ("method", (*name).into()),
+            ("nearest_taken", (taken as i64).into()),
+            ("solved", (solved.len() as i64).into()),
+        ]);
+        (!solved.is_empty()).then(|| Table::from_iter(row))
     };
-    let percent = |(taken, all): (usize, usize)| 100.0 * taken as f64 / (all as f64).max(1.0);
-    let others: Vec<String> = (1..names.len())
-        .filter(|&method| share(method).1 > 0)
-        .map(|method| format!("{} {:.0} %", names[method], percent(share(method))))
-        .collect();
-    let (taken, all) = share(0);
-    format!(
-        "Where there are several solutions the default chain takes the one nearest to the last accepted state in {taken} of {all} problems \
-         ({:.1} %); the others in these shares of the ones that they solve: {}.",
-        percent((taken, all)),
-        others.join(", ")
-    )
+    names.iter().enumerate().filter_map(row).collect()
 }
 
 /// Failures of the default chain, with the seeds that repeat them.

@@ -1,11 +1,11 @@
-//! One line of the atlas, and the tables made of them.
-
-use std::fmt::Write as _;
+//! One line of the atlas.
 
 use stickslip_contact::solver::Work;
-use stickslip_fem_core::mesh::ElementKind;
+
+use toml::Table;
 
 use super::outcome::Outcome;
+use crate::study::record::fields;
 
 /// What one method did at one value of what a study varies.
 #[derive(Clone, Debug)]
@@ -27,6 +27,8 @@ pub(crate) struct Row {
     /// Whether the bodies are supported, so that a solution exists whatever the friction.
     pub(crate) coercive: bool,
     pub(crate) note: String,
+    /// What pictures and sentences need besides.
+    pub(crate) more: Table,
 }
 
 impl Default for Row {
@@ -43,6 +45,7 @@ impl Default for Row {
             work: Work::default(),
             coercive: false,
             note: String::new(),
+            more: Table::new(),
         }
     }
 }
@@ -51,6 +54,30 @@ impl Row {
     /// Solves, pivots, sweeps and updates together.
     pub(crate) fn iterations(&self) -> usize {
         self.work.solves + self.work.pivots + self.work.sweeps + self.work.updates
+    }
+
+    /// The row as a record; `varied` names the value. What depends on the machine is not in it.
+    pub(crate) fn record(&self, varied: &str) -> Table {
+        let count = |count: usize| (count as i64).into();
+        let mut record = self.more.clone();
+        record.extend(fields([
+            ("case", self.case.as_str().into()),
+            (varied, self.value.into()),
+            ("method", self.method.into()),
+            ("outcome", self.outcome.name().into()),
+            ("steps_solved", count(self.solved)),
+            ("steps", count(self.steps)),
+            ("iterations", count(self.iterations())),
+            ("factorisations", count(self.work.factorisations)),
+            ("operations", (self.work.operations as i64).into()),
+            ("note", self.note.as_str().into()),
+        ]));
+        let errors = [("error", self.error), ("violation", self.violation)];
+        let given = errors
+            .into_iter()
+            .filter_map(|(key, value)| Some((key, value?)));
+        record.extend(given.map(|(key, value)| (key.to_owned(), value.into())));
+        record
     }
 
     /// The row of the same method with its steps taken together: the worst outcome counts.
@@ -81,60 +108,10 @@ impl Row {
     }
 }
 
-/// Name of an element, which stands for the method where meshes are studied.
-pub(crate) fn element_name(kind: ElementKind) -> &'static str {
-    match kind {
-        ElementKind::T3 => "T3",
-        ElementKind::T6 => "T6",
-        ElementKind::Q4 => "Q4",
-        ElementKind::Q8 => "Q8",
-        ElementKind::Q9 => "Q9",
-    }
-}
-
 fn largest(a: Option<f64>, b: Option<f64>) -> Option<f64> {
     match (a, b) {
         (Some(a), Some(b)) => Some(if b > a || b.is_nan() { b } else { a }),
         (a, b) => a.or(b),
-    }
-}
-
-/// The rows as comma-separated values; `varied` names the column of values. What depends on the machine is not in it.
-pub(crate) fn csv(varied: &str, rows: &[Row]) -> String {
-    let mut text = format!(
-        "case,{varied},method,outcome,steps_solved,steps,error,violation,iterations,factorisations,operations,note\n"
-    );
-    for row in rows {
-        // Writing into a string does not fail.
-        let _ = writeln!(
-            text,
-            "{},{},{},{},{},{},{},{},{},{},{},{}",
-            quoted(&row.case),
-            row.value,
-            quoted(row.method),
-            row.outcome.name(),
-            row.solved,
-            row.steps,
-            exponent(row.error),
-            exponent(row.violation),
-            row.iterations(),
-            row.work.factorisations,
-            row.work.operations,
-            quoted(&row.note),
-        );
-    }
-    text
-}
-
-fn exponent(value: Option<f64>) -> String {
-    value.map_or_else(String::new, |value| format!("{value:.2e}"))
-}
-
-fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
     }
 }
 
@@ -162,19 +139,5 @@ mod tests {
             (Outcome::Cycled, 2, 3)
         );
         assert_eq!(whole.note, "step 2: period 2");
-    }
-
-    #[test]
-    fn texts_with_commas_are_quoted() {
-        let row = Row {
-            case: "a, b".into(),
-            method: "m",
-            ..Row::default()
-        };
-        let text = csv("mu", &[row]);
-        assert!(
-            text.ends_with("\"a, b\",0,m,solved,0,1,,,0,0,0,\n"),
-            "{text}"
-        );
     }
 }

@@ -4,17 +4,12 @@ use super::history::Stages;
 use super::joint::{Joint, set};
 use super::methods::{CHAIN, methods};
 use super::outcome::{Outcome, judge};
-use super::picture::{Legend, map};
-use super::row::{Row, csv};
-use super::{Context, Findings, Study, Trouble};
+use super::row::Row;
+use super::{Context, Found, Study, Trouble};
 
 pub(super) const STUDY: Study = Study {
     name: "04-separation",
     title: "Separation and re-contact",
-    varied: "load step by step: a floating plate that first touches its pin, is pushed off it and onto its other side and back; \
-             the same held by symmetry; a cylinder pressed, let go, pressed again and at last pulled off",
-    expectation: "Every step that can be balanced is solved, also those without any force, which leave a floating body's place open. \
-                  Pulling off is proved to have no balance.",
     run,
 };
 
@@ -25,7 +20,7 @@ const PULLS: [f64; 12] = [
 /// Loads of the cylinder `[N]`.
 const PRESSES: [f64; 8] = [1.0, 50.0, 500.0, 40.0, 0.0, 50.0, 500.0, -1.0];
 
-fn run(context: &Context) -> Result<Findings, Trouble> {
+fn run(context: &Context) -> Result<Found, Trouble> {
     let spacing = context.sized("18 deg", "9 deg");
     let pin = |model: &str, mu: f64| {
         let steps: Vec<String> = PULLS.iter().map(|load| format!("\"{load} lbf\"")).collect();
@@ -81,16 +76,6 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
         }
         Ok(rows)
     })?;
-    let picture = map(
-        &rows,
-        &Legend {
-            title: "Contact that begins, ends and begins again",
-            subtitle: "Plate [lbf]: 1, 20, 520, 1240, 210, 0, −20, −1240, −40, 0, 20, 1240. Cylinder [N]: 1, 50, 500, 40, 0, 50, 500, −1.",
-            varied: "load step [1]",
-            label: &|step| format!("{step}"),
-            dividers: &[],
-        },
-    )?;
     let certified = |row: &&Row| row.method == CHAIN && row.outcome == Outcome::Certified;
     let pulled = |row: &&Row| row.case.contains("cylinder") && row.value as usize == PRESSES.len();
     let proofs = rows.iter().filter(certified).filter(pulled).count();
@@ -101,17 +86,8 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
             "pulling the cylinder off was proved impossible in {proofs} of 2 cases, and {others} steps that can be balanced"
         ));
     }
-    Ok(Findings {
-        remarks: vec![format!(
-            "Pulling the cylinder off is proved impossible in {proofs} of 2 cases."
-        )],
-        tables: vec![("", csv("step", &rows))],
-        pictures: vec![(
-            "",
-            picture,
-            "Outcome of each method at every step of histories with separation".into(),
-        )],
-        rows,
+    Ok(Found {
         failures,
+        ..Found::of("step", rows)
     })
 }

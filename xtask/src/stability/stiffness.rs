@@ -3,24 +3,17 @@
 use std::f64::consts::PI;
 
 use stickslip_fem_core::mesh::ElementKind;
-use stickslip_report::axis::Axis;
-use stickslip_report::chart::{LineChart, Panels, Series, SeriesStyle};
 
 use super::history::Stages;
 use super::joint::{Joint, set};
-use super::methods::{CHAIN, methods};
+use super::methods::methods;
 use super::outcome::{Outcome, regularised};
-use super::picture::{Legend, map, power};
-use super::row::{Row, csv, element_name};
-use super::{Context, Findings, Study, Trouble};
+use super::row::Row;
+use super::{Context, Found, Study, Trouble};
 
 pub(super) const STUDY: Study = Study {
     name: "07-stiffness",
     title: "Stiffness ratio and incompressibility",
-    varied: "Young's modulus of the cylinder over the block's from 10⁻⁸ to 10⁸; Poisson's ratio of both towards 0.5 in plane \
-             strain, 1 − 2ν from 0.4 to 10⁻⁸; the load always for the same contact by Hertz's formula",
-    expectation: "Every ratio is solved, and the answer stays Hertz's. Towards incompressibility fully integrated elements lock, \
-                  linear ones soon and quadratic ones late.",
     run,
 };
 
@@ -81,7 +74,7 @@ impl Materials {
                 ("materials.aluminium", material(self.young[1])),
                 ("materials.other", material(self.young[0])),
                 ("bodies.upper.material", "other".into()),
-                ("mesh.element", element_name(element).into()),
+                ("mesh.element", element.name().into()),
                 ("mesh.spacing", spacing.into()),
                 ("contacts.0.friction.coulomb.mu", mu.to_string()),
                 ("loads.0.force.steps", format!("[{}]", steps.join(", "))),
@@ -105,7 +98,7 @@ impl Materials {
     }
 }
 
-fn run(context: &Context) -> Result<Findings, Trouble> {
+fn run(context: &Context) -> Result<Found, Trouble> {
     let spacing = context.sized("0.2 mm", "0.08 mm");
     let exponents: Vec<i32> = (-8..=8).step_by(context.sized(4, 1)).collect();
     let mut rows = context.rows_of(&exponents, |&exponent| {
@@ -152,127 +145,18 @@ fn run(context: &Context) -> Result<Findings, Trouble> {
         )])
     })?;
     rows.sort_by_key(|row| row.case == HERTZ);
-    let picture = map(
-        &rows,
-        &Legend {
-            title: "Stiffness ratio from 10⁻⁸ to 10⁸",
-            subtitle: "Cylinder on a block, pressed in three steps and half unloaded.",
-            varied: "Young's modulus of the cylinder over the block's [1]",
-            label: &power,
-            dividers: &[],
-        },
-    )?;
     rows.extend(locking);
-    let chart = curves(&rows)?;
-    Ok(Findings {
-        remarks: remarks(&rows),
-        tables: vec![("", csv("value", &rows))],
-        pictures: vec![
-            (
-                "",
-                picture,
-                "Outcome of each method over the stiffness ratio".into(),
-            ),
-            (
-                "-locking",
-                chart,
-                "Error of the peak pressure over stiffness ratio and compressibility".into(),
-            ),
-        ],
-        rows,
-        ..Findings::default()
-    })
+    Ok(Found::of("value", rows))
 }
 
 fn row(case: &str, value: f64, element: ElementKind, error: Option<f64>) -> Row {
     Row {
         case: case.into(),
         value,
-        method: element_name(element),
+        method: element.name(),
         outcome: error.map_or(Outcome::Unresolved, |error| regularised(Some(error), error)),
         solved: usize::from(error.is_some()),
         error,
         ..Row::default()
     }
-}
-
-/// Width of a panel `[px]`, and its aspect.
-const PANEL: f64 = 480.0;
-const ASPECT: f64 = 0.8;
-
-fn curves(rows: &[Row]) -> Result<stickslip_report::svg::Svg, Trouble> {
-    let error = || Axis::log("error of the peak pressure against Hertz [1]");
-    let chart = |title: &str, case: &str, x: Axis| {
-        let mut chart = LineChart::new(title, x, error()).size(PANEL, ASPECT);
-        for element in ELEMENTS {
-            let own = rows
-                .iter()
-                .filter(|row| row.case == case && row.method == element_name(element));
-            let points: Vec<[f64; 2]> = own
-                .filter_map(|row| Some([row.value, row.error?]))
-                .collect();
-            chart = chart.with(Series::new(element_name(element), points).style(SeriesStyle::Both));
-        }
-        chart
-    };
-    let ratio = Axis::log("Young's modulus of the cylinder over the block's [1]");
-    let remainder = Axis::log("1 − 2ν, plane strain [1]");
-    let charts = vec![
-        chart("Towards incompressibility", LOCKING, remainder),
-        chart("Stiffness ratio", HERTZ, ratio),
-    ];
-    Ok(
-        Panels::new("Stiffness ratio and incompressibility", 2, charts)
-            .common_legend()
-            .render()?,
-    )
-}
-
-fn remarks(rows: &[Row]) -> Vec<String> {
-    let hertz = rows
-        .iter()
-        .filter(|row| row.case == HERTZ && row.method == element_name(ElementKind::Q8));
-    let worst = hertz.filter_map(|row| row.error).fold(0.0, f64::max);
-    let mut remarks = vec![format!(
-        "With Q8 the peak pressure is within {:.2} % of Hertz's at every ratio.",
-        100.0 * worst
-    )];
-    for element in ELEMENTS {
-        let mut own: Vec<&Row> = rows
-            .iter()
-            .filter(|row| row.case == LOCKING && row.method == element_name(element))
-            .collect();
-        own.sort_by(|a, b| b.value.total_cmp(&a.value));
-        let useful = own
-            .iter()
-            .take_while(|row| row.error.is_some_and(|error| error <= 0.05))
-            .last()
-            .map(|row| row.value);
-        if let (Some(first), Some(last)) = (
-            own.first().and_then(|row| row.error),
-            own.last().and_then(|row| row.error),
-        ) {
-            remarks.push(format!(
-                "{}: off by {:.1} % at ν = 0.3 and by {:.1} % at 1 − 2ν = {}{}.",
-                element_name(element),
-                100.0 * first,
-                100.0 * last,
-                power(own.last().map_or(0.0, |row| row.value)),
-                useful.map_or_else(String::new, |remainder| format!(
-                    "; within 5 % down to {}",
-                    power(remainder)
-                ))
-            ));
-        }
-    }
-    let chain = rows
-        .iter()
-        .filter(|row| row.method == CHAIN && !row.outcome.is_answer())
-        .count();
-    if chain > 0 {
-        remarks.push(format!(
-            "The default chain leaves {chain} ratios without an answer."
-        ));
-    }
-    remarks
 }

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
-use stickslip_report::folder::write_atomic;
+use stickslip::folder::write_atomic;
 
 use super::open::OPEN;
 use super::trial::{Counts, Kind};

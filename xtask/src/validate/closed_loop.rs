@@ -2,7 +2,7 @@
 
 use super::check::{Check, Checks, Tolerance};
 use super::laboratory::{Laboratory, Trouble};
-use crate::closed_loop::{FIRST, NEAR, Record, Series, WITH_FRICTION, WITHOUT_FRICTION, wanted};
+use crate::closed_loop::{FIRST, NEAR, Series, WITH_FRICTION, WITHOUT_FRICTION, wanted};
 
 pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
     let stopped = |cause: crate::publish::Trouble| Trouble::Missing(cause.to_string());
@@ -13,7 +13,7 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
     let mut checks = Checks::against("the friction that the scene was solved with");
     with_friction(&mut checks, &rubbing);
     recorded(&mut checks, [&rubbing, &smooth]).map_err(stopped)?;
-    let none = smooth.none_found(NEAR);
+    let none = smooth.none_found();
     checks.holds(
         "without friction",
         format!("none, or at most {NEAR}"),
@@ -25,13 +25,16 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
 
 /// The 200 seeds of `cargo xtask closed-loop`, too long for every validation: what it recorded, and whether this run repeats it.
 fn recorded(checks: &mut Checks, series: [&Series; 2]) -> Result<(), crate::publish::Trouble> {
-    let [rubbing, smooth] = [Record::of(WITH_FRICTION)?, Record::of(WITHOUT_FRICTION)?];
-    let wanted = wanted(rubbing.seeds());
+    let [rubbing, smooth] = [
+        Series::recorded(WITH_FRICTION)?,
+        Series::recorded(WITHOUT_FRICTION)?,
+    ];
+    let wanted = wanted(rubbing.seeds);
     checks.completes(
         "docs/closed-loop: seeds whose interval of 95 %, with two ends, holds μd",
         format!("{} to {} of 200", wanted.start(), wanted.end()),
-        format!("{} of {}", rubbing.covered(), rubbing.seeds()),
-        rubbing.seeds() == 200 && wanted.contains(&rubbing.covered()),
+        format!("{} of {}", rubbing.covered(), rubbing.seeds),
+        rubbing.seeds == 200 && wanted.contains(&rubbing.covered()),
     );
     checks.completes(
         "docs/closed-loop: μd, the farthest of all seeds; seeds without friction that say so",
@@ -39,12 +42,12 @@ fn recorded(checks: &mut Checks, series: [&Series; 2]) -> Result<(), crate::publ
         format!(
             "{:.4}; {} of {}",
             rubbing.farthest(),
-            smooth.little(),
-            smooth.seeds()
+            smooth.none_found(),
+            smooth.seeds
         ),
-        rubbing.farthest() <= NEAR && smooth.little() == smooth.seeds(),
+        rubbing.farthest() <= NEAR && smooth.none_found() == smooth.seeds,
     );
-    let own: usize = series.iter().map(|own| own.outcomes.len()).sum();
+    let own: usize = series.iter().map(|own| own.seeds).sum();
     let same = rubbing.repeated_by(series[0]) + smooth.repeated_by(series[1]);
     checks.completes(
         "docs/closed-loop: coefficients that this run repeats to five digits",
@@ -56,17 +59,16 @@ fn recorded(checks: &mut Checks, series: [&Series; 2]) -> Result<(), crate::publ
 }
 
 fn with_friction(checks: &mut Checks, series: &Series) {
-    let (seeds, truth) = (series.outcomes.len(), series.known.mu);
+    let (seeds, truth) = (series.seeds, series.truth);
     checks.holds(
         format!("μd, the farthest of {seeds} seeds"),
         format!("at most {NEAR} from {truth}"),
         format!("{:.4}", series.farthest()),
         series.farthest() <= NEAR,
     );
-    let [mean, _] = series.mean_and_spread();
     checks.near(
         format!("μd, mean of {seeds} seeds"),
-        mean,
+        series.mean(),
         truth,
         "",
         Tolerance::Absolute(NEAR),

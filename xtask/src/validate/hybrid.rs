@@ -12,9 +12,11 @@ use stickslip_hybrid::fringe::{
 use super::check::{Check, Checks, Tolerance};
 use super::laboratory::{Laboratory, Trouble};
 use super::sensitivity::{Known, stopped};
-use crate::hybrid_noise::SIZE;
-use crate::hybrid_noise::case::{Case, Method, SHARE, Varied};
+use crate::hybrid_noise::case::{Case, Method, SHARE};
 use crate::hybrid_noise::specimen::{self, FREQUENCY, RADIUS, Specimen};
+
+/// Cells along the edge `[mm]`.
+const SIZE: f64 = 1.0;
 
 /// Covariance, reductions and fringe phase.
 pub(super) fn errors(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
@@ -72,7 +74,6 @@ fn reductions(checks: &mut Checks, specimen: &Specimen, seeds: u64) -> Result<()
     let mut nodes = 0.0;
     for method in Method::ALL.into_iter().chain([Method::Lines]) {
         let case = Case {
-            varied: Varied::Points,
             method,
             size: SIZE,
             spacing: SIZE / 4.0,

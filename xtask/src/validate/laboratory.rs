@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use stickslip::diagnostic::SceneError;
+use stickslip::host::HOST;
 use stickslip::results::Results;
 use stickslip::run::{RunError, run_with};
 use stickslip::scene::Scene;
@@ -132,10 +133,11 @@ impl Laboratory {
             .join(" ")
             .replace('"', "");
         let path = scenes().join(format!("{name}.toml"));
-        let mut scene = Scene::from_file(&path, overrides).map_err(|cause| Trouble::Scene {
-            scene: label.clone(),
-            cause: Box::new(cause),
-        })?;
+        let mut scene =
+            Scene::from_file(&path, overrides, HOST).map_err(|cause| Trouble::Scene {
+                scene: label.clone(),
+                cause: Box::new(cause),
+            })?;
         self.mutation.change_laws(&mut scene);
         let solver = self.mutation.solver(&scene);
         let outcome = run_with(&scene, solver.as_ref(), &mut |_| {});

@@ -11,10 +11,11 @@ use std::sync::Arc;
 
 use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
+use stickslip::experiment::SpecimenScene;
 use stickslip::experiment::laws::{
     Candidate, Comparison, ContactModel, Fit, Observation, coarser, fit_on_two_meshes, sensitivity,
 };
-use stickslip::experiment::plan::SpecimenScene;
+use stickslip::host::HOST;
 use stickslip::scene::Scene;
 use stickslip_friction::{FrictionLaw, History};
 use stickslip_hybrid::calibrate::Settings;
@@ -211,7 +212,7 @@ fn aluminium(degrees: f64) -> Result<SpecimenScene, Trouble> {
         format!("mesh.spacing=\"{degrees} deg\""),
         format!("mesh.coarse_spacing=\"{} deg\"", (4.0 * degrees).min(9.0)),
     ];
-    let scene = Scene::from_file(&path, &overrides).map_err(|cause| Trouble::Scene {
+    let scene = Scene::from_file(&path, &overrides, HOST).map_err(|cause| Trouble::Scene {
         scene: path.display().to_string(),
         cause: Box::new(cause),
     })?;

@@ -8,8 +8,8 @@ use stickslip::results::Results;
 
 use super::check::{Check, Checks};
 use super::laboratory::{Laboratory, Trouble};
-use crate::shear_sign::case::points;
 use crate::shear_sign::curve::{Pattern, Reading, read};
+use crate::shear_sign::signs::points;
 
 const SCENE: &str = "pin-quasi-isotropic";
 const LOAD_STEPS: usize = 12;

@@ -4,10 +4,9 @@ use nalgebra::DVector;
 use stickslip_friction::History;
 
 use super::{Cycle, Recovery, StepRecord};
-use crate::audit::{Audit, FloatingBalance, PairSums};
+use crate::audit::{FloatingBalance, PairSums};
 use crate::error::ContactError;
 use crate::interface::{Interface, Part};
-use crate::solver::{Residuals, Work};
 use crate::state::{ContactState, Status};
 
 impl Interface {
@@ -19,37 +18,15 @@ impl Interface {
             return only;
         }
         let count = self.contacts().points().len();
-        let mut whole = StepRecord {
-            state: ContactState {
-                forces: DVector::zeros(2 * count),
-                motion: DVector::zeros(2 * count),
-                rigid: DVector::zeros(self.mode_count()),
-                status: vec![Status::Open; count],
-                history: vec![History::default(); count],
-                multipliers: Vec::new(),
-            },
-            work: Work::default(),
-            residuals: Residuals::default(),
-            doubtful: 0,
-            solvers: Vec::new(),
-            recovery: Recovery::default(),
-            solutions: None,
-            loose: Vec::new(),
-            sliding: Vec::new(),
-            parted: false,
-            coefficient: 0.0,
-            uniqueness: None,
-            increments: 0,
-            cutbacks: 0,
-            dissipation: 0.0,
-            slip: DVector::zeros(count),
-            audit: Audit {
-                pairs: vec![PairSums::default(); self.contacts().pairs().len()],
-                bodies: Vec::new(),
-                gap_work: 0.0,
-            },
-            parts: Vec::new(),
-        };
+        let mut whole = StepRecord::at(ContactState {
+            forces: DVector::zeros(2 * count),
+            motion: DVector::zeros(2 * count),
+            rigid: DVector::zeros(self.mode_count()),
+            status: vec![Status::Open; count],
+            history: vec![History::default(); count],
+            multipliers: Vec::new(),
+        });
+        whole.audit.pairs = vec![PairSums::default(); self.contacts().pairs().len()];
         for (part, record) in self.parts().iter().zip(&parts) {
             add(&mut whole, part, record);
         }

@@ -2,7 +2,7 @@
 //!
 //! Neither walk is cut back, so a step that the other way does not solve is left without a comparison.
 
-use super::{LoadHistory, StepRecord, Walk, each};
+use super::{LoadHistory, StepRecord, each};
 use crate::interface::{Interface, Part};
 use crate::problem::InterfaceProblem;
 use crate::solver::{InterfaceSolver, Pivoting, SemismoothNewton};
@@ -250,7 +250,7 @@ impl Again<'_> {
         increments: usize,
     ) -> Option<Difference> {
         let target = &self.history.steps[self.index];
-        let mut walk = Walk::new(self.start.clone());
+        let mut walk = StepRecord::at(self.start.clone());
         for part in 1..=increments {
             let part = part as f64 / increments as f64;
             let multipliers = self
@@ -262,7 +262,7 @@ impl Again<'_> {
         Some(self.difference(&walk, name, increments))
     }
 
-    fn difference(&self, walk: &Walk, solver: &'static str, increments: usize) -> Difference {
+    fn difference(&self, walk: &StepRecord, solver: &'static str, increments: usize) -> Difference {
         let (state, other) = (&self.record.state, &walk.state);
         let points = self.problem.points().iter().enumerate();
         let (mut peak, mut other_peak, mut traction) = (0.0_f64, 0.0_f64, 0.0_f64);

@@ -72,4 +72,12 @@ impl Recovery {
             }
         }
     }
+
+    /// Takes over what failed later.
+    pub(super) fn append(&mut self, later: Self) {
+        for entry in later.failures {
+            self.count(entry.solver, entry.kind, entry.count);
+        }
+        self.first_cycle = self.first_cycle.take().or(later.first_cycle);
+    }
 }

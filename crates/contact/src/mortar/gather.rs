@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use nalgebra::Matrix2;
-use stickslip_fem_core::element::GAUSS_5;
+use nalgebra::{DVector, Matrix2};
+use stickslip_fem_core::element::{EdgeValues, edge_rule};
 
 use super::basis::{Family, combination};
 use super::{EdgeSide, InitialGap, Projection};
@@ -36,10 +36,10 @@ struct Segment {
 struct Sample {
     weight: f64,
     /// Shape functions of the first edge, and those that multipliers are made of.
-    shape: [f64; 3],
-    family: [f64; 3],
+    shape: EdgeValues,
+    family: EdgeValues,
     other: usize,
-    other_shape: [f64; 3],
+    other_shape: EdgeValues,
     /// Rows e_n and e_t.
     frame: Matrix2<f64>,
     gap: f64,
@@ -54,7 +54,7 @@ pub(super) fn all(
 ) -> Vec<NodeSums> {
     let mut sums = vec![NodeSums::default(); first.nodes().len()];
     for edge in 0..first.edges() {
-        let segments = segments(first.span(edge), second, period);
+        let segments = segments(&first.span(edge), second, period);
         if !segments.is_empty() {
             let samples = samples(first, second, edge, &segments, projection);
             add_edge(&mut sums, first, second, edge, &samples, projection);
@@ -66,11 +66,11 @@ pub(super) fn all(
 /// Smallest overlap, relative to the edge; less is rounding of two ends that coincide.
 const SLIVER: f64 = 1e-10;
 
-fn segments(span: [f64; 3], second: &EdgeSide, period: Option<f64>) -> Vec<Segment> {
-    let [start, _, end] = span;
+fn segments(span: &[f64], second: &EdgeSide, period: Option<f64>) -> Vec<Segment> {
+    let [start, end] = ends(span);
     let mut segments = Vec::new();
     for other in 0..second.edges() {
-        let [other_start, _, other_end] = second.span(other);
+        let [other_start, other_end] = ends(&second.span(other));
         // With a period, copies from the one that ends first after `start` can reach the edge; neither edge is longer than
         // the period, so three are enough.
         let (nearest, copies) = period.map_or((0.0, 1), |period| {
@@ -92,6 +92,10 @@ fn segments(span: [f64; 3], second: &EdgeSide, period: Option<f64>) -> Vec<Segme
     segments
 }
 
+fn ends(span: &[f64]) -> [f64; 2] {
+    [span[0], span[span.len() - 1]]
+}
+
 fn samples(
     first: &EdgeSide,
     second: &EdgeSide,
@@ -100,7 +104,7 @@ fn samples(
     projection: &Projection<'_>,
 ) -> Vec<Sample> {
     let span = first.span(edge);
-    let [start, middle, end] = span;
+    let [start, end] = ends(&span);
     let covered: f64 = segments
         .iter()
         .map(|segment| segment.to - segment.from)
@@ -113,21 +117,23 @@ fn samples(
     };
     let mut samples = Vec::new();
     for segment in segments {
-        let split = family == Family::Hats && segment.from < middle && middle < segment.to;
-        let parts = if split {
-            vec![[segment.from, middle], [middle, segment.to]]
-        } else {
-            vec![[segment.from, segment.to]]
-        };
-        for [from, to] in parts {
-            for (xi, weight) in GAUSS_5 {
+        let inside = |at: &f64| family == Family::Hats && segment.from < *at && *at < segment.to;
+        let inner = span.iter().copied().filter(inside);
+        let breaks: Vec<f64> = [segment.from]
+            .into_iter()
+            .chain(inner)
+            .chain([segment.to])
+            .collect();
+        for part in breaks.windows(2) {
+            let (from, to) = (part[0], part[1]);
+            for &(xi, weight) in edge_rule(first.order().max(second.order())) {
                 let at = f64::midpoint(from, to) + xi * (to - from) / 2.0;
                 let shape = first.shape(edge, at);
                 let [nx, ny] = (projection.normal)(at);
                 samples.push(Sample {
                     weight: weight * (to - from) / 2.0 * projection.length,
                     shape,
-                    family: family.values(span, shape, at),
+                    family: family.values(&span, shape, at),
                     other: segment.other,
                     other_shape: second.shape(segment.other, at - segment.shift),
                     frame: Matrix2::new(nx, ny, -ny, nx),
@@ -151,24 +157,32 @@ fn add_edge(
     projection: &Projection<'_>,
 ) {
     let places = first.places(edge);
+    let size = first.order() + 1;
     let of_family: Vec<_> = samples
         .iter()
-        .map(|sample| (sample.weight, sample.family))
+        .map(|sample| (sample.weight, &sample.family[..size]))
         .collect();
-    let combination = combination(projection.multipliers, &of_family);
+    let combination = combination(projection.multipliers, size, &of_family);
     for sample in samples {
-        let values = combination * nalgebra::Vector3::from(sample.family);
+        let values = &combination * DVector::from_column_slice(&sample.family[..size]);
         let other_places = second.places(sample.other);
-        for (&place, &value) in places.iter().zip(values.iter()) {
+        for (place, &value) in places.clone().zip(values.iter()) {
             let weight = sample.weight * value;
             let node = &mut sums[place];
             node.weight += weight;
             node.gap += weight * sample.gap;
-            add(&mut node.first, first, places, sample.shape, weight, sample);
+            add(
+                &mut node.first,
+                first,
+                places.clone(),
+                sample.shape,
+                weight,
+                sample,
+            );
             add(
                 &mut node.second,
                 second,
-                other_places,
+                other_places.clone(),
                 sample.other_shape,
                 weight,
                 sample,
@@ -180,8 +194,8 @@ fn add_edge(
 fn add(
     terms: &mut Terms,
     side: &EdgeSide,
-    places: [usize; 3],
-    shape: [f64; 3],
+    places: impl Iterator<Item = usize>,
+    shape: EdgeValues,
     weight: f64,
     sample: &Sample,
 ) {
@@ -189,7 +203,7 @@ fn add(
     if weight == 0.0 {
         return;
     }
-    for (place, value) in places.into_iter().zip(shape) {
+    for (place, value) in places.zip(shape) {
         if value != 0.0 {
             *terms.entry(side.nodes()[place]).or_default() += weight * value * sample.frame;
         }

@@ -1,6 +1,6 @@
 //! An edge as a projection sees it: nodes by ascending parameter.
 
-use stickslip_fem_core::element::edge_shape;
+use stickslip_fem_core::element::{EdgeValues, edge_nodes, edge_shape, edge_slope};
 
 use super::MortarError;
 
@@ -14,12 +14,12 @@ pub struct EdgeSide {
 }
 
 impl EdgeSide {
-    /// A chain with two ends: `nodes` among the body's contact points in walk order, mid-side nodes included, their
+    /// A chain with two ends: `nodes` among the body's contact points in walk order, inner nodes of edges included, their
     /// `parameter`, and the polynomial `order` of the edges.
     ///
     /// # Errors
     /// [`MortarError`] for an order that does not exist, lists that do not fit, a parameter that does not ascend strictly,
-    /// or a mid-side node outside the middle half of its edge.
+    /// a mid-side node outside the middle half of its edge, or an edge that folds back on itself.
     pub fn open(nodes: Vec<usize>, parameter: Vec<f64>, order: usize) -> Result<Self, MortarError> {
         Self::new(nodes, parameter, order, None)
     }
@@ -43,7 +43,7 @@ impl EdgeSide {
         order: usize,
         period: Option<f64>,
     ) -> Result<Self, MortarError> {
-        if ![1, 2].contains(&order) {
+        if edge_nodes(order).is_none() {
             return Err(MortarError::Order(order));
         }
         if parameter.len() != nodes.len() {
@@ -77,20 +77,33 @@ impl EdgeSide {
             order,
             period,
         };
-        side.check_middles()?;
+        side.check_inner_nodes()?;
         Ok(side)
     }
 
-    fn check_middles(&self) -> Result<(), MortarError> {
+    fn check_inner_nodes(&self) -> Result<(), MortarError> {
         for k in 0..self.edges() {
-            let [start, middle, end] = self.span(k);
-            let fraction = (middle - start) / (end - start);
-            if self.order == 2 && !(0.25..=0.75).contains(&fraction) {
-                let node = 2 * k + 1;
-                return Err(MortarError::MidSide { node, fraction });
+            let span = self.span(k);
+            if let [start, middle, end] = span[..] {
+                let fraction = (middle - start) / (end - start);
+                if !(0.25..=0.75).contains(&fraction) {
+                    let node = 2 * k + 1;
+                    return Err(MortarError::MidSide { node, fraction });
+                }
+            } else if !self.ascends(&span) {
+                return Err(MortarError::Folded { edge: k });
             }
         }
         Ok(())
+    }
+
+    /// Whether the parameter ascends along the edge with the nodes `span`, sampled eight times between nodes.
+    fn ascends(&self, span: &[f64]) -> bool {
+        let samples = 8 * self.order;
+        (0..=samples).all(|k| {
+            let xi = 2.0 * k as f64 / samples as f64 - 1.0;
+            sum(edge_slope(self.order, xi), span) > 0.0
+        })
     }
 
     /// Nodes among the body's contact points, in walk order.
@@ -117,35 +130,61 @@ impl EdgeSide {
         (self.nodes.len() - usize::from(self.period.is_none())) / self.order
     }
 
-    /// Places in the walk of the start, middle (the start again on a linear edge) and end of edge `k`.
-    pub(super) fn places(&self, k: usize) -> [usize; 3] {
-        let start = self.order * k;
-        [0, self.order - 1, self.order].map(|step| (start + step) % self.nodes.len())
+    /// Places in the walk of the nodes of edge `k`.
+    pub(super) fn places(&self, k: usize) -> impl Iterator<Item = usize> + Clone + use<> {
+        let (start, count) = (self.order * k, self.nodes.len());
+        (0..=self.order).map(move |step| (start + step) % count)
     }
 
-    /// Parameter at the start, middle and end of edge `k`, ascending also where a closed chain returns to its start.
-    pub(super) fn span(&self, k: usize) -> [f64; 3] {
-        let [start, middle, end] = self.places(k).map(|place| self.parameter[place]);
-        let end = if end > start {
-            end
-        } else {
-            end + self.period.unwrap_or(0.0)
-        };
-        if self.order == 2 {
-            [start, middle, end]
-        } else {
-            [start, f64::midpoint(start, end), end]
+    /// Parameter at the nodes of edge `k`, ascending also where a closed chain returns to its start.
+    pub(super) fn span(&self, k: usize) -> Vec<f64> {
+        let mut span: Vec<f64> = self.places(k).map(|place| self.parameter[place]).collect();
+        let last = span.len() - 1;
+        if span[last] <= span[0] {
+            span[last] += self.period.unwrap_or(0.0);
         }
+        span
     }
 
     /// Shape functions of edge `k` at parameter `at`.
-    pub(super) fn shape(&self, k: usize, at: f64) -> [f64; 3] {
-        let [start, middle, end] = self.span(k);
-        // p = p_m + b ξ + a ξ², by the form that keeps its digits for a → 0; b > 2 |a| since the middle was checked.
-        let (a, b) = (f64::midpoint(start, end) - middle, (end - start) / 2.0);
-        let root = (b * b + 4.0 * a * (at - middle)).max(0.0).sqrt();
-        edge_shape(self.order, 2.0 * (at - middle) / (b + root))
+    pub(super) fn shape(&self, k: usize, at: f64) -> EdgeValues {
+        edge_shape(self.order, reference(&self.span(k), at))
     }
+}
+
+/// The reference coordinate ξ at which an edge with the parameters `span` has the parameter `at`.
+fn reference(span: &[f64], at: f64) -> f64 {
+    let (start, end) = (span[0], span[span.len() - 1]);
+    let middle = match span {
+        [_, middle, _] => *middle,
+        _ => f64::midpoint(start, end),
+    };
+    // p = p_m + b ξ + a ξ², by the form that keeps its digits for a → 0; b > 2 |a| since the middle was checked.
+    let (a, b) = (f64::midpoint(start, end) - middle, (end - start) / 2.0);
+    let root = (b * b + 4.0 * a * (at - middle)).max(0.0).sqrt();
+    let mut xi = 2.0 * (at - middle) / (b + root);
+    if span.len() > 3 {
+        // Newton's method on a polynomial that ascends; at evenly moving parameters the start is the answer.
+        let order = span.len() - 1;
+        let from_start: Vec<f64> = span.iter().map(|node| node - start).collect();
+        for _ in 0..NEWTON_STEPS {
+            let miss = (at - start) - sum(edge_shape(order, xi), &from_start);
+            let step = miss / sum(edge_slope(order, xi), &from_start);
+            xi = (xi + step).clamp(-1.0, 1.0);
+            if step.abs() < 1e-15 {
+                break;
+            }
+        }
+    }
+    xi
+}
+
+/// Most steps of Newton's method, which doubles its digits in each.
+const NEWTON_STEPS: usize = 20;
+
+/// Σ values × parameters.
+fn sum(values: EdgeValues, span: &[f64]) -> f64 {
+    values.iter().zip(span).map(|(value, at)| value * at).sum()
 }
 
 /// The period of two edges on one closed curve.

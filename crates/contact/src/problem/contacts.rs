@@ -9,6 +9,7 @@ use stickslip_fem_core::mesh::Point;
 use stickslip_friction::{FrictionLaw, Place};
 
 use super::Stencil;
+use crate::error::ContactError;
 
 /// One contact point of a pair: a node of the first body against a node of the second, or a weighted share of both edges.
 #[derive(Clone, Debug, PartialEq)]
@@ -89,11 +90,16 @@ impl Contacts {
         &mut self.points
     }
 
-    /// Replaces the friction of pair `pair`, if there is one.
-    pub(super) fn set_law(&mut self, pair: usize, law: Arc<dyn FrictionLaw>) {
-        if let Some(pair) = self.pairs.get_mut(pair) {
-            pair.law = law;
-        }
+    /// Replaces the friction of pair `pair`.
+    pub(super) fn set_law(
+        &mut self,
+        pair: usize,
+        law: Arc<dyn FrictionLaw>,
+    ) -> Result<(), ContactError> {
+        let pairs = self.pairs.len();
+        let found = self.pairs.get_mut(pair);
+        found.ok_or(ContactError::UnknownPair { pair, pairs })?.law = law;
+        Ok(())
     }
 
     /// Contact points, pair by pair in walk order.

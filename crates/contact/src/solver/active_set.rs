@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::accept::ROUNDING;
 use super::attempt::Attempt;
-use super::complementarity::Candidate;
+use super::candidate::Candidate;
 use super::frozen::{self, Condensed, Frozen, FrozenSystem, SlipLine, solve};
 use super::hold::hold;
 use super::residual::Scales;

@@ -20,8 +20,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::candidate::Candidate;
+use super::least_index::least_index;
 use super::lemke::{Outcome, lemke, pivot_operations};
-use super::principal::least_index;
 use super::step::Step;
 use super::{FailureCause, Work};
 use crate::state::Status;
@@ -49,17 +50,6 @@ pub(super) struct Complementarity {
     rest: DVector<f64>,
     force_unit: f64,
     compliance_unit: f64,
-}
-
-/// A solution up to the springs.
-pub(super) struct Candidate {
-    pub(super) status: Vec<Status>,
-    /// Normal force of each point.
-    pub(super) normal: Vec<f64>,
-    /// Slip increment of each point.
-    pub(super) slip: Vec<f64>,
-    /// Rigid motions at which the springs would hold the bodies under these forces.
-    pub(super) rigid: DVector<f64>,
 }
 
 impl Complementarity {

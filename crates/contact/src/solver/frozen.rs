@@ -14,12 +14,12 @@
 
 use std::fmt::Debug;
 
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use nalgebra::{DMatrix, DVector};
 use stickslip_fem_core::linalg::DenseLu;
 
 use super::step::Step;
 use super::{FailureCause, Work};
-use crate::problem::InterfaceProblem;
+use crate::problem::FreeMotions;
 use crate::state::Status;
 
 /// Relative size below which a resistance or a resultant is rounding.
@@ -165,40 +165,7 @@ pub(super) fn lu_operations(order: u64) -> u64 {
     2 * order * order * order / 3 + 2 * order * order
 }
 
-/// Rigid motions that the touching points do not resist.
-#[derive(Clone, Debug)]
-pub struct FreeMotions {
-    /// Orthogonal projector on them, m × m.
-    pub projector: DMatrix<f64>,
-}
-
 impl FreeMotions {
-    /// The rigid motions of `problem` that none of the contact conditions on `rows` of (g, Δs) resists, if there are any.
-    pub fn of(problem: &InterfaceProblem, rows: impl IntoIterator<Item = usize>) -> Option<Self> {
-        let modes = problem.modes();
-        let rigid = modes.ncols();
-        if rigid == 0 {
-            return None;
-        }
-        let mut gram = DMatrix::zeros(rigid, rigid);
-        for row in rows {
-            let motion = modes.row(row);
-            gram += motion.transpose() * motion;
-        }
-        let scale = gram.trace().max(1.0);
-        let eigen = SymmetricEigen::new(gram);
-        let free: Vec<usize> = (0..rigid)
-            .filter(|&k| eigen.eigenvalues[k] <= NEGLIGIBLE * scale)
-            .collect();
-        if free.is_empty() {
-            return None;
-        }
-        let basis = eigen.eigenvectors.select_columns(&free);
-        Some(Self {
-            projector: &basis * basis.transpose(),
-        })
-    }
-
     /// The part along them of the load and of the contact forces `forces`; `None` where it is rounding.
     pub fn unbalanced(&self, step: &Step<'_>, forces: &DVector<f64>) -> Option<DVector<f64>> {
         let mut resultants = step.mode_load.clone();

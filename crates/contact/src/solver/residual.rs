@@ -2,42 +2,11 @@
 
 use nalgebra::DVector;
 
+use super::Residuals;
 use super::step::Step;
 use crate::state::{Status, TrialState};
 
-/// Largest violations of the conditions of a step, each relative to its own scale: forces to the largest contact force or
-/// load resultant, lengths to the largest motion of a point.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Residuals {
-    /// Penetration, tension, gaps of touching points, and forces on open ones.
-    pub complementarity: f64,
-    /// Tangential force beyond the bound, slip along the force, and slip of sticking points.
-    pub cone: f64,
-    /// Unbalanced resultants of floating bodies.
-    pub balance: f64,
-}
-
 impl Residuals {
-    /// The largest of the three.
-    pub fn largest(&self) -> f64 {
-        // `max` would drop a NaN; a sum keeps it.
-        let sum = self.complementarity + self.cone + self.balance;
-        if sum.is_nan() {
-            f64::NAN
-        } else {
-            self.complementarity.max(self.cone).max(self.balance)
-        }
-    }
-
-    /// The larger ones of both.
-    pub(crate) fn worse(self, other: Self) -> Self {
-        Self {
-            complementarity: self.complementarity.max(other.complementarity),
-            cone: self.cone.max(other.cone),
-            balance: self.balance.max(other.balance),
-        }
-    }
-
     /// Measures `trial` against the conditions of `step`.
     pub fn of(step: &Step<'_>, trial: &TrialState) -> Self {
         let scales = Scales::of(step, &trial.forces, &trial.motion);

@@ -4,6 +4,7 @@ use stickslip_contact::problem::InterfaceProblem;
 use stickslip_contact::{
     ContactPoint, EdgeSide, InitialGap, Multipliers, Projection, StepRecord, mortar,
 };
+use stickslip_fem_core::element::edge_nodes;
 use stickslip_fem_core::mesh::ElementKind;
 use stickslip_fem_core::{CondensedBody, HeldDirection, InterfaceOperator, RigidBody};
 
@@ -17,12 +18,14 @@ const EXACT: f64 = 1e-12;
 
 const UPPER: [f64; 5] = [0.0, 0.5, 1.3, 2.2, 3.0];
 const LOWER: [f64; 6] = [0.0, 0.8, 1.1, 1.9, 2.5, 3.0];
-const ALL: [ElementKind; 5] = [
+const ALL: [ElementKind; 7] = [
     ElementKind::Q4,
     ElementKind::Q8,
     ElementKind::Q9,
     ElementKind::T3,
     ElementKind::T6,
+    ElementKind::P3,
+    ElementKind::P6,
 ];
 
 fn projection(multipliers: Multipliers) -> Projection<'static> {
@@ -70,8 +73,7 @@ fn check_stress(
     let (problem, record) = made;
     let count = body.points().len();
     let forces = problem.forces_on_body(index, count, &record.state.forces);
-    let motions = record.state.rigid.rows_range(problem.body_modes(index));
-    let motions: Vec<f64> = motions.iter().copied().collect();
+    let motions = problem.motions_of_body(index, &record.state.rigid);
     stress_error(body, &body.displacements(&forces, &[1.0], &motions), stress)
 }
 
@@ -140,12 +142,12 @@ fn constant_stress_passes_edges_that_overlap_in_part() {
         &[-10.0, 10.0],
     ];
     for xs in ground {
-        for order in [1, 2] {
+        for order in [1, 2, 4] {
             let mut parameter = vec![xs[0]];
+            let line = edge_nodes(order).unwrap();
             for pair in xs.windows(2) {
-                if order == 2 {
-                    parameter.push(f64::midpoint(pair[0], pair[1]));
-                }
+                let inner = line[1..order].iter().map(|(t, _)| 0.5 * (1.0 + t));
+                parameter.extend(inner.map(|t| (1.0 - t) * pair[0] + t * pair[1]));
                 parameter.push(pair[1]);
             }
             for (kind, multipliers) in ALL.into_iter().flat_map(|k| BOTH.map(|m| (k, m))) {

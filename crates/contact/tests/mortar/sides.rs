@@ -9,7 +9,10 @@ fn malformed_edges_are_refused() {
     let open = |parameter: &[f64], order| {
         EdgeSide::open((0..parameter.len()).collect(), parameter.to_vec(), order).unwrap_err()
     };
-    assert_eq!(open(&[0.0, 1.0], 3), MortarError::Order(3));
+    assert_eq!(open(&[0.0, 1.0], 9), MortarError::Order(9));
+    assert_eq!(open(&[0.0, 1.0], 0), MortarError::Order(0));
+    let folded = open(&[0.0, 0.8, 0.9, 1.0], 3);
+    assert_eq!(folded, MortarError::Folded { edge: 0 });
     assert_eq!(
         open(&[0.0, 1.0], 2),
         MortarError::Nodes { nodes: 2, order: 2 }

@@ -1,14 +1,17 @@
 //! Tests of the contact solvers, from outside the crate.
 
 mod audit;
+mod contract;
 mod discrete;
 mod family;
 mod freedom;
+mod growth;
 mod histories;
 mod invariants;
 mod laws;
 mod oracle;
 mod otherwise;
+mod pairs;
 mod parts;
 mod proofs;
 mod random;
@@ -17,6 +20,7 @@ mod rigid;
 mod scaling;
 mod scene;
 mod unique;
+mod units;
 mod work;
 mod zones;
 

@@ -9,51 +9,88 @@ use stickslip_fem_core::{GivenBody, RigidBody};
 
 use crate::coulomb;
 
-const COUNT: usize = 16;
+pub(crate) const COUNT: usize = 16;
+
+/// A disk that floats in a held hole, and the units that it is written in.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Disk {
+    /// Unit of length: lengths are so many times those of the disk of radius 1.
+    pub(crate) length: f64,
+    /// Unit of force, likewise; compliances are near length/force.
+    pub(crate) force: f64,
+    /// Arm by which turns are counted: they move the rim by the radius over the arm. A turn in radians has an arm of 1, whatever the
+    /// unit of length.
+    pub(crate) arm: f64,
+    /// Clearance, in radii.
+    pub(crate) gap: f64,
+    /// Friction coefficient.
+    pub(crate) mu: f64,
+    /// Force along x and y and moment of two load cases, for unit length and force.
+    pub(crate) loads: [[f64; 3]; 2],
+}
+
+impl Disk {
+    /// The interface problem, first body the hole.
+    pub(crate) fn problem(&self) -> InterfaceProblem {
+        let (length, force) = (self.length, self.force);
+        let give = length / force;
+        let normals: Vec<[f64; 2]> = (0..COUNT)
+            .map(|k| k as f64 * std::f64::consts::TAU / COUNT as f64)
+            .map(|angle| [angle.cos(), angle.sin()])
+            .collect();
+        let compliance = DMatrix::from_fn(2 * COUNT, 2 * COUNT, |row, column| {
+            let apart = (row / 2).abs_diff(column / 2);
+            let near = 0.5_f64.powi(apart.min(COUNT - apart) as i32);
+            let same = f64::from(u8::from(row % 2 == column % 2));
+            give * near * (same + if apart == 0 { 0.0 } else { 0.05 })
+        });
+        let turn = length / self.arm;
+        let motions = DMatrix::from_fn(2 * COUNT, 3, |row, motion| {
+            let [x, y] = normals[row / 2];
+            [[1.0, 0.0, -y * turn], [0.0, 1.0, x * turn]][row % 2][motion]
+        });
+        let load = |[x, y, moment]: [f64; 3]| {
+            DVector::from_vec(vec![force * x, force * y, force * moment * turn])
+        };
+        let disk = GivenBody::floating(
+            compliance,
+            motions,
+            vec![DVector::zeros(2 * COUNT); 2],
+            self.loads.map(load).to_vec(),
+        )
+        .unwrap();
+        let hole = RigidBody::held(normals.clone(), 2);
+        let points = normals.iter().enumerate().map(|(k, &normal)| ContactPoint {
+            first: k.into(),
+            second: k.into(),
+            normal,
+            gap: self.gap * length,
+            area: length * length,
+            material_angle: 0.0,
+        });
+        let pair = ContactPair {
+            name: "hole".into(),
+            first: 0,
+            second: 1,
+            points: points.collect(),
+            law: coulomb(self.mu),
+        };
+        InterfaceProblem::new(&[&hole, &disk], vec![pair]).unwrap()
+    }
+}
 
 /// An elastic disk that floats in a held hole with clearance, pressed against it. Lengths are `length` times, forces `force` times
-/// those of the disk with a compliance near one.
+/// those of the disk with a compliance near one; its turn is counted along the rim.
 pub(crate) fn disk(length: f64, force: f64) -> InterfaceProblem {
-    let give = length / force;
-    let normals: Vec<[f64; 2]> = (0..COUNT)
-        .map(|k| k as f64 * std::f64::consts::TAU / COUNT as f64)
-        .map(|angle| [angle.cos(), angle.sin()])
-        .collect();
-    let compliance = DMatrix::from_fn(2 * COUNT, 2 * COUNT, |row, column| {
-        let apart = (row / 2).abs_diff(column / 2);
-        let near = 0.5_f64.powi(apart.min(COUNT - apart) as i32);
-        let same = f64::from(u8::from(row % 2 == column % 2));
-        give * near * (same + if apart == 0 { 0.0 } else { 0.05 })
-    });
-    let motions = DMatrix::from_fn(2 * COUNT, 3, |row, motion| {
-        let [x, y] = normals[row / 2];
-        [[1.0, 0.0, -y], [0.0, 1.0, x]][row % 2][motion]
-    });
-    let load = |x: f64, y: f64| DVector::from_vec(vec![force * x, force * y, 0.0]);
-    let disk = GivenBody::floating(
-        compliance,
-        motions,
-        vec![DVector::zeros(2 * COUNT); 2],
-        vec![load(1.0, 0.1), load(0.2, 1.0)],
-    )
-    .unwrap();
-    let hole = RigidBody::held(normals.clone(), 2);
-    let points = normals.iter().enumerate().map(|(k, &normal)| ContactPoint {
-        first: k.into(),
-        second: k.into(),
-        normal,
-        gap: 0.25 * length,
-        area: length * length,
-        material_angle: 0.0,
-    });
-    let pair = ContactPair {
-        name: "hole".into(),
-        first: 0,
-        second: 1,
-        points: points.collect(),
-        law: coulomb(0.3),
+    let disk = Disk {
+        length,
+        force,
+        arm: length,
+        gap: 0.25,
+        mu: 0.3,
+        loads: [[1.0, 0.1, 0.0], [0.2, 1.0, 0.0]],
     };
-    InterfaceProblem::new(&[&hole, &disk], vec![pair]).unwrap()
+    disk.problem()
 }
 
 fn follow(problem: &InterfaceProblem, solver: &dyn InterfaceSolver) -> Vec<StepRecord> {

@@ -1,14 +1,13 @@
 //! Assembly of the stiffness matrix: cells in parallel, the sum in one fixed order.
 
-use rayon::prelude::*;
-
-use super::ElasticBody;
+use super::constraints::NodeConstraint;
+use super::elastic::ElasticBody;
 use super::equations::{BodyStructure, HELD};
 use crate::element::{Element, KindVisitor, gather, stiffness, tangent_stiffness, with_element};
 use crate::linalg::LowerMatrix;
 use crate::material::PlaneStiffness;
 use crate::mesh::Mesh;
-use crate::support::NodeConstraint;
+use crate::parallel;
 
 /// Cells whose matrices are held at once; bounds the memory beside the matrix.
 const CHUNK: usize = 2048;
@@ -105,24 +104,21 @@ impl KindVisitor for AssembleBlock<'_> {
         let per_cell = E::QUADRATURE.len();
         for (chunk, cells) in self.connectivity.chunks(CHUNK * N).enumerate() {
             let count = cells.len() / N;
-            buffer[..count * size]
-                .par_chunks_exact_mut(size)
-                .zip(cells.par_chunks_exact(N))
-                .enumerate()
-                .for_each(|(index, (local, cell))| {
-                    let x = gather::<N>(self.mesh.nodes(), cell);
-                    match self.stiffness {
-                        BlockStiffness::Uniform(material) => {
-                            stiffness::<N, E>(&x, material, self.thickness, local);
-                        }
-                        BlockStiffness::Points(tangents) => {
-                            let first = (chunk * CHUNK + index) * per_cell;
-                            let own = &tangents[first..first + per_cell];
-                            tangent_stiffness::<N, E>(&x, own, self.thickness, local);
-                        }
+            parallel::for_each_chunk(&mut buffer[..count * size], size, |index, local| {
+                let cell = &cells[index * N..(index + 1) * N];
+                let x = gather::<N>(self.mesh.nodes(), cell);
+                match self.stiffness {
+                    BlockStiffness::Uniform(material) => {
+                        stiffness::<N, E>(&x, material, self.thickness, local);
                     }
-                    turn_to_node_axes(local, cell, &self.structure.constraints);
-                });
+                    BlockStiffness::Points(tangents) => {
+                        let first = (chunk * CHUNK + index) * per_cell;
+                        let own = &tangents[first..first + per_cell];
+                        tangent_stiffness::<N, E>(&x, own, self.thickness, local);
+                    }
+                }
+                turn_to_node_axes(local, cell, &self.structure.constraints);
+            });
             for (local, cell) in buffer.chunks_exact(size).zip(cells.chunks_exact(N)) {
                 scatter(local, cell, self.structure, self.assembled);
             }

@@ -8,8 +8,9 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector};
 
 use super::assembly::{Assembled, assemble};
+use super::elastic::ElasticBody;
 use super::equations::{BodyStructure, HELD};
-use super::{BodyError, ElasticBody};
+use super::error::BodyError;
 use crate::interface::InterfaceOperator;
 use crate::linalg::{SparseCholesky, invert_from_cholesky, solve_lower_transposed};
 use crate::load::initial_strain_load;
@@ -32,6 +33,17 @@ pub struct CondensedBody {
     case_forces: Vec<Option<Vec<f64>>>,
     responses: Vec<Option<DVector<f64>>>,
     mode_loads: Vec<DVector<f64>>,
+}
+
+impl ElasticBody {
+    /// Condenses the body to the nodes of `interface`, in that order: one factorisation.
+    ///
+    /// # Errors
+    /// As [`analyse`](Self::analyse); [`BodyError::Factor`] if the stiffness matrix is not positive definite, as where two
+    /// parts share a single node about which they can turn.
+    pub fn condense(self: &Arc<Self>, interface: &[usize]) -> Result<CondensedBody, BodyError> {
+        CondensedBody::new(Arc::clone(self), self.analyse(interface)?)
+    }
 }
 
 impl CondensedBody {

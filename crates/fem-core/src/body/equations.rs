@@ -4,11 +4,13 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, SymmetricEigen};
 
+use super::constraints::{NodeConstraint, node_constraints};
+use super::elastic::ElasticBody;
+use super::error::BodyError;
 use super::parts::check_parts;
-use super::{BodyError, ElasticBody};
 use crate::linalg::{LowerMatrix, SparseStructure, minimum_degree};
 use crate::mesh::{Mesh, Point};
-use crate::support::{NodeConstraint, Platen, Support, node_constraints};
+use crate::support::{Platen, Support};
 
 /// Number of an equation that does not exist because its unknown is held.
 pub(super) const HELD: u32 = u32::MAX;
@@ -31,6 +33,17 @@ pub struct BodyStructure {
     pub(super) pattern: LowerMatrix,
     pub(super) symbolic: SparseStructure,
     pub(super) motions: FreeMotions,
+}
+
+impl ElasticBody {
+    /// Numbers the equations with the nodes of `interface` last and analyses the stiffness matrix's structure.
+    ///
+    /// # Errors
+    /// A node that does not exist or appears twice, supports that are not finite or contradict each other or the platen, a
+    /// part of the mesh that is neither joined nor held, or a structure too large for memory.
+    pub fn analyse(&self, interface: &[usize]) -> Result<Arc<BodyStructure>, BodyError> {
+        BodyStructure::new(self, interface).map(Arc::new)
+    }
 }
 
 impl BodyStructure {

@@ -12,8 +12,9 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use super::elastic::ElasticBody;
 use super::equations::{BodyStructure, HELD};
-use super::{BodyError, ElasticBody};
+use super::error::BodyError;
 use crate::element::{Element, KindVisitor, gather, stiffness, with_element};
 use crate::linalg::SparseCholesky;
 use crate::material::PlaneStiffness;
@@ -72,8 +73,9 @@ impl PartitionedBody {
             }
         }));
         let structure = held.analyse(&[])?;
-        if structure.motions.count() > 0 {
-            let motions = structure.motions.count();
+        let motions = structure.motions.count();
+        if motions > 0 {
+            // A motion of the whole body moves each of its parts, so that any node's part is loose.
             return Err(BodyError::LoosePart { node: 0, motions });
         }
         if let Some(dof) =

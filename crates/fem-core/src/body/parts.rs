@@ -5,9 +5,9 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::BodyError;
+use super::constraints::NodeConstraint;
+use super::error::BodyError;
 use crate::mesh::Mesh;
-use crate::support::NodeConstraint;
 
 /// Refuses a part with a rigid motion that `constraints` do not prevent.
 pub(super) fn check_parts(

@@ -13,9 +13,10 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector};
 
 use super::assembly::{CountPoints, assemble_tangents};
-use super::condensed::BodyLoad;
+use super::condensed::{BodyLoad, CondensedBody};
+use super::elastic::ElasticBody;
 use super::equations::{BodyStructure, HELD};
-use super::{BodyError, CondensedBody, ElasticBody};
+use super::error::BodyError;
 use crate::element::with_element;
 use crate::interface::InterfaceOperator;
 use crate::material::{PlaneStiffness, apply};

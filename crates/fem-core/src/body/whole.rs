@@ -7,7 +7,7 @@
 //! with the unknowns u that supports (and isostatic holds of a floating body) leave, the forces λ on the contact points, their
 //! displacements u_c, the part u_s of these that supports prescribe, and the rigid motions R α.
 
-use super::CondensedBody;
+use super::condensed::CondensedBody;
 
 /// An unknown of the finite-element system that moves a contact point.
 #[derive(Clone, Copy, Debug, PartialEq)]

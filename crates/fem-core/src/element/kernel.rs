@@ -11,8 +11,8 @@
 //! so the loop over quadrature points accumulates only M, half the work of Bᵀ D B.
 
 use super::Element;
+use crate::kind::Point;
 use crate::material::PlaneStiffness;
-use crate::mesh::Point;
 
 /// Derivative of the map from the reference cell to the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]

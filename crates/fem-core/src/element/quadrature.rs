@@ -1,7 +1,7 @@
 //! Quadrature rules on the reference cells: Gauss products on the square, symmetric interior points on the triangle.
 
 use super::QuadraturePoint;
-use crate::mesh::Point;
+use crate::kind::Point;
 
 /// 1/√3, abscissa of the two-point Gauss rule.
 const G2: f64 = 0.577_350_269_189_625_8;

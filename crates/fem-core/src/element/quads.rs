@@ -18,7 +18,7 @@ use std::array;
 
 use super::quadrature::{SQUARE_2X2, SQUARE_2X2_POINTS, SQUARE_3X3};
 use super::{Element, QuadraturePoint};
-use crate::mesh::{ElementKind, Point};
+use crate::kind::{ElementKind, Point};
 
 /// Four-node bilinear quadrilateral.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,8 +1,8 @@
 //! The stiffness of a cell whose material differs from point to point: K = t Σ_q w_q det J_q Bᵀ D_q B.
 
 use super::{Element, PhysicalGradients, physical_gradients};
+use crate::kind::Point;
 use crate::material::PlaneStiffness;
-use crate::mesh::Point;
 
 /// Stiffness matrix `[force/length]` of the cell with nodes `x` `[length]`, one symmetric material matrix `[stress]` of
 /// `tangents` per quadrature point of `E`, and `thickness` `[length]`.

@@ -14,7 +14,7 @@
 
 use super::quadrature::{TRIANGLE_1, TRIANGLE_3, TRIANGLE_3_POINTS};
 use super::{Element, QuadraturePoint};
-use crate::mesh::{ElementKind, Point};
+use crate::kind::{ElementKind, Point};
 
 /// Gradients of the area coordinates.
 const AREA_GRADIENTS: [[f64; 2]; 3] = [[-1.0, -1.0], [1.0, 0.0], [0.0, 1.0]];

@@ -1,7 +1,8 @@
 //! Lattices of cells joined to one mesh.
 //!
-//! A block maps the lattice 0 … nᵢ × 0 … nⱼ to the plane. Half steps are the mid-side nodes; the middle of a cell follows
-//! from its sides by Coons' formula, x_c = ½ Σ x_mid − ¼ Σ x_corner, so a map need not be defined there.
+//! A block maps the lattice 0 … nᵢ × 0 … nⱼ to the plane. Fractions of steps are the inner nodes of edges, half steps on quadratic
+//! cells; the inside of a cell follows from its sides by blending (x_c = ½ Σ x_mid − ¼ Σ x_corner on quadratic cells), so a map need
+//! not be defined there.
 //!
 //! ```text
 //!          North
@@ -13,6 +14,7 @@
 //!          South
 //! ```
 
+mod cell;
 mod lattice;
 mod merge;
 
@@ -90,7 +92,7 @@ impl Blocks {
     }
 
     /// Adds a block of `cells[0]` × `cells[1]` cells. `map` gives the point `[length]` at lattice position (i, j); linear
-    /// kinds ask for whole steps, quadratic ones also for points where one of the two is half.
+    /// kinds ask for whole steps, others also for points where one of the two is a fraction, on an edge's Gauss–Lobatto points.
     pub fn add(&mut self, cells: [usize; 2], map: impl Fn(f64, f64) -> Point) -> BlockId {
         self.lattices
             .push(Lattice::new(cells, self.kind.order(), self.centre, map));
@@ -193,11 +195,7 @@ fn edge_nodes(
     let nodes_of = |edge: &EdgeRef| {
         let local = kind.edge_nodes(edge.edge);
         let start = edge.element * kind.nodes();
-        local
-            .ends
-            .into_iter()
-            .chain(local.mid)
-            .map(move |k| connectivity[start + k])
+        (local.ends.into_iter().chain(local.inner)).map(move |k| connectivity[start + k])
     };
     let nodes = |set: &EdgeSet| set.edges.iter().flat_map(nodes_of).collect();
     edge_sets

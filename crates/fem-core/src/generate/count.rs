@@ -55,15 +55,18 @@ impl Count {
         let edges = vertices
             .saturating_add(quads)
             .saturating_sub(usize::from(!ring));
-        let mid_sides = if kind.order() == 2 { edges } else { 0 };
-        let centres = if matches!(kind, ElementKind::Q9 | ElementKind::T6) {
-            quads
+        let on_edges = edges.saturating_mul(kind.order() - 1);
+        let inside_cell = kind.nodes() - kind.border_nodes();
+        // Two triangles share the inner nodes of the diagonal.
+        let (cells, on_diagonal) = if kind.corners() == 3 {
+            (2, kind.order() - 1)
         } else {
-            0
+            (1, 0)
         };
+        let inside = quads.saturating_mul(cells * inside_cell + on_diagonal);
         MeshEstimate {
-            nodes: vertices.saturating_add(mid_sides).saturating_add(centres),
-            elements: quads.saturating_mul(if kind.corners() == 3 { 2 } else { 1 }),
+            nodes: vertices.saturating_add(on_edges).saturating_add(inside),
+            elements: quads.saturating_mul(cells),
         }
     }
 }

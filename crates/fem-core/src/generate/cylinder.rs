@@ -156,6 +156,32 @@ impl CylinderOnBlock {
         })
     }
 
+    /// Generates the block alone, if both bodies together have at most `limit` nodes.
+    ///
+    /// # Errors
+    /// As [`Generate::generate_within`].
+    pub fn lower_within(&self, limit: usize) -> Result<Mesh, GenerateError> {
+        within(self.estimate()?, self.kind, limit)?;
+        self.body("lower", "bottom", Curve::Line, |_, depth| {
+            -self.height * depth
+        })
+    }
+
+    /// Generates the cap alone, if both bodies together have at most `limit` nodes.
+    ///
+    /// # Errors
+    /// As [`Generate::generate_within`].
+    pub fn upper_within(&self, limit: usize) -> Result<Mesh, GenerateError> {
+        within(self.estimate()?, self.kind, limit)?;
+        let arc = Curve::Arc {
+            centre: [0.0, self.radius],
+            radius: self.radius,
+        };
+        self.body("upper", "top", arc, |x, depth| {
+            (1.0 - depth) * self.arc(x) + depth * self.height
+        })
+    }
+
     /// Meshes one body; `y` gives the height at x and relative depth, 0 at the contact and 1 at the far side.
     fn body(
         &self,
@@ -203,17 +229,9 @@ impl Generate for CylinderOnBlock {
     }
 
     fn generate_within(&self, limit: usize) -> Result<CylinderOnBlockMeshes, GenerateError> {
-        within(self.estimate()?, self.kind, limit)?;
-        let arc = Curve::Arc {
-            centre: [0.0, self.radius],
-            radius: self.radius,
-        };
-        let lower = self.body("lower", "bottom", Curve::Line, |_, depth| {
-            -self.height * depth
-        })?;
-        let upper = self.body("upper", "top", arc, |x, depth| {
-            (1.0 - depth) * self.arc(x) + depth * self.height
-        })?;
-        Ok(CylinderOnBlockMeshes { lower, upper })
+        Ok(CylinderOnBlockMeshes {
+            lower: self.lower_within(limit)?,
+            upper: self.upper_within(limit)?,
+        })
     }
 }

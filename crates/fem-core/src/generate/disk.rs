@@ -123,7 +123,13 @@ impl Generate for Disk {
     fn generate_within(&self, limit: usize) -> Result<Mesh, GenerateError> {
         within(self.estimate()?, self.kind, limit)?;
         let (rim, core) = self.layout()?;
-        let fan = Fan::new(&rim, self.radius, core.outline(), self.layers, &self.growth);
+        let fan = Fan::new(
+            &rim,
+            self.radius,
+            |step| core.outline(step),
+            self.layers,
+            &self.growth,
+        );
         let mut blocks = Blocks::new("disk", self.kind);
         blocks.about(self.centre);
         let rings = blocks.add([rim.intervals(), self.layers], |i, j| {

@@ -4,12 +4,12 @@
 //! x(i, j) = (1 − s) Cᵢ + s Fᵢ,   s = s(i, j) from 0 on the circle to 1 on the far side
 //! ```
 //!
-//! Cᵢ lies on the circle at the i-th angle, Fᵢ on the far side; half steps in i use the mean angle, so that mid-side nodes of
-//! the circle are on it. All cells between two rays that do not cross are convex, whatever the two lists of s.
+//! Cᵢ lies on the circle at the i-th angle, Fᵢ on the far side; fractions of steps in i divide the angle, so that the inner nodes of
+//! edges on the circle are on it. All cells between two rays that do not cross are convex, whatever the two lists of s.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use super::spacing::{at_least, at_step, increasing, layer_fractions, positive};
+use super::spacing::{at_least, at_step, between, increasing, layer_fractions, positive};
 use super::{Extent, GenerateError, Growth};
 use crate::mesh::Point;
 
@@ -125,12 +125,9 @@ impl Rim {
         })
     }
 
-    /// Points on a circle about the origin at every half step.
-    pub(super) fn circle(&self, radius: f64) -> Vec<Point> {
-        let steps = 0..=2 * self.intervals();
-        steps
-            .map(|k| unit(at_step(&self.angles, k as f64 / 2.0)).map(|c| radius * c))
-            .collect()
+    /// Point on a circle about the origin at `step`.
+    pub(super) fn on_circle(&self, radius: f64, step: f64) -> Point {
+        unit(at_step(&self.angles, step)).map(|c| radius * c)
     }
 
     /// Width of the neighbouring intervals `[rad]` at every angle, smoothed to [`THICKNESS_SLOPE`].
@@ -196,81 +193,95 @@ impl Growth {
     }
 }
 
+/// A far side: its point at every step along the circle.
+type FarSide<'a> = Box<dyn Fn(f64) -> Point + 'a>;
+
 /// The lattice between the circle and the far side.
-#[derive(Debug)]
-pub(super) struct Fan {
-    /// Circle and far side at half steps.
+pub(super) struct Fan<'a> {
+    rim: &'a Rim,
+    radius: f64,
+    far_side: FarSide<'a>,
+    /// Circle and far side at whole steps.
     near: Vec<Point>,
     far: Vec<Point>,
     /// s at the layers' boundaries along every whole ray.
     fractions: Vec<Vec<f64>>,
 }
 
-impl Fan {
-    /// `far` has a point for every half step along the circle of `radius`; `growth` has been checked for `layers`.
+impl<'a> Fan<'a> {
+    /// `far_side` gives the point for every step along the circle of `radius`; `growth` has been checked for `layers`.
     pub(super) fn new(
-        rim: &Rim,
+        rim: &'a Rim,
         radius: f64,
-        far: Vec<Point>,
+        far_side: impl Fn(f64) -> Point + 'a,
         layers: usize,
         growth: &Growth,
     ) -> Self {
-        let near = rim.circle(radius);
+        let rays = 0..=rim.intervals();
+        let near: Vec<Point> = (rays.clone())
+            .map(|ray| rim.on_circle(radius, ray as f64))
+            .collect();
+        let far: Vec<Point> = rays.clone().map(|ray| far_side(ray as f64)).collect();
         let spacing = rim.local_spacing();
         let along_ray = |k: usize| match growth {
             Growth::Fractions(list) => [0.0].iter().chain(list).copied().collect(),
             Growth::Geometric { aspect } => {
-                let (c, f) = (near[2 * k], far[2 * k]);
+                let (c, f) = (near[k], far[k]);
                 let length = (f[0] - c[0]).hypot(f[1] - c[1]);
                 layer_fractions(layers, aspect * radius * spacing[k] / length)
             }
         };
-        let fractions = (0..=rim.intervals()).map(along_ray).collect();
+        let fractions = rays.map(along_ray).collect();
         Self {
+            rim,
+            radius,
+            far_side: Box::new(far_side),
             near,
             far,
             fractions,
         }
     }
 
-    /// Point at lattice position (i, j) in whole or half steps. Half way between two rays it is the middle of the chord,
-    /// moved by the share of the bulges of both sides.
+    /// Point at lattice position (i, j). Between two rays it is on the chord, moved by the share of the bulges of both sides.
     pub(super) fn at(&self, i: f64, j: f64) -> Point {
-        let half_step = (2.0 * i) as usize;
-        let (before, after) = (half_step / 2, half_step.div_ceil(2));
-        if before == after {
+        let (before, part) = (i as usize, i.fract());
+        if part == 0.0 {
             return self.on_ray(before, j);
         }
-        let (a, b) = (self.on_ray(before, j), self.on_ray(after, j));
-        let s = f64::midpoint(
+        let between = |a, b| between(a, b, part);
+        let (a, b) = (self.on_ray(before, j), self.on_ray(before + 1, j));
+        let s = between(
             at_step(&self.fractions[before], j),
-            at_step(&self.fractions[after], j),
+            at_step(&self.fractions[before + 1], j),
         );
-        let (near, far) = (bulge(&self.near, half_step), bulge(&self.far, half_step));
-        [0, 1].map(|axis| f64::midpoint(a[axis], b[axis]) + (1.0 - s) * near[axis] + s * far[axis])
+        let on_circle = self.rim.on_circle(self.radius, i);
+        // How far a point lies beside its neighbours' chord.
+        let bulge = |point: Point, ends: &[Point], axis: usize| {
+            point[axis] - between(ends[before][axis], ends[before + 1][axis])
+        };
+        let far = (self.far_side)(i);
+        [0, 1].map(|axis| {
+            between(a[axis], b[axis])
+                + (1.0 - s) * bulge(on_circle, &self.near, axis)
+                + s * bulge(far, &self.far, axis)
+        })
     }
 
     fn on_ray(&self, ray: usize, j: f64) -> Point {
         let s = at_step(&self.fractions[ray], j);
-        let (c, f) = (self.near[2 * ray], self.far[2 * ray]);
+        let (c, f) = (self.near[ray], self.far[ray]);
         [0, 1].map(|axis| (1.0 - s) * c[axis] + s * f[axis])
     }
 
     /// Far side at lattice position `i`.
     pub(super) fn far_at(&self, i: f64) -> Point {
-        self.far[(2.0 * i) as usize]
+        (self.far_side)(i)
     }
 
     /// Thickness of the layer at the far side along ray `i` `[length]`.
     pub(super) fn last_thickness(&self, i: usize) -> f64 {
         let list = &self.fractions[i];
-        let (c, f) = (self.near[2 * i], self.far[2 * i]);
+        let (c, f) = (self.near[i], self.far[i]);
         (f[0] - c[0]).hypot(f[1] - c[1]) * (1.0 - list[list.len() - 2])
     }
-}
-
-/// How far a point at a half step lies beside the middle of its neighbours' chord.
-fn bulge(points: &[Point], half_step: usize) -> Point {
-    let [a, middle, b] = [half_step - 1, half_step, half_step + 1].map(|k| points[k]);
-    [0, 1].map(|axis| middle[axis] - f64::midpoint(a[axis], b[axis]))
 }

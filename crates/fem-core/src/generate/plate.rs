@@ -17,7 +17,7 @@
 
 mod outline;
 
-use self::outline::{Frame, Join, check_rays, exceeds_hole};
+use self::outline::{Frame, Join, check_rays, exceeds_hole, on_outline};
 use super::count::{Count, within};
 use super::fan::{Fan, Rim};
 use super::spacing::{at_step, layer_fractions, positive};
@@ -122,7 +122,7 @@ impl PlateWithHole {
     }
 
     fn ring_mesh(&self, rim: &Rim, outer_radius: f64) -> Result<Mesh, GenerateError> {
-        let outer = rim.circle(outer_radius);
+        let outer = |step| rim.on_circle(outer_radius, step);
         let fan = Fan::new(rim, self.hole_radius, outer, self.layers, &self.growth);
         let (mut blocks, plate) = self.fan_block(rim, &fan);
         blocks.name("outer", plate, Side::North, 0..rim.intervals());
@@ -139,7 +139,13 @@ impl PlateWithHole {
     fn strip_mesh(&self, rim: &Rim, frame: &Frame) -> Result<Mesh, GenerateError> {
         let far = frame.points(rim);
         check_rays(rim, &far, self.hole_radius)?;
-        let fan = Fan::new(rim, self.hole_radius, far, self.layers, &self.growth);
+        let fan = Fan::new(
+            rim,
+            self.hole_radius,
+            |step| on_outline(&far, step),
+            self.layers,
+            &self.growth,
+        );
         let (mut blocks, plate) = self.fan_block(rim, &fan);
         for join in frame.joins() {
             match join.end {
@@ -159,7 +165,7 @@ impl PlateWithHole {
     }
 
     /// Starts the mesh with the fan and names the hole and the cut.
-    fn fan_block(&self, rim: &Rim, fan: &Fan) -> (Blocks, super::BlockId) {
+    fn fan_block(&self, rim: &Rim, fan: &Fan<'_>) -> (Blocks, super::BlockId) {
         let mut blocks = Blocks::new("plate", self.kind);
         let plate = blocks.add([rim.intervals(), self.layers], |i, j| fan.at(i, j));
         blocks.name("hole", plate, Side::South, 0..rim.intervals());
@@ -179,7 +185,14 @@ impl PlateWithHole {
     }
 
     /// Continues the strip from the box to x = `end`.
-    fn far_rectangle(&self, blocks: &mut Blocks, frame: &Frame, fan: &Fan, join: &Join, end: f64) {
+    fn far_rectangle(
+        &self,
+        blocks: &mut Blocks,
+        frame: &Frame,
+        fan: &Fan<'_>,
+        join: &Join,
+        end: f64,
+    ) {
         let cells = [self.far_cells, join.cells];
         let start = fan.far_at(join.start as f64)[0];
         let first = fan.last_thickness(join.axis) / (end - start).abs();

@@ -186,11 +186,20 @@ fn placed(from: f64, to: f64, fractions: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// Value of a list at a whole or half step: the entry, or the mean of two neighbours.
+/// Value of a list at a step: the entry, or what divides two neighbours in the ratio of the fraction.
 pub(super) fn at_step(list: &[f64], step: f64) -> f64 {
     let last = list.len() - 1;
     let whole = (step as usize).min(last);
     let next = (whole + 1).min(last);
     let rest = step - whole as f64;
     (1.0 - rest) * list[whole] + rest * list[next]
+}
+
+/// The number that divides `a` to `b` at `part`; exactly `a` where both are equal, so that straight sides stay straight.
+pub(super) fn between(a: f64, b: f64, part: f64) -> f64 {
+    if a == b {
+        a
+    } else {
+        (1.0 - part) * a + part * b
+    }
 }

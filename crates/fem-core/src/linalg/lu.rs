@@ -97,7 +97,7 @@ impl<'a> SparseLu<'a> {
         Ok(Self { structure, factors })
     }
 
-    /// Overwrites `x` with `A⁻¹ x`.
+    /// Overwrites `x`, one entry per unknown, with A⁻¹ x.
     pub fn solve(&self, x: &mut [f64]) {
         let symbolic = &self.structure.0;
         let rows = symbolic.nrows();

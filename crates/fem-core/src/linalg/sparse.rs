@@ -34,7 +34,7 @@ impl LowerMatrix {
         self.column_start.len().saturating_sub(1)
     }
 
-    fn pattern(&self) -> SymbolicSparseColMatRef<'_, usize> {
+    pub(super) fn pattern(&self) -> SymbolicSparseColMatRef<'_, usize> {
         let n = self.order();
         SymbolicSparseColMatRef::new_checked(n, n, &self.column_start, None, &self.rows)
     }
@@ -60,7 +60,7 @@ impl LowerMatrix {
         (start, rows)
     }
 
-    /// `y = K x` with the full symmetric matrix.
+    /// Computes y = K x with the full symmetric matrix; `x` and y have one entry per unknown.
     pub fn multiply(&self, x: &[f64]) -> Vec<f64> {
         let mut y = vec![0.0; x.len()];
         for column in 0..self.order() {
@@ -179,12 +179,13 @@ impl SparseCholesky {
             SymbolicCholeskyRaw::Supernodal(symbolic) => {
                 Some(SupernodalLltRef::new(symbolic, &self.values))
             }
-            // `analyse` forces the supernodal kind; only a matrix without flops stays simplicial.
+            // `analyse` forces the supernodal kind wherever the factorisation takes at least one operation, and a division per
+            // pivot is one: only a matrix without unknowns stays simplicial.
             SymbolicCholeskyRaw::Simplicial(_) => None,
         }
     }
 
-    /// The trailing `count` × `count` block of `L`, lower triangular.
+    /// Copies the trailing block of L, `count` × `count`, lower triangular; `count` is at most the number of unknowns.
     pub fn trailing_block(&self, count: usize) -> DMatrix<f64> {
         let mut block = DMatrix::zeros(count, count);
         let Some(factor) = self.supernodal() else {
@@ -211,21 +212,21 @@ impl SparseCholesky {
         block
     }
 
-    /// Overwrites `x`, one or more columns one after the other, with `L⁻¹ x`.
+    /// Overwrites `x`, one or more columns of one entry per unknown, one after the other, with L⁻¹ x.
     pub fn solve_lower(&self, x: &mut [f64]) {
         self.with_factor(x, |factor, x, stack| {
             factor.l_solve_with_conj(Conj::No, x, Par::Seq, stack);
         });
     }
 
-    /// Overwrites `x` with `L⁻ᵀ x`.
+    /// Overwrites `x`, columns as for [`solve_lower`](Self::solve_lower), with L⁻ᵀ x.
     pub fn solve_lower_transposed(&self, x: &mut [f64]) {
         self.with_factor(x, |factor, x, stack| {
             factor.l_transpose_solve_with_conj(Conj::No, x, Par::Seq, stack);
         });
     }
 
-    /// Overwrites `x`, one or more columns one after the other, with `K⁻¹ x`.
+    /// Overwrites `x`, columns as for [`solve_lower`](Self::solve_lower), with K⁻¹ x.
     pub fn solve(&self, x: &mut [f64]) {
         self.solve_lower(x);
         self.solve_lower_transposed(x);
@@ -256,47 +257,6 @@ impl SparseCholesky {
     pub fn bytes(&self) -> usize {
         self.values.len() * size_of::<f64>()
     }
-}
-
-/// One ordinary sparse Cholesky factorisation, symbolic and numeric, with faer's own minimum-degree order and defaults:
-/// the yardstick of the benches. Returns the number of stored entries of the factor.
-///
-/// # Errors
-/// As [`SparseCholesky::factorise`].
-pub fn reference_factorisation(matrix: &LowerMatrix, threads: usize) -> Result<usize, FactorError> {
-    let n = matrix.order();
-    let too_large = || FactorError::TooLarge { unknowns: n };
-    let par = if threads > 1 {
-        Par::rayon(threads)
-    } else {
-        Par::Seq
-    };
-    let symbolic = factorize_symbolic_cholesky(
-        matrix.pattern(),
-        Side::Lower,
-        SymmetricOrdering::Amd,
-        CholeskySymbolicParams::default(),
-    )
-    .map_err(|_| too_large())?;
-    let mut values = vec![0.0; symbolic.len_val()];
-    let request = symbolic.factorize_numeric_llt_scratch::<f64>(par, faer::Spec::default());
-    let mut memory = MemBuffer::try_new(request).map_err(|_| too_large())?;
-    symbolic
-        .factorize_numeric_llt(
-            &mut values,
-            SparseColMatRef::new(matrix.pattern(), &matrix.values),
-            Side::Lower,
-            LltRegularization::default(),
-            par,
-            MemStack::new(&mut memory),
-            faer::Spec::default(),
-        )
-        .map_err(
-            |LltError::NonPositivePivot { index }| FactorError::NotPositiveDefinite {
-                unknown: index,
-            },
-        )?;
-    Ok(values.len())
 }
 
 #[cfg(test)]
@@ -381,8 +341,47 @@ mod tests {
         ));
     }
 
+    fn diagonal(entries: &[f64]) -> LowerMatrix {
+        LowerMatrix {
+            column_start: (0..=entries.len()).collect(),
+            rows: (0..entries.len()).collect(),
+            values: entries.to_vec(),
+        }
+    }
+
+    /// Where no entry lies off the diagonal, faer's simplicial kind would be enough; the factor must be there all the same.
     #[test]
-    fn the_yardstick_factorises_the_same_matrix() {
-        assert!(reference_factorisation(&grid(12), 1).unwrap() > 144);
+    fn a_diagonal_matrix_is_factorised() {
+        for entries in [&[4.0][..], &[4.0, 9.0, 0.25, 16.0]] {
+            let n = entries.len();
+            let matrix = diagonal(entries);
+            let structure = SparseStructure::analyse(&matrix).unwrap();
+            let factor = SparseCholesky::factorise(&structure, &matrix).unwrap();
+            assert_eq!(structure.operations(), n as u64);
+            let mut x = entries.to_vec();
+            factor.solve(&mut x);
+            assert_eq!(x, vec![1.0; n]);
+            let roots = entries.iter().map(|entry| entry.sqrt());
+            let block = DMatrix::from_diagonal(&nalgebra::DVector::from_iterator(n, roots));
+            for count in 0..=n {
+                let own = block.view((n - count, n - count), (count, count));
+                assert_eq!(factor.trailing_block(count), own);
+            }
+            let refused = SparseCholesky::factorise(&structure, &diagonal(&vec![-1.0; n]));
+            assert!(matches!(
+                refused,
+                Err(FactorError::NotPositiveDefinite { unknown: 0 })
+            ));
+        }
+    }
+
+    #[test]
+    fn a_matrix_without_unknowns_is_factorised() {
+        let matrix = diagonal(&[]);
+        let structure = SparseStructure::analyse(&matrix).unwrap();
+        let factor = SparseCholesky::factorise(&structure, &matrix).unwrap();
+        assert_eq!((structure.operations(), factor.bytes()), (0, 0));
+        factor.solve(&mut []);
+        assert_eq!(factor.trailing_block(0).shape(), (0, 0));
     }
 }

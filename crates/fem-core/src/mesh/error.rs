@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::{ElementKind, Point};
+use crate::kind::{ElementKind, Point};
 
 /// Why a mesh, or a question to it, was refused.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -145,8 +145,8 @@ pub enum MeshError {
         /// The node between the two edges.
         node: usize,
     },
-    /// A set mixes linear and quadratic edges.
-    #[error("edge set '{set}' mixes linear and quadratic edges")]
+    /// A set mixes edges of different orders.
+    #[error("edge set '{set}' mixes edges of different orders")]
     MixedOrder {
         /// Name of the set.
         set: String,

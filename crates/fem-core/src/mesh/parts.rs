@@ -2,10 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::ElementKind;
-
-/// A point of the plane or of the reference cell: (x, y) `[length]` or (ξ, η) `[1]`.
-pub type Point = [f64; 2];
+use crate::kind::{ElementKind, Point};
 
 /// Cells of one kind; a block has one material.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,11 +26,30 @@ pub struct EdgeRef {
 
 /// Global nodes of an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct EdgeNodes {
+pub struct EdgeNodes<'a> {
     /// First and last node, walking with the cell's interior on the left.
     pub ends: [usize; 2],
-    /// Mid-side node of a quadratic cell.
-    pub mid: Option<usize>,
+    /// Nodes between them, in walk order: one less than the edge's order.
+    pub inner: &'a [usize],
+}
+
+impl<'a> EdgeNodes<'a> {
+    /// Polynomial order of the edge.
+    pub fn order(&self) -> usize {
+        self.inner.len() + 1
+    }
+
+    /// All nodes in walk order.
+    pub fn walk(&self) -> impl DoubleEndedIterator<Item = usize> + Clone + use<'a> {
+        let [first, last] = self.ends;
+        let inner = self.inner.iter().copied();
+        std::iter::once(first).chain(inner).chain([last])
+    }
+
+    /// All nodes, the ends first.
+    pub fn all(&self) -> impl Iterator<Item = usize> + Clone + use<'a> {
+        self.ends.into_iter().chain(self.inner.iter().copied())
+    }
 }
 
 /// The exact geometry that an edge set approximates.

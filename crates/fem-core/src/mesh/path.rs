@@ -4,14 +4,14 @@
 //! wᵢ = ∫ Nᵢ ds,   Σᵢ wᵢ = length of the chain.
 //! ```
 //!
-//! On an exact arc of radius R an edge from θ₁ to θ₂ has length R |θ₂ − θ₁|, split (½, ½) or (⅙, ⁴⁄₆, ⅙) among its nodes;
-//! otherwise the integral runs over the isoparametric edge.
+//! On an exact arc of radius R an edge from θ₁ to θ₂ has length R |θ₂ − θ₁|, split by Lobatto's weights among its nodes: (½, ½),
+//! (⅙, ⁴⁄₆, ⅙), …; otherwise the integral runs over the isoparametric edge.
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use super::{Curve, EdgeRef, EdgeSet, Mesh, MeshError, Point};
-use crate::element::{GAUSS_5, edge_shape, edge_slope};
+use crate::element::{EdgeValues, edge_nodes, edge_rule, edge_shape, edge_slope};
 
 /// Angles this far below the full turn count as zero: coordinates of a node at θ = 0 carry rounding.
 const ANGLE_ROUNDING: f64 = 1e-9;
@@ -19,13 +19,13 @@ const ANGLE_ROUNDING: f64 = 1e-9;
 /// The edges of a set joined to one chain.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EdgePath {
-    /// Nodes in walk order, mid-side nodes included; a closed chain does not repeat the first.
+    /// Nodes in walk order, the inner ones of edges included; a closed chain does not repeat the first.
     pub nodes: Vec<usize>,
     /// Whether the last edge ends at the first node.
     pub closed: bool,
     /// Edges in walk order. As [`Mesh::edge_path`] returns it the cells are on the walker's left.
     pub edges: Vec<EdgeRef>,
-    /// Polynomial order of the edges: 1 or 2. Edge `k` has the nodes `order·k ..= order·(k + 1)`.
+    /// Polynomial order p of the edges. Edge `k` has the nodes `order·k ..= order·(k + 1)`.
     pub order: usize,
 }
 
@@ -42,10 +42,10 @@ impl EdgePath {
         reversed
     }
 
-    /// Positions in `nodes` of edge `k`: first, mid-side (or the last again), last.
-    fn positions(&self, k: usize) -> [usize; 3] {
-        let start = self.order * k;
-        [0, 1, self.order].map(|step| (start + step) % self.nodes.len())
+    /// Positions in `nodes` of edge `k`, in walk order.
+    pub fn positions(&self, k: usize) -> impl Iterator<Item = usize> + Clone + use<> {
+        let (start, count) = (self.order * k, self.nodes.len());
+        (0..=self.order).map(move |step| (start + step) % count)
     }
 }
 
@@ -76,7 +76,7 @@ impl Mesh {
             let nodes = self.edge_nodes(set.edges[k]);
             path.edges.push(set.edges[k]);
             path.nodes.push(at);
-            path.nodes.extend(nodes.mid);
+            path.nodes.extend(nodes.inner);
             at = nodes.ends[1];
             if at == first {
                 break;
@@ -95,7 +95,7 @@ impl Mesh {
         // An inner edge named from both of its cells closes a chain of two edges over the same nodes.
         if let [first, second] = path.edges[..]
             && closed
-            && self.edge_nodes(first).mid == self.edge_nodes(second).mid
+            && (self.edge_nodes(first).inner.iter()).eq(self.edge_nodes(second).inner.iter().rev())
         {
             let (set, node) = (name.to_owned(), path.nodes[0]);
             return Err(MeshError::MixedOrientation { set, node });
@@ -108,13 +108,8 @@ impl Mesh {
     pub fn counter_clockwise(&self, path: &EdgePath, centre: Point) -> EdgePath {
         let swept: f64 = (0..path.edges.len())
             .map(|k| {
-                let [first, mid, last] = path.positions(k).map(|i| self.nodes()[path.nodes[i]]);
-                turn(centre, first, mid)
-                    + if path.order == 2 {
-                        turn(centre, mid, last)
-                    } else {
-                        0.0
-                    }
+                let points = path.positions(k).map(|i| self.nodes()[path.nodes[i]]);
+                turn_along(centre, points)
             })
             .sum();
         let mut walk = if swept < 0.0 {
@@ -156,25 +151,20 @@ impl Mesh {
     pub fn edge_weights(&self, path: &EdgePath, curve: Option<Curve>) -> Vec<f64> {
         let mut weights = vec![0.0; path.nodes.len()];
         for k in 0..path.edges.len() {
-            let positions = path.positions(k);
-            let x = positions.map(|i| self.nodes()[path.nodes[i]]);
-            let edge = match (curve, path.order) {
-                (Some(Curve::Arc { centre, radius }), 1) => {
-                    let length = radius * turn(centre, x[0], x[2]).abs();
-                    [length / 2.0, 0.0, length / 2.0]
+            let x: Vec<Point> = (path.positions(k))
+                .map(|i| self.nodes()[path.nodes[i]])
+                .collect();
+            let edge = match curve {
+                Some(Curve::Arc { centre, radius }) => {
+                    let length = radius * turn_along(centre, x.iter().copied()).abs();
+                    straight_edge_weights(path.order, length)
                 }
-                (Some(Curve::Arc { centre, radius }), _) => {
-                    let length =
-                        radius * (turn(centre, x[0], x[1]) + turn(centre, x[1], x[2])).abs();
-                    [length / 6.0, length * 4.0 / 6.0, length / 6.0]
+                _ if path.order == 1 => {
+                    straight_edge_weights(1, (x[1][0] - x[0][0]).hypot(x[1][1] - x[0][1]))
                 }
-                (_, 1) => {
-                    let length = (x[2][0] - x[0][0]).hypot(x[2][1] - x[0][1]);
-                    [length / 2.0, 0.0, length / 2.0]
-                }
-                _ => quadratic_edge_weights(x),
+                _ => curved_edge_weights(&x),
             };
-            for (position, weight) in positions.into_iter().zip(edge) {
+            for (position, weight) in path.positions(k).zip(edge) {
                 weights[position] += weight;
             }
         }
@@ -251,13 +241,35 @@ fn chain_count(links: &BTreeMap<usize, Link>, end_of: impl Fn(usize) -> usize) -
     chains
 }
 
-/// ∫ Nᵢ |dx/dξ| dξ on the quadratic edge through first, mid-side and last point.
-fn quadratic_edge_weights(x: [Point; 3]) -> [f64; 3] {
-    let mut weights = [0.0; 3];
-    for (xi, weight) in GAUSS_5 {
-        let (shape, slope) = (edge_shape(2, xi), edge_slope(2, xi));
-        let tangent = [0, 1].map(|i| slope[0] * x[0][i] + slope[1] * x[1][i] + slope[2] * x[2][i]);
-        let speed = tangent[0].hypot(tangent[1]);
+/// ∫ Nᵢ ds on an edge of `order` whose points move evenly along its `length`.
+fn straight_edge_weights(order: usize, length: f64) -> EdgeValues {
+    let mut weights = EdgeValues::default();
+    match order {
+        1 => weights[..2].fill(length / 2.0),
+        2 => weights[..3].copy_from_slice(&[length / 6.0, length * 4.0 / 6.0, length / 6.0]),
+        _ => {
+            let nodes = edge_nodes(order).unwrap_or_default();
+            for (sum, (_, weight)) in weights.iter_mut().zip(nodes) {
+                *sum = length * weight / 2.0;
+            }
+        }
+    }
+    weights
+}
+
+/// ∫ Nᵢ |dx/dξ| dξ on the edge through the points `x`.
+fn curved_edge_weights(x: &[Point]) -> EdgeValues {
+    let order = x.len() - 1;
+    let mut weights = EdgeValues::default();
+    for &(xi, weight) in edge_rule(order) {
+        let (shape, slope) = (edge_shape(order, xi), edge_slope(order, xi));
+        let along = |i: usize| {
+            x.iter()
+                .zip(slope)
+                .map(|(p, slope)| slope * p[i])
+                .sum::<f64>()
+        };
+        let speed = along(0).hypot(along(1));
         for (sum, value) in weights.iter_mut().zip(shape) {
             *sum += value * speed * weight;
         }
@@ -269,6 +281,13 @@ fn quadratic_edge_weights(x: [Point; 3]) -> [f64; 3] {
 fn turn(centre: Point, a: Point, b: Point) -> f64 {
     let [a, b] = [a, b].map(|p| [p[0] - centre[0], p[1] - centre[1]]);
     (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1])
+}
+
+/// Sum of the signed angles from each of `points` to the next.
+fn turn_along(centre: Point, points: impl Iterator<Item = Point> + Clone) -> f64 {
+    (points.clone().zip(points.skip(1)))
+        .map(|(a, b)| turn(centre, a, b))
+        .sum()
 }
 
 /// Angle of `point` about `centre` in [0, 2π).

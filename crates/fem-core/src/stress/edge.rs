@@ -8,8 +8,9 @@
 //! ```
 //!
 //! which for an isotropic plate is σ_tt = E ε_tt + ν σ_nn. The derivative is that of the polynomial of degree 2p in the
-//! exact arc length through a node and its p neighbours on either side, p being the order of the edge. It uses nothing but
-//! the displacements of the edge, so neither the facets of the mesh nor the interior nodes of the cells spoil it.
+//! exact arc length through a node and its p neighbours on either side, p ≤ 2 being the order of the edge. It uses nothing but
+//! the displacements of the edge, so neither the facets of the mesh nor the interior nodes of the cells spoil it. On edges of
+//! order p > 2 it is that of the polynomial of degree p through the edge's own nodes, at a corner the mean of both edges.
 //!
 //! A rotation ω of the body has the derivative ω e_z × x′, with a part along t where x′ of the polynomial is not: between cells of
 //! unequal length. It is taken off, so that stresses do not depend on how far a free body has turned:
@@ -23,7 +24,7 @@
 //!
 //! On finite-element solutions around a hole the error falls as h² with Q4, as h⁴ with Q8 and Q9, about as h² with T6 and
 //! between h and h² with T3. The derivative of each quadratic edge by itself, averaged at the corners, would fall only as
-//! h²: the nodes of these cells are more accurate (h⁴) than the polynomial between them.
+//! h²: the nodes of these cells are more accurate (h⁴) than the polynomial between them. With order p > 2 it falls as h^p.
 
 use super::{StressError, length};
 use crate::material::{Material, rotated_compliance, rotated_strain};
@@ -57,7 +58,7 @@ pub enum PathEnds {
 /// of an [`EdgePath`](crate::mesh::EdgePath).
 #[derive(Clone, Copy, Debug)]
 pub struct EdgeData<'a> {
-    /// Polynomial order of the edges, 1 or 2; a path of order 2 starts at a corner node.
+    /// Polynomial order p of the edges; the path starts at a corner node, and every p-th is one.
     pub order: usize,
     /// Ends of the path.
     pub ends: PathEnds,
@@ -128,13 +129,15 @@ fn check(edge: &EdgeData<'_>) -> Result<f64, StressError> {
     length("normal_stress", nodes, edge.normal_stress.len())?;
     length("shear_stress", nodes, edge.shear_stress.len())?;
     let closed = matches!(edge.ends, PathEnds::Closed { .. });
-    let complete = match (edge.order, closed) {
-        (1, _) => nodes >= 3,
-        (2, false) => nodes >= 5 && nodes % 2 == 1,
-        (2, true) => nodes >= 6 && nodes.is_multiple_of(2),
-        _ => false,
+    let edges = nodes.saturating_sub(usize::from(!closed)) / edge.order.max(1);
+    let needed = match (edge.order, closed) {
+        (1 | 2, false) => 2,
+        (1 | 2, true) => 3,
+        (_, false) => 1,
+        (_, true) => 2,
     };
-    if !complete {
+    let whole = nodes == edges * edge.order + usize::from(!closed);
+    if !(edge.order > 0 && whole && edges >= needed) {
         return Err(StressError::PathNodes {
             nodes,
             order: edge.order,
@@ -185,21 +188,46 @@ fn unit(name: &'static str, node: usize, v: [f64; 2]) -> Result<(), StressError>
     }
 }
 
-/// ∂u/∂s at `node`: the derivative of the polynomial through it and `order` neighbours on either side. At a free end all
-/// neighbours are taken from inside.
+/// ∂u/∂s at `node`: the mean of the derivatives of the polynomials through [`windows`].
 fn displacement_slope(edge: &EdgeData<'_>, turn: f64, node: usize) -> [f64; 2] {
-    let reach = edge.order as isize;
+    let (degree, windows) = windows(edge, node);
+    let share = 1.0 / windows.len() as f64;
+    let slopes = windows.into_iter().map(|first| {
+        let points: Vec<(f64, [f64; 2])> = (first..=first + degree)
+            .map(|k| point_beyond(edge, turn, k))
+            .collect();
+        lagrange_slope(&points, node as isize - first)
+    });
+    slopes.fold([0.0; 2], |[x, y], [dx, dy]| {
+        [x + share * dx, y + share * dy]
+    })
+}
+
+/// The degree of the polynomials that give the derivative at `node`, and the first node of each. Up to order 2, `node` and its
+/// neighbours on either side, at a free end all from inside; beyond, the nodes of each edge that has `node`.
+fn windows(edge: &EdgeData<'_>, node: usize) -> (isize, Vec<isize>) {
+    let (order, node) = (edge.order as isize, node as isize);
     let last = edge.parameter.len() as isize - 1;
-    let centred = node as isize - reach;
-    let first = match edge.ends {
-        PathEnds::Open([PathEnd::Free, _]) if centred < 0 => 0,
-        PathEnds::Open([_, PathEnd::Free]) if centred + 2 * reach > last => last - 2 * reach,
-        _ => centred,
+    let (free_before, free_after) = match edge.ends {
+        PathEnds::Open([before, after]) => (before == PathEnd::Free, after == PathEnd::Free),
+        PathEnds::Closed { .. } => (false, false),
     };
-    let points: Vec<(f64, [f64; 2])> = (first..=first + 2 * reach)
-        .map(|k| point_beyond(edge, turn, k))
-        .collect();
-    lagrange_slope(&points, node as isize - first)
+    if order <= 2 {
+        let centred = node - order;
+        let first = if free_before && centred < 0 {
+            0
+        } else if free_after && node + order > last {
+            last - 2 * order
+        } else {
+            centred
+        };
+        return (2 * order, vec![first]);
+    }
+    let start = node - node % order;
+    let before = (node == start).then_some(start - order);
+    let mut windows: Vec<isize> = before.into_iter().chain([start]).collect();
+    windows.retain(|&first| !(free_before && first < 0 || free_after && first + order > last));
+    (order, windows)
 }
 
 /// What the part along n of the displacement's `slope` at `node` adds to the strain along the edge. On a circle x′ is R n′, with n in
@@ -238,7 +266,7 @@ fn lagrange_slope(points: &[(f64, [f64; 2])], at: isize) -> [f64; 2] {
     slope
 }
 
-/// Parameter and displacement of path node `k`, which may lie up to two nodes beyond an end: the path goes on by turning
+/// Parameter and displacement of path node `k`, which may lie an edge, or up to two nodes, beyond an end: the path goes on by turning
 /// round or by reflection.
 fn point_beyond(edge: &EdgeData<'_>, turn: f64, k: isize) -> (f64, [f64; 2]) {
     let count = edge.parameter.len() as isize;

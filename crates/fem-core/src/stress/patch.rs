@@ -16,11 +16,10 @@
 //!
 //! Source: Zienkiewicz and Zhu, Int. J. Numer. Methods Eng. 33 (1992) 1331–1364.
 
-use rayon::prelude::*;
-
 use super::gauss::{ElasticField, Points, Samples};
 use super::nodal::{BlockStresses, Mean, NodalStresses};
 use crate::mesh::{ElementBlock, Point};
+use crate::parallel;
 
 impl ElasticField<'_> {
     /// Stress at every node by superconvergent patch recovery.
@@ -30,8 +29,8 @@ impl ElasticField<'_> {
     /// [`ElasticField::nodal_stresses`] the better choice where a cell is as large as the stress gradient's length; where
     /// the tractions are known, use [`edge_stresses`](super::edge_stresses).
     ///
-    /// A block without any interior corner (a strip one cell wide) has no patch; its values are those of
-    /// [`ElasticField::nodal_stresses`].
+    /// A block without any interior corner (a strip one cell wide) has no patch, and cells of order above 2 gain nothing by one; their
+    /// values are those of [`ElasticField::nodal_stresses`].
     pub fn patch_recovery(&self) -> NodalStresses {
         let blocks = (0..self.mesh.blocks().len())
             .map(|block| self.recovered(block))
@@ -46,16 +45,14 @@ impl ElasticField<'_> {
         let cells = &self.mesh.blocks()[block];
         let nodes = self.mesh.nodes();
         let topology = Topology::new(cells, nodes.len());
-        if topology.interior.is_empty() {
+        if topology.interior.is_empty() || cells.kind.order() > 2 {
             return self.extrapolated(block);
         }
         let samples = self.sample(block, Points::Superconvergent);
         let degree = cells.kind.order();
-        let fits: Vec<Fit> = topology
-            .interior
-            .par_iter()
-            .map(|&corner| Fit::new(&samples, topology.cells_at(corner), degree))
-            .collect();
+        let fits = parallel::map(&topology.interior, |&corner| {
+            Fit::new(&samples, topology.cells_at(corner), degree)
+        });
         topology.evaluate(cells, nodes, &fits)
     }
 }

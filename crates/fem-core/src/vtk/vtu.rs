@@ -20,6 +20,9 @@ pub struct Field<'a> {
 
 /// Writes `mesh` with its fields to `out`, which should be buffered.
 ///
+/// Cells that VTK does not have are written as several, with the same values: those of order above 2 as the p² quadrilaterals
+/// between neighbouring nodes ([`ElementKind::vtk_cells`](crate::mesh::ElementKind::vtk_cells)). Points are the mesh's nodes.
+///
 /// ```
 /// use stickslip_fem_core::generate::{Generate, Rectangle};
 /// use stickslip_fem_core::mesh::ElementKind;
@@ -42,9 +45,11 @@ pub fn write_vtu<W: Write>(
     cell_data: &[Field],
     mut out: W,
 ) -> Result<(), VtkError> {
-    let (points, cells) = (mesh.nodes().len(), mesh.element_count());
+    let points = mesh.nodes().len();
     check(point_data, "nodes", points)?;
-    check(cell_data, "cells", cells)?;
+    check(cell_data, "cells", mesh.element_count())?;
+    let shown = Shown::new(mesh);
+    let cells = shown.count();
     writeln!(out, "<?xml version=\"1.0\"?>")?;
     writeln!(
         out,
@@ -55,8 +60,14 @@ pub fn write_vtu<W: Write>(
         out,
         "<Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\">"
     )?;
-    write_fields("PointData", point_data, &mut out)?;
-    write_fields("CellData", cell_data, &mut out)?;
+    write_fields("PointData", point_data, points, |row| row, &mut out)?;
+    write_fields(
+        "CellData",
+        cell_data,
+        cells,
+        |row| shown.owner[row],
+        &mut out,
+    )?;
     writeln!(out, "<Points>")?;
     let coordinates = mesh.nodes().iter().flat_map(|p| [p[0], p[1], 0.0]);
     write_array(
@@ -68,7 +79,7 @@ pub fn write_vtu<W: Write>(
         &mut out,
     )?;
     writeln!(out, "</Points>")?;
-    write_cells(mesh, &mut out)?;
+    shown.write(&mut out)?;
     writeln!(out, "</Piece>")?;
     writeln!(out, "</UnstructuredGrid>")?;
     writeln!(out, "</VTKFile>")?;
@@ -111,16 +122,24 @@ fn check(fields: &[Field], what: &'static str, entities: usize) -> Result<(), Vt
     Ok(())
 }
 
-fn write_fields(tag: &str, fields: &[Field], out: &mut impl Write) -> Result<(), VtkError> {
+/// Writes `count` rows of each field; `source` is the row of the field that each takes.
+fn write_fields(
+    tag: &str,
+    fields: &[Field],
+    count: usize,
+    source: impl Fn(usize) -> usize,
+    out: &mut impl Write,
+) -> Result<(), VtkError> {
     writeln!(out, "<{tag}>")?;
     for field in fields {
-        let bytes = field.values.iter().map(|value| value.to_le_bytes());
+        let width = field.components;
+        let row = |k: usize| &field.values[source(k) * width..][..width];
         write_array(
             field.name,
             "Float64",
-            field.components,
-            bytes,
-            field.values.len(),
+            width,
+            (0..count).flat_map(row).map(|value| value.to_le_bytes()),
+            count * width,
             out,
         )?;
     }
@@ -128,30 +147,58 @@ fn write_fields(tag: &str, fields: &[Field], out: &mut impl Write) -> Result<(),
     Ok(())
 }
 
-fn write_cells(mesh: &Mesh, out: &mut impl Write) -> Result<(), VtkError> {
-    let blocks = mesh.blocks();
-    let int = |value: usize| (value as i64).to_le_bytes();
-    writeln!(out, "<Cells>")?;
-    let nodes = blocks.iter().flat_map(|block| block.connectivity.iter());
-    let total = blocks.iter().map(|block| block.connectivity.len()).sum();
-    write_array(
-        "connectivity",
-        "Int64",
-        1,
-        nodes.map(|&node| int(node)),
-        total,
-        out,
-    )?;
-    let sizes = (0..mesh.element_count()).map(|cell| mesh.element(cell).0.nodes());
-    let offsets = sizes.scan(0, |end, size| {
-        *end += size;
-        Some(int(*end))
-    });
-    write_array("offsets", "Int64", 1, offsets, mesh.element_count(), out)?;
-    let types = (0..mesh.element_count()).map(|cell| [mesh.element(cell).0.vtk_cell_type()]);
-    write_array("types", "UInt8", 1, types, mesh.element_count(), out)?;
-    writeln!(out, "</Cells>")?;
-    Ok(())
+/// The cells of a file.
+struct Shown<'a> {
+    mesh: &'a Mesh,
+    /// Cell of the mesh that each belongs to.
+    owner: Vec<usize>,
+    /// Local nodes of the cells that stand for one of each block's.
+    of_block: Vec<Vec<Vec<usize>>>,
+}
+
+impl<'a> Shown<'a> {
+    fn new(mesh: &'a Mesh) -> Self {
+        let blocks = mesh.blocks().iter();
+        let of_block: Vec<_> = blocks.map(|block| block.kind.vtk_cells()).collect();
+        let owner = (0..mesh.element_count())
+            .flat_map(|cell| std::iter::repeat_n(cell, of_block[mesh.element(cell).2].len()))
+            .collect();
+        Self {
+            mesh,
+            owner,
+            of_block,
+        }
+    }
+
+    fn count(&self) -> usize {
+        self.owner.len()
+    }
+
+    /// Nodes of every cell.
+    fn cells(&self) -> impl Iterator<Item = impl Iterator<Item = usize>> {
+        (0..self.mesh.element_count()).flat_map(move |cell| {
+            let (_, nodes, block) = self.mesh.element(cell);
+            let parts = self.of_block[block].iter();
+            parts.map(move |part| part.iter().map(move |&local| nodes[local]))
+        })
+    }
+
+    fn write(&self, out: &mut impl Write) -> Result<(), VtkError> {
+        let int = |value: usize| (value as i64).to_le_bytes();
+        writeln!(out, "<Cells>")?;
+        let total = self.cells().map(Iterator::count).sum();
+        let nodes = self.cells().flatten().map(int);
+        write_array("connectivity", "Int64", 1, nodes, total, out)?;
+        let offsets = self.cells().scan(0, |end, cell| {
+            *end += cell.count();
+            Some(int(*end))
+        });
+        write_array("offsets", "Int64", 1, offsets, self.count(), out)?;
+        let types = (self.owner.iter()).map(|&cell| [self.mesh.element(cell).0.vtk_cell_type()]);
+        write_array("types", "UInt8", 1, types, self.count(), out)?;
+        writeln!(out, "</Cells>")?;
+        Ok(())
+    }
 }
 
 /// One array of `count` numbers of `S` bytes.

@@ -8,6 +8,7 @@ mod equilibrium;
 mod errors;
 mod fields;
 mod floating;
+mod high_order;
 mod manufactured;
 mod meshes;
 mod norms;

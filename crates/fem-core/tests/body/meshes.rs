@@ -1,5 +1,6 @@
 //! Rectangles with displaced nodes.
 
+use stickslip_fem_core::element::reference_nodes;
 use stickslip_fem_core::generate::{Generate, Rectangle};
 use stickslip_fem_core::mesh::{EdgeRef, ElementKind, Mesh, MeshParts, Point};
 
@@ -73,26 +74,35 @@ pub(crate) fn scattered(kind: ElementKind, distortion: Distortion, seed: u64) ->
             (0..2).for_each(|i| parts.nodes[node][i] += shift * step[i] * noise.next());
         }
     }
+    // A polynomial of order p has derivatives of up to p² times its largest value (Markov), so higher orders bear less.
+    let bulge = bulge * (2.0 / kind.order() as f64).powi(3).min(1.0);
+    let places = reference_nodes(kind);
     for cell in connectivity.chunks_exact(kind.nodes()) {
-        let ends = |k: usize| match k {
-            8 => vec![0, 1, 2, 3],
-            _ => kind.edge_nodes(k - kind.corners()).ends.to_vec(),
-        };
-        for k in kind.corners()..kind.nodes() {
-            let around = ends(k);
-            let mean = [0, 1].map(|i| {
-                let sum: f64 = around.iter().map(|&a| parts.nodes[cell[a]][i]).sum();
-                sum / around.len() as f64
-            });
-            if std::mem::replace(&mut moved[cell[k]], true) {
+        for (&node, &at) in cell.iter().zip(&places).skip(kind.corners()) {
+            if std::mem::replace(&mut moved[node], true) {
                 continue;
             }
-            parts.nodes[cell[k]] = [0, 1].map(|i| mean[i] + bulge * step[i] * noise.next());
+            let corners = cell.iter().zip(corner_weights(kind, at));
+            let mut straight = [0.0; 2];
+            for (&corner, weight) in corners {
+                (0..2).for_each(|i| straight[i] += weight * parts.nodes[corner][i]);
+            }
+            parts.nodes[node] = [0, 1].map(|i| straight[i] + bulge * step[i] * noise.next());
         }
     }
     mapped(Mesh::new(parts).unwrap(), |[x, y]| {
         [1.3 * x + 0.4 * y - 0.2, 0.9 * y - 0.2 * x]
     })
+}
+
+/// Linear or bilinear shape functions of the corners at a place of the reference cell.
+fn corner_weights(kind: ElementKind, [xi, eta]: Point) -> Vec<f64> {
+    match kind.corners() {
+        3 => vec![1.0 - xi - eta, xi, eta],
+        _ => [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]
+            .map(|[a, b]| (1.0 + a * xi) * (1.0 + b * eta) / 4.0)
+            .to_vec(),
+    }
 }
 
 /// The edges of several sides.

@@ -4,23 +4,16 @@
 //! ‖e‖² = ∫ |u − u_h|² dA,      ‖e‖_E² = ∫ (σ − σ_h) · S (σ − σ_h) dA
 //! ```
 //!
-//! by a 5 × 5 Gauss rule per cell, on triangles through the collapsed square: enough points to be blind to none of them,
-//! as a cell's own rule is, which sits where its stresses are superconvergent.
+//! by a 5 × 5 Gauss rule per cell, p + 3 points each way for orders p > 2, on triangles through the collapsed square: enough points
+//! to be blind to none of them, as a cell's own rule is, which sits where its stresses are superconvergent.
 
-use stickslip_fem_core::element::{Element, KindVisitor, gather, physical_gradients, with_element};
+use stickslip_fem_core::element::{
+    Element, KindVisitor, edge_rule, gather, physical_gradients, with_element,
+};
 use stickslip_fem_core::material::{Material, PlaneStiffness, apply};
 use stickslip_fem_core::mesh::{Mesh, Point};
 
 use super::fields::Field;
-
-/// Abscissae and weights of the five-point Gauss rule on [−1, 1].
-const GAUSS: [(f64, f64); 5] = [
-    (-0.906_179_845_938_664, 0.236_926_885_056_189_1),
-    (-0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
-    (0.0, 0.568_888_888_888_888_9),
-    (0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
-    (0.906_179_845_938_664, 0.236_926_885_056_189_1),
-];
 
 /// Errors in the two norms.
 #[derive(Clone, Copy, Debug)]
@@ -45,10 +38,10 @@ pub(crate) fn errors(mesh: &Mesh, material: &dyn Material, u: &[f64], exact: &Fi
 }
 
 /// Points of the reference cell with weights.
-fn rule(triangle: bool) -> Vec<(Point, f64)> {
+fn rule(order: usize, triangle: bool) -> Vec<(Point, f64)> {
     let mut points = Vec::new();
-    for (xi, w_xi) in GAUSS {
-        for (eta, w_eta) in GAUSS {
+    for &(xi, w_xi) in edge_rule(order) {
+        for &(eta, w_eta) in edge_rule(order) {
             points.push(if triangle {
                 let (a, b) = (f64::midpoint(1.0, xi), f64::midpoint(1.0, eta));
                 ([a, b * (1.0 - a)], w_xi * w_eta * (1.0 - a) / 4.0)
@@ -72,7 +65,7 @@ impl KindVisitor for Squares<'_> {
     type Output = [f64; 2];
 
     fn visit<const N: usize, E: Element<N>>(self) -> [f64; 2] {
-        let rule = rule(E::KIND.corners() == 3);
+        let rule = rule(E::KIND.order(), E::KIND.corners() == 3);
         let mut sums = [0.0; 2];
         for cell in self.mesh.blocks()[0].connectivity.chunks_exact(N) {
             let x = gather::<N>(self.mesh.nodes(), cell);

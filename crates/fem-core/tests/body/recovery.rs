@@ -45,7 +45,7 @@ fn supported(kind: ElementKind, material: Arc<dyn Material>) -> ElasticBody {
 
 #[test]
 fn recovered_fields_are_in_equilibrium() {
-    for kind in ElementKind::ALL {
+    for kind in ElementKind::COMMON {
         for material in materials() {
             let body = Arc::new(supported(kind, material));
             let mesh = body.mesh();
@@ -136,7 +136,7 @@ fn bits(condensed: &CondensedBody) -> Vec<u64> {
 
 #[test]
 fn a_reused_structure_changes_no_bit() {
-    for kind in ElementKind::ALL {
+    for kind in ElementKind::COMMON {
         let first = Arc::new(supported(kind, ply(0.5)));
         let interface = side_nodes(first.mesh(), &["top", "right"]);
         let structure = first.analyse(&interface).unwrap();

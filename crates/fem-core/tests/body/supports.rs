@@ -145,7 +145,7 @@ fn turned(kind: ElementKind, turn: f64) -> (Arc<ElasticBody>, Vec<usize>) {
 
 #[test]
 fn turning_everything_turns_the_answer() {
-    for kind in ElementKind::ALL {
+    for kind in ElementKind::COMMON {
         let (body, interface) = turned(kind, 0.0);
         let here = body.condense(&interface).unwrap();
         for turn in [0.3, 1.9, -std::f64::consts::FRAC_PI_2] {
@@ -214,7 +214,7 @@ fn a_skew_support_leaves_the_direction_across_it() {
 #[test]
 fn prescribed_displacements_follow_their_load_case() {
     let (length, stretch, young) = (2.0, 0.01, 70.0);
-    for kind in ElementKind::ALL {
+    for kind in ElementKind::COMMON {
         let mesh = rectangle(kind, [0.0, length], [0.0, 1.0], [4, 2]);
         let (left, right) = (side_nodes(&mesh, &["left"]), side_nodes(&mesh, &["right"]));
         let corner = nearest(&mesh, [0.0, 0.0]);

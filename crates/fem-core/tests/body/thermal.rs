@@ -77,7 +77,7 @@ fn heated(
 
 #[test]
 fn free_bodies_expand_without_stress() {
-    for kind in ElementKind::ALL {
+    for kind in ElementKind::COMMON {
         for material in expanding() {
             let mesh = scattered(kind, Distortion::Curved, 13);
             let nodes = mesh.nodes().to_vec();
@@ -107,7 +107,7 @@ fn a_bar_between_walls_is_compressed() {
         ("right", HeldDirection::X),
         ("bottom", HeldDirection::Y),
     ];
-    for kind in ElementKind::ALL {
+    for kind in ElementKind::COMMON {
         let mesh = rectangle(kind, [0.0, 2.0], [0.0, 1.0], [4, 2]);
         let (_, stress) = heated(mesh, &material, &held);
         let expected = [-YOUNG * ALPHA * HEATING, 0.0, 0.0];
@@ -125,7 +125,7 @@ fn a_clamped_body_carries_all_of_it() {
         .iter()
         .flat_map(|&side| [(side, HeldDirection::X), (side, HeldDirection::Y)])
         .collect();
-    for kind in ElementKind::ALL {
+    for kind in ElementKind::COMMON {
         for (k, material) in expanding().iter().enumerate() {
             let mesh = scattered(kind, Distortion::Curved, 13);
             let (u, stress) = heated(mesh, material, &held);

@@ -76,7 +76,7 @@ fn largest_error(values: &[[f64; 3]], exact: impl Fn(usize) -> [f64; 3]) -> f64 
 fn linear_displacements_give_their_stress_everywhere() {
     let material = ply();
     let expected = apply(&material.stiffness(), [0.3, 0.5, 0.2]);
-    for kind in ElementKind::ALL {
+    for kind in ElementKind::COMMON {
         let mesh = mapped(kind, [4, 3], skewed);
         let u = sampled(&mesh, linear);
         let materials: [&dyn Material; 1] = [&material];

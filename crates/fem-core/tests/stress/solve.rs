@@ -1,9 +1,9 @@
 //! A finite-element solution with prescribed displacements: the data that recovery sees in practice.
 
-use faer::prelude::*;
-use faer::sparse::{SparseColMat, Triplet};
-use faer::{Mat, Side};
+use std::collections::BTreeMap;
+
 use stickslip_fem_core::element::{Element, KindVisitor, gather, stiffness, with_element};
+use stickslip_fem_core::linalg::{LuStructure, SparseLu, SparseMatrix};
 use stickslip_fem_core::material::PlaneStiffness;
 use stickslip_fem_core::mesh::{Mesh, Point};
 
@@ -15,24 +15,35 @@ pub(crate) fn solved(
 ) -> Vec<f64> {
     let given: Vec<Option<f64>> = mesh.nodes().iter().flat_map(|&p| prescribed(p)).collect();
     let entries = with_element(mesh.blocks()[0].kind, Entries { mesh, d });
-    let mut load = Mat::zeros(given.len(), 1);
-    let mut free = Vec::new();
-    for Triplet { row, col, val } in entries {
-        match (given[row], given[col]) {
-            (None, None) => free.push(Triplet::new(row, col, val)),
-            (None, Some(u)) => load[(row, 0)] -= val * u,
+    let mut load = vec![0.0; given.len()];
+    let mut columns = vec![BTreeMap::new(); given.len()];
+    for (row, column, value) in entries {
+        match (given[row], given[column]) {
+            (None, None) => *columns[column].entry(row).or_insert(0.0) += value,
+            (None, Some(u)) => load[row] -= value * u,
             _ => {}
         }
     }
     for (dof, given) in given.iter().enumerate() {
         if let Some(u) = given {
-            free.push(Triplet::new(dof, dof, d[0][0]));
-            load[(dof, 0)] = u * d[0][0];
+            columns[dof].insert(dof, d[0][0]);
+            load[dof] = u * d[0][0];
         }
     }
-    let matrix = SparseColMat::try_new_from_triplets(given.len(), given.len(), &free).unwrap();
-    let solution = matrix.sp_cholesky(Side::Lower).unwrap().solve(&load);
-    (0..given.len()).map(|dof| solution[(dof, 0)]).collect()
+    let mut matrix = SparseMatrix {
+        column_start: vec![0],
+        ..SparseMatrix::default()
+    };
+    for column in columns {
+        matrix.rows.extend(column.keys());
+        matrix.values.extend(column.values());
+        matrix.column_start.push(matrix.rows.len());
+    }
+    let structure = LuStructure::analyse(&matrix).unwrap();
+    SparseLu::factorise(&structure, &matrix)
+        .unwrap()
+        .solve(&mut load);
+    load
 }
 
 struct Entries<'a> {
@@ -41,7 +52,7 @@ struct Entries<'a> {
 }
 
 impl KindVisitor for Entries<'_> {
-    type Output = Vec<Triplet<usize, usize, f64>>;
+    type Output = Vec<(usize, usize, f64)>;
 
     fn visit<const N: usize, E: Element<N>>(self) -> Self::Output {
         let mut entries = Vec::new();
@@ -51,7 +62,7 @@ impl KindVisitor for Entries<'_> {
             let dofs: Vec<usize> = nodes.iter().flat_map(|n| [2 * n, 2 * n + 1]).collect();
             for (i, &row) in dofs.iter().enumerate() {
                 for (j, &col) in dofs.iter().enumerate() {
-                    entries.push(Triplet::new(row, col, k[i * 2 * N + j]));
+                    entries.push((row, col, k[i * 2 * N + j]));
                 }
             }
         }

@@ -1,9 +1,8 @@
 //! Data with their noise, whitened, and what is projected out of them.
 
-use faer::Mat;
+use stickslip_fem_core::linalg::{DenseCholesky, Matrix};
 
 use super::CalibrateError;
-use crate::region::dense;
 
 /// Errors of a block of data.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,7 +59,7 @@ pub struct Amount {
 #[derive(Clone, Debug)]
 enum Scale {
     Deviations(Vec<f64>),
-    Factor(Mat<f64>),
+    Factor(DenseCholesky),
 }
 
 impl Scale {
@@ -71,11 +70,7 @@ impl Scale {
                 values.iter_mut().zip(own).for_each(|(x, own)| *x /= own);
                 values
             }
-            Self::Factor(lower) => {
-                let mut column = Mat::from_fn(values.len(), 1, |i, _| values[i]);
-                dense::solve_lower(lower, &mut column);
-                dense::by_rows(&column)
-            }
+            Self::Factor(factor) => factor.whiten(&values),
         }
     }
 
@@ -83,9 +78,9 @@ impl Scale {
     fn coloured(&self, values: &[f64]) -> Vec<f64> {
         match self {
             Self::Deviations(own) => values.iter().zip(own).map(|(x, own)| x * own).collect(),
-            Self::Factor(lower) => {
-                let column = Mat::from_fn(values.len(), 1, |i, _| values[i]);
-                dense::by_rows(&dense::multiply(lower.as_ref(), column.as_ref()))
+            Self::Factor(factor) => {
+                let product = factor.lower().multiply(&Matrix::column(values));
+                product.to_row_major()
             }
         }
     }
@@ -158,7 +153,7 @@ impl Data {
         self.each(predicted, Whitened::residual)
     }
 
-    /// χ² of a prediction.
+    /// Computes χ² `[1]` of a prediction, which has as many entries as there are [data](Self::count).
     pub fn chi_squared(&self, predicted: &[f64]) -> f64 {
         self.residual(predicted).iter().map(|r| r * r).sum()
     }
@@ -238,10 +233,12 @@ impl Block {
             }
             Noise::Correlated(covariance) => {
                 length("covariance", count * count, &covariance)?;
-                let square = Mat::from_fn(count, count, |i, j| covariance[i * count + j]);
-                let lower = dense::cholesky(square)
-                    .map_err(|row| CalibrateError::Covariance { block, row })?;
-                Scale::Factor(lower)
+                let square = Matrix::from_fn(count, count, |i, j| covariance[i * count + j]);
+                let factor = DenseCholesky::new(square).map_err(|cause| {
+                    let row = cause.row;
+                    CalibrateError::Covariance { block, row }
+                })?;
+                Scale::Factor(factor)
             }
         };
         let mut nuisance: Vec<Vec<f64>> = Vec::new();

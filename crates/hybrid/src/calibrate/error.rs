@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::MOST_PARAMETERS;
+use super::parameter::MOST_PARAMETERS;
 
 /// Why nothing can be fitted.
 #[derive(Clone, Debug, Error, PartialEq)]

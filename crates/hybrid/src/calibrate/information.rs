@@ -4,40 +4,37 @@
 //! Σ = (JᵀJ)⁻¹,   J = ∂r/∂z
 //! ```
 
-use faer::Mat;
+use stickslip_fem_core::linalg::{DenseCholesky, Matrix};
 
-use super::Parameter;
-use crate::region::dense;
+use super::parameter::Parameter;
 
 /// Inverse of half the curvature of χ² in the parts of the ranges.
 pub(super) struct Information {
     /// Parameters that have an influence; others are left out.
     active: Vec<usize>,
     /// The inverse over these; `None` where they cannot be told apart.
-    inverse: Option<Mat<f64>>,
+    inverse: Option<Matrix>,
     /// Deviation of each parameter if it alone were unknown; infinite without influence.
     alone: Vec<f64>,
 }
 
 impl Information {
-    pub(super) fn of(jacobian: &Mat<f64>) -> Self {
+    pub(super) fn of(jacobian: &Matrix) -> Self {
         /// A deviation of so many ranges is none by the data but by rounding.
         const BEYOND: f64 = 1e3;
-        let gram = dense::multiply(jacobian.transpose(), jacobian.as_ref());
-        let alone: Vec<f64> = (0..jacobian.ncols())
+        let gram = jacobian.transpose_multiply(jacobian);
+        let alone: Vec<f64> = (0..jacobian.columns())
             .map(|k| gram[(k, k)].sqrt().recip())
             .collect();
         let active: Vec<usize> = (0..alone.len()).filter(|&k| alone[k] < BEYOND).collect();
         let size = active.len();
         // Scaled to a diagonal of ones, so that the factor breaks down where parameters cannot be told apart.
-        let scaled = Mat::from_fn(size, size, |i, j| {
+        let scaled = Matrix::from_fn(size, size, |i, j| {
             gram[(active[i], active[j])] * alone[active[i]] * alone[active[j]]
         });
-        let inverse = dense::cholesky(scaled).ok().map(|lower| {
-            let mut half = Mat::identity(size, size);
-            dense::solve_lower(&lower, &mut half);
-            let full = dense::multiply(half.transpose(), half.as_ref());
-            Mat::from_fn(size, size, |i, j| {
+        let inverse = DenseCholesky::new(scaled).ok().map(|factor| {
+            let full = factor.inverse();
+            Matrix::from_fn(size, size, |i, j| {
                 full[(i, j)] * alone[active[i]] * alone[active[j]]
             })
         });
@@ -68,9 +65,10 @@ impl Information {
             .as_ref()
             .filter(|_| self.active.len() == parts.len());
         whole.map_or_else(Vec::new, |inverse| {
-            dense::by_rows(&Mat::from_fn(parts.len(), parts.len(), |i, j| {
+            Matrix::from_fn(parts.len(), parts.len(), |i, j| {
                 inverse[(i, j)] * slope(i) * slope(j)
-            }))
+            })
+            .to_row_major()
         })
     }
 }

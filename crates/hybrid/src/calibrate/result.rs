@@ -109,18 +109,19 @@ impl Calibration {
         self.chi_squared / self.inflation()
     }
 
-    /// Akaike's criterion, up to a constant of the data.
+    /// Akaike's criterion `[1]`, up to a constant of the data (Akaike 1974).
     pub fn aic(&self) -> f64 {
         self.deviance() + 2.0 * self.unknowns()
     }
 
-    /// Akaike's criterion corrected for few data, up to a constant of the data; infinite where there are too few for it.
+    /// Akaike's criterion corrected for few data `[1]`, up to a constant of the data (Hurvich & Tsai 1989); infinite where there are too few
+    /// for it.
     pub fn aicc(&self) -> f64 {
         let unknowns = self.estimates.len() + self.nuisances;
         aicc(self.deviance(), unknowns, self.effective_data())
     }
 
-    /// Schwarz's criterion, up to a constant of the data.
+    /// Schwarz's criterion `[1]`, up to a constant of the data (Schwarz 1978).
     pub fn bic(&self) -> f64 {
         self.deviance() + self.unknowns() * self.effective_data().ln()
     }

@@ -4,11 +4,11 @@
 //! (JᵀJ + λ diag JᵀJ) Δz = −Jᵀ r,   z ← clamp(z + Δz, 0, 1),     J by central differences,   z: parts of the ranges
 //! ```
 
-use faer::Mat;
-use rayon::prelude::*;
+use stickslip_fem_core::linalg::{DenseCholesky, Matrix};
+use stickslip_fem_core::parallel;
 
-use super::{CalibrateError, Data, Information, Parameter};
-use crate::region::dense;
+use super::information::Information;
+use super::{CalibrateError, Data, Parameter};
 
 /// Half the difference of parts over which derivatives are taken: wide enough to see past the jumps of single contact points.
 const DIFFERENCE: f64 = 5e-4;
@@ -121,8 +121,7 @@ impl<'a> Search<'a> {
         let places: Vec<Vec<f64>> = (0..total).map(parts_of).collect();
         let predict = self.predict;
         let values: Vec<Vec<f64>> = places.iter().map(|parts| self.values(parts)).collect();
-        let answers: Vec<Result<Vec<f64>, String>> =
-            values.par_iter().map(|at| predict(at)).collect();
+        let answers = parallel::map(&values, |at| predict(at));
         let mut points = Vec::new();
         for (parts, answer) in places.iter().zip(answers) {
             points.extend(self.taken(parts, answer)?);
@@ -218,14 +217,13 @@ impl<'a> Search<'a> {
         let mut damping = 1e-3;
         for _ in 0..if free.is_empty() { 0 } else { STEPS } {
             let jacobian = self.jacobian(&point, &free)?;
-            let residual = Mat::from_fn(point.residual.len(), 1, |i, _| point.residual[i]);
-            let gradient = dense::multiply(jacobian.transpose(), residual.as_ref());
+            let gradient = jacobian.transpose_multiply(&Matrix::column(&point.residual));
             let inwards = |k: &usize| {
                 let (part, slope) = (point.parts[free[*k]], gradient[(*k, 0)]);
                 !(part <= 0.0 && slope > 0.0 || part >= 1.0 && slope < 0.0)
             };
             let active: Vec<usize> = (0..free.len()).filter(inwards).collect();
-            let gram = dense::multiply(jacobian.transpose(), jacobian.as_ref());
+            let gram = jacobian.transpose_multiply(&jacobian);
             let mut next = None;
             for _ in 0..TRIALS {
                 let Some(step) = damped(&gram, &gradient, &active, damping) else {
@@ -263,8 +261,8 @@ impl<'a> Search<'a> {
 
     /// ∂r/∂z of the parts `free`: central differences, one-sided at the ends of the ranges and beside refused places, and zero
     /// between two of these.
-    fn jacobian(&mut self, point: &Point, free: &[usize]) -> Result<Mat<f64>, CalibrateError> {
-        let mut jacobian = Mat::zeros(point.residual.len(), free.len());
+    fn jacobian(&mut self, point: &Point, free: &[usize]) -> Result<Matrix, CalibrateError> {
+        let mut jacobian = Matrix::zeros(point.residual.len(), free.len());
         for (k, &axis) in free.iter().enumerate() {
             let mut side = |sign: f64| {
                 let mut parts = point.parts.clone();
@@ -294,12 +292,7 @@ impl<'a> Search<'a> {
 }
 
 /// Damped step of the `active` entries; `None` where nothing has an influence.
-fn damped(
-    gram: &Mat<f64>,
-    gradient: &Mat<f64>,
-    active: &[usize],
-    damping: f64,
-) -> Option<Vec<f64>> {
+fn damped(gram: &Matrix, gradient: &Matrix, active: &[usize], damping: f64) -> Option<Vec<f64>> {
     let size = active.len();
     let largest = active.iter().map(|&k| gram[(k, k)]).fold(0.0, f64::max);
     if largest <= 0.0 {
@@ -307,7 +300,7 @@ fn damped(
     }
     // A parameter without influence keeps its place.
     let floor = 1e-12 * largest;
-    let matrix = Mat::from_fn(size, size, |i, j| {
+    let matrix = Matrix::from_fn(size, size, |i, j| {
         let entry = gram[(active[i], active[j])];
         if i == j {
             entry + damping * entry.max(floor) + floor
@@ -315,9 +308,9 @@ fn damped(
             entry
         }
     });
-    let lower = dense::cholesky(matrix).ok()?;
-    let mut step = Mat::from_fn(size, 1, |i, _| -gradient[(active[i], 0)]);
-    dense::solve_lower(&lower, &mut step);
-    dense::solve_lower_transposed(&lower, &mut step);
-    Some(dense::by_rows(&step))
+    let factor = DenseCholesky::new(matrix).ok()?;
+    let mut step = Matrix::from_fn(size, 1, |i, _| -gradient[(active[i], 0)]);
+    factor.solve_lower(&mut step);
+    factor.solve_lower_transposed(&mut step);
+    Some(step.to_row_major())
 }

@@ -270,9 +270,9 @@ pub enum DataError {
     )]
     Fields {
         /// Field of the data.
-        first: super::Field,
+        first: super::field::Field,
         /// Field subtracted.
-        second: super::Field,
+        second: super::field::Field,
     },
     /// Two lines share no stretch.
     #[error("lines '{first}' and '{second}' share no stretch on which to compare them")]
@@ -315,7 +315,7 @@ pub enum DataError {
         values: [f64; 2],
     },
     /// Points do not span a plane, or lie beyond what can be triangulated.
-    #[error("the valid points of {} cannot be triangulated: {cause}", super::letter(*component))]
+    #[error("the valid points of {} cannot be triangulated: {cause}", super::field::letter(*component))]
     Triangulation {
         /// Component, 0 for x and 1 for y.
         component: usize,

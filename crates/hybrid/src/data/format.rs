@@ -1,5 +1,7 @@
 //! What a table of displacements means.
 
+use super::DataError;
+
 /// Which columns hold what, and in what unit.
 ///
 /// Names are compared without regard to upper and lower case. Another program's table is read by changing the names.
@@ -112,5 +114,18 @@ impl YAxis {
             Self::Up => 1.0,
             Self::Down => -1.0,
         }
+    }
+}
+
+/// Refuses the setting `what` `value` unless it is positive and finite.
+pub(super) fn positive(what: &'static str, value: f64) -> Result<f64, DataError> {
+    if value.is_finite() && value > 0.0 {
+        Ok(value)
+    } else {
+        Err(DataError::Setting {
+            what,
+            value,
+            range: "it must be positive and finite",
+        })
     }
 }

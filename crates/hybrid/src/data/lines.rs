@@ -6,31 +6,10 @@ use std::io::Read;
 use stickslip_fem_core::mesh::Point;
 
 use super::centres::{Origin, Written};
-use super::read::positive;
+use super::field::Field;
+use super::format::positive;
 use super::table::Table;
 use super::{DataError, FringeLine, Track, YAxis};
-
-/// Which displacement a fringe pattern shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Field {
-    /// The component x.
-    U,
-    /// The component y.
-    V,
-}
-
-impl Field {
-    /// Both fields, U first.
-    pub const BOTH: [Self; 2] = [Self::U, Self::V];
-
-    /// Index of the component, 0 or 1.
-    pub fn component(self) -> usize {
-        match self {
-            Self::U => 0,
-            Self::V => 1,
-        }
-    }
-}
 
 /// What the numbers of a table of fringe centres are.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use stickslip_fem_core::mesh::Point;
 
-use super::read::positive;
+use super::format::positive;
 use super::{DataError, Field, FringeLine, FringeLines, Measurement, Track};
 use crate::moire::Grating;
 use crate::reduce::neighbours::Neighbours;

@@ -13,10 +13,10 @@
 //! found takes no part as a neighbour, and all is asked again, until nothing changes: outliers that are neighbours do not hide each
 //! other, and a good place among them is not lost.
 
-use rayon::prelude::*;
 use stickslip_fem_core::mesh::Point;
+use stickslip_fem_core::parallel;
 
-use super::read::positive;
+use super::format::positive;
 use super::{DataError, Field, Measurement};
 use crate::reduce::neighbours::Neighbours;
 
@@ -88,15 +88,15 @@ impl Measurement {
         for _ in 0..ROUNDS {
             let tree = Neighbours::new(&self.places, &good);
             let news = Neighbours::new(&self.places, &changed);
-            let again: Vec<(usize, Verdict)> = (asked.par_iter())
-                .filter(|&&k| {
-                    let nearest = news.nearest(self.places[k], 1);
-                    nearest.first().is_some_and(|near| near.0 <= said[k].reach)
-                })
-                .map(|&k| (k, verdict(&tree, &self.places, values, k)))
-                .collect();
-            for (k, verdict) in again {
-                said[k] = verdict;
+            let again = parallel::map(&asked, |&k| {
+                let nearest = news.nearest(self.places[k], 1);
+                let touched = nearest.first().is_some_and(|near| near.0 <= said[k].reach);
+                touched.then(|| verdict(&tree, &self.places, values, k))
+            });
+            for (&k, verdict) in asked.iter().zip(again) {
+                if let Some(verdict) = verdict {
+                    said[k] = verdict;
+                }
             }
             let all = asked.iter().filter(|&&k| good[k]).map(|&k| said[k].off);
             let usual = self.deviation[c].max(median(all.collect()) / NORMAL_MEDIAN);

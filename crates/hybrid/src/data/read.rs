@@ -5,6 +5,7 @@ use std::io::Read;
 
 use stickslip_fem_core::mesh::Point;
 
+use super::format::positive;
 use super::table::Table;
 use super::{DataError, Field, Format, Measurement, Places, Reading};
 
@@ -239,19 +240,6 @@ fn scales(name: &str, format: &Format, reading: &Reading) -> Result<Scales, Data
         places: [scale, sign * scale],
         displacements: [turned[0], sign * turned[1]],
     })
-}
-
-/// A number that must be positive.
-pub(super) fn positive(what: &'static str, value: f64) -> Result<f64, DataError> {
-    if value.is_finite() && value > 0.0 {
-        Ok(value)
-    } else {
-        Err(DataError::Setting {
-            what,
-            value,
-            range: "it must be positive and finite",
-        })
-    }
 }
 
 /// Indices of the columns in use.

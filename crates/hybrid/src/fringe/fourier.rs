@@ -3,78 +3,11 @@
 use std::f64::consts::TAU;
 
 use rustfft::num_complex::Complex;
-use stickslip_fem_core::mesh::Point;
 
+use super::carrier::FourierOptions;
 use super::sideband::{Sideband, sideband, white};
 use super::spectrum::{Transform, smooth_length};
-use super::synthesis::parameter;
 use super::{FringeError, Phase, PixelMap};
-
-/// The carrier's gradient (k_x, k_y) `[fringes/length]`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Carrier {
-    /// Known.
-    Given([f64; 2]),
-    /// The centre of the strongest peak of the spectrum. A picture does not tell rising from falling orders: the carrier is taken
-    /// to rise towards the direction given.
-    Found {
-        /// A direction in which orders rise.
-        towards: Point,
-    },
-}
-
-/// How [`fourier`] works.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FourierOptions {
-    /// The carrier.
-    pub carrier: Carrier,
-    /// Radius β of the band around the carrier k, as a part of the way |k| to the background (or to the Nyquist frequency, where
-    /// that is nearer), between 0 and 1: greater follows steeper displacements, smaller passes less noise.
-    pub band: f64,
-    /// Least part of the fringes' power that has to lie in the band, between 0 and 1.
-    pub least_share: f64,
-    /// Greatest number of passes that fill missing pixels.
-    pub passes: usize,
-    /// Filling ends when a pass changes missing pixels by less than this part of the fringes' amplitude (root mean square).
-    pub settled: f64,
-}
-
-impl FourierOptions {
-    /// Band 0.75, least share 0.5, at most 60 passes, settled at 1e-3.
-    pub fn new(carrier: Carrier) -> Self {
-        Self {
-            carrier,
-            band: 0.75,
-            least_share: 0.5,
-            passes: 60,
-            settled: 1e-3,
-        }
-    }
-
-    fn check(&self) -> Result<(), FringeError> {
-        let (Carrier::Given(direction) | Carrier::Found { towards: direction }) = self.carrier;
-        let size = direction[0].hypot(direction[1]);
-        parameter(
-            "carrier",
-            size,
-            size > 0.0 && size.is_finite(),
-            "finite and not zero",
-        )?;
-        parameter(
-            "band",
-            self.band,
-            self.band > 0.0 && self.band < 1.0,
-            "between 0 and 1",
-        )?;
-        parameter(
-            "least share",
-            self.least_share,
-            (0.0..=1.0).contains(&self.least_share),
-            "from 0 to 1",
-        )?;
-        parameter("settled", self.settled, self.settled > 0.0, "positive")
-    }
-}
 
 /// Phase of one picture, and what its spectrum says.
 #[derive(Clone, Debug)]

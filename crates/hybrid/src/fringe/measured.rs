@@ -1,6 +1,6 @@
 //! Displacements from fringe orders.
 
-use super::synthesis::{parameter, positive};
+use super::check::{parameter, positive};
 use super::{FringeError, PixelMap};
 use crate::data::Measurement;
 

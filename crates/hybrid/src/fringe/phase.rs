@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use super::synthesis::parameter;
+use super::check::parameter;
+use super::order::{median, wrap};
 use super::{FringeError, PixelMap, Plane, Unwrapped, unwrap};
 
 /// Fringe orders up to a whole number, with the amplitude of the fringes that they come from.
@@ -105,21 +106,6 @@ impl Phase {
     /// As [`unwrap`].
     pub fn unwrapped(&self) -> Result<Unwrapped, FringeError> {
         unwrap(&self.wrapped, &self.modulation)
-    }
-}
-
-/// A number less its nearest whole number.
-pub(super) fn wrap(value: f64) -> f64 {
-    value - value.round()
-}
-
-/// Upper median; NaN of nothing.
-pub(super) fn median(mut values: Vec<f64>) -> f64 {
-    let middle = values.len() / 2;
-    if values.is_empty() {
-        f64::NAN
-    } else {
-        *values.select_nth_unstable_by(middle, f64::total_cmp).1
     }
 }
 

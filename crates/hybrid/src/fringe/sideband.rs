@@ -2,9 +2,10 @@
 
 use rustfft::num_complex::Complex;
 
-use super::phase::{median, wrap};
+use super::carrier::{Carrier, FourierOptions};
+use super::order::{median, wrap};
 use super::spectrum::Transform;
-use super::{Carrier, FourierOptions, Frame, FringeError, PixelMap};
+use super::{Frame, FringeError, PixelMap};
 
 /// Least number of fringes across the picture that can be told from its background.
 const LEAST_FRINGES: f64 = 4.0;

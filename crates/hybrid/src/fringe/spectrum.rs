@@ -3,9 +3,9 @@
 use std::fmt;
 use std::sync::Arc;
 
-use rayon::prelude::*;
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
+use stickslip_fem_core::parallel;
 
 /// X[m, n] = Σ_{c,r} x[r, c] exp(∓2πi (m c / columns + n r / rows)); pictures row by row, spectra column by column.
 pub(super) struct Transform {
@@ -75,23 +75,18 @@ impl Transform {
 }
 
 fn lines(values: &mut [Complex<f64>], transform: &Arc<dyn Fft<f64>>) {
-    values
-        .par_chunks_mut(transform.len())
-        .for_each(|line| transform.process(line));
+    parallel::for_each_chunk(values, transform.len(), |_, line| transform.process(line));
 }
 
 /// Rows of `width` entries become columns.
 fn transposed(values: &[Complex<f64>], width: usize) -> Vec<Complex<f64>> {
     let height = values.len() / width;
     let mut turned = vec![Complex::default(); values.len()];
-    turned
-        .par_chunks_mut(height)
-        .enumerate()
-        .for_each(|(column, line)| {
-            for (row, entry) in line.iter_mut().enumerate() {
-                *entry = values[row * width + column];
-            }
-        });
+    parallel::for_each_chunk(&mut turned, height, |column, line| {
+        for (row, entry) in line.iter_mut().enumerate() {
+            *entry = values[row * width + column];
+        }
+    });
     turned
 }
 

@@ -6,6 +6,7 @@ use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
 use stickslip_fem_core::mesh::Point;
 
+use super::check::{parameter, positive};
 use super::{Frame, FringeError, PixelMap, Plane};
 use crate::random::{exponential, normal};
 
@@ -91,28 +92,6 @@ impl Exposure {
             "at least 1",
         )
     }
-}
-
-pub(super) fn parameter(
-    name: &'static str,
-    value: f64,
-    fits: bool,
-    range: &'static str,
-) -> Result<(), FringeError> {
-    if fits {
-        Ok(())
-    } else {
-        Err(FringeError::Parameter { name, value, range })
-    }
-}
-
-pub(super) fn positive(name: &'static str, value: f64) -> Result<(), FringeError> {
-    parameter(
-        name,
-        value,
-        value > 0.0 && value.is_finite(),
-        "finite and positive",
-    )
 }
 
 /// Fringe orders N = f u + carrier of a displacement component `[length]` that is a function of the place, missing where it has no

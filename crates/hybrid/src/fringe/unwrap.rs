@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-use super::phase::wrap;
+use super::order::wrap;
 use super::{Frame, FringeError, PixelMap};
 
 /// Pixels that hang together.

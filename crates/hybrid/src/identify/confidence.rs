@@ -12,7 +12,7 @@ pub(super) const CHI_SQUARED_95: f64 = 3.841_458_820_694_124;
 /// Beyond this many deviations a double has no digits left for the probability.
 const FARTHEST: f64 = 8.0;
 
-/// z with the probability `p` below it in a standard normal distribution; ±8 where p is nearer to 0 or 1 than a double can tell.
+/// Computes the z `[1]` with the probability `p` below it in a standard normal distribution; ±8 where p is nearer to 0 or 1 than a double can tell.
 pub fn normal_quantile(p: f64) -> f64 {
     let [mut low, mut high] = [-FARTHEST, FARTHEST];
     for _ in 0..80 {
@@ -26,7 +26,7 @@ pub fn normal_quantile(p: f64) -> f64 {
     f64::midpoint(low, high)
 }
 
-/// The value that χ² of one degree of freedom stays below with the probability `confidence`, between 0 and 1.
+/// Computes the value `[1]` that χ² of one degree of freedom stays below with the probability `confidence`, between 0 and 1.
 pub fn chi_squared_of_one(confidence: f64) -> f64 {
     normal_quantile(f64::midpoint(1.0, confidence)).powi(2)
 }

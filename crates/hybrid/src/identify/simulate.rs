@@ -6,13 +6,12 @@
 
 use std::ops::Range;
 
-use faer::Mat;
 use rand::SeedableRng;
 use rand::rngs::StdRng;
+use stickslip_fem_core::linalg::{DenseCholesky, Matrix};
 
-use super::{Bounds, IdentifyError, Misfit, SlipFit, Tractions, factored};
+use super::{Bounds, IdentifyError, Misfit, SlipFit, Tractions, chi_squared, factored};
 use crate::random::normal;
-use crate::region::dense;
 
 /// Coefficients at which χ² is known while a draw is fitted, on either side of the best one.
 const GRID: usize = 24;
@@ -41,7 +40,8 @@ impl Tractions {
         };
         let misfit = Misfit::new(self, zone.clone(), positive)?;
         let grid = Grid::new(&misfit, fit.mu, REACH * half / GRID as f64)?;
-        let root = root(self, &zone, positive)?;
+        let factor = root(self, &zone, positive)?;
+        let root = factor.lower();
         let n = zone.len();
         let mut random = StdRng::seed_from_u64(seed);
         let draws = (0..count).map(|_| {
@@ -60,8 +60,12 @@ impl Tractions {
     }
 }
 
-/// Lower factor of the covariance of the zone's pressures and shears along friction.
-fn root(data: &Tractions, zone: &Range<usize>, positive: bool) -> Result<Mat<f64>, IdentifyError> {
+/// Cholesky factor of the covariance of the zone's pressures and shears along friction.
+fn root(
+    data: &Tractions,
+    zone: &Range<usize>,
+    positive: bool,
+) -> Result<DenseCholesky, IdentifyError> {
     let sign = if positive { 1.0 } else { -1.0 };
     let (all, n) = (data.pressure.len(), zone.len());
     let at = |k: usize| {
@@ -71,7 +75,7 @@ fn root(data: &Tractions, zone: &Range<usize>, positive: bool) -> Result<Mat<f64
             (all + zone.start + k - n, sign)
         }
     };
-    let covariance = Mat::from_fn(2 * n, 2 * n, |i, j| {
+    let covariance = Matrix::from_fn(2 * n, 2 * n, |i, j| {
         let ((row, a), (column, b)) = (at(i), at(j));
         a * b * data.covariance[row * 2 * all + column]
     });
@@ -81,7 +85,7 @@ fn root(data: &Tractions, zone: &Range<usize>, positive: bool) -> Result<Mat<f64
 /// Factors of C(μ) at evenly spread coefficients.
 struct Grid {
     coefficients: Vec<f64>,
-    factors: Vec<Mat<f64>>,
+    factors: Vec<DenseCholesky>,
 }
 
 impl Grid {
@@ -102,11 +106,7 @@ impl Grid {
     fn least(&self, pressure: &[f64], shear: &[f64]) -> f64 {
         let value = |k: usize| {
             let mu = self.coefficients[k];
-            let mut residual = Mat::from_fn(shear.len(), 1, |i, _| shear[i] - mu * pressure[i]);
-            dense::solve_lower(&self.factors[k], &mut residual);
-            (0..shear.len())
-                .map(|i| residual[(i, 0)] * residual[(i, 0)])
-                .sum::<f64>()
+            chi_squared(&self.factors[k], pressure, shear, mu)
         };
         let values: Vec<f64> = (0..self.factors.len()).map(value).collect();
         let best =

@@ -7,9 +7,9 @@
 //! The largest of n measured values is the largest of n errors too, and exceeds its truth far more often than each of them does alone.
 //! Errors of neighbouring places are nearly one error, so that the quantile is found by draws of the joint distribution.
 
-use faer::Mat;
 use rand::SeedableRng;
 use rand::rngs::StdRng;
+use stickslip_fem_core::linalg::Matrix;
 
 use super::{IdentifyError, factored};
 use crate::random::normal;
@@ -29,18 +29,18 @@ pub fn simultaneous_quantile(
     confidence: f64,
     seed: u64,
 ) -> Result<f64, IdentifyError> {
-    let factors: Vec<Mat<f64>> = (covariances.iter())
+    let factors: Vec<Matrix> = (covariances.iter())
         .map(|own| correlations(own))
         .collect::<Result<_, _>>()?;
-    if factors.iter().all(|own| own.nrows() == 0) {
+    if factors.iter().all(|own| own.rows() == 0) {
         return Ok(0.0);
     }
     let mut random = StdRng::seed_from_u64(seed);
     let mut largest: Vec<f64> = (0..DRAWS)
         .map(|_| {
-            let of_group = |lower: &Mat<f64>| -> f64 {
-                let noise: Vec<f64> = (0..lower.nrows()).map(|_| normal(&mut random)).collect();
-                (0..lower.nrows())
+            let of_group = |lower: &Matrix| -> f64 {
+                let noise: Vec<f64> = (0..lower.rows()).map(|_| normal(&mut random)).collect();
+                (0..lower.rows())
                     .map(|i| (0..=i).map(|j| lower[(i, j)] * noise[j]).sum())
                     .fold(f64::NEG_INFINITY, f64::max)
             };
@@ -53,7 +53,7 @@ pub fn simultaneous_quantile(
 }
 
 /// Lower factor of the correlations of a covariance.
-fn correlations(covariance: &[f64]) -> Result<Mat<f64>, IdentifyError> {
+fn correlations(covariance: &[f64]) -> Result<Matrix, IdentifyError> {
     let n = (covariance.len() as f64).sqrt().round() as usize;
     let deviations: Vec<f64> = (0..n).map(|i| covariance[i * (n + 1)].sqrt()).collect();
     if let Some(place) = deviations
@@ -62,10 +62,12 @@ fn correlations(covariance: &[f64]) -> Result<Mat<f64>, IdentifyError> {
     {
         return Err(IdentifyError::Covariance { place });
     }
-    let correlation = Mat::from_fn(n, n, |i, j| {
+    let correlation = Matrix::from_fn(n, n, |i, j| {
         covariance[i * n + j] / (deviations[i] * deviations[j])
     });
-    factored(correlation).map_err(|place| IdentifyError::Covariance { place })
+    factored(correlation)
+        .map(|factor| factor.lower().clone())
+        .map_err(|place| IdentifyError::Covariance { place })
 }
 
 #[cfg(test)]

@@ -10,11 +10,10 @@
 //! not prescribed, C = T Σ Tᵀ + σ² I; tractions on a part of the edge that nothing touches; forces at prescribed nodes inside;
 //! and the force through an arc less the known load.
 
-use faer::{Mat, MatRef};
 use stickslip_fem_core::body::SparseRow;
+use stickslip_fem_core::linalg::Matrix;
 use stickslip_fem_core::mesh::Point;
 
-use super::dense::{multiply, sandwich};
 use super::locate::Locator;
 use super::outline::boundary_nodes;
 use super::outputs::EdgeRows;
@@ -33,12 +32,12 @@ pub struct ChiSquared {
 }
 
 impl ChiSquared {
-    /// How many standard deviations χ² lies above its mean.
+    /// Computes how many standard deviations χ² lies above its mean, (χ² − n)/σ `[1]`.
     pub fn excess(&self) -> f64 {
         (self.value - self.count as f64) / self.deviation
     }
 
-    /// Of `values` that should vanish, with their covariance, square, row by row.
+    /// Computes χ² of `values` that should vanish, in any unit, with their covariance in its square, row by row, n × n.
     ///
     /// # Errors
     /// [`RegionError::Length`] for a covariance of another size, [`RegionError::NotCovariance`] for a value without variance.
@@ -48,11 +47,11 @@ impl ChiSquared {
             let name = "the covariance";
             return Err(super::length(name, count * count, covariance.len()));
         }
-        let covariance = Mat::from_fn(count, count, |i, j| covariance[i * count + j]);
+        let covariance = Matrix::from_fn(count, count, |i, j| covariance[i * count + j]);
         Self::new(values, &covariance)
     }
 
-    fn new(values: &[f64], covariance: &Mat<f64>) -> Result<Self, RegionError> {
+    fn new(values: &[f64], covariance: &Matrix) -> Result<Self, RegionError> {
         let count = values.len();
         let variance = |i: usize| covariance[(i, i)];
         if let Some(row) = (0..count).find(|&i| variance(i) <= 0.0) {
@@ -199,13 +198,13 @@ impl Region {
 struct State<'a> {
     region: &'a Region,
     values: Vec<f64>,
-    covariance: Mat<f64>,
+    covariance: Matrix,
 }
 
 impl State<'_> {
-    fn propagate(&self, rows: &[SparseRow]) -> Result<(Vec<f64>, Mat<f64>), RegionError> {
+    fn propagate(&self, rows: &[SparseRow]) -> Result<(Vec<f64>, Matrix), RegionError> {
         let transfer = self.region.transfer(rows)?;
-        let covariance = sandwich(transfer.matrix.as_ref(), self.covariance.as_ref());
+        let covariance = transfer.matrix.propagate_covariance(&self.covariance);
         Ok((transfer.product(&self.values), covariance))
     }
 
@@ -217,7 +216,7 @@ impl State<'_> {
         } = measured_rows(self.region, unused)?;
         let transfer = self.region.transfer(&rows)?;
         let calculated = transfer.product(&self.values);
-        let through = multiply(transfer.matrix.as_ref(), self.covariance.as_ref());
+        let through = transfer.matrix.multiply(&self.covariance);
         let mut points = Vec::with_capacity(rows.len());
         let mut own = Vec::with_capacity(rows.len());
         for (k, (&(index, axis), calculated)) in places.iter().zip(calculated).enumerate() {
@@ -234,13 +233,12 @@ impl State<'_> {
             });
         }
         // With B = D^(-1/2) T: Σᵢⱼ Cᵢⱼ²/(Cᵢᵢ Cⱼⱼ) = Σ aᵢ² + 2 Σ aᵢ (1 − aᵢ) + tr (Σ BᵀB)², a the share of the point's own noise.
-        let scaled = Mat::from_fn(rows.len(), self.values.len(), |i, j| {
+        let scaled = Matrix::from_fn(rows.len(), self.values.len(), |i, j| {
             transfer.matrix[(i, j)] / points[i].deviation
         });
-        let gram = multiply(scaled.transpose(), scaled.as_ref());
-        let spread = multiply(self.covariance.as_ref(), gram.as_ref());
-        let correlated =
-            own.iter().map(|a| a * (2.0 - a)).sum::<f64>() + trace_of_square(spread.as_ref());
+        let gram = scaled.transpose_multiply(&scaled);
+        let spread = self.covariance.multiply(&gram);
+        let correlated = own.iter().map(|a| a * (2.0 - a)).sum::<f64>() + trace_of_square(&spread);
         let chi_squared = ChiSquared {
             count: points.len(),
             value: points
@@ -365,8 +363,8 @@ pub(super) fn measured_rows(region: &Region, data: &Measurement) -> Result<Point
     Ok(points)
 }
 
-fn trace_of_square(matrix: MatRef<'_, f64>) -> f64 {
-    let n = matrix.nrows();
+fn trace_of_square(matrix: &Matrix) -> f64 {
+    let n = matrix.rows();
     (0..n)
         .flat_map(|i| (0..n).map(move |j| matrix[(i, j)] * matrix[(j, i)]))
         .sum()

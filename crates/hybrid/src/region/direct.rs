@@ -9,11 +9,10 @@
 //!
 //! Source: Post & Reddy (1988), part I, 4.1.
 
-use faer::Mat;
 use stickslip_fem_core::ElasticBody;
 use stickslip_fem_core::body::{SparseRow, internal_forces};
+use stickslip_fem_core::linalg::Matrix;
 
-use super::dense::{by_rows, sandwich};
 use super::outline::boundary_nodes;
 use super::transfer::Propagated;
 use super::{RegionError, check_rows, positions, submatrix};
@@ -34,7 +33,7 @@ pub fn interpolate(
     dofs.dedup();
     let positions = positions(measured, body.mesh(), &dofs)?;
     let covariance = submatrix(measured, &positions)?;
-    let mut rows = Mat::zeros(outputs.len(), dofs.len());
+    let mut rows = Matrix::zeros(outputs.len(), dofs.len());
     let mut values = vec![0.0; outputs.len()];
     for (i, row) in outputs.iter().enumerate() {
         for (dof, weight) in row {
@@ -46,7 +45,7 @@ pub fn interpolate(
     }
     Ok(Propagated {
         values,
-        covariance: by_rows(&sandwich(rows.as_ref(), covariance.as_ref())),
+        covariance: rows.propagate_covariance(&covariance).to_row_major(),
         solves: 0,
     })
 }

@@ -19,12 +19,11 @@ mod penalty;
 
 use std::collections::BTreeMap;
 
-use faer::Mat;
+use stickslip_fem_core::linalg::Matrix;
 use stickslip_fem_core::mesh::Point;
 
-use self::modes::Modes;
+use self::modes::{Modes, place_of};
 use super::checks::{Points, measured_rows};
-use super::dense::{by_rows, multiply, sandwich};
 use super::outline::boundary_edges;
 use super::{Region, RegionError};
 use crate::data::{Measurement, NodalDisplacements};
@@ -136,7 +135,7 @@ impl Region {
             let nodes = mesh.edge_nodes(edge);
             let [a, b] = nodes.ends.map(|node| mesh.nodes()[node]);
             let length = (a[0] - b[0]).hypot(a[1] - b[1]);
-            for node in nodes.ends.into_iter().chain(nodes.mid) {
+            for node in nodes.all() {
                 let longest: &mut f64 = lengths.entry(node).or_default();
                 *longest = longest.max(length);
             }
@@ -156,7 +155,7 @@ pub struct Fitter<'a> {
     /// Inverse deviation along x and y.
     weight: [f64; 2],
     /// H times the inverse deviations, data × prescribed.
-    rows: Mat<f64>,
+    rows: Matrix,
     modes: Modes,
 }
 
@@ -183,7 +182,7 @@ impl<'a> Fitter<'a> {
         let weight = data.deviation.map(|deviation| 1.0 / deviation);
         let mut rows = region.transfer(&points.rows)?.matrix;
         for (i, &(_, axis)) in points.places.iter().enumerate() {
-            (0..rows.ncols()).for_each(|j| rows[(i, j)] *= weight[axis]);
+            (0..rows.columns()).for_each(|j| rows[(i, j)] *= weight[axis]);
         }
         let modes = Modes::new(region, &rows, order)?;
         Ok(Self {
@@ -211,11 +210,11 @@ impl<'a> Fitter<'a> {
         let stiffness = self.denominators(amount);
         let bias =
             |k: usize| -amount * self.modes.smoothing[k] * loads.modes[k] / stiffness[k].powi(2);
-        let variances = Mat::from_fn(size, size, |i, j| {
+        let variances = Matrix::from_fn(size, size, |i, j| {
             let share = (1.0 - self.modes.smoothing[i]) / stiffness[i].powi(2);
             if i == j { share } else { 0.0 }
         });
-        let covariance = sandwich(self.modes.basis.as_ref(), variances.as_ref());
+        let covariance = self.modes.basis.propagate_covariance(&variances);
         let values = self.combine(|k| loads.modes[k] / stiffness[k]);
         Ok(Fit {
             displacements: spread(self.region, &values, &covariance),
@@ -257,7 +256,7 @@ impl<'a> Fitter<'a> {
     }
 
     fn loads(&self, state: &[Vec<f64>; 2]) -> Result<Loads, RegionError> {
-        let mut weighted = Mat::zeros(self.places.len(), 1);
+        let mut weighted = Matrix::zeros(self.places.len(), 1);
         for (i, &(index, axis)) in self.places.iter().enumerate() {
             let value = state[axis].get(index).copied().unwrap_or(f64::NAN);
             if !value.is_finite() {
@@ -266,9 +265,9 @@ impl<'a> Fitter<'a> {
             }
             weighted[(i, 0)] = self.weight[axis] * value;
         }
-        let sums = multiply(self.rows.transpose(), weighted.as_ref());
+        let sums = self.rows.transpose_multiply(&weighted);
         Ok(Loads {
-            modes: by_rows(&multiply(self.modes.basis.transpose(), sums.as_ref())),
+            modes: self.modes.basis.transpose_multiply(&sums).to_row_major(),
             square: (0..self.places.len())
                 .map(|k| weighted[(k, 0)].powi(2))
                 .sum(),
@@ -277,8 +276,8 @@ impl<'a> Fitter<'a> {
 
     /// Sum of the modes times weights.
     fn combine(&self, weight: impl Fn(usize) -> f64) -> Vec<f64> {
-        let weights = Mat::from_fn(self.modes.smoothing.len(), 1, |k, _| weight(k));
-        by_rows(&multiply(self.modes.basis.as_ref(), weights.as_ref()))
+        let weights = Matrix::from_fn(self.modes.smoothing.len(), 1, |k, _| weight(k));
+        self.modes.basis.multiply(&weights).to_row_major()
     }
 
     /// Stiffness of each mode: (1 − s) + α s.
@@ -298,7 +297,7 @@ impl<'a> Fitter<'a> {
             .iter()
             .position(|s| 1.0 - s < UNDETERMINED)?;
         let size = |k: &usize| self.modes.basis[(*k, mode)].abs();
-        let largest = (0..self.modes.basis.nrows()).max_by(|a, b| size(a).total_cmp(&size(b)))?;
+        let largest = (0..self.modes.basis.rows()).max_by(|a, b| size(a).total_cmp(&size(b)))?;
         Some(place_of(self.region, largest))
     }
 
@@ -352,12 +351,8 @@ impl<'a> Fitter<'a> {
     }
 }
 
-fn place_of(region: &Region, position: usize) -> Point {
-    region.mesh().nodes()[region.prescribed()[position] / 2]
-}
-
 /// Values of the prescribed degrees of freedom as displacements of nodes.
-fn spread(region: &Region, values: &[f64], covariance: &Mat<f64>) -> NodalDisplacements {
+fn spread(region: &Region, values: &[f64], covariance: &Matrix) -> NodalDisplacements {
     let nodes = region.prescribed_nodes();
     let size = 2 * nodes.len();
     let positions: Vec<usize> = (region.prescribed().iter())

@@ -6,10 +6,10 @@
 
 use stickslip_fem_core::body::SparseRow;
 use stickslip_fem_core::element::{Element, KindVisitor, gather, jacobian, with_element};
-use stickslip_fem_core::mesh::{ElementKind, Mesh, Point};
+use stickslip_fem_core::mesh::{Mesh, Point};
 
 /// How far outside of a cell, in its reference coordinates, a place still counts as inside: places on the true circle lie a little
-/// outside of the cells' parabolas.
+/// outside of the cells' polynomials.
 const OUTSIDE: f64 = 1e-3;
 
 /// A place in a cell.
@@ -128,7 +128,7 @@ impl KindVisitor for Invert<'_> {
         /// Newton converges quadratically from the middle of a cell that is not folded.
         const ITERATIONS: usize = 20;
         let x = gather::<N>(self.mesh.nodes(), self.nodes);
-        let triangle = matches!(E::KIND, ElementKind::T3 | ElementKind::T6);
+        let triangle = E::KIND.corners() == 3;
         let mut xi = if triangle { [1.0 / 3.0; 2] } else { [0.0; 2] };
         for _ in 0..ITERATIONS {
             let shape = E::shape(xi);

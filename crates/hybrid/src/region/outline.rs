@@ -26,13 +26,10 @@ pub fn boundary_edges(mesh: &Mesh) -> Vec<EdgeRef> {
     edges
 }
 
-/// The nodes on the boundary, ascending, mid-side nodes included.
+/// The nodes on the boundary, ascending, inner nodes of edges included.
 pub fn boundary_nodes(mesh: &Mesh) -> Vec<usize> {
-    let nodes = boundary_edges(mesh).into_iter().flat_map(|edge| {
-        let nodes = mesh.edge_nodes(edge);
-        nodes.ends.into_iter().chain(nodes.mid)
-    });
-    let mut nodes: Vec<usize> = nodes.collect();
+    let edges = boundary_edges(mesh).into_iter();
+    let mut nodes: Vec<usize> = edges.flat_map(|edge| mesh.edge_nodes(edge).all()).collect();
     nodes.sort_unstable();
     nodes.dedup();
     nodes
@@ -49,24 +46,19 @@ pub struct Chain {
 
 /// The boundary cut at its corners, where it turns by more than 0.6 rad.
 pub fn smooth_chains(mesh: &Mesh) -> Vec<Chain> {
-    let edges: Vec<[usize; 3]> = (boundary_edges(mesh).into_iter())
-        .map(|edge| {
-            let nodes = mesh.edge_nodes(edge);
-            [
-                nodes.ends[0],
-                nodes.mid.unwrap_or(nodes.ends[0]),
-                nodes.ends[1],
-            ]
-        })
+    let edges: Vec<Vec<usize>> = (boundary_edges(mesh).into_iter())
+        .map(|edge| mesh.edge_nodes(edge).walk().collect())
         .collect();
+    let end = |k: usize| edges[k][edges[k].len() - 1];
     let leaving: BTreeMap<usize, usize> = (edges.iter().enumerate())
         .map(|(k, nodes)| (nodes[0], k))
         .collect();
-    let next = |k: usize| leaving.get(&edges[k][2]).copied();
+    let next = |k: usize| leaving.get(&end(k)).copied();
     // Two loops that touch at a node hide one of the edges that leave it; a chain then ends there.
     let mut follows = vec![false; edges.len()];
     for k in 0..edges.len() {
-        if let Some(after) = next(k).filter(|&after| turn(mesh, edges[k], edges[after]) < CORNER) {
+        if let Some(after) = next(k).filter(|&after| turn(mesh, &edges[k], &edges[after]) < CORNER)
+        {
             follows[after] = true;
         }
     }
@@ -80,10 +72,8 @@ pub fn smooth_chains(mesh: &Mesh) -> Vec<Chain> {
         let mut last = edges[first][0];
         while let Some(k) = at.filter(|&k| !seen[k]) {
             seen[k] = true;
-            let [start, middle, end] = edges[k];
-            nodes.push(start);
-            nodes.extend((middle != start).then_some(middle));
-            last = end;
+            last = end(k);
+            nodes.extend(&edges[k][..edges[k].len() - 1]);
             at = goes_on(k);
         }
         if let Some(&start) = nodes.first() {
@@ -95,18 +85,15 @@ pub fn smooth_chains(mesh: &Mesh) -> Vec<Chain> {
     chains
 }
 
-/// Turn from the end of one edge to the start of the next `[rad]`, without sign; of their chords from mid-side node to corner.
-fn turn(mesh: &Mesh, before: [usize; 3], after: [usize; 3]) -> f64 {
+/// Turn from the end of one edge to the start of the next `[rad]`, without sign; of their chords from the corner to the nearest node.
+fn turn(mesh: &Mesh, before: &[usize], after: &[usize]) -> f64 {
     let along = |from: usize, to: usize| {
         let ([x, y], [u, v]) = (mesh.nodes()[from], mesh.nodes()[to]);
         [u - x, v - y]
     };
-    let a = along(before[1], before[2]);
-    let b = if after[1] == after[0] {
-        along(after[0], after[2])
-    } else {
-        along(after[0], after[1])
-    };
+    let last = before.len() - 1;
+    let a = along(before[last - 1], before[last]);
+    let b = along(after[0], after[1]);
     (a[0] * b[1] - a[1] * b[0])
         .atan2(a[0] * b[0] + a[1] * b[1])
         .abs()

@@ -7,13 +7,12 @@
 //! T costs one solve per output, with A₂ᵀ on the right, or one per prescribed displacement, with K₂₁, whichever are fewer. Right-hand sides
 //! pass through the factor a hundred at a time, and passes run beside each other; each has the same bits wherever it runs.
 
-use faer::{Mat, MatRef};
 use rand::SeedableRng;
 use rand::rngs::StdRng;
-use rayon::prelude::*;
 use stickslip_fem_core::body::SparseRow;
+use stickslip_fem_core::linalg::{DenseCholesky, Matrix};
+use stickslip_fem_core::parallel;
 
-use super::dense::{by_rows, cholesky, multiply, sandwich};
 use super::{Region, RegionError, check_rows, length, product};
 use crate::data::NodalDisplacements;
 use crate::random::normal;
@@ -26,7 +25,7 @@ const PASS_BYTES: usize = 1 << 24;
 #[derive(Clone, Debug)]
 pub struct Transfer {
     /// T, outputs × prescribed.
-    pub(super) matrix: Mat<f64>,
+    pub(super) matrix: Matrix,
     /// Solves with K₂₂ that it took.
     pub solves: usize,
 }
@@ -34,20 +33,20 @@ pub struct Transfer {
 impl Transfer {
     /// Number of outputs and of prescribed displacements.
     pub fn shape(&self) -> [usize; 2] {
-        [self.matrix.nrows(), self.matrix.ncols()]
+        [self.matrix.rows(), self.matrix.columns()]
     }
 
-    /// ∂y/∂Δ¹ of output `output` and prescribed displacement `prescribed`, both less than the [`shape`](Self::shape).
+    /// ∂y/∂Δ¹ `[output/length]` of output `output` and prescribed displacement `prescribed`, both less than the [`shape`](Self::shape).
     pub fn derivative(&self, output: usize, prescribed: usize) -> f64 {
         self.matrix[(output, prescribed)]
     }
 
-    /// Outputs of the prescribed displacements `values`.
+    /// Computes the outputs y = T Δ¹ of the prescribed displacements `values` `[length]`; one number per row of T.
     ///
     /// # Errors
     /// [`RegionError::Length`] unless they are as many as T has columns.
     pub fn apply(&self, values: &[f64]) -> Result<Vec<f64>, RegionError> {
-        let expected = self.matrix.ncols();
+        let expected = self.matrix.columns();
         if values.len() != expected {
             let name = "the vector of prescribed displacements";
             return Err(length(name, expected, values.len()));
@@ -56,8 +55,7 @@ impl Transfer {
     }
 
     pub(super) fn product(&self, values: &[f64]) -> Vec<f64> {
-        let values = MatRef::from_column_major_slice(values, values.len(), 1);
-        by_rows(&multiply(self.matrix.as_ref(), values))
+        self.matrix.multiply_vector(values)
     }
 }
 
@@ -73,7 +71,7 @@ pub struct Propagated {
 }
 
 impl Propagated {
-    /// Standard deviation of each output.
+    /// Computes the standard deviation of each output, √Σ_y,ii, in its unit.
     pub fn deviations(&self) -> Vec<f64> {
         let size = self.values.len();
         (0..size)
@@ -91,13 +89,11 @@ impl Region {
         check_rows(self.mesh(), outputs)?;
         let columns = self.prescribed().len();
         let solves = outputs.len().min(columns);
-        let mut matrix = Mat::zeros(outputs.len(), columns);
+        let mut matrix = Matrix::zeros(outputs.len(), columns);
         let pass = self.columns_in_a_pass();
         if outputs.len() <= columns {
-            let passes = outputs.par_chunks(pass);
-            let found: Vec<Vec<f64>> = passes
-                .map(|rows| self.stiffness.derivatives(rows))
-                .collect();
+            let found =
+                parallel::map_chunks(outputs, pass, |rows| self.stiffness.derivatives(rows));
             let rows = found
                 .iter()
                 .flat_map(|all| all.chunks_exact(columns.max(1)));
@@ -114,7 +110,7 @@ impl Region {
                 (0..count).for_each(|k| unit[k * columns + first + k] = 1.0);
                 self.solved(outputs, &unit)
             };
-            let found: Vec<Vec<f64>> = firsts.par_iter().map(one).collect();
+            let found = parallel::map(&firsts, one);
             let states = found.iter().flat_map(|all| all.chunks_exact(outputs.len()));
             for (j, state) in states.enumerate() {
                 for (i, &value) in state.iter().enumerate() {
@@ -149,7 +145,10 @@ impl Region {
         let covariance = self.covariance(measured)?;
         Ok(Propagated {
             values: transfer.apply(&self.values(measured)?)?,
-            covariance: by_rows(&sandwich(transfer.matrix.as_ref(), covariance.as_ref())),
+            covariance: transfer
+                .matrix
+                .propagate_covariance(&covariance)
+                .to_row_major(),
             solves: transfer.solves,
         })
     }
@@ -190,8 +189,7 @@ impl Region {
             }
             all
         };
-        let passes = values.par_chunks(self.columns_in_a_pass() * own).map(pass);
-        passes.collect::<Vec<_>>().concat()
+        parallel::map_chunks(values, self.columns_in_a_pass() * own, pass).concat()
     }
 
     /// Outputs for `count` random draws of the prescribed displacements around `measured`, normal with its covariance, one draw
@@ -212,9 +210,9 @@ impl Region {
         }
         let values = self.values(measured)?;
         let root = square_root(&self.covariance(measured)?)?;
-        let noise = multiply(root.as_ref(), noise(values.len(), count, seed).as_ref());
-        let draws = Mat::from_fn(count, values.len(), |k, i| values[i] + noise[(i, k)]);
-        self.outputs_of(outputs, &by_rows(&draws))
+        let noise = root.multiply(&noise(values.len(), count, seed));
+        let draws = Matrix::from_fn(count, values.len(), |k, i| values[i] + noise[(i, k)]);
+        self.outputs_of(outputs, &draws.to_row_major())
     }
 
     /// As [`simulate`](Self::simulate), of the outputs of a `transfer` of this region, without a solve.
@@ -231,10 +229,10 @@ impl Region {
         let values = self.values(measured)?;
         let mean = transfer.apply(&values)?;
         let root = square_root(&self.covariance(measured)?)?;
-        let root = multiply(transfer.matrix.as_ref(), root.as_ref());
-        let noise = multiply(root.as_ref(), noise(values.len(), count, seed).as_ref());
-        let draws = Mat::from_fn(count, mean.len(), |k, i| mean[i] + noise[(i, k)]);
-        Ok(by_rows(&draws))
+        let root = transfer.matrix.multiply(&root);
+        let noise = root.multiply(&noise(values.len(), count, seed));
+        let draws = Matrix::from_fn(count, mean.len(), |k, i| mean[i] + noise[(i, k)]);
+        Ok(draws.to_row_major())
     }
 
     fn columns_in_a_pass(&self) -> usize {
@@ -243,26 +241,26 @@ impl Region {
 }
 
 /// Standard normal numbers, a column for each draw.
-fn noise(rows: usize, count: usize, seed: u64) -> Mat<f64> {
+fn noise(rows: usize, count: usize, seed: u64) -> Matrix {
     let mut random = StdRng::seed_from_u64(seed);
-    Mat::from_fn(rows, count, |_, _| normal(&mut random))
+    Matrix::from_fn(rows, count, |_, _| normal(&mut random))
 }
 
 /// L with L Lᵀ = Σ. Displacements that are known exactly have rows of zeros, which are left out of the factorisation.
-fn square_root(covariance: &Mat<f64>) -> Result<Mat<f64>, RegionError> {
-    let size = covariance.nrows();
+fn square_root(covariance: &Matrix) -> Result<Matrix, RegionError> {
+    let size = covariance.rows();
     let uncertain: Vec<usize> = (0..size).filter(|&i| covariance[(i, i)] != 0.0).collect();
     let count = uncertain.len();
-    let part = Mat::from_fn(count, count, |i, j| {
+    let part = Matrix::from_fn(count, count, |i, j| {
         covariance[(uncertain[i], uncertain[j])]
     });
-    let lower = cholesky(part).map_err(|row| RegionError::NotCovariance {
-        row: uncertain.get(row).copied().unwrap_or(row),
+    let factor = DenseCholesky::new(part).map_err(|cause| RegionError::NotCovariance {
+        row: uncertain.get(cause.row).copied().unwrap_or(cause.row),
     })?;
-    let mut root = Mat::zeros(size, size);
+    let mut root = Matrix::zeros(size, size);
     for (i, &row) in uncertain.iter().enumerate() {
         for (j, &column) in uncertain[..=i].iter().enumerate() {
-            root[(row, column)] = lower[(i, j)];
+            root[(row, column)] = factor.lower()[(i, j)];
         }
     }
     Ok(root)

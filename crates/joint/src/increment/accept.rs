@@ -1,10 +1,7 @@
 //! What stays of a solved linearisation: the loss of plies that fail, or the state that is accepted.
 
-use stickslip_contact::audit::Audit;
-use stickslip_contact::freedom::{loose_pairs, sliding_pairs};
-use stickslip_contact::history::Recovery;
+use stickslip_contact::StepRecord;
 use stickslip_contact::solver::Step;
-use stickslip_contact::{Increment, StepRecord};
 use stickslip_fem_core::body::internal_forces;
 
 use super::solve::with_correction;
@@ -145,35 +142,11 @@ impl Solving<'_> {
 
         let multipliers = with_correction(self.multipliers);
         let step = Step::new(&linear.problem, self.origin(), &multipliers);
-        let solution = linear.solution;
-        let coefficient = step.largest_coefficient(&solution.trial);
-        let increment = Increment::accept(&step, solution.trial);
         let contact = StepRecord {
-            parts: Vec::new(),
-            audit: Audit::of(&linear.problem, &increment.state),
-            loose: loose_pairs(&linear.problem, &increment.state),
-            sliding: sliding_pairs(
-                &linear.problem,
-                self.origin(),
-                &increment.state,
-                &increment.slip,
-            ),
-            parted: false,
-            state: increment.state,
             work: self.work,
-            residuals: increment.residuals,
-            doubtful: solution.doubtful,
-            solvers: vec![solution.solver],
-            recovery: Recovery::of(&solution.attempts),
-            solutions: solution.solutions,
-            coefficient,
-            uniqueness: None,
-            increments: 1,
-            cutbacks: 0,
-            dissipation: increment.dissipation,
-            slip: increment.slip,
+            ..StepRecord::of(&step, linear.solution)
         };
-        let energy = self.energy(increment.dissipation);
+        let energy = self.energy(contact.dissipation);
         let mut bodies = self.station.bodies;
         for part in self.parts {
             if let Part::History(working) = part {

@@ -74,8 +74,7 @@ impl<'a> Solving<'a> {
     ) -> Vec<Vec<f64>> {
         let moved = |(index, body): (usize, &JointBody)| {
             let forces = problem.forces_on_body(index, body.contact_points(), &trial.forces);
-            let motions = trial.rigid.rows_range(problem.body_modes(index));
-            let motions: Vec<f64> = motions.iter().copied().collect();
+            let motions = problem.motions_of_body(index, &trial.rigid);
             match (body, &operators[index]) {
                 (_, Operator::Linearised(body)) => {
                     body.displacements(&forces, self.multipliers, &motions)

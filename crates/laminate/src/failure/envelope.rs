@@ -6,8 +6,10 @@
 
 use std::f64::consts::TAU;
 
-use super::error::finite;
-use super::{FailureCriterion, FailureError, PlyAssessment, first_ply_failure, last_ply_failure};
+use super::criterion::FailureCriterion;
+use super::error::{FailureError, finite};
+use super::first_ply::{PlyAssessment, first_ply_failure};
+use super::last_ply::last_ply_failure;
 use crate::degradation::Degradation;
 use crate::laminate::{Laminate, LaminateLoad};
 
@@ -42,7 +44,7 @@ pub struct EnvelopePoint {
     pub ply: PlyAssessment,
 }
 
-/// The envelope of `laminate` in `plane` at the temperature rise `temperature` `[temperature]`, in `directions` equal steps.
+/// Computes the envelope of `laminate` in `plane` at the temperature rise `temperature` `[temperature]`, in `directions` equal steps.
 ///
 /// # Errors
 /// [`FailureError::Directions`] unless 3 ≤ `directions` ≤ 10⁶; [`FailureError::OpenEnvelope`] if nothing fails along one of them;

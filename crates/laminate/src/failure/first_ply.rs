@@ -8,8 +8,8 @@
 //! thickness of a layer the stress is linear, so with a convex criterion the faces govern; the middle is named where nothing
 //! varies through the thickness.
 
-use super::error::finite;
-use super::{Assessment, FailureCriterion, FailureError, PlyLoading};
+use super::criterion::{Assessment, FailureCriterion, PlyLoading};
+use super::error::{FailureError, finite};
 use crate::laminate::{Deformation, Laminate, LaminateLoad, Layer, Position};
 
 /// Reserve factors closer than this, relatively, are equal: plies alike by symmetry differ by rounding.
@@ -28,7 +28,7 @@ pub struct PlyAssessment {
     pub assessment: Assessment,
 }
 
-/// Every layer of `laminate` under `load`, from the bottom up.
+/// Assesses every layer of `laminate` under `load`, from the bottom up, at the place in its thickness that governs.
 ///
 /// # Errors
 /// [`FailureError::NotFinite`] if the load is not finite, else the first error of [`FailureCriterion::assess`].
@@ -48,7 +48,7 @@ pub fn assess_plies(
         .collect()
 }
 
-/// The layer of `laminate` that fails first when (N, M) of `load` grow in proportion, its temperature held. Of layers alike by
+/// Finds the layer of `laminate` that fails first when (N, M) of `load` grow in proportion, its temperature held. Of layers alike by
 /// symmetry it is the lowest.
 ///
 /// # Errors

@@ -12,14 +12,16 @@
 //!
 //! Source: Hashin, J. Appl. Mech. 47 (1980) 329.
 
+use super::criterion::{Assessment, FailureCriterion, PlyLoading};
+use super::error::FailureError;
+use super::needed::{InPlane, in_plane, needed_strength};
 use super::ray::{Branch, Branches, Surface};
-use super::{
-    Assessment, FailureCriterion, FailureError, FailureMode, InPlane, PlyLoading, in_plane, needed,
-};
+use super::registry::CriterionInfo;
+use crate::failure_mode::FailureMode;
 use crate::ply::Ply;
 use crate::strengths::Strength;
 
-/// Hashin's criterion in plane stress.
+/// Hashin's criterion in plane stress, one quadratic polynomial per mode (Hashin 1980).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hashin {
     shear_weight: f64,
@@ -33,7 +35,7 @@ impl Default for Hashin {
 }
 
 impl Hashin {
-    /// With the weight α in [0, 1] of shear in fibre tension.
+    /// Makes the criterion with the weight α in [0, 1] of shear in fibre tension, dimensionless.
     ///
     /// # Errors
     /// [`FailureError::ShearWeight`] outside of it.
@@ -66,7 +68,7 @@ impl FailureCriterion for Hashin {
 
     fn assess(&self, ply: &Ply, loading: &PlyLoading) -> Result<Assessment, FailureError> {
         let strengths = in_plane(self.name(), ply)?;
-        let s23 = needed(self.name(), ply, Strength::S23)?;
+        let s23 = needed_strength(self.name(), ply, Strength::S23)?;
         let surface = Surface {
             criterion: self.name(),
             branches: |[along, across, _]: [bool; 3]| {
@@ -112,5 +114,13 @@ impl Hashin {
         };
         // The matrix first: in pure shear both are equal.
         [Some(matrix), Some(fibre), None]
+    }
+}
+
+inventory::submit! {
+    CriterionInfo {
+        name: "hashin",
+        summary: "fibre and matrix apart, shear by hashin_shear_weight; Hashin (1980)",
+        make: || Box::new(Hashin::default()),
     }
 }

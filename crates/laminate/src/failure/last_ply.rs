@@ -18,9 +18,10 @@
 //! Cracks in the matrix of every ply are no collapse as long as the fibres carry the load, which is netting theory; they are one for
 //! ±45° plies in tension.
 
-use super::error::finite;
-use super::first_ply::Loaded;
-use super::{FailureCriterion, FailureError, PlyAssessment, fibre_assessment};
+use super::criterion::FailureCriterion;
+use super::error::{FailureError, finite};
+use super::first_ply::{Loaded, PlyAssessment};
+use super::maximum::fibre_assessment;
 use crate::degradation::{Damage, Degradation};
 use crate::laminate::{Laminate, LaminateLoad, Position};
 
@@ -53,21 +54,21 @@ pub struct FailureHistory {
 }
 
 impl FailureHistory {
-    /// Multiple of the load at which the first layer fails, infinite if none does.
+    /// Returns the multiple of the load at which the first layer fails, infinite if none does.
     pub fn first_factor(&self) -> f64 {
         self.events
             .first()
             .map_or(f64::INFINITY, |event| event.factor)
     }
 
-    /// Multiple of the load at which the laminate collapses, its strength; infinite if it does not.
+    /// Returns the multiple of the load at which the laminate collapses, its strength; infinite if it does not.
     pub fn last_factor(&self) -> f64 {
         let last = self.events.last().filter(|_| self.collapsed);
         last.map_or(f64::INFINITY, |event| event.factor)
     }
 }
 
-/// The failures of `laminate` when (N, M) of `load` grow in proportion, its temperature held, up to its
+/// Follows the failures of `laminate` when (N, M) of `load` grow in proportion, its temperature held, up to its
 /// collapse.
 ///
 /// # Errors

@@ -9,19 +9,20 @@
 
 use stickslip_fem_core::material::apply;
 
-use super::error::finite;
+use super::criterion::{Assessment, FailureCriterion, PlyLoading};
+use super::error::{FailureError, finite};
+use super::needed::{IN_PLANE, in_plane, needed_strength};
 use super::ray::{Branch, Surface};
-use super::{
-    Assessment, FailureCriterion, FailureError, FailureMode, IN_PLANE, PlyLoading, in_plane, needed,
-};
+use super::registry::CriterionInfo;
+use crate::failure_mode::FailureMode;
 use crate::ply::Ply;
 use crate::strengths::Strength;
 
-/// Maximum stress: each stress against its own strength.
+/// Maximum stress: each stress against its own strength (Jones 1999, 2.9.1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MaximumStress;
 
-/// Maximum strain: each strain against its own limit.
+/// Maximum strain: each strain that stress causes against its own limit (Jones 1999, 2.9.2).
 /// [`Strengths::with_linear_strain_limits`](crate::Strengths::with_linear_strain_limits) makes limits from strengths.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MaximumStrain;
@@ -62,7 +63,7 @@ impl FailureCriterion for MaximumStrain {
     }
 
     fn assess(&self, ply: &Ply, loading: &PlyLoading) -> Result<Assessment, FailureError> {
-        let limit = |strength| needed(self.name(), ply, strength);
+        let limit = |strength| needed_strength(self.name(), ply, strength);
         let limits = Limits {
             tension: [limit(Strength::Strain1t)?, limit(Strength::Strain2t)?],
             compression: [limit(Strength::Strain1c)?, limit(Strength::Strain2c)?],
@@ -80,8 +81,8 @@ pub(crate) fn fibre_assessment(
 ) -> Result<Assessment, FailureError> {
     let name = MaximumStress.name();
     let [xt, xc] = [
-        needed(name, ply, Strength::Xt)?,
-        needed(name, ply, Strength::Xc)?,
+        needed_strength(name, ply, Strength::Xt)?,
+        needed_strength(name, ply, Strength::Xc)?,
     ];
     let surface = Surface {
         criterion: name,
@@ -165,5 +166,21 @@ fn first_reached(held: f64, applied: f64, [upper, lower]: [f64; 2]) -> (f64, usi
         ((lower + held) / -applied, 1)
     } else {
         (f64::INFINITY, 0)
+    }
+}
+
+inventory::submit! {
+    CriterionInfo {
+        name: "max_stress",
+        summary: "each stress against its strength; Jones (1999), 2.9.1",
+        make: || Box::new(MaximumStress),
+    }
+}
+
+inventory::submit! {
+    CriterionInfo {
+        name: "max_strain",
+        summary: "each strain against its limit; Jones (1999), 2.9.2",
+        make: || Box::new(MaximumStrain),
     }
 }

@@ -11,23 +11,28 @@
 //!
 //! Sources: Azzi & Tsai, Exp. Mech. 5 (1965) 283; Hoffman, J. Compos. Mater. 1 (1967) 200; Tsai & Wu, J. Compos. Mater. 5 (1971) 58.
 
+use super::criterion::{Assessment, FailureCriterion, PlyLoading};
+use super::error::FailureError;
+use super::needed::{IN_PLANE, InPlane, in_plane};
 use super::ray::{Branch, Surface};
-use super::{Assessment, FailureCriterion, FailureError, IN_PLANE, InPlane, PlyLoading, in_plane};
+use super::registry::CriterionInfo;
 use crate::ply::Ply;
 use crate::strengths::Strength;
 
 /// How near to the limit an interaction may come: nearer, the surface is open but for rounding.
 const CLOSED: f64 = 1.0 - 1e-12;
 
-/// Tsai–Hill in plane stress, strengths by the signs of the stresses.
+/// Tsai–Hill in plane stress, strengths by the signs of the stresses (Azzi & Tsai 1965):
+/// (σ₁/X)² − σ₁σ₂/X² + (σ₂/Y)² + (τ₁₂/S₁₂)².
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TsaiHill;
 
-/// Hoffman in plane stress, for a ply that is alike in 2 and 3.
+/// Hoffman in plane stress, for a ply that is alike in 2 and 3 (Hoffman 1967):
+/// σ₁²/(X_t X_c) − σ₁σ₂/(X_t X_c) + σ₂²/(Y_t Y_c) + (1/X_t − 1/X_c) σ₁ + (1/Y_t − 1/Y_c) σ₂ + (τ₁₂/S₁₂)².
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Hoffman;
 
-/// Tsai–Wu in plane stress.
+/// Tsai–Wu in plane stress (Tsai & Wu 1971): [`Hoffman`] with 2 F₁₂ σ₁σ₂ for the second term.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TsaiWu {
     /// The interaction of σ₁ and σ₂.
@@ -176,5 +181,29 @@ fn closed(criterion: &'static str, ply: &Ply, given: &Polynomial) -> Result<(), 
             interaction,
             limit,
         })
+    }
+}
+
+inventory::submit! {
+    CriterionInfo {
+        name: "tsai_hill",
+        summary: "one quadratic form, strengths by sign; Azzi & Tsai (1965)",
+        make: || Box::new(TsaiHill),
+    }
+}
+
+inventory::submit! {
+    CriterionInfo {
+        name: "hoffman",
+        summary: "with linear terms for unequal strengths; Hoffman (1967)",
+        make: || Box::new(Hoffman),
+    }
+}
+
+inventory::submit! {
+    CriterionInfo {
+        name: "tsai_wu",
+        summary: "tensor polynomial, F12 by tsai_wu_interaction; Tsai & Wu (1971)",
+        make: || Box::new(TsaiWu::default()),
     }
 }

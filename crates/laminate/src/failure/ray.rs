@@ -8,9 +8,9 @@
 //! Between changes of sign, of which a ray of N variables has at most N, the first s ≥ 0 with f_b = 1 is a root in closed form.
 //! Where f jumps upwards past 1 at a change of sign, the place of the jump is the crossing.
 
-use super::Assessment;
+use super::criterion::Assessment;
 use super::error::{FailureError, finite};
-use super::mode::FailureMode;
+use crate::failure_mode::FailureMode;
 
 /// One polynomial of a surface.
 #[derive(Clone, Copy, Debug)]

@@ -17,15 +17,17 @@
 //! there the form has no bound along some rays, the reserve factor is infinite, and no error says so, because the report's form is
 //! what is asked for. Its coefficients jump where a stress changes sign, and so does its index unless the other two vanish.
 
+use super::criterion::{Assessment, FailureCriterion, PlyLoading};
+use super::error::FailureError;
+use super::needed::{in_plane, needed_strength};
 use super::quadratic::{self, Polynomial};
 use super::ray::{Branch, Surface};
-use super::{
-    Assessment, FailureCriterion, FailureError, FailureMode, PlyLoading, in_plane, mode, needed,
-};
+use super::registry::CriterionInfo;
+use crate::failure_mode::{FailureMode, largest};
 use crate::ply::Ply;
 use crate::strengths::Strength;
 
-/// Tsai–Hill in three dimensions. As a [`FailureCriterion`] it sees plane stress and asks for Z_t and Z_c, not for S₁₃ and S₂₃.
+/// Tsai–Hill in three dimensions (Post & Reddy 1988, part II, 4.4). As a [`FailureCriterion`] it sees plane stress and asks for Z_t and Z_c, not for S₁₃ and S₂₃.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TsaiHillSolid;
 
@@ -50,8 +52,8 @@ impl FailureCriterion for TsaiHillSolid {
 
     fn assess(&self, ply: &Ply, loading: &PlyLoading) -> Result<Assessment, FailureError> {
         let strengths = in_plane(self.name(), ply)?;
-        let zt = needed(self.name(), ply, Strength::Zt)?;
-        let zc = needed(self.name(), ply, Strength::Zc)?;
+        let zt = needed_strength(self.name(), ply, Strength::Zt)?;
+        let zc = needed_strength(self.name(), ply, Strength::Zc)?;
         let polynomial = |[along, across]: [bool; 2]| {
             let x = if along { strengths.xt } else { strengths.xc };
             let [y, z] = if across {
@@ -71,7 +73,7 @@ impl FailureCriterion for TsaiHillSolid {
 }
 
 impl TsaiHillSolid {
-    /// Index, reserve factor and mode of `ply` under a stress (σ₁, σ₂, σ₃, τ₂₃, τ₁₃, τ₁₂) `[stress]` in material axes, of which
+    /// Computes index, reserve factor and mode of `ply` under a stress (σ₁, σ₂, σ₃, τ₂₃, τ₁₃, τ₁₂) `[stress]` in material axes, of which
     /// `held` stays and `applied` grows with the load.
     ///
     /// # Errors
@@ -82,7 +84,7 @@ impl TsaiHillSolid {
         held: &[f64; 6],
         applied: &[f64; 6],
     ) -> Result<Assessment, FailureError> {
-        let strength = |name| needed(self.name(), ply, name);
+        let strength = |name| needed_strength(self.name(), ply, name);
         let strengths = Strengths3 {
             tension: [
                 strength(Strength::Xt)?,
@@ -154,7 +156,7 @@ impl Strengths3 {
     }
 
     fn dominant(&self, stress: &[f64; 6]) -> FailureMode {
-        mode::largest(&[
+        largest(&[
             (stress[0] / self.tension[0], FailureMode::FibreTension),
             (
                 -stress[0] / self.compression[0],
@@ -174,5 +176,13 @@ impl Strengths3 {
             (stress[3].abs() / self.shear[0], FailureMode::ThicknessShear),
             (stress[4].abs() / self.shear[1], FailureMode::ThicknessShear),
         ])
+    }
+}
+
+inventory::submit! {
+    CriterionInfo {
+        name: "tsai_hill_3d",
+        summary: "one quadratic form in three dimensions; Post & Reddy (1988), part II, 4.4",
+        make: || Box::new(TsaiHillSolid),
     }
 }

@@ -8,7 +8,7 @@ use crate::layup::Layup;
 use crate::ply::Ply;
 
 impl Laminate {
-    /// Laminate of one ply throughout, or of `ply` and itself by name where the lay-up names it.
+    /// Stacks one ply throughout; where the lay-up names a ply it must be this one.
     ///
     /// # Errors
     /// As [`Laminate::of_plies`].
@@ -16,7 +16,7 @@ impl Laminate {
         Self::of_plies(layup, ply, &[])
     }
 
-    /// Laminate of the ply `default` where the lay-up names none, and of those in `named`, or `default`, where it does.
+    /// Stacks the ply `default` where the lay-up names none, and of those in `named`, or `default`, where it does.
     ///
     /// # Errors
     /// [`LaminateError::UnknownPly`] if a name is not given; [`LaminateError::NotInvertible`] if the stiffness overflows.
@@ -49,7 +49,7 @@ impl Laminate {
         Self::from_layers(stacked.collect::<Result<Vec<_>, LaminateError>>()?)
     }
 
-    /// Laminate of plies with the angles of their fibres `[degree]`, from the bottom up.
+    /// Stacks plies with the angles of their fibres `[degree]`, from the bottom up.
     ///
     /// # Errors
     /// [`LaminateError::Empty`] without plies, [`LaminateError::Angle`] unless the angles are finite,
@@ -81,7 +81,7 @@ impl Laminate {
         Self::of_layers(layers, height)
     }
 
-    /// The same laminate with its plies softened as `degradation` has it for the damage of each layer, from the bottom up.
+    /// Makes the same laminate with its plies softened as `degradation` has it for the damage of each layer, from the bottom up.
     ///
     /// # Errors
     /// [`LaminateError::LayerCount`] unless there is one record per layer; [`LaminateError::NotInvertible`] if the factors are

@@ -27,19 +27,19 @@ pub struct Coupling {
 }
 
 impl Coupling {
-    /// Whether a membrane analysis is exact: no coupling of stretching with bending beyond rounding (10⁻¹⁰).
+    /// Tells whether a membrane analysis is exact: no coupling of stretching with bending beyond rounding (10⁻¹⁰).
     pub fn is_symmetric(&self) -> bool {
         self.bending_extension <= SYMMETRIC
     }
 
-    /// ρ²: how much softer in its plane the laminate can be when it is free to bend than when it is held flat, as a fraction.
+    /// Computes ρ²: how much softer in its plane the laminate can be when it is free to bend than when it is held flat, as a fraction.
     pub fn stiffness_loss(&self) -> f64 {
         self.bending_extension * self.bending_extension
     }
 }
 
 impl Laminate {
-    /// Sizes of the laminate's couplings.
+    /// Computes the sizes of the laminate's couplings, of which ρ² is the largest eigenvalue of A⁻¹ B D⁻¹ B.
     pub fn coupling(&self) -> Coupling {
         let matrix = &self.stiffness;
         Coupling {

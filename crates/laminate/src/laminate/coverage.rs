@@ -5,7 +5,7 @@ use stickslip_friction::{FibreCoverage, FrictionError, FrictionLaw, Kernel, PlyF
 use super::Laminate;
 
 impl Laminate {
-    /// Fraction of the thickness per fibre angle, in the form that the law [`FibreCoverage`] takes: angles in radians in
+    /// Computes the fraction of the thickness per fibre angle, in the form that the law [`FibreCoverage`] takes: angles in radians in
     /// (−π/2, π/2], in the order of first appearance from the bottom, fractions summing to 1.
     pub fn ply_fractions(&self) -> Vec<PlyFraction> {
         let mut angles: Vec<(f64, f64)> = Vec::new();
@@ -30,7 +30,7 @@ impl Laminate {
         angles.into_iter().map(fraction).collect()
     }
 
-    /// Fibre-coverage friction on this laminate's edges: `fibre` where fibres are bare and `matrix` elsewhere. With the lay-up,
+    /// Makes the fibre-coverage friction on this laminate's edges: `fibre` where fibres are bare and `matrix` elsewhere. With the lay-up,
     /// the volume fraction `fibre_fraction` (dimensionless), the kernel and the two laws are all that it asks for.
     ///
     /// # Errors

@@ -56,7 +56,8 @@ impl EffectiveModuli {
 }
 
 impl Laminate {
-    /// Effective moduli of the laminate in its plane.
+    /// Computes the effective moduli `[stress]` of the laminate in its plane, of the compliance S = h A⁻¹ (flat) or h a (free to bend);
+    /// Jones (1999), 4.3.
     pub fn membrane_moduli(&self, curvature: Curvature) -> EffectiveModuli {
         let compliance = match curvature {
             Curvature::Suppressed => inverse(&self.stiffness.membrane),
@@ -65,7 +66,7 @@ impl Laminate {
         EffectiveModuli::of_compliance(&scaled(&compliance, self.thickness))
     }
 
-    /// Effective moduli of the laminate in bending: those of the homogeneous plate of the same thickness and bending stiffness.
+    /// Computes the effective moduli `[stress]` of the laminate in bending, S = (h³/12) D⁻¹ or (h³/12) d: those of the homogeneous plate of the same thickness and bending stiffness.
     pub fn bending_moduli(&self, curvature: Curvature) -> EffectiveModuli {
         let compliance = match curvature {
             Curvature::Suppressed => inverse(&self.stiffness.bending),
@@ -74,7 +75,7 @@ impl Laminate {
         EffectiveModuli::of_compliance(&scaled(&compliance, self.thickness.powi(3) / 12.0))
     }
 
-    /// The laminate as a material for plane elements, exact because it does not bend when stretched.
+    /// Makes the laminate a material for plane elements, exact because it does not bend when stretched.
     ///
     /// # Errors
     /// [`LaminateError::BendingExtension`] with the size of the coupling unless [`Coupling::is_symmetric`].
@@ -89,7 +90,7 @@ impl Laminate {
         }
     }
 
-    /// The laminate as a material for plane elements, whatever its coupling: exact where the plate is held flat. Where it is
+    /// Makes the laminate a material for plane elements, whatever its coupling: exact where the plate is held flat. Where it is
     /// free to bend, its stiffness is overstated; [`LaminateMembrane::coupling`] says by how much.
     pub fn flat_membrane_material(&self) -> LaminateMembrane {
         let expansion = apply(
@@ -113,7 +114,7 @@ pub struct LaminateMembrane {
 }
 
 impl LaminateMembrane {
-    /// The couplings of the laminate, of which this material keeps only that of stretching with shear.
+    /// Returns the couplings of the laminate, dimensionless, of which this material keeps only that of stretching with shear.
     pub fn coupling(&self) -> Coupling {
         self.coupling
     }

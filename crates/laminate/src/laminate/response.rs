@@ -23,7 +23,7 @@ pub struct LaminateLoad {
 }
 
 impl LaminateLoad {
-    /// In-plane forces (N_x, N_y, N_xy) `[force/length]` alone.
+    /// Makes a load of the in-plane forces (N_x, N_y, N_xy) `[force/length]` alone.
     pub fn membrane(force: [f64; 3]) -> Self {
         Self {
             force,
@@ -31,7 +31,7 @@ impl LaminateLoad {
         }
     }
 
-    /// Whether every number is finite.
+    /// Tells whether every number is finite.
     pub fn is_finite(&self) -> bool {
         let resultants = self.force.iter().chain(&self.moment);
         resultants
@@ -50,7 +50,7 @@ pub struct Deformation {
 }
 
 impl Deformation {
-    /// The strain alone: a plate that stays flat.
+    /// Makes a deformation of the strain (xx, yy, xy) alone: a plate that stays flat.
     pub fn membrane(strain: [f64; 3]) -> Self {
         Self {
             strain,
@@ -58,7 +58,7 @@ impl Deformation {
         }
     }
 
-    /// Strain ε⁰ + zκ at the height `z` `[length]`.
+    /// Computes the strain ε⁰ + zκ (xx, yy, xy) at the height `z` `[length]`.
     pub fn strain_at(&self, z: f64) -> [f64; 3] {
         [0, 1, 2].map(|i| self.strain[i] + z * self.curvature[i])
     }
@@ -79,7 +79,7 @@ impl Position {
     /// From the bottom up.
     pub const ALL: [Self; 3] = [Self::Bottom, Self::Middle, Self::Top];
 
-    /// Height `[length]` of this place in `layer`, from the mid-plane of the laminate.
+    /// Computes the height `[length]` of this place in `layer`, from the mid-plane of the laminate.
     pub fn height(self, layer: &Layer) -> f64 {
         match self {
             Self::Bottom => layer.bottom,
@@ -107,7 +107,7 @@ pub struct PlyState {
 }
 
 impl Laminate {
-    /// (N^T, M^T) `[force/length]`, `[force]` of the temperature rise `temperature`: what holds the laminate undeformed, with
+    /// Computes (N^T, M^T) `[force/length]`, `[force]` of the temperature rise `temperature` `[temperature]`: what holds the laminate undeformed, with
     /// the opposite sign.
     pub fn thermal_resultants(&self, temperature: f64) -> ([f64; 3], [f64; 3]) {
         let (mut force, mut moment) = ([0.0; 3], [0.0; 3]);
@@ -125,7 +125,7 @@ impl Laminate {
         (force, moment)
     }
 
-    /// Deformation under `load`.
+    /// Computes the deformation (ε⁰, κ) = [A B; B D]⁻¹ ((N, M) + (N^T, M^T)) under `load`.
     pub fn deformation(&self, load: &LaminateLoad) -> Deformation {
         let (thermal_force, thermal_moment) = self.thermal_resultants(load.temperature);
         let force = [0, 1, 2].map(|i| load.force[i] + thermal_force[i]);
@@ -138,7 +138,7 @@ impl Laminate {
         }
     }
 
-    /// (N, M) `[force/length]`, `[force]` that give `deformation` at the temperature rise `temperature`.
+    /// Computes (N, M) `[force/length]`, `[force]` that give `deformation` at the temperature rise `temperature`.
     pub fn resultants(&self, deformation: &Deformation, temperature: f64) -> ([f64; 3], [f64; 3]) {
         let (thermal_force, thermal_moment) = self.thermal_resultants(temperature);
         let Deformation { strain, curvature } = *deformation;
@@ -151,7 +151,8 @@ impl Laminate {
         )
     }
 
-    /// Strain and stress of every layer at its lower face, middle and upper face, from the bottom up.
+    /// Computes strain and stress `[stress]` of every layer at its lower face, middle and upper face, from the bottom up, at the temperature
+    /// rise `temperature` `[temperature]`: σ = Q (T (ε⁰ + z κ) − α ΔT).
     pub fn ply_states(&self, deformation: &Deformation, temperature: f64) -> Vec<PlyState> {
         let state = |index: usize, layer: &Layer, position: Position| {
             let height = position.height(layer);
@@ -171,7 +172,7 @@ impl Laminate {
             .collect()
     }
 
-    /// Residual stresses of the unloaded laminate after the temperature rise `temperature`, as [`Laminate::ply_states`].
+    /// Computes the residual stresses of the unloaded laminate after the temperature rise `temperature`, as [`Laminate::ply_states`].
     pub fn residual_states(&self, temperature: f64) -> Vec<PlyState> {
         let free = LaminateLoad {
             temperature,

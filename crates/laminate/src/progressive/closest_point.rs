@@ -31,8 +31,8 @@
 
 use stickslip_fem_core::material::{PlaneStiffness, apply};
 
-use super::ProgressiveError;
-use crate::failure::FailureError;
+use super::error::ProgressiveError;
+use crate::failure::needed_strength;
 use crate::ply::Ply;
 use crate::strengths::Strength;
 
@@ -44,7 +44,7 @@ const ROUNDING: f64 = 1e-14;
 /// Distance accepted where rounding stops the iteration early.
 const ACCEPTED: f64 = 1e-11;
 
-/// φ of one ply, with its elastic compliance.
+/// The Tsai–Hill quadratic φ of one ply as yield function (Hill 1950, chapter XII), with its elastic compliance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct YieldSurface {
     compliance: PlaneStiffness,
@@ -84,7 +84,7 @@ struct Point {
 }
 
 impl YieldSurface {
-    /// Surface of `ply` with yield stresses equal to its strengths, hardening by `hardening` = H `[1/stress]`.
+    /// Makes the surface of `ply` with yield stresses equal to its strengths, hardening by `hardening` = H `[1/stress]`.
     ///
     /// # Errors
     /// [`ProgressiveError::Failure`] without X_t, X_c, Y_t, Y_c and S₁₂; [`ProgressiveError::OpenYieldSurface`] unless
@@ -93,15 +93,7 @@ impl YieldSurface {
         if !hardening.is_finite() || hardening < 0.0 {
             return Err(ProgressiveError::Hardening { value: hardening });
         }
-        let strength = |strength: Strength| {
-            ply.strengths()
-                .get(strength)
-                .ok_or_else(|| FailureError::MissingStrength {
-                    criterion: "tsai_hill",
-                    strength,
-                    ply: ply.name().to_owned(),
-                })
-        };
+        let strength = |strength: Strength| needed_strength("tsai_hill", ply, strength);
         let [xt, xc] = [strength(Strength::Xt)?, strength(Strength::Xc)?];
         let [yt, yc] = [strength(Strength::Yt)?, strength(Strength::Yc)?];
         let s12 = strength(Strength::S12)?;
@@ -127,7 +119,7 @@ impl YieldSurface {
         })
     }
 
-    /// φ at a stress (σ₁, σ₂, τ₁₂) `[stress]` in material axes, dimensionless and of degree 1: yield without hardening is at 1.
+    /// Computes φ at a stress (σ₁, σ₂, τ₁₂) `[stress]` in material axes, dimensionless and of degree 1: yield without hardening is at 1.
     pub fn value(&self, stress: [f64; 3]) -> f64 {
         dot(stress, self.gradient(stress)).sqrt()
     }
@@ -191,7 +183,7 @@ impl YieldSurface {
         }
     }
 
-    /// The end of a step from the hardening variable `hardening` = λ_n `[stress]` with the trial elastic strain `trial`, in material
+    /// Computes the end of a step from the hardening variable `hardening` = λ_n `[stress]` with the trial elastic strain `trial`, in material
     /// axes.
     ///
     /// # Errors

@@ -12,10 +12,15 @@
 //! The energy dissipated is per volume: in a body it shrinks with the elements in which the damage gathers, so the load at which a
 //! structure fails depends on its mesh.
 
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
 use stickslip_fem_core::material::{PlaneStiffness, apply};
 
-use super::state::{Assembly, LayerResponse, elastic_strain, energy};
-use super::{PointModel, PointResponse, PointState, ProgressiveError, check_step};
+use super::error::ProgressiveError;
+use super::model::{PointModel, check_step};
+use super::registry::{Dimension, ParameterInfo, PointModelInfo, PointModelParameters};
+use super::state::{Assembly, LayerResponse, PointResponse, PointState, elastic_strain, energy};
 use crate::degradation::Degradation;
 use crate::failure::{FailureCriterion, FailureError, PlyLoading, fibre_assessment};
 use crate::laminate::{Laminate, Layer};
@@ -29,7 +34,7 @@ pub struct PlyDiscount {
 }
 
 impl PlyDiscount {
-    /// Model of `laminate` whose plies fail by `criterion` and then keep what `degradation` leaves them.
+    /// Makes the model of `laminate` whose plies fail by `criterion` and then keep what `degradation` leaves them.
     ///
     /// # Errors
     /// [`ProgressiveError::Failure`] if a ply lacks a strength that `criterion`, or the fibre check after matrix failure, needs.
@@ -49,7 +54,7 @@ impl PlyDiscount {
         })
     }
 
-    /// Factors on the moduli of failed plies.
+    /// Returns the factors on the moduli of failed plies.
     pub fn degradation(&self) -> &Degradation {
         &self.degradation
     }
@@ -132,5 +137,107 @@ impl PointModel for PlyDiscount {
             }
         }
         Some(sum)
+    }
+}
+
+/// Parameters of [`PlyDiscount`], in files `ply_discount = { criterion = "max_stress", fibre = 0.01, matrix = 0.1 }`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "RawPlyDiscount", into = "RawPlyDiscount")]
+pub struct PlyDiscountParameters {
+    criterion: Option<String>,
+    degradation: Degradation,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RawPlyDiscount {
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    criterion: Option<String>,
+    fibre: f64,
+    matrix: f64,
+}
+
+impl PlyDiscountParameters {
+    /// Makes parameters of what failed plies keep, and of the name of a failure criterion, or `None` for the caller's.
+    pub fn new(criterion: Option<String>, degradation: Degradation) -> Self {
+        Self {
+            criterion,
+            degradation,
+        }
+    }
+}
+
+impl TryFrom<RawPlyDiscount> for PlyDiscountParameters {
+    type Error = ProgressiveError;
+
+    fn try_from(raw: RawPlyDiscount) -> Result<Self, ProgressiveError> {
+        let degradation = Degradation::new(raw.fibre, raw.matrix)?;
+        Ok(Self::new(raw.criterion, degradation))
+    }
+}
+
+impl From<PlyDiscountParameters> for RawPlyDiscount {
+    fn from(parameters: PlyDiscountParameters) -> Self {
+        Self {
+            criterion: parameters.criterion,
+            fibre: parameters.degradation.fibre(),
+            matrix: parameters.degradation.matrix(),
+        }
+    }
+}
+
+#[typetag::serde(name = "ply_discount")]
+impl PointModelParameters for PlyDiscountParameters {
+    fn criterion(&self) -> Option<&str> {
+        self.criterion.as_deref()
+    }
+
+    fn degradation(&self) -> Option<Degradation> {
+        Some(self.degradation)
+    }
+
+    fn model(
+        &self,
+        laminate: Laminate,
+        criterion: &Arc<dyn FailureCriterion>,
+    ) -> Result<Arc<dyn PointModel>, ProgressiveError> {
+        let criterion = Box::new(Arc::clone(criterion));
+        let model = PlyDiscount::new(laminate, criterion, self.degradation)?;
+        Ok(Arc::new(model))
+    }
+
+    fn describe(&self, criterion: &str, _stress: &dyn Fn(f64) -> String) -> String {
+        format!(
+            "ply discount by {criterion}, failed plies keep {} (fibre) and {} (matrix)",
+            self.degradation.fibre(),
+            self.degradation.matrix()
+        )
+    }
+}
+
+inventory::submit! {
+    PointModelInfo {
+        name: "ply_discount",
+        summary: "plies lose stiffness at once when their failure criterion is met",
+        parameters: &[
+            ParameterInfo {
+                path: "criterion",
+                dimension: Dimension::Text,
+                default: Some("the first criterion"),
+                meaning: "the criterion by which plies fail",
+            },
+            ParameterInfo {
+                path: "fibre",
+                dimension: Dimension::Dimensionless,
+                default: None,
+                meaning: "factor on E1 after fibre failure, from 1e-9 to 1; on E2 and G12 the smaller of both",
+            },
+            ParameterInfo {
+                path: "matrix",
+                dimension: Dimension::Dimensionless,
+                default: None,
+                meaning: "factor on E2 and G12 after failure of the matrix, from 1e-9 to 1",
+            },
+        ],
     }
 }

@@ -10,10 +10,20 @@
 //! step where the direction of flow turns. In a proportional stress path it is exact in one step. What hardening stores at the
 //! microscale counts as dissipated.
 
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
 use super::closest_point::YieldSurface;
-use super::state::{Assembly, LayerResponse, LayerState, elastic_strain};
-use super::{PointModel, PointResponse, PointState, ProgressiveError, check_step};
+use super::error::ProgressiveError;
+use super::model::{PointModel, check_step};
+use super::registry::{Dimension, ParameterInfo, PointModelInfo, PointModelParameters};
+use super::state::{
+    Assembly, LayerResponse, LayerState, PointResponse, PointState, elastic_strain,
+};
+use crate::failure::FailureCriterion;
 use crate::laminate::{Laminate, Layer};
+use crate::strengths::Strength;
 
 /// Laminate of elastic–plastic plies.
 #[derive(Clone, Debug)]
@@ -24,7 +34,7 @@ pub struct TsaiHillPlasticity {
 }
 
 impl TsaiHillPlasticity {
-    /// Model of `laminate` with the hardening `hardening` = H ≥ 0 `[1/stress]` of every ply: the plastic modulus of a uniaxial test
+    /// Makes the model of `laminate` with the hardening `hardening` = H ≥ 0 `[1/stress]` of every ply: the plastic modulus of a uniaxial test
     /// is H times the square of the strength; 0 is perfect plasticity.
     ///
     /// # Errors
@@ -40,7 +50,23 @@ impl TsaiHillPlasticity {
         })
     }
 
-    /// Yield surface of each layer, from the bottom up.
+    /// Makes the model of `laminate` whose first ply, sheared, has the plastic modulus dτ/dγᵖ = `modulus` ≥ 0 `[stress]`; every ply has the same
+    /// H = `modulus`/S₁₂². 0 is perfect plasticity.
+    ///
+    /// # Errors
+    /// As [`YieldSurface::new`].
+    pub fn with_shear_modulus(laminate: Laminate, modulus: f64) -> Result<Self, ProgressiveError> {
+        // Without a shear strength there is no surface, which `new` reports.
+        let strengths = laminate
+            .layers()
+            .first()
+            .map(|layer| layer.ply().strengths());
+        let shear = strengths.and_then(|strengths| strengths.get(Strength::S12));
+        let hardening = shear.map_or(0.0, |shear| modulus / (shear * shear));
+        Self::new(laminate, hardening)
+    }
+
+    /// Returns the yield surface of each layer, from the bottom up.
     pub fn surfaces(&self) -> &[YieldSurface] {
         &self.surfaces
     }
@@ -97,5 +123,75 @@ impl PointModel for TsaiHillPlasticity {
             assembly.add(layer, &share);
         }
         Ok(assembly.finish())
+    }
+}
+
+/// Parameters of [`TsaiHillPlasticity`], in files `plasticity = { hardening = "500 MPa" }`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "RawPlasticity")]
+pub struct PlasticityParameters {
+    hardening: f64,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RawPlasticity {
+    hardening: f64,
+}
+
+impl PlasticityParameters {
+    /// Checks the plastic shear modulus dτ/dγᵖ = `hardening` ≥ 0 `[stress]` of the first ply.
+    ///
+    /// # Errors
+    /// [`ProgressiveError::Hardening`] unless it is finite and not negative.
+    pub fn new(hardening: f64) -> Result<Self, ProgressiveError> {
+        if hardening.is_finite() && hardening >= 0.0 {
+            Ok(Self { hardening })
+        } else {
+            Err(ProgressiveError::Hardening { value: hardening })
+        }
+    }
+
+    /// Returns the plastic shear modulus as given `[stress]`.
+    pub fn hardening(&self) -> f64 {
+        self.hardening
+    }
+}
+
+impl TryFrom<RawPlasticity> for PlasticityParameters {
+    type Error = ProgressiveError;
+
+    fn try_from(raw: RawPlasticity) -> Result<Self, ProgressiveError> {
+        Self::new(raw.hardening)
+    }
+}
+
+#[typetag::serde(name = "plasticity")]
+impl PointModelParameters for PlasticityParameters {
+    fn model(
+        &self,
+        laminate: Laminate,
+        _criterion: &Arc<dyn FailureCriterion>,
+    ) -> Result<Arc<dyn PointModel>, ProgressiveError> {
+        let model = TsaiHillPlasticity::with_shear_modulus(laminate, self.hardening)?;
+        Ok(Arc::new(model))
+    }
+
+    fn describe(&self, _criterion: &str, stress: &dyn Fn(f64) -> String) -> String {
+        let modulus = stress(self.hardening);
+        format!("Tsai–Hill plasticity, plastic shear modulus {modulus}")
+    }
+}
+
+inventory::submit! {
+    PointModelInfo {
+        name: "plasticity",
+        summary: "plies flow from the Tsai–Hill surface on",
+        parameters: &[ParameterInfo {
+            path: "hardening",
+            dimension: Dimension::Stress,
+            default: None,
+            meaning: "plastic shear modulus of a ply, by the shear strength of the first ply, ≥ 0; 0 is perfect plasticity",
+        }],
     }
 }

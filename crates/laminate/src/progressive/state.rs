@@ -63,12 +63,12 @@ pub struct PointHistory {
 }
 
 impl PointHistory {
-    /// History that begins with `state`.
+    /// Begins a history with `state`.
     pub fn new(state: PointState) -> Self {
         Self { committed: state }
     }
 
-    /// State of the last accepted step.
+    /// Returns the state of the last accepted step.
     pub fn committed(&self) -> &PointState {
         &self.committed
     }

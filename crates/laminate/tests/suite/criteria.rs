@@ -249,7 +249,7 @@ fn several_criteria_at_once() {
         names,
         criteria
             .iter()
-            .map(|criterion| criterion.name())
+            .map(FailureCriterion::name)
             .collect::<Vec<_>>()
     );
 }

@@ -1,6 +1,8 @@
 //! Tests of laminates from outside the crate.
 
 mod bad_input;
+mod contract_criteria;
+mod contract_models;
 mod criteria;
 mod failure;
 mod layup;

@@ -7,7 +7,8 @@
 use super::{Band, Direction, LineChart, ReferenceLine};
 use crate::color::Color;
 use crate::frame::{Frame, LINE_HEIGHT};
-use crate::svg::{Anchor, Area, Canvas, Stroke, TextStyle};
+use crate::shape::{Anchor, Area, Stroke, TextStyle};
+use crate::svg::Canvas;
 use crate::text::{self, Weight};
 
 /// Strength of a band's tint behind the curves.
@@ -122,7 +123,7 @@ impl Annotations {
             if let Some(row) = row {
                 to[1] -= self.strip_height() + ROW * *row as f64 + 3.0;
             }
-            canvas.line(from, to, &Stroke::dashed(line.color, 1.2, "5 3"));
+            canvas.line(from, to, &Stroke::dashed(line.color, 1.2, &[5.0, 3.0]));
         }
     }
 

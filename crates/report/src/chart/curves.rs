@@ -3,7 +3,9 @@
 use super::{Series, SeriesStyle};
 use crate::color::Color;
 use crate::frame::Frame;
-use crate::svg::{Anchor, Area, Canvas, Px, Stroke, TextStyle, push_point};
+use crate::markup::{Px, push_point};
+use crate::shape::{Anchor, Area, Stroke, TextStyle};
+use crate::svg::Canvas;
 
 /// Points nearer to the last one than this are not drawn \[px\].
 const INVISIBLE: f64 = 0.15;
@@ -207,15 +209,24 @@ fn marker(at: [f64; 2], index: usize) -> String {
     }
 }
 
+/// Path data of a disc, in four cubic Bézier curves (radius true to 0.03 %).
 fn circle([x, y]: [f64; 2], r: f64) -> String {
-    format!(
-        "M{} {}a{r} {r} 0 1 0 {d} 0a{r} {r} 0 1 0 {back} 0z",
-        Px(x - r),
-        Px(y),
-        r = Px(r),
-        d = Px(2.0 * r),
-        back = Px(-2.0 * r),
-    )
+    /// Length of a control arm of a quarter of the unit circle, 4/3 tan(π/8).
+    const ARM: f64 = 0.552_284_749_8;
+    let (arm, rest) = (ARM * r, r - ARM * r);
+    let quarter = |points: [f64; 6]| -> String {
+        let texts = points.map(|length| Px(length).to_string());
+        format!("c{}", texts.join(" "))
+    };
+    [
+        format!("M{} {}", Px(x - r), Px(y)),
+        quarter([0.0, arm, rest, r, r, r]),
+        quarter([arm, 0.0, r, -rest, r, -r]),
+        quarter([0.0, -arm, -rest, -r, -r, -r]),
+        quarter([-arm, 0.0, -r, rest, -r, r]),
+        "z".to_owned(),
+    ]
+    .concat()
 }
 
 #[cfg(test)]

@@ -14,7 +14,7 @@ use super::{Direction, Legend, LineChart, SeriesStyle};
 use crate::axis::{Padding, Span};
 use crate::error::FigureError;
 use crate::frame::{Frame, Heading, OUTER, TITLE_SIZE};
-use crate::svg::Area;
+use crate::shape::Area;
 
 const LEGEND_GAP: f64 = 14.0;
 /// Smallest side of the area inside the frame \[px\].

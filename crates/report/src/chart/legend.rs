@@ -4,7 +4,8 @@ use super::curves::{clip, draw_name, draw_sample, runs};
 use super::{LineChart, Series, SeriesStyle};
 use crate::color::Color;
 use crate::frame::{Frame, INK, LINE_HEIGHT};
-use crate::svg::{Area, Canvas, Stroke};
+use crate::shape::{Area, Stroke};
+use crate::svg::Canvas;
 use crate::text::{self, Weight};
 
 const SIZE: f64 = 11.0;

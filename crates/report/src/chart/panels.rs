@@ -25,7 +25,7 @@ pub struct Panels {
 }
 
 impl Panels {
-    /// Charts under a common title.
+    /// Puts charts under a common title, `columns` side by side.
     pub fn new(title: impl Into<String>, columns: usize, charts: Vec<LineChart>) -> Self {
         Self {
             title: title.into(),
@@ -35,7 +35,7 @@ impl Panels {
         }
     }
 
-    /// One legend, that of the first chart, below all charts.
+    /// Shows one legend, that of the first chart, below all charts.
     #[must_use]
     pub fn common_legend(mut self) -> Self {
         self.common_legend = true;

@@ -5,7 +5,9 @@ use crate::axis::{Axis, Span};
 use crate::color::Colormap;
 use crate::error::FigureError;
 use crate::frame::{INK, LABEL_SIZE, LINE_HEIGHT, TICK_SIZE};
-use crate::svg::{Anchor, Area, Canvas, Px, Stroke, TextStyle};
+use crate::markup::Px;
+use crate::shape::{Anchor, Area, Stroke, TextStyle};
+use crate::svg::Canvas;
 use crate::text::{self, Weight};
 
 const WIDTH: f64 = 15.0;

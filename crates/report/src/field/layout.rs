@@ -6,7 +6,7 @@ use crate::axis::ticks::significant;
 use crate::axis::{Axis, Span};
 use crate::error::FigureError;
 use crate::frame::{Frame, Heading, OUTER, TITLE_SIZE};
-use crate::svg::Area;
+use crate::shape::Area;
 
 const BAR_GAP: f64 = 18.0;
 /// Room for a point at either end of the colour bar \[px\].

@@ -5,7 +5,9 @@ use std::collections::HashMap;
 use super::{FieldPlot, Mirror};
 use crate::color::Color;
 use crate::frame::Frame;
-use crate::svg::{Canvas, Stroke, push_point};
+use crate::markup::push_point;
+use crate::shape::Stroke;
+use crate::svg::Canvas;
 
 const OUTLINE: Color = Color::rgb(0x22, 0x22, 0x22);
 const MESH: Color = Color::rgb(0x44, 0x44, 0x44);

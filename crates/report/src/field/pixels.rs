@@ -1,8 +1,9 @@
-//! Large meshes, painted into an indexed PNG.
+//! Large meshes, painted into an image of indexed colours.
 
 use super::patch::Patch;
 use super::shading::{NO_VALUE, Paint};
 use crate::color::Color;
+use crate::image::Image;
 
 /// Image pixels per figure pixel.
 pub(crate) const SCALE: f64 = 3.0;
@@ -16,12 +17,11 @@ const COLORS: usize = 254;
 /// Slits of up to twice this between cells are closed \[image pixels\].
 const SLIT: f64 = 0.75;
 
-/// The field as a PNG over the frame's area, if the mesh is too large for paths.
-/// The error is the reason why the PNG could not be written.
-pub(crate) fn painted(paint: &Paint<'_>, patches: &[Patch]) -> Result<Option<Vec<u8>>, String> {
+/// The field as an image over the frame's area, if the mesh is too large for paths.
+pub(crate) fn painted(paint: &Paint<'_>, patches: &[Patch]) -> Option<Image> {
     let pieces: usize = patches.iter().map(|patch| paint.cuts(patch).pow(2)).sum();
     if patches.len() < MANY_CELLS && pieces < MANY_PIECES {
-        return Ok(None);
+        return None;
     }
     let mut picture = Picture::new(paint);
     for patch in patches {
@@ -31,10 +31,7 @@ pub(crate) fn painted(paint: &Paint<'_>, patches: &[Patch]) -> Result<Option<Vec
             }
         });
     }
-    picture
-        .encode(paint)
-        .map(Some)
-        .map_err(|cause| cause.to_string())
+    Some(picture.image(paint))
 }
 
 struct Picture {
@@ -73,10 +70,13 @@ impl Picture {
         let Some(triangle) = Triangle::new(points) else {
             return;
         };
+        let columns = triangle.reach(0, self.width);
         for row in triangle.reach(1, self.height) {
-            for column in triangle.reach(0, self.width) {
-                let weights = triangle.weights([column as f64, row as f64]);
-                let pixel = &mut self.indices[row * self.width + column];
+            let along = triangle.along_row(row as f64);
+            let pixels = &mut self.indices[row * self.width..][..self.width];
+            for column in columns.clone() {
+                let weights = along.map(|[rise, start]| rise * column as f64 + start);
+                let pixel = &mut pixels[column];
                 let inside = weights.iter().all(|weight| *weight >= 0.0);
                 if inside || (*pixel == 0 && triangle.is_near(weights)) {
                     let value = weights
@@ -90,33 +90,23 @@ impl Picture {
         }
     }
 
-    fn encode(&self, paint: &Paint<'_>) -> Result<Vec<u8>, png::EncodingError> {
-        let channels = |color: Color| [color.red, color.green, color.blue];
+    fn image(self, paint: &Paint<'_>) -> Image {
         let colors = (0..COLORS).map(|k| paint.colormap.at((k as f64 + 0.5) / COLORS as f64));
-        let palette: Vec<u8> = [Color::rgb(255, 255, 255), NO_VALUE]
-            .into_iter()
-            .chain(colors)
-            .flat_map(channels)
-            .collect();
-        let mut file = Vec::new();
-        let mut encoder = png::Encoder::new(&mut file, self.width as u32, self.height as u32);
-        encoder.set_color(png::ColorType::Indexed);
-        encoder.set_depth(png::BitDepth::Eight);
-        encoder.set_palette(palette);
-        encoder.set_trns(vec![0_u8]);
-        encoder.set_compression(png::Compression::High);
-        let mut writer = encoder.write_header()?;
-        writer.write_image_data(&self.indices)?;
-        writer.finish()?;
-        Ok(file)
+        let ends = [Color::rgb(255, 255, 255), NO_VALUE];
+        Image {
+            width: self.width,
+            palette: ends.into_iter().chain(colors).collect(),
+            is_first_transparent: true,
+            indices: self.indices,
+        }
     }
 }
 
 /// A triangle in image pixels, for barycentric weights.
 struct Triangle {
     points: [[f64; 2]; 3],
-    /// Twice the area, with the sign of the corners' order.
-    doubled: f64,
+    /// The weight of each corner at (x, y), a x + b y + c, as (a, b, c).
+    weights: [[f64; 3]; 3],
     /// The weight that [`SLIT`] pixels outside the side opposite to each corner stand for.
     margins: [f64; 3],
 }
@@ -125,20 +115,24 @@ impl Triangle {
     /// A triangle, unless it has no area.
     fn new(points: [[f64; 2]; 3]) -> Option<Self> {
         let [a, b, c] = points;
-        let doubled = cross(a, b, c);
-        let side = |p: [f64; 2], q: [f64; 2]| (q[0] - p[0]).hypot(q[1] - p[1]);
-        let margins = [side(b, c), side(c, a), side(a, b)].map(|s| SLIT * s / doubled.abs());
+        let doubled = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+        // Zero on the side from p to q.
+        let weight = |p: [f64; 2], q: [f64; 2]| {
+            [p[1] - q[1], q[0] - p[0], p[0] * q[1] - q[0] * p[1]].map(|part| part / doubled)
+        };
+        let weights = [weight(b, c), weight(c, a), weight(a, b)];
+        // The weight rises across the side by the length of its gradient.
+        let margins = weights.map(|[x, y, _]| SLIT * (x * x + y * y).sqrt());
         (doubled != 0.0).then_some(Self {
             points,
-            doubled,
+            weights,
             margins,
         })
     }
 
-    /// The weight of each corner at `point`; they sum to one.
-    fn weights(&self, point: [f64; 2]) -> [f64; 3] {
-        let [a, b, c] = self.points;
-        [cross(point, b, c), cross(a, point, c), cross(a, b, point)].map(|w| w / self.doubled)
+    /// The weight of each corner at (x, `y`), a x + b, as (a, b).
+    fn along_row(&self, y: f64) -> [[f64; 2]; 3] {
+        self.weights.map(|[a, b, c]| [a, b * y + c])
     }
 
     fn is_near(&self, weights: [f64; 3]) -> bool {
@@ -157,11 +151,6 @@ impl Triangle {
         let end = (high.floor() + 1.0) as usize;
         low.ceil() as usize..end.min(count)
     }
-}
-
-/// Twice the signed area of a triangle.
-fn cross(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
-    (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
 }
 
 fn index_of(paint: &Paint<'_>, value: f64) -> u8 {

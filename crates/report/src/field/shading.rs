@@ -6,7 +6,8 @@ use super::patch::Patch;
 use crate::axis::Span;
 use crate::color::{Color, Colormap};
 use crate::frame::Frame;
-use crate::svg::{Canvas, Stroke};
+use crate::shape::Stroke;
+use crate::svg::Canvas;
 
 /// Colours between the ends of the bar.
 pub(crate) const LEVELS: usize = 128;

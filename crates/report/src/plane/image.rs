@@ -1,10 +1,10 @@
-//! Pixels as an indexed PNG of the figure's own resolution.
+//! Pixels as an image of the figure's own resolution.
 
 use super::{Pixels, PlanePlot, no_value};
 use crate::axis::Span;
 use crate::color::{Color, Colormap};
-use crate::error::FigureError;
-use crate::svg::Area;
+use crate::image::Image;
+use crate::shape::Area;
 
 /// Palette: 0 is no value, the rest are colours.
 const COLORS: usize = 255;
@@ -20,17 +20,11 @@ fn colors(colormap: Colormap) -> usize {
 }
 
 /// Where the pixels are in the figure, and their image.
-pub(super) fn png(
-    plot: &PlanePlot<'_>,
-    area: &Area,
-    range: &Span,
-) -> Result<Option<(Area, Vec<u8>)>, FigureError> {
-    let Some(pixels) = &plot.pixels else {
-        return Ok(None);
-    };
+pub(super) fn painted(plot: &PlanePlot<'_>, area: &Area, range: &Span) -> Option<(Area, Image)> {
+    let pixels = plot.pixels.as_ref()?;
     let rows = pixels.values.len() / pixels.columns;
     if rows == 0 {
-        return Ok(None);
+        return None;
     }
     let placed = placed(plot, pixels, area);
     let [width, height] = [(placed.width, pixels.columns), (placed.height, rows)]
@@ -52,15 +46,15 @@ pub(super) fn png(
             }));
         }
     }
-    let bytes = encoded(plot.colormap, [width, height], &indices);
-    bytes
-        .map(|bytes| Some((placed, bytes)))
-        .map_err(|cause| FigureError::Raster {
-            width: placed.width,
-            height: placed.height,
-            scale: plot.sharpness,
-            reason: cause.to_string(),
-        })
+    Some((
+        placed,
+        Image {
+            width,
+            palette: palette(plot.colormap),
+            is_first_transparent: false,
+            indices,
+        },
+    ))
 }
 
 /// The part of the figure that the picture covers; it may reach beyond the window.
@@ -114,26 +108,8 @@ impl Source<'_> {
     }
 }
 
-fn encoded(
-    colormap: Colormap,
-    [width, height]: [usize; 2],
-    indices: &[u8],
-) -> Result<Vec<u8>, png::EncodingError> {
-    let channels = |color: Color| [color.red, color.green, color.blue];
+fn palette(colormap: Colormap) -> Vec<Color> {
     let count = colors(colormap);
     let colors = (0..count).map(|k| colormap.at((k as f64 + 0.5) / count as f64));
-    let palette: Vec<u8> = std::iter::once(no_value(colormap))
-        .chain(colors)
-        .flat_map(channels)
-        .collect();
-    let mut file = Vec::new();
-    let mut encoder = png::Encoder::new(&mut file, width as u32, height as u32);
-    encoder.set_color(png::ColorType::Indexed);
-    encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_palette(palette);
-    encoder.set_compression(png::Compression::High);
-    let mut writer = encoder.write_header()?;
-    writer.write_image_data(indices)?;
-    writer.finish()?;
-    Ok(file)
+    std::iter::once(no_value(colormap)).chain(colors).collect()
 }

@@ -8,11 +8,11 @@ use super::console::Console;
 use super::experiment::{self, Kind, kind_of};
 use super::failure::Failure;
 use super::located::locate;
-use crate::model::{Model, ModelBodyKind};
-use crate::output::counted;
-use crate::scene::Scene;
-use crate::scene::schema::{Body, Division, LoadKind, MeshSettings, Outline, Shape, Substance};
-use crate::units::{Dimension, Unit};
+use stickslip_engine::model::{Model, ModelBodyKind};
+use stickslip_scene::Scene;
+use stickslip_scene::schema::{Body, Division, LoadKind, MeshSettings, Substance};
+use stickslip_scene::units::{Dimension, Unit};
+use stickslip_text::counted;
 
 const DEGREE: Unit = Unit {
     name: "deg",
@@ -116,50 +116,7 @@ fn outline(scene: &Scene, model: &Model) -> Vec<(&'static str, String)> {
 
 fn body_line(scene: &Scene, body: &Body) -> String {
     let show = |value: f64| scene.display.length.show(value);
-    let shape = match body.shape {
-        Shape::PlateWithHole {
-            hole_radius,
-            outline:
-                Outline::Strip {
-                    half_width,
-                    left,
-                    right,
-                },
-        } => format!(
-            "strip {} wide, {} to the left and {} to the right of a hole of radius {}",
-            show(2.0 * half_width),
-            show(left),
-            show(right),
-            show(hole_radius)
-        ),
-        Shape::PlateWithHole {
-            hole_radius,
-            outline: Outline::Ring { radius },
-        } => {
-            format!("ring of radii {} and {}", show(hole_radius), show(radius))
-        }
-        Shape::Disk { radius } => format!("disk of radius {}", show(radius)),
-        Shape::Rectangle { width, height } => {
-            format!("rectangle {} by {}", show(width), show(height))
-        }
-        Shape::Block { half_length, depth } => {
-            format!(
-                "block {} long and {} deep",
-                show(2.0 * half_length),
-                show(depth)
-            )
-        }
-        Shape::Cylinder {
-            radius,
-            half_length,
-            depth,
-        } => format!(
-            "cylinder of radius {}, {} long and {} high",
-            show(radius),
-            show(2.0 * half_length),
-            show(depth)
-        ),
-    };
+    let shape = body.shape.describe(&show);
     match &body.substance {
         Substance::Elastic {
             material,

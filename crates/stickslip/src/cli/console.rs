@@ -4,7 +4,7 @@ use std::io::{self, IsTerminal, Write};
 
 use serde::Serialize;
 use serde_json::json;
-use stickslip_report::plain::printable;
+use stickslip_text::plain::printable;
 
 use super::failure::{CommandError, Failure};
 

@@ -8,23 +8,25 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use miette::Diagnostic;
 use serde_json::json;
-use stickslip_report::folder::FolderError;
 use thiserror::Error;
 
 use super::console::Console;
-use super::failure::{CommandError, Failure};
+use super::failure::{CommandError, Failure, OwnError};
 use super::folder::{Owner, prepare};
-use super::memory::limits;
-use super::run::located;
-use crate::diagnostic::{SceneError, SourceText};
-use crate::experiment::chain::{Depth, tell};
-use crate::experiment::plan::RegionShape;
-use crate::experiment::story::StoryError;
-use crate::experiment::{Experiment, ExperimentError};
-use crate::limits::Content;
-use crate::run::Progress;
-use crate::scene::Format;
-use crate::scene::document::Document;
+use super::located::located;
+use super::memory::host;
+use crate::folder::FolderError;
+use crate::keep;
+use stickslip_engine::run::Progress;
+use stickslip_measure::ExperimentError;
+use stickslip_measure::chain::Depth;
+use stickslip_present::experiment::tell;
+use stickslip_scene::Format;
+use stickslip_scene::diagnostic::{SceneError, SourceText};
+use stickslip_scene::document::Document;
+use stickslip_scene::experiment::Experiment;
+use stickslip_scene::experiment::RegionShape;
+use stickslip_scene::limits::Content;
 
 #[derive(Debug, Args)]
 pub(super) struct ExperimentArguments {
@@ -55,7 +57,18 @@ enum KeepError {
     Folder(#[from] FolderError),
     #[error(transparent)]
     #[diagnostic(code(experiment::output))]
-    Story(#[from] StoryError),
+    Story(keep::KeepError),
+}
+
+impl OwnError for KeepError {}
+
+impl From<keep::KeepError> for KeepError {
+    fn from(error: keep::KeepError) -> Self {
+        match error {
+            keep::KeepError::Folder(error) => Self::Folder(error),
+            other => Self::Story(other),
+        }
+    }
 }
 
 /// Goes through the chain to `depth`. The folder is made first, so that a long chain does not end in front of a closed door.
@@ -68,8 +81,7 @@ pub(super) fn experiment(
         let path = arguments.experiment.display().to_string();
         return Err(CommandError::SceneGiven { path }.into());
     }
-    let experiment =
-        Experiment::from_file_within(&arguments.experiment, &arguments.overrides, limits())?;
+    let experiment = Experiment::from_file(&arguments.experiment, &arguments.overrides, host())?;
     let path = arguments.folder();
     keep_apart(&experiment, &arguments.experiment, &path)?;
     let folder =
@@ -81,7 +93,7 @@ pub(super) fn experiment(
     bar.finish_and_clear();
     let story = told.map_err(|error| at_its_line(&experiment, &error))?;
     let (answers, summary) = (story.text_answers(), story.summary());
-    let path = story.write(folder).map_err(KeepError::from)?;
+    let path = keep::story(story, folder).map_err(KeepError::from)?;
     let text = || format!("{answers}\nresults in {}\n", path.display());
     console.result(text, &summary)
 }
@@ -173,7 +185,7 @@ pub(super) enum Kind {
 pub(super) fn kind_of(path: &Path) -> Option<Kind> {
     let source = SourceText {
         name: String::new(),
-        text: limits().read_text(path, Content::Document).ok()?,
+        text: host().read_text(path, Content::Document).ok()?,
     };
     let document = Document::parse(source, Format::of_path(path)).ok()?;
     let has = |key: &str| document.root.get(key).is_some();
@@ -188,9 +200,9 @@ pub(super) fn kind_of(path: &Path) -> Option<Kind> {
 
 /// Checks an experiment: what it says, its data files, that they cover its region, and that this can be analysed.
 pub(super) fn check(path: &Path, overrides: &[String], console: Console) -> Result<(), Failure> {
-    let experiment = Experiment::from_file_within(path, overrides, limits())?;
+    let experiment = Experiment::from_file(path, overrides, host())?;
     let refuse = |error: ExperimentError| at_its_line(&experiment, &error);
-    let checked = crate::experiment::check::check(&experiment).map_err(refuse)?;
+    let checked = stickslip_present::experiment::check::check(&experiment).map_err(refuse)?;
     let text = || {
         let line = |(name, text): &(&str, String)| format!("{name:10} {text}");
         let lines: Vec<String> = checked.iter().map(line).collect();

@@ -3,7 +3,7 @@
 use miette::Diagnostic;
 use thiserror::Error;
 
-use crate::diagnostic::{FindingSummary, SceneError, render};
+use stickslip_scene::diagnostic::{FindingSummary, SceneError, render};
 
 /// A failure outside the scene.
 #[derive(Debug, Error, Diagnostic)]
@@ -113,7 +113,12 @@ impl From<SceneError> for Failure {
     }
 }
 
-impl<E: Diagnostic + Send + Sync + 'static> From<E> for Failure {
+/// An error of the command itself, not of a scene.
+pub(super) trait OwnError: Diagnostic + Send + Sync + 'static {}
+
+impl OwnError for CommandError {}
+
+impl<E: OwnError> From<E> for Failure {
     fn from(error: E) -> Self {
         Self::Other(Box::new(error))
     }
@@ -134,7 +139,7 @@ impl Failure {
             Self::Scene(error) => error
                 .findings()
                 .iter()
-                .map(crate::diagnostic::Finding::summary)
+                .map(stickslip_scene::diagnostic::Finding::summary)
                 .collect(),
             Self::Other(error) => vec![FindingSummary {
                 code: error.code().map(|code| code.to_string()),

@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use serde_json::Value;
-use stickslip_report::folder::{FolderError, Overwrite, ResultFolder, Results};
 
 use super::console::Console;
 use super::interrupt::guarded;
+use crate::folder::{FolderError, Overwrite, ResultFolder, Results};
 
 /// The commands whose results replace one another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,80 +4,12 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use serde_json::json;
-use stickslip_report::folder::{FolderError, write_new};
 
 use super::console::Console;
 use super::failure::{CommandError, Failure};
-use crate::scene::Format;
-
-/// What a template is, and so what comes next.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Scene,
-    Experiment,
-}
-
-/// A commented scene or experiment that comes with the program.
-#[derive(Debug)]
-pub(super) struct Template {
-    pub(super) name: &'static str,
-    pub(super) summary: &'static str,
-    kind: Kind,
-    text: &'static str,
-    /// Data files that it refers to, written beside it.
-    data: &'static [(&'static str, &'static str)],
-}
-
-pub(super) const TEMPLATES: [Template; 6] = [
-    Template {
-        name: "pin-loaded-plate",
-        summary: "elastic pin in a plate of finite width, loaded and unloaded, static and dynamic friction",
-        kind: Kind::Scene,
-        text: include_str!("../templates/pin-loaded-plate.toml"),
-        data: &[],
-    },
-    Template {
-        name: "pin-infinite-plate",
-        summary: "frictionless pin in an infinite plate, with the closed form to compare with",
-        kind: Kind::Scene,
-        text: include_str!("../templates/pin-infinite-plate.toml"),
-        data: &[(
-            "persson-ring5R-65deg.csv",
-            include_str!("../templates/persson-ring5R-65deg.csv"),
-        )],
-    },
-    Template {
-        name: "laminate-joint",
-        summary: "pinned joint of a laminate: first ply, characteristic curve and the mode that governs",
-        kind: Kind::Scene,
-        text: include_str!("../templates/laminate-joint.toml"),
-        data: &[],
-    },
-    Template {
-        name: "hertz",
-        summary: "cylinder pressed on a block of the same material, plane strain",
-        kind: Kind::Scene,
-        text: include_str!("../templates/hertz.toml"),
-        data: &[],
-    },
-    Template {
-        name: "open-hole",
-        summary: "strip with a hole under tension, no contact",
-        kind: Kind::Scene,
-        text: include_str!("../templates/open-hole.toml"),
-        data: &[],
-    },
-    Template {
-        name: "experiment",
-        summary: "measured displacements around a hole, from a table of your own, with a sample",
-        kind: Kind::Experiment,
-        text: include_str!("../templates/experiment.toml"),
-        data: &[(
-            "experiment.csv",
-            include_str!("../templates/experiment.csv"),
-        )],
-    },
-];
+use crate::folder::{FolderError, write_new};
+use stickslip_scene::Format;
+use stickslip_scene::templates::{Kind, TEMPLATES, Template};
 
 #[derive(Debug, Args)]
 pub(super) struct InitArguments {
@@ -206,20 +138,26 @@ fn write_all_new(files: &[(PathBuf, String)], template: &Template) -> Result<(),
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::experiment::Experiment;
-    use crate::scene::Scene;
+    use crate::host::HOST;
+    use stickslip_scene::Scene;
+    use stickslip_scene::experiment::Experiment;
 
     #[test]
     fn every_template_is_valid_as_it_stands() {
-        let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/src/templates"));
+        let folder = Path::new(concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../scene/src/templates"
+        ));
         for template in &TEMPLATES {
             let name = format!("{}.toml", template.name);
             let (text, none) = (template.text, &[] as &[&str]);
             let told = match template.kind {
-                Kind::Scene => Scene::from_text(text, Format::Toml, &name, folder, none)
+                Kind::Scene => Scene::from_text_on(text, Format::Toml, &name, folder, none, HOST)
                     .map(|scene| (scene.title, scene.description)),
-                Kind::Experiment => Experiment::from_text(text, Format::Toml, &name, folder, none)
-                    .map(|experiment| (experiment.title, experiment.description)),
+                Kind::Experiment => {
+                    Experiment::from_text(text, Format::Toml, &name, folder, none, HOST)
+                        .map(|experiment| (experiment.title, experiment.description))
+                }
             };
             let (title, description) =
                 told.unwrap_or_else(|error| panic!("{}", error.render(100, false)));

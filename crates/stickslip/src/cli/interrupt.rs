@@ -4,10 +4,9 @@ use std::process::exit;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use stickslip_report::folder::{Abandoned, FolderError, FolderHandle, ResultFolder};
-
 use super::console::Console;
 use super::failure::CommandError;
+use crate::folder::{Abandoned, FolderError, FolderHandle, ResultFolder};
 
 /// What shells report for a process that SIGINT ended, 128 + 2; also for the other signals, which the handler cannot tell apart.
 pub(super) const INTERRUPTED: i32 = 130;

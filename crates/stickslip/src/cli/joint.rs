@@ -11,24 +11,25 @@ use std::time::Instant;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use miette::Diagnostic;
+use rayon::prelude::*;
 use serde_json::{Value, json};
 use stickslip_report::FigureError;
-use stickslip_report::folder::{FolderError, LIST, MARKER, SharedFolder};
 use stickslip_report::page::PageError;
 use stickslip_report::raster::{DEFAULT_SCALE, to_png};
 use thiserror::Error;
 
 use super::console::Console;
-use super::failure::Failure;
+use super::failure::{Failure, OwnError};
 use super::folder::of_a_sweep;
 use super::interrupt::{INTERRUPTED, flag};
-use super::memory::limits;
-use crate::limits::Content;
+use super::memory::host;
+use crate::folder::{FolderError, LIST, MARKER, SharedFolder};
 use crate::sweep::engine::run;
 use crate::sweep::figures::{Drawing, draw};
 use crate::sweep::page::{Account, page};
 use crate::sweep::row::Row;
 use crate::sweep::{Sweep, SweepError, table, verdict};
+use stickslip_scene::limits::Content;
 
 const TABLE: &str = "cases.csv";
 const IDENTITY: &str = "sweep.json";
@@ -113,12 +114,14 @@ enum JointError {
     },
 }
 
+impl OwnError for JointError {}
+
 /// Solves all cases that the folder's table does not have yet.
 pub(super) fn joint(arguments: &JointArguments, console: Console) -> Result<(), Failure> {
-    let sweep = Sweep::from_file_within(
+    let sweep = Sweep::from_file(
         &arguments.sweep,
         &arguments.overrides,
-        limits().shared_by(arguments.jobs().get()),
+        host().shared_by(arguments.jobs().get()),
     )?;
     let folder = arguments.folder();
     let (mut files, mut rows) = open(&sweep, &folder, arguments.resume)?;
@@ -208,7 +211,7 @@ fn open(
             return Err(JointError::Exists { path: shown });
         }
         let read = |path: &Path, content| {
-            let text = limits().read_text(path, content);
+            let text = host().read_text(path, content);
             text.map_err(|cause| file(path, &cause))
         };
         check_identity(sweep, &read(&identity, Content::Document)?)?;
@@ -275,14 +278,18 @@ fn keep(
 }
 
 fn write_pictures(drawings: &[Drawing], files: &mut SharedFolder) -> Result<(), JointError> {
-    for drawing in drawings {
-        let png = to_png(&drawing.picture, DEFAULT_SCALE).map_err(|cause| JointError::Picture {
+    let drawn = drawings.par_iter().map(|drawing| {
+        let png = to_png(&drawing.picture, DEFAULT_SCALE);
+        png.map_err(|cause| JointError::Picture {
             name: drawing.name.clone(),
             cause,
-        })?;
+        })
+    });
+    let drawn: Vec<Vec<u8>> = drawn.collect::<Result<_, _>>()?;
+    for (drawing, png) in drawings.iter().zip(&drawn) {
         let svg = drawing.picture.as_str().as_bytes();
         files.write(&format!("figures/{}.svg", drawing.name), svg)?;
-        files.write(&format!("figures/{}.png", drawing.name), &png)?;
+        files.write(&format!("figures/{}.png", drawing.name), png)?;
     }
     Ok(())
 }

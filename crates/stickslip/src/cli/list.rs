@@ -7,14 +7,16 @@ use std::fmt::Write as _;
 
 use clap::{Args, ValueEnum};
 use serde_json::{Map, Value, json};
+use stickslip_contact::solver::{SOLVERS, SolverInfo};
 use stickslip_fem_core::mesh::ElementKind;
 use stickslip_friction::{ParameterInfo, laws};
+use stickslip_laminate::progressive::point_models;
 
 use super::console::Console;
 use super::failure::Failure;
-use super::init::TEMPLATES;
-use crate::output::{SIGNS, signs_table};
-use crate::units::Dimension;
+use stickslip_present::results::{SIGNS, signs_table};
+use stickslip_scene::templates::TEMPLATES;
+use stickslip_scene::units::Dimension;
 
 #[derive(Debug, Args)]
 pub(super) struct ListArguments {
@@ -28,6 +30,7 @@ enum Topic {
     Loads,
     Layups,
     Criteria,
+    Models,
     Templates,
     Presets,
     Elements,
@@ -45,19 +48,6 @@ const LOADS: [(&str, &str); 5] = [
     ("pressure", "a pressure on an edge"),
     ("polar_traction", "stresses on a circle, from a file"),
     ("temperature", "a temperature change of a body"),
-];
-
-const SOLVERS: [(&str, &str); 4] = [
-    (
-        "auto",
-        "climbs from the fastest to the safest until one succeeds (default)",
-    ),
-    ("status", "iteration of open, stick and slip per node"),
-    ("newton", "semismooth Newton on the contact conditions"),
-    (
-        "pivoting",
-        "Lemke's pivoting on the linear complementarity problem",
-    ),
 ];
 
 /// Columns of the tables of edges, what they are measured in, and what they are.
@@ -102,6 +92,7 @@ fn name(topic: Topic) -> &'static str {
         Topic::Loads => "loads",
         Topic::Layups => "layups",
         Topic::Criteria => "criteria",
+        Topic::Models => "models",
         Topic::Templates => "templates",
         Topic::Presets => "presets",
         Topic::Elements => "elements",
@@ -111,25 +102,31 @@ fn name(topic: Topic) -> &'static str {
     }
 }
 
-fn element_summary(kind: ElementKind) -> &'static str {
-    match kind {
-        ElementKind::T3 => "linear triangle",
-        ElementKind::T6 => "quadratic triangle",
-        ElementKind::Q4 => "bilinear quadrilateral",
-        ElementKind::Q8 => "serendipity quadrilateral (default)",
-        ElementKind::Q9 => "biquadratic quadrilateral",
-    }
+fn element_summary(kind: ElementKind) -> String {
+    let default = if kind == ElementKind::Q8 {
+        " (default)"
+    } else {
+        ""
+    };
+    format!("{}{default}", kind.summary())
 }
 
 fn text(topic: Topic) -> String {
     match topic {
-        Topic::Laws => laws_text(),
+        Topic::Laws => {
+            let rows = laws().map(|law| (law.name, law.summary, law.parameters));
+            parameters_text("Friction laws, for contacts.N.friction.NAME", rows)
+        }
         Topic::Loads => {
             let row = |(name, summary): (&str, &str)| (name.to_owned(), summary.to_owned());
             table("Loads, for loads.N.NAME", LOADS.into_iter().map(row))
         }
         Topic::Layups => laminates::layups_text(),
         Topic::Criteria => laminates::criteria_text(),
+        Topic::Models => {
+            let rows = point_models().map(|model| (model.name, model.summary, model.parameters));
+            parameters_text("Point models, for failure.progressive.model.NAME", rows)
+        }
         Topic::Templates => {
             let rows = TEMPLATES
                 .iter()
@@ -138,15 +135,15 @@ fn text(topic: Topic) -> String {
         }
         Topic::Presets => presets::text(),
         Topic::Elements => {
-            let row = |kind: ElementKind| (format!("{kind:?}"), element_summary(kind).to_owned());
+            let row = |kind: ElementKind| (kind.name().to_owned(), element_summary(kind));
             table(
                 "Elements, for mesh.element",
                 ElementKind::ALL.into_iter().map(row),
             )
         }
         Topic::Solvers => {
-            let row = |(name, summary): (&str, &str)| (name.to_owned(), summary.to_owned());
-            table("Solvers, for analysis.solver", SOLVERS.into_iter().map(row))
+            let row = |solver: &SolverInfo| (solver.name.to_owned(), solver_summary(solver));
+            table("Solvers, for analysis.solver", SOLVERS.iter().map(row))
         }
         Topic::Units => {
             let row = |dimension: Dimension| {
@@ -184,18 +181,17 @@ fn table(title: &str, rows: impl Iterator<Item = (String, String)>) -> String {
     format!("{title}\n{}\n", lines.join("\n"))
 }
 
-fn laws_text() -> String {
-    let mut text = "Friction laws, for contacts.N.friction.NAME\n".to_owned();
-    for law in laws() {
+/// A law or point model: name, summary and parameters.
+type Registered = (&'static str, &'static str, &'static [ParameterInfo]);
+
+fn parameters_text(title: &str, rows: impl Iterator<Item = Registered>) -> String {
+    let mut text = format!("{title}\n");
+    for (name, summary, parameters) in rows {
         // Writing into a string does not fail.
-        let _ = writeln!(text, "\n  {} – {}", law.name, law.summary);
-        let width = law
-            .parameters
-            .iter()
-            .map(|parameter| parameter.path.len())
-            .max()
-            .unwrap_or_default();
-        for parameter in law.parameters {
+        let _ = writeln!(text, "\n  {name} – {summary}");
+        let widths = parameters.iter().map(|parameter| parameter.path.len());
+        let width = widths.max().unwrap_or_default();
+        for parameter in parameters {
             let _ = writeln!(
                 text,
                 "    {:width$}  {:13}  {:20}  {}",
@@ -207,6 +203,21 @@ fn laws_text() -> String {
         }
     }
     text
+}
+
+fn parameters_value((name, summary, parameters): Registered) -> Value {
+    let parameters: Vec<_> = parameters
+        .iter()
+        .map(|parameter| {
+            json!({
+                "path": parameter.path,
+                "dimension": parameter.dimension.to_string(),
+                "default": parameter.default,
+                "meaning": parameter.meaning,
+            })
+        })
+        .collect();
+    json!({ "name": name, "summary": summary, "parameters": parameters })
 }
 
 fn default_of(parameter: &ParameterInfo) -> String {
@@ -224,21 +235,10 @@ fn value(topic: Topic) -> Value {
         Topic::Layups => laminates::layups_value(),
         Topic::Criteria => laminates::criteria_value(),
         Topic::Laws => laws()
-            .map(|law| {
-                let parameters: Vec<_> = law
-                    .parameters
-                    .iter()
-                    .map(|parameter| {
-                        json!({
-                            "path": parameter.path,
-                            "dimension": parameter.dimension.to_string(),
-                            "default": parameter.default,
-                            "meaning": parameter.meaning,
-                        })
-                    })
-                    .collect();
-                json!({ "name": law.name, "summary": law.summary, "parameters": parameters })
-            })
+            .map(|law| parameters_value((law.name, law.summary, law.parameters)))
+            .collect(),
+        Topic::Models => point_models()
+            .map(|model| parameters_value((model.name, model.summary, model.parameters)))
             .collect(),
         Topic::Templates => TEMPLATES
             .iter()
@@ -251,7 +251,7 @@ fn value(topic: Topic) -> Value {
             .collect(),
         Topic::Solvers => SOLVERS
             .iter()
-            .map(|(name, summary)| json!({ "name": name, "summary": summary }))
+            .map(|solver| json!({ "name": solver.name, "summary": solver_summary(solver) }))
             .collect(),
         Topic::Units => {
             let names = |dimension: Dimension| json!(dimension.unit_names().collect::<Vec<_>>());
@@ -269,4 +269,13 @@ fn value(topic: Topic) -> Value {
             json!({ "columns": columns, "signs": signs })
         }
     }
+}
+
+fn solver_summary(solver: &SolverInfo) -> String {
+    let condition = if solver.experimental {
+        " (needs analysis.experimental = true)"
+    } else {
+        ""
+    };
+    format!("{}{condition}", solver.summary)
 }

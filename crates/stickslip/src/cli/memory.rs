@@ -3,17 +3,23 @@
 use std::fs;
 use std::path::Path;
 
-use crate::limits::Limits;
+use stickslip_scene::host::Host;
+use stickslip_scene::limits::Limits;
 
-/// What is free now: of the machine, of the control groups that the process is in, and below its own limit of address space.
+use crate::host::HOST;
+
+/// The machine with the memory that is free now: of the machine, of the control groups that the process is in, and below its own limit of address space.
 /// No limit on systems that do not say.
-pub(super) fn limits() -> Limits {
+pub(super) fn host() -> Host {
     let text = |path: &str| fs::read_to_string(path).unwrap_or_default();
     let machine = of_machine(&text("/proc/meminfo"));
     let own = of_process(&text("/proc/self/limits"), &text("/proc/self/statm"));
     let groups = of_groups(&text("/proc/self/cgroup"), Path::new("/sys/fs/cgroup"));
     let memory = [machine, own, groups].into_iter().flatten().min();
-    memory.map_or(Limits::NONE, |memory| Limits { memory })
+    Host {
+        limits: memory.map_or(Limits::NONE, |memory| Limits { memory }),
+        ..HOST
+    }
 }
 
 /// `MemAvailable` and free swap `[byte]`.

@@ -15,7 +15,7 @@
 
 use serde_json::Value;
 
-use crate::units::{Dimension, Expected, Unit, parse, unit_of};
+use stickslip_scene::units::{Dimension, Expected, Unit, parse, unit_of};
 
 /// What an axis varies.
 #[derive(Clone, Debug, PartialEq, Eq)]

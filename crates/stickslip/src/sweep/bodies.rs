@@ -4,9 +4,9 @@ use std::fmt::Write as _;
 
 use sha2::{Digest as _, Sha256};
 
-use crate::model::obstacle_to_half;
-use crate::scene::Scene;
-use crate::scene::schema::{Body, LoadKind, Material, Shape, Substance};
+use stickslip_engine::model::obstacle_to_half;
+use stickslip_scene::Scene;
+use stickslip_scene::schema::{Body, LoadKind, Material, Substance};
 
 /// The key of the elastic body `name`; `None` for a rigid one, and for one whose material cannot be modelled.
 pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
@@ -28,9 +28,11 @@ pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
     );
     // Writing into a string does not fail.
     let _ = write!(text, " {:?}", scene.analysis.model);
-    let _ = match body.shape {
-        Shape::Disk { .. } if size_does_not_matter(scene, name) => write!(text, " disk"),
-        shape => write!(text, " {shape:?} {:?}", holders(scene, name)),
+    let shape = body.shape;
+    let _ = if shape.is_similar() && size_does_not_matter(scene, name) {
+        write!(text, " {}", shape.name())
+    } else {
+        write!(text, " {shape:?} {:?}", holders(scene, name))
     };
     for support in scene
         .supports

@@ -8,9 +8,10 @@ use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Sender, channel};
 use std::sync::{Mutex, PoisonError};
-use std::time::Instant;
 
 use rayon::ThreadPool;
+
+use crate::host::HOST;
 use stickslip_contact::Interface;
 use stickslip_fem_core::InterfaceOperator;
 
@@ -18,10 +19,10 @@ use super::queue::Queue;
 use super::row::{Measures, Outcome, Row};
 use super::store::Store;
 use super::{Sweep, SweepError, bodies};
-use crate::model::{Model, ModelBody, ModelBodyKind, ModelError};
-use crate::results::Results;
-use crate::run::{Operator, follow, results_without_audit, solver};
-use crate::scene::Scene;
+use stickslip_engine::model::{Model, ModelBody, ModelBodyKind, ModelError};
+use stickslip_engine::results::Results;
+use stickslip_engine::run::{Operator, follow, results_without_audit, solver};
+use stickslip_scene::Scene;
 
 /// What a sweep took.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -161,14 +162,14 @@ impl<'a> Shop<'a> {
     }
 
     fn row(&self, case: usize, last: &mut LastModel) -> Row {
-        let start = Instant::now();
+        let start = HOST.seconds();
         let outcome = match self.solved(case, last) {
             Ok(measures) => Outcome::Solved(Box::new(measures)),
             Err(reason) => Outcome::Unresolved(reason),
         };
         Row {
             case,
-            seconds: start.elapsed().as_secs_f64(),
+            seconds: HOST.seconds() - start,
             outcome,
         }
     }

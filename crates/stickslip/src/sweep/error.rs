@@ -3,7 +3,7 @@
 use miette::Diagnostic;
 use thiserror::Error;
 
-/// Why a sweep stops, beyond what is wrong with its files ([`SceneError`](crate::diagnostic::SceneError)) and its cases, which are
+/// Why a sweep stops, beyond what is wrong with its files ([`SceneError`](stickslip_scene::diagnostic::SceneError)) and its cases, which are
 /// rows with their reasons.
 #[derive(Debug, Error, Diagnostic)]
 #[non_exhaustive]

@@ -14,8 +14,8 @@ use super::Sweep;
 use super::axis::Axis;
 use super::row::Row;
 use super::verdict::ORDER;
-use crate::output::short;
-use crate::results::JointMode;
+use stickslip_engine::results::JointMode;
+use stickslip_text::short;
 
 /// Most combinations of further axes that are drawn.
 const MOST_PICTURES: usize = 12;

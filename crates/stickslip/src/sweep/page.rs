@@ -8,7 +8,7 @@ use super::figures::Drawing;
 use super::row::{Measures, Outcome, Row};
 use super::verdict::ORDER;
 use super::{Sweep, verdict};
-use crate::output::short;
+use stickslip_text::short;
 
 /// Most cases that the page lists; the table file has all.
 const MOST_ROWS: usize = 500;

@@ -9,11 +9,13 @@ use std::sync::Arc;
 use serde_json::Value;
 
 use super::axis::{Axis, AxisKey, tidy};
-use crate::diagnostic::{Finding, SceneError, SceneProblem, SourceText};
-use crate::limits::{Content, Limits};
-use crate::scene::document::{Document, Part};
-use crate::scene::schema::{Outline, Shape, Substance};
-use crate::scene::{Format, Scene};
+use stickslip_scene::diagnostic::{Finding, SceneError, SceneProblem, SourceText};
+use stickslip_scene::document::{Document, Part};
+use stickslip_scene::host::Host;
+use stickslip_scene::limits::Content;
+use stickslip_scene::schema::Substance;
+use stickslip_scene::shape::Role;
+use stickslip_scene::{Format, Scene};
 
 /// Version of the sweep format that this program reads.
 const VERSION: u64 = 1;
@@ -22,10 +24,11 @@ const VERSION: u64 = 1;
 ///
 /// ```
 /// use std::path::Path;
+/// use stickslip::host::HOST;
 /// use stickslip::sweep::Sweep;
 ///
 /// # let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
-/// let sweep = Sweep::from_file(&scenes.join("sweeps/mode-map.toml"), &["mesh.spacing=6 deg"])?;
+/// let sweep = Sweep::from_file(&scenes.join("sweeps/mode-map.toml"), &["mesh.spacing=6 deg"], HOST)?;
 /// assert_eq!(sweep.cases(), 30);
 /// assert_eq!(sweep.name_of(0), "e/D = 1.5, W/D = 2");
 /// # Ok::<(), stickslip::diagnostic::SceneError>(())
@@ -68,44 +71,36 @@ struct Base {
     name: String,
     folder: PathBuf,
     overrides: Vec<String>,
-    limits: Limits,
+    host: Host,
 }
 
 impl Base {
     fn scene(&self, further: &[String]) -> Result<Scene, SceneError> {
         let all: Vec<&String> = self.overrides.iter().chain(further).collect();
-        Scene::from_text_within(
+        Scene::from_text_on(
             &self.text,
             self.format,
             &self.name,
             &self.folder,
             &all,
-            self.limits,
+            self.host,
         )
     }
 }
 
 impl Sweep {
-    /// Reads and checks a sweep file, JSON if its name ends in `.json` and otherwise TOML. The `overrides` `key=value` are those of
-    /// its scene.
+    /// Reads and checks a file of `host`, JSON if its name ends in `.json` and otherwise TOML. The `overrides` `key=value` are those of its
+    /// scene. Each case may take no more than the host's limits.
     ///
     /// # Errors
-    /// [`SceneError`] with the first thing that is wrong at its line, in the sweep or in its scene.
-    pub fn from_file(path: &Path, overrides: &[impl AsRef<str>]) -> Result<Self, SceneError> {
-        Self::from_file_within(path, overrides, Limits::NONE)
-    }
-
-    /// As [`from_file`](Self::from_file), where each case may take no more than `limits`.
-    ///
-    /// # Errors
-    /// As [`from_file`](Self::from_file), and for files that are larger.
-    pub fn from_file_within(
+    /// [`SceneError`] with the first thing that is wrong at its line, in the sweep or in its scene; a file that is too large.
+    pub fn from_file(
         path: &Path,
         overrides: &[impl AsRef<str>],
-        limits: Limits,
+        host: Host,
     ) -> Result<Self, SceneError> {
         let name = path.display().to_string();
-        let text = limits.read_text(path, Content::Document).map_err(|error| {
+        let text = host.read_text(path, Content::Document).map_err(|error| {
             let problem = SceneProblem::Unreadable {
                 path: name.clone(),
                 cause: error.to_string(),
@@ -126,7 +121,7 @@ impl Sweep {
         let overrides = overrides.iter().map(|one| one.as_ref().to_owned());
         let source = SourceText { name, text };
         let overrides = overrides.collect();
-        read::sweep(source, Format::of_path(path), folder, overrides, limits)
+        read::sweep(source, Format::of_path(path), folder, overrides, host)
     }
 
     /// Number of cases.
@@ -166,7 +161,7 @@ impl Sweep {
     pub fn scene_of(&self, case: usize) -> Result<Scene, SceneError> {
         let chosen: Vec<(usize, usize)> = self.values_of(case).into_iter().enumerate().collect();
         let mut scene = self.scene_with(&chosen)?;
-        scene.output.fields = crate::scene::schema::FieldOutput::None;
+        scene.output.fields = stickslip_scene::schema::FieldOutput::None;
         scene.output.figures = false;
         if let Some(failure) = &mut scene.failure {
             failure.envelopes = None;
@@ -211,32 +206,29 @@ impl Sweep {
     fn derived(&self, scene: &Scene, axis: usize, value: usize) -> Result<String, SceneError> {
         let own = &self.axes[axis];
         let body = scene.bodies.get(&self.plate);
-        let shape = body.map(|body| body.shape);
-        let Some(Shape::PlateWithHole {
-            hole_radius,
-            outline,
-        }) = shape
-        else {
+        let hole = body.and_then(|body| body.shape.edge_with(Role::Hole));
+        let Some(hole_radius) = hole.and_then(|hole| hole.circle()) else {
             return Err(self.needs(axis, "a plate with a hole"));
         };
-        let strip = matches!(outline, Outline::Strip { .. });
-        let outline = format!("bodies.{}.shape.plate_with_hole.outline.strip", self.plate);
+        // The key of the distance from the hole to a side of the plate.
+        let side = |name: &str| {
+            let size = body.and_then(|body| body.shape.edge(name)?.size);
+            let key = size.map(|size| format!("bodies.{}.shape.{size}", self.plate));
+            key.ok_or_else(|| self.needs(axis, "a plate with outline.strip"))
+        };
         let number = own.numbers.as_ref().and_then(|numbers| numbers.get(value));
         let length = |key: String, value: f64| format!("{key}={} mm", tidy(value));
         match (&own.key, number) {
-            (AxisKey::EndDistance | AxisKey::Width, _) if !strip => {
-                Err(self.needs(axis, "a plate with outline.strip"))
+            (AxisKey::EndDistance, Some(ratio)) => {
+                Ok(length(side("right")?, 2.0 * ratio * hole_radius))
             }
-            (AxisKey::EndDistance, Some(ratio)) => Ok(length(
-                format!("{outline}.right"),
-                2.0 * ratio * hole_radius,
-            )),
-            (AxisKey::Width, Some(ratio)) => {
-                Ok(length(format!("{outline}.half_width"), ratio * hole_radius))
-            }
+            (AxisKey::Width, Some(ratio)) => Ok(length(side("top")?, ratio * hole_radius)),
             (AxisKey::Clearance, Some(clearance)) => {
                 let clearance = own.unit.map_or(*clearance, |unit| clearance * unit.in_base);
-                let key = format!("bodies.{}.shape.disk.radius", self.pin);
+                let pin = scene.bodies.get(&self.pin);
+                let size = pin.and_then(|pin| pin.shape.edge_with(Role::Rim)?.size);
+                let size = size.ok_or_else(|| self.needs(axis, "a pin in its hole"))?;
+                let key = format!("bodies.{}.shape.{size}", self.pin);
                 // To the last digit: a clearance is a small difference of radii.
                 Ok(format!("{key}={} mm", hole_radius - clearance))
             }

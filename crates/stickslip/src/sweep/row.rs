@@ -2,8 +2,8 @@
 
 use super::Sweep;
 use super::axis::tidy;
-use crate::output::LoadScale;
-use crate::results::{BodyFailure, FirstPly, JointMode, LoadValue, Results};
+use stickslip_engine::LoadScale;
+use stickslip_engine::results::{BodyFailure, FirstPly, JointMode, LoadValue, Results};
 
 /// A case.
 #[derive(Clone, Debug, PartialEq)]

@@ -17,11 +17,11 @@
 
 use std::io::Write;
 
-use stickslip_report::plain::{csv_cell, csv_text};
+use stickslip_text::plain::{csv_cell, csv_text};
 
 use super::row::{JointLoad, Measures, Outcome, PlyFailure, Row};
 use super::{Sweep, SweepError};
-use crate::results::JointMode;
+use stickslip_engine::results::JointMode;
 
 /// Outcome of a case that has numbers.
 const SOLVED: &str = "solved";

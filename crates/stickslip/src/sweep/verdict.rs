@@ -2,8 +2,8 @@
 
 use super::Sweep;
 use super::row::{JointLoad, Row};
-use crate::output::short;
-use crate::results::JointMode;
+use stickslip_engine::results::JointMode;
+use stickslip_text::short;
 
 /// The modes from bearing to net tension.
 pub(super) const ORDER: [JointMode; 5] = [

@@ -66,6 +66,21 @@ fn list_shows_layups_and_criteria_with_their_strengths() {
 }
 
 #[test]
+fn list_shows_point_models_with_their_parameters() {
+    let printed = succeeds(Path::new("."), &["list", "models"]);
+    assert!(
+        printed.contains("plasticity") && printed.contains("hardening"),
+        "{printed}"
+    );
+    let models: Value =
+        serde_json::from_str(&succeeds(Path::new("."), &["list", "models", "--json"])).unwrap();
+    let models = models["models"].as_array().unwrap();
+    let names: Vec<_> = models.iter().map(|model| model["name"].as_str()).collect();
+    assert_eq!(names, [Some("plasticity"), Some("ply_discount")]);
+    assert_eq!(models[0]["parameters"][0]["dimension"], "stress");
+}
+
+#[test]
 fn senseless_arguments_exit_with_two() {
     for arguments in [&["solve"][..], &["check"], &["list", "everything"], &[]] {
         let output = stickslip(Path::new("."), arguments);

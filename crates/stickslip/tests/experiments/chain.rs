@@ -4,6 +4,7 @@ use std::fs;
 
 use stickslip::experiment::Experiment;
 use stickslip::experiment::truth::Truth;
+use stickslip::host::HOST;
 use stickslip_hybrid::fringe::decode;
 
 use super::{FRINGES, SCENE, fails, folder_with, numbers, succeeds};
@@ -113,7 +114,7 @@ fn clean_pictures_give_the_displacements_of_the_scene() {
     let folder = folder_with(&[("scene.toml", SCENE), ("e.toml", &text)]);
     let path = folder.path();
     succeeds(path, &["reduce", "e.toml", "--output", "out"]);
-    let experiment = Experiment::from_file(&path.join("e.toml"), &[] as &[&str]).unwrap();
+    let experiment = Experiment::from_file(&path.join("e.toml"), &[] as &[&str], HOST).unwrap();
     let truth = Truth::solve(experiment.specimen.scene.as_ref().unwrap(), &mut |_| ()).unwrap();
     for (name, steps) in [("up", [1, usize::MAX]), ("down", [2, 0])] {
         let rows = numbers(&path.join(format!("out/measured-{name}.csv")));
@@ -156,7 +157,8 @@ fn clean_pictures_give_the_displacements_of_the_scene() {
 #[test]
 fn a_mirrored_half_moves_as_its_other_half_and_the_body_ends_at_its_edge() {
     let folder = folder_with(&[("scene.toml", SCENE), ("e.toml", FRINGES)]);
-    let experiment = Experiment::from_file(&folder.path().join("e.toml"), &[] as &[&str]).unwrap();
+    let experiment =
+        Experiment::from_file(&folder.path().join("e.toml"), &[] as &[&str], HOST).unwrap();
     let truth = Truth::solve(experiment.specimen.scene.as_ref().unwrap(), &mut |_| ()).unwrap();
     assert!(truth.is_half());
     let sampling = truth.sampled(&[[7.0, 2.0], [7.0, -2.0], [1.0, 1.0], [30.0, 0.0]]);

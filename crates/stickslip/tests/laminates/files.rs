@@ -4,10 +4,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
-use stickslip::output;
+use stickslip::folder::{Overwrite, ResultFolder};
+use stickslip::host::HOST;
+use stickslip::keep;
 use stickslip::run;
 use stickslip::scene::Scene;
-use stickslip_report::folder::{Overwrite, ResultFolder};
 use tempfile::TempDir;
 
 use super::{PIN, scene};
@@ -18,7 +19,7 @@ pub(crate) fn written(scene: &Scene) -> (TempDir, PathBuf) {
     let path = folder.path().join("results");
     let results = run::run(scene, &mut |_| {}).unwrap();
     let target = ResultFolder::create(&path, Overwrite::Refuse).unwrap();
-    let path = output::write(&results, target, scene.output.figures).unwrap();
+    let path = keep::results(&results, target, scene.output.figures).unwrap();
     (folder, path)
 }
 
@@ -34,7 +35,7 @@ fn shipped(name: &str, changes: &[&str]) -> Scene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../../scenes")
         .join(name);
-    Scene::from_file(&path, changes).unwrap()
+    Scene::from_file(&path, changes, HOST).unwrap()
 }
 
 #[test]

@@ -12,6 +12,7 @@ mod supports;
 use std::path::Path;
 
 use stickslip::diagnostic::SceneError;
+use stickslip::host::HOST;
 use stickslip::results::Results;
 use stickslip::run;
 use stickslip::scene::{Format, Scene};
@@ -98,7 +99,14 @@ figures = false
 "#;
 
 fn read(text: &str, changes: &[&str]) -> Result<Scene, SceneError> {
-    Scene::from_text(text, Format::Toml, "scene.toml", Path::new(""), changes)
+    Scene::from_text_on(
+        text,
+        Format::Toml,
+        "scene.toml",
+        Path::new(""),
+        changes,
+        HOST,
+    )
 }
 
 fn scene(text: &str, changes: &[&str]) -> Scene {

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use stickslip::host::HOST;
 use stickslip::results::{EdgeStrain, ProgressiveEnd, ProgressiveFailure};
 use stickslip::run::run;
 use stickslip::scene::{Format, Scene};
@@ -9,7 +10,7 @@ use stickslip::scene::{Format, Scene};
 /// The ready scene `name` with further `overrides`.
 fn scene(name: &str, overrides: &[&str]) -> Scene {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
-    Scene::from_file(&folder.join(name), overrides).unwrap()
+    Scene::from_file(&folder.join(name), overrides, HOST).unwrap()
 }
 
 fn followed(name: &str) -> ProgressiveFailure {
@@ -77,6 +78,28 @@ fn flowing_plies_part_from_the_linear_ones_where_the_mode_has_its_place() {
                 .all(|pair| pair[1].dissipated >= pair[0].dissipated)
         );
         assert_eq!(joint.strength, None);
+    }
+}
+
+/// The file gives a plastic modulus; divided by S₁₂² and multiplied again it would lose its last bit in many cases.
+#[test]
+fn the_hardening_stays_as_given() {
+    for modulus in (1..100).map(|k| 0.7 * f64::from(k)) {
+        let model =
+            format!("failure.progressive.model={{plasticity={{hardening=\"{modulus:?} MPa\"}}}}");
+        let scene = scene("joint-net-tension.toml", &[&model]);
+        let asked = scene
+            .failure
+            .as_ref()
+            .unwrap()
+            .progressive
+            .as_ref()
+            .unwrap();
+        let described = asked.model.parameters.describe("", &|stress| {
+            assert_eq!(stress.to_bits(), modulus.to_bits());
+            "the modulus".to_owned()
+        });
+        assert!(described.ends_with("plastic shear modulus the modulus"));
     }
 }
 
@@ -192,7 +215,15 @@ fn every_energy_says_on_which_cells_it_lowers_a_strength() {
 /// A joint with as much bypass as bearing load, under given loads, with `overrides`.
 fn bypass(overrides: &[&str]) -> Scene {
     let text = include_str!("bearing-bypass.toml");
-    Scene::from_text(text, Format::Toml, "bypass.toml", Path::new(""), overrides).unwrap()
+    Scene::from_text_on(
+        text,
+        Format::Toml,
+        "bypass.toml",
+        Path::new(""),
+        overrides,
+        HOST,
+    )
+    .unwrap()
 }
 
 /// Once its net section is severed the plate bears on what broken plies keep, here to 2872 N and more. Meshes of 5, 7.5 and 10° have it
@@ -231,7 +262,14 @@ fn a_drive_beside_other_loads_is_refused() {
     let drive = "failure.progressive.control={displacement={on=\"plate.left\",end=\"-0.5 mm\"}}";
     let text = include_str!("bearing-bypass.toml");
     let refused = |overrides: &[&str]| {
-        let read = Scene::from_text(text, Format::Toml, "bypass.toml", Path::new(""), overrides);
+        let read = Scene::from_text_on(
+            text,
+            Format::Toml,
+            "bypass.toml",
+            Path::new(""),
+            overrides,
+            HOST,
+        );
         let finding = read.unwrap_err().findings()[0].summary();
         format!("{} {}", finding.message, finding.help.unwrap_or_default())
     };

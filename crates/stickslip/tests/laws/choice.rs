@@ -4,10 +4,10 @@
 
 use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
+use stickslip::experiment::SpecimenScene;
 use stickslip::experiment::laws::{
     Candidate, Comparison, ContactModel, Observation, Verdict, coarser, fit_on_two_meshes,
 };
-use stickslip::experiment::plan::SpecimenScene;
 use stickslip_hybrid::calibrate::{Noise, Settings};
 use stickslip_hybrid::identify::Bounds;
 

@@ -5,8 +5,9 @@ use std::sync::Arc;
 
 use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
+use stickslip::experiment::SpecimenScene;
 use stickslip::experiment::laws::{Candidate, ContactModel, Observation};
-use stickslip::experiment::plan::SpecimenScene;
+use stickslip::host::HOST;
 use stickslip::scene::{Format, Scene};
 use stickslip_friction::FrictionLaw;
 use stickslip_hybrid::data::Measurement;
@@ -22,7 +23,7 @@ pub(crate) const RADIUS: f64 = 9.525;
 pub(crate) fn scene(name: &str, overrides: &[&str]) -> SpecimenScene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../scenes/{name}.toml"));
     SpecimenScene {
-        scene: Arc::new(Scene::from_file(&path, overrides).unwrap()),
+        scene: Arc::new(Scene::from_file(&path, overrides, HOST).unwrap()),
         body: "plate".to_owned(),
         edge: "hole".to_owned(),
     }
@@ -149,7 +150,14 @@ force = {{ direction = [-1, 0], steps = ["750 lbf", "1500 lbf", "900 lbf"] }}
 "#
     );
     let none: [&str; 0] = [];
-    let scene = Scene::from_text(&text, Format::Toml, "laminate.toml", Path::new("."), &none);
+    let scene = Scene::from_text_on(
+        &text,
+        Format::Toml,
+        "laminate.toml",
+        Path::new("."),
+        &none,
+        HOST,
+    );
     ContactModel::new(&SpecimenScene {
         scene: Arc::new(scene.unwrap()),
         body: "plate".to_owned(),

@@ -48,7 +48,7 @@ fn what_is_seen_is_what_the_scene_recovers() {
         outside.to_string(),
         "the place (1, 1) mm is not in the specimen"
     );
-    let elsewhere = ContactModel::new(&stickslip::experiment::plan::SpecimenScene {
+    let elsewhere = ContactModel::new(&stickslip::experiment::SpecimenScene {
         edge: "left".to_owned(),
         ..own
     });

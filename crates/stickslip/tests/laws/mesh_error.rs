@@ -1,9 +1,9 @@
 //! Intervals that hold the error of the model's mesh.
 
+use stickslip::experiment::SpecimenScene;
 use stickslip::experiment::laws::{
     Candidate, Comparison, ContactModel, coarser, fit, fit_on_two_meshes,
 };
-use stickslip::experiment::plan::SpecimenScene;
 use stickslip_hybrid::calibrate::Settings;
 use stickslip_hybrid::identify::Bounds;
 

@@ -3,14 +3,15 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use stickslip::experiment::Experiment;
+use stickslip::experiment::SpecimenScene;
 use stickslip::experiment::laws::{
     ContactModel, Known, LawStage, Observation, Scale, ScaleSource, discrepancies, stage,
 };
 use stickslip::experiment::measured::Measured;
-use stickslip::experiment::plan::SpecimenScene;
 use stickslip::experiment::story::Story;
 use stickslip::experiment::truth::Truth;
-use stickslip::experiment::{Experiment, laws};
+use stickslip::host::HOST;
 use stickslip::scene::Format;
 use stickslip_hybrid::data::Measurement;
 
@@ -63,7 +64,7 @@ free = { dynamic = [0.0, 0.35] }
 fn read(text: &str) -> Result<Experiment, String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
     let none: [&str; 0] = [];
-    Experiment::from_text(text, Format::Toml, "mine.toml", &folder, &none)
+    Experiment::from_text(text, Format::Toml, "mine.toml", &folder, &none, HOST)
         .map_err(|error| error.to_string())
 }
 
@@ -76,7 +77,7 @@ fn as_measured(fields: Vec<Measurement>) -> Vec<Measured> {
 
 fn told(experiment: &Experiment, stage: &LawStage) -> String {
     let mut story = Story::new(experiment);
-    laws::tell(experiment, stage, &mut story);
+    stickslip_present::experiment::laws::tell(experiment, stage, &mut story);
     story.text_answers() + &story.summary().to_string()
 }
 
@@ -246,7 +247,7 @@ fn the_scenes_that_fit_laws_have_models_with_meshes_of_their_own() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/hybrid-aluminium");
     for (name, laws) in [("laws.toml", 3), ("power-law.toml", 3)] {
         let none: [&str; 0] = [];
-        let own = Experiment::from_file(&folder.join(name), &none).unwrap();
+        let own = Experiment::from_file(&folder.join(name), &none, HOST).unwrap();
         assert!(!own.specimen.shares_its_mesh(), "{name}");
         assert_eq!(own.laws.len(), laws);
         let nodes = |own: &SpecimenScene| ContactModel::new(own).unwrap().edge().len();

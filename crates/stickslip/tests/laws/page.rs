@@ -3,12 +3,18 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use stickslip::experiment::chain::Edges;
+use stickslip::experiment::identified::identify;
 use stickslip::experiment::laws::Known;
 use stickslip::experiment::measured::Measured;
 use stickslip::experiment::story::Story;
+use stickslip::experiment::whole::WholeState;
 use stickslip::experiment::{Experiment, ExperimentError, laws, whole};
+use stickslip::folder::{Overwrite, ResultFolder};
+use stickslip::host::HOST;
+use stickslip::keep;
 use stickslip::scene::Format;
-use stickslip_report::folder::{Overwrite, ResultFolder};
+use stickslip_present::experiment as page;
 
 use crate::common::{aluminium, law, measured_fields, window};
 
@@ -55,7 +61,7 @@ free = { static = [0.0, 1.0], dynamic = [0.0, 1.0], slip_scale = ["0.0001 mm", "
 fn experiment(text: &str) -> Experiment {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
     let none: [&str; 0] = [];
-    Experiment::from_text(text, Format::Toml, "known.toml", &folder, &none).unwrap()
+    Experiment::from_text(text, Format::Toml, "known.toml", &folder, &none, HOST).unwrap()
 }
 
 fn fields() -> Vec<Measured> {
@@ -76,11 +82,18 @@ fn the_page_tells_of_laws_and_of_the_whole_plate() {
     let mut story = Story::new(&experiment);
     let (states, warnings) = whole::stage(&experiment, &fields).unwrap();
     assert_eq!((states.len(), warnings.len()), (2, 0));
-    whole::tell(&experiment, &states, &warnings, &mut story).unwrap();
+    let bears: Vec<_> = states.iter().map(WholeState::edge).collect();
+    let edges = Edges {
+        analysed: Vec::new(),
+        plate_friction: Some(identify(&experiment, &bears).unwrap()),
+        plates: states,
+        plate_warnings: warnings,
+    };
+    page::whole::tell(&experiment, &edges, &mut story);
     let stage = laws::stage(&experiment, &fields, Known::default(), &mut |_| ())
         .unwrap()
         .unwrap();
-    laws::tell(&experiment, &stage, &mut story);
+    page::laws::tell(&experiment, &stage, &mut story);
 
     assert_eq!(stage.comparison.best().law.name, "slip power");
     let summary = story.summary();
@@ -99,7 +112,7 @@ fn the_page_tells_of_laws_and_of_the_whole_plate() {
 
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("laws-page");
     let folder = ResultFolder::create(&path, Overwrite::Force(|_| None)).unwrap();
-    let path = story.write(folder).unwrap();
+    let path = keep::story(story, folder).unwrap();
     for file in ["laws.csv", "law-fit-up.csv", "whole-plate-down.csv"] {
         assert!(path.join(file).exists(), "{file}");
     }

@@ -9,6 +9,7 @@ use stickslip::experiment::Experiment;
 use stickslip::experiment::analysed::{Analysed, Workbench};
 use stickslip::experiment::identified::{Identified, identify, ratio};
 use stickslip::experiment::measured::Measured;
+use stickslip::host::HOST;
 use stickslip::scene::Format;
 use stickslip_hybrid::identify::{Bounds, normal_quantile};
 
@@ -42,7 +43,15 @@ samples = 2
 fn experiment(amount: f64) -> Experiment {
     let text = EXPERIMENT.replace("AMOUNT", &format!("{amount:?}"));
     let none: [&str; 0] = [];
-    Experiment::from_text(&text, Format::Toml, "edge.toml", Path::new("."), &none).unwrap()
+    Experiment::from_text(
+        &text,
+        Format::Toml,
+        "edge.toml",
+        Path::new("."),
+        &none,
+        HOST,
+    )
+    .unwrap()
 }
 
 /// What the greatest single ratio inside of slip zones would claim, with as many parts of the doubt as there are places.

@@ -8,6 +8,7 @@ use stickslip::experiment::analysed::{self, Analysed};
 use stickslip::experiment::identified::identify;
 use stickslip::experiment::measured::Measured;
 use stickslip::experiment::whole::{WholeError, WholePlate, WholeSolution, WholeState};
+use stickslip::host::HOST;
 use stickslip::scene::Format;
 use stickslip_hybrid::region::fit::{Amount, Smoothing};
 
@@ -51,7 +52,7 @@ fn the_whole_plate_balances_its_load_and_tells_the_friction_of_the_truth() {
     "#;
     let none: [&str; 0] = [];
     let experiment =
-        Experiment::from_text(text, Format::Toml, "up.toml", Path::new("."), &none).unwrap();
+        Experiment::from_text(text, Format::Toml, "up.toml", Path::new("."), &none, HOST).unwrap();
     let coefficient = |edge: Analysed| {
         let found = identify(&experiment, &[edge]).unwrap();
         let fit = found.dynamic.unwrap();

@@ -2,6 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use stickslip::host::HOST;
 use stickslip::model::Model;
 use stickslip::results::Results;
 
@@ -128,12 +129,13 @@ fn a_rigid_body_takes_none() {
     let rigid = [
         "bodies.plate={ rigid = true, shape.plate_with_hole = { hole_radius = \"5 mm\", outline.ring.radius = \"9 mm\" } }",
     ];
-    let read = stickslip::scene::Scene::from_text(
+    let read = stickslip::scene::Scene::from_text_on(
         RING,
         stickslip::scene::Format::Toml,
         "scene.toml",
         std::path::Path::new(""),
         &rigid,
+        HOST,
     );
     // Refused when it is read or when it is modelled, and by its name.
     let error = match read {

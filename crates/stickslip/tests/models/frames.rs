@@ -4,9 +4,10 @@ use std::f64::consts::TAU;
 use std::fs;
 
 use serde_json::{Map, Value};
-use stickslip::output::{summary_json, summary_table, write};
+use stickslip::folder::{Overwrite, ResultFolder};
+use stickslip::keep;
+use stickslip::output::{summary_json, summary_table};
 use stickslip::results::Results;
-use stickslip_report::folder::{Overwrite, ResultFolder};
 
 use super::solved;
 
@@ -236,7 +237,7 @@ fn words(text: &str) -> (String, Vec<f64>) {
 fn page(results: &Results) -> (String, Vec<String>) {
     let place = tempfile::tempdir().unwrap();
     let folder = ResultFolder::create(&place.path().join("run"), Overwrite::Refuse).unwrap();
-    let folder = write(results, folder, true).unwrap();
+    let folder = keep::results(results, folder, true).unwrap();
     let page = fs::read_to_string(folder.join("report.html")).unwrap();
     let page = without(&without(&page, "<style", "</style>"), "<svg", "</svg>");
     let captions = page.split("<figcaption").skip(1);

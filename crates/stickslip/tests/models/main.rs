@@ -12,6 +12,7 @@ mod unbalanced;
 
 use std::path::Path;
 
+use stickslip::host::HOST;
 use stickslip::model::Model;
 use stickslip::results::{EdgeRow, Results};
 use stickslip::run;
@@ -60,7 +61,7 @@ figures = false
 
 /// A scene with changes as by `--set`, with data files in `base`.
 fn scene_in(base: &Path, text: &str, changes: &[&str]) -> Scene {
-    Scene::from_text(text, Format::Toml, "scene.toml", base, changes)
+    Scene::from_text_on(text, Format::Toml, "scene.toml", base, changes, HOST)
         .unwrap_or_else(|error| panic!("{error} with {changes:?}"))
 }
 

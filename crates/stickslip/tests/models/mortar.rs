@@ -1,5 +1,6 @@
 //! Bodies whose meshes do not match: the mortar projection in scenes.
 
+use stickslip::host::HOST;
 use stickslip::model::{Model, ModelError};
 use stickslip::results::Results;
 use stickslip::scene::Scene;
@@ -370,7 +371,7 @@ fn the_scene_of_a_coarser_pin_agrees_with_matching_meshes() {
     let run = |changes: &[&str]| {
         let quiet = ["output.fields=none", "output.figures=false"];
         let all: Vec<&str> = quiet.iter().chain(changes).copied().collect();
-        super::results(&Scene::from_file(&path, &all).unwrap())
+        super::results(&Scene::from_file(&path, &all, HOST).unwrap())
     };
     let (own, matching) = (
         run(&[]),

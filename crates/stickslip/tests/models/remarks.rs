@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use stickslip::host::HOST;
 use stickslip::scene::Scene;
 
 use super::{BUSHING, model, results, solved};
@@ -149,7 +150,7 @@ fn solvers_that_failed_on_the_way_are_told() {
         "contacts.0.friction.coulomb.mu=0.2",
         "output.fields=none",
     ];
-    let run = results(&Scene::from_file(&path, &changes).unwrap());
+    let run = results(&Scene::from_file(&path, &changes, HOST).unwrap());
     let part = "More than the first solver was needed in load step";
     let notes: Vec<&String> = run
         .notes

@@ -4,9 +4,10 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use stickslip::output::{OutputError, write};
+use stickslip::folder::{Overwrite, ResultFolder};
+use stickslip::keep::{self, KeepError};
+use stickslip::output::OutputError;
 use stickslip::results::Results;
-use stickslip_report::folder::{Overwrite, ResultFolder};
 use tempfile::TempDir;
 
 use super::fixture::{LOADS, RADIUS, open_hole, results};
@@ -15,7 +16,7 @@ use super::fixture::{LOADS, RADIUS, open_hole, results};
 pub(crate) fn written(results: &Results, figures: bool) -> (TempDir, PathBuf) {
     let place = tempfile::tempdir().unwrap();
     let folder = ResultFolder::create(&place.path().join("run"), Overwrite::Refuse).unwrap();
-    let path = write(results, folder, figures).unwrap();
+    let path = keep::results(results, folder, figures).unwrap();
     (place, path)
 }
 
@@ -290,14 +291,14 @@ fn results_that_do_not_fit_together_are_refused_and_leave_nothing() {
     let place = tempfile::tempdir().unwrap();
     let path = place.path().join("run");
     let folder = ResultFolder::create(&path, Overwrite::Refuse).unwrap();
-    let error = write(&results, folder, true).unwrap_err();
+    let error = keep::results(&results, folder, true).unwrap_err();
     assert!(matches!(
         error,
-        OutputError::Inconsistent {
+        KeepError::Results(OutputError::Inconsistent {
             found: 36,
             expected: 37,
             ..
-        }
+        })
     ));
     assert_eq!(
         error.to_string(),
@@ -308,8 +309,11 @@ fn results_that_do_not_fit_together_are_refused_and_leave_nothing() {
     let mut results = super::fixture::results();
     results.steps[3].fields[0].body = 0;
     let folder = ResultFolder::create(&path, Overwrite::Refuse).unwrap();
-    let error = write(&results, folder, true).unwrap_err();
-    assert!(matches!(error, OutputError::NoBody { step: 4, body: 0 }));
+    let error = keep::results(&results, folder, true).unwrap_err();
+    assert!(matches!(
+        error,
+        KeepError::Results(OutputError::NoBody { step: 4, body: 0 })
+    ));
 }
 
 #[test]

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
+use stickslip::host::HOST;
 
 use tempfile::TempDir;
 
@@ -123,7 +124,7 @@ fn every_sweep_of_the_repository_reads() {
         let path = entry.unwrap().path();
         let text = fs::read_to_string(&path).unwrap();
         if text.contains("[[axes]]") {
-            stickslip::sweep::Sweep::from_file(&path, &[] as &[&str]).unwrap();
+            stickslip::sweep::Sweep::from_file(&path, &[] as &[&str], HOST).unwrap();
             count += 1;
         }
     }

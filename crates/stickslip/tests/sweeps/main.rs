@@ -9,6 +9,7 @@ use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
+use stickslip::host::HOST;
 use stickslip::sweep::Sweep;
 use stickslip::sweep::row::Row;
 use tempfile::TempDir;
@@ -40,7 +41,7 @@ fn folder_with(text: &str) -> TempDir {
 }
 
 fn read(folder: &TempDir) -> Sweep {
-    Sweep::from_file(&folder.path().join("sweep.toml"), &[COARSE]).unwrap()
+    Sweep::from_file(&folder.path().join("sweep.toml"), &[COARSE], HOST).unwrap()
 }
 
 fn solved(sweep: &Sweep, cases: &[usize]) -> Vec<Row> {

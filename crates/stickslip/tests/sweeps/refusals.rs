@@ -1,5 +1,6 @@
 //! What is wrong with a sweep is said at its line, with what would do.
 
+use stickslip::host::HOST;
 use stickslip::sweep::Sweep;
 
 use super::{COARSE, SWEEP, folder_with};
@@ -7,7 +8,7 @@ use super::{COARSE, SWEEP, folder_with};
 /// What a sweep with this text is refused with: "line: message | remedy".
 fn refusal(text: &str) -> String {
     let folder = folder_with(text);
-    let error = Sweep::from_file(&folder.path().join("sweep.toml"), &[COARSE]).unwrap_err();
+    let error = Sweep::from_file(&folder.path().join("sweep.toml"), &[COARSE], HOST).unwrap_err();
     let found = error.findings()[0].summary();
     format!(
         "{}: {} | {}",
@@ -172,7 +173,7 @@ fn progressive_failure_is_refused() {
     let mut text = std::fs::read_to_string(&joint).unwrap();
     text.push_str("\n[failure.progressive]\nmodel.ply_discount = { fibre = 0.01, matrix = 0.1 }\n");
     std::fs::write(&joint, text).unwrap();
-    let error = Sweep::from_file(&folder.path().join("sweep.toml"), &[COARSE]).unwrap_err();
+    let error = Sweep::from_file(&folder.path().join("sweep.toml"), &[COARSE], HOST).unwrap_err();
     let found = error.findings()[0].summary();
     assert_eq!(found.line, Some(3));
     assert!(

@@ -1,5 +1,6 @@
 //! Cases, rows, and tables that are read again.
 
+use stickslip::host::HOST;
 use stickslip::sweep::row::Outcome;
 use stickslip::sweep::{Sweep, SweepError, figures, table, verdict};
 
@@ -103,7 +104,12 @@ fn a_case_without_an_answer_is_a_row_with_its_reason() {
 
 #[test]
 fn each_mode_governs_where_it_should() {
-    let sweep = Sweep::from_file(&scenes().join("mode-map.toml"), &["mesh.spacing=6 deg"]).unwrap();
+    let sweep = Sweep::from_file(
+        &scenes().join("mode-map.toml"),
+        &["mesh.spacing=6 deg"],
+        HOST,
+    )
+    .unwrap();
     // Short of end, a little longer, narrow, and neither.
     let rows = solved(&sweep, &[4, 19, 25, 29]);
     assert_eq!(sweep.name_of(19), "e/D = 3, W/D = 6");
@@ -134,7 +140,7 @@ fn a_scene_without_failure_has_contact_alone() {
         format!("{before}[output]{rest}"),
     )
     .unwrap();
-    let sweep = Sweep::from_file(&folder.path().join("sweep.toml"), &[COARSE]).unwrap();
+    let sweep = Sweep::from_file(&folder.path().join("sweep.toml"), &[COARSE], HOST).unwrap();
     assert_eq!(sweep.criterion, None);
     let rows = solved(&sweep, &[0, 1]);
     let pressure = |row: usize| rows[row].measures().unwrap().peak_pressure.unwrap();
@@ -162,7 +168,7 @@ fn a_case_whose_law_does_not_mirror_is_modelled_whole() {
         ));
         let friction = format!("contacts.0.friction={}", law("0"));
         let overrides = [COARSE, friction.as_str()];
-        Sweep::from_file(&folder.path().join("sweep.toml"), &overrides).unwrap()
+        Sweep::from_file(&folder.path().join("sweep.toml"), &overrides, HOST).unwrap()
     };
     let outcome = |angles: &str, cases: &[usize]| {
         let rows = solved(&sweep(angles), cases);

@@ -1,96 +1,63 @@
 //! What the contact discretisation changes.
 
-use std::fmt::Write as _;
-
+use minijinja::{Value, context};
 use stickslip_fem_core::mesh::ElementKind;
 use stickslip_laboratory::problems::Problem;
 
 use super::super::bench::{Bench, Quantity};
-use super::super::methods::{self, Group, Method};
-use super::{none, percent};
+use super::super::methods::{self, Method};
+use super::{Rows, none, percent};
 
 const QUANTITIES: [Quantity; 2] = [Quantity::PeakPressure, Quantity::Extent];
 
 /// The true gap against the one between facets.
-pub(super) fn gaps(page: &mut String, bench: &Bench) {
-    page.push_str(
-        "## Initial gap\n\nError on the finest mesh with the gap of the true shapes, and with that between straight facets. Nodes of \
-         matching meshes lie on the true shapes, so there is little between the two; where the meshes are apart a node faces the \
-         middle of a facet, and its sagitta is as large as a small clearance.\n\n\
-         | problem | element | meshes | peak pressure: true, faceted | extent: true, faceted |\n| --- | --- | --- | ---: | ---: |\n",
-    );
+pub(super) fn gaps(bench: &Bench) -> Rows {
     let group = methods::gaps();
+    let mut rows = Rows::new();
     for problem in Problem::ALL {
         let suited = |pair: &&[(String, Method)]| pair[0].1.suits(problem);
         for pair in group.methods.chunks_exact(2).filter(suited) {
-            let errors = |quantity| {
-                pair.iter()
-                    .map(move |(_, method)| bench.finest(problem, *method, quantity))
-            };
-            let cells = QUANTITIES.map(|quantity| listed(errors(quantity), ", "));
             let [element, ..] = pair[0].1.columns();
-            let meshes = if pair[0].1.pairing.apart() {
-                "apart"
-            } else {
-                "matching"
-            };
-            let _ = writeln!(
-                page,
-                "| {} | {element} | {meshes} | {} |",
-                problem.title(),
-                cells.join(" | ")
+            let is_apart = pair[0].1.pairing.apart();
+            let meshes = if is_apart { "apart" } else { "matching" };
+            let mut row = vec![problem.title().to_owned(), element, meshes.to_owned()];
+            row.extend(
+                QUANTITIES.map(|quantity| errors(bench, problem, pair, quantity).join(", ")),
             );
+            rows.push(row);
         }
     }
-    pictures(page, &group);
+    rows
 }
 
 /// Node pairs against mortar projections.
-pub(super) fn projections(page: &mut String, bench: &Bench) {
-    page.push_str(
-        "## Mortar projections\n\nErrors on the finest mesh. *Apart*: the second body's nodes are 1.5 times as far from each other, \
-         so that two of three have no partner; a rigid pin has no nodes of its own.\n\n",
-    );
-    for element in [ElementKind::Q8, ElementKind::Q4] {
+pub(super) fn projections(bench: &Bench) -> [Value; 2] {
+    [ElementKind::Q8, ElementKind::Q4].map(|element| {
         let group = methods::projections(element);
-        let labels: Vec<&str> = group.methods.iter().map(|(label, _)| &**label).collect();
-        let _ = write!(
-            page,
-            "| problem, {element:?} | error of | {} |\n| --- | --- |{}\n",
-            labels.join(" | "),
-            " ---: |".repeat(labels.len())
-        );
+        let labels: Vec<String> = group.methods.iter().map(|own| own.0.clone()).collect();
+        let mut rows = Rows::new();
         for problem in Problem::ALL {
             for quantity in QUANTITIES {
-                let errors = group
-                    .methods
-                    .iter()
-                    .map(|(_, method)| bench.finest(problem, *method, quantity));
-                let _ = writeln!(
-                    page,
-                    "| {} | {} | {} |",
-                    problem.title(),
-                    quantity.name(),
-                    listed(errors, " | ")
-                );
+                let mut row = vec![problem.title().to_owned(), quantity.name().to_owned()];
+                row.extend(errors(bench, problem, &group.methods, quantity));
+                rows.push(row);
             }
         }
-        pictures(page, &group);
-    }
+        context! { element => format!("{element:?}"), title => group.title, key => group.key, labels, rows }
+    })
 }
 
-fn listed(errors: impl Iterator<Item = Option<f64>>, between: &str) -> String {
-    let cells: Vec<String> = errors
+/// Errors on the finest mesh.
+fn errors(
+    bench: &Bench,
+    problem: Problem,
+    methods: &[(String, Method)],
+    quantity: Quantity,
+) -> Vec<String> {
+    let errors = methods
+        .iter()
+        .map(|(_, method)| bench.finest(problem, *method, quantity));
+    errors
         .map(|error| error.map_or_else(none, percent))
-        .collect();
-    cells.join(between)
-}
-
-fn pictures(page: &mut String, group: &Group) {
-    let (title, key) = (group.title, group.key);
-    let _ = write!(
-        page,
-        "\n![{title}: error of the peak pressure]({key}-peak-pressure.png)\n\n\
-         ![{title}: error of the extent of contact]({key}-extent.png)\n\n"
-    );
+        .collect()
 }

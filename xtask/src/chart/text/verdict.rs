@@ -1,7 +1,5 @@
 //! Who wins where, in a sentence for each quantity.
 
-use std::fmt::Write as _;
-
 use stickslip_laboratory::problems::Problem;
 
 use super::super::bench::{Bench, Cost, Quantity};
@@ -9,21 +7,15 @@ use super::super::methods;
 use super::{TARGETS, number, percent, ranking};
 
 /// What a quantity's fastest elements are, over all problems.
-pub(super) fn section(page: &mut String, bench: &Bench) {
-    page.push_str(
-        "## In short\n\nHow often each element is the fastest to reach an error, of all problems whose reference is known so well, and \
-         how many times longer Q8, the default, takes in the median:\n\n",
-    );
-    for quantity in Quantity::ALL {
-        let parts: Vec<String> = TARGETS
+pub(super) fn lines(bench: &Bench) -> Vec<String> {
+    let line = |quantity: Quantity| {
+        let parts = TARGETS
             .iter()
-            .filter_map(|&target| sentence(bench, quantity, target))
-            .collect();
-        if !parts.is_empty() {
-            let _ = writeln!(page, "- {}: {}.", quantity.name(), parts.join("; "));
-        }
-    }
-    page.push('\n');
+            .filter_map(|&target| sentence(bench, quantity, target));
+        let parts: Vec<String> = parts.collect();
+        (!parts.is_empty()).then(|| format!("{}: {}", quantity.name(), parts.join("; ")))
+    };
+    Quantity::ALL.into_iter().filter_map(line).collect()
 }
 
 fn sentence(bench: &Bench, quantity: Quantity, target: f64) -> Option<String> {

@@ -6,10 +6,12 @@ use stickslip_contact::solver::InterfaceSolver;
 use stickslip_contact::{Chain, ContactState, Enumeration};
 use stickslip_friction::FrictionLaw;
 use stickslip_laboratory::discrete::{self, Discrete, commit};
+use toml::Table;
 
 use crate::stability::Trouble;
-use crate::stability::methods::{CHAIN, Method, methods};
+use crate::stability::methods::{Method, methods};
 use crate::stability::outcome::{Outcome, judge};
+use crate::study::record::fields;
 
 /// Nodes of the punch.
 const NODES: usize = 5;
@@ -71,24 +73,18 @@ impl Shares {
         }
     }
 
-    /// In words.
-    pub(super) fn text(&self) -> String {
-        let start = format!(
-            "On a flat punch of {NODES} nodes under the same laws enumeration finds several solutions in {} of {} steps",
-            self.several, self.steps
-        );
-        let own = self.taken.iter().find(|(name, _, _)| *name == CHAIN);
-        let Some((_, taken, solved)) = own else {
-            return format!("{start}.");
+    /// A row for each method that solves any of the steps with several solutions.
+    pub(super) fn records(&self) -> Vec<Table> {
+        let record = |&(method, taken, solved): &(&str, usize, usize)| {
+            Table::from_iter(fields([
+                ("method", method.into()),
+                ("nearest_taken", (taken as i64).into()),
+                ("solved", (solved as i64).into()),
+                ("steps_with_several", (self.several as i64).into()),
+                ("steps", (self.steps as i64).into()),
+            ]))
         };
-        let others: Vec<String> = (self.taken.iter())
-            .filter(|(name, _, solved)| *name != CHAIN && *solved > 0)
-            .map(|(name, taken, solved)| format!("{name} {taken} of {solved}"))
-            .collect();
-        format!(
-            "{start}; the default chain takes the nearest to the committed state in {taken} of {solved}, the others in these shares of \
-             what they solve: {}.",
-            others.join(", ")
-        )
+        let solving = self.taken.iter().filter(|(_, _, solved)| *solved > 0);
+        solving.map(record).collect()
     }
 }

@@ -214,12 +214,15 @@ impl Block {
                     .edge_set("top")?
                     .edges
                     .iter()
-                    .map(|&edge| mesh.edge_nodes(edge))
+                    .map(|&edge| {
+                        let nodes = mesh.edge_nodes(edge);
+                        (nodes.ends, nodes.inner.first().copied())
+                    })
                     .collect();
                 let mut parts = mesh.into_parts();
-                for edge in edges {
-                    let [start, end] = edge.ends.map(|node| parts.nodes[node]);
-                    if let Some(mid) = edge.mid {
+                for (ends, mid) in edges {
+                    let [start, end] = ends.map(|node| parts.nodes[node]);
+                    if let Some(mid) = mid {
                         parts.nodes[mid] =
                             [0, 1].map(|i| (1.0 - place) * start[i] + place * end[i]);
                     }

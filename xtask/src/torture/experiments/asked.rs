@@ -1,12 +1,12 @@
 //! What `identify` states of a laboratory, and whether the truth is in it.
 
+use stickslip::experiment::FreeMotion;
 use stickslip::experiment::analysed::{
     Analysed, LoadCheck, PictureMotion, TruePlace, all, true_edge,
 };
 use stickslip::experiment::identified::{Identified, identify, on_half_the_cells};
 use stickslip::experiment::laws::{Fit, Known, LawStage, Verdict, stage};
 use stickslip::experiment::measured::{Measured, state};
-use stickslip::experiment::plan::FreeMotion;
 use stickslip::experiment::synthesis::Shots;
 use stickslip_hybrid::data::{Measurement, Places};
 use stickslip_hybrid::identify::Bounds;

@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 use stickslip::experiment::Experiment;
 use stickslip::experiment::synthesis::Camera;
 use stickslip::experiment::truth::Truth;
+use stickslip::host::HOST;
 use stickslip::scene::Format;
 use stickslip_hybrid::data::Field;
 use stickslip_hybrid::fringe::{self, Depth, PixelMap};
@@ -91,6 +92,7 @@ fn experiment(value: &Value, folder: &Path) -> Result<Experiment, Trouble> {
         "experiment.json",
         folder,
         &none,
+        HOST,
     )?)
 }
 

@@ -12,11 +12,13 @@ use clap::Args;
 use stickslip::diagnostic::SceneError;
 use stickslip::experiment::Experiment;
 use stickslip::experiment::check::check;
+use stickslip::folder::{LIST, Overwrite, ResultFolder};
+use stickslip::host::HOST;
 use stickslip::limits::Limits;
 use stickslip::model::Model;
 use stickslip::scene::Scene;
+use stickslip::scene::host::Host;
 use stickslip::sweep::{Sweep, table};
-use stickslip_report::folder::{LIST, Overwrite, ResultFolder};
 
 use super::corpus::{Reader, Target};
 use super::mutant;
@@ -24,8 +26,11 @@ use crate::publish::Trouble;
 
 /// What a mutant may take: the longest time, and the memory of its models \[byte\], which keeps meshes small.
 const LONGEST: Duration = Duration::from_secs(10);
-const LIMITS: Limits = Limits {
-    memory: 250_000_000,
+const HOST_OF_MUTANTS: Host = Host {
+    limits: Limits {
+        memory: 250_000_000,
+    },
+    ..HOST
 };
 
 /// Mutants of a seed, the last one excluded.
@@ -111,27 +116,27 @@ fn read(target: Target, folder: &Path) -> Read {
 const NONE: [&str; 0] = [];
 
 fn scene(path: &Path) -> Result<(), SceneError> {
-    let scene = Scene::from_file_within(path, &NONE, LIMITS)?;
+    let scene = Scene::from_file(path, &NONE, HOST_OF_MUTANTS)?;
     // The command gives errors of the model a place by rules that are tested there.
     let _ = Model::build(&scene);
     Ok(())
 }
 
 fn sweep(path: &Path) -> Result<(), SceneError> {
-    let sweep = Sweep::from_file_within(path, &NONE, LIMITS)?;
+    let sweep = Sweep::from_file(path, &NONE, HOST_OF_MUTANTS)?;
     let _ = Model::build(&sweep.scene);
     Ok(())
 }
 
 fn experiment(path: &Path) -> Result<(), SceneError> {
-    let experiment = Experiment::from_file_within(path, &NONE, LIMITS)?;
+    let experiment = Experiment::from_file(path, &NONE, HOST_OF_MUTANTS)?;
     check(&experiment).map_err(|error| error.located(&experiment))?;
     Ok(())
 }
 
 /// The table that a sweep goes on with.
 fn rows(folder: &Path) -> Read {
-    let Ok(sweep) = Sweep::from_file_within(&folder.join("main.toml"), &NONE, LIMITS) else {
+    let Ok(sweep) = Sweep::from_file(&folder.join("main.toml"), &NONE, HOST_OF_MUTANTS) else {
         return Read::Unclear("the sweep itself is refused".to_owned());
     };
     let bytes = fs::read(folder.join("cases.csv")).unwrap_or_default();
@@ -226,9 +231,9 @@ mod tests {
                 assert!(matches!(found, Read::Whole), "{}", target.name());
                 let path = folder.path().join(target.main());
                 let scene = match target.reader() {
-                    Reader::Scene => Scene::from_file_within(&path, &NONE, LIMITS).unwrap(),
+                    Reader::Scene => Scene::from_file(&path, &NONE, HOST_OF_MUTANTS).unwrap(),
                     Reader::Sweep => {
-                        let sweep = Sweep::from_file_within(&path, &NONE, LIMITS);
+                        let sweep = Sweep::from_file(&path, &NONE, HOST_OF_MUTANTS);
                         sweep.unwrap().scene
                     }
                     _ => continue,

@@ -1,6 +1,7 @@
 //! Balance of each body from written resultants, reactions and the scene's own loads, and what is said where it is poor.
 
-use stickslip::scene::schema::{Hold, LoadKind, Outline, Shape, Substance};
+use stickslip::scene::schema::{Hold, LoadKind, Substance};
+use stickslip::scene::shape::{Curve, Role};
 
 use super::sample::{Sample, Verdict};
 
@@ -178,31 +179,17 @@ fn pushed(sample: &Sample, body: &str, set: &str) -> Option<[f64; 2]> {
     let Substance::Elastic { thickness, .. } = &body.substance else {
         return None;
     };
-    let [width, height] = match body.shape {
-        Shape::PlateWithHole {
-            outline: Outline::Ring { .. },
-            ..
+    let shape = body.shape;
+    // The resultant of a pressure on a cap depends on its arc, which this check leaves out, with what is under it.
+    if shape.edge_with(Role::Cap).is_some() || shape.edge_with(Role::Surface).is_some() {
+        return None;
+    }
+    match shape.edge(set)?.curve {
+        Curve::Circle { .. } => Some([0.0; 2]),
+        Curve::Segment { ends: [from, to] } => {
+            Some([(from[1] - to[1]) * thickness, (to[0] - from[0]) * thickness])
         }
-        | Shape::Disk { .. } => return Some([0.0; 2]),
-        Shape::PlateWithHole {
-            outline:
-                Outline::Strip {
-                    half_width,
-                    left,
-                    right,
-                },
-            ..
-        } => [left + right, 2.0 * half_width],
-        Shape::Rectangle { width, height } => [width, height],
-        _ => return None,
-    };
-    match set {
-        "left" => Some([height * thickness, 0.0]),
-        "right" => Some([-height * thickness, 0.0]),
-        "top" => Some([0.0, -width * thickness]),
-        "bottom" => Some([0.0, width * thickness]),
-        "hole" => Some([0.0; 2]),
-        _ => None,
+        Curve::Arc { .. } => None,
     }
 }
 

@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use serde_json::Value;
-use stickslip::output;
-use stickslip_report::folder::{Overwrite, ResultFolder};
+use stickslip::folder::{Overwrite, ResultFolder};
+use stickslip::{keep, output};
 
 use super::sample::{Sample, Verdict};
 
@@ -112,7 +112,7 @@ fn tables(sample: &Sample) -> Option<String> {
         Ok(folder) => folder,
         Err(error) => return wrong(&error),
     };
-    let path = match output::write(&sample.results, folder, false) {
+    let path = match keep::results(&sample.results, folder, false) {
         Ok(path) => path,
         Err(error) => return wrong(&error),
     };

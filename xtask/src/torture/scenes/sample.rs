@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 
 use serde_json::Value;
+use stickslip::host::HOST;
 use stickslip::results::Results;
 use stickslip::run::RunError;
-use stickslip::scene::schema::{Outline, Shape};
+use stickslip::scene::shape::Edge;
 use stickslip::scene::{Format, Scene};
 use stickslip_contact::ContactError;
 
@@ -62,8 +63,15 @@ pub(super) fn data_folder() -> PathBuf {
 
 /// Reads a scene from `text`.
 pub(super) fn read(text: &str, format: Format) -> Result<Scene, NoAnswer> {
-    Scene::from_text(text, format, "torture", &data_folder(), &[] as &[&str])
-        .map_err(|error| NoAnswer::Refused(error.to_string()))
+    Scene::from_text_on(
+        text,
+        format,
+        "torture",
+        &data_folder(),
+        &[] as &[&str],
+        HOST,
+    )
+    .map_err(|error| NoAnswer::Refused(error.to_string()))
 }
 
 /// Reads and runs a scene.
@@ -134,11 +142,12 @@ impl Sample {
 
     /// The size of what touches `[mm]`: the largest hole, rim or half length.
     pub(super) fn size(&self) -> f64 {
-        let sizes = self.scene.bodies.values().map(|body| match body.shape {
-            Shape::PlateWithHole { hole_radius, .. } => hole_radius,
-            Shape::Disk { radius } => radius,
-            Shape::Rectangle { width, .. } => width,
-            Shape::Block { half_length, .. } | Shape::Cylinder { half_length, .. } => half_length,
+        let sizes = self.scene.bodies.values().map(|body| {
+            let shape = body.shape;
+            let round = shape.edges().first().and_then(Edge::circle);
+            let [low, high] = shape.bounds();
+            let half = shape.mirror().is_some();
+            round.unwrap_or(if half { high[0] } else { high[0] - low[0] })
         });
         sizes.fold(0.0, f64::max)
     }
@@ -155,18 +164,17 @@ impl Sample {
 
     /// Whether all bodies are round, or all belong to a line contact.
     pub(super) fn is_round(&self) -> bool {
-        self.scene
-            .bodies
-            .values()
-            .all(|body| matches!(body.shape, Shape::PlateWithHole { .. } | Shape::Disk { .. }))
+        self.scene.bodies.values().all(|body| body.shape.is_round())
     }
 
     /// Whether all bodies are rings and disks.
     pub(super) fn is_circular(&self) -> bool {
-        self.scene.bodies.values().all(|body| match body.shape {
-            Shape::PlateWithHole { outline, .. } => matches!(outline, Outline::Ring { .. }),
-            Shape::Disk { .. } => true,
-            _ => false,
+        let mut bodies = self.scene.bodies.values();
+        bodies.all(|body| {
+            body.shape
+                .edges()
+                .iter()
+                .all(|edge| edge.circle().is_some())
         })
     }
 }

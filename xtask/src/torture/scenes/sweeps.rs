@@ -5,6 +5,7 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use serde_json::{Value, json};
+use stickslip::host::HOST;
 use stickslip::sweep::row::{Outcome, Row};
 use stickslip::sweep::{Sweep, engine, table};
 
@@ -104,7 +105,7 @@ fn compared(sample: &Sample, text: &Value) -> Result<Verdict, String> {
 }
 
 fn sweep(path: &Path) -> Result<Sweep, String> {
-    Sweep::from_file(path, &[] as &[&str]).map_err(|error| error.to_string())
+    Sweep::from_file(path, &[] as &[&str], HOST).map_err(|error| error.to_string())
 }
 
 /// The rows of `cases`, by case.

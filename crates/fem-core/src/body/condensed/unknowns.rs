@@ -2,8 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::body::ElasticBody;
 use crate::body::assembly::assemble;
+use crate::body::elastic::ElasticBody;
 use crate::body::equations::{BodyStructure, HELD};
 
 impl BodyStructure {

@@ -108,14 +108,14 @@ impl Core {
         [first.after + second.before, first.before + below]
     }
 
-    /// Outline at half steps of the rim.
-    pub(super) fn outline(&self) -> Vec<Point> {
-        let steps = |q: &Quadrant| 2 * q.start..2 * (q.start + q.before + q.after);
-        let quadrants = self.quadrants.iter();
-        let points = quadrants.flat_map(|q| steps(q).map(|k| q.outer(k as f64 / 2.0)));
-        points
-            .chain(self.quadrants.last().map(|q| q.vertices[2]))
-            .collect()
+    /// Point of the outline at `step` of the rim.
+    pub(super) fn outline(&self, step: f64) -> Point {
+        let holds = |q: &&Quadrant| step < (q.start + q.before + q.after) as f64;
+        match self.quadrants.iter().find(holds) {
+            Some(quadrant) => quadrant.outer(step),
+            // The end of the rim, where the last quadrant ends. Every core has quadrants.
+            None => self.quadrants[self.quadrants.len() - 1].vertices[2],
+        }
     }
 }
 

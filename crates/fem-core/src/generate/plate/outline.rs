@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::super::GenerateError;
 use super::super::fan::{ANGLE_ROUNDING, Rim, unit};
-use super::super::spacing::{at_least, positive};
+use super::super::spacing::{at_least, between, positive};
 use crate::mesh::Point;
 
 /// A side up to this many half widths from the hole is reached by the fan itself.
@@ -120,16 +120,11 @@ impl Frame {
         nearest_rays(rim, &self.corner_points())
     }
 
-    /// Outline points at half steps: between two corners the hole angles are stretched to the corners' directions.
+    /// Outline points of the rays: between two corners the hole angles are stretched to the corners' directions.
     pub(super) fn points(&self, rim: &Rim) -> Vec<Point> {
-        let points: Vec<Point> = (0..=self.intervals)
+        (0..=self.intervals)
             .map(|ray| self.point(rim, ray))
-            .collect();
-        let middle = |a: Point, b: Point| [0, 1].map(|axis| f64::midpoint(a[axis], b[axis]));
-        let pairs = points
-            .windows(2)
-            .flat_map(|pair| [pair[0], middle(pair[0], pair[1])]);
-        pairs.chain(points.last().copied()).collect()
+            .collect()
     }
 
     fn point(&self, rim: &Rim, ray: usize) -> Point {
@@ -228,12 +223,22 @@ impl Frame {
     }
 }
 
-/// Every ray must leave the hole outwards; `far` are the outline's points at half steps.
+/// Point of the outline with `points` at the rays, at `step` along the hole: on the straight line between two rays.
+pub(super) fn on_outline(points: &[Point], step: f64) -> Point {
+    let (ray, part) = (step as usize, step.fract());
+    if part == 0.0 {
+        return points[ray];
+    }
+    let (a, b) = (points[ray], points[ray + 1]);
+    [0, 1].map(|axis| between(a[axis], b[axis], part))
+}
+
+/// Every ray must leave the hole outwards; `far` are the outline's points at the rays.
 pub(super) fn check_rays(rim: &Rim, far: &[Point], hole_radius: f64) -> Result<(), GenerateError> {
     for (ray, &angle) in rim.angles.iter().enumerate() {
-        let ([x, y], [cos, sin]) = (far[2 * ray], unit(angle));
+        let ([x, y], [cos, sin]) = (far[ray], unit(angle));
         if x * cos + y * sin <= hole_radius {
-            let outline = direction(far[2 * ray]);
+            let outline = direction(far[ray]);
             return Err(GenerateError::RayThroughHole { angle, outline });
         }
     }

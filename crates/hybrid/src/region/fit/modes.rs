@@ -4,12 +4,16 @@
 //! G + μR = L Lᵀ,   L⁻¹ μR L⁻ᵀ = Q diag(s) Qᵀ,   G = L Q diag(1 − s) Qᵀ Lᵀ
 //! ```
 
-use faer::Mat;
+use stickslip_fem_core::linalg::{DenseCholesky, Matrix, NoEigenvalues, SymmetricEigen};
+use stickslip_fem_core::mesh::Point;
 
 use super::penalty::penalty;
-use super::place_of;
-use crate::region::dense::{cholesky, eigen, multiply, solve_lower, solve_lower_transposed};
 use crate::region::{Region, RegionError};
+
+/// Where the prescribed degree of freedom at `position` of the list lies `[length]`.
+pub(super) fn place_of(region: &Region, position: usize) -> Point {
+    region.mesh().nodes()[region.prescribed()[position] / 2]
+}
 
 /// The basis.
 #[derive(Clone, Debug)]
@@ -17,37 +21,40 @@ pub(super) struct Modes {
     /// Share s of the smoothing in each mode, from 0 to 1; that of the data is one less it.
     pub(super) smoothing: Vec<f64>,
     /// Modes, one per column: L⁻ᵀ Q.
-    pub(super) basis: Mat<f64>,
+    pub(super) basis: Matrix,
     /// Their inverse, transposed: L Q.
-    pub(super) dual: Mat<f64>,
+    pub(super) dual: Matrix,
 }
 
 impl Modes {
     /// Modes from the weighted rows of the data.
-    pub(super) fn new(region: &Region, rows: &Mat<f64>, order: usize) -> Result<Self, RegionError> {
-        let size = rows.ncols();
-        let gram = multiply(rows.transpose(), rows.as_ref());
+    pub(super) fn new(region: &Region, rows: &Matrix, order: usize) -> Result<Self, RegionError> {
+        let size = rows.columns();
+        let gram = rows.transpose_multiply(rows);
         let roughness = penalty(region, order);
-        let trace = |matrix: &Mat<f64>| (0..size).map(|k| matrix[(k, k)]).sum::<f64>();
+        let trace = |matrix: &Matrix| (0..size).map(|k| matrix[(k, k)]).sum::<f64>();
         let scale = match trace(&roughness) {
             0.0 => 0.0,
             rough => trace(&gram) / rough,
         };
-        let both = Mat::from_fn(size, size, |i, j| gram[(i, j)] + scale * roughness[(i, j)]);
-        let lower = cholesky(both).map_err(|row| RegionError::NotDetermined {
-            place: place_of(region, row),
+        let both = Matrix::from_fn(size, size, |i, j| gram[(i, j)] + scale * roughness[(i, j)]);
+        let factor = DenseCholesky::new(both).map_err(|cause| RegionError::NotDetermined {
+            place: place_of(region, cause.row),
         })?;
-        let mut half = Mat::from_fn(size, size, |i, j| scale * roughness[(i, j)]);
-        solve_lower(&lower, &mut half);
-        let mut share = half.transpose().to_owned();
-        solve_lower(&lower, &mut share);
-        let symmetric = Mat::from_fn(size, size, |i, j| {
+        let mut half = Matrix::from_fn(size, size, |i, j| scale * roughness[(i, j)]);
+        factor.solve_lower(&mut half);
+        let mut share = half.transposed();
+        factor.solve_lower(&mut share);
+        let symmetric = Matrix::from_fn(size, size, |i, j| {
             f64::midpoint(share[(i, j)], share[(j, i)])
         });
-        let (shares, mut basis) =
-            eigen(&symmetric).ok_or(RegionError::Eigenvalues { order: size })?;
-        let dual = multiply(lower.as_ref(), basis.as_ref());
-        solve_lower_transposed(&lower, &mut basis);
+        let SymmetricEigen {
+            values: shares,
+            vectors: mut basis,
+        } = SymmetricEigen::new(&symmetric)
+            .map_err(|NoEigenvalues { order }| RegionError::Eigenvalues { order })?;
+        let dual = factor.lower().multiply(&basis);
+        factor.solve_lower_transposed(&mut basis);
         Ok(Self {
             smoothing: shares.into_iter().map(|s| s.clamp(0.0, 1.0)).collect(),
             basis,

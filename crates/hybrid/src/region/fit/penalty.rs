@@ -6,19 +6,19 @@
 //!
 //! with divided differences over neighbouring nodes at arc lengths s, which need no equal spacing.
 
-use faer::Mat;
+use stickslip_fem_core::linalg::Matrix;
 
 use crate::region::Region;
 use crate::region::outline::{Chain, smooth_chains};
 
 /// R for differences of order `order`, over the prescribed degrees of freedom.
-pub(super) fn penalty(region: &Region, order: usize) -> Mat<f64> {
+pub(super) fn penalty(region: &Region, order: usize) -> Matrix {
     let mut position = vec![None; 2 * region.mesh().nodes().len()];
     for (k, &dof) in region.prescribed().iter().enumerate() {
         position[dof] = Some(k);
     }
     let size = region.prescribed().len();
-    let mut matrix = Mat::zeros(size, size);
+    let mut matrix = Matrix::zeros(size, size);
     for chain in smooth_chains(region.mesh()) {
         for window in windows(region, &chain, order) {
             let weights = difference(&window.lengths, order);

@@ -1,10 +1,9 @@
 //! How lay-ups are written, and the failure criteria with the strengths that they ask for.
 
 use serde_json::{Value, json};
-use stickslip_laminate::FailureCriterion;
+use stickslip_laminate::failure::{CriterionInfo, criteria};
 
 use super::table;
-use crate::failure::criteria;
 
 /// Lay-ups and the stacks that they mean, from the bottom up.
 const LAYUPS: [(&str, &str); 8] = [
@@ -27,21 +26,6 @@ const LAYUPS: [(&str, &str); 8] = [
     ),
 ];
 
-/// Where a criterion is defined.
-fn source(name: &str) -> &'static str {
-    match name {
-        "max_stress" => "each stress against its strength; Jones (1999), 2.9.1",
-        "max_strain" => "each strain against its limit; Jones (1999), 2.9.2",
-        "tsai_hill" => "one quadratic form, strengths by sign; Azzi & Tsai (1965)",
-        "tsai_hill_3d" => "the same in three dimensions; Post & Reddy (1988), part II, 4.4",
-        "hoffman" => "with linear terms for unequal strengths; Hoffman (1967)",
-        "tsai_wu" => "tensor polynomial, F12 by failure.tsai_wu_interaction; Tsai & Wu (1971)",
-        "hashin" => "fibre and matrix apart, shear by failure.hashin_shear_weight; Hashin (1980)",
-        "yamada_sun" => "fibres and shear alone, once all cracks have formed; Yamada & Sun (1978)",
-        _ => "",
-    }
-}
-
 pub(super) fn layups_text() -> String {
     let rows = LAYUPS
         .iter()
@@ -59,28 +43,28 @@ pub(super) fn layups_value() -> Value {
         .collect()
 }
 
-fn strengths(criterion: &dyn FailureCriterion) -> Vec<&'static str> {
+fn strengths(info: &CriterionInfo) -> Vec<&'static str> {
+    let criterion = (info.make)();
     let required = criterion.required().iter();
     required.map(|strength| strength.name()).collect()
 }
 
 pub(super) fn criteria_text() -> String {
-    let rows = criteria().into_iter().map(|criterion| {
-        let needs = strengths(criterion.as_ref()).join(", ");
-        let name = criterion.name();
-        (name.to_owned(), format!("{}; needs {needs}", source(name)))
+    let rows = criteria().map(|info| {
+        let needs = strengths(info).join(", ");
+        let text = format!("{}; needs {needs}", info.summary);
+        (info.name.to_owned(), text)
     });
     table("Failure criteria of plies, for failure.criteria", rows)
 }
 
 pub(super) fn criteria_value() -> Value {
     criteria()
-        .iter()
-        .map(|criterion| {
+        .map(|info| {
             json!({
-                "name": criterion.name(),
-                "summary": source(criterion.name()),
-                "strengths": strengths(criterion.as_ref()),
+                "name": info.name,
+                "summary": info.summary,
+                "strengths": strengths(info),
             })
         })
         .collect()

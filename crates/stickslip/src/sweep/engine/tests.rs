@@ -6,8 +6,9 @@ use std::path::Path;
 use tempfile::TempDir;
 
 use super::*;
-use crate::results::{BodyFailure, EdgeRow};
-use crate::run::run as whole_run;
+use crate::host::HOST;
+use stickslip_engine::results::{BodyFailure, EdgeRow};
+use stickslip_engine::run::run as whole_run;
 
 const AXES: &str = r#"
 version = 1
@@ -33,7 +34,7 @@ fn sweep(axes: &str, overrides: &[&str]) -> (TempDir, Sweep) {
     .unwrap();
     let path = folder.path().join("sweep.toml");
     fs::write(&path, axes).unwrap();
-    let sweep = Sweep::from_file(&path, overrides).unwrap();
+    let sweep = Sweep::from_file(&path, overrides, HOST).unwrap();
     (folder, sweep)
 }
 

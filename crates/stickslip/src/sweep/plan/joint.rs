@@ -1,9 +1,9 @@
 //! Which contact of the scene is the joint, and which criterion calls its mode.
 
 use super::Scene;
-use crate::diagnostic::{SceneError, SceneProblem, nearest};
-use crate::scene::document::{Document, Part};
 use crate::sweep::format::JointFormat;
+use stickslip_scene::diagnostic::{SceneError, SceneProblem, nearest};
+use stickslip_scene::document::{Document, Part};
 
 /// Refuses a scene whose joint would have to be followed: a sweep solves contact and asks plies, and follows no failure.
 pub(super) fn follows_nothing(

@@ -9,15 +9,16 @@ use serde_json::Value;
 use sha2::{Digest as _, Sha256};
 
 use super::{Base, Sweep, VERSION, joint};
-use crate::diagnostic::{SceneError, SceneProblem, SourceText, nearest};
-use crate::limits::{Content, Limits};
-use crate::output::LoadScale;
-use crate::scene::Format;
-use crate::scene::document::{Document, Part};
-use crate::scene::read::Reader;
 use crate::sweep::axis::{Axis, AxisKey, between};
 use crate::sweep::format::{AxisFormat, MapFormat, SweepFormat};
-use crate::units::Dimension;
+use stickslip_engine::LoadScale;
+use stickslip_scene::Format;
+use stickslip_scene::diagnostic::{SceneError, SceneProblem, SourceText, nearest};
+use stickslip_scene::document::{Document, Part};
+use stickslip_scene::host::Host;
+use stickslip_scene::limits::Content;
+use stickslip_scene::read::Reader;
+use stickslip_scene::units::Dimension;
 
 /// Most values of an axis given by its ends, and most cases.
 const LONGEST_AXIS: usize = 10_000;
@@ -28,11 +29,11 @@ pub(super) fn sweep(
     format: Format,
     folder: &Path,
     overrides: Vec<String>,
-    limits: Limits,
+    host: Host,
 ) -> Result<Sweep, SceneError> {
     let source_name = source.name.clone();
     let mut document = Document::parse(source, format)?;
-    document.limits = limits;
+    document.host = host;
     document.check_texts()?;
     check_version(&document)?;
     let read = SweepFormat::deserialize(Reader::new(&document.root, "")).map_err(|error| {
@@ -95,7 +96,7 @@ fn base(
 ) -> Result<Base, SceneError> {
     let path = folder.join(scene);
     let name = path.display().to_string();
-    let text = document.limits.read_text(&path, Content::Document);
+    let text = document.host.read_text(&path, Content::Document);
     let text = text.map_err(|error| {
         let problem = SceneProblem::Conflict {
             message: format!("the scene file '{name}' cannot be read: {error}"),
@@ -109,7 +110,7 @@ fn base(
         folder: path.parent().unwrap_or(Path::new("")).to_owned(),
         name,
         overrides,
-        limits: document.limits,
+        host: document.host,
     })
 }
 

@@ -1,0 +1,180 @@
+//! What is reported of a load step: its increments, merged.
+
+use nalgebra::DVector;
+
+use super::travel::{parts, travelled};
+use super::{Increment, Recovery};
+use crate::audit::Audit;
+use crate::freedom::{loose_pairs, sliding_pairs};
+use crate::problem::InterfaceProblem;
+use crate::solver::{InterfaceSolver, Residuals, Step, StepFailure, StepSolution, Work};
+use crate::state::ContactState;
+
+/// One accepted load step, of one problem or of all parts of an [`Interface`](crate::interface::Interface).
+#[derive(Clone, Debug)]
+pub struct StepRecord {
+    /// Contact at its end.
+    pub state: ContactState,
+    /// Work of all its increments, failed attempts included.
+    pub work: Work,
+    /// Largest residuals of its increments.
+    pub residuals: Residuals,
+    /// Largest number of points in doubt in an increment.
+    pub doubtful: usize,
+    /// Solvers that found its increments.
+    pub solvers: Vec<&'static str>,
+    /// What failed before these were found.
+    pub recovery: Recovery,
+    /// Largest number of solutions of an increment, where they were enumerated: those in which no other points touch than in its
+    /// answer.
+    pub solutions: Option<usize>,
+    /// Pairs whose gaps contact leaves undetermined at the end of an increment, as by [`loose_pairs`].
+    pub loose: Vec<usize>,
+    /// Pairs whose slip friction leaves undetermined in an increment, as by [`sliding_pairs`].
+    pub sliding: Vec<usize>,
+    /// Whether contact parted and bore elsewhere in one increment: what bodies travelled in between is counted as slip.
+    pub parted: bool,
+    /// Largest coefficient of friction of the points in contact at its end (dimensionless).
+    pub coefficient: f64,
+    /// Estimate of the coefficient up to which its end has one solution, as by [`uniqueness_bound`](crate::uniqueness::uniqueness_bound); made once in a history,
+    /// when all steps are done, for the step in which most points touch.
+    pub uniqueness: Option<f64>,
+    /// Increments accepted.
+    pub increments: usize,
+    /// Increments that failed and were halved.
+    pub cutbacks: usize,
+    /// Work lost to friction in the step `[force·length]`: slip times the mean of the slip forces at both ends of each increment.
+    pub dissipation: f64,
+    /// Slip of each point in the step `[length]`, first body against the second along e_t; zero where it did not slip.
+    pub slip: DVector<f64>,
+    /// Equilibrium at its end.
+    pub audit: Audit,
+    /// The records of the parts of an [`Interface`](crate::interface::Interface) of several, of which this one holds sums and largest values; empty for one problem.
+    pub parts: Vec<StepRecord>,
+}
+
+impl StepRecord {
+    /// The record of a step that has not left `state` yet.
+    pub(super) fn at(state: ContactState) -> Self {
+        Self {
+            slip: DVector::zeros(state.status.len()),
+            state,
+            work: Work::default(),
+            residuals: Residuals::default(),
+            doubtful: 0,
+            solvers: Vec::new(),
+            recovery: Recovery::default(),
+            solutions: None,
+            loose: Vec::new(),
+            sliding: Vec::new(),
+            parted: false,
+            coefficient: 0.0,
+            uniqueness: None,
+            increments: 0,
+            cutbacks: 0,
+            dissipation: 0.0,
+            audit: Audit::default(),
+            parts: Vec::new(),
+        }
+    }
+
+    /// The record of the one increment that `solution` solves: `step` with that end. Whether contact parted is left open.
+    pub fn of(step: &Step<'_>, solution: StepSolution) -> Self {
+        let (problem, start) = (step.problem, step.committed);
+        let coefficient = step.largest_coefficient(&solution.trial);
+        let Increment {
+            state,
+            residuals,
+            dissipation,
+            slip,
+        } = Increment::accept(step, solution.trial);
+        Self {
+            audit: Audit::of(problem, &state),
+            work: solution.work,
+            residuals,
+            doubtful: solution.doubtful,
+            solvers: vec![solution.solver],
+            recovery: Recovery::of(&solution.attempts),
+            solutions: solution.solutions,
+            loose: loose_pairs(problem, &state),
+            sliding: sliding_pairs(problem, start, &state, &slip),
+            parted: false,
+            coefficient,
+            uniqueness: None,
+            increments: 1,
+            cutbacks: 0,
+            dissipation,
+            slip,
+            state,
+            parts: Vec::new(),
+        }
+    }
+
+    /// Goes on from its end to the load multipliers `multipliers` with `solver`, by its cheapest means only if `quickly`.
+    pub(super) fn advance(
+        &mut self,
+        problem: &InterfaceProblem,
+        solver: &dyn InterfaceSolver,
+        quickly: bool,
+        multipliers: &[f64],
+    ) -> Result<(), StepFailure> {
+        let ends = [&*self.state.multipliers, multipliers];
+        let travelled = travelled(problem, &self.state, ends);
+        let start = travelled.as_ref().unwrap_or(&self.state);
+        let step = Step::new(problem, start, multipliers);
+        let solution = if quickly {
+            solver.try_quickly(&step)?
+        } else {
+            solver.solve(&step)?
+        };
+        let increment = Self {
+            parted: parts(&start.forces, &solution.trial.forces),
+            ..Self::of(&step, solution)
+        };
+        self.append(increment);
+        Ok(())
+    }
+
+    /// Takes over a refused attempt at an increment.
+    pub(super) fn cut_back(&mut self, failure: &StepFailure) {
+        self.work += failure.work;
+        self.recovery.add(&failure.attempts);
+        self.cutbacks += 1;
+    }
+
+    /// Adds `next`, which begins where this record ends: sums of work, of slip and of what was tried, the worst of residuals and doubts,
+    /// and the state at its end.
+    fn append(&mut self, next: Self) {
+        self.work += next.work;
+        self.residuals = self.residuals.worse(next.residuals);
+        self.doubtful = self.doubtful.max(next.doubtful);
+        for solver in next.solvers {
+            if !self.solvers.contains(&solver) {
+                self.solvers.push(solver);
+            }
+        }
+        self.recovery.append(next.recovery);
+        self.solutions = self.solutions.max(next.solutions);
+        for (pairs, more) in [
+            (&mut self.loose, next.loose),
+            (&mut self.sliding, next.sliding),
+        ] {
+            pairs.extend(more);
+            pairs.sort_unstable();
+            pairs.dedup();
+        }
+        self.parted |= next.parted;
+        self.coefficient = next.coefficient;
+        self.increments += next.increments;
+        self.cutbacks += next.cutbacks;
+        self.dissipation += next.dissipation;
+        self.slip += next.slip;
+        self.state = next.state;
+        self.audit = next.audit;
+    }
+
+    /// The record of part `part`.
+    pub(super) fn part(&self, part: usize) -> &Self {
+        self.parts.get(part).unwrap_or(self)
+    }
+}

@@ -1,0 +1,23 @@
+//! From a checked scene to its solved load history.
+//!
+//! ```text
+//! Scene ──► model ──► run ──► results
+//!           bodies,   steps   numbers in base units
+//!           pairs
+//! ```
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | [`model`] | meshes, bodies, contact pairs, load history; the choices made |
+//! | [`run`](mod@run) | condense the bodies, follow the history, recover what is reported |
+//! | [`results`] | what a run yields |
+//! | [`LoadScale`] | what tables and figures count the load steps by |
+
+pub mod failure;
+mod load_scale;
+mod loads;
+pub mod model;
+pub mod results;
+pub mod run;
+
+pub use load_scale::LoadScale;

@@ -1,0 +1,144 @@
+//! The nodes of an edge, in walk order.
+
+use std::f64::consts::{PI, TAU};
+
+use stickslip_fem_core::mesh::Curve;
+
+use super::substance;
+use crate::model::{Meshes, ModelEdge, ModelError};
+use crate::results::{ContactFrame, EdgeGeometry, EdgeKind};
+use stickslip_scene::Scene;
+use stickslip_scene::schema::SetRef;
+
+/// The nodes of an edge by ascending parameter.
+pub(super) struct EdgeNodes {
+    pub(super) kind: EdgeKind,
+    pub(super) parameter: Vec<f64>,
+    pub(super) nodes: Vec<usize>,
+    pub(super) corner: Vec<bool>,
+    pub(super) weights: Vec<f64>,
+    pub(super) order: usize,
+}
+
+pub(super) fn edge_nodes(
+    scene: &Scene,
+    edge: &SetRef,
+    meshes: &Meshes,
+    half: bool,
+) -> Result<EdgeNodes, ModelError> {
+    let mesh_error = |cause| ModelError::Mesh {
+        body: edge.body.clone(),
+        cause,
+    };
+    let mesh = &meshes[&edge.body];
+    let path = mesh.edge_path(&edge.set).map_err(mesh_error)?;
+    let curve = mesh.edge_set(&edge.set).map_err(mesh_error)?.curve;
+    let shape = &scene.bodies[&edge.body].shape;
+    if let (Some(radius), Some(Curve::Arc { centre, .. })) = (shape.circle(&edge.set), curve) {
+        let walk = mesh.counter_clockwise(&path, centre);
+        let weights = mesh.edge_weights(&walk, curve);
+        let parameter = mesh.angles(&walk, centre);
+        let corner = (0..walk.nodes.len()).map(|k| k % walk.order == 0).collect();
+        let mut nodes = EdgeNodes {
+            kind: EdgeKind::Circle { centre, radius },
+            parameter,
+            nodes: walk.nodes,
+            corner,
+            weights,
+            order: walk.order,
+        };
+        if !half {
+            nodes.start_at_minus_pi();
+        }
+        return Ok(nodes);
+    }
+    let weights = mesh.edge_weights(&path, curve);
+    let x = |node: usize| mesh.nodes()[node][0];
+    let mut nodes = EdgeNodes {
+        kind: EdgeKind::Line,
+        parameter: path.nodes.iter().map(|&node| x(node)).collect(),
+        corner: (0..path.nodes.len()).map(|k| k % path.order == 0).collect(),
+        weights,
+        order: path.order,
+        nodes: path.nodes,
+    };
+    if nodes.parameter.first() > nodes.parameter.last() {
+        nodes.parameter.reverse();
+        nodes.nodes.reverse();
+        nodes.corner.reverse();
+        nodes.weights.reverse();
+    }
+    Ok(nodes)
+}
+
+impl EdgeNodes {
+    /// Rotates a closed walk so that its angles ascend from −π.
+    fn start_at_minus_pi(&mut self) {
+        let first = (0..self.nodes.len())
+            .filter(|&k| self.corner[k])
+            .find(|&k| self.parameter[k] > PI - 1e-9)
+            .unwrap_or(0);
+        for angle in &mut self.parameter[first..] {
+            *angle -= TAU;
+        }
+        self.parameter.rotate_left(first);
+        self.nodes.rotate_left(first);
+        self.corner.rotate_left(first);
+        self.weights.rotate_left(first);
+    }
+
+    /// At parameter `at`: e_r on a circle, +y on a line.
+    pub(super) fn normal(&self, at: f64) -> [f64; 2] {
+        match self.kind {
+            EdgeKind::Circle { .. } => [at.cos(), at.sin()],
+            EdgeKind::Line => [0.0, 1.0],
+        }
+    }
+
+    pub(super) fn into_model_edge(
+        self,
+        scene: &Scene,
+        edge: &SetRef,
+        body: usize,
+        half: bool,
+        pair: Option<usize>,
+    ) -> ModelEdge {
+        let normals = self.parameter.iter().map(|&at| self.normal(at)).collect();
+        let (thickness, _) = substance(scene, &edge.body);
+        // A side along the line of symmetry lies wholly in the half or wholly out of it.
+        let shape = scene.bodies[&edge.body].shape;
+        let (own, across) = (shape.edge(&edge.set), shape.mirror());
+        let aside = own.zip(across).and_then(|(own, across)| own.level(across));
+        let half = half && aside.is_none();
+        let bearing_area = match self.kind {
+            EdgeKind::Circle { radius, .. } => Some(2.0 * radius * thickness),
+            EdgeKind::Line => None,
+        };
+        ModelEdge {
+            geometry: EdgeGeometry {
+                name: edge.to_string(),
+                contact: pair.is_some(),
+                body: edge.body.clone(),
+                kind: self.kind,
+                parameter: self.parameter,
+                corner: self.corner,
+                half,
+                bearing_area,
+                law: String::new(),
+                frame: ContactFrame::NONE,
+            },
+            body,
+            nodes: self.nodes,
+            local: Vec::new(),
+            areas: self
+                .weights
+                .iter()
+                .map(|weight| weight * thickness)
+                .collect(),
+            order: self.order,
+            normals,
+            pair,
+            tractions: Vec::new(),
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! The curves that face each other in a contact.
+
+use stickslip_contact::gap;
+use stickslip_fem_core::mesh::Point;
+
+use stickslip_scene::Scene;
+use stickslip_scene::placement;
+use stickslip_scene::schema::{Contact, GapKind, SetRef};
+use stickslip_scene::shape::Touch;
+
+/// The two curves that face each other.
+pub(super) enum Geometry {
+    Circles {
+        radius: f64,
+        clearance: f64,
+        offset: Point,
+    },
+    Cylinder {
+        radius: f64,
+    },
+}
+
+impl Geometry {
+    pub(super) fn of(scene: &Scene, contact: &Contact) -> Option<Self> {
+        let edge = |set: &SetRef| scene.bodies.get(&set.body)?.shape.edge(&set.set);
+        let touch = edge(&contact.first)?.touches(&edge(&contact.second)?)?;
+        Some(match touch {
+            Touch::Circles {
+                radii: radii @ [radius, inner],
+            } => Self::Circles {
+                radius,
+                clearance: radius - inner,
+                offset: placement::offset(radii),
+            },
+            Touch::Cylinder { radius } => Self::Cylinder { radius },
+        })
+    }
+
+    /// Length `[mm]` of the contact per unit of the parameter, an angle or a length.
+    pub(super) fn length(&self) -> f64 {
+        match self {
+            Self::Circles { radius, .. } => *radius,
+            Self::Cylinder { .. } => 1.0,
+        }
+    }
+
+    /// Initial gap; `None` for a faceted one.
+    pub(super) fn gap(&self, kind: GapKind, at: f64) -> Option<f64> {
+        match (self, kind) {
+            (_, GapKind::Faceted) => None,
+            (
+                Self::Circles {
+                    radius,
+                    clearance,
+                    offset,
+                },
+                GapKind::Exact,
+            ) => Some(gap::circles(*radius, *clearance, *offset, at)),
+            (
+                Self::Circles {
+                    clearance, offset, ..
+                },
+                GapKind::Linearised,
+            ) => Some(gap::circles_linearised(*clearance, *offset, at)),
+            (Self::Cylinder { radius }, GapKind::Exact) => Some(gap::cylinder(*radius, at)),
+            (Self::Cylinder { radius }, GapKind::Linearised) => {
+                Some(gap::cylinder_linearised(*radius, at))
+            }
+        }
+    }
+}

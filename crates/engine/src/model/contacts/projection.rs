@@ -1,0 +1,304 @@
+//! How the edges of a contact are tied: pairs of nodes where the meshes match, the mortar projection where they do not.
+//!
+//! On circles the motion of a mortar point is made to follow a turn φ of its body about the circle's centre as a node does,
+//!
+//! ```text
+//! (u_n, u_t) = Σ_j W_j F u_j + couples = (0, R φ)     for u_j = φ e_z × (x_j − c)
+//! ```
+//!
+//! Cells between nodes miss that by the third power of their length, so the normal forces of a coarse mesh would turn a pin that
+//! friction alone holds. The couples are forces of the stencil's own nodes without resultant, perpendicular to their arms.
+
+use std::f64::consts::TAU;
+use std::ops::Range;
+
+use stickslip_contact::mortar::{self, MortarError};
+use stickslip_contact::{
+    ContactPoint, EdgeSide, InitialGap, Multipliers, Projection, Stencil, StencilTerm,
+};
+use stickslip_fem_core::mesh::{Mesh, Point};
+
+use super::edge::EdgeNodes;
+use super::geometry::Geometry;
+use crate::model::ModelError;
+use crate::results::{Choice, EdgeKind};
+use stickslip_scene::Scene;
+use stickslip_scene::schema::{Contact, ProjectionChoice};
+
+/// Places along an edge that differ by less than this part of its extent are the same.
+const SAME_PLACE: f64 = 1e-9;
+
+/// One side of a contact.
+pub(super) struct Side<'a> {
+    pub(super) edge: &'a EdgeNodes,
+    /// Where its nodes stand among the body's contact points.
+    pub(super) local: Range<usize>,
+    /// Positions of all contact points of the body so far `[mm]`.
+    positions: Vec<Point>,
+}
+
+impl<'a> Side<'a> {
+    /// Adds the nodes of `edge` to the contact points `interface` of its body.
+    pub(super) fn new(interface: &mut Vec<usize>, mesh: &Mesh, edge: &'a EdgeNodes) -> Self {
+        let start = interface.len();
+        interface.extend(&edge.nodes);
+        Self {
+            edge,
+            local: start..interface.len(),
+            positions: interface.iter().map(|&node| mesh.nodes()[node]).collect(),
+        }
+    }
+
+    /// Adds the places of `other` to the contact points of a rigid body.
+    pub(super) fn rigid(points: &mut Vec<Point>, other: &Self, edge: &'a EdgeNodes) -> Self {
+        let start = points.len();
+        points.extend(&other.positions[other.local.clone()]);
+        Self {
+            edge,
+            local: start..points.len(),
+            positions: points.clone(),
+        }
+    }
+
+    fn position(&self, k: usize) -> Point {
+        self.positions[self.local.start + k]
+    }
+
+    /// `stencil` with the moments about the circle's centre that a node on it has: none of a normal force, the radius of a tangential
+    /// one.
+    fn centred(&self, stencil: &Stencil, [nx, ny]: [f64; 2]) -> Stencil {
+        let EdgeKind::Circle { centre, radius } = self.edge.kind else {
+            return stencil.clone();
+        };
+        // In the frame of the point: along the normal and along the tangent.
+        let place = |node: usize| {
+            let [x, y] = [0, 1].map(|i| self.positions[node][i] - centre[i]);
+            [nx * x + ny * y, nx * y - ny * x]
+        };
+        let terms = stencil.terms();
+        let places: Vec<[f64; 2]> = terms.iter().map(|term| place(term.node)).collect();
+        let count = places.len() as f64;
+        let middle = [0, 1].map(|i| places.iter().map(|at| at[i]).sum::<f64>() / count);
+        let arms = places
+            .iter()
+            .map(|at| [at[0] - middle[0], at[1] - middle[1]]);
+        let arms: Vec<[f64; 2]> = arms.collect();
+        let size: f64 = arms.iter().map(|[n, t]| n * n + t * t).sum();
+        if size <= 0.0 {
+            return stencil.clone();
+        }
+        let wanted = [0.0, radius];
+        let missing: [f64; 2] = std::array::from_fn(|row| {
+            let moment = |(term, at): (&StencilTerm, &[f64; 2])| {
+                at[0] * term.weights[row][1] - at[1] * term.weights[row][0]
+            };
+            wanted[row] - terms.iter().zip(&places).map(moment).sum::<f64>()
+        });
+        let mended = terms.iter().zip(&arms).map(|(term, [n, t])| StencilTerm {
+            node: term.node,
+            weights: std::array::from_fn(|row| {
+                let [along_n, along_t] = term.weights[row];
+                let turn = missing[row] / size;
+                [along_n - turn * t, along_t + turn * n]
+            }),
+        });
+        Stencil::new(mended.collect())
+    }
+
+    fn projected(&self, closed: bool) -> Result<EdgeSide, MortarError> {
+        let (nodes, parameter) = (self.local.clone().collect(), self.edge.parameter.clone());
+        if closed {
+            EdgeSide::closed(nodes, parameter, self.edge.order, TAU)
+        } else {
+            EdgeSide::open(nodes, parameter, self.edge.order)
+        }
+    }
+}
+
+/// What the two sides of a contact have in common.
+pub(super) struct Tied<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) contact: &'a Contact,
+    pub(super) geometry: &'a Geometry,
+    pub(super) half: bool,
+    /// Thickness `[mm]` and angle of the 1-axis `[rad]` of the first body.
+    pub(super) thickness: f64,
+    pub(super) material_angle: f64,
+}
+
+impl Tied<'_> {
+    /// One contact point per node of the first edge; with how they were made and why.
+    pub(super) fn tie(
+        &self,
+        first: &Side<'_>,
+        second: &Side<'_>,
+    ) -> Result<(Vec<ContactPoint>, [String; 2]), ModelError> {
+        let mismatch = self.mismatch(first.edge, second.edge);
+        let said = || {
+            let meshes = mismatch.clone();
+            format!(
+                "the scene says so; {}",
+                meshes.unwrap_or_else(|| "the meshes match".into())
+            )
+        };
+        let (multipliers, reason) = match (self.contact.projection, &mismatch) {
+            (ProjectionChoice::Nodes, Some(why)) => {
+                return Err(self.refuse(format!("pairs of nodes need meshes that match, but {why}")));
+            }
+            (ProjectionChoice::Nodes, None) => (None, said()),
+            (ProjectionChoice::Auto, None) => (
+                None,
+                "the meshes of a pair are made with the same divisions; gaps come from the true geometry"
+                    .to_owned(),
+            ),
+            (ProjectionChoice::Auto, Some(why)) => (Some(Multipliers::Dual), why.clone()),
+            (ProjectionChoice::Mortar, _) => (Some(Multipliers::Standard), said()),
+            (ProjectionChoice::DualMortar, _) => (Some(Multipliers::Dual), said()),
+        };
+        let (points, value) = match multipliers {
+            None => (self.node_pairs(first, second), "matching node pairs"),
+            Some(Multipliers::Standard) => (
+                self.mortar(first, second, Multipliers::Standard)?,
+                "mortar projection, standard multipliers",
+            ),
+            Some(Multipliers::Dual) => (
+                self.mortar(first, second, Multipliers::Dual)?,
+                "mortar projection, dual multipliers",
+            ),
+        };
+        Ok((points, [value.to_owned(), reason]))
+    }
+
+    fn refuse(&self, what: String) -> ModelError {
+        ModelError::Projection {
+            contact: self.contact.name.clone(),
+            what,
+        }
+    }
+
+    /// Why the nodes of the two edges make no pairs.
+    fn mismatch(&self, first: &EdgeNodes, second: &EdgeNodes) -> Option<String> {
+        let Contact {
+            first: upper,
+            second: lower,
+            ..
+        } = self.contact;
+        if first.order != second.order {
+            let order = |edge: &EdgeNodes| match edge.order {
+                1 => "linear".to_owned(),
+                2 => "quadratic".to_owned(),
+                order => format!("of order {order}"),
+            };
+            return Some(format!(
+                "the cells along {upper} are {}, those along {lower} {}",
+                order(first),
+                order(second)
+            ));
+        }
+        let (count, other) = (first.nodes.len(), second.nodes.len());
+        if count != other {
+            return Some(format!("{count} nodes of {upper} face {other} of {lower}"));
+        }
+        let places = first.parameter.iter().zip(&second.parameter);
+        let apart = places.fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+        let extent = first
+            .parameter
+            .iter()
+            .fold(0.0_f64, |most, at| most.max(at.abs()));
+        (apart > SAME_PLACE * extent).then(|| {
+            let shown = match first.kind {
+                EdgeKind::Circle { .. } => format!("{:.3}°", apart.to_degrees()),
+                EdgeKind::Line => self.scene.display.length.show(apart),
+            };
+            format!("nodes of {upper} and {lower} lie up to {shown} apart")
+        })
+    }
+
+    fn gap(&self, at: f64) -> Option<f64> {
+        self.geometry.gap(self.contact.gap, at)
+    }
+
+    fn node_pairs(&self, first: &Side<'_>, second: &Side<'_>) -> Vec<ContactPoint> {
+        let edge = first.edge;
+        let point = |(k, &at): (usize, &f64)| {
+            let normal = edge.normal(at);
+            let (above, below) = (first.position(k), second.position(k));
+            let faceted = normal[0] * (above[0] - below[0]) + normal[1] * (above[1] - below[1]);
+            ContactPoint {
+                first: (first.local.start + k).into(),
+                second: (second.local.start + k).into(),
+                normal,
+                gap: self.gap(at).unwrap_or(faceted),
+                area: edge.weights[k] * self.thickness,
+                material_angle: self.material_angle,
+            }
+        };
+        edge.parameter.iter().enumerate().map(point).collect()
+    }
+
+    fn mortar(
+        &self,
+        first: &Side<'_>,
+        second: &Side<'_>,
+        multipliers: Multipliers,
+    ) -> Result<Vec<ContactPoint>, ModelError> {
+        let edge = first.edge;
+        let round = matches!(edge.kind, EdgeKind::Circle { .. });
+        let closed = round && !self.half;
+        // Where the gap is not one of the true geometry, it is that between the meshes.
+        let exact = |at: f64| self.gap(at).unwrap_or_default();
+        let gap = match self.gap(0.0) {
+            Some(_) => InitialGap::Exact(&exact),
+            None => InitialGap::Faceted(&first.positions, &second.positions),
+        };
+        let projection = Projection {
+            multipliers,
+            length: self.geometry.length(),
+            thickness: self.thickness,
+            normal: &|at| edge.normal(at),
+            gap,
+            material_angle: self.material_angle,
+            symmetry: [self.half, self.half && round],
+        };
+        let project = || {
+            let (above, below) = (first.projected(closed)?, second.projected(closed)?);
+            mortar::project(&above, &below, &projection)
+        };
+        let made = project().map_err(|cause| self.refuse(cause.to_string()))?;
+        // Rows of results are nodes of the first edge, so each must have its point.
+        let (found, nodes) = (made.points.len(), edge.nodes.len());
+        if found != nodes {
+            return Err(self.refuse(format!(
+                "{} covers {found} of the {nodes} nodes of {}",
+                self.contact.second, self.contact.first
+            )));
+        }
+        let mut points = made.points;
+        let last = nodes - 1;
+        for (k, point) in points.iter_mut().enumerate() {
+            // On a line of symmetry the other half balances the moments.
+            if !(self.half && (k == 0 || k == last)) {
+                point.first = first.centred(&point.first, point.normal);
+                point.second = second.centred(&point.second, point.normal);
+            }
+        }
+        Ok(points)
+    }
+}
+
+/// One choice for all contacts where they are tied alike, otherwise one for each: `chosen` holds value and reason of each contact.
+pub(super) fn choices(scene: &Scene, chosen: &[[String; 2]]) -> Vec<Choice> {
+    let alike = chosen.windows(2).all(|pair| pair[0] == pair[1]);
+    let contacts = scene.contacts.iter().zip(chosen);
+    let choice = |(contact, [value, reason]): (&Contact, &[String; 2])| Choice {
+        what: if alike {
+            "contact discretisation".to_owned()
+        } else {
+            format!("contact discretisation of '{}'", contact.name)
+        },
+        value: value.clone(),
+        reason: reason.clone(),
+    };
+    let count = if alike { 1 } else { chosen.len() };
+    contacts.take(count).map(choice).collect()
+}

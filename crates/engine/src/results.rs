@@ -1,0 +1,320 @@
+//! What a run yields, in base units (mm, N, MPa, rad): the source of every table, file and figure.
+
+mod failure;
+mod frame;
+mod progressive;
+mod resolution;
+
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+pub use failure::{
+    BesideSupports, BodyFailure, CharacteristicFailure, EdgePlies, EdgePly, Envelope,
+    EnvelopePoint, FailurePoint, FirstPly, JointFailure, JointMode, PlyGroup, PlyMap,
+};
+
+pub use frame::wrapped;
+pub use frame::{BearingSource, ContactFrame};
+
+pub use progressive::{
+    CurvePoint, EdgeStrain, LinearJoint, PlyLoss, ProgressiveEnd, ProgressiveFailure,
+};
+
+use stickslip_contact::Status;
+use stickslip_contact::history::{Otherwise, Recovery};
+use stickslip_contact::solver::{Residuals, Work};
+use stickslip_contact::zones::Zone;
+use stickslip_fem_core::body::BodyBalance;
+use stickslip_fem_core::mesh::Mesh;
+
+use stickslip_scene::schema::DisplayUnits;
+
+/// Everything that a run found.
+#[derive(Clone, Debug)]
+pub struct Results {
+    /// Title of the scene.
+    pub title: String,
+    /// Name of the scene's file.
+    pub source: String,
+    /// SHA-256 of the resolved scene.
+    pub scene_hash: String,
+    /// Units to show results in.
+    pub units: DisplayUnits,
+    /// What the program chose, and why.
+    pub choices: Vec<Choice>,
+    /// What a reader must know: several solutions, points in doubt, cut-backs.
+    pub notes: Vec<String>,
+    /// Bodies in the order of their names.
+    pub bodies: Vec<BodySummary>,
+    /// Sparse factorisations made.
+    pub factorisations: usize,
+    /// Contact edges, then further edges asked for: what does not change from step to step.
+    pub edges: Vec<EdgeGeometry>,
+    /// Bodies that contact links, each part solved apart from the others; empty stands for one part of everything.
+    pub parts: Vec<ResultPart>,
+    /// Load steps.
+    pub steps: Vec<StepResults>,
+    /// Failure of the laminated bodies that the scene asks about.
+    pub failure: Vec<BodyFailure>,
+    /// Wall time of each phase `[s]`.
+    pub phases: Vec<(&'static str, f64)>,
+}
+
+impl Results {
+    /// The edge that tables show, as an index into [`edges`](Self::edges): the first contact edge, or the first edge without contact.
+    pub fn main_edge(&self) -> Option<usize> {
+        let contact = self.edges.iter().position(|edge| edge.contact);
+        contact.or((!self.edges.is_empty()).then_some(0))
+    }
+}
+
+/// Bodies that contact links, and what acts on them; nothing else does. All lists are ascending.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ResultPart {
+    /// Indices in [`Results::bodies`]; a rigid body that is held may be in several parts.
+    pub bodies: Vec<usize>,
+    /// Indices in [`Results::edges`].
+    pub edges: Vec<usize>,
+    /// Indices in [`StepResults::loads`].
+    pub loads: Vec<usize>,
+}
+
+/// A choice that the program made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Choice {
+    /// What was chosen, e.g. "model".
+    pub what: String,
+    /// The choice, e.g. "half".
+    pub value: String,
+    /// Why.
+    pub reason: String,
+}
+
+/// A body as it was modelled.
+#[derive(Clone, Debug)]
+pub struct BodySummary {
+    /// Name in the scene.
+    pub name: String,
+    /// Its mesh; `None` for a rigid body.
+    pub mesh: Option<Arc<Mesh>>,
+    /// Number of unknowns.
+    pub dofs: usize,
+    /// Stored entries of its Cholesky factor.
+    pub factor_entries: usize,
+    /// Rigid motions that its supports leave free.
+    pub free_motions: usize,
+}
+
+/// How places along an edge are measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum EdgeKind {
+    /// A circle: `parameter` is the angle θ `[rad]`, counter-clockwise from +x about its centre.
+    Circle {
+        /// Centre `[mm]`.
+        centre: [f64; 2],
+        /// Radius `[mm]`.
+        radius: f64,
+    },
+    /// A line or shallow arc along x: `parameter` is x `[mm]`.
+    Line,
+}
+
+/// An edge whose quantities are reported.
+#[derive(Clone, Debug)]
+pub struct EdgeGeometry {
+    /// Contact name, or `body.set` of a further edge; part of file names.
+    pub name: String,
+    /// Whether it is a contact edge.
+    pub contact: bool,
+    /// Name of the body whose stresses are given (the first body of a contact).
+    pub body: String,
+    /// Circle or line.
+    pub kind: EdgeKind,
+    /// Place of each node along the edge: θ `[rad]` or x `[mm]`, ascending.
+    pub parameter: Vec<f64>,
+    /// Corner node (true) or mid-side node (false).
+    pub corner: Vec<bool>,
+    /// Whether only half of a symmetric edge is modelled (the other half is its mirror image).
+    pub half: bool,
+    /// D·t `[mm²]` of a hole, by which a force becomes a bearing stress; `None` for lines.
+    pub bearing_area: Option<f64>,
+    /// Name of the friction law; empty without contact.
+    pub law: String,
+    /// From where its places are measured.
+    pub frame: ContactFrame,
+}
+
+/// One node of an edge at the end of a load step. What is rounding beside the largest of the history is zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EdgeRow {
+    /// Contact pressure, ≥ 0 `[MPa]`.
+    pub pressure: f64,
+    /// Tangential traction λ_t on the first body along e_t `[MPa]`.
+    pub shear: f64,
+    /// Gap, positive when open `[mm]`.
+    pub gap: f64,
+    /// Slip accumulated in the steps in which the point slipped, first minus second body along e_t `[mm]`.
+    pub slip: f64,
+    /// Status.
+    pub status: Status,
+    /// σ_r (circle) or σ_yy (line) `[MPa]`.
+    pub sigma_normal: f64,
+    /// σ_θ or σ_xx `[MPa]`.
+    pub sigma_tangential: f64,
+    /// τ_rθ or τ_xy `[MPa]`.
+    pub tau: f64,
+}
+
+/// One edge at the end of a load step.
+#[derive(Clone, Debug)]
+pub struct EdgeResults {
+    /// One row per node.
+    pub rows: Vec<EdgeRow>,
+    /// Zones of equal status of the whole edge, also where half of it is modelled; empty without contact. On a circle a zone
+    /// across θ = ±π starts before π and ends beyond it.
+    pub zones: Vec<Zone>,
+    /// Half of what contact reaches over, gaps between its parts included `[rad or mm]`: half of the distance from its first to its
+    /// last place, on a circle half of all but the longest opening; `None` if the pair is open or not a contact.
+    pub contact_half_extent: Option<f64>,
+    /// Place of the step's own bearing point, as in `parameter`: the direction of the contact force on the first body `[rad]`, or the
+    /// centre of pressure `[mm]`. `None` where nothing bears in the step; what is measured from it is then measured from the edge's
+    /// [`frame`](EdgeGeometry::frame).
+    pub bearing: Option<f64>,
+    /// Half of the extent of the stick zone around the bearing point of the step `[rad or mm]`: 0 where that point slips or is
+    /// open, `None` without contact, without friction, or without a bearing point unless all sticks all around.
+    pub stick_half_extent: Option<f64>,
+    /// Largest pressure `[MPa]` and its place.
+    pub peak_pressure: Option<(f64, f64)>,
+    /// Largest tangential stress σ_θ or σ_xx `[MPa]` and its place.
+    pub peak_hoop: Option<(f64, f64)>,
+    /// Uncertainty of that stress where it sits in the cusp at the end of contact `[MPa]`: the larger change to a neighbouring
+    /// node. The peak there converges only like the root of the spacing; elsewhere `None`.
+    pub peak_hoop_uncertainty: Option<f64>,
+    /// σ_θ or σ_xx at the bearing point `[MPa]`; without one at θ = 0 or x = 0.
+    pub hoop_at_bearing_point: Option<f64>,
+    /// Resultant force on the first body, of the whole (both halves) `[N]`.
+    pub resultant: [f64; 2],
+    /// Signed sum of the friction forces over the whole contact `[N]`. On a circle ∫q dA with q = −λ_t sgn(sin(θ − θ_b)): q is positive
+    /// where friction pulls the first body along the edge towards the bearing point, negative where it pulls away from it; parts
+    /// of opposite signs cancel, so the sum says which prevails; zero without a bearing point. On a line the tangential force on
+    /// the first body along +x.
+    pub friction_force: f64,
+    /// ∫p dA over the whole contact `[N]`.
+    pub normal_force: f64,
+}
+
+impl EdgeGeometry {
+    /// The length of `parameter` after which the edge closes on itself, if it does.
+    pub fn closed(&self) -> Option<f64> {
+        matches!(self.kind, EdgeKind::Circle { .. }).then_some(TAU)
+    }
+
+    /// Where a reader looks for a place of `parameter`: its angle φ from the bearing point `[rad]`, or x `[mm]`.
+    pub fn seen(&self, place: f64) -> f64 {
+        match self.kind {
+            EdgeKind::Circle { .. } => self.frame.angle(place),
+            EdgeKind::Line => place,
+        }
+    }
+}
+
+impl EdgeResults {
+    /// Bearing stress |resultant| / (D t) `[MPa]`; `None` for lines or without force.
+    pub fn bearing_stress(&self, geometry: &EdgeGeometry) -> Option<f64> {
+        let force = self.resultant[0].hypot(self.resultant[1]);
+        geometry
+            .bearing_area
+            .filter(|_| force > 0.0)
+            .map(|area| force / area)
+    }
+}
+
+/// A load at the end of a step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadValue {
+    /// Name of the load.
+    pub name: String,
+    /// Its value in `unit`.
+    pub value: f64,
+    /// Display unit: of force, of stress, "K", or "1" for a factor.
+    pub unit: String,
+}
+
+/// One load step.
+#[derive(Clone, Debug)]
+pub struct StepResults {
+    /// Loads at its end.
+    pub loads: Vec<LoadValue>,
+    /// Whether the load by which the main edge's steps are counted is smaller in magnitude than in the step before.
+    pub unloading: bool,
+    /// Edges in the order of [`Results::edges`].
+    pub edges: Vec<EdgeResults>,
+    /// Work of the solvers.
+    pub work: Work,
+    /// Names of the solvers that found its increments.
+    pub solvers: Vec<&'static str>,
+    /// Increments and cut-backs.
+    pub increments: usize,
+    /// Increments that failed and were halved.
+    pub cutbacks: usize,
+    /// Points that stick although slip at once would be admissible too.
+    pub doubtful: usize,
+    /// What failed on the way, and what is known of further solutions.
+    pub notes: StepNotes,
+    /// Residuals of the contact conditions.
+    pub residuals: Residuals,
+    /// Largest unbalanced force or moment, of the floating bodies in the interface problem, and of each elastic body's nodes,
+    /// resultant and moment by its recovered displacements; relative to the body's own loads and contact forces in the step, or to a
+    /// thousandth of its largest in the history where that is more.
+    pub balance_residual: f64,
+    /// Balance of each body with its reactions, by the recovered displacements; `None` for a rigid one.
+    pub balance: Vec<Option<BodyBalance>>,
+    /// Frictional dissipation in the step, whole model `[N·mm]`.
+    pub dissipation: f64,
+    /// Fields of each elastic body, where asked for.
+    pub fields: Vec<BodyFields>,
+    /// Wall time of the step's contact solution `[s]`.
+    pub seconds: f64,
+}
+
+/// What a load step leaves to say of its solvers and of the number of its solutions.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct StepNotes {
+    /// Attempts that failed before its increments were solved.
+    pub recovery: Recovery,
+    /// Places x, y `[mm]` of the points of the first cycle.
+    pub cycle_places: Vec<[f64; 2]>,
+    /// Largest number of solutions of an increment in which no other points touch than in its answer, where they were enumerated: a
+    /// lower bound on the number of its solutions.
+    pub solutions: Option<usize>,
+    /// Where other ways to the end of the step lead.
+    pub otherwise: Otherwise,
+    /// Largest coefficient of friction of the points in contact (dimensionless).
+    pub friction: f64,
+    /// Estimate of the coefficient up to which the step has one solution (dimensionless); in the step of the history in which most
+    /// points touch.
+    pub uniqueness: Option<f64>,
+}
+
+impl StepNotes {
+    /// Number of solutions that are known, a lower bound on how many there are: those that were enumerated, and the one that another
+    /// solver found; `None` where none was looked for.
+    pub fn solutions_known(&self) -> Option<usize> {
+        let asked = self.otherwise.other_solver;
+        let by_another = asked.map(|other| if other.is_distinct() { 2 } else { 1 });
+        self.solutions.max(by_another)
+    }
+}
+
+/// Fields of a body at the end of a load step.
+#[derive(Clone, Debug)]
+pub struct BodyFields {
+    /// Index of the body in [`Results::bodies`].
+    pub body: usize,
+    /// Displacements, interleaved `[mm]`.
+    pub displacement: Vec<f64>,
+    /// Averaged nodal stresses (xx, yy, xy) by patch recovery `[MPa]`.
+    pub stress: Vec<[f64; 3]>,
+    /// Stress σ_zz across the thickness at each node `[MPa]`; zero in plane stress.
+    pub thickness_stress: Vec<f64>,
+}

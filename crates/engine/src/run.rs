@@ -1,0 +1,428 @@
+//! Solves a scene: condense the bodies, follow the load history, recover what is reported.
+
+mod bearing;
+mod doubts;
+mod edges;
+mod failure;
+mod fields;
+mod progressive;
+mod remarks;
+mod reported;
+
+use std::sync::Arc;
+
+use stickslip_contact::history::Otherwise;
+use stickslip_contact::{ContactError, Contacts, Interface, InterfaceSolver, StepRecord};
+use stickslip_fem_core::body::BodyError;
+use stickslip_fem_core::parallel;
+use stickslip_fem_core::stress::StressError;
+use stickslip_fem_core::{CondensedBody, InterfaceOperator};
+use stickslip_laminate::FailureError;
+use thiserror::Error;
+
+use crate::loads;
+pub use crate::loads::loads_reached;
+pub use progressive::ProgressiveRunError;
+pub use remarks::quoted;
+
+use crate::load_scale::LoadScale;
+use crate::model::{Model, ModelBodyKind, ModelError};
+use crate::results::{BodySummary, Choice, Results, StepNotes, StepResults};
+use stickslip_scene::Scene;
+use stickslip_scene::schema::{FieldOutput, SolverChoice};
+
+/// Why a run stopped.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum RunError {
+    /// The scene cannot be modelled.
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    /// A body cannot be condensed.
+    #[error("body '{body}': {cause}")]
+    Body {
+        /// The body.
+        body: String,
+        /// Its reason.
+        #[source]
+        cause: BodyError,
+    },
+    /// A load step was not solved.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
+    /// Stresses could not be recovered.
+    #[error("stresses: {0}")]
+    Stress(#[from] StressError),
+    /// Plies could not be asked for failure.
+    #[error("failure of body '{body}': {cause}")]
+    Failure {
+        /// The body.
+        body: String,
+        /// Its reason.
+        #[source]
+        cause: FailureError,
+    },
+    /// Plies could not be followed beyond their failure.
+    #[error("progressive failure of body '{body}': {cause}")]
+    Progressive {
+        /// The body.
+        body: String,
+        /// Its reason.
+        #[source]
+        cause: Box<ProgressiveRunError>,
+    },
+}
+
+/// What a run tells while it goes on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Progress {
+    /// A phase begins.
+    Phase(&'static str),
+    /// A load step is done.
+    Step {
+        /// Steps done.
+        done: usize,
+        /// Steps in all.
+        total: usize,
+    },
+}
+
+/// A body as the interface problem sees it.
+#[derive(Debug)]
+pub enum Operator {
+    /// Condensed finite elements.
+    Elastic(Arc<CondensedBody>),
+    /// Rigid.
+    Rigid(stickslip_fem_core::RigidBody),
+}
+
+impl Operator {
+    /// The operator's common face.
+    pub fn interface(&self) -> &dyn InterfaceOperator {
+        match self {
+            Self::Elastic(body) => body.as_ref(),
+            Self::Rigid(body) => body,
+        }
+    }
+
+    /// The condensed body, if it is elastic.
+    pub fn elastic(&self) -> Option<&CondensedBody> {
+        match self {
+            Self::Elastic(body) => Some(body),
+            Self::Rigid(_) => None,
+        }
+    }
+}
+
+/// A model whose history has been followed.
+#[derive(Debug)]
+pub struct Solved {
+    /// One operator per body.
+    pub operators: Vec<Operator>,
+    /// All contacts, in independent parts.
+    pub interface: Interface,
+    /// One record per load step.
+    pub records: Vec<StepRecord>,
+    /// Wall time of each load step `[s]`.
+    pub step_seconds: Vec<f64>,
+    /// Wall time of the phases `[s]`.
+    pub phases: Vec<(&'static str, f64)>,
+}
+
+/// Runs `scene` and reports to `progress`.
+///
+/// # Errors
+/// [`RunError`].
+pub fn run(scene: &Scene, progress: &mut dyn FnMut(Progress)) -> Result<Results, RunError> {
+    run_with(scene, solver(scene.analysis.solver).as_ref(), progress)
+}
+
+/// Runs `scene` with a contact solver of the caller's choice instead of the scene's, and reports to `progress`.
+///
+/// # Errors
+/// [`RunError`].
+pub fn run_with(
+    scene: &Scene,
+    solver: &dyn InterfaceSolver,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Results, RunError> {
+    progress(Progress::Phase("mesh"));
+    let start = scene.host().seconds();
+    let model = Model::build(scene)?;
+    let mesh_seconds = scene.host().seconds() - start;
+    let mut solved = solve(&model, solver, progress)?;
+    solved.phases.insert(0, ("mesh", mesh_seconds));
+    progress(Progress::Phase("stresses"));
+    results(scene, &model, solver, solved)
+}
+
+/// Condenses the bodies of `model` and follows its history with `solver`.
+///
+/// # Errors
+/// [`RunError`].
+pub fn solve(
+    model: &Model,
+    solver: &dyn InterfaceSolver,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Solved, RunError> {
+    progress(Progress::Phase("factorisation"));
+    let start = model.host.seconds();
+    let operators = condense(model)?;
+    let condensed = model.host.seconds() - start;
+    let faces: Vec<&dyn InterfaceOperator> = operators.iter().map(Operator::interface).collect();
+    let interface = Interface::new(&faces, model.pairs.clone())?;
+    let assembled = model.host.seconds() - start;
+    let phases = vec![
+        ("factorisation", condensed),
+        ("interface", assembled - condensed),
+    ];
+    drop(faces);
+    let mut solved = follow(model, operators, interface, solver, progress)?;
+    solved.phases.splice(0..0, phases);
+    Ok(solved)
+}
+
+/// Follows the history of `model` with `solver`, on the `interface` of its condensed bodies `operators`.
+///
+/// # Errors
+/// [`RunError::Contact`].
+pub fn follow(
+    model: &Model,
+    operators: Vec<Operator>,
+    interface: Interface,
+    solver: &dyn InterfaceSolver,
+    progress: &mut dyn FnMut(Progress),
+) -> Result<Solved, RunError> {
+    progress(Progress::Phase("contact"));
+    let start = model.host.seconds();
+    let total = model.history.steps().len();
+    let mut step_seconds = Vec::with_capacity(total);
+    let mut last = start;
+    let records = (model.history).follow_parts(&interface, solver, || {
+        let now = model.host.seconds();
+        step_seconds.push(now - last);
+        last = now;
+        progress(Progress::Step {
+            done: step_seconds.len(),
+            total,
+        });
+    })?;
+    Ok(Solved {
+        operators,
+        interface,
+        records,
+        step_seconds,
+        phases: vec![("contact", model.host.seconds() - start)],
+    })
+}
+
+/// The solver of a choice.
+pub fn solver(choice: SolverChoice) -> Box<dyn InterfaceSolver> {
+    choice.make()
+}
+
+/// Condenses all bodies, in parallel; the result does not depend on the number of threads.
+///
+/// # Errors
+/// [`RunError::Body`].
+pub fn condense(model: &Model) -> Result<Vec<Operator>, RunError> {
+    let operators = parallel::map(&model.bodies, |body| match &body.kind {
+        ModelBodyKind::Rigid(rigid) => Ok(Operator::Rigid(rigid.clone())),
+        ModelBodyKind::Elastic(elastic) => elastic
+            .condense(&body.interface)
+            .map(|condensed| Operator::Elastic(Arc::new(condensed)))
+            .map_err(|cause| RunError::Body {
+                body: body.name.clone(),
+                cause,
+            }),
+    });
+    operators.into_iter().collect()
+}
+
+/// What is reported of the history `solved` of `scene`: edges, balances and, where asked for, fields.
+///
+/// # Errors
+/// [`RunError::Stress`], [`RunError::Failure`], [`RunError::Progressive`], and [`RunError::Model`] if characteristic distances lead out of
+/// their body.
+pub fn results(
+    scene: &Scene,
+    model: &Model,
+    solver: &dyn InterfaceSolver,
+    mut solved: Solved,
+) -> Result<Results, RunError> {
+    let start = model.host.seconds();
+    let mut recovered = fields::recover(scene, model, &solved);
+    let otherwise = (model.history).walked_otherwise(&solved.interface, solver, &solved.records);
+    solved
+        .records
+        .iter_mut()
+        .for_each(|record| record.parts.clear());
+    reported(
+        scene,
+        model,
+        solver,
+        solved,
+        &mut recovered,
+        &otherwise,
+        start,
+    )
+}
+
+/// As [`results`], but displacements are recovered of `bodies` alone and no balance is audited but that of the interface problem:
+/// enough for edges in contact and for the failure of these bodies, not for fields.
+///
+/// # Errors
+/// As [`results`].
+pub fn results_without_audit(
+    scene: &Scene,
+    model: &Model,
+    solver: &dyn InterfaceSolver,
+    mut solved: Solved,
+    bodies: &[usize],
+) -> Result<Results, RunError> {
+    let start = model.host.seconds();
+    for record in &mut solved.records {
+        record.parts.clear();
+    }
+    let mut recovered = fields::recover_some(model, &solved, bodies);
+    reported(scene, model, solver, solved, &mut recovered, &[], start)
+}
+
+/// Displacements of the body `index` at the end of every load step, x and y of each node in turn; empty for a rigid body.
+pub fn displacements_of(model: &Model, solved: &Solved, index: usize) -> Vec<Vec<f64>> {
+    let recovered = fields::recover_some(model, solved, &[index]);
+    let own = |step: &fields::Recovered| fields::moved(&solved.operators, step, index);
+    recovered.iter().map(own).collect()
+}
+
+fn reported(
+    scene: &Scene,
+    model: &Model,
+    solver: &dyn InterfaceSolver,
+    mut solved: Solved,
+    recovered: &mut [fields::Recovered],
+    otherwise: &[Otherwise],
+    start: f64,
+) -> Result<Results, RunError> {
+    let (geometries, edges) = edges::all(model, &solved, recovered)?;
+    let mut steps = Vec::with_capacity(solved.records.len());
+    for (index, (record, edges)) in solved.records.iter().zip(edges).enumerate() {
+        steps.push(StepResults {
+            unloading: false,
+            loads: loads::at_step(scene, index),
+            edges,
+            work: record.work,
+            solvers: record.solvers.clone(),
+            increments: record.increments,
+            cutbacks: record.cutbacks,
+            doubtful: record.doubtful,
+            notes: StepNotes {
+                otherwise: otherwise.get(index).copied().unwrap_or_default(),
+                ..step_notes(record, solved.interface.contacts())
+            },
+            residuals: record.residuals,
+            balance_residual: record.audit.balance().max(recovered[index].imbalance()),
+            balance: recovered[index].balance.clone(),
+            dissipation: record.dissipation * if model.half { 2.0 } else { 1.0 },
+            fields: Vec::new(),
+            seconds: solved.step_seconds[index],
+        });
+    }
+    let mut notes = model.notes.clone();
+    notes.extend(remarks::of_steps(scene, &geometries, &steps));
+    notes.extend(doubts::of_steps(model, &steps));
+    notes.extend(remarks::of_freedom(model, &solved.interface));
+    notes.extend(remarks::of_reserve(scene));
+    notes.extend(doubts::of_looseness(model, &solved.records));
+    notes.extend(doubts::of_sliding(model, &solved.records));
+    notes.extend(doubts::of_parting(&solved.records));
+    notes.extend(doubts::of_ripples(model, &solved));
+    let mut choices = model.choices.clone();
+    choices.push(solver_choice(scene.analysis.solver));
+    let operators = solved.operators.iter();
+    let mut results = Results {
+        title: scene.title.clone(),
+        source: scene.source_name.clone(),
+        scene_hash: scene.hash.clone(),
+        units: scene.display,
+        choices,
+        notes,
+        bodies: bodies(model, &solved),
+        factorisations: operators.filter_map(Operator::elastic).count(),
+        edges: geometries,
+        parts: loads::parts(scene, model),
+        steps,
+        failure: Vec::new(),
+        phases: Vec::new(),
+    };
+    let scale = LoadScale::of(&results);
+    for (step, unloading) in results.steps.iter_mut().zip(scale.unloading()) {
+        step.unloading = unloading;
+    }
+    let with_fields = steps_with_fields(scene.output.fields, &results);
+    results.failure = failure::all(scene, model, solver, recovered, &results, &with_fields)?;
+    for index in with_fields {
+        fields::complete(&solved, &mut recovered[index], index);
+        results.steps[index].fields =
+            fields::with_stresses(scene, model, &solved.operators, &recovered[index])?;
+    }
+    solved
+        .phases
+        .push(("stresses", model.host.seconds() - start));
+    results.phases = solved.phases;
+    Ok(results)
+}
+
+fn step_notes(record: &StepRecord, contacts: &Contacts) -> StepNotes {
+    let cycle = record.recovery.first_cycle.iter();
+    let points = cycle.flat_map(|cycle| &cycle.points);
+    StepNotes {
+        cycle_places: points
+            .map(|&point| contacts.points()[point].place.position)
+            .collect(),
+        recovery: record.recovery.clone(),
+        solutions: record.solutions,
+        friction: record.coefficient,
+        uniqueness: record.uniqueness,
+        ..StepNotes::default()
+    }
+}
+
+fn steps_with_fields(output: FieldOutput, results: &Results) -> Vec<usize> {
+    let count = results.steps.len();
+    match output {
+        FieldOutput::None => Vec::new(),
+        FieldOutput::Peak => LoadScale::peak_steps(results),
+        FieldOutput::Last => count.checked_sub(1).into_iter().collect(),
+        FieldOutput::All => (0..count).collect(),
+    }
+}
+
+fn solver_choice(choice: SolverChoice) -> Choice {
+    let reason = match choice {
+        SolverChoice::Auto => "the fastest method first, a safer one where it fails",
+        _ => "the scene says so",
+    };
+    Choice {
+        what: "solver".into(),
+        value: choice.info().method.to_owned(),
+        reason: reason.into(),
+    }
+}
+
+fn bodies(model: &Model, solved: &Solved) -> Vec<BodySummary> {
+    let bodies = model.bodies.iter().zip(&solved.operators);
+    bodies
+        .map(|(body, operator)| {
+            let elastic = operator.elastic();
+            BodySummary {
+                name: body.name.clone(),
+                mesh: elastic.map(|condensed| condensed.body().mesh().clone()),
+                dofs: elastic.map_or(0, |condensed| condensed.structure().unknowns()),
+                factor_entries: elastic
+                    .map_or(0, |condensed| condensed.structure().factor_entries()),
+                free_motions: operator.interface().modes().ncols(),
+            }
+        })
+        .collect()
+}

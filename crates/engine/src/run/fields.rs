@@ -1,0 +1,284 @@
+//! Displacements inside the bodies, by which every step's balance is audited, and stresses for the steps that ask for them.
+
+use stickslip_contact::StepRecord;
+use stickslip_fem_core::CondensedBody;
+use stickslip_fem_core::body::{BodyBalance, BodyLoad};
+use stickslip_fem_core::material::Material;
+use stickslip_fem_core::stress::{ElasticField, StressError};
+
+use super::{Operator, Solved};
+use crate::model::Model;
+use crate::results::BodyFields;
+use stickslip_scene::Scene;
+use stickslip_scene::schema::LoadKind;
+
+/// Displacements of one body, in numbers, that are held at once while its balance is audited.
+const HELD: usize = 1 << 21;
+/// Load steps that are recovered at once at least.
+const TOGETHER: usize = 16;
+/// Displacements of all bodies and steps, in numbers, that are kept until the fields are written.
+const KEPT: usize = 1 << 23;
+
+/// Displacements and balance of all bodies at the end of one load step.
+#[derive(Debug, Default)]
+pub(super) struct Recovered {
+    /// Displacements per body, interleaved, without the free rigid motions, which make no strain and beside which those that do
+    /// may be rounding; empty for a rigid body, and where they are not kept.
+    pub(super) displacement: Vec<Vec<f64>>,
+    /// The same at the nodes of each of the model's edges without contact; empty for others.
+    pub(super) free_edges: Vec<Vec<[f64; 2]>>,
+    /// Amounts of each body's free rigid motions.
+    motions: Vec<Vec<f64>>,
+    /// Balance per body; `None` for a rigid one.
+    pub(super) balance: Vec<Option<BodyBalance>>,
+    pub(super) multipliers: Vec<f64>,
+    /// Whether displacements were recovered and not kept.
+    dropped: bool,
+}
+
+impl Recovered {
+    /// The worst unbalanced force or moment of any body.
+    pub(super) fn imbalance(&self) -> f64 {
+        let bodies = self.balance.iter().flatten();
+        bodies.fold(0.0, |worst: f64, body| {
+            worst.max(body.force).max(body.moment).max(body.nodal)
+        })
+    }
+}
+
+/// Recovers the displacements of all bodies at the end of every load step, and audits their balance: one pass over each
+/// body's factor and one over its cells, for as many steps together as [`HELD`] allows. What is kept does not grow with long histories:
+/// displacements on edges without contact, and those of bodies that the scene asks for failure.
+pub(super) fn recover(scene: &Scene, model: &Model, solved: &Solved) -> Vec<Recovered> {
+    let elastic = solved.operators.iter().filter_map(Operator::elastic);
+    let values: usize = elastic.map(values_of).sum();
+    let steps = solved.records.len();
+    let keeps_all = steps <= TOGETHER || values * steps <= KEPT;
+    let failure = scene.failure.as_ref();
+    let fails = |body: usize| {
+        failure.is_some_and(|failure| failure.bodies.contains(&model.bodies[body].name))
+    };
+    let all: Vec<usize> = (0..solved.operators.len()).collect();
+    pass(model, solved, &all, true, HELD, |body| {
+        keeps_all || fails(body)
+    })
+}
+
+/// Recovers the displacements of the bodies with the indices `wanted` alone, without an audit.
+pub(super) fn recover_some(model: &Model, solved: &Solved, wanted: &[usize]) -> Vec<Recovered> {
+    pass(model, solved, wanted, false, HELD, |_| true)
+}
+
+/// Recovers the bodies `wanted`, about `held` numbers at once.
+fn pass(
+    model: &Model,
+    solved: &Solved,
+    wanted: &[usize],
+    audits: bool,
+    held: usize,
+    keeps: impl Fn(usize) -> bool,
+) -> Vec<Recovered> {
+    let records = &solved.records;
+    let bodies = solved.operators.len();
+    let mut all: Vec<Recovered> = records
+        .iter()
+        .map(|record| Recovered {
+            displacement: vec![Vec::new(); bodies],
+            free_edges: vec![Vec::new(); model.edges.len()],
+            motions: motions(solved, record),
+            balance: vec![None; bodies],
+            multipliers: record.state.multipliers.clone(),
+            dropped: false,
+        })
+        .collect();
+    for &index in wanted {
+        let Some(body) = solved.operators.get(index).and_then(Operator::elastic) else {
+            continue;
+        };
+        let together = TOGETHER.max(held / values_of(body).max(1));
+        for (records, steps) in records.chunks(together).zip(all.chunks_mut(together)) {
+            let forces = forces_on(solved, records, index);
+            let states = loads_on(records, &forces);
+            let displacements = body.displacements_of(&states);
+            if audits {
+                let residuals = body.residual_forces_of(&displacements, &states);
+                let balances = body.balances_of(&residuals, &states);
+                for (step, balance) in steps.iter_mut().zip(balances) {
+                    step.balance[index] = Some(balance);
+                }
+            }
+            for (step, u) in steps.iter_mut().zip(displacements) {
+                for (edge, moved) in model.edges.iter().zip(&mut step.free_edges) {
+                    if edge.body == index && edge.pair.is_none() {
+                        let at = |&node: &usize| [u[2 * node], u[2 * node + 1]];
+                        *moved = edge.nodes.iter().map(at).collect();
+                    }
+                }
+                if keeps(index) {
+                    step.displacement[index] = u;
+                } else {
+                    step.dropped = true;
+                }
+            }
+        }
+    }
+    all
+}
+
+/// Recovers again the displacements in load step `step` that were not kept.
+pub(super) fn complete(solved: &Solved, recovered: &mut Recovered, step: usize) {
+    if !recovered.dropped {
+        return;
+    }
+    let record = &solved.records[step..=step];
+    for (index, operator) in solved.operators.iter().enumerate() {
+        let Some(body) = operator.elastic() else {
+            continue;
+        };
+        let forces = forces_on(solved, record, index);
+        let found = body.displacements_of(&loads_on(record, &forces));
+        if let Some(u) = found.into_iter().next() {
+            recovered.displacement[index] = u;
+        }
+    }
+    recovered.dropped = false;
+}
+
+/// Number of displacements of a body.
+fn values_of(body: &CondensedBody) -> usize {
+    2 * body.body().mesh().nodes().len()
+}
+
+/// Contact forces on the elastic body `index`, for each of `records`.
+fn forces_on(solved: &Solved, records: &[StepRecord], index: usize) -> Vec<Vec<f64>> {
+    let count = solved.operators[index].interface().points().len();
+    let interface = &solved.interface;
+    let of_step =
+        |record: &StepRecord| interface.forces_on_body(index, count, &record.state.forces);
+    records.iter().map(of_step).collect()
+}
+
+/// Amounts of the rigid motions of each body at the end of a load step.
+fn motions(solved: &Solved, record: &StepRecord) -> Vec<Vec<f64>> {
+    let of_body = |body| solved.interface.motions_of_body(body, &record.state.rigid);
+    (0..solved.operators.len()).map(of_body).collect()
+}
+
+/// Everything that acts on a body and strains it, for each of `records`, under the contact forces `forces`.
+fn loads_on<'a>(records: &'a [StepRecord], forces: &'a [Vec<f64>]) -> Vec<BodyLoad<'a>> {
+    let of_step = |(record, forces): (&'a StepRecord, &'a Vec<f64>)| BodyLoad {
+        forces,
+        multipliers: &record.state.multipliers,
+        motions: &[],
+    };
+    records.iter().zip(forces).map(of_step).collect()
+}
+
+/// Displacements of the elastic body `index` with its rigid motions, interleaved; empty where they were not recovered.
+pub(super) fn moved(operators: &[Operator], recovered: &Recovered, index: usize) -> Vec<f64> {
+    let mut displacement = recovered.displacement[index].clone();
+    if let Some(body) = operators[index].elastic() {
+        let rigid = body.rigid_displacements(&recovered.motions[index]);
+        let both = displacement.iter_mut().zip(rigid);
+        both.for_each(|(sum, part)| *sum += part);
+    }
+    displacement
+}
+
+/// Fields of all bodies that were recovered, with stresses by patch recovery.
+pub(super) fn with_stresses(
+    scene: &Scene,
+    model: &Model,
+    operators: &[Operator],
+    recovered: &Recovered,
+) -> Result<Vec<BodyFields>, StressError> {
+    let mut fields = Vec::new();
+    for (index, body) in model.bodies.iter().enumerate() {
+        let (crate::model::ModelBodyKind::Elastic(elastic), false) =
+            (&body.kind, recovered.displacement[index].is_empty())
+        else {
+            continue;
+        };
+        let materials: Vec<&dyn Material> = elastic.materials().iter().map(AsRef::as_ref).collect();
+        let strain = elastic.initial_strain(&recovered.multipliers);
+        let initial = (!strain.is_empty()).then_some(strain.as_slice());
+        let strained = &recovered.displacement[index];
+        let nodal =
+            ElasticField::new(elastic.mesh(), &materials, strained, initial)?.patch_recovery();
+        let heating = heating(scene, &body.name, &recovered.multipliers);
+        fields.push(BodyFields {
+            body: index,
+            stress: nodal.averaged(),
+            thickness_stress: nodal
+                .averaged_of(|block, stress| materials[block].thickness_stress(stress, heating)),
+            displacement: moved(operators, recovered, index),
+        });
+    }
+    Ok(fields)
+}
+
+/// Temperature rise `[K]` of body `name`; the first load cases are the scene's loads.
+pub(super) fn heating(scene: &Scene, name: &str, multipliers: &[f64]) -> f64 {
+    let loads = scene.loads.iter().zip(multipliers);
+    let heats = loads.filter(
+        |(load, _)| matches!(&load.kind, LoadKind::Temperature { body, .. } if body == name),
+    );
+    heats.map(|(_, degrees)| degrees).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::run::{solve, solver};
+    use stickslip_scene::Format;
+    use stickslip_scene::schema::SolverChoice;
+
+    /// A history of more steps than are recovered at once.
+    fn solved() -> (Scene, Model, Solved) {
+        let text = stickslip_scene::templates::TEMPLATES[0].text;
+        let loads: Vec<String> = (1..=3 * TOGETHER / 2)
+            .map(|k| format!("\"{k}00 N\""))
+            .collect();
+        let changes = [
+            "mesh.element=Q4".to_owned(),
+            "mesh.spacing=6 deg".to_owned(),
+            "edges=[{ on = \"plate.top\" }]".to_owned(),
+            format!("loads.0.force.steps=[{}]", loads.join(", ")),
+        ];
+        let changes: Vec<&str> = changes.iter().map(String::as_str).collect();
+        let scene =
+            Scene::from_text(text, Format::Toml, "pin.toml", Path::new(""), &changes).unwrap();
+        let model = Model::build(&scene).unwrap();
+        let chain = solver(SolverChoice::Auto);
+        let solved = solve(&model, chain.as_ref(), &mut |_| {}).unwrap();
+        (scene, model, solved)
+    }
+
+    #[test]
+    fn what_is_not_kept_is_recovered_again() {
+        let (_, model, solved) = solved();
+        let bodies = [0, 1];
+        let kept = pass(&model, &solved, &bodies, true, usize::MAX, |_| true);
+        let mut dropped = pass(&model, &solved, &bodies, true, 0, |_| false);
+        let close = |one: &[f64], other: &[f64]| {
+            let largest = one
+                .iter()
+                .fold(0.0_f64, |most, value| most.max(value.abs()));
+            let mut both = one.iter().zip(other);
+            one.len() == other.len() && both.all(|(a, b)| (a - b).abs() <= 1e-12 * largest)
+        };
+        for (step, (kept, dropped)) in kept.iter().zip(&mut dropped).enumerate() {
+            assert!(dropped.displacement.iter().all(Vec::is_empty));
+            for (kept, dropped) in kept.free_edges.iter().zip(&dropped.free_edges) {
+                assert!(close(kept.as_flattened(), dropped.as_flattened()));
+            }
+            assert!(kept.imbalance() < 1e-10 && dropped.imbalance() < 1e-10);
+            complete(&solved, dropped, step);
+            for (kept, dropped) in kept.displacement.iter().zip(&dropped.displacement) {
+                assert!(!kept.is_empty() && close(kept, dropped));
+            }
+        }
+    }
+}

@@ -1,0 +1,514 @@
+//! A joint followed beyond the failure of its plies: the scene's model with a history at every point of one body.
+//!
+//! Under displacement control the scene's loads are left out, and the driven edge or point is held along the driven axis at a
+//! displacement that grows. The load is the force of the pin on the plate along the direction in which the pin bears under the scene's
+//! own loads, or without any against the drive; the displacement is that of the pin's centre against the far end of the plate, counted
+//! from where a pin with clearance can bear.
+
+mod edge;
+mod notes;
+mod words;
+
+use std::borrow::Cow;
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::Arc;
+
+use stickslip_contact::InterfaceSolver;
+use stickslip_fem_core::mesh::{Mesh, Point};
+use stickslip_fem_core::{ElasticBody, QuadraturePoints};
+use stickslip_joint::{
+    CrackBand, CrackBandError, Ending, FractureEnergies, Gauge, Halt, Hole, Joint, JointBody,
+    JointError, JointHistory, Mark, Options, PlyEventKind, ProgressiveBody, Pull,
+};
+use stickslip_laminate::Degradation;
+use stickslip_laminate::progressive::{PointModel, ProgressiveError};
+use thiserror::Error;
+
+use super::RunError;
+use crate::model::{Model, ModelBodyKind};
+use crate::results::{
+    BearingSource, BodyFailure, ContactFrame, CurvePoint, PlyLoss, ProgressiveEnd,
+    ProgressiveFailure,
+};
+use stickslip_scene::Scene;
+use stickslip_scene::placement::free_travel;
+use stickslip_scene::schema::{Axes, Axis, Control, Hold, LaminateSheet, Progressive, Support};
+
+/// Why a joint could not be followed beyond the failure of its plies.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum ProgressiveRunError {
+    /// Strengths could not be scaled by fracture energies.
+    #[error(transparent)]
+    CrackBand(#[from] CrackBandError),
+    /// The plies' model refused the laminate.
+    #[error(transparent)]
+    Model(#[from] ProgressiveError),
+    /// The joint cannot be built or followed at all.
+    #[error(transparent)]
+    Joint(#[from] JointError),
+    /// The pin never presses on the bearing point.
+    #[error(
+        "the pin never presses on the bearing point of '{body}', at {angle_deg:.0}° of its hole, where the load of a joint is read: turn the load or the drive round, or drive it farther"
+    )]
+    WrongWay {
+        /// The body.
+        body: String,
+        /// Place of the bearing point, from +x `[degree]`.
+        angle_deg: f64,
+    },
+    /// The history ended before the pin pressed.
+    #[error(
+        "the pin did not press before the history ended, at {percent:.3} % of load step {}: {cause}", .step + 1
+    )]
+    NothingBorne {
+        /// Index of the load step, from 0.
+        step: usize,
+        /// Part of it that was reached `[%]`.
+        percent: f64,
+        /// Why no equilibrium was found beyond.
+        cause: Halt,
+    },
+    /// Nothing says where the pin bears.
+    #[error(
+        "no load presses the pin against the hole of '{body}', so its bearing point is unknown: give the scene the load that the joint is to bear, or drive it by failure.progressive.control.displacement"
+    )]
+    NoBearing {
+        /// The body.
+        body: String,
+    },
+    /// Nothing of the model touches the hole.
+    #[error("no contact touches the hole of '{body}'")]
+    NoPin {
+        /// The body.
+        body: String,
+    },
+}
+
+/// A body whose failure is followed.
+pub(super) struct Subject<'a> {
+    sheet: &'a LaminateSheet,
+    asked: &'a Progressive,
+    found: &'a BodyFailure,
+}
+
+/// Where the joint is read.
+struct Reading {
+    gauge: Gauge,
+    hole: Hole,
+}
+
+impl<'a> Subject<'a> {
+    pub(super) fn new(
+        sheet: &'a LaminateSheet,
+        asked: &'a Progressive,
+        found: &'a BodyFailure,
+    ) -> Self {
+        Self {
+            sheet,
+            asked,
+            found,
+        }
+    }
+
+    /// Follows the joint of `scene`, whose model under its own loads is `model`.
+    pub(super) fn follow(
+        &self,
+        scene: &Scene,
+        model: &Model,
+        solver: &dyn InterfaceSolver,
+    ) -> Result<ProgressiveFailure, RunError> {
+        let model = match &self.asked.control {
+            Control::Loads { .. } => Cow::Borrowed(model),
+            Control::Displacement { on, axis, end, .. } => {
+                let mut driven = scene.clone();
+                driven.loads.clear();
+                drive(&mut driven, on, *axis, *end);
+                Cow::Owned(Model::build(&driven)?)
+            }
+        };
+        let bodies = self.bodies(&model, true)?;
+        let refused = |cause: ProgressiveRunError| RunError::Progressive {
+            body: self.asked.body.clone(),
+            cause: Box::new(cause),
+        };
+        let body = || self.asked.body.clone();
+        let frame = (self.frame(model.half))
+            .ok_or_else(|| refused(ProgressiveRunError::NoBearing { body: body() }))?;
+        let bearing = frame.bearing.unwrap_or_default();
+        let reading = (self.reading(scene, &model, direction(bearing)))
+            .ok_or_else(|| refused(ProgressiveRunError::NoPin { body: body() }))?;
+        let joint = |bodies| {
+            Joint::new(bodies, model.pairs.clone(), reading.gauge)
+                .and_then(|joint| joint.with_options(self.options(model.half)))
+        };
+        let steps = model.history.steps();
+        let mut most = (0.0, Vec::new());
+        let history = joint(bodies)
+            .and_then(|joint| {
+                joint.follow(steps, solver, |record, state| {
+                    if record.load > most.0 {
+                        most = (
+                            record.load,
+                            state.bodies[self.found.body].displacements.clone(),
+                        );
+                    }
+                })
+            })
+            .map_err(|cause| refused(cause.into()))?;
+        if most.1.is_empty() {
+            return Err(refused(match history.ending {
+                Ending::NoEquilibrium {
+                    step,
+                    reached,
+                    cause,
+                    ..
+                } => ProgressiveRunError::NothingBorne {
+                    step,
+                    percent: 100.0 * reached,
+                    cause,
+                },
+                _ => ProgressiveRunError::WrongWay {
+                    body: body(),
+                    angle_deg: bearing.to_degrees(),
+                },
+            }));
+        }
+        let sound = self.bodies(&model, false)?;
+        let linear = joint(sound)
+            .and_then(|joint| {
+                edge::linear(
+                    &joint,
+                    &reading.gauge,
+                    self.found.body,
+                    steps,
+                    solver,
+                    most.0,
+                )
+            })
+            .map_err(|cause| refused(cause.into()))?;
+        let mut told = self.told(scene, &model, &history, &reading.hole);
+        told.frame = frame;
+        told.free_travel = reading.gauge.free_travel;
+        if let (Some((linear, displacements)), ModelBodyKind::Elastic(plate)) =
+            (linear, &model.bodies[self.found.body].kind)
+        {
+            let points = edge::EdgePoints::new(plate.mesh(), &reading.hole);
+            told.edge = points.beside(&most.1, &displacements);
+            told.linear = Some(linear);
+        }
+        Ok(told)
+    }
+
+    fn options(&self, half: bool) -> Options {
+        let usual = Options::default();
+        // What fails in a half fails twice in the whole.
+        let burst = if half { usual.burst } else { 2 * usual.burst };
+        let (increments, residual_load) = match self.asked.control {
+            Control::Loads { increments } => (increments, usual.residual_load),
+            Control::Displacement {
+                increments, drop, ..
+            } => (increments, 1.0 - drop),
+        };
+        Options {
+            increments,
+            residual_load,
+            burst,
+            ..usual
+        }
+    }
+
+    /// The bodies; `fail` says whether the plies of the one asked about can.
+    fn bodies(&self, model: &Model, fail: bool) -> Result<Vec<JointBody>, RunError> {
+        let bodies = model.bodies.iter().enumerate();
+        bodies
+            .map(|(index, body)| match &body.kind {
+                ModelBodyKind::Rigid(rigid) => Ok(JointBody::Rigid(rigid.clone())),
+                ModelBodyKind::Elastic(elastic) if fail && index == self.found.body => self
+                    .progressive(elastic, &body.interface)
+                    .map(|body| JointBody::Progressive(Arc::new(body)))
+                    .map_err(|cause| RunError::Progressive {
+                        body: body.name.clone(),
+                        cause: Box::new(cause),
+                    }),
+                ModelBodyKind::Elastic(elastic) => elastic
+                    .condense(&body.interface)
+                    .map(|condensed| JointBody::Elastic(Arc::new(condensed)))
+                    .map_err(|cause| RunError::Body {
+                        body: body.name.clone(),
+                        cause,
+                    }),
+            })
+            .collect()
+    }
+
+    fn progressive(
+        &self,
+        elastic: &Arc<ElasticBody>,
+        interface: &[usize],
+    ) -> Result<ProgressiveBody, ProgressiveRunError> {
+        let laminate = &self.sheet.laminate;
+        let model = &self.asked.model;
+        let failing = model.parameters.degradation().zip(self.asked.crack_band);
+        let models = if let Some((degradation, energies)) = failing {
+            let band = crack_band(energies, degradation, elastic.mesh())?;
+            let points = QuadraturePoints::of(elastic.mesh());
+            let build = |scaled| Ok(model.point(scaled)?);
+            band.models::<ProgressiveRunError>(&points, laminate, build)?
+        } else {
+            let point: Arc<dyn PointModel> = model.point(laminate.clone())?;
+            vec![point; elastic.mesh().element_count()]
+        };
+        let body = ProgressiveBody::with_models(Arc::clone(elastic), interface, models)?;
+        Ok(body.at_temperature(self.sheet.cure)?)
+    }
+
+    /// Where the pin bears under the scene's loads, or without any against the drive; `None` if neither says.
+    fn frame(&self, half: bool) -> Option<ContactFrame> {
+        if self.found.frame.bearing.is_some() {
+            let frame = self.found.frame;
+            let behind = frame.bearing.is_some_and(|at| at.abs() > FRAC_PI_2);
+            return Some(ContactFrame {
+                clockwise: half && behind,
+                ..frame
+            });
+        }
+        let Control::Displacement { on, axis, end, .. } = &self.asked.control else {
+            return None;
+        };
+        let own = if *on.body == self.asked.body {
+            -1.0
+        } else {
+            1.0
+        };
+        let towards = own * end.signum();
+        let bearing = match (axis, towards > 0.0) {
+            (Axis::X, true) => 0.0,
+            (Axis::X, false) => PI,
+            (Axis::Y, _) => towards * FRAC_PI_2,
+        };
+        Some(ContactFrame {
+            bearing: Some(bearing),
+            found: BearingSource::Load,
+            clockwise: half && bearing == PI,
+        })
+    }
+
+    /// What is read along `direction`, in which the pin bears; `None` if no pin touches the hole.
+    fn reading(&self, scene: &Scene, model: &Model, direction: [f64; 2]) -> Option<Reading> {
+        let centre = self.found.centre?;
+        let own = self.found.body;
+        let ModelBodyKind::Elastic(plate) = &model.bodies[own].kind else {
+            return None;
+        };
+        let mesh = plate.mesh();
+        let touches =
+            |pair: &&stickslip_contact::ContactPair| pair.first == own || pair.second == own;
+        let pair = (model.edges.iter())
+            .filter(|edge| edge.body == own)
+            .find_map(|edge| edge.pair)
+            .or_else(|| {
+                let found = model.pairs.iter().find(touches)?;
+                model
+                    .pairs
+                    .iter()
+                    .position(|pair| std::ptr::eq(pair, found))
+            })?;
+        let first = model.pairs[pair].first == own;
+        let pin = if first {
+            model.pairs[pair].second
+        } else {
+            model.pairs[pair].first
+        };
+        let nodes = mesh.nodes();
+        let arm = |node: &Point| [node[0] - centre[0], node[1] - centre[1]];
+        let distance = |node: &Point| arm(node)[0].hypot(arm(node)[1]);
+        let [x, y] = direction;
+        let ahead = |node: &Point| arm(node)[0] * x + arm(node)[1] * y;
+        let aside = |node: &Point| arm(node)[1] * x - arm(node)[0] * y;
+        let largest = |value: &dyn Fn(&Point) -> f64| nodes.iter().map(value).fold(0.0, f64::max);
+        let far = largest(&|node| -ahead(node));
+        let sides = [1.0, -1.0].map(|sign| largest(&|node| sign * aside(node)));
+        // A half has one side.
+        let side_distance = if model.half {
+            sides[0].max(sides[1])
+        } else {
+            sides[0].min(sides[1])
+        };
+        Some(Reading {
+            gauge: Gauge {
+                pull: Pull::Contact {
+                    pair,
+                    direction: if first { direction } else { [-x, -y] },
+                },
+                multiple: if model.half { 2.0 } else { 1.0 },
+                direction,
+                first: pin_mark(model, pin, centre),
+                second: Mark::Node {
+                    body: own,
+                    node: nearest(mesh, [centre[0] - far * x, centre[1] - far * y]),
+                },
+                free_travel: free_travel(scene, pair, direction),
+            },
+            hole: Hole {
+                centre,
+                radius: nodes.iter().map(distance).fold(f64::INFINITY, f64::min),
+                bearing: direction,
+                side_distance,
+                end_distance: largest(&ahead),
+            },
+        })
+    }
+
+    fn told(
+        &self,
+        scene: &Scene,
+        model: &Model,
+        history: &JointHistory,
+        hole: &Hole,
+    ) -> ProgressiveFailure {
+        // Energies are those of the modelled part.
+        let both = if model.half { 2.0 } else { 1.0 };
+        let curve = history.records.iter().map(|record| CurvePoint {
+            step: record.step,
+            reached: record.reached,
+            displacement: record.displacement,
+            load: record.load,
+            work: both * record.energy.external,
+            dissipated: both * (record.energy.dissipated + record.energy.released),
+        });
+        let cells = self.mesh(model).map_or(0, Mesh::element_count);
+        ProgressiveFailure {
+            model: words::model(self, scene),
+            control: words::control(self.asked, scene),
+            curve: curve.collect(),
+            peak: history.peak(),
+            strength: history.strength(),
+            end: match &history.ending {
+                Ending::Completed => ProgressiveEnd::Completed,
+                Ending::LoadDropped { .. } => ProgressiveEnd::Dropped,
+                Ending::Severed { .. } => ProgressiveEnd::Severed,
+                Ending::NoEquilibrium { cause, .. } => {
+                    ProgressiveEnd::NoEquilibrium(cause.to_string())
+                }
+            },
+            losses: self.losses(history),
+            mode: history.mode(self.found.body, hole),
+            linear: None,
+            edge: Vec::new(),
+            cells,
+            half: model.half,
+            frame: ContactFrame::NONE,
+            free_travel: 0.0,
+            notes: notes::of(self, scene, model),
+        }
+    }
+
+    fn mesh<'m>(&self, model: &'m Model) -> Option<&'m Mesh> {
+        match &model.bodies[self.found.body].kind {
+            ModelBodyKind::Elastic(body) => Some(body.mesh()),
+            ModelBodyKind::Rigid(_) => None,
+        }
+    }
+
+    fn losses(&self, history: &JointHistory) -> Vec<PlyLoss> {
+        let group = |layer: usize| {
+            let mut groups = self.found.plies.iter();
+            // Every layer belongs to one group.
+            groups
+                .position(|group| group.layers.contains(&layer))
+                .unwrap_or(0)
+        };
+        let records = history.records.iter().enumerate();
+        let events = records.flat_map(|(increment, record)| {
+            let own = record.events.iter();
+            own.filter(|event| event.body == self.found.body)
+                .map(move |event| (increment, event))
+        });
+        events
+            .map(|(increment, event)| PlyLoss {
+                increment,
+                ply: group(event.layer),
+                layer: event.layer,
+                mode: match event.kind {
+                    PlyEventKind::Failure(mode) => Some(mode),
+                    PlyEventKind::Yield => None,
+                },
+                position: event.position,
+                cell: event.cell,
+                load: event.load,
+                displacement: event.displacement,
+            })
+            .collect()
+    }
+}
+
+/// Bands on `mesh`: rows of points of quadratic quadrilaterals are half a cell wide.
+fn crack_band(
+    energies: FractureEnergies,
+    degradation: Degradation,
+    mesh: &Mesh,
+) -> Result<CrackBand, CrackBandError> {
+    let order = mesh.blocks().iter().map(|block| block.kind.order()).max();
+    CrackBand::new(energies, degradation)?.with_width(1.0 / order.unwrap_or(1) as f64)
+}
+
+/// Holds `on` along `axis` at the displacement `end`, instead of whatever held or loaded it there.
+fn drive(scene: &mut Scene, on: &stickslip_scene::schema::SetRef, axis: Axis, end: f64) {
+    let along = Axes {
+        x: axis == Axis::X,
+        y: axis == Axis::Y,
+    };
+    let across = Axes {
+        x: along.y,
+        y: along.x,
+    };
+    let mut held_across = scene.platens.iter().any(|platen| platen.on == *on);
+    scene.platens.retain(|platen| platen.on != *on);
+    let mut kept = Vec::new();
+    for support in scene.supports.drain(..) {
+        if support.on != *on {
+            kept.push(support);
+        } else if let Hold::Axes(axes) = support.hold {
+            held_across |= (axes.x && across.x) || (axes.y && across.y);
+        }
+    }
+    scene.supports = kept;
+    let mut hold = |axes, displacement| {
+        scene.supports.push(Support {
+            on: on.clone(),
+            hold: Hold::Axes(axes),
+            displacement,
+        });
+    };
+    hold(along, end);
+    if held_across {
+        hold(across, 0.0);
+    }
+}
+
+/// Unit vector at the angle `bearing` `[rad]`, exact along the axes.
+fn direction(bearing: f64) -> [f64; 2] {
+    let exact = |part: f64| if part.abs() < 1e-15 { 0.0 } else { part };
+    [exact(bearing.cos()), exact(bearing.sin())]
+}
+
+fn nearest(mesh: &Mesh, place: Point) -> usize {
+    let distance = |node: &Point| (node[0] - place[0]).hypot(node[1] - place[1]);
+    let nodes = mesh.nodes().iter().enumerate();
+    nodes
+        .min_by(|a, b| distance(a.1).total_cmp(&distance(b.1)))
+        .map_or(0, |(node, _)| node)
+}
+
+/// The pin's centre.
+fn pin_mark(model: &Model, pin: usize, centre: Point) -> Mark {
+    match &model.bodies[pin].kind {
+        ModelBodyKind::Elastic(body) => Mark::Node {
+            body: pin,
+            node: nearest(body.mesh(), centre),
+        },
+        // A rigid body does not turn, so any of its points moves as its centre does.
+        ModelBodyKind::Rigid(_) => Mark::Node { body: pin, node: 0 },
+    }
+}

@@ -1,0 +1,177 @@
+//! Edge stresses of measured states by localized hybrid analysis, with their covariance and the checks of the data.
+//!
+//! ```text
+//! Δ¹ from the data,   y = T Δ¹,   Σ_y = s² T Σ Tᵀ + diag(b²)
+//! ```
+//!
+//! Errors of neighbouring data may go together (a phase from a band of the spectrum, speckles of several pixels), and the fit, which is
+//! smoother than their spacing, sees only what is left of them in the mean. s² is therefore the χ² of the means of blocks of
+//! neighbouring residuals over its degrees of freedom, but at least what makes the deviation that was stated, or that of the digits'
+//! rounding: residuals of smoothed data are small whatever their errors, those of calculated ones vanish. b is the bias that smoothing is
+//! estimated to leave: a declared systematic deviation, not a correction.
+
+pub mod bearing;
+mod boundary;
+mod edge;
+mod held_out;
+mod imported;
+mod known_force;
+pub mod load;
+mod picture;
+mod region;
+pub(super) mod scale;
+mod truth;
+
+use stickslip_fem_core::mesh::Point;
+use stickslip_hybrid::identify::Tractions;
+use stickslip_hybrid::region::checks::ChiSquared;
+use stickslip_hybrid::region::transfer::Propagated;
+
+use super::error::ExperimentError;
+use super::measured::Measured;
+use stickslip_scene::experiment::Experiment;
+
+pub use bearing::BearingCheck;
+pub(super) use edge::smoothing_reach;
+pub use known_force::ForceCheck;
+pub use load::{LoadCheck, NotCompared};
+pub use picture::PictureMotion;
+pub use region::Workbench;
+pub(super) use region::meshed;
+pub use truth::{TruePlace, true_edge};
+
+/// One of so many places is kept out of a fit, to check it; evenly over the plane.
+pub const UNUSED: usize = 16;
+
+/// Edge stresses of one state.
+#[derive(Clone, Debug)]
+pub struct Analysed {
+    /// Index of the state in the experiment.
+    pub state: usize,
+    /// Angle of each place along the edge `[rad]`, ascending.
+    pub angle: Vec<f64>,
+    /// Angle that is resolved along the edge `[rad]`: that between two corners of its cells, or more where smoothing spreads what
+    /// they could tell. What is nearer cannot be told apart.
+    pub resolution: f64,
+    /// Pressure and shear τ_rθ `[MPa]` with their covariance, systematic part included.
+    pub tractions: Tractions,
+    /// Hoop stress σ_θ `[MPa]`.
+    pub hoop: Vec<f64>,
+    /// Its standard deviation `[MPa]`.
+    pub hoop_deviation: Vec<f64>,
+    /// Estimated bias of pressure, shear and hoop stress by smoothing, per place `[MPa]`.
+    pub bias: Vec<[f64; 3]>,
+    /// Pressure, shear and hoop stress of the same displacements by the elements alone, without equilibrium, per place `[MPa]`.
+    pub direct: Option<Vec<[f64; 3]>>,
+    /// Why they are not known, in words, where the data do not give them.
+    pub without_direct: Option<String>,
+    /// What the fit did, where displacements were fitted.
+    pub fit: Option<FitFacts>,
+    /// The variance of the data was multiplied by this, s².
+    pub scale: f64,
+    /// Why s² is none that residuals say but the least one that the deviation leaves, in words, where that is so.
+    pub scale_assumed: Option<String>,
+    /// What the picture may have added to the displacements of loads.
+    pub picture: Vec<PictureMotion>,
+    /// Residuals of the fit that the noise factor is measured by, over the stated deviations.
+    pub(super) residuals: Vec<scale::Residual>,
+    /// What the checks of the data say.
+    pub checks: Checked,
+    /// Forces along x and y `[N]`, with their covariance: what the region exerts through the edge by its stresses, then what acts on the
+    /// region at the edge's nodes. In balance their sums vanish.
+    pub forces: Propagated,
+    /// Forces that hold the region, at the nodes that move as measured.
+    pub nodal_forces: Vec<NodalForce>,
+}
+
+/// Checks of the data of one state.
+#[derive(Clone, Debug, Default)]
+pub struct Checked {
+    /// Misfits at places that were not used.
+    pub misfit: Vec<MisfitAt>,
+    /// χ² of these misfits.
+    pub unused: Option<ChiSquared>,
+    /// χ² of the tractions on the edge beyond contact, where the region has such a part.
+    pub free_edge: Option<ChiSquared>,
+    /// χ² of the forces that hold nodes inside of the region, where nothing acts, if any are held.
+    pub interior: Option<ChiSquared>,
+    /// Force along x and y on the region by the stresses on its edge against the known one, where it is known.
+    pub force: [Option<ForceCheck>; 2],
+}
+
+/// Force on a region at a node that moves as measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NodalForce {
+    /// Where the node is `[mm]`.
+    pub place: Point,
+    /// Force along x and y `[N]`.
+    pub force: [f64; 2],
+    /// Its standard deviations `[N]`.
+    pub deviation: [f64; 2],
+    /// Whether the node lies inside, where nothing should act.
+    pub inside: bool,
+}
+
+/// What a fit did.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FitFacts {
+    /// Order of the differences that were smoothed.
+    pub order: usize,
+    /// Amount of smoothing.
+    pub amount: f64,
+    /// Effective number of parameters.
+    pub parameters: f64,
+    /// Mean over the edge of the part of a displacement that the data at its own place decide, and not the smoothing.
+    pub kept: f64,
+    /// Number of data.
+    pub data: usize,
+    /// χ² of the residuals with the stated deviations.
+    pub residual: f64,
+    /// s² as residuals alone say; [`Analysed::scale`] is larger where a deviation was stated, or digits are coarse.
+    pub of_residuals: f64,
+}
+
+/// Measured less calculated displacement at a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MisfitAt {
+    /// The place `[mm]`.
+    pub place: Point,
+    /// 0 for U, 1 for V.
+    pub axis: usize,
+    /// The misfit over its deviation.
+    pub relative: f64,
+}
+
+impl Analysed {
+    /// Standard deviations of the pressures, then of the shears `[MPa]`.
+    pub fn deviations(&self) -> [Vec<f64>; 2] {
+        let (places, all) = (self.angle.len(), 2 * self.angle.len());
+        [0, 1].map(|part| {
+            (0..places)
+                .map(|k| part * places + k)
+                .map(|k| self.tractions.covariance[k * all + k].max(0.0).sqrt())
+                .collect()
+        })
+    }
+
+    /// Places that are at least twice the [resolution](Self::resolution) from the region's ends, where displacements of two edges meet and
+    /// nothing is known well.
+    pub fn inner(&self) -> std::ops::Range<usize> {
+        let (Some(first), Some(last)) = (self.angle.first(), self.angle.last()) else {
+            return 0..0;
+        };
+        let reach = 2.0 * self.resolution * (1.0 - 1e-6);
+        let start = self.angle.partition_point(|angle| *angle < first + reach);
+        let end = self.angle.partition_point(|angle| *angle <= last - reach);
+        start..end.max(start)
+    }
+}
+
+/// Edge stresses of all states.
+///
+/// # Errors
+/// [`ExperimentError`]: no `[region]`, a region that cannot be analysed, data that do not determine it.
+pub fn all(experiment: &Experiment, fields: &[Measured]) -> Result<Vec<Analysed>, ExperimentError> {
+    let bench = Workbench::new(experiment)?;
+    fields.iter().map(|field| bench.analyse(field)).collect()
+}

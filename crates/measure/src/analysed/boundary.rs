@@ -1,0 +1,216 @@
+//! Displacements of the nodes that hold a region, from the data of a state.
+
+use stickslip_hybrid::data::{Measurement, NodalDisplacements};
+use stickslip_hybrid::reduce::{LocalPolynomial, ReduceError, Reduction};
+use stickslip_hybrid::region::RegionError;
+use stickslip_hybrid::region::fit::Fitter;
+use stickslip_hybrid::region::locate::Locator;
+
+use super::FitFacts;
+use super::picture::field_of;
+use super::region::Workbench;
+use super::scale::{Residual, least_scale, scale};
+use crate::error::{ExperimentError, of_region};
+use crate::measured::Measured;
+use stickslip_scene::experiment::{FreeMotion, Method, Source};
+
+/// Displacements of the region's boundary, and how they were found.
+pub(super) struct Boundary {
+    pub(super) displacements: NodalDisplacements,
+    /// Bias of the prescribed displacements `[mm]`; empty where nothing was smoothed.
+    pub(super) bias: Vec<f64>,
+    pub(super) fit: Option<FitFacts>,
+    pub(super) scale: f64,
+    /// Why no residuals say what the scale is, in words.
+    pub(super) assumed: Option<String>,
+    /// Prescribed displacements `[mm]` that the fit makes of a unit of each motion of the picture.
+    pub(super) responses: Vec<(FreeMotion, Vec<f64>)>,
+    /// Motions of the picture that were taken off, with their amounts.
+    pub(super) taken_off: Vec<(FreeMotion, f64)>,
+    /// What residuals say of the variance of a single datum, at least that of its deviation.
+    pub(super) single: f64,
+    /// Residuals of the fit over the stated deviations; none where nothing was fitted.
+    pub(super) residuals: Vec<Residual>,
+}
+
+impl Workbench<'_> {
+    pub(super) fn boundary(
+        &self,
+        measured: &Measured,
+        used: &Measurement,
+    ) -> Result<Boundary, ExperimentError> {
+        let reduced = match self.experiment.reduce.method {
+            Method::Fit => {
+                let fitted = self.fitted(used, measured.floor);
+                return fitted.map_err(|cause| self.refuse(measured, cause));
+            }
+            Method::Linear => {
+                let nodes = self.region.prescribed_nodes();
+                let longest = self.experiment.reduce.longest_side;
+                Reduction::linear(used, self.region.mesh().nodes(), &nodes, longest)
+                    .and_then(Reduction::complete)
+                    .and_then(|reduction| reduction.displacements(used))
+            }
+            Method::Polynomial { order, neighbours } => self
+                .polynomial(used, &self.region.prescribed_nodes(), order, neighbours)
+                .and_then(|reduction| reduction.displacements(used)),
+            Method::Lines { reach } => return self.along_lines(measured, reach),
+        };
+        let displacements = reduced.map_err(|cause| ExperimentError::Reduction {
+            state: self.experiment.states[measured.state].name.clone(),
+            key: "reduce".to_owned(),
+            cause: Box::new(cause),
+        })?;
+        let mut boundary = Boundary::plain(displacements);
+        // s² is that of a fit to the same data: residuals of the displacements themselves would hold their own errors too.
+        match self.fitted(used, measured.floor) {
+            Ok(fit) => {
+                (boundary.scale, boundary.single) = (fit.scale, fit.single);
+                boundary.residuals = fit.residuals;
+            }
+            Err(cause) => {
+                boundary.scale = least_scale(used.deviation, measured.floor).max(1.0);
+                boundary.assumed = Some(of_region(self.experiment, &cause));
+            }
+        }
+        for entry in &mut boundary.displacements.covariance {
+            *entry *= boundary.scale;
+        }
+        Ok(boundary)
+    }
+
+    pub(super) fn polynomial(
+        &self,
+        used: &Measurement,
+        nodes: &[usize],
+        order: usize,
+        neighbours: usize,
+    ) -> Result<Reduction, ReduceError> {
+        // Nodes on the hole's edge lie outside of the data; how uncertain that makes them the covariance says.
+        let fit = LocalPolynomial {
+            order,
+            neighbours,
+            largest_radius: f64::INFINITY,
+            extrapolate: true,
+        };
+        Reduction::polynomial(used, self.region.mesh().nodes(), nodes, &fit)
+            .and_then(Reduction::complete)
+    }
+
+    fn along_lines(&self, measured: &Measured, reach: f64) -> Result<Boundary, ExperimentError> {
+        let state = &self.experiment.states[measured.state];
+        let (Some([u, v]), Some(grating), Source::Lines(source)) =
+            (&measured.lines, &self.experiment.grating, &state.source)
+        else {
+            return Err(ExperimentError::Missing {
+                key: "reduce.method".to_owned(),
+                what: format!("state '{}' has no fringe lines", state.name),
+                remedy: "choose method = \"fit\", or give lines = { … }".to_owned(),
+            });
+        };
+        let nodes = self.region.prescribed_nodes();
+        Reduction::along_lines([u, v], self.region.mesh().nodes(), &nodes, reach)
+            .and_then(Reduction::complete)
+            .and_then(|reduction| {
+                reduction.fringe_displacements([u, v], grating, [source.deviation; 2])
+            })
+            .map(Boundary::plain)
+            .map_err(|cause| ExperimentError::Reduction {
+                state: state.name.clone(),
+                key: "reduce".to_owned(),
+                cause: Box::new(cause),
+            })
+    }
+
+    /// The fit to all data, whose errors have at least the deviations `floor`.
+    fn fitted(&self, used: &Measurement, floor: [f64; 2]) -> Result<Boundary, RegionError> {
+        let smoothing = self.plan.smoothing;
+        let fitter = Fitter::new(&self.region, used, smoothing.order)?;
+        let mut fit = fitter.fit(&used.displacements, smoothing.amount)?;
+        let residuals = self.residuals(used, &fit.displacements)?;
+        let of_residuals = scale(&residuals, fit.parameters);
+        let scale = of_residuals.max(least_scale(used.deviation, floor));
+        for entry in &mut fit.displacements.covariance {
+            *entry *= scale;
+        }
+        let hole = &self.experiment.specimen.hole;
+        let response = |motion: FreeMotion| {
+            let values = fitter.values(&field_of(motion, used, hole), fit.amount);
+            values.map(|values| (motion, values))
+        };
+        let responses = FreeMotion::ALL.into_iter().map(response);
+        Ok(Boundary {
+            responses: responses.collect::<Result<_, RegionError>>()?,
+            taken_off: Vec::new(),
+            scale,
+            assumed: None,
+            single: (fit.residual / (fit.data as f64 - fit.parameters).max(1.0)).max(1.0),
+            bias: fit.bias,
+            fit: Some(FitFacts {
+                order: smoothing.order,
+                amount: fit.amount,
+                parameters: fit.parameters,
+                kept: self.kept(&fit.kept),
+                data: fit.data,
+                residual: fit.residual,
+                of_residuals,
+            }),
+            displacements: fit.displacements,
+            residuals,
+        })
+    }
+
+    /// Mean over the edge of the part of displacements that their own data decide.
+    fn kept(&self, parts: &[f64]) -> f64 {
+        let prescribed = self.region.prescribed().iter().zip(parts);
+        let own = prescribed.filter(|(dof, _)| self.edge.nodes.contains(&(*dof / 2)));
+        let (sum, count) = own.fold((0.0, 0.0), |(sum, count), (_, part)| {
+            (sum + part, count + 1.0)
+        });
+        sum / f64::max(count, 1.0)
+    }
+
+    /// Measured less calculated displacements over the stated deviations, of all valid data in the region.
+    fn residuals(
+        &self,
+        data: &Measurement,
+        boundary: &NodalDisplacements,
+    ) -> Result<Vec<Residual>, RegionError> {
+        let solution = self.region.solve(boundary)?;
+        let locator = Locator::new(self.region.mesh());
+        let mut residuals = Vec::new();
+        for (k, &place) in data.places.iter().enumerate() {
+            let Some(located) = locator.locate(place) else {
+                continue;
+            };
+            for axis in (0..2).filter(|&axis| data.valid[axis][k]) {
+                let parts = located.shape.iter();
+                let calculated: f64 = parts
+                    .map(|&(node, weight)| weight * solution.displacements[2 * node + axis])
+                    .sum();
+                residuals.push(Residual {
+                    place,
+                    axis,
+                    value: (data.displacements[axis][k] - calculated) / data.deviation[axis],
+                });
+            }
+        }
+        Ok(residuals)
+    }
+}
+
+impl Boundary {
+    fn plain(displacements: NodalDisplacements) -> Self {
+        Self {
+            displacements,
+            bias: Vec::new(),
+            fit: None,
+            scale: 1.0,
+            assumed: None,
+            responses: Vec::new(),
+            taken_off: Vec::new(),
+            single: 1.0,
+            residuals: Vec::new(),
+        }
+    }
+}

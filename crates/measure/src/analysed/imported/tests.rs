@@ -1,0 +1,145 @@
+//! Meshes of sectors, written as Gmsh writes them and read again.
+
+use std::fmt::Write as _;
+use std::io;
+use std::path::Path;
+
+use stickslip_hybrid::region::sector::ArcSector;
+use stickslip_scene::host::System;
+use stickslip_scene::limits::Limits;
+
+use super::*;
+
+const HOLE: Hole = Hole {
+    centre: [1.0, 2.0],
+    radius: 5.0,
+};
+
+fn sector(kind: ElementKind) -> Mesh {
+    let sector = ArcSector {
+        centre: HOLE.centre,
+        hole: HOLE.radius,
+        stand_off: 0.0,
+        outer: 9.0,
+        angles: [-0.5, 1.0],
+        cells: [6, 3],
+        growth: 1.5,
+        kind,
+    };
+    sector.mesh().unwrap()
+}
+
+fn number(kind: ElementKind) -> usize {
+    match kind {
+        ElementKind::T3 => 2,
+        ElementKind::T6 => 9,
+        ElementKind::Q4 => 3,
+        ElementKind::Q8 => 16,
+        ElementKind::Q9 => 10,
+        other => unreachable!("{other:?} is not read from .msh files"),
+    }
+}
+
+/// The mesh with tags from 11, its coordinates over `scale`, every other cell walked clockwise.
+fn text(mesh: &Mesh, scale: f64) -> String {
+    let nodes = mesh.nodes();
+    let count = nodes.len();
+    let last = count + 10;
+    let mut text = format!(
+        "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 {count} 11 {last}\n2 1 0 {count}\n"
+    );
+    for tag in 11..=last {
+        let _ = writeln!(text, "{tag}");
+    }
+    for [x, y] in nodes {
+        let _ = writeln!(text, "{} {} 0", x / scale, y / scale);
+    }
+    let cells = mesh.element_count();
+    let kind = mesh.element(0).0;
+    let _ = write!(
+        text,
+        "$EndNodes\n$Elements\n1 {cells} 1 {cells}\n2 1 {} {cells}\n",
+        number(kind)
+    );
+    for cell in 0..cells {
+        let mut own = mesh.element(cell).1.to_vec();
+        if cell % 2 == 1 {
+            reverse(&mut own, kind);
+        }
+        let tags: Vec<String> = own.iter().map(|node| (node + 11).to_string()).collect();
+        let _ = writeln!(text, "{} {}", cell + 1, tags.join(" "));
+    }
+    text + "$EndElements\n"
+}
+
+/// One file, whatever its name.
+#[derive(Debug)]
+struct OneFile(String);
+
+impl System for OneFile {
+    fn read(&self, _: &Path, _: u64) -> io::Result<Vec<u8>> {
+        Ok(self.0.clone().into_bytes())
+    }
+
+    fn length(&self, _: &Path) -> io::Result<u64> {
+        Ok(self.0.len() as u64)
+    }
+
+    fn seconds(&self) -> f64 {
+        0.0
+    }
+}
+
+fn host(text: &str) -> Host {
+    Host {
+        limits: Limits::NONE,
+        system: Box::leak(Box::new(OneFile(text.to_owned()))),
+    }
+}
+
+fn read(text: &str, scale: f64) -> Result<Mesh, ExperimentError> {
+    let file = "region.msh".into();
+    mesh(&MeshPlan { file, scale }, &HOLE, "inner", host(text))
+}
+
+#[test]
+fn a_mesh_comes_back_with_its_hole() {
+    for kind in [ElementKind::Q4, ElementKind::Q8, ElementKind::Q9] {
+        let written = sector(kind);
+        let found = read(&text(&written, 25.4), 25.4).unwrap();
+        assert_eq!(found.element_count(), written.element_count());
+        let lengths = |mesh: &Mesh| {
+            let set = mesh.edge_set("inner").unwrap();
+            let mut ends: Vec<[i64; 4]> = (set.edges.iter())
+                .map(|&edge| {
+                    let [a, b] = mesh.edge_nodes(edge).ends.map(|node| mesh.nodes()[node]);
+                    [a[0], a[1], b[0], b[1]].map(|x| (1e6 * x).round() as i64)
+                })
+                .collect();
+            ends.sort_unstable();
+            ends
+        };
+        assert_eq!(lengths(&found), lengths(&written), "{kind:?}");
+    }
+}
+
+#[test]
+fn what_is_no_mesh_of_the_hole_is_refused() {
+    let written = text(&sector(ElementKind::Q4), 1.0);
+    assert!(matches!(
+        read("no mesh", 1.0),
+        Err(ExperimentError::File { .. })
+    ));
+    let half = &written[..written.len() / 2];
+    assert!(matches!(read(half, 1.0), Err(ExperimentError::File { .. })));
+    // Inches taken for millimetres.
+    let Err(ExperimentError::Missing { what, .. }) = read(&written, 1.0 / 25.4) else {
+        panic!("no edge is on the hole");
+    };
+    assert!(what.contains("off its edge"), "{what}");
+    let empty = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
+    assert!(matches!(
+        read(empty, 1.0),
+        Err(ExperimentError::Missing { .. })
+    ));
+}

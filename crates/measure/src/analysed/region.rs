@@ -1,0 +1,357 @@
+//! The region of an experiment, ready for any number of states.
+
+use std::sync::Arc;
+
+use stickslip_fem_core::ElasticBody;
+use stickslip_fem_core::body::SparseRow;
+use stickslip_fem_core::material::Material;
+use stickslip_fem_core::mesh::{Mesh, Point};
+use stickslip_hybrid::data::Measurement;
+use stickslip_hybrid::region::checks::{CheckInput, ChiSquared};
+use stickslip_hybrid::region::direct::interpolate;
+use stickslip_hybrid::region::locate::Locator;
+use stickslip_hybrid::region::outline::boundary_nodes;
+use stickslip_hybrid::region::transfer::Propagated;
+use stickslip_hybrid::region::{Region, RegionError};
+
+use super::boundary::Boundary;
+use super::edge::Edge;
+use super::held_out::split;
+use super::imported;
+use super::picture::field_of;
+use super::{Analysed, Checked, MisfitAt, NodalForce};
+use crate::error::{ExperimentError, of_reduction, of_region};
+use crate::measured::Measured;
+use stickslip_scene::experiment::{Area, Experiment, Hole, RegionPlan, RegionShape};
+use stickslip_scene::host::Host;
+
+/// The edge set on which stresses are asked for.
+const EDGE: &str = "inner";
+
+/// A factorised region with the rows of its edge.
+#[derive(Debug)]
+pub struct Workbench<'a> {
+    pub(super) experiment: &'a Experiment,
+    pub(super) plan: &'a RegionPlan,
+    pub(super) region: Region,
+    pub(super) edge: Edge,
+    /// Nodes inside that move as measured, ascending.
+    interior: Vec<usize>,
+}
+
+fn missing(key: &str, what: &str, remedy: &str) -> ExperimentError {
+    ExperimentError::Missing {
+        key: key.to_owned(),
+        what: what.to_owned(),
+        remedy: remedy.to_owned(),
+    }
+}
+
+fn unusable(cause: RegionError) -> ExperimentError {
+    ExperimentError::Region {
+        state: "all".to_owned(),
+        key: "region".to_owned(),
+        cause: Box::new(cause),
+    }
+}
+
+/// The mesh of a region, and the radius of its edge `[mm]`.
+pub(crate) fn meshed(
+    plan: &RegionPlan,
+    hole: &Hole,
+    host: Host,
+) -> Result<(Mesh, f64), ExperimentError> {
+    match &plan.shape {
+        RegionShape::Sector(sector) => {
+            let sector = sector.around(hole);
+            Ok((sector.mesh().map_err(unusable)?, sector.inner()))
+        }
+        RegionShape::Mesh(mesh) => Ok((imported::mesh(mesh, hole, EDGE, host)?, hole.radius)),
+    }
+}
+
+/// Nodes inside of the mesh that lie in one of the areas, ascending.
+fn interior(mesh: &Mesh, areas: &[Area]) -> Result<Vec<usize>, ExperimentError> {
+    let boundary = boundary_nodes(mesh);
+    let nodes = mesh.nodes().iter().enumerate();
+    let mut inside: Vec<(usize, Point)> = nodes
+        .filter(|(node, _)| boundary.binary_search(node).is_err())
+        .map(|(node, place)| (node, *place))
+        .collect();
+    for (index, area) in areas.iter().enumerate() {
+        if !inside.iter().any(|(_, place)| area.contains(*place)) {
+            return Err(missing(
+                &format!("region.interior.{index}"),
+                &format!(
+                    "area {} of region.interior holds no node inside of the region",
+                    index + 1
+                ),
+                "make it larger, or the cells smaller; nodes on the boundary move as measured anyway",
+            ));
+        }
+    }
+    inside.retain(|(_, place)| areas.iter().any(|area| area.contains(*place)));
+    Ok(inside.into_iter().map(|(node, _)| node).collect())
+}
+
+impl<'a> Workbench<'a> {
+    /// Meshes and factorises the region of `experiment`.
+    ///
+    /// # Errors
+    /// [`ExperimentError::Missing`] without `[region]` or for areas without a node, [`ExperimentError::Region`] for one that cannot be
+    /// analysed.
+    pub fn new(experiment: &'a Experiment) -> Result<Self, ExperimentError> {
+        const SECTOR: &str = "write [region] sector = { angles = [\"-10 deg\", \"110 deg\"], outer = \"13 mm\", cells = [40, 10] }";
+        let plan = experiment
+            .region
+            .as_ref()
+            .ok_or_else(|| missing("region", "edge stresses need a [region]", SECTOR))?;
+        let specimen = &experiment.specimen;
+        let (mesh, radius) = meshed(plan, &specimen.hole, experiment.host())?;
+        let mesh = Arc::new(mesh);
+        let material = (specimen.material.in_plane(specimen.plane)).map_err(|cause| {
+            let what = format!("the specimen's material is none: {cause}");
+            missing("specimen.material", &what, "correct its constants")
+        })?;
+        let material: Arc<dyn Material> = Arc::from(material);
+        let blocks = mesh.blocks().iter();
+        let materials = blocks.map(|_| Arc::clone(&material)).collect();
+        let body = ElasticBody::new(mesh, materials, specimen.thickness);
+        let body = Arc::new(body.map_err(|cause| unusable(cause.into()))?);
+        let interior = interior(body.mesh(), &plan.interior)?;
+        let region = Region::new(&body, &interior).map_err(unusable)?;
+        let cut = match &plan.shape {
+            RegionShape::Sector(sector) => sector.angles[0],
+            // Opposite of where scenes bear.
+            RegionShape::Mesh(_) => std::f64::consts::PI,
+        };
+        let edge = Edge::new(&body, EDGE, radius, cut).map_err(unusable)?;
+        Ok(Self {
+            experiment,
+            plan,
+            region,
+            edge,
+            interior,
+        })
+    }
+
+    /// The edge stresses of a measured state, with all checks.
+    ///
+    /// # Errors
+    /// [`ExperimentError::Region`] and [`ExperimentError::Reduction`] for data that do not determine them.
+    pub fn analyse(&self, measured: &Measured) -> Result<Analysed, ExperimentError> {
+        let (used, unused) = split(&measured.measurement);
+        let (boundary, mut found) = self.freed(measured, &used)?;
+        let refuse = |cause| self.refuse(measured, cause);
+        match self.direct(&used) {
+            Ok(direct) => found.direct = Some(direct),
+            Err(why) => found.without_direct = Some(why),
+        }
+        found.checks = self.checked(&found, &boundary, unused).map_err(refuse)?;
+        found.nodal_forces = self.nodal_forces(&boundary).map_err(refuse)?;
+        Ok(found)
+    }
+
+    /// The edge stresses of a measured state alone: the same numbers, without checks and comparison.
+    ///
+    /// # Errors
+    /// As [`analyse`](Self::analyse).
+    pub fn stresses(&self, measured: &Measured) -> Result<Analysed, ExperimentError> {
+        let (used, _) = split(&measured.measurement);
+        self.freed(measured, &used).map(|(_, found)| found)
+    }
+
+    /// Boundary and stresses, without what the picture added.
+    fn freed(
+        &self,
+        measured: &Measured,
+        used: &Measurement,
+    ) -> Result<(Boundary, Analysed), ExperimentError> {
+        let mut boundary = self.boundary(measured, used)?;
+        let mut found = self.unchecked(measured, &boundary)?;
+        let picture = self.without_picture_motions(&found, &mut boundary);
+        let picture = picture.map_err(|cause| self.refuse(measured, cause))?;
+        if !boundary.taken_off.is_empty() {
+            found = self.unchecked(measured, &boundary)?;
+        }
+        found.picture = picture;
+        Ok((boundary, found))
+    }
+
+    fn unchecked(
+        &self,
+        measured: &Measured,
+        boundary: &Boundary,
+    ) -> Result<Analysed, ExperimentError> {
+        let refuse = |cause| self.refuse(measured, cause);
+        let all = self
+            .region
+            .propagate(&self.edge.stresses, &boundary.displacements);
+        let stresses = all.map_err(refuse)?;
+        let bias = self.bias(boundary).map_err(refuse)?;
+        let tractions = self.edge.tractions(&stresses, &bias);
+        Ok(Analysed {
+            state: measured.state,
+            angle: self.edge.angle.clone(),
+            resolution: self
+                .edge
+                .resolution(boundary.fit.map_or(1.0, |fit| fit.kept)),
+            hoop: self.edge.hoop(&stresses.values),
+            hoop_deviation: self.edge.hoop_deviation(&stresses, &bias),
+            tractions,
+            bias,
+            direct: None,
+            without_direct: None,
+            fit: boundary.fit,
+            scale: boundary.scale,
+            scale_assumed: boundary.assumed.clone(),
+            picture: Vec::new(),
+            residuals: boundary.residuals.clone(),
+            checks: Checked::default(),
+            forces: self.forces(boundary).map_err(refuse)?,
+            nodal_forces: Vec::new(),
+        })
+    }
+
+    pub(super) fn refuse(&self, measured: &Measured, cause: RegionError) -> ExperimentError {
+        ExperimentError::Region {
+            state: self.experiment.states[measured.state].name.clone(),
+            key: "region".to_owned(),
+            cause: Box::new(cause),
+        }
+    }
+
+    /// Bias of pressure, shear and hoop stress at each place.
+    fn bias(&self, boundary: &Boundary) -> Result<Vec<[f64; 3]>, RegionError> {
+        if boundary.bias.is_empty() {
+            return Ok(vec![[0.0; 3]; self.edge.angle.len()]);
+        }
+        let stresses = self
+            .region
+            .outputs_of(&self.edge.stresses, &boundary.bias)?;
+        Ok(self.edge.by_place(&stresses))
+    }
+
+    /// The comparison without equilibrium: a local polynomial at every node that the edge's stresses need; in words why there is none.
+    fn direct(&self, used: &Measurement) -> Result<Vec<[f64; 3]>, String> {
+        const NEIGHBOURS: usize = 24;
+        let dofs = self.edge.stresses.iter().flatten();
+        let mut nodes: Vec<usize> = dofs.map(|(dof, _)| dof / 2).collect();
+        nodes.sort_unstable();
+        nodes.dedup();
+        let displacements = self
+            .polynomial(used, &nodes, 2, NEIGHBOURS)
+            .and_then(|reduction| reduction.displacements(used))
+            .map_err(|cause| of_reduction(self.experiment, &cause))?;
+        let body = self.region.body();
+        let found = interpolate(body, &self.edge.stresses, &displacements)
+            .map_err(|cause| of_region(self.experiment, &cause))?;
+        Ok(self.edge.by_place(&found.values))
+    }
+
+    /// Force on the edge from its stresses plus that of its nodes on the region, which is nothing in balance.
+    fn forces(&self, boundary: &Boundary) -> Result<Propagated, RegionError> {
+        let by_stresses = &self.edge.resultant;
+        let by_forces = self.region.reaction_resultant(&self.edge.nodes);
+        let rows: Vec<SparseRow> = by_stresses.iter().cloned().chain(by_forces).collect();
+        self.region.propagate(&rows, &boundary.displacements)
+    }
+
+    /// Forces at all nodes that move as measured.
+    fn nodal_forces(&self, boundary: &Boundary) -> Result<Vec<NodalForce>, RegionError> {
+        let region = &self.region;
+        let forces = region.propagate(region.reaction_rows(), &boundary.displacements)?;
+        let deviations = forces.deviations();
+        // Both components of each node are prescribed, in turn.
+        let nodes = region.prescribed().iter().step_by(2).enumerate();
+        let force = |(k, dof): (usize, &usize)| NodalForce {
+            place: region.mesh().nodes()[dof / 2],
+            force: [0, 1].map(|axis| forces.values[2 * k + axis]),
+            deviation: [0, 1].map(|axis| deviations[2 * k + axis]),
+            inside: self.interior.binary_search(&(dof / 2)).is_ok(),
+        };
+        Ok(nodes.map(force).collect())
+    }
+
+    fn checked(
+        &self,
+        found: &Analysed,
+        boundary: &Boundary,
+        mut unused: Measurement,
+    ) -> Result<Checked, RegionError> {
+        for deviation in &mut unused.deviation {
+            *deviation *= boundary.single.sqrt();
+        }
+        for (motion, amount) in &boundary.taken_off {
+            let field = field_of(*motion, &unused, &self.experiment.specimen.hole);
+            for (own, added) in unused.displacements.iter_mut().zip(field) {
+                own.iter_mut()
+                    .zip(added)
+                    .for_each(|(u, added)| *u -= amount * added);
+            }
+        }
+        let locator = Locator::new(self.region.mesh());
+        // Few data may all be kept outside of the region.
+        let any = (0..unused.places.len()).any(|k| {
+            unused.valid.iter().any(|valid| valid[k]) && locator.locate(unused.places[k]).is_some()
+        });
+        let input = CheckInput {
+            unused: any.then_some(&unused),
+            ..CheckInput::default()
+        };
+        let checks = self.region.check(&boundary.displacements, input)?;
+        let misfit = checks.misfit.as_ref();
+        let points = misfit.into_iter().flat_map(|misfit| &misfit.points);
+        let own = points.map(|point| MisfitAt {
+            place: point.place,
+            axis: point.axis,
+            relative: point.misfit / point.deviation,
+        });
+        Ok(Checked {
+            misfit: own.collect(),
+            unused: misfit.map(|misfit| misfit.chi_squared),
+            free_edge: self.free_edge(found)?,
+            interior: checks.interior_forces,
+            force: self.known_force(found, boundary)?,
+        })
+    }
+
+    /// Whether the edge is not that of the hole.
+    pub(super) fn stands_off(&self) -> bool {
+        match &self.plan.shape {
+            RegionShape::Sector(sector) => sector.stand_off > 0.0,
+            RegionShape::Mesh(_) => false,
+        }
+    }
+
+    /// χ² of the tractions on the edge clear of contact, as uncertain as noise and smoothing make them; none on an edge that stands off
+    /// from the hole, inside of the body.
+    fn free_edge(&self, found: &Analysed) -> Result<Option<ChiSquared>, RegionError> {
+        let ranges = super::edge::beyond_contact(found);
+        if self.stands_off() || ranges.is_empty() {
+            return Ok(None);
+        }
+        let places = found.angle.len();
+        let own: Vec<usize> = (0..2)
+            .flat_map(|part| {
+                ranges
+                    .iter()
+                    .cloned()
+                    .flatten()
+                    .map(move |k| part * places + k)
+            })
+            .collect();
+        let tractions = &found.tractions;
+        let value = |k: &usize| match k.checked_sub(places) {
+            None => tractions.pressure[*k],
+            Some(place) => tractions.shear[place],
+        };
+        let values: Vec<f64> = own.iter().map(value).collect();
+        let entry = |i: usize| own.iter().map(move |&j| (i, j));
+        let covariance: Vec<f64> = (own.iter())
+            .flat_map(|&i| entry(i))
+            .map(|(i, j)| tractions.covariance[i * 2 * places + j])
+            .collect();
+        ChiSquared::of(&values, &covariance).map(Some)
+    }
+}

@@ -1,0 +1,122 @@
+//! Friction laws fitted to measured displacements by contact solves.
+//!
+//! ```text
+//! χ²(θ) = min over b of |L⁻¹ (m − u(θ) − Z b)|²,     u(θ): displacements of the scene's history under the law with parameters θ
+//! ```
+//!
+//! m are the displacements of all states, Σ = L Lᵀ their covariance, Z b the rigid motion of the grating in each state, which nobody
+//! controls. Bodies are condensed once, so that one χ² costs one history of small contact problems ([`ContactModel`]). Which law the
+//! data prefer is told by the information criteria of the fits, and which parameters they determine by the profiles of χ²
+//! ([`stickslip_hybrid::calibrate`]).
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | [`ContactModel`], [`View`] | condensed scene, and displacements seen of it |
+//! | [`Candidate`] | a law with free parameters, of any registered kind |
+//! | [`Observation`] | the displacements of a state, with their covariance and what is not asked of them |
+//! | [`fit`], [`Comparison`] | fits of several laws to the same data, compared |
+//! | [`stage`] | all of this for an experiment |
+//! | [`Sensitivity`] | how far the edge moves when a parameter does, in fringes |
+//! | [`Scale`] | by what the variance of a state is multiplied, and who says so |
+//! | [`SharedNull`] | states whose errors are not independent of each other |
+//! | [`MeshError`], [`fit_on_two_meshes`] | intervals that hold the error of the model's mesh |
+//! | [`coefficient`] | the coefficient along the slip path |
+//! | [`Discrepancy`] | what the mesh of the model costs, where the truth is known |
+
+mod compare;
+mod contact;
+mod discrepancy;
+mod mesh_error;
+mod observation;
+mod passage;
+mod resolved;
+mod rings;
+mod scale;
+mod sensitivity;
+mod shared_null;
+mod stage;
+mod verdict;
+
+use stickslip_fem_core::mesh::Point;
+use stickslip_hybrid::calibrate::CalibrateError;
+use stickslip_scene::experiment::RefusedLaw;
+use thiserror::Error;
+
+use compare::fit_with_progress;
+pub use compare::{Comparison, Fit, StateFit, fit, fit_on_two_meshes};
+pub use contact::{ContactModel, View};
+pub use discrepancy::{Discrepancy, discrepancies};
+pub use mesh_error::{MeshError, StateMeshError, coarser};
+pub use observation::{Nuisance, Observation, decimated};
+pub use passage::{coefficient, half_width, law_of, passes};
+pub use rings::Ring;
+pub use scale::{Scale, ScaleSource};
+pub use sensitivity::{Sensitivity, sensitivity};
+pub use shared_null::SharedNull;
+pub use stage::{Known, LawStage, stage};
+pub use stickslip_scene::experiment::Candidate;
+pub use verdict::Verdict;
+
+use stickslip_engine::run::RunError;
+
+/// Why laws cannot be fitted.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum LawsError {
+    /// The scene cannot be modelled or solved.
+    #[error(transparent)]
+    Run(#[from] RunError),
+    /// Nothing touches the edge.
+    #[error("no contact of the scene is at '{edge}', so no friction law acts there")]
+    NoContact {
+        /// The edge.
+        edge: String,
+    },
+    /// The specimen shows no displacements.
+    #[error("body '{body}' is rigid and shows no displacements")]
+    Rigid {
+        /// The body.
+        body: String,
+    },
+    /// A place without displacement.
+    #[error("the place ({}, {}) mm is not in the specimen", place[0], place[1])]
+    Outside {
+        /// Where it is `[mm]`.
+        place: Point,
+    },
+    /// A load step that the scene does not have.
+    #[error("a state is measured at load step {step}, and the scene has {steps}")]
+    Step {
+        /// The step, from 1.
+        step: usize,
+        /// Number of steps.
+        steps: usize,
+    },
+    /// A law that half of the scene does not do for.
+    #[error(
+        "law '{law}' claims no symmetry about the line that bounds the half model; in the scene, say analysis.model = \"whole\" or \
+         leave it out"
+    )]
+    NotSymmetric {
+        /// Name of the law.
+        law: String,
+    },
+    /// No law has parameters to fit.
+    #[error("there is no law to fit")]
+    NoLaw,
+    /// A law refuses its parameters.
+    #[error(transparent)]
+    Law(#[from] RefusedLaw),
+    /// The data are none.
+    #[error("the measured displacements: {0}")]
+    Data(#[source] CalibrateError),
+    /// A law cannot be fitted.
+    #[error("law '{law}': {cause}")]
+    Calibrate {
+        /// Name of the law.
+        law: String,
+        /// What is wrong.
+        #[source]
+        cause: CalibrateError,
+    },
+}

@@ -1,0 +1,31 @@
+//! From fringe pictures and measured displacements to friction: findings as plain data.
+//!
+//! ```text
+//! experiment file ──► Experiment ──► fringes ──► reduce ──► hybrid ──► identify
+//!                     (scene)        pictures    measured   edge       friction
+//!                                                fields     stresses
+//! ```
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | [`chain`] | the stages one after the other, and what they found |
+//! | [`measured`] | displacements with their deviation and mask |
+//! | [`laws`] | friction laws fitted by contact solves, and compared |
+//! | [`whole`] | the whole plate under its remote load, its hole displaced as measured |
+//! | [`analysed`] | edge stresses by localized hybrid analysis, with bands and checks |
+//! | [`identified`] | slip zones, and the friction coefficients that they share |
+//! | [`truth`], [`synthesis`] | the solution of a scene, and synthetic pictures of it |
+//!
+//! Four commands go to four depths of this chain, each doing all that comes before.
+
+pub mod analysed;
+pub mod chain;
+mod error;
+pub mod identified;
+pub mod laws;
+pub mod measured;
+pub mod synthesis;
+pub mod truth;
+pub mod whole;
+
+pub use error::ExperimentError;

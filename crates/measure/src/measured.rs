@@ -1,0 +1,312 @@
+//! Measured fields: displacements with their deviation and their mask, from tables, fringe pictures or fringe lines.
+//!
+//! ```text
+//! u = (N − N₀) / f      orders less those of the carrier, or of the null field with the same carrier
+//! ```
+//!
+//! A picture tells neither whole orders nor the plate's motion as a whole: U and V are known up to a constant each and, where the
+//! carrier is not known to the last digit, a rotation. Neither changes any stress. A finite rotation does, to second order, and is taken off
+//! each table before its null field is, and off pictures after it.
+
+mod combine;
+mod coverage;
+mod elsewhere;
+mod lines;
+mod phase;
+mod pictures;
+mod rotation;
+mod scatter;
+mod symmetry;
+mod table;
+
+use std::collections::BTreeMap;
+
+use stickslip_fem_core::mesh::Point;
+use stickslip_hybrid::data::{Field, FringeLines, Measurement, Symmetry};
+use stickslip_hybrid::fringe::PixelMap;
+
+use super::error::ExperimentError;
+use super::synthesis::{Shot, Shots};
+use stickslip_scene::experiment::{Experiment, Source};
+use stickslip_scene::limits::Content;
+
+pub use rotation::TakenOff;
+
+/// The measured field of one state.
+#[derive(Clone, Debug)]
+pub struct Measured {
+    /// Index of the state in the experiment.
+    pub state: usize,
+    /// Displacements in base units, the null field taken off, masked where bad.
+    pub measurement: Measurement,
+    /// Fringe lines of the U and the V field, where the state has lines.
+    pub lines: Option<[FringeLines; 2]>,
+    /// What the pictures of the U and the V field say, where the state has pictures, or else where its null field has.
+    pub pictures: [Option<PictureField>; 2],
+    /// Front against back along the chosen line, U and V, before the null field is taken off.
+    pub symmetry: Vec<(Field, Symmetry)>,
+    /// Indices of the places of a table that are masked as outliers.
+    pub outliers: Vec<usize>,
+    /// Standard deviation `[mm]` that errors of U and V have at least, whatever residuals say: as stated, or as digits are rounded; 0
+    /// where nothing says.
+    pub floor: [f64; 2],
+    /// Rotations of the specimen that were taken off.
+    pub rotations: Vec<TakenOff>,
+    /// What was assumed or left out.
+    pub remarks: Vec<String>,
+    /// What a reader must know before trusting the field.
+    pub warnings: Vec<String>,
+}
+
+impl Measured {
+    /// A field of displacements that is known in full, without lines, pictures or remarks.
+    pub fn new(state: usize, measurement: Measurement) -> Self {
+        Self {
+            state,
+            measurement,
+            lines: None,
+            pictures: [None, None],
+            symmetry: Vec::new(),
+            outliers: Vec::new(),
+            floor: [0.0; 2],
+            rotations: Vec::new(),
+            remarks: Vec::new(),
+            warnings: Vec::new(),
+        }
+    }
+}
+
+/// One field as its pictures show it.
+#[derive(Clone, Debug)]
+pub struct PictureField {
+    /// The picture, or the first of four.
+    pub picture: PixelMap,
+    /// Orders up to a whole number, in −½ … ½, less the carrier.
+    pub wrapped: PixelMap,
+    /// Orders without jumps, carrier and null field taken off (but for a null field that is a table); one region.
+    pub orders: PixelMap,
+    /// Middles of loops of four pixels around which orders do not close, those of the null field's picture too `[mm]`.
+    pub residues: Vec<Point>,
+    /// Middles between neighbouring pixels that differ by half a fringe or more `[mm]`; their orders are masked.
+    pub cuts: Vec<Point>,
+    /// Standard deviation of an order `[fringes]`.
+    pub deviation: f64,
+    /// Length over which errors depend on each other `[mm]`.
+    pub resolution: f64,
+    /// The carrier that was taken off `[1/mm]`.
+    pub carrier: [f64; 2],
+    /// Power of the carrier's peak over that of the noise, of a single picture.
+    pub strength: Option<f64>,
+    /// Median amplitude of the fringes, part of full scale.
+    pub modulation: f64,
+    /// Whether this is a picture of the null field alone: the state's own data are a table.
+    pub of_null: bool,
+}
+
+/// The measured field of a state; `shots` are its synthetic pictures.
+///
+/// # Errors
+/// [`ExperimentError`]: files that cannot be read, data that are none, pictures without fringes, a region without data.
+pub fn state(
+    experiment: &Experiment,
+    state: usize,
+    shots: &Shots,
+) -> Result<Measured, ExperimentError> {
+    let plan = &experiment.states[state];
+    let key = format!("states.{state}");
+    let read = |source: &Source, key: &str, shot: Shot| -> Result<Reading, ExperimentError> {
+        let scope = Scope {
+            experiment,
+            state,
+            key: match source {
+                Source::Step(_) => "fringes".to_owned(),
+                Source::Table(_) => format!("{key}.table"),
+                Source::Pictures(_) => format!("{key}.pictures"),
+                Source::Lines(_) => format!("{key}.lines"),
+            },
+        };
+        match source {
+            Source::Step(_) => pictures::synthetic(&scope, shots.get(shot)),
+            Source::Table(source) => table::read(&scope, source),
+            Source::Pictures(source) => {
+                // What a null field with the same carrier takes off need not be told.
+                let takes_off = matches!(shot, Shot::State) && plan.null.is_none();
+                pictures::read(&scope, source, takes_off)
+            }
+            Source::Lines(source) => lines::read(&scope, source),
+        }
+    };
+    let own = read(&plan.source, &key, Shot::State)?;
+    let null = plan.null.as_ref();
+    let null = null
+        .map(|source| read(source, &format!("{key}.null"), Shot::Null))
+        .transpose()?;
+    let scope = Scope {
+        experiment,
+        state,
+        key: key.clone(),
+    };
+    let compared = experiment.reduce.symmetry.as_ref().zip(plan.back.as_ref());
+    // The back has no null field, so that it is compared with the front as that was measured.
+    let front = match (compared, &null) {
+        (Some(_), Some(_)) => {
+            let front = combine::combined(&scope, own.clone(), None)?;
+            Some((front, symmetry::of_carriers(&own)))
+        }
+        _ => None,
+    };
+    let mut measured = combine::combined(&scope, own, null)?;
+    if let Some((line, source)) = compared {
+        let back = read(source, &format!("{key}.back"), Shot::Back)?;
+        let back = combine::combined(&scope, back, None)?;
+        let (front, of_carriers) =
+            front.map_or((None, None), |(front, words)| (Some(front), words));
+        let sides = symmetry::compared(&scope, line, front.as_ref().unwrap_or(&measured), &back)?;
+        tell_of_back(&mut measured, &back, sides);
+        measured.warnings.extend(of_carriers);
+    }
+    if matches!(plan.source, Source::Table(_)) {
+        measured.warnings.extend(large(&measured.measurement));
+    }
+    coverage::check(&scope, &measured)?;
+    Ok(measured)
+}
+
+/// Words on states that have the same data, each group once: a table under two loads, or one that was saved twice.
+pub fn repeated(experiment: &Experiment, fields: &[Measured]) -> Vec<String> {
+    // Masked displacements are NaN, which equals nothing.
+    let bits = |measured: &Measured| -> Vec<u64> {
+        let data = &measured.measurement;
+        let places = data.places.iter().flatten();
+        let displacements = data.displacements.iter().flatten();
+        places.chain(displacements).map(|x| x.to_bits()).collect()
+    };
+    let mut groups: BTreeMap<Vec<u64>, Vec<&str>> = BTreeMap::new();
+    for measured in fields {
+        let names = groups.entry(bits(measured)).or_default();
+        names.push(&experiment.states[measured.state].name);
+    }
+    let shared = groups.into_values().filter(|names| names.len() > 1);
+    shared
+        .map(|names| {
+            format!(
+                "States {} have the same data, number by number: name the file of each, or remove all but one; as data of friction and of its \
+                 laws they count {} times.",
+                names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", "),
+                names.len()
+            )
+        })
+        .collect()
+}
+
+/// What a comparison with the back found, and what there is to say of the back itself.
+fn tell_of_back(measured: &mut Measured, back: &Measured, sides: symmetry::Comparison) {
+    measured.symmetry = sides.found;
+    let remarks = back.remarks.iter();
+    let remarks = remarks.map(|words| format!("the back: {words}"));
+    measured.remarks.extend(remarks.chain(sides.remarks));
+    let warnings = back.warnings.iter();
+    let warnings = warnings.map(|words| format!("The back: {words}"));
+    measured.warnings.extend(warnings);
+}
+
+/// Words on displacements that differ by more than small strains allow: the mark of a wrong scale.
+fn large(measurement: &Measurement) -> Option<String> {
+    const STRAIN: f64 = 0.02;
+    let spread = |values: &mut dyn Iterator<Item = f64>| {
+        let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+            [low.min(value), high.max(value)]
+        });
+        (high - low).max(0.0)
+    };
+    let places = &measurement.places;
+    let extent = [0, 1].map(|axis| spread(&mut places.iter().map(|place| place[axis])));
+    let range = [0, 1].map(|c| {
+        let values = measurement.displacements[c].iter().copied();
+        let valid = values
+            .zip(&measurement.valid[c])
+            .filter(|(_, valid)| **valid);
+        spread(&mut valid.map(|(value, _)| value))
+    });
+    let part = range[0].max(range[1]) / extent[0].hypot(extent[1]);
+    (part > STRAIN).then(|| {
+        format!(
+            "Displacements differ by {:.0} % of the extent of their places, far beyond small strains: check scale and displacement_scale \
+             (which is scale unless it is stated).",
+            100.0 * part
+        )
+    })
+}
+
+/// What a source is read for.
+#[derive(Clone, Debug)]
+struct Scope<'a> {
+    experiment: &'a Experiment,
+    state: usize,
+    /// Key of the source in the file.
+    key: String,
+}
+
+impl Scope<'_> {
+    fn name(&self) -> String {
+        self.experiment.states[self.state].name.clone()
+    }
+
+    fn data(&self, cause: stickslip_hybrid::data::DataError) -> ExperimentError {
+        ExperimentError::Data {
+            state: self.name(),
+            key: self.key.clone(),
+            cause: Box::new(cause),
+        }
+    }
+
+    fn fringes(
+        &self,
+        field: &'static str,
+        cause: stickslip_hybrid::fringe::FringeError,
+    ) -> ExperimentError {
+        ExperimentError::Fringes {
+            state: self.name(),
+            field,
+            file: String::new(),
+            hint: String::new(),
+            key: self.key.clone(),
+            cause: Box::new(cause),
+        }
+    }
+
+    fn bytes(&self, path: &std::path::Path, content: Content) -> Result<Vec<u8>, ExperimentError> {
+        let read = self.experiment.host().read(path, content);
+        read.map_err(|cause| ExperimentError::File {
+            key: self.key.clone(),
+            path: path.display().to_string(),
+            cause: cause.to_string(),
+        })
+    }
+
+    /// Whether a place is on the specimen and under no mask.
+    fn shows(&self, place: Point) -> bool {
+        let hole = self.experiment.specimen.hole;
+        let from_centre = (place[0] - hole.centre[0]).hypot(place[1] - hole.centre[1]);
+        from_centre > hole.radius
+            && !(self.experiment.reduce.mask.iter()).any(|area| area.contains(place))
+    }
+
+    /// Whether a place of data that resolve `resolved` \[mm\] is as far from the hole's edge as asked.
+    fn is_away(&self, place: Point, resolved: f64) -> bool {
+        let hole = self.experiment.specimen.hole;
+        let from_centre = (place[0] - hole.centre[0]).hypot(place[1] - hole.centre[1]);
+        from_centre >= hole.radius + self.experiment.reduce.margin.unwrap_or(resolved)
+    }
+}
+
+/// A source as it was read, before anything is taken off.
+#[derive(Clone, Debug)]
+enum Reading {
+    /// Displacements at places of a table.
+    Scattered(table::Scattered),
+    /// Orders at the pixels of the U and the V field.
+    Pictures(Box<[Option<phase::Unwound>; 2]>),
+    /// Fringe lines of the U and the V field.
+    Lines(lines::Digitised),
+}

@@ -1,0 +1,325 @@
+//! The null field taken off, displacements from orders.
+
+use stickslip_hybrid::data::{DataError, Field, Measurement, NullField};
+use stickslip_hybrid::fringe::{FringeError, PixelMap, Plane, measurement};
+use stickslip_hybrid::moire::Grating;
+
+use super::elsewhere::elsewhere;
+use super::lines::{fringe_lines, less_null};
+use super::phase::Unwound;
+use super::rotation::{self, TakenOff};
+use super::{Measured, PictureField, Reading, Scope};
+use crate::error::ExperimentError;
+use crate::synthesis::field_name;
+use stickslip_scene::experiment::Source;
+
+/// A state's field from its reading and that of its null field.
+pub(super) fn combined(
+    scope: &Scope<'_>,
+    own: Reading,
+    null: Option<Reading>,
+) -> Result<Measured, ExperimentError> {
+    let mut measured = Measured::new(scope.state, Measurement::default());
+    match (own, null) {
+        (Reading::Pictures(fields), Some(Reading::Pictures(null))) => {
+            pictures(scope, &mut measured, *fields, Some(&null))?;
+        }
+        (Reading::Pictures(fields), None) => {
+            pictures(scope, &mut measured, *fields, None)?;
+        }
+        (Reading::Lines(own), None) => {
+            measured.warnings.extend(own.warnings);
+            fringe_lines(scope, &mut measured, own.lines, own.deviation)?;
+        }
+        (Reading::Lines(own), Some(Reading::Lines(null))) => {
+            measured.warnings.extend(own.warnings);
+            let of_null = null.warnings.iter();
+            (measured.warnings).extend(of_null.map(|words| format!("The null field: {words}")));
+            let lines = less_null(scope, &mut measured, &own.lines, &null.lines)?;
+            let deviation = own.deviation.hypot(null.deviation);
+            fringe_lines(scope, &mut measured, lines, deviation)?;
+        }
+        (own, null) => {
+            let is_pictured = matches!(own, Reading::Pictures(_));
+            measured.measurement = scattered(scope, &mut measured, own, false)?;
+            if let Some(null) = null {
+                let null = scattered(scope, &mut measured, null, true)?;
+                measured.measurement = minus(scope, &measured.measurement, &null)?;
+                if is_pictured {
+                    measured.remarks.push(
+                        "the maps of phase and orders show the state before its null field, a table, is taken off"
+                            .to_owned(),
+                    );
+                }
+            }
+        }
+    }
+    Ok(measured)
+}
+
+/// Displacements at places of any reading, with what was met on the way to them; `of_null` where they are those of the null field.
+fn scattered(
+    scope: &Scope<'_>,
+    measured: &mut Measured,
+    reading: Reading,
+    of_null: bool,
+) -> Result<Measurement, ExperimentError> {
+    let own = match reading {
+        Reading::Scattered(own) => Measured {
+            outliers: own.outliers,
+            floor: own.floor,
+            rotations: own.rotation.into_iter().collect(),
+            remarks: own.remarks,
+            warnings: own.warnings,
+            ..Measured::new(scope.state, own.measurement)
+        },
+        other => combined(scope, other, None)?,
+    };
+    let mut pictures = own.pictures;
+    for (floor, own) in measured.floor.iter_mut().zip(own.floor) {
+        *floor = floor.hypot(own);
+    }
+    if !of_null {
+        measured.outliers = own.outliers;
+    }
+    let rotations = own.rotations.into_iter();
+    (measured.rotations).extend(rotations.map(|own| TakenOff { of_null, ..own }));
+    let said = |of: &str, words: String| {
+        if of_null {
+            format!("{of}: {words}")
+        } else {
+            words
+        }
+    };
+    let remarks = own.remarks.into_iter();
+    (measured.remarks).extend(remarks.map(|words| said("the null field", words)));
+    let warnings = own.warnings.into_iter();
+    (measured.warnings).extend(warnings.map(|words| said("The null field", words)));
+    if pictures.iter().any(Option::is_some) {
+        for field in pictures.iter_mut().flatten() {
+            field.of_null = of_null;
+        }
+        measured.pictures = pictures;
+    }
+    Ok(own.measurement)
+}
+
+fn minus(
+    scope: &Scope<'_>,
+    own: &Measurement,
+    null: &Measurement,
+) -> Result<Measurement, ExperimentError> {
+    let how = match scope.experiment.reduce.common_places {
+        Some(tolerance) => NullField::SamePlaces { tolerance },
+        None => NullField::Interpolated {
+            longest_side: longest_side(scope),
+        },
+    };
+    for field in Field::BOTH {
+        if own.count(field) > 0 && null.count(field) == 0 {
+            return Err(lacking(scope, field, NOT_MEASURED));
+        }
+    }
+    let difference = own.minus(null, how).map_err(|cause| match cause {
+        DataError::AllMasked { .. } => elsewhere(scope, own, null, how),
+        cause => scope.data(cause),
+    })?;
+    for field in Field::BOTH {
+        if own.count(field) > 0 && difference.count(field) == 0 {
+            return Err(lacking(scope, field, " where the state has one"));
+        }
+    }
+    Ok(difference)
+}
+
+/// What [`lacking`] adds where a component was not measured at all.
+const NOT_MEASURED: &str = "";
+
+/// A null field without a component of the state, which would keep the initial load or vanish unseen.
+fn lacking(scope: &Scope<'_>, field: Field, where_: &str) -> ExperimentError {
+    let name = field_name(field);
+    let null = scope.experiment.states[scope.state].null.as_ref();
+    let files = null.map_or_else(Vec::new, Source::files);
+    let files: Vec<String> = (files.iter())
+        .map(|file| format!("'{}'", file.display()))
+        .collect();
+    let of = if files.is_empty() {
+        String::new()
+    } else {
+        format!(" ({})", files.join(", "))
+    };
+    ExperimentError::Missing {
+        key: format!("{}.null", scope.key),
+        what: format!(
+            "state '{}': the null field has no {name}{where_}{of}, so the initial load cannot be taken off the state's {name}",
+            scope.name()
+        ),
+        remedy: format!(
+            "give the {name} of the initial load too, at the places of the state, or leave {name} out of the state"
+        ),
+    }
+}
+
+pub(super) fn longest_side(scope: &Scope<'_>) -> f64 {
+    let stated = scope.experiment.reduce.longest_side;
+    stated.unwrap_or(f64::INFINITY)
+}
+
+pub(super) fn grating(scope: &Scope<'_>) -> Result<Grating, ExperimentError> {
+    scope
+        .experiment
+        .grating
+        .ok_or_else(|| ExperimentError::Missing {
+            key: String::new(),
+            what: "fringe orders are displacements only with the frequency of their grating"
+                .to_owned(),
+            remedy: "add [grating] frequency = \"2400 1/mm\"".to_owned(),
+        })
+}
+
+fn pictures(
+    scope: &Scope<'_>,
+    measured: &mut Measured,
+    fields: [Option<Unwound>; 2],
+    null: Option<&[Option<Unwound>; 2]>,
+) -> Result<(), ExperimentError> {
+    for (field, own) in Field::BOTH.into_iter().zip(fields) {
+        let Some(own) = own else { continue };
+        let null = match null.map(|null| null[field.component()].as_ref()) {
+            Some(None) => return Err(lacking(scope, field, NOT_MEASURED)),
+            Some(null) => null,
+            None => None,
+        };
+        let found = less(own, null).map_err(|cause| scope.fringes(field_name(field), cause))?;
+        tell_of(measured, field, &found);
+        measured.pictures[field.component()] = Some(found.field);
+    }
+    tell_of_unwrapping(measured);
+    let stride = stride(scope, measured);
+    let maps = measured.pictures.each_ref();
+    let orders = maps.map(|field| field.as_ref().map(|field| &field.orders));
+    let deviations = maps.map(|field| field.as_ref().map_or(0.0, |field| field.deviation));
+    let frequency = grating(scope)?.frequency();
+    let data = measurement(orders, frequency, deviations, stride)
+        .map_err(|cause| scope.fringes("U or V", cause))?;
+    let (data, taken) = rotation::of_picture(scope, data);
+    measured.measurement = data;
+    (measured.remarks).extend(taken.and_then(|own| own.words()));
+    measured.rotations.extend(taken);
+    measured.remarks.push(format!(
+        "one displacement per {stride} × {stride} pixels; [reduce] stride says otherwise"
+    ));
+    Ok(())
+}
+
+/// Most displacements that are taken of a picture whose pixels are all independent, where nothing else is stated.
+const PLENTY: f64 = 50_000.0;
+
+/// Every how many pixels a displacement is taken: those stated, or as many as errors depend on each other over; more where that leaves
+/// every pixel.
+fn stride(scope: &Scope<'_>, measured: &Measured) -> usize {
+    let of_field = |field: &PictureField| {
+        let step = field.orders.frame().step();
+        let pixel = step[0].abs().min(step[1].abs());
+        match (field.resolution / pixel - 1e-9).ceil() as usize {
+            0 | 1 => (field.orders.present().count() as f64 / PLENTY)
+                .sqrt()
+                .ceil()
+                .max(1.0) as usize,
+            stride => stride,
+        }
+    };
+    let own = measured.pictures.iter().flatten().map(of_field).max();
+    scope.experiment.reduce.stride.or(own).unwrap_or(1)
+}
+
+/// A field with its null field taken off, and what was met on the way.
+struct Less {
+    field: PictureField,
+    apart: usize,
+    found_carrier: bool,
+}
+
+fn less(own: Unwound, null: Option<&Unwound>) -> Result<Less, FringeError> {
+    let (orders, deviation) = match null {
+        None => (own.orders, own.deviation),
+        Some(null) => (difference(&own, null)?, own.deviation.hypot(null.deviation)),
+    };
+    let residues_of_null = null.map_or(&[][..], |null| &null.residues);
+    let cuts_of_null = null.map_or(&[][..], |null| &null.cuts);
+    Ok(Less {
+        apart: own.apart,
+        found_carrier: !own.known && null.is_none(),
+        field: PictureField {
+            picture: own.picture,
+            wrapped: own.wrapped,
+            orders,
+            residues: (own.residues.iter().chain(residues_of_null))
+                .copied()
+                .collect(),
+            cuts: own.cuts.iter().chain(cuts_of_null).copied().collect(),
+            of_null: false,
+            deviation,
+            resolution: null.map_or(own.resolution, |null| own.resolution.max(null.resolution)),
+            carrier: own.carrier,
+            strength: own.strength,
+            modulation: own.modulation,
+        },
+    })
+}
+
+/// N − N₀ pixel by pixel; both have the same carrier, whatever part of it was taken off either.
+fn difference(own: &Unwound, null: &Unwound) -> Result<PixelMap, FringeError> {
+    let frame = *own.orders.frame();
+    if frame != *null.orders.frame() {
+        let frames = (frame, *null.orders.frame());
+        return Err(FringeError::Frames(Box::new(frames)));
+    }
+    let plane = Plane {
+        gradient: [0, 1].map(|axis| null.carrier[axis] - own.carrier[axis]),
+        constant: 0.0,
+    };
+    let both = own.orders.values().iter().zip(null.orders.values());
+    let values = both
+        .enumerate()
+        .map(|(pixel, (own, null))| own - null - plane.at(frame.place(pixel)));
+    PixelMap::with_gaps(frame, values.collect())
+}
+
+fn tell_of(measured: &mut Measured, field: Field, found: &Less) {
+    let name = field_name(field);
+    if found.found_carrier {
+        measured.warnings.push(format!(
+            "The carrier of the {name} field was not stated: that which was found, ({:.4}, {:.4}) fringes/mm, was taken off, and with it \
+             the mean strain of the plate.",
+            found.field.carrier[0], found.field.carrier[1]
+        ));
+    }
+    if found.apart > 0 {
+        measured.remarks.push(format!(
+            "{} pixels of the {name} field hang together with no pixel of the largest region; their whole orders are not known, and they \
+             are masked",
+            found.apart
+        ));
+    }
+}
+
+/// One line for both fields: what is wrong with one picture is mostly wrong with the other.
+fn tell_of_unwrapping(measured: &mut Measured) {
+    let fields = Field::BOTH.into_iter().zip(&measured.pictures);
+    let open: Vec<String> = fields
+        .filter_map(|(field, found)| {
+            let found = found.as_ref()?;
+            let (residues, cuts) = (found.residues.len(), found.cuts.len());
+            let name = field_name(field);
+            (residues + cuts > 0).then(|| format!("{residues} and {cuts} in the {name} field"))
+        })
+        .collect();
+    if !open.is_empty() {
+        measured.warnings.push(format!(
+            "Unwrapping is inconsistent: loops of pixels that do not close, and neighbours half a fringe or more apart, are {}. They are \
+             marked on the map of the phase; pixels at the jumps are masked.",
+            open.join(", ")
+        ));
+    }
+}

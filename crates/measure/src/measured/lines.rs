@@ -1,0 +1,141 @@
+//! Fringe centres along lines.
+
+use stickslip_fem_core::mesh::Point;
+use stickslip_hybrid::data::{DataError, Field, FringeLines, OffTrack};
+
+use super::combine::grating;
+use super::rotation::of_lines;
+use super::{Measured, Reading, Scope};
+use crate::error::ExperimentError;
+use crate::synthesis::field_name;
+use stickslip_scene::experiment::LineSource;
+use stickslip_scene::limits::Content;
+use stickslip_text::short;
+
+/// What tables of fringe centres say.
+#[derive(Clone, Debug)]
+pub(super) struct Digitised {
+    /// Fringe lines of the U and the V field.
+    pub(super) lines: [FringeLines; 2],
+    /// Standard deviation of an order `[fringes]`.
+    pub(super) deviation: f64,
+    pub(super) warnings: Vec<String>,
+}
+
+/// The fringe lines of both fields.
+pub(super) fn read(scope: &Scope<'_>, source: &LineSource) -> Result<Reading, ExperimentError> {
+    let mut warnings = Vec::new();
+    let mut of = |field: Field| -> Result<FringeLines, ExperimentError> {
+        let file = &source.files[field.component()];
+        let bytes = scope.bytes(file, Content::Table)?;
+        let name = file.display().to_string();
+        let reading = &source.reading[field.component()];
+        let (lines, doubts) = FringeLines::read_with_doubts(&bytes[..], &name, field, reading)
+            .map_err(|cause| refused(scope, field, cause))?;
+        warnings.extend(doubts.iter().map(|own| off_track(scope, &name, own)));
+        Ok(lines)
+    };
+    let lines = [of(Field::U)?, of(Field::V)?];
+    Ok(Reading::Lines(Digitised {
+        lines,
+        deviation: source.deviation,
+        warnings,
+    }))
+}
+
+/// The error at the key of the lines, or at the tracks that name a line which is not there.
+fn refused(scope: &Scope<'_>, field: Field, cause: DataError) -> ExperimentError {
+    let tracks = matches!(cause, DataError::NoSuchLine { .. });
+    let name = field_name(field).to_lowercase();
+    let own = Scope {
+        key: if tracks {
+            format!("{}.tracks.{name}", scope.key)
+        } else {
+            scope.key.clone()
+        },
+        ..scope.clone()
+    };
+    own.data(cause)
+}
+
+/// Words on centres that lie so far off the track of their line that it may be another one.
+fn off_track(scope: &Scope<'_>, file: &str, found: &OffTrack) -> String {
+    let unit = scope.experiment.display.length;
+    let shown = |value: f64| format!("{} {}", short(unit.from_base(value)), unit.name);
+    let [x, y] = found.place;
+    let [off, all] = found.centres;
+    format!(
+        "'{file}', line {}: the fringe centre ({x}, {y}) lies {} off the track of fringe line '{}', and {off} of its {all} centres lie \
+         farther off than half of {}, their median spacing along it. Between centres orders are taken along the track: state another one \
+         (track, or tracks for single lines), or a tolerance if they belong there.",
+        found.row,
+        shown(found.distance),
+        found.name,
+        shown(found.spacing)
+    )
+}
+
+/// Places of a component's own centres carry that component alone.
+pub(super) fn fringe_lines(
+    scope: &Scope<'_>,
+    measured: &mut Measured,
+    lines: [FringeLines; 2],
+    deviation: f64,
+) -> Result<(), ExperimentError> {
+    let grating = grating(scope)?;
+    measured.floor = [grating.displacement(deviation); 2];
+    let field = &mut measured.measurement;
+    field.deviation = measured.floor;
+    let mut seen: Vec<Point> = Vec::new();
+    for own in &lines {
+        let c = own.field.component();
+        for line in &own.lines {
+            for (&place, &order) in line.places().iter().zip(line.orders()) {
+                let valid = scope.shows(place) && scope.is_away(place, 0.0);
+                seen.push(place);
+                field.places.push(place);
+                for axis in 0..2 {
+                    let mine = axis == c && valid;
+                    let value = grating.displacement(order);
+                    field.displacements[axis].push(if mine { value } else { f64::NAN });
+                    field.valid[axis].push(mine);
+                }
+            }
+        }
+    }
+    if field.valid.iter().flatten().all(|valid| !valid) {
+        return Err(scope.data(DataError::AllMasked {
+            file: "fringe lines".to_owned(),
+            rows: seen.len(),
+            remedy: "all centres lie in the hole or under a mask: check scale and y_axis",
+        }));
+    }
+    measured.warnings.extend(of_lines(&measured.measurement));
+    measured.lines = Some(lines);
+    Ok(())
+}
+
+/// Fringe lines with those of the null field taken off.
+pub(super) fn less_null(
+    scope: &Scope<'_>,
+    measured: &mut Measured,
+    lines: &[FringeLines; 2],
+    null: &[FringeLines; 2],
+) -> Result<[FringeLines; 2], ExperimentError> {
+    let mut less = |k: usize| -> Result<FringeLines, ExperimentError> {
+        let found = lines[k]
+            .minus(&null[k])
+            .map_err(|cause| scope.data(cause))?;
+        if !found.left_out.is_empty() {
+            let (line, place) = &found.left_out[0];
+            measured.remarks.push(format!(
+                "{} fringe centres lie beyond the null field's lines and are left out, the first of line '{line}' at ({}, {}) mm",
+                found.left_out.len(),
+                place[0],
+                place[1]
+            ));
+        }
+        Ok(found.lines)
+    };
+    Ok([less(0)?, less(1)?])
+}

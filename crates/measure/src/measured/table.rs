@@ -1,0 +1,299 @@
+//! Displacements from a table.
+
+use stickslip_fem_core::mesh::Point;
+use stickslip_hybrid::data::{DataError, Field, Measurement, Outlier, Rows, Unit, YAxis};
+
+use super::rotation::{self, TakenOff};
+use super::{Reading, Scope, scatter};
+use crate::error::ExperimentError;
+use crate::synthesis::field_name;
+use stickslip_scene::experiment::TableSource;
+use stickslip_scene::limits::Content;
+use stickslip_scene::units::{Dimension, Expected, parse};
+use stickslip_text::short;
+
+/// Scatter of less than this part of the range is no measurement's: a hundredth of a fringe of a thousand fringes.
+const CALCULATED: f64 = 1e-5;
+/// Part of the hole's radius by which a place may be inside of it and still be meant to be at its edge.
+const ON_EDGE: f64 = 0.05;
+/// Part of the valid places that may be inside of the hole as strays.
+const STRAY: f64 = 0.01;
+
+/// What a table says.
+#[derive(Clone, Debug)]
+pub(super) struct Scattered {
+    pub(super) measurement: Measurement,
+    /// Places that are masked as outliers.
+    pub(super) outliers: Vec<usize>,
+    /// Standard deviation of errors at least, by statement or by digits `[mm]`.
+    pub(super) floor: [f64; 2],
+    /// The rotation of the specimen that was taken off.
+    pub(super) rotation: Option<TakenOff>,
+    pub(super) remarks: Vec<String>,
+    pub(super) warnings: Vec<String>,
+}
+
+/// A table as its source says, its origin moved to the body's, masked where it shows no specimen and where places do not go with their
+/// neighbours.
+pub(super) fn read(scope: &Scope<'_>, source: &TableSource) -> Result<Reading, ExperimentError> {
+    let bytes = scope.bytes(&source.file, Content::Table)?;
+    let name = source.file.display().to_string();
+    let (mut measurement, rows) =
+        Measurement::read_rows(&bytes[..], &name, &source.format, &source.reading)
+            .map_err(|cause| scope.data(cause))?;
+    let mut remarks = Vec::new();
+    for unit in &rows.units {
+        remarks.extend(against_scale(scope, source, &name, unit)?);
+    }
+    let scale = source.reading.scale.unwrap_or(1.0);
+    let upright = source.reading.y_axis == YAxis::Up;
+    let down = if upright { 1.0 } else { -1.0 };
+    let shift = [scale * source.origin[0], down * scale * source.origin[1]];
+    for place in &mut measurement.places {
+        *place = [place[0] - shift[0], place[1] - shift[1]];
+    }
+    let in_hole = inside_hole(scope, &name, &measurement);
+    let places = measurement.places.clone();
+    for field in Field::BOTH {
+        measurement.mask(field, |k| {
+            !(scope.shows(places[k]) && scope.is_away(places[k], 0.0))
+        });
+    }
+    if measurement.count(Field::U) + measurement.count(Field::V) == 0 {
+        return Err(scope.data(DataError::AllMasked {
+            file: name,
+            rows: measurement.places.len(),
+            remedy: "all its points lie in the hole or under a mask: check scale, origin and y_axis",
+        }));
+    }
+    // Rounding to a step is an error that is uniform in it.
+    let rounding = rows.step.map(|step| step / 12.0_f64.sqrt());
+    let floor = rounding.map(|rounding| source.deviation.unwrap_or(rounding));
+    measurement.deviation = [0, 1].map(|c| floor[c].max(rounding[c]));
+    let mut found = Scattered {
+        outliers: Vec::new(),
+        floor,
+        rotation: None,
+        remarks,
+        warnings: in_hole.into_iter().collect(),
+        measurement,
+    };
+    mask_outliers(scope, &name, &rows, &mut found)?;
+    match source.deviation {
+        Some(deviation) => found.measurement.deviation = [deviation; 2],
+        None => {
+            scatters(scope, rounding, &mut found.measurement)?;
+        }
+    }
+    let before = found.measurement.deviation;
+    let data = std::mem::take(&mut found.measurement);
+    (found.measurement, found.rotation) = rotation::of_material(scope, data);
+    found
+        .remarks
+        .extend(found.rotation.and_then(|own| own.words()));
+    if source.deviation.is_none() {
+        // Once more in the frame of the specimen, so that what is found does not depend on the rotation. A component without any scatter
+        // gets none by the other one's.
+        let without = before.map(|deviation| deviation == 0.0);
+        let scatters = scatters(scope, rounding, &mut found.measurement)?;
+        for c in (0..2).filter(|&c| without[c]) {
+            found.measurement.deviation[c] = 0.0;
+        }
+        for field in Field::BOTH {
+            tell_of_deviation(scope, field, scatters[field.component()], &mut found);
+        }
+    }
+    Ok(Reading::Scattered(found))
+}
+
+/// Compares a unit that the table states with the scale that the experiment states; words where it is no length.
+fn against_scale(
+    scope: &Scope<'_>,
+    source: &TableSource,
+    name: &str,
+    found: &Unit,
+) -> Result<Option<String>, ExperimentError> {
+    let reading = &source.reading;
+    let (key, stated) = match (found.of_place, reading.displacement_scale) {
+        (false, Some(scale)) => ("displacement_scale", scale),
+        _ => ("scale", reading.scale.unwrap_or(1.0)),
+    };
+    let Unit {
+        line, column, unit, ..
+    } = found;
+    let length = Expected::one(Dimension::Length);
+    let Ok((value, _)) = parse(&format!("1 {}", unit.replace('μ', "µ")), &length) else {
+        return Ok(Some(format!(
+            "line {line} of '{name}' is a row of units and passed over; '{unit}' of column '{column}' is not compared with {key}"
+        )));
+    };
+    if (value - stated).abs() <= 1e-9 * stated {
+        return Ok(None);
+    }
+    Err(ExperimentError::Missing {
+        key: format!("{}.{key}", scope.key),
+        what: format!(
+            "state '{}': line {line} of '{name}' says that column '{column}' is in {unit}, and {key} says that one unit of it is {}",
+            scope.name(),
+            scope.experiment.display.length.show(stated)
+        ),
+        remedy: format!(
+            "state {} = \"1 {unit}\", or begin that line with # if it is wrong",
+            if found.of_place {
+                "scale"
+            } else {
+                "displacement_scale"
+            }
+        ),
+    })
+}
+
+/// Words on valid places that lie well inside of the hole, where there are more than stray ones: the mark of a wrong origin.
+fn inside_hole(scope: &Scope<'_>, name: &str, data: &Measurement) -> Option<String> {
+    let hole = scope.experiment.specimen.hole;
+    let valid = (0..data.places.len()).filter(|&k| data.valid[0][k] || data.valid[1][k]);
+    let depths: Vec<(f64, Point)> = valid
+        .map(|k| data.places[k])
+        .map(|place| {
+            let from_centre = (place[0] - hole.centre[0]).hypot(place[1] - hole.centre[1]);
+            (hole.radius - from_centre, place)
+        })
+        .collect();
+    let inside = depths
+        .iter()
+        .filter(|(depth, _)| *depth > ON_EDGE * hole.radius);
+    let count = inside.clone().count();
+    let (depth, [x, y]) = inside.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    if count as f64 <= STRAY * depths.len() as f64 {
+        return None;
+    }
+    let unit = scope.experiment.display.length;
+    Some(format!(
+        "{count} of {} valid places of '{name}' lie inside of the hole, the deepest at ({}, {}), {} from its edge, and are left out: check \
+         origin, scale and y_axis, unless these are places on a pin.",
+        depths.len(),
+        unit.show(*x),
+        unit.show(*y),
+        unit.show(*depth)
+    ))
+}
+
+/// Masks places that do not go with their neighbours: of both components, for what spoils one spoils mostly the other.
+fn mask_outliers(
+    scope: &Scope<'_>,
+    name: &str,
+    rows: &Rows,
+    found: &mut Scattered,
+) -> Result<(), ExperimentError> {
+    let Some(threshold) = scope.experiment.reduce.outliers else {
+        return Ok(());
+    };
+    let data = &mut found.measurement;
+    let outliers = data
+        .outliers(threshold)
+        .map_err(|cause| scope.data(cause))?;
+    let Some(worst) = (outliers.iter()).max_by(|a, b| a.ratio.total_cmp(&b.ratio)) else {
+        return Ok(());
+    };
+    let places = data.places.len();
+    let mut bad: Vec<usize> = outliers.iter().map(|one| one.place).collect();
+    bad.dedup();
+    let mut marks = vec![false; places];
+    for &place in &bad {
+        marks[place] = true;
+    }
+    let worst = told(scope, worst, rows.lines[worst.place]);
+    for field in Field::BOTH {
+        data.mask(field, |k| marks[k]);
+    }
+    found.warnings.push(format!(
+        "{} of {places} places of '{name}' do not go with their neighbours and are masked as outliers; the worst is {worst}. [reduce] \
+         outliers = false keeps them.",
+        bad.len()
+    ));
+    found.outliers = bad;
+    Ok(())
+}
+
+fn told(scope: &Scope<'_>, one: &Outlier, line: u64) -> String {
+    let unit = scope.experiment.display.length;
+    let shown = |value: f64| format!("{} {}", short(unit.from_base(value)), unit.name);
+    format!(
+        "in line {line}, with {} = {} where its neighbours say {}",
+        field_name(one.field),
+        shown(one.value),
+        shown(one.expected)
+    )
+}
+
+/// Sets the deviation `[mm]` that errors of each component have by the scatter of neighbours, and at least by what rounds its digits;
+/// the scatter.
+fn scatters(
+    scope: &Scope<'_>,
+    rounding: [f64; 2],
+    data: &mut Measurement,
+) -> Result<[f64; 2], ExperimentError> {
+    let mut scatters = [0.0; 2];
+    for field in Field::BOTH {
+        let c = field.component();
+        if data.count(field) == 0 {
+            data.deviation[c] = 0.0;
+            continue;
+        }
+        scatters[c] = scatter::deviation(data, field).map_err(|cause| ExperimentError::Missing {
+            key: scope.key.clone(),
+            what: format!(
+                "state '{}': no deviation is stated, and it cannot be estimated from the scatter of neighbours: {cause}",
+                scope.name()
+            ),
+            remedy: "state it: deviation = \"0.5 um\"".to_owned(),
+        })?;
+        data.deviation[c] = scatters[c].max(rounding[c]);
+    }
+    Ok(scatters)
+}
+
+/// Words on the deviation of a component whose neighbours scatter by `scatter` `[mm]`.
+fn tell_of_deviation(scope: &Scope<'_>, field: Field, scatter: f64, found: &mut Scattered) {
+    if found.measurement.count(field) == 0 {
+        return;
+    }
+    let deviation = found.measurement.deviation[field.component()];
+    let length = scope.experiment.display.length;
+    let shown = |value: f64| format!("{} {}", short(length.from_base(value)), length.name);
+    let name = field_name(field);
+    let range = range(&found.measurement, field);
+    if deviation < CALCULATED * range {
+        found.warnings.push(format!(
+            "{name} scatters by {} only, {} of its range, as calculated data do: bands hold this, not the error of a measurement or of a \
+             mesh. State the deviation that a measurement has.",
+            shown(deviation),
+            short(deviation / range)
+        ));
+    }
+    found.remarks.push(if deviation > scatter {
+        format!(
+            "deviation of {name}: {}, by which its digits are rounded; its neighbours scatter by less",
+            shown(deviation)
+        )
+    } else {
+        format!(
+            "deviation of {name} estimated from the scatter of neighbours: {}",
+            shown(deviation)
+        )
+    });
+}
+
+/// Largest less least valid displacement `[mm]`.
+fn range(measurement: &Measurement, field: Field) -> f64 {
+    let c = field.component();
+    let values = measurement.displacements[c].iter();
+    let valid = values
+        .zip(&measurement.valid[c])
+        .filter(|(_, valid)| **valid);
+    let [low, high] = valid.fold(
+        [f64::INFINITY, f64::NEG_INFINITY],
+        |[low, high], (&u, _)| [low.min(u), high.max(u)],
+    );
+    (high - low).max(0.0)
+}

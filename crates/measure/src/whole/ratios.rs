@@ -1,0 +1,33 @@
+//! Shear over pressure along the hole of a whole plate.
+
+use super::WholeSolution;
+use crate::identified::ratio_of;
+
+/// A ratio is clear where the pressure is this many standard deviations, and this part of its largest.
+const DEVIATIONS: f64 = 4.0;
+const PART: f64 = 0.05;
+
+impl WholeSolution {
+    /// Standard deviation of the pressure (`0`) or the shear (`1`) at place `k` `[MPa]`.
+    pub fn deviation(&self, which: usize, k: usize) -> f64 {
+        let count = self.angle.len();
+        let row = which * count + k;
+        self.tractions.covariance[row * 2 * count + row]
+            .max(0.0)
+            .sqrt()
+    }
+
+    /// Shear over pressure at each place that bears a clear pressure, with its standard deviation.
+    pub fn ratios(&self) -> Vec<(f64, f64, f64)> {
+        let own = &self.tractions;
+        let largest = own.pressure.iter().copied().fold(0.0, f64::max);
+        (0..self.angle.len())
+            .filter_map(|k| {
+                let (p, deviation) = (own.pressure[k], self.deviation(0, k));
+                let clear = p > DEVIATIONS * deviation && p > PART * largest;
+                let (ratio, spread) = ratio_of(own, k);
+                clear.then_some((self.angle[k], ratio, spread))
+            })
+            .collect()
+    }
+}

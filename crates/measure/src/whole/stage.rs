@@ -1,0 +1,105 @@
+//! The whole plate in each state of an experiment.
+
+use stickslip_hybrid::region::transfer::Propagated;
+
+use super::{WholeError, WholePlate, WholeSolution};
+use crate::analysed::{Analysed, Checked};
+use crate::error::ExperimentError;
+use crate::measured::Measured;
+use stickslip_scene::experiment::Experiment;
+use stickslip_scene::experiment::history::History;
+
+/// The whole plate in one state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WholeState {
+    /// Index of the state in the experiment.
+    pub state: usize,
+    /// What follows from its data and its load.
+    pub solution: WholeSolution,
+}
+
+impl WholeState {
+    /// Its edge as that of a region, so that slip zones are found in the same way.
+    pub fn edge(&self) -> Analysed {
+        let own = &self.solution;
+        Analysed {
+            state: self.state,
+            angle: own.angle.clone(),
+            resolution: own.resolution,
+            tractions: own.tractions.clone(),
+            hoop: own.hoop.iter().map(|hoop| hoop[0]).collect(),
+            hoop_deviation: own.hoop.iter().map(|hoop| hoop[1]).collect(),
+            bias: own.bias.clone(),
+            direct: None,
+            without_direct: None,
+            fit: None,
+            scale: own.scale,
+            residuals: Vec::new(),
+            scale_assumed: None,
+            picture: Vec::new(),
+            checks: Checked::default(),
+            nodal_forces: Vec::new(),
+            forces: Propagated {
+                values: Vec::new(),
+                covariance: Vec::new(),
+                solves: 0,
+            },
+        }
+    }
+}
+
+/// The whole plate in all states of `experiment`, where its file asks for it, and in words the states that are no load steps of the
+/// scene, and load steps that were assumed.
+///
+/// # Errors
+/// [`ExperimentError`]: no scene, a plate that is not free, data that do not cover the hole.
+pub fn stage(
+    experiment: &Experiment,
+    fields: &[Measured],
+) -> Result<(Vec<WholeState>, Vec<String>), ExperimentError> {
+    let (mut states, mut warnings) = (Vec::new(), Vec::new());
+    let Some(region) = experiment
+        .region
+        .as_ref()
+        .filter(|region| region.whole_plate)
+    else {
+        return Ok((states, warnings));
+    };
+    let Some(own) = &experiment.specimen.model else {
+        return Err(ExperimentError::Missing {
+            key: "region.whole_plate".to_owned(),
+            what: "the whole plate is that of a scene, and none is given".to_owned(),
+            remedy: "give [specimen] scene = \"scene.toml\" and body = \"plate\"".to_owned(),
+        });
+    };
+    let failed = |cause: WholeError| ExperimentError::Whole {
+        key: "region.whole_plate".to_owned(),
+        cause: Box::new(cause),
+    };
+    if experiment.laws.is_empty() {
+        // Where laws are fitted, it is told there.
+        warnings.extend(experiment.warning_of_shared_mesh());
+    }
+    let plate = WholePlate::new(own).map_err(failed)?;
+    let history = History::of(&own.scene);
+    for measured in fields {
+        let state = &experiment.states[measured.state];
+        match history.tied(state) {
+            Ok(tied) => {
+                let solution = plate
+                    .analyse(measured, tied.step, tied.null, region.smoothing)
+                    .map_err(failed)?;
+                warnings.extend(tied.assumed);
+                states.push(WholeState {
+                    state: measured.state,
+                    solution,
+                });
+            }
+            Err(reason) => warnings.push(format!(
+                "State '{}' is not analysed as a whole plate: {reason}.",
+                state.name
+            )),
+        }
+    }
+    Ok((states, warnings))
+}

@@ -1,0 +1,184 @@
+//! The force that crosses the edge of a region.
+
+use serde_json::{Value, json};
+use stickslip_report::table::{Column, Table};
+
+use crate::experiment::story::csv_table;
+use stickslip_measure::analysed::{Analysed, ForceCheck, LoadCheck};
+use stickslip_scene::experiment::Experiment;
+use stickslip_text::short;
+
+const AXES: [&str; 2] = ["x", "y"];
+/// Forces on the edges of all states, by their nodes, and how well the stresses agree.
+pub(super) fn table(experiment: &Experiment, analysed: &[Analysed]) -> Table {
+    let unit = experiment.display.force;
+    let is_known = |axis: &usize| {
+        let mut all = analysed.iter();
+        all.any(|found| found.checks.force[*axis].is_some())
+    };
+    let known: Vec<usize> = (0..2).filter(is_known).collect();
+    let mut columns = vec![
+        Column::new("state", ""),
+        Column::new("along x", unit.name),
+        Column::new("±", unit.name),
+        Column::new("along y", unit.name),
+        Column::new("±", unit.name),
+        Column::new("balance", "% of the force"),
+    ];
+    for &axis in &known {
+        let what = format!("over known: {}", AXES[axis]);
+        columns.extend([
+            Column::new(what, unit.name),
+            Column::new("±", unit.name),
+            Column::new("explained", unit.name),
+        ]);
+    }
+    let loads: Vec<_> = (analysed.iter())
+        .map(|found| found.load_check(experiment).ok())
+        .collect();
+    let by_load = loads.iter().any(Option::is_some);
+    if by_load {
+        columns.push(Column::new("over load", ""));
+    }
+    let mut table = Table::new(
+        "Force on the region through its edge, with standard deviations",
+        columns,
+    );
+    for (found, load) in analysed.iter().zip(&loads) {
+        let mut row = vec![experiment.states[found.state].name.clone()];
+        for [force, deviation] in by_nodes(found) {
+            row.extend([force, deviation].map(|value| short(unit.from_base(value))));
+        }
+        row.push(imbalance(found).map_or_else(String::new, |part| format!("{:.1}", 100.0 * part)));
+        for &axis in &known {
+            let told = found.checks.force[axis].map(|own| {
+                [own.excess, own.deviation, own.explained].map(|value| short(unit.from_base(value)))
+            });
+            row.extend(told.unwrap_or_default());
+        }
+        if by_load {
+            let ratio = |own: LoadCheck| format!("{:.3}", own.force / own.load);
+            row.push(load.map_or_else(String::new, ratio));
+        }
+        table.push(row);
+    }
+    if by_load {
+        table = table.note(
+            "Over load: the force along the bearing point by the stresses, with the mirror image of what the region cuts, over the stated load.",
+        );
+    }
+    let table = table.note(
+        "By the forces that hold the edge's nodes, of the whole edge of a sector and not only where it is in contact. Balance: what these \
+         and the integral of the edge's stresses differ by, a check of the mesh; the ends of the edge leave some per cent.",
+    );
+    if known.is_empty() {
+        return table;
+    }
+    table.note(
+        "Excess over known: the force by the nodes less the one stated as edge_force. Explained: three deviations, which hold the noise, 2 % of \
+         the force, the bias of smoothing, the balance, and half of the forces on the nodes at the ends of the edge, which neighbouring edges \
+         share, together. An excess beyond is warned of; where a tenth of the force is explained, the check is none of scale, thickness and \
+         material, and a warning says so.",
+    )
+}
+
+/// Known forces that the stresses on the edge are not in balance with, and those that they cannot be compared with.
+pub(super) fn doubts(experiment: &Experiment, found: &Analysed) -> Vec<String> {
+    let unit = experiment.display.force;
+    let shown = |value: f64| format!("{} {}", short(unit.from_base(value)), unit.name);
+    let told = |axis: usize| {
+        let own = found.checks.force[axis]?;
+        let axis = AXES[axis];
+        if own.fails() {
+            return Some(format!(
+                "the force on the edge along {axis} is {} off the stated edge_force, where {} are explained by noise, mesh, smoothing and ends of \
+                 the edge: check that the edge holds all of the contact that edge_force is of and does not stand off from the hole, and scale, \
+                 thickness and material.",
+                shown(own.excess.abs()),
+                shown(own.explained),
+            ));
+        }
+        if own.is_evidence() {
+            return None;
+        }
+        Some(format!(
+            "the stated edge_force along {axis} is no evidence of scale, thickness and material: noise, smoothing, mesh and ends of the edge \
+             explain {}, {:.0} % of the force. Take more cells, more data, or a region whose edge goes on beyond the contact.",
+            shown(own.explained),
+            100.0 * own.explained / own.size
+        ))
+    };
+    (0..2).filter_map(told).collect()
+}
+
+/// Forces at the nodes that move as measured.
+pub(super) fn csv(experiment: &Experiment, found: &Analysed) -> Vec<u8> {
+    let (length, force) = (experiment.display.length, experiment.display.force);
+    let header = [
+        format!("x [{}]", length.name),
+        format!("y [{}]", length.name),
+        format!("force x [{}]", force.name),
+        format!("force x deviation [{}]", force.name),
+        format!("force y [{}]", force.name),
+        format!("force y deviation [{}]", force.name),
+        "inside".to_owned(),
+    ];
+    let rows = found.nodal_forces.iter().map(|own| {
+        let [x, y] = own.place.map(|x| length.from_base(x));
+        let [fx, fy] = own.force.map(|value| force.from_base(value));
+        let [dx, dy] = own.deviation.map(|value| force.from_base(value));
+        vec![x, y, fx, dx, fy, dy, f64::from(u8::from(own.inside))]
+    });
+    csv_table(&header, rows)
+}
+
+/// The same for the summary.
+pub(super) fn entry(experiment: &Experiment, found: &Analysed) -> Value {
+    let unit = experiment.display.force;
+    let [x, y] = by_nodes(found).map(|own| own.map(|value| unit.from_base(value)));
+    let checks = found.checks.force;
+    let each = |value: fn(&ForceCheck) -> f64| {
+        let own = |check: Option<ForceCheck>| check.map(|own| unit.from_base(value(&own)));
+        checks.map(own)
+    };
+    let load = found.load_check(experiment);
+    json!({
+        "unit": unit.name,
+        "by_load": load.as_ref().ok().map(|own| json!({
+            "force": unit.from_base(own.force),
+            "deviation": unit.from_base(own.deviation),
+            "load": unit.from_base(own.load),
+            "ratio": own.force / own.load,
+        })),
+        "load_not_checked": load.as_ref().err().map(|cause| cause.why()),
+        "x": x[0],
+        "x_deviation": x[1],
+        "y": y[0],
+        "y_deviation": y[1],
+        "imbalance": imbalance(found),
+        "excess_over_known": each(|own| own.excess),
+        "excess_deviation": each(|own| own.deviation),
+        "excess_explained": each(|own| own.explained),
+        "is_evidence": checks.map(|own| own.map(|own| own.is_evidence())),
+    })
+}
+
+/// Force along x and y at the edge's nodes and its standard deviation `[N]`.
+fn by_nodes(found: &Analysed) -> [[f64; 2]; 2] {
+    let forces = &found.forces;
+    let size = forces.values.len();
+    [2, 3].map(|row| {
+        let variance = forces.covariance[row * size + row];
+        [forces.values[row], variance.max(0.0).sqrt()]
+    })
+}
+
+/// Force on the edge by its stresses plus that by its nodes, over the latter; `None` where that is within its uncertainty. Where the edge
+/// ends, its last nodes carry forces of the neighbouring edges too, so that some per cent remain on any mesh.
+fn imbalance(found: &Analysed) -> Option<f64> {
+    const BEYOND: f64 = 3.0;
+    let values = &found.forces.values;
+    let [[x, dx], [y, dy]] = by_nodes(found);
+    let force = x.hypot(y);
+    (force > BEYOND * dx.hypot(dy)).then(|| (values[0] + x).hypot(values[1] + y) / force)
+}

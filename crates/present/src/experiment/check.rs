@@ -1,0 +1,124 @@
+//! What an experiment says, and whether its data are there and cover its region.
+
+use stickslip_hybrid::data::Field;
+
+use super::measured::signs;
+use stickslip_measure::ExperimentError;
+use stickslip_measure::analysed::Workbench;
+use stickslip_measure::measured::{self, Measured};
+use stickslip_measure::synthesis::{Shots, field_name};
+use stickslip_scene::experiment::{Experiment, RegionShape, Source};
+use stickslip_text::short;
+
+/// Reads all data that are files, and meshes the region; what was found, in lines of a name and a text. Synthetic states are not solved.
+///
+/// # Errors
+/// [`ExperimentError`]: files that cannot be read, data that are none or do not cover the region, a region that cannot be analysed.
+pub fn check(experiment: &Experiment) -> Result<Vec<(&'static str, String)>, ExperimentError> {
+    let mut lines = vec![
+        (
+            "experiment",
+            format!("{} – {}", experiment.source_name, experiment.title),
+        ),
+        ("specimen", specimen(experiment)),
+    ];
+    let mut warnings = experiment.without_effect.clone();
+    let mut fields = Vec::new();
+    for (index, state) in experiment.states.iter().enumerate() {
+        let mut sources = [&state.null, &state.back].into_iter().flatten();
+        let is_synthetic = |source: &Source| matches!(source, Source::Step(_));
+        if is_synthetic(&state.source) || sources.any(is_synthetic) {
+            let text = format!(
+                "{}: synthetic pictures of the scene, not made here",
+                state.name
+            );
+            lines.push(("state", text));
+            continue;
+        }
+        let found = measured::state(experiment, index, &Shots::default())?;
+        lines.push(("state", of_state(experiment, &found)));
+        let named = |words: &String| format!("state '{}': {words}", state.name);
+        warnings.extend(found.warnings.iter().map(named));
+        fields.push(found);
+    }
+    warnings.extend(measured::repeated(experiment, &fields));
+    let signs = signs(experiment).into_iter();
+    lines.extend(signs.map(|(names, words)| ("signs", format!("{names}: {words}"))));
+    if let Some(region) = &experiment.region {
+        Workbench::new(experiment)?;
+        let words = match &region.shape {
+            RegionShape::Sector(sector) => format!(
+                "sector of {} x {} cells from {} to {} deg, out to {}",
+                sector.cells[0],
+                sector.cells[1],
+                short(sector.angles[0].to_degrees()),
+                short(sector.angles[1].to_degrees()),
+                experiment.display.length.show(sector.outer)
+            ),
+            RegionShape::Mesh(mesh) => format!("mesh '{}'", mesh.file.display()),
+        };
+        lines.push(("region", words));
+    }
+    lines.extend(warnings.into_iter().map(|words| ("warning", words)));
+    lines.push(("next", next(experiment)));
+    lines.push(("hash", experiment.hash.clone()));
+    Ok(lines)
+}
+
+fn specimen(experiment: &Experiment) -> String {
+    let (own, length) = (&experiment.specimen, experiment.display.length);
+    let hole = own.hole;
+    let of_scene = own.scene.as_ref().map_or_else(String::new, |scene| {
+        format!("body '{}' of '{}', ", scene.body, scene.scene.source_name)
+    });
+    format!(
+        "{of_scene}{} thick, hole of radius {} around ({}, {})",
+        length.show(own.thickness),
+        length.show(hole.radius),
+        length.show(hole.centre[0]),
+        length.show(hole.centre[1])
+    )
+}
+
+fn of_state(experiment: &Experiment, found: &Measured) -> String {
+    let state = &experiment.states[found.state];
+    let names: Vec<String> = (state.source.files().iter())
+        .map(|file| format!("'{}'", file.display()))
+        .collect();
+    let data = &found.measurement;
+    let unit = experiment.display.length;
+    let shown = |value: f64| format!("{} {}", short(unit.from_base(value)), unit.name);
+    let fields = Field::BOTH.map(|field| match data.count(field) {
+        0 => format!("no {}", field_name(field)),
+        count => format!(
+            "{} valid at {count}, ± {}",
+            field_name(field),
+            shown(data.deviation[field.component()])
+        ),
+    });
+    let null = if state.null.is_some() {
+        ", the null field taken off"
+    } else {
+        ""
+    };
+    format!(
+        "{} ({}): {}: {} places, {}, {}{null}",
+        state.name,
+        state.direction.name(),
+        names.join(", "),
+        data.places.len(),
+        fields[0],
+        fields[1]
+    )
+}
+
+fn next(experiment: &Experiment) -> String {
+    let file = &experiment.source_name;
+    if experiment.region.is_some() {
+        format!(
+            "`stickslip hybrid {file}` for edge stresses, `stickslip identify {file}` for friction"
+        )
+    } else {
+        format!("`stickslip reduce {file}` for measured fields; edge stresses need a [region]")
+    }
+}

@@ -1,0 +1,332 @@
+//! Synthetic pictures as files, a gallery, and an experiment file that reads them back.
+
+mod restart;
+
+use std::path::Path;
+
+use stickslip_hybrid::data::Field;
+use stickslip_hybrid::fringe::PixelMap;
+use stickslip_report::FigureError;
+use stickslip_report::chart::tile;
+use stickslip_report::color::Colormap;
+use stickslip_report::plane::{Pixels, PlanePlot};
+use stickslip_report::raster::to_png;
+use stickslip_report::svg::Svg;
+use stickslip_report::table::{Column, Table};
+
+use super::story::Story;
+use stickslip_measure::ExperimentError;
+use stickslip_measure::synthesis::{Camera, Shot, Shots, field_name};
+use stickslip_scene::experiment::{Experiment, State};
+use stickslip_scene::units::Unit;
+use stickslip_text::{counted, short};
+
+/// Folder of the picture files.
+pub(super) const FOLDER: &str = "fringes";
+/// Width of one picture on the page \[px\].
+const WIDTH: f64 = 360.0;
+/// Width of one picture on the sheet of all \[px\], and pictures in a row.
+const SMALL: f64 = 200.0;
+const IN_A_ROW: usize = 8;
+
+/// How large a picture is shown.
+#[derive(Clone, Copy, Debug)]
+enum Size {
+    Page,
+    Sheet,
+}
+
+/// The gallery, filled state by state.
+#[derive(Debug)]
+pub(super) struct Gallery<'a> {
+    experiment: &'a Experiment,
+    figures: Vec<(usize, Result<Svg, FigureError>)>,
+    sheet: Vec<Result<Svg, FigureError>>,
+    /// Least and greatest order of either field without carrier, per state.
+    extremes: Vec<(usize, [Option<[f64; 2]>; 2])>,
+}
+
+impl<'a> Gallery<'a> {
+    pub(super) fn new(experiment: &'a Experiment) -> Self {
+        Self {
+            experiment,
+            figures: Vec::new(),
+            sheet: Vec::new(),
+            extremes: Vec::new(),
+        }
+    }
+
+    /// Adds the pictures of a state.
+    pub(super) fn add(
+        &mut self,
+        camera: &Camera<'_>,
+        state: usize,
+        shots: &Shots,
+        story: &mut Story,
+    ) -> Result<(), ExperimentError> {
+        for (shot, fields) in shots.iter() {
+            for (field, pictures) in Field::BOTH.into_iter().zip(fields) {
+                for (name, bytes) in camera.files(state, *shot, field, pictures)? {
+                    story.file(
+                        format!("{FOLDER}/{name}"),
+                        "synthetic fringe pictures of the U and the V field",
+                        bytes,
+                    );
+                }
+            }
+        }
+        if let Some(fields) = shots.get(Shot::State) {
+            let both = [0, 1].map(|k| fields[k].pictures.first());
+            if let [Some(u), Some(v)] = both {
+                let figure = self.figure(state, [u, v]);
+                self.figures.push((state, figure));
+                let name = &self.experiment.states[state].name;
+                for (field, picture) in ["U", "V"].into_iter().zip([u, v]) {
+                    self.sheet.push(self.picture(
+                        &format!("{field}, {name}"),
+                        picture,
+                        Size::Sheet,
+                    ));
+                }
+            }
+            let carrier = camera.fringes().carrier;
+            let range = [0, 1].map(|k| without_carrier(&fields[k].orders, carrier[k]));
+            for (field, pictures) in ["U", "V"].into_iter().zip(fields) {
+                let share = too_fine(&pictures.orders);
+                if share > 0.0 {
+                    story.warn(format!(
+                        "State '{}': fringes of the {field} field are finer than two pixels at {} % of them and show false patterns there; \
+                         take smaller pixels.",
+                        self.experiment.states[state].name,
+                        short(100.0 * share)
+                    ));
+                }
+            }
+            self.extremes.push((state, range));
+        }
+        Ok(())
+    }
+
+    fn picture(&self, title: &str, picture: &PixelMap, size: Size) -> Result<Svg, FigureError> {
+        let length = self.experiment.display.length;
+        let mut plot = picture_plot(title, picture, length).colors(Colormap::Gray, None);
+        plot.range = Some([0.0, 1.0]);
+        (plot.width, plot.sharpness) = match size {
+            Size::Page => (WIDTH, 2.0),
+            Size::Sheet => (SMALL, 1.0),
+        };
+        plot.render()
+    }
+
+    fn figure(&self, state: usize, [u, v]: [&PixelMap; 2]) -> Result<Svg, FigureError> {
+        let drawn = [
+            self.picture("U field", u, Size::Page)?,
+            self.picture("V field", v, Size::Page)?,
+        ];
+        tile(&caption(self.experiment, state), 2, &drawn)
+    }
+
+    /// All pictures on one sheet, as PNG.
+    fn sheet(&mut self) -> Result<Vec<u8>, FigureError> {
+        let drawn: Result<Vec<Svg>, FigureError> = self.sheet.drain(..).collect();
+        to_png(&tile(&self.experiment.title, IN_A_ROW, &drawn?)?, 1.0)
+    }
+
+    /// Puts the gallery on the page, and the experiment file that restarts from its pictures into the folder.
+    pub(super) fn tell(&mut self, camera: &Camera<'_>, folder: &Path, story: &mut Story) {
+        story.section("Fringe pictures");
+        story.text(self.words(camera));
+        story.table(self.table());
+        let experiment = self.experiment;
+        story.answer("Fringe pictures", counted(experiment.states.len(), "state"));
+        for (state, figure) in std::mem::take(&mut self.figures) {
+            let name = format!("fringes-{}", experiment.states[state].name);
+            let text = format!(
+                "U (left) and V (right) fringe pictures, {}.",
+                caption(experiment, state)
+            );
+            story.figure(&name, &text, figure);
+        }
+        match self.sheet() {
+            Ok(bytes) => story.file("gallery.png", "all pictures on one sheet", bytes),
+            Err(cause) => story.warn(format!(
+                "The sheet of all pictures cannot be drawn: {cause}."
+            )),
+        }
+        let fringes = camera.fringes();
+        if !fringes.four && fringes.carrier.contains(&[0.0; 2]) {
+            story.answer(
+                "measured.toml",
+                "not written: single pictures without a carrier cannot be read back, as they do not tell whether orders rise or fall. \
+                 State a carrier, or pictures = \"four\""
+                    .to_owned(),
+            );
+            return;
+        }
+        match restart::text(experiment, camera, folder) {
+            Ok(text) => story.file(
+                "measured.toml",
+                "an experiment file that reads these pictures as measured ones",
+                text.into_bytes(),
+            ),
+            Err(cause) => story.warn(format!(
+                "The experiment file that would read these pictures cannot be written: {cause}."
+            )),
+        }
+    }
+
+    fn words(&self, camera: &Camera<'_>) -> String {
+        let fringes = camera.fringes();
+        let unit = self.experiment.display.length;
+        let exposure = &fringes.exposure;
+        let mut parts = vec![format!(
+            "Synthetic pictures of the scene's solution, a grating of {} lines/mm, so that one fringe is {} µm of displacement; \
+             {} × {} pixels of {}",
+            short(camera.grating().frequency()),
+            short(1e3 * camera.grating().displacement(1.0)),
+            camera.frame().columns(),
+            camera.frame().rows(),
+            unit.show(fringes.pixel),
+        )];
+        let [u, v] = fringes.carrier;
+        if u == [0.0; 2] && v == [0.0; 2] {
+            parts.push("no carrier".to_owned());
+        } else {
+            parts.push(format!(
+                "carrier ({}, {}) fringes/mm in U and ({}, {}) in V",
+                short(u[0]),
+                short(u[1]),
+                short(v[0]),
+                short(v[1])
+            ));
+        }
+        if exposure.order_error > 0.0 {
+            parts.push(format!(
+                "errors of ±{} fringe, uniform and independent from pixel to pixel",
+                short(exposure.order_error)
+            ));
+        }
+        if let Some(patterns) = exposure.speckle_patterns {
+            parts.push(format!("speckle of {patterns} patterns"));
+        }
+        if exposure.noise > 0.0 {
+            parts.push(format!(
+                "camera noise of {} of full scale",
+                short(exposure.noise)
+            ));
+        }
+        parts.push(format!("{} grey levels", exposure_levels(fringes)));
+        parts.join("; ") + "."
+    }
+
+    fn table(&self) -> Table {
+        let force = self.experiment.display.force;
+        let columns = vec![
+            Column::new("state", ""),
+            Column::new("load", force.name),
+            Column::new("direction", ""),
+            Column::new("U orders, from", "fringes"),
+            Column::new("to", "fringes"),
+            Column::new("V orders, from", "fringes"),
+            Column::new("to", "fringes"),
+        ];
+        let mut table = Table::new("Orders in the window, without carrier", columns);
+        for (state, ranges) in &self.extremes {
+            let own = &self.experiment.states[*state];
+            let mut row = vec![
+                own.name.clone(),
+                own.load
+                    .map_or_else(String::new, |load| short(force.from_base(load))),
+                own.direction.name().to_owned(),
+            ];
+            for range in ranges {
+                let [low, high] = range.unwrap_or([f64::NAN; 2]);
+                row.extend([format!("{low:.2}"), format!("{high:.2}")]);
+            }
+            table.push(row);
+        }
+        table
+    }
+}
+
+fn exposure_levels(fringes: &stickslip_scene::experiment::Fringes) -> f64 {
+    fringes.depth.full_scale() + 1.0
+}
+
+fn without_carrier(orders: &PixelMap, carrier: [f64; 2]) -> Option<[f64; 2]> {
+    let values = orders.present().map(|(pixel, order)| {
+        let place = orders.frame().place(pixel);
+        order - carrier[0] * place[0] - carrier[1] * place[1]
+    });
+    values.fold(None, |range, value| {
+        let [low, high] = range.unwrap_or([value; 2]);
+        Some([value.min(low), value.max(high)])
+    })
+}
+
+/// Part of the pixels whose order differs from that of the next one to the right or below by half a fringe or more.
+fn too_fine(orders: &PixelMap) -> f64 {
+    let (values, columns) = (orders.values(), orders.frame().columns());
+    let far = |pixel: usize, next: usize| {
+        let step: Option<f64> = values.get(next).map(|next| next - values[pixel]);
+        step.is_some_and(|step| step.abs() >= 0.5)
+    };
+    let (mut seen, mut fine) = (0.0, 0.0);
+    for (pixel, _) in orders.present() {
+        let at_end = (pixel + 1).is_multiple_of(columns);
+        seen += 1.0;
+        if far(pixel, pixel + columns) || (!at_end && far(pixel, pixel + 1)) {
+            fine += 1.0;
+        }
+    }
+    fine / seen
+}
+
+/// "up, 1250 lbf, loading".
+pub(super) fn caption(experiment: &Experiment, state: usize) -> String {
+    let State {
+        name,
+        load,
+        direction,
+        ..
+    } = &experiment.states[state];
+    let force = experiment.display.force;
+    match load {
+        Some(load) => format!("{name}, {}, {}", force.show(*load), direction.name()),
+        None => format!("{name}, {}", direction.name()),
+    }
+}
+
+/// A plot of a picture's pixels over its own window, in a unit of length.
+pub(super) fn picture_plot<'a>(title: &str, picture: &'a PixelMap, unit: &Unit) -> PlanePlot<'a> {
+    let edges = edges(picture, unit);
+    PlanePlot::new(title, unit.name, edges).pixels(Pixels {
+        columns: picture.frame().columns(),
+        values: picture.values(),
+        edges,
+    })
+}
+
+/// Edges of a picture in a unit of length, `[x_low, x_high, y_low, y_high]`.
+pub(super) fn edges(picture: &PixelMap, unit: &Unit) -> [f64; 4] {
+    let frame = picture.frame();
+    let (first, last) = (
+        frame.place(0),
+        frame.place(frame.pixels().saturating_sub(1)),
+    );
+    let step = frame.step();
+    let [left, right] = [first[0] - 0.5 * step[0], last[0] + 0.5 * step[0]];
+    let [top, bottom] = [first[1] - 0.5 * step[1], last[1] + 0.5 * step[1]];
+    [
+        left.min(right),
+        left.max(right),
+        top.min(bottom),
+        top.max(bottom),
+    ]
+    .map(|x| unit.from_base(x))
+}
+
+/// Name of a field for keys and files.
+pub(super) fn letter(field: Field) -> String {
+    field_name(field).to_lowercase()
+}

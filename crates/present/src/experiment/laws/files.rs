@@ -1,0 +1,155 @@
+//! Fitted laws in files and in the summary.
+
+use serde_json::{Value, json};
+use stickslip_hybrid::calibrate::Estimate;
+use stickslip_hybrid::identify::Bounds;
+
+use super::figures;
+use crate::experiment::story::{csv_line, csv_table};
+use stickslip_measure::laws::{Discrepancy, Fit, LawStage, MeshError, SharedNull, StateMeshError};
+use stickslip_scene::experiment::Experiment;
+
+pub(super) fn csv(experiment: &Experiment, stage: &LawStage) -> Vec<u8> {
+    let header =
+        "law,parameter,unit,best,low,high,deviation,chi_squared,degrees_of_freedom,AICc,BIC";
+    let mut text = header.to_owned() + "\n";
+    for fit in &stage.comparison.fits {
+        let calibration = &fit.calibration;
+        for (index, own) in calibration.estimates.iter().enumerate() {
+            let (factor, unit) = figures::unit(experiment, fit.law.dimensions[index]);
+            let [low, high] =
+                ends(fit.bounds(index)).map(|end| number(end.map(|end| factor * end)));
+            let cells = [
+                fit.law.name.clone(),
+                own.name.clone(),
+                unit.to_owned(),
+                format!("{}", factor * own.value),
+                low,
+                high,
+                number(
+                    own.deviation
+                        .filter(|_| fit.explains())
+                        .map(|own| factor * own),
+                ),
+                format!("{}", calibration.chi_squared),
+                calibration.degrees().to_string(),
+                format!("{}", calibration.aicc()),
+                format!("{}", calibration.bic()),
+            ];
+            text += &csv_line(&cells);
+        }
+    }
+    text.into_bytes()
+}
+
+fn ends(bounds: Option<Bounds>) -> [Option<f64>; 2] {
+    match bounds {
+        Some(Bounds::Between(low, high)) => [Some(low), Some(high)],
+        Some(Bounds::AtMost(high)) => [None, Some(high)],
+        Some(Bounds::AtLeast(low)) => [Some(low), None],
+        Some(Bounds::Nothing) | None => [None, None],
+    }
+}
+
+fn number(value: Option<f64>) -> String {
+    value.map_or_else(String::new, |value| format!("{value}"))
+}
+
+pub(super) fn fit_csv(experiment: &Experiment, stage: &LawStage, observation: usize) -> Vec<u8> {
+    let unit = experiment.display.length;
+    let mut header: Vec<String> = ["x", "y"]
+        .map(|name| format!("{name} [{}]", unit.name))
+        .into();
+    header.push("component (0: u, 1: v)".to_owned());
+    header.push(format!("measured [{}]", unit.name));
+    let names = stage.comparison.fits.iter().map(|fit| &fit.law.name);
+    header.extend(names.map(|name| format!("\"{} [{}]\"", name.replace('"', "\"\""), unit.name)));
+    let own = &stage.observations[observation];
+    let rows = own.values.iter().enumerate().map(|(datum, value)| {
+        let [x, y] = stage.place(observation, datum);
+        let mut row = vec![unit.from_base(x), unit.from_base(y)];
+        row.push(own.components[datum].1 as f64);
+        row.push(unit.from_base(*value));
+        let fits = stage.comparison.fits.iter();
+        row.extend(fits.map(|fit| unit.from_base(fit.states[observation].predicted[datum])));
+        row
+    });
+    csv_table(&header, rows)
+}
+
+pub(super) fn entry(experiment: &Experiment, stage: &LawStage) -> Value {
+    let law = |fit: &Fit| {
+        let own = &fit.calibration;
+        let parameter = |(index, estimate): (usize, &Estimate)| {
+            let (factor, unit) = figures::unit(experiment, fit.law.dimensions[index]);
+            let [low, high] = ends(fit.bounds(index)).map(|end| end.map(|end| factor * end));
+            json!({
+                "name": estimate.name,
+                "unit": unit,
+                "best": factor * estimate.value,
+                "low": low,
+                "high": high,
+                "identifiable": fit.bounds(index).unwrap_or(estimate.bounds) != Bounds::Nothing,
+                "by_mesh": fit.by_mesh.get(index).map(|own| factor * own),
+            })
+        };
+        json!({
+            "name": fit.law.name,
+            "law": fit.law.kind,
+            "parameters": own.estimates.iter().enumerate().map(parameter).collect::<Vec<_>>(),
+            "chi_squared": own.chi_squared,
+            "degrees_of_freedom": own.degrees(),
+            "rejected": !fit.explains(),
+            "aicc": own.aicc(),
+            "bic": own.bic(),
+            "solves": own.evaluations,
+            "refused": own.refusals,
+            "first_refusal": own.first_refusal,
+            "verdict": fit.words(),
+        })
+    };
+    let discrepancy = |own: &Option<Discrepancy>| {
+        let length = experiment.display.length;
+        own.map(|own| {
+            json!({
+                "rms": length.from_base(own.rms),
+                "largest": length.from_base(own.largest),
+                "chi_squared": own.chi_squared,
+            })
+        })
+    };
+    let mesh_error = |own: &MeshError| {
+        let state = |(&state, own): (&usize, &StateMeshError)| {
+            json!({
+                "state": experiment.states[state].name,
+                "rms": experiment.display.length.from_base(own.rms),
+                "amount": own.amount.value,
+                "deviation": own.amount.deviation,
+            })
+        };
+        let states = stage.states.iter().zip(&own.states).map(state);
+        json!({ "law": own.law, "states": states.collect::<Vec<_>>() })
+    };
+    let shared = |own: &SharedNull| {
+        let name = |&state: &usize| experiment.states[state].name.as_str();
+        json!({
+            "states": own.states.iter().map(name).collect::<Vec<_>>(),
+            "data": own.data,
+            "correlation": own.correlation,
+        })
+    };
+    json!({
+        "best": stage.comparison.best().law.name,
+        "data": stage.comparison.data,
+        "effective_data": stage.comparison.best().calibration.effective_data(),
+        "variance_scales": stage.scales.iter().map(|own| own.factor).collect::<Vec<_>>(),
+        "variance_scales_by": stage.scales.iter().map(|own| own.source.words()).collect::<Vec<_>>(),
+        "shared_nulls": stage.shared_nulls.iter().map(shared).collect::<Vec<_>>(),
+        "longest_slip_path": experiment.display.length.from_base(stage.slipped),
+        "bounds_hold_mesh_error": stage.comparison.mesh_error.is_some(),
+        "mesh_error": stage.comparison.mesh_error.as_ref().map(mesh_error),
+        "mesh_discrepancies": stage.discrepancies.iter().map(discrepancy).collect::<Vec<_>>(),
+        "confidence": experiment.identify.confidence,
+        "fits": stage.comparison.fits.iter().map(law).collect::<Vec<_>>(),
+    })
+}

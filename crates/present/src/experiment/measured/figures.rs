@@ -1,0 +1,192 @@
+//! Pictures of measured fields: data with mask, orders, phase with its inconsistent loops.
+
+use stickslip_fem_core::mesh::Point;
+use stickslip_hybrid::data::Field;
+use stickslip_report::FigureError;
+use stickslip_report::chart::tile;
+use stickslip_report::color::{Color, Colormap};
+use stickslip_report::plane::{Marks, PlanePlot};
+use stickslip_report::svg::Svg;
+
+use crate::experiment::gallery::{caption, edges, picture_plot};
+use stickslip_measure::measured::{Measured, PictureField};
+use stickslip_measure::synthesis::field_name;
+use stickslip_scene::experiment::Experiment;
+use stickslip_scene::units::Unit;
+
+/// Width of one map \[px\].
+const WIDTH: f64 = 430.0;
+/// Most marks of one kind; more would hide the map.
+const MOST_MARKS: usize = 400;
+
+/// Orders of both fields over the plane, from the state's pictures.
+pub(super) fn orders(
+    experiment: &Experiment,
+    measured: &Measured,
+) -> Option<Result<Svg, FigureError>> {
+    if measured
+        .pictures
+        .iter()
+        .flatten()
+        .any(|field| field.of_null)
+    {
+        return None;
+    }
+    both(experiment, measured, |field, found| {
+        let unit = experiment.display.length;
+        let title = format!("{} field", field_name(field));
+        let label = format!("N{} [fringes]", ["x", "y"][field.component()]);
+        let mut plot =
+            picture_plot(&title, &found.orders, unit).colors(Colormap::Viridis, Some(label));
+        plot.subtitle = Some("masked: grey".to_owned());
+        plot.marks = vec![hole(experiment, unit)];
+        plot.window = edges(&found.orders, unit);
+        plot.width = WIDTH;
+        plot.render()
+    })
+}
+
+/// Phase of both fields with the places that unwrapping cannot be trusted at.
+pub(super) fn phase(
+    experiment: &Experiment,
+    measured: &Measured,
+) -> Option<Result<Svg, FigureError>> {
+    both(experiment, measured, |field, found| {
+        let unit = experiment.display.length;
+        let title = format!("{} field", field_name(field));
+        let mut plot = picture_plot(&title, &found.wrapped, unit)
+            .colors(Colormap::Cyclic, Some("phase [fringes]".to_owned()));
+        plot.range = Some([-0.5, 0.5]);
+        plot.width = WIDTH;
+        let shown = |places: &[Point]| -> Vec<[f64; 2]> {
+            let stride = places.len().div_ceil(MOST_MARKS).max(1);
+            let some = places.iter().step_by(stride);
+            some.map(|place| place.map(|x| unit.from_base(x))).collect()
+        };
+        for (label, color, places) in [
+            (
+                "loops that do not close",
+                Color::rgb(0, 0, 0),
+                &found.residues,
+            ),
+            (
+                "jumps of half a fringe or more",
+                Color::rgb(255, 255, 255),
+                &found.cuts,
+            ),
+        ] {
+            if !places.is_empty() {
+                plot.marks.push(Marks {
+                    label: format!("{label}: {}", places.len()),
+                    color,
+                    points: shown(places),
+                    paths: Vec::new(),
+                });
+            }
+        }
+        plot.render()
+    })
+}
+
+fn both(
+    experiment: &Experiment,
+    measured: &Measured,
+    draw: impl Fn(Field, &PictureField) -> Result<Svg, FigureError>,
+) -> Option<Result<Svg, FigureError>> {
+    let fields = Field::BOTH.into_iter().zip(&measured.pictures);
+    let drawn: Vec<_> = fields
+        .filter_map(|(field, found)| found.as_ref().map(|found| draw(field, found)))
+        .collect();
+    if drawn.is_empty() {
+        return None;
+    }
+    let all: Result<Vec<Svg>, FigureError> = drawn.into_iter().collect();
+    Some(all.and_then(|all| tile(&caption(experiment, measured.state), 2, &all)))
+}
+
+/// Displacements at scattered places, masked ones grey.
+pub(super) fn data(experiment: &Experiment, measured: &Measured) -> Result<Svg, FigureError> {
+    let own = Field::BOTH
+        .into_iter()
+        .filter(|field| measured.measurement.count(*field) > 0);
+    let drawn: Result<Vec<Svg>, FigureError> = own
+        .map(|field| scattered(experiment, measured, field))
+        .collect();
+    tile(&caption(experiment, measured.state), 2, &drawn?)
+}
+
+fn scattered(
+    experiment: &Experiment,
+    measured: &Measured,
+    field: Field,
+) -> Result<Svg, FigureError> {
+    let measurement = &measured.measurement;
+    let unit = experiment.display.length;
+    let c = field.component();
+    let dots: Vec<([f64; 2], f64)> = (0..measurement.places.len())
+        .map(|k| {
+            let value = if measurement.valid[c][k] {
+                unit.from_base(measurement.displacements[c][k])
+            } else {
+                f64::NAN
+            };
+            (measurement.places[k].map(|x| unit.from_base(x)), value)
+        })
+        .collect();
+    let letter = ["u", "v"][c];
+    let title = format!(
+        "{}: {} of {} places valid",
+        field_name(field),
+        measurement.count(field),
+        dots.len()
+    );
+    let mut plot = PlanePlot::new(title, unit.name, window(&dots))
+        .colors(Colormap::Viridis, Some(format!("{letter} [{}]", unit.name)));
+    plot.dots = &dots;
+    plot.subtitle = Some("masked: grey".to_owned());
+    plot.marks = vec![hole(experiment, unit)];
+    let bad = &measured.outliers;
+    if !bad.is_empty() {
+        plot.marks.push(Marks {
+            label: format!("outliers, masked: {}", bad.len()),
+            color: Color::rgb(0xd6, 0x27, 0x28),
+            points: bad.iter().map(|&k| dots[k].0).collect(),
+            paths: Vec::new(),
+        });
+    }
+    plot.width = WIDTH;
+    plot.render()
+}
+
+/// The window around places, with a little room.
+fn window(dots: &[([f64; 2], f64)]) -> [f64; 4] {
+    let along = |axis: usize| {
+        let values = || dots.iter().map(|(place, _)| place[axis]);
+        let low = values().fold(f64::INFINITY, f64::min);
+        let high = values().fold(f64::NEG_INFINITY, f64::max);
+        [low, high]
+    };
+    let ([left, right], [bottom, top]) = (along(0), along(1));
+    let room = 0.03 * (right - left).max(top - bottom).max(f64::MIN_POSITIVE);
+    [left - room, right + room, bottom - room, top + room]
+}
+
+/// The edge of the hole.
+fn hole(experiment: &Experiment, unit: &Unit) -> Marks {
+    const PIECES: usize = 180;
+    let hole = experiment.specimen.hole;
+    let place = |k: usize| {
+        let angle = std::f64::consts::TAU * k as f64 / PIECES as f64;
+        let (sin, cos) = angle.sin_cos();
+        [
+            unit.from_base(hole.centre[0] + hole.radius * cos),
+            unit.from_base(hole.centre[1] + hole.radius * sin),
+        ]
+    };
+    Marks {
+        label: "edge of the hole".to_owned(),
+        color: Color::rgb(0x22, 0x22, 0x22),
+        points: Vec::new(),
+        paths: vec![(0..=PIECES).map(place).collect()],
+    }
+}

@@ -1,0 +1,261 @@
+//! Results as files, figures, one page and a table for the terminal.
+//!
+//! | file | holds |
+//! | --- | --- |
+//! | `summary.json` | the numbers that other programs read |
+//! | `report.html` | everything for a reader, in one self-contained page |
+//! | `steps.csv` | one row per load step |
+//! | `edge-NAME-step-NN.csv` | tractions, gaps, slip, status and stresses along an edge |
+//! | `failure-BODY.csv`, `first-ply-BODY.csv`, `plies-NAME-step-NN.csv`, … | failure of laminates, where the scene asks for it |
+//! | `load-displacement-BODY.csv`, `damage-BODY-PLY.csv` | progressive failure of a joint, where the scene asks for it |
+//! | `results.pvd`, `fields/*.vtu` | displacement and stress fields for ParaView |
+//! | `figures/*.svg`, `figures/*.png` | the page's figures |
+//!
+//! Everything is in the scene's display units, and every heading names its unit.
+
+mod csv_files;
+mod display;
+mod failure;
+mod figures;
+mod names;
+mod page;
+mod progressive;
+mod summary;
+mod tables;
+pub use tables::SIGNS;
+mod vtk_files;
+mod zones;
+
+use stickslip_fem_core::mesh::MeshError;
+use stickslip_fem_core::parallel;
+use stickslip_fem_core::vtk::VtkError;
+use stickslip_report::FigureError;
+use stickslip_report::page::PageError;
+use stickslip_report::raster::{DEFAULT_SCALE, to_png};
+use thiserror::Error;
+
+use crate::PutFile;
+
+use figures::Drawing;
+use stickslip_engine::results::Results;
+
+/// Why results could not be written.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum OutputError {
+    /// What takes the files refuses one.
+    #[error(transparent)]
+    Put(#[from] Box<dyn std::error::Error + Send + Sync>),
+    /// Parts of the results that do not belong together.
+    #[error("the results do not fit together: {what} has {found} entries, expected {expected}")]
+    Inconsistent {
+        /// Which part.
+        what: String,
+        /// Entries found.
+        found: usize,
+        /// Entries needed.
+        expected: usize,
+    },
+    /// Fields of a body that does not exist or is rigid.
+    #[error("step {step} has fields of body {body}, which is not an elastic body of the results")]
+    NoBody {
+        /// Load step, from 1.
+        step: usize,
+        /// Index of the body.
+        body: usize,
+    },
+    /// A table.
+    #[error("the table '{file}' could not be written")]
+    Csv {
+        /// The table.
+        file: String,
+        /// Its reason.
+        #[source]
+        cause: csv::Error,
+    },
+    /// A body's mesh in display units.
+    #[error("body '{body}': its mesh cannot be written in display units")]
+    Mesh {
+        /// The body.
+        body: String,
+        /// Its reason.
+        #[source]
+        cause: MeshError,
+    },
+    /// A field file.
+    #[error("the field file '{file}' could not be written")]
+    Vtk {
+        /// The file.
+        file: String,
+        /// Its reason.
+        #[source]
+        cause: VtkError,
+    },
+    /// A figure as PNG.
+    #[error("the figure '{name}' could not be written as PNG")]
+    Picture {
+        /// Name of the figure.
+        name: String,
+        /// Its reason.
+        #[source]
+        cause: FigureError,
+    },
+    /// The page.
+    #[error("the report page could not be written")]
+    Page(#[from] PageError),
+    /// The summary.
+    #[error("the summary could not be written")]
+    Summary(#[from] serde_json::Error),
+}
+
+/// What a file, or a pattern of files, holds.
+#[derive(Clone, Debug)]
+struct FileNote {
+    files: String,
+    what: String,
+}
+
+impl FileNote {
+    fn new(files: impl Into<String>, what: impl Into<String>) -> Self {
+        Self {
+            files: files.into(),
+            what: what.into(),
+        }
+    }
+}
+
+/// Makes all files of `results`, hands them to `put`, several at a time, and returns the text of `summary.json`, which belongs last. Figures
+/// are drawn if `figures` says so; one that cannot be drawn is named in the summary's notes and on the page.
+///
+/// # Errors
+/// [`OutputError::Inconsistent`] and [`OutputError::NoBody`] for results that do not fit together, [`OutputError::Put`] if a file is
+/// refused; the other variants name the file that could not be made.
+pub fn write(results: &Results, figures: bool, put: &PutFile<'_>) -> Result<String, OutputError> {
+    check(results)?;
+    let (tables, pictures) = parallel::join(
+        || write_tables(results, put),
+        || write_pictures(results, put, figures),
+    );
+    let (mut notes, (drawings, failures)) = (tables?, pictures?);
+    if !drawings.is_empty() {
+        notes.push(FileNote::new(
+            "figures/*.svg, figures/*.png",
+            "the figures of this page",
+        ));
+    }
+    let page = page::page(results, drawings, &failures, &notes).render()?;
+    put("report.html", page.as_bytes())?;
+    let mut summary = summary::summary(results);
+    summary.notes.extend(failures);
+    Ok(serde_json::to_string_pretty(&summary)? + "\n")
+}
+
+/// Writes tables and fields.
+fn write_tables(results: &Results, put: &PutFile<'_>) -> Result<Vec<FileNote>, OutputError> {
+    let mut notes = csv_files::files(results, put)?;
+    let (fields, field_notes) = vtk_files::files(results)?;
+    notes.extend(field_notes);
+    for (name, bytes) in &fields {
+        put(name, bytes)?;
+    }
+    Ok(notes)
+}
+
+/// Draws the figures if they are wanted, and writes them side by side; returns them and a line for each that cannot be drawn.
+fn write_pictures(
+    results: &Results,
+    put: &PutFile<'_>,
+    figures: bool,
+) -> Result<(Vec<Drawing>, Vec<String>), OutputError> {
+    if !figures {
+        return Ok((Vec::new(), Vec::new()));
+    }
+    let (drawings, failures) = figures::draw(results);
+    let written = parallel::map(&drawings, |drawing| {
+        let Drawing { name, picture, .. } = drawing;
+        let png = to_png(picture, DEFAULT_SCALE).map_err(|cause| OutputError::Picture {
+            name: name.clone(),
+            cause,
+        })?;
+        put(&format!("figures/{name}.svg"), picture.as_str().as_bytes())?;
+        Ok::<(), OutputError>(put(&format!("figures/{name}.png"), &png)?)
+    });
+    written.into_iter().collect::<Result<(), OutputError>>()?;
+    Ok((drawings, failures))
+}
+
+/// The content of `summary.json`, described in `docs/summary-format.md`; null where the results do not fit together.
+pub fn summary_json(results: &Results) -> serde_json::Value {
+    if check(results).is_err() {
+        return serde_json::Value::Null;
+    }
+    // All keys are strings and all numbers are plain, so there is nothing that JSON cannot hold.
+    serde_json::to_value(summary::summary(results)).unwrap_or_default()
+}
+
+/// The load steps as a table for a terminal of `width` columns, which leaves columns out, the least needed first, rather than break
+/// numbers; empty where the results do not fit together.
+pub fn summary_table(results: &Results, width: usize) -> String {
+    if check(results).is_ok() {
+        tables::terminal(results, width)
+    } else {
+        String::new()
+    }
+}
+
+/// What every quantity's sign means, as a table for the terminal.
+pub fn signs_table() -> String {
+    tables::signs().to_text(Some(120))
+}
+
+/// Whether all parts of the results have the lengths that the rest of this module counts on.
+fn check(results: &Results) -> Result<(), OutputError> {
+    let same = |found: usize, expected: usize, what: &dyn Fn() -> String| {
+        let fail = || OutputError::Inconsistent {
+            what: what(),
+            found,
+            expected,
+        };
+        if found == expected {
+            Ok(())
+        } else {
+            Err(fail())
+        }
+    };
+    for edge in &results.edges {
+        same(edge.corner.len(), edge.parameter.len(), &|| {
+            format!("edge '{}': corner", edge.name)
+        })?;
+    }
+    for (index, step) in results.steps.iter().enumerate() {
+        let number = index + 1;
+        same(step.edges.len(), results.edges.len(), &|| {
+            format!("step {number}: edges")
+        })?;
+        let loads = results.steps[0].loads.len();
+        same(step.loads.len(), loads, &|| format!("step {number}: loads"))?;
+        for (edge, geometry) in step.edges.iter().zip(&results.edges) {
+            let nodes = geometry.parameter.len();
+            same(edge.rows.len(), nodes, &|| {
+                format!("step {number}, edge '{}': rows", geometry.name)
+            })?;
+        }
+        for fields in &step.fields {
+            let body = results.bodies.get(fields.body);
+            let Some(mesh) = body.and_then(|body| body.mesh.as_ref()) else {
+                return Err(OutputError::NoBody {
+                    step: number,
+                    body: fields.body,
+                });
+            };
+            let nodes = mesh.nodes().len();
+            let of = |what: &str| format!("step {number}, body {}: {what}", fields.body);
+            same(fields.displacement.len(), 2 * nodes, &|| of("displacement"))?;
+            same(fields.stress.len(), nodes, &|| of("stress"))?;
+            same(fields.thickness_stress.len(), nodes, &|| {
+                of("thickness_stress")
+            })?;
+        }
+    }
+    Ok(())
+}

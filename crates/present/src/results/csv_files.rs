@@ -1,0 +1,321 @@
+//! Tables as CSV files: one per step and edge, and one of all steps. Headings carry the units: `CPRESS [psi]`.
+
+use stickslip_contact::Status;
+use stickslip_text::plain::csv_cell;
+
+use super::display::EdgeView;
+use super::names::{FileNames, step_name};
+use super::{FileNote, OutputError, failure};
+use crate::PutFile;
+use stickslip_engine::results::{EdgeRow, Results};
+use stickslip_text::tidy;
+
+/// A file's name and bytes.
+pub(super) type File = (String, Vec<u8>);
+
+/// Takes a file's name and bytes.
+/// Hands all CSV files to `put`, one after the other, because those of a long history are many; what they hold.
+pub(super) fn files(results: &Results, put: &PutFile<'_>) -> Result<Vec<FileNote>, OutputError> {
+    put("steps.csv", &steps(results)?)?;
+    let mut notes = vec![FileNote::new(
+        "steps.csv",
+        "one row per load step: loads, extents, peaks, residuals",
+    )];
+    let mut names = FileNames::default();
+    for edge in EdgeView::all(results) {
+        let name = names.unique(&format!("edge-{}", edge.geometry.name));
+        for step in 0..results.steps.len() {
+            let file = format!("{}.csv", step_name(&name, step, results));
+            put(&file, &edge_table(&edge, step)?)?;
+        }
+        let pattern = format!("{name}-step-*.csv");
+        let what = if edge.geometry.contact {
+            "tractions, gap, slip, status and stresses along the contact edge, one file per load step"
+        } else {
+            "stresses along the edge, one file per load step"
+        };
+        notes.push(FileNote::new(pattern, what));
+    }
+    let (tables, about) = failure::csv_files::files(results)?;
+    for (name, bytes) in tables {
+        put(&name, &bytes)?;
+    }
+    notes.extend(about);
+    Ok(notes)
+}
+
+pub(super) fn write(
+    file: &str,
+    rows: impl IntoIterator<Item = Vec<String>>,
+) -> Result<Vec<u8>, OutputError> {
+    let fail = |cause: csv::Error| OutputError::Csv {
+        file: file.to_owned(),
+        cause,
+    };
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for row in rows {
+        let cells = row.iter().map(|cell| csv_cell(cell).into_owned());
+        writer.write_record(cells).map_err(fail)?;
+    }
+    writer
+        .into_inner()
+        .map_err(|cause| fail(cause.into_error().into()))
+}
+
+/// A number for a program: up to twelve significant digits, empty where there is none.
+pub(super) fn number(value: f64) -> String {
+    match tidy(value) {
+        None => String::new(),
+        Some(0.0) => "0".into(),
+        Some(value) if (1e-4..1e12).contains(&value.abs()) => value.to_string(),
+        Some(value) => format!("{value:e}"),
+    }
+}
+
+/// A column of an edge's table: heading and the cell of a row.
+type EdgeColumn<'a> = (String, Box<dyn Fn(&EdgeRow) -> String + 'a>);
+
+fn edge_table(edge: &EdgeView<'_>, step: usize) -> Result<Vec<u8>, OutputError> {
+    let place = if edge.is_circle() { "theta" } else { "x" };
+    let columns = edge_columns(edge);
+    let mut header = vec![format!("{place} [{}]", edge.place_unit())];
+    header.extend(columns.iter().map(|(name, _)| name.clone()));
+    let row = |(parameter, row): (&f64, &EdgeRow)| {
+        // From +x, as the mesh and the field files have it.
+        let mut cells = vec![number(edge.length(*parameter))];
+        cells.extend(columns.iter().map(|(_, cell)| cell(row)));
+        cells
+    };
+    let rows = edge
+        .geometry
+        .parameter
+        .iter()
+        .zip(&edge.step(step).rows)
+        .map(row);
+    write(&edge.geometry.name, std::iter::once(header).chain(rows))
+}
+
+fn edge_columns<'a>(edge: &EdgeView<'a>) -> Vec<EdgeColumn<'a>> {
+    let units = edge.units();
+    let stress = |name: &str, value: fn(&EdgeRow) -> f64| -> EdgeColumn<'a> {
+        let cell = move |row: &EdgeRow| number(units.stress.from_base(value(row)));
+        (format!("{name} [{}]", units.stress.name), Box::new(cell))
+    };
+    let length = |name: &str, value: fn(&EdgeRow) -> f64| -> EdgeColumn<'a> {
+        let cell = move |row: &EdgeRow| number(units.length.from_base(value(row)));
+        (format!("{name} [{}]", units.length.name), Box::new(cell))
+    };
+    let mut columns = Vec::new();
+    if edge.geometry.contact {
+        columns.push(stress("CPRESS", |row| row.pressure));
+        columns.push(stress("CSHEAR1", |row| row.shear));
+        columns.push(length("COPEN", |row| row.gap));
+        columns.push(length("CSLIP1", |row| row.slip));
+        columns.push(("CSTATUS".into(), Box::new(|row| status(row.status).into())));
+    }
+    let names = if edge.is_circle() {
+        ["sigma_r", "sigma_theta", "tau_rtheta"]
+    } else {
+        ["sigma_yy", "sigma_xx", "tau_xy"]
+    };
+    columns.push(stress(names[0], |row| row.sigma_normal));
+    columns.push(stress(names[1], |row| row.sigma_tangential));
+    columns.push(stress(names[2], |row| row.tau));
+    columns
+}
+
+fn status(status: Status) -> &'static str {
+    match status {
+        Status::Open => "open",
+        Status::Stick => "stick",
+        Status::SlipPositive => "slip+",
+        Status::SlipNegative => "slip-",
+    }
+}
+
+/// A column of the steps' table: heading and the cell of a step.
+type StepColumn<'a> = (String, Box<dyn Fn(usize) -> String + 'a>);
+
+fn steps(results: &Results) -> Result<Vec<u8>, OutputError> {
+    let mut columns: Vec<StepColumn<'_>> =
+        vec![("step".into(), Box::new(|step| (step + 1).to_string()))];
+    let loads = results.steps.first().map_or(&[][..], |step| &step.loads);
+    for (index, load) in loads.iter().enumerate() {
+        let heading = format!("load {} [{}]", load.name, load.unit);
+        let value = move |step: usize| {
+            results.steps[step]
+                .loads
+                .get(index)
+                .map_or(f64::NAN, |load| load.value)
+        };
+        columns.push((heading, Box::new(move |step| number(value(step)))));
+    }
+    let main = EdgeView::main(results).map(|edge| &edge.geometry.name);
+    for edge in EdgeView::all(results) {
+        let is_main = main.is_some_and(|main| *main == edge.geometry.name);
+        let prefix = if is_main {
+            String::new()
+        } else {
+            format!("{}: ", edge.geometry.name)
+        };
+        columns.extend(edge_quantities(edge, &prefix));
+    }
+    columns.extend(reserve_factors(results));
+    columns.extend(work_quantities(results));
+    let header = columns.iter().map(|(name, _)| name.clone()).collect();
+    let rows =
+        (0..results.steps.len()).map(|step| columns.iter().map(|(_, cell)| cell(step)).collect());
+    write("steps.csv", std::iter::once(header).chain(rows))
+}
+
+fn edge_quantities<'a>(edge: EdgeView<'a>, prefix: &str) -> Vec<StepColumn<'a>> {
+    let units = edge.units();
+    let place_unit = edge.place_unit();
+    let names = if edge.is_circle() {
+        ["half_angle", "angle"]
+    } else {
+        ["half_width", "position"]
+    };
+    let mut columns: Vec<StepColumn<'a>> = Vec::new();
+    let mut add = |name: String, unit: &str, value: Box<dyn Fn(usize) -> Option<f64> + 'a>| {
+        let cell = move |step: usize| value(step).map_or(String::new(), number);
+        columns.push((format!("{prefix}{name} [{unit}]"), Box::new(cell)));
+    };
+    let stress = units.stress.name;
+    if edge.geometry.contact {
+        let place = move |value: Option<f64>| value.map(|value| edge.place(value));
+        let length = move |value: Option<f64>| value.map(|value| edge.length(value));
+        add(
+            format!("contact_{}", names[0]),
+            place_unit,
+            Box::new(move |k| length(edge.step(k).contact_half_extent)),
+        );
+        add(
+            format!("stick_{}", names[0]),
+            place_unit,
+            Box::new(move |k| length(edge.step(k).stick_half_extent)),
+        );
+        add(
+            format!("bearing_{}", names[1]),
+            place_unit,
+            Box::new(move |k| edge.bearing_place(k)),
+        );
+        add(
+            "peak_pressure".into(),
+            stress,
+            Box::new(move |k| edge.step(k).peak_pressure.map(|(p, _)| edge.stress(p))),
+        );
+        let at = move |k: usize| place(edge.step(k).peak_pressure.map(|(_, place)| place));
+        add(
+            format!("peak_pressure_{}", names[1]),
+            place_unit,
+            Box::new(at),
+        );
+    }
+    if edge.geometry.contact && edge.geometry.bearing_area.is_some() {
+        add(
+            "bearing_stress".into(),
+            stress,
+            Box::new(move |k| edge.bearing(k).map(|value| edge.stress(value))),
+        );
+    }
+    add(
+        "peak_hoop".into(),
+        stress,
+        Box::new(move |k| edge.step(k).peak_hoop.map(|(value, _)| edge.stress(value))),
+    );
+    add(
+        "peak_hoop_uncertainty".into(),
+        stress,
+        Box::new(move |k| {
+            edge.step(k)
+                .peak_hoop_uncertainty
+                .map(|value| edge.stress(value))
+        }),
+    );
+    let at = move |k: usize| edge.step(k).peak_hoop.map(|(_, place)| edge.place(place));
+    add(format!("peak_hoop_{}", names[1]), place_unit, Box::new(at));
+    let hoop = move |k: usize| {
+        edge.step(k)
+            .hoop_at_bearing_point
+            .map(|value| edge.stress(value))
+    };
+    add("hoop_at_bearing_point".into(), stress, Box::new(hoop));
+    if edge.geometry.contact {
+        let force = units.force;
+        let in_force = move |value: f64| Some(force.from_base(value));
+        add(
+            "friction_force".into(),
+            force.name,
+            Box::new(move |k| edge.friction_force(k).and_then(in_force)),
+        );
+        add(
+            "normal_force".into(),
+            force.name,
+            Box::new(move |k| in_force(edge.step(k).normal_force)),
+        );
+        add(
+            "resultant_x".into(),
+            force.name,
+            Box::new(move |k| in_force(edge.step(k).resultant[0])),
+        );
+        add(
+            "resultant_y".into(),
+            force.name,
+            Box::new(move |k| in_force(edge.step(k).resultant[1])),
+        );
+    }
+    columns
+}
+
+/// The reserve factor of every laminated body by each criterion.
+fn reserve_factors(results: &Results) -> Vec<StepColumn<'_>> {
+    let mut columns: Vec<StepColumn<'_>> = Vec::new();
+    for failure in &results.failure {
+        let name = &results.bodies[failure.body].name;
+        for (k, criterion) in failure.criteria.iter().enumerate() {
+            let heading = format!("{name}: reserve_factor {criterion} [-]");
+            let cell = move |step: usize| number(failure.steps[step][k].reserve_factor);
+            columns.push((heading, Box::new(cell)));
+        }
+    }
+    columns
+}
+
+fn work_quantities(results: &Results) -> Vec<StepColumn<'_>> {
+    let step = |index: usize| &results.steps[index];
+    vec![
+        (
+            "iterations".into(),
+            Box::new(move |k| step(k).work.solves.to_string()),
+        ),
+        (
+            "pivots".into(),
+            Box::new(move |k| step(k).work.pivots.to_string()),
+        ),
+        (
+            "increments".into(),
+            Box::new(move |k| step(k).increments.to_string()),
+        ),
+        (
+            "cutbacks".into(),
+            Box::new(move |k| step(k).cutbacks.to_string()),
+        ),
+        (
+            "points_in_doubt".into(),
+            Box::new(move |k| step(k).doubtful.to_string()),
+        ),
+        (
+            "balance_residual".into(),
+            Box::new(move |k| number(step(k).balance_residual)),
+        ),
+        (
+            "complementarity_residual".into(),
+            Box::new(move |k| number(step(k).residuals.complementarity)),
+        ),
+        (
+            "cone_violation".into(),
+            Box::new(move |k| number(step(k).residuals.cone)),
+        ),
+    ]
+}

@@ -1,0 +1,258 @@
+//! Stress fields around the contact, undeformed, half models completed by their mirror image: the plate around a hole, whose pin
+//! would show little but the support at its centre, and both bodies of a line contact.
+
+use stickslip_fem_core::mesh::{Mesh, Point};
+use stickslip_report::color::Colormap;
+use stickslip_report::field::{FieldPlot, Mirror};
+
+use super::Attempt;
+use super::edge::all_contact;
+use crate::results::display::EdgeView;
+use crate::results::vtk_files::{polar_stresses, von_mises_stresses};
+use stickslip_engine::results::{BodyFields, EdgeKind, Results, StepResults};
+use stickslip_text::significant;
+
+/// Half of the window around a hole, in radii.
+const HOLE_WINDOW: f64 = 3.0;
+/// Half of the window around a contact line, in half-widths of the contact.
+const LINE_WINDOW: f64 = 4.0;
+
+/// Pictures of the largest load and of the last step, where they have fields.
+pub(super) fn all(results: &Results) -> Vec<(String, Attempt)> {
+    let Some(edge) = EdgeView::main(results) else {
+        return Vec::new();
+    };
+    let with_fields = |step: &usize| !results.steps[*step].fields.is_empty();
+    let mut steps: Vec<usize> = edge
+        .load()
+        .peak_step()
+        .into_iter()
+        .chain(results.steps.len().checked_sub(1))
+        .collect();
+    steps.retain(with_fields);
+    steps.dedup();
+    let scene = |step: usize| Scene::new(&edge, step);
+    steps
+        .into_iter()
+        .flat_map(|step| {
+            let name = |field: &str| format!("field-{field}-step-{:02}", step + 1);
+            [
+                (name("von-mises"), scene(step).von_mises()),
+                (name("normal-stress"), scene(step).normal_stress()),
+            ]
+        })
+        .collect()
+}
+
+/// Fields of the bodies that are drawn.
+fn shown<'a>(
+    edge: &'a EdgeView<'_>,
+    record: &'a StepResults,
+) -> impl Iterator<Item = &'a BodyFields> {
+    let bodies = &edge.results().bodies;
+    let own = move |fields: &&BodyFields| bodies[fields.body].name == edge.geometry.body;
+    record
+        .fields
+        .iter()
+        .filter(move |fields| !edge.is_circle() || own(fields))
+}
+
+/// Nodes `[display unit]`, cells and nodal values of all bodies of one step.
+struct Scene<'a> {
+    edge: &'a EdgeView<'a>,
+    step: usize,
+    nodes: Vec<Point>,
+    cells: Vec<Vec<usize>>,
+    /// Whether each node is of the edge's body. The colours follow that body alone.
+    leads: Vec<bool>,
+}
+
+impl<'a> Scene<'a> {
+    fn new(edge: &'a EdgeView<'a>, step: usize) -> Self {
+        let mut scene = Self {
+            edge,
+            step,
+            nodes: Vec::new(),
+            cells: Vec::new(),
+            leads: Vec::new(),
+        };
+        let unit = edge.units().length;
+        for fields in shown(edge, scene.record()) {
+            let body = &edge.results().bodies[fields.body];
+            let Some(mesh) = &body.mesh else { continue };
+            let first = scene.nodes.len();
+            let leads = body.name == edge.geometry.body;
+            scene
+                .leads
+                .extend(std::iter::repeat_n(leads, mesh.nodes().len()));
+            scene
+                .cells
+                .extend((0..mesh.element_count()).flat_map(|cell| drawn(mesh, cell, first)));
+            scene.nodes.extend(
+                mesh.nodes()
+                    .iter()
+                    .map(|node| node.map(|x| unit.from_base(x))),
+            );
+        }
+        scene
+    }
+
+    fn record(&self) -> &'a StepResults {
+        &self.edge.results().steps[self.step]
+    }
+
+    fn von_mises(&self) -> Attempt {
+        let values: Vec<f64> = shown(self.edge, self.record())
+            .flat_map(von_mises_stresses)
+            .map(|stress| self.edge.stress(stress))
+            .collect();
+        let unit = self.edge.units().stress.name;
+        let largest = self.largest(&values);
+        let mut plot = self.plot("Von Mises stress", format!("σ_vM [{unit}]"), &values);
+        if largest > 0.0 {
+            plot = plot.between(0.0, largest);
+        }
+        let thick = shown(self.edge, self.record())
+            .flat_map(|fields| &fields.thickness_stress)
+            .any(|&stress| stress != 0.0);
+        let formula = if thick {
+            "Von Mises stress of σ_xx, σ_yy, τ_xy and σ_zz, which holds ε_zz = 0 in plane strain,"
+        } else {
+            "√(σ_xx² − σ_xx σ_yy + σ_yy² + 3 τ_xy²), as σ_zz = 0 in plane stress,"
+        };
+        let text = format!(
+            "{formula} at {}. Its largest value in sight in '{}' is {} {unit}.",
+            self.edge.load().step_text(self.step),
+            self.edge.geometry.body,
+            significant(largest, 4),
+        );
+        Ok(Some((plot.render()?, text + self.remark())))
+    }
+
+    fn normal_stress(&self) -> Attempt {
+        let symbol = self.edge.stress_symbols()[0];
+        let values = self.values(|polar, stress| polar.map_or(stress[1], |polar| polar[0]));
+        let label = format!("{symbol} [{}]", self.edge.units().stress.name);
+        let title = if self.edge.is_circle() {
+            "Radial stress about the hole's centre"
+        } else {
+            "Stress normal to the contact"
+        };
+        let largest = self.largest(&values);
+        let mut plot = self
+            .plot(title, label, &values)
+            .colormap(Colormap::BlueWhiteRed);
+        if largest > 0.0 {
+            plot = plot.between(-largest, largest);
+        }
+        let contact = if self.edge.geometry.contact && !self.edge.is_circle() {
+            " Where the bodies touch it passes from one to the other without a jump."
+        } else {
+            ""
+        };
+        let text = format!(
+            "{symbol} at {}: compression blue, tension red.{contact}",
+            self.edge.load().step_text(self.step),
+        );
+        Ok(Some((plot.render()?, text + self.remark())))
+    }
+
+    /// A value per node in the display unit, from its polar (on circles) and its Cartesian stress `[MPa]`.
+    fn values(&self, value: impl Fn(Option<[f64; 3]>, [f64; 3]) -> f64) -> Vec<f64> {
+        let centre = match self.edge.geometry.kind {
+            EdgeKind::Circle { centre, .. } => Some(centre),
+            EdgeKind::Line => None,
+        };
+        let mut values = Vec::with_capacity(self.nodes.len());
+        for fields in shown(self.edge, self.record()) {
+            let Some(mesh) = &self.edge.results().bodies[fields.body].mesh else {
+                continue;
+            };
+            let polar = centre.map(|centre| polar_stresses(mesh, fields, centre));
+            values.extend(fields.stress.iter().enumerate().map(|(node, &stress)| {
+                self.edge
+                    .stress(value(polar.as_ref().map(|polar| polar[node]), stress))
+            }));
+        }
+        values
+    }
+
+    fn plot<'p>(&'p self, title: &str, label: String, values: &'p [f64]) -> FieldPlot<'p> {
+        let unit = self.edge.units().length.name;
+        let mut plot = FieldPlot::new(title, label, unit, &self.nodes, &self.cells, values)
+            .subtitle(format!("At {}", self.edge.load().step_text(self.step)))
+            .window(self.window());
+        if self.edge.geometry.half {
+            plot = plot.mirror(Mirror::Symmetric);
+        }
+        plot
+    }
+
+    /// Around the hole or the contact, as far as there are bodies `[display unit]`.
+    fn window(&self) -> [f64; 4] {
+        let unit = self.edge.units().length;
+        let (centre, reach) = match self.edge.geometry.kind {
+            EdgeKind::Circle { centre, radius } => (
+                centre.map(|x| unit.from_base(x)),
+                HOLE_WINDOW * unit.from_base(radius),
+            ),
+            EdgeKind::Line => {
+                all_contact(self.edge).map_or(([0.0, 0.0], f64::INFINITY), |[start, end]| {
+                    let reach = LINE_WINDOW * 0.5 * (end - start);
+                    ([0.5 * (start + end), 0.0], reach)
+                })
+            }
+        };
+        let along = |axis: usize| {
+            let low = self
+                .nodes
+                .iter()
+                .map(|node| node[axis])
+                .fold(f64::INFINITY, f64::min);
+            let high = self
+                .nodes
+                .iter()
+                .map(|node| node[axis])
+                .fold(f64::NEG_INFINITY, f64::max);
+            let low = if axis == 1 && self.edge.geometry.half {
+                low.min(-high)
+            } else {
+                low
+            };
+            [
+                low.max(centre[axis] - reach),
+                high.min(centre[axis] + reach),
+            ]
+        };
+        let ([left, right], [bottom, top]) = (along(0), along(1));
+        [left, right, bottom, top]
+    }
+
+    /// Largest magnitude in sight in the edge's body.
+    fn largest(&self, values: &[f64]) -> f64 {
+        let [left, right, bottom, top] = self.window();
+        let seen =
+            |node: &Point| (left..=right).contains(&node[0]) && (bottom..=top).contains(&node[1]);
+        let nodes = self.nodes.iter().zip(&self.leads).zip(values);
+        let shown = nodes.filter(|((node, leads), _)| **leads && seen(node));
+        shown.map(|(_, value)| value.abs()).fold(0.0, f64::max)
+    }
+
+    fn remark(&self) -> &'static str {
+        if self.edge.geometry.half {
+            " Shape before deformation; y < 0 is the mirror image of the model. Beyond the ends of the colour bar the colour stays."
+        } else {
+            " Shape before deformation. Beyond the ends of the colour bar the colour stays."
+        }
+    }
+}
+
+/// The loops of nodes around the parts of a cell that pictures show, of quadratic edges corner, mid-side, corner; `first` is the number
+/// of the mesh's first node.
+pub(crate) fn drawn(mesh: &Mesh, cell: usize, first: usize) -> Vec<Vec<usize>> {
+    let (kind, nodes, _) = mesh.element(cell);
+    let parts = kind.drawn_cells().into_iter();
+    parts
+        .map(|part| part.into_iter().map(|local| first + nodes[local]).collect())
+        .collect()
+}

@@ -1,0 +1,190 @@
+//! Pictures of the damage at the end of a history, ply by ply; of a half model both halves.
+
+use stickslip_fem_core::mesh::Point;
+use stickslip_laminate::FailureMode;
+use stickslip_report::chart::tile;
+use stickslip_report::color::Color;
+use stickslip_report::map::Category;
+use stickslip_report::mesh_map::MeshMap;
+
+use super::ProgressiveView;
+use crate::results::figures::{Attempt, drawn};
+use stickslip_text::significant;
+
+/// Room around the damage and the hole, in radii.
+const ROOM: f64 = 0.5;
+/// Half of the smallest window, in radii.
+const WINDOW: f64 = 2.0;
+const WIDTH: f64 = 480.0;
+
+/// What a cell can show, from what outranks all others.
+const MODES: [(Option<FailureMode>, &str, Color); 6] = [
+    (
+        Some(FailureMode::FibreTension),
+        "fibre, tension",
+        Color::rgb(0xc0, 0x39, 0x2b),
+    ),
+    (
+        Some(FailureMode::FibreCompression),
+        "fibre, compression",
+        Color::rgb(0x6c, 0x34, 0x83),
+    ),
+    (
+        Some(FailureMode::MatrixTension),
+        "matrix, tension",
+        Color::rgb(0x2e, 0x86, 0xc1),
+    ),
+    (
+        Some(FailureMode::MatrixCompression),
+        "matrix, compression",
+        Color::rgb(0x1e, 0x84, 0x49),
+    ),
+    (
+        Some(FailureMode::Shear),
+        "matrix, shear",
+        Color::rgb(0xf1, 0xb0, 0x2c),
+    ),
+    (None, "flows", Color::rgb(0xe5, 0x98, 0x66)),
+];
+
+/// One picture per ply direction.
+pub(crate) fn damage_map(view: &ProgressiveView<'_>) -> Attempt {
+    let failure = view.failure.failure;
+    let (Some(mesh), Some(centre)) = (
+        &view.failure.results.bodies[failure.body].mesh,
+        failure.centre,
+    ) else {
+        return Ok(None);
+    };
+    let own = view.progressive;
+    if own.losses.is_empty() || mesh.element_count() != own.cells {
+        return Ok(None);
+    }
+    let shown = |node: &Point| node.map(|x| view.failure.length(x));
+    let mut nodes: Vec<Point> = mesh.nodes().iter().map(shown).collect();
+    let count = nodes.len();
+    let whole = !own.half;
+    if own.half {
+        let images: Vec<Point> = nodes.iter().map(|&[x, y]| [x, -y]).collect();
+        nodes.extend(images);
+    }
+    let categories: Vec<Category> = MODES
+        .iter()
+        .filter(|(mode, _, _)| own.losses.iter().any(|loss| loss.mode == *mode))
+        .map(|(_, label, color)| Category {
+            label: (*label).to_owned(),
+            mark: String::new(),
+            color: *color,
+        })
+        .collect();
+    let window = window(view, &nodes, centre);
+    let unit = view.length_unit();
+    let picture = |group: usize| {
+        let cells: Vec<Vec<Vec<usize>>> = (0..own.cells).map(|cell| drawn(mesh, cell, 0)).collect();
+        // The parts of a cell are damaged alike.
+        let of_parts = |damage: Vec<Option<usize>>| {
+            let parts = cells.iter().zip(damage);
+            parts.flat_map(|(cell, damage)| std::iter::repeat_n(damage, cell.len()))
+        };
+        let damage = of_parts(damage(view, group, &categories));
+        let parts = cells.iter().flatten();
+        let mut all: Vec<(Vec<usize>, Option<usize>)> =
+            parts.clone().cloned().zip(damage).collect();
+        if !whole {
+            let partner = partner(view, group);
+            let images = of_parts(self::damage(view, partner, &categories));
+            let turned = parts.map(|cell| cell.iter().map(|node| node + count).collect());
+            all.extend(turned.zip(images));
+        }
+        MeshMap {
+            title: format!("{} plies", failure.ply_name(group)),
+            axes: ["x", "y"].map(|name| format!("{name} [{unit}]")),
+            nodes: &nodes,
+            cells: &all,
+            categories: &categories,
+            window,
+            width: WIDTH,
+        }
+        .render()
+    };
+    let pictures = (0..failure.plies.len())
+        .map(picture)
+        .collect::<Result<Vec<_>, _>>()?;
+    let end = own.curve.last();
+    let title = format!(
+        "Damage of '{}' at the end of its history",
+        view.failure.body()
+    );
+    let columns = if pictures.len() == 4 { 2 } else { 3 };
+    let caption = format!(
+        "Cells of {} in which a ply has failed, by the gravest mode, at a displacement of {} {unit}.{}",
+        failure.layup,
+        significant(
+            end.map_or(0.0, |point| view.failure.length(point.displacement)),
+            4
+        ),
+        if own.half {
+            " One half was followed; in the other the ply of opposite angle has failed alike."
+        } else {
+            ""
+        }
+    );
+    Ok(Some((tile(&title, columns, &pictures)?, caption)))
+}
+
+/// The gravest mode of every cell, as an index of `categories`.
+fn damage(view: &ProgressiveView<'_>, group: usize, categories: &[Category]) -> Vec<Option<usize>> {
+    let mut cells = vec![None; view.progressive.cells];
+    let losses = view.progressive.losses.iter();
+    for loss in losses.filter(|loss| loss.ply == group) {
+        let label = MODES.iter().find(|(mode, _, _)| *mode == loss.mode);
+        let index = label.and_then(|(_, label, _)| {
+            categories
+                .iter()
+                .position(|category| category.label == *label)
+        });
+        let known: &mut Option<usize> = &mut cells[loss.cell];
+        *known = match (*known, index) {
+            (Some(old), Some(new)) => Some(old.min(new)),
+            (old, new) => old.or(new),
+        };
+    }
+    cells
+}
+
+/// The plies that are the mirror image of those of `group`.
+fn partner(view: &ProgressiveView<'_>, group: usize) -> usize {
+    let plies = &view.failure.failure.plies;
+    let own = &plies[group];
+    let image = |angle: f64| (angle + own.angle).rem_euclid(180.0);
+    let opposite = |angle: f64| image(angle).min(180.0 - image(angle)) < 1e-6;
+    let found = (plies.iter()).position(|other| other.ply == own.ply && opposite(other.angle));
+    found.unwrap_or(group)
+}
+
+/// The hole and all damage, with some room, within the body `[display unit]`.
+fn window(view: &ProgressiveView<'_>, nodes: &[Point], centre: Point) -> [f64; 4] {
+    let centre = centre.map(|x| view.failure.length(x));
+    let distance = |node: &Point| (node[0] - centre[0]).hypot(node[1] - centre[1]);
+    let radius = nodes.iter().map(distance).fold(f64::INFINITY, f64::min);
+    let ends = |values: &dyn Fn() -> Vec<f64>| {
+        let low = values().into_iter().fold(f64::INFINITY, f64::min);
+        let high = values().into_iter().fold(f64::NEG_INFINITY, f64::max);
+        [low, high]
+    };
+    let side = |axis: usize| {
+        let damaged = view.progressive.losses.iter();
+        let reach = damaged
+            .map(|loss| {
+                (view.failure.length(loss.position[axis]) - centre[axis]).abs() + ROOM * radius
+            })
+            .fold(WINDOW * radius, f64::max);
+        let [low, high] = ends(&|| nodes.iter().map(|node| node[axis]).collect());
+        [
+            low.max(centre[axis] - reach),
+            high.min(centre[axis] + reach),
+        ]
+    };
+    let ([left, right], [bottom, top]) = (side(0), side(1));
+    [left, right, bottom, top]
+}

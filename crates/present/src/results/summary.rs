@@ -1,0 +1,370 @@
+//! `summary.json`: the numbers that other programs read. The format is described in `docs/summary-format.md`.
+
+mod keys;
+
+use std::collections::BTreeMap;
+
+use stickslip_contact::Status;
+use stickslip_contact::history::Difference;
+
+use super::display::EdgeView;
+use super::failure::{self, FailureView};
+use super::zones::{contact_ranges, stick_ranges, zone_ranges};
+use keys::{
+    Body, Choice, ContactZone, Cycle, Edge, EdgeStep, FORMAT_VERSION, Failed, Load, OtherAnswer,
+    OwnEdgeStep, Place, Places, Program, Quantity, Resultant, SlipZone, SolverNotes, Step, Summary,
+    Units,
+};
+use stickslip_engine::LoadScale;
+use stickslip_engine::results::{BearingSource, EdgeKind, LoadValue, Results, StepNotes};
+use stickslip_scene::schema::DisplayUnits;
+use stickslip_text::tidy;
+
+/// The summary of `results`, which are consistent.
+pub(super) fn summary(results: &Results) -> Summary<'_> {
+    let DisplayUnits {
+        length,
+        force,
+        stress,
+    } = results.units;
+    let mut wall_time_s = BTreeMap::new();
+    for (phase, seconds) in &results.phases {
+        let sum = wall_time_s.entry(*phase).or_insert(0.0);
+        *sum = microseconds(*sum + seconds);
+    }
+    Summary {
+        format: "stickslip-summary",
+        format_version: FORMAT_VERSION,
+        title: &results.title,
+        source: &results.source,
+        scene_hash: &results.scene_hash,
+        program: Program {
+            name: env!("CARGO_PKG_NAME"),
+            version: env!("CARGO_PKG_VERSION"),
+        },
+        units: Units {
+            length: length.name,
+            force: force.name,
+            stress: stress.name,
+            energy: energy_unit(results.units),
+            angle: "deg",
+        },
+        choices: results.choices.iter().map(choice).collect(),
+        notes: results.notes.clone(),
+        bodies: results.bodies.iter().map(body).collect(),
+        dofs: results.bodies.iter().map(|body| body.dofs).sum(),
+        factorisations: results.factorisations,
+        wall_time_s,
+        edge: EdgeView::main(results).map(|edge| edge.geometry.name.as_str()),
+        edges: EdgeView::all(results).iter().map(edge).collect(),
+        steps: steps(results),
+        failure: FailureView::all(results)
+            .iter()
+            .map(failure::summary::failure)
+            .collect(),
+    }
+}
+
+/// A time `[s]` to the microsecond.
+fn microseconds(seconds: f64) -> f64 {
+    (seconds * 1e6).round() / 1e6
+}
+
+fn energy_unit(units: DisplayUnits) -> String {
+    format!("{} {}", units.force.name, units.length.name)
+}
+
+fn choice(choice: &stickslip_engine::results::Choice) -> Choice<'_> {
+    Choice {
+        what: &choice.what,
+        value: &choice.value,
+        reason: &choice.reason,
+    }
+}
+
+fn named_load(load: &LoadValue) -> Load<'_> {
+    Load {
+        name: &load.name,
+        value: tidy(load.value),
+        unit: &load.unit,
+    }
+}
+
+fn body(body: &stickslip_engine::results::BodySummary) -> Body<'_> {
+    Body {
+        name: &body.name,
+        rigid: body.mesh.is_none(),
+        nodes: body.mesh.as_ref().map_or(0, |mesh| mesh.nodes().len()),
+        elements: body.mesh.as_ref().map_or(0, |mesh| mesh.element_count()),
+        dofs: body.dofs,
+        factor_entries: body.factor_entries,
+        free_motions: body.free_motions,
+    }
+}
+
+fn edge<'a>(view: &EdgeView<'a>) -> Edge<'a> {
+    let geometry = view.geometry;
+    let radius = match geometry.kind {
+        EdgeKind::Circle { radius, .. } => Some(length(view, radius)),
+        EdgeKind::Line => None,
+    };
+    Edge {
+        name: &geometry.name,
+        kind: if view.is_circle() { "circle" } else { "line" },
+        contact: geometry.contact,
+        body: &geometry.body,
+        law: geometry.contact.then_some(geometry.law.as_str()),
+        load_name: view.load().name,
+        radius,
+        bearing_angle_deg: (geometry.frame.bearing.filter(|_| view.is_circle()))
+            .and_then(|theta| tidy(theta.to_degrees())),
+        bearing_found: match geometry.frame.found {
+            BearingSource::Nowhere => None,
+            BearingSource::Contact { step } => Some(format!("contact force of step {}", step + 1)),
+            BearingSource::Load => Some("bearing load".to_owned()),
+        },
+        nodes: geometry.parameter.len(),
+        half: geometry.half,
+    }
+}
+
+fn steps(results: &Results) -> Vec<Step<'_>> {
+    let scale = LoadScale::of(results);
+    let edges: Vec<CountedEdge> = (EdgeView::all(results).into_iter())
+        .map(|view| {
+            let scale = view.load();
+            CountedEdge {
+                unloading: scale.unloading(),
+                scale,
+                view,
+            }
+        })
+        .collect();
+    (0..results.steps.len())
+        .map(|step| step_entry(results, &scale, &edges, step))
+        .collect()
+}
+
+/// An edge with what its steps are counted by.
+struct CountedEdge<'a> {
+    view: EdgeView<'a>,
+    scale: LoadScale,
+    unloading: Vec<bool>,
+}
+
+fn step_entry<'a>(
+    results: &'a Results,
+    scale: &LoadScale,
+    edges: &[CountedEdge<'a>],
+    index: usize,
+) -> Step<'a> {
+    let step = &results.steps[index];
+    let units = results.units;
+    Step {
+        number: index + 1,
+        load: load(scale, index),
+        loads: step.loads.iter().map(named_load).collect(),
+        unloading: step.unloading,
+        edge: EdgeView::main(results).map(|edge| edge_step(&edge, index)),
+        edges: edges
+            .iter()
+            .map(|edge| (edge.view.geometry.name.as_str(), own_step(edge, index)))
+            .collect(),
+        iterations: step.work.solves,
+        pivots: step.work.pivots,
+        solvers: &step.solvers,
+        increments: step.increments,
+        cutbacks: step.cutbacks,
+        points_in_doubt: step.doubtful,
+        solver_notes: solver_notes(&step.notes, units),
+        solutions_counted: step.notes.solutions_known(),
+        other_solver: step.notes.otherwise.other_solver.map(other_answer),
+        finer_increments: step.notes.otherwise.finer.map(other_answer),
+        friction_coefficient: tidy(step.notes.friction),
+        uniqueness_estimate: step.notes.uniqueness.and_then(tidy),
+        balance_residual: tidy(step.balance_residual),
+        complementarity_residual: tidy(step.residuals.complementarity),
+        cone_violation: tidy(step.residuals.cone),
+        dissipation: Quantity {
+            value: tidy(
+                units
+                    .length
+                    .from_base(units.force.from_base(step.dissipation)),
+            ),
+            unit: energy_unit(units),
+        },
+        wall_time_s: microseconds(step.seconds),
+    }
+}
+
+/// The load of a step; `None` where nothing but its number tells it apart.
+fn load(scale: &LoadScale, step: usize) -> Option<Quantity> {
+    scale.is_load().then(|| Quantity {
+        value: tidy(scale.values[step]),
+        unit: scale.unit.clone(),
+    })
+}
+
+fn own_step(edge: &CountedEdge<'_>, step: usize) -> OwnEdgeStep {
+    OwnEdgeStep {
+        load: load(&edge.scale, step),
+        unloading: edge.unloading[step],
+        edge: edge_step(&edge.view, step),
+    }
+}
+
+fn other_answer(difference: Difference) -> OtherAnswer {
+    OtherAnswer {
+        solver: difference.solver,
+        increments: difference.increments,
+        peak_pressure_change: tidy(difference.peak_pressure),
+        traction_change: tidy(difference.traction),
+        slip_change: tidy(difference.slip),
+        dissipation_change: tidy(difference.dissipation),
+    }
+}
+
+fn solver_notes(notes: &StepNotes, units: DisplayUnits) -> SolverNotes {
+    let place = |&[x, y]: &[f64; 2]| Place {
+        x: tidy(units.length.from_base(x)),
+        y: tidy(units.length.from_base(y)),
+        unit: units.length.name,
+    };
+    let recovery = &notes.recovery;
+    SolverNotes {
+        failed: (recovery.failures.iter())
+            .map(|entry| Failed {
+                solver: entry.solver,
+                reason: entry.kind,
+                count: entry.count,
+            })
+            .collect(),
+        first_cycle: recovery.first_cycle.as_ref().map(|cycle| Cycle {
+            solver: cycle.solver,
+            period: cycle.period,
+            nodes: notes.cycle_places.iter().map(place).collect(),
+        }),
+    }
+}
+
+fn edge_step(view: &EdgeView<'_>, step: usize) -> EdgeStep {
+    let edge = view.step(step);
+    let units = view.units();
+    let stress = |value: f64| Quantity {
+        value: tidy(view.stress(value)),
+        unit: units.stress.name.to_owned(),
+    };
+    let force = |value: f64| Quantity {
+        value: tidy(units.force.from_base(value)),
+        unit: units.force.name.to_owned(),
+    };
+    let in_contact = |value: f64| view.geometry.contact.then_some(value);
+    EdgeStep {
+        fewest_contact_nodes: edge.fewest_contact_nodes(view.geometry),
+        contact_resolved: edge.is_resolved(view.geometry),
+        places: if view.is_circle() {
+            on_circle(view, step)
+        } else {
+            on_line(view, step)
+        },
+        peak_pressure: edge.peak_pressure.map(|(value, _)| stress(value)),
+        peak_hoop: edge.peak_hoop.map(|(value, _)| stress(value)),
+        peak_hoop_uncertainty: edge.peak_hoop_uncertainty.map(stress),
+        hoop_at_bearing_point: edge.hoop_at_bearing_point.map(stress),
+        friction_force: view.friction_force(step).map(force),
+        normal_force: in_contact(edge.normal_force).map(force),
+        resultant: view.geometry.contact.then(|| Resultant {
+            x: tidy(units.force.from_base(edge.resultant[0])),
+            y: tidy(units.force.from_base(edge.resultant[1])),
+            unit: units.force.name,
+        }),
+    }
+}
+
+fn on_circle(view: &EdgeView<'_>, step: usize) -> Places {
+    let edge = view.step(step);
+    let degrees = |angle: f64| tidy(angle.to_degrees());
+    let place = |peak: Option<(f64, f64)>| peak.and_then(|(_, place)| tidy(view.place(place)));
+    let bearing = view.bearing(step);
+    let over_bearing = |stress: f64| bearing.and_then(|bearing| tidy(stress / bearing));
+    Places::Circle {
+        bearing_angle_deg: view.bearing_place(step).and_then(tidy),
+        contact_half_angle_deg: edge.contact_half_extent.and_then(degrees),
+        stick_half_angle_deg: view.step(step).stick_half_extent.and_then(degrees),
+        contact_zones_deg: zone_list(view, contact_ranges(view, step)),
+        stick_zones_deg: zone_list(view, stick_ranges(view, step)),
+        slip_zones_deg: slip_zones(view, step),
+        bearing_stress: bearing.map(|bearing| Quantity {
+            value: tidy(view.stress(bearing)),
+            unit: view.units().stress.name.to_owned(),
+        }),
+        peak_pressure_over_bearing: edge
+            .peak_pressure
+            .and_then(|(value, _)| over_bearing(value)),
+        peak_pressure_angle_deg: place(edge.peak_pressure),
+        peak_hoop_over_bearing: edge.peak_hoop.and_then(|(value, _)| over_bearing(value)),
+        peak_hoop_angle_deg: place(edge.peak_hoop),
+        hoop_at_bearing_point_over_bearing: edge.hoop_at_bearing_point.and_then(over_bearing),
+    }
+}
+
+fn on_line(view: &EdgeView<'_>, step: usize) -> Places {
+    let edge = view.step(step);
+    let length = |value: f64| length(view, value);
+    Places::Line {
+        bearing_position: edge.bearing.map(length),
+        contact_half_width: edge.contact_half_extent.map(length),
+        stick_half_width: view.step(step).stick_half_extent.map(length),
+        contact_zones: zone_list(view, contact_ranges(view, step)),
+        stick_zones: zone_list(view, stick_ranges(view, step)),
+        slip_zones: slip_zones(view, step),
+        peak_pressure_position: edge.peak_pressure.map(|(_, place)| length(place)),
+        peak_hoop_position: edge.peak_hoop.map(|(_, place)| length(place)),
+    }
+}
+
+fn length(view: &EdgeView<'_>, value: f64) -> Quantity {
+    let unit = view.units().length;
+    Quantity {
+        value: tidy(unit.from_base(value)),
+        unit: unit.name.to_owned(),
+    }
+}
+
+fn zone_list(view: &EdgeView<'_>, ranges: Vec<[f64; 2]>) -> Vec<ContactZone> {
+    let zone = |[start, end]: [f64; 2]| ContactZone {
+        start: tidy(start),
+        end: tidy(end),
+        unit: zone_unit(view),
+    };
+    ranges.into_iter().map(zone).collect()
+}
+
+fn slip_zones(view: &EdgeView<'_>, step: usize) -> Vec<SlipZone> {
+    let [positive, negative] = match view.slip_names() {
+        ["slip +", _] => ["+", "-"],
+        _ => ["away", "towards"],
+    };
+    let direction = |status: Status| match status {
+        Status::SlipPositive => Some(positive),
+        Status::SlipNegative => Some(negative),
+        Status::Open | Status::Stick => None,
+    };
+    let zone = |(status, [start, end]): (Status, [f64; 2])| {
+        Some(SlipZone {
+            start: tidy(start),
+            end: tidy(end),
+            unit: zone_unit(view),
+            direction: direction(status)?,
+        })
+    };
+    zone_ranges(view, step)
+        .into_iter()
+        .filter_map(zone)
+        .collect()
+}
+
+/// The unit of places along a line; on a circle the key names it.
+fn zone_unit(view: &EdgeView<'_>) -> Option<&'static str> {
+    (!view.is_circle()).then(|| view.place_unit())
+}

@@ -1,0 +1,307 @@
+//! From the file's spelling to a checked scene.
+//!
+//! Reading stops at the first thing that it does not understand; here everything is understood, so all that is wrong is
+//! collected and shown at once.
+
+mod bodies;
+mod contacts;
+mod failure;
+mod holds;
+mod laminates;
+mod loads;
+mod mesh;
+mod progressive;
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use serde_json::Value;
+
+use self::progressive::Surroundings;
+use super::document::{Document, Part, child};
+use super::format::SceneFormat;
+use super::overrides::mistyped;
+use super::schema::{
+    Analysis, Body, Contact, DisplayUnits, Failure, Load, Material, MeshSettings, Output, Platen,
+    SetRef, Support,
+};
+use crate::diagnostic::{Finding, SceneError, SceneProblem, nearest, one_of};
+use crate::units::{Measure, Quantity};
+
+/// Most sub-steps of a load step.
+const SUBSTEP_LIMIT: usize = 100_000;
+
+/// Most letters of a name, which is a part of file names.
+const LONGEST_NAME: usize = 64;
+
+/// Which of a body's sets fit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Fits {
+    Edges,
+    EdgesAndPoints,
+}
+
+/// The parts of a scene that come from its file.
+pub(super) struct Parts {
+    pub(super) title: Option<String>,
+    pub(super) description: Option<String>,
+    pub(super) display: DisplayUnits,
+    pub(super) analysis: Analysis,
+    pub(super) materials: BTreeMap<String, Material>,
+    pub(super) bodies: BTreeMap<String, Body>,
+    pub(super) mesh: MeshSettings,
+    pub(super) contacts: Vec<Contact>,
+    pub(super) supports: Vec<Support>,
+    pub(super) platens: Vec<Platen>,
+    pub(super) loads: Vec<Load>,
+    pub(super) edges: Vec<SetRef>,
+    pub(super) failure: Option<Failure>,
+    pub(super) output: Output,
+}
+
+/// Checks the scene. On the way the laws in `format` get their defaults.
+pub(super) fn build(
+    document: &Document,
+    format: &mut SceneFormat,
+    base: &Path,
+) -> Result<Parts, SceneError> {
+    let mut builder = Builder {
+        document,
+        findings: Vec::new(),
+        bodies: BTreeMap::new(),
+    };
+    let analysis = builder.analysis(format);
+    let plies = builder.plies(format);
+    let materials = builder.materials(format, &plies, analysis.plane);
+    builder.bodies(format, &materials);
+    let mesh = builder.mesh(format);
+    builder.body_meshes(format, &mesh);
+    let contacts = builder.contacts(format, &materials);
+    let supports = builder.supports(format);
+    let platens = builder.platens(format, &contacts);
+    let loads = builder.loads(format, &materials, base);
+    let edges = builder.edges(format);
+    let surroundings = Surroundings {
+        contacts: &contacts,
+        supports: &supports,
+        platens: &platens,
+        loads: &loads,
+    };
+    let failure = builder.failure(format, &materials, &surroundings);
+    builder.everything_is_held(&contacts, &supports, &platens);
+    let driven = failure.as_ref().is_some_and(Failure::is_driven);
+    if !driven {
+        builder.something_happens(&contacts, &supports, &loads);
+    }
+    let Builder {
+        findings, bodies, ..
+    } = builder;
+    let mut findings = findings.into_iter();
+    if let Some(first) = findings.next() {
+        return Err(SceneError::new(first, findings));
+    }
+    let units = &format.units;
+    Ok(Parts {
+        title: format.title.clone(),
+        description: format.description.clone(),
+        display: units.display(),
+        analysis,
+        materials,
+        bodies,
+        mesh,
+        contacts,
+        supports,
+        platens,
+        loads,
+        edges,
+        failure,
+        output: Output {
+            fields: format.output.fields,
+            figures: format.output.figures,
+        },
+    })
+}
+
+/// The last name of a key, with the index of a list entry: `angles[2]`.
+fn short(key: &str) -> String {
+    let (rest, last) = key.rsplit_once('.').unwrap_or(("", key));
+    match last.parse::<usize>() {
+        Ok(index) if !rest.is_empty() => format!("{}[{index}]", short(rest)),
+        _ => last.to_owned(),
+    }
+}
+
+/// What has been built and found so far.
+struct Builder<'a> {
+    document: &'a Document,
+    findings: Vec<Finding>,
+    bodies: BTreeMap<String, Body>,
+}
+
+impl Builder<'_> {
+    fn report(&mut self, key: &str, part: Part, problem: SceneProblem) {
+        let problem = mistyped(self.document, key, problem);
+        self.findings
+            .push(self.document.finding(key, part, problem));
+    }
+
+    fn conflict(&mut self, key: &str, message: String, remedy: impl Into<String>) {
+        self.report(
+            key,
+            Part::Value,
+            SceneProblem::Conflict {
+                message,
+                remedy: remedy.into(),
+            },
+        );
+    }
+
+    fn missing(&mut self, table: &str, name: &str) {
+        let example = super::examples::example(&child(table, name));
+        self.missing_as(table, name, example);
+    }
+
+    /// A missing name, of which the scene has `known`.
+    fn missing_name(&mut self, table: &str, name: &str, known: &[String]) {
+        self.missing_as(table, name, one_of(name, known));
+    }
+
+    fn missing_as(&mut self, table: &str, name: &str, example: String) {
+        let problem = SceneProblem::MissingKey {
+            key: name.to_owned(),
+            table: table.to_owned(),
+            example,
+        };
+        self.report(table, Part::Key, problem);
+    }
+
+    fn out_of_range(&mut self, key: &str, value: &str, allowed: impl Into<String>) {
+        let problem = SceneProblem::OutOfRange {
+            key: short(key),
+            value: value.to_owned(),
+            allowed: allowed.into(),
+        };
+        self.report(key, Part::Value, problem);
+    }
+
+    /// The value of a quantity that must be positive.
+    fn positive<M: Measure>(&mut self, table: &str, name: &str, quantity: &Quantity<M>) -> f64 {
+        if quantity.value() <= 0.0 {
+            self.out_of_range(&child(table, name), quantity.text(), "greater than 0");
+        }
+        quantity.value()
+    }
+
+    /// Names are parts of keys and of file names.
+    fn name(&mut self, table: &str, name: &str) {
+        let plain = |letter: char| letter.is_ascii_alphanumeric() || letter == '_' || letter == '-';
+        if name.is_empty() || name.len() > LONGEST_NAME || !name.chars().all(plain) {
+            let allowed = "made of 1 to 64 letters a–z, digits, '_' and '-'";
+            let problem = SceneProblem::OutOfRange {
+                key: "name".to_owned(),
+                value: format!("\"{name}\""),
+                allowed: allowed.to_owned(),
+            };
+            self.report(&child(table, name), Part::Key, problem);
+        }
+    }
+
+    fn undefined(&mut self, key: &str, what: &'static str, name: &str, known: Vec<String>) {
+        let problem = SceneProblem::Undefined {
+            what,
+            name: name.to_owned(),
+            nearest: nearest(name, known.iter().map(String::as_str)).map(str::to_owned),
+            known,
+        };
+        self.report(key, Part::Value, problem);
+    }
+
+    /// The set that `text` names, if it exists and fits.
+    fn set(&mut self, key: &str, text: &str, fits: Fits) -> Option<SetRef> {
+        let names: Vec<String> = self.bodies.keys().cloned().collect();
+        let (name, set) = text.split_once('.').unwrap_or((text, ""));
+        let Some(body) = self.bodies.get(name) else {
+            self.undefined(key, "body", name, names);
+            return None;
+        };
+        let points = if fits == Fits::Edges {
+            &[]
+        } else {
+            body.shape.points()
+        };
+        let edges = body.shape.edges().into_iter().map(|edge| edge.name);
+        let sets: Vec<_> = edges.chain(points.iter().map(|&(name, _)| name)).collect();
+        if sets.contains(&set) {
+            return Some(SetRef {
+                body: name.to_owned(),
+                set: set.to_owned(),
+            });
+        }
+        let problem = SceneProblem::MissingSet {
+            body: name.to_owned(),
+            shape: body.shape.name(),
+            what: if fits == Fits::Edges {
+                "edge"
+            } else {
+                "edge or point"
+            },
+            set: set.to_owned(),
+            nearest: nearest(set, sets.iter().copied()).map(|set| format!("{name}.{set}")),
+            known: sets.iter().map(|set| format!("{name}.{set}")).collect(),
+        };
+        self.report(key, Part::Value, problem);
+        None
+    }
+
+    fn analysis(&mut self, format: &SceneFormat) -> Analysis {
+        let analysis = &format.analysis;
+        if !(1..=SUBSTEP_LIMIT).contains(&analysis.substeps) {
+            let allowed = format!("from 1 to {SUBSTEP_LIMIT}");
+            let given = analysis.substeps.to_string();
+            self.out_of_range("analysis.substeps", &given, allowed);
+        }
+        let solver = analysis.solver.info();
+        if solver.experimental && !analysis.experimental {
+            self.conflict(
+                "analysis.solver",
+                format!(
+                    "the solver \"{}\" is experimental: its answers may be inexact, or it may stop at few points",
+                    solver.name
+                ),
+                "set analysis.experimental = true, or leave the solver out",
+            );
+        }
+        Analysis {
+            plane: analysis.plane,
+            model: analysis.model,
+            solver: analysis.solver,
+            substeps: analysis.substeps,
+            ramp: analysis.ramp,
+        }
+    }
+
+    fn edges(&mut self, format: &SceneFormat) -> Vec<SetRef> {
+        let mut edges = Vec::new();
+        for (index, edge) in format.edges.iter().enumerate() {
+            let found = self.set(&format!("edges.{index}.on"), &edge.on, Fits::Edges);
+            edges.extend(found.filter(|set| !edges.contains(set)));
+        }
+        edges
+    }
+
+    fn something_happens(&mut self, contacts: &[Contact], supports: &[Support], loads: &[Load]) {
+        let happens = !loads.is_empty()
+            || contacts.iter().any(|contact| contact.interference)
+            || supports.iter().any(|support| support.displacement != 0.0);
+        // A load that could not be read has been reported already.
+        let was_meant =
+            matches!(self.document.get("loads"), Some(Value::Array(list)) if !list.is_empty());
+        if !happens && !was_meant {
+            self.conflict(
+                "",
+                "nothing happens in this scene: no load, no interference, no given displacement".to_owned(),
+                "add a load, for example [[loads]] on = \"plate.left\", force = { direction = [-1, 0], steps = [\"1 kN\"] }",
+            );
+        }
+    }
+}

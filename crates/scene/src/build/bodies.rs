@@ -1,0 +1,201 @@
+//! Materials and bodies.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use stickslip_fem_core::material::{MaterialError, OrthotropicConstants, OutOfPlane, PlaneState};
+use stickslip_laminate::Ply;
+
+use super::Builder;
+use crate::diagnostic::SceneProblem;
+use crate::document::{Part, child};
+use crate::format::{BodyFormat, IsotropicFormat, MaterialFormat, OrthotropicFormat, SceneFormat};
+use crate::schema::{Body, Material, Substance};
+use crate::shape::Sizes;
+use crate::units::{Length, PerTemperature, Quantity};
+
+fn expansion(given: Option<&Quantity<PerTemperature>>) -> f64 {
+    given.map_or(0.0, Quantity::value)
+}
+
+impl Builder<'_> {
+    pub(super) fn materials(
+        &mut self,
+        format: &SceneFormat,
+        plies: &BTreeMap<String, Ply>,
+        plane: PlaneState,
+    ) -> BTreeMap<String, Material> {
+        let mut materials = BTreeMap::new();
+        for (name, material) in &format.materials {
+            self.name("materials", name);
+            let table = child("materials", name);
+            let before = self.findings.len();
+            let (kind, material) = match material {
+                MaterialFormat::Isotropic(given) => ("isotropic", self.isotropic(&table, given)),
+                MaterialFormat::Orthotropic(given) => {
+                    ("orthotropic", self.orthotropic(&table, given, plane))
+                }
+                MaterialFormat::Laminate(given) => {
+                    if let Some(sheet) = self.laminate(&table, name, given, plies, plane) {
+                        let material = Material::Laminate(Arc::new(sheet));
+                        materials.insert(name.clone(), material);
+                    }
+                    continue;
+                }
+            };
+            // Constants that are wrong each for itself need no second message.
+            if self.findings.len() == before
+                && let Err(cause) = material.in_plane(plane)
+            {
+                self.bad_material(&child(&table, kind), name, cause);
+            }
+            materials.insert(name.clone(), material);
+        }
+        materials
+    }
+
+    fn isotropic(&mut self, table: &str, given: &IsotropicFormat) -> Material {
+        Material::Isotropic {
+            young: self.positive(&child(table, "isotropic"), "young", &given.young),
+            poisson: given.poisson,
+            expansion: expansion(given.expansion.as_ref()),
+        }
+    }
+
+    fn orthotropic(
+        &mut self,
+        table: &str,
+        given: &OrthotropicFormat,
+        plane: PlaneState,
+    ) -> Material {
+        let table = child(table, "orthotropic");
+        let constants = OrthotropicConstants {
+            e1: self.positive(&table, "e1", &given.e1),
+            e2: self.positive(&table, "e2", &given.e2),
+            g12: self.positive(&table, "g12", &given.g12),
+            nu12: given.nu12,
+        };
+        let e3 = given.e3.as_ref().map(|e3| self.positive(&table, "e3", e3));
+        let out_of_plane = match (e3, given.nu13, given.nu23) {
+            (Some(e3), Some(nu13), Some(nu23)) => Some(OutOfPlane {
+                e3,
+                nu13,
+                nu23,
+                alpha3: expansion(given.expansion3.as_ref()),
+            }),
+            _ => None,
+        };
+        if plane == PlaneState::Strain {
+            let present = [e3.is_some(), given.nu13.is_some(), given.nu23.is_some()];
+            for (name, _) in ["e3", "nu13", "nu23"]
+                .into_iter()
+                .zip(present)
+                .filter(|(_, given)| !given)
+            {
+                self.missing(&table, name);
+            }
+        }
+        Material::Orthotropic {
+            constants,
+            angle: given.angle.as_ref().map_or(0.0, Quantity::value),
+            expansion: [
+                expansion(given.expansion1.as_ref()),
+                expansion(given.expansion2.as_ref()),
+            ],
+            out_of_plane,
+        }
+    }
+
+    fn bad_material(&mut self, table: &str, name: &str, cause: MaterialError) {
+        let key = match &cause {
+            MaterialError::Poisson { .. } => child(table, "poisson"),
+            MaterialError::OrthotropicPoisson { name, .. } => child(table, name),
+            _ => table.to_owned(),
+        };
+        self.report(
+            &key,
+            Part::Value,
+            SceneProblem::Material {
+                material: name.to_owned(),
+                cause,
+            },
+        );
+    }
+
+    pub(super) fn bodies(&mut self, format: &SceneFormat, materials: &BTreeMap<String, Material>) {
+        if format.bodies.is_empty() {
+            self.missing("", "bodies");
+        }
+        for (name, body) in &format.bodies {
+            self.name("bodies", name);
+            let table = child("bodies", name);
+            let substance = self.substance(&table, body, materials);
+            let shape = body.shape.read(&child(&table, "shape"), self);
+            // The division is read when all bodies are known.
+            let body = Body {
+                substance,
+                shape,
+                mesh: None,
+            };
+            self.bodies.insert(name.clone(), body);
+        }
+    }
+
+    fn substance(
+        &mut self,
+        table: &str,
+        body: &BodyFormat,
+        materials: &BTreeMap<String, Material>,
+    ) -> Substance {
+        let thickness = body
+            .thickness
+            .as_ref()
+            .map(|given| self.positive(table, "thickness", given));
+        let material = match (&body.material, body.rigid) {
+            (Some(material), false) => material,
+            (None, true) => return Substance::Rigid,
+            (given, _) => {
+                let found = if given.is_some() { "both" } else { "none" };
+                let choices = "material = \"…\", rigid = true".to_owned();
+                let problem = SceneProblem::OneOf {
+                    table: table.to_owned(),
+                    choices,
+                    found: found.to_owned(),
+                };
+                self.report(table, Part::Key, problem);
+                return Substance::Rigid;
+            }
+        };
+        // A laminate that was refused for itself needs no second message.
+        let written = self.document.get(&child("materials", material)).is_some();
+        if !materials.contains_key(material) && !written {
+            let known = materials.keys().cloned().collect();
+            self.undefined(&child(table, "material"), "material", material, known);
+        }
+        let thickness = match materials.get(material) {
+            Some(Material::Laminate(sheet)) => {
+                self.laminate_thickness(table, material, body.thickness.as_ref(), sheet)
+            }
+            found => {
+                if thickness.is_none() && (found.is_some() || !written) {
+                    self.missing(table, "thickness");
+                }
+                thickness.unwrap_or(1.0)
+            }
+        };
+        Substance::Elastic {
+            material: material.clone(),
+            thickness,
+        }
+    }
+}
+
+impl Sizes for Builder<'_> {
+    fn positive(&mut self, table: &str, name: &str, size: &Quantity<Length>) -> f64 {
+        Builder::positive(self, table, name, size)
+    }
+
+    fn refuse(&mut self, key: &str, size: &Quantity<Length>, allowed: &str) {
+        self.out_of_range(key, size.text(), allowed);
+    }
+}

@@ -1,0 +1,288 @@
+//! Pairs of edges in contact.
+
+use std::collections::BTreeMap;
+
+use stickslip_friction::PlyFraction;
+
+use super::{Builder, Fits, LONGEST_NAME};
+use crate::diagnostic::SceneProblem;
+use crate::document::Part;
+use crate::format::{ContactFormat, SceneFormat};
+use crate::friction;
+use crate::schema::{Contact, Material, SetRef, Substance};
+use crate::shape::{Edge, Role, Touch};
+
+/// Largest overlap of two circles, as a part of the hole's radius: small displacements hold far below it.
+const LARGEST_OVERLAP: f64 = 0.1;
+/// Smallest inner circle, as a part of the hole's radius: radii of the hole, along which gaps are found, miss a smaller one.
+const SMALLEST_INNER: f64 = 0.5;
+
+impl Builder<'_> {
+    pub(super) fn contacts(
+        &mut self,
+        format: &mut SceneFormat,
+        materials: &BTreeMap<String, Material>,
+    ) -> Vec<Contact> {
+        let mut contacts: Vec<Contact> = Vec::new();
+        for (index, given) in format.contacts.iter_mut().enumerate() {
+            // The second edge is that of the pin or of the block.
+            let second = given
+                .second
+                .split('.')
+                .next()
+                .unwrap_or_default()
+                .to_owned();
+            let name = given.name.get_or_insert(second).clone();
+            let key = format!("contacts.{index}");
+            self.contact_name(&key, &name);
+            if contacts.iter().any(|other| other.name == name) {
+                let message = format!("two contacts are called '{name}'");
+                self.conflict(
+                    &format!("{key}.name"),
+                    message,
+                    "give each contact a name of its own",
+                );
+            }
+            if let Some(contact) = self.contact(&key, name, given, materials) {
+                self.edges_are_free(&key, &contacts, &contact);
+                match closed_chain(&contacts, &contact) {
+                    Some(chain) => self.circular(&key, &chain),
+                    None => contacts.push(contact),
+                }
+            }
+        }
+        contacts
+    }
+
+    /// Names of contacts are parts of file names, otherwise free.
+    fn contact_name(&mut self, key: &str, name: &str) {
+        let letters = name.chars().count();
+        if !(1..=LONGEST_NAME).contains(&letters) || name.contains(['/', '\\']) {
+            let allowed = "1 to 64 letters without '/' and '\\'".to_owned();
+            self.out_of_range(&format!("{key}.name"), &format!("\"{name}\""), allowed);
+        }
+    }
+
+    /// An edge touches one other edge.
+    fn edges_are_free(&mut self, key: &str, others: &[Contact], contact: &Contact) {
+        for (place, edge) in [("first", &contact.first), ("second", &contact.second)] {
+            let taken = others
+                .iter()
+                .find(|other| [&other.first, &other.second].contains(&edge));
+            if let Some(other) = taken {
+                let message = format!("{edge} is in contact '{}' already", other.name);
+                self.conflict(
+                    &format!("{key}.{place}"),
+                    message,
+                    "an edge takes part in one contact; a bushing touches with its hole and its outer edge",
+                );
+            }
+        }
+    }
+
+    fn circular(&mut self, key: &str, chain: &[String]) {
+        let message = match chain {
+            [own] => format!("contact {own} is one of a body with itself"),
+            _ => format!(
+                "contacts form a circle, in which each body would stand inside the next: {}",
+                chain.join(", ")
+            ),
+        };
+        self.conflict(
+            key,
+            message,
+            "a hole holds another, smaller body: change or remove a contact",
+        );
+    }
+
+    fn contact(
+        &mut self,
+        key: &str,
+        name: String,
+        given: &mut ContactFormat,
+        materials: &BTreeMap<String, Material>,
+    ) -> Option<Contact> {
+        let first = self.set(&format!("{key}.first"), &given.first, Fits::Edges);
+        let second = self.set(&format!("{key}.second"), &given.second, Fits::Edges);
+        let law_key = format!("{key}.friction");
+        let law = match &given.friction {
+            None => {
+                self.report(
+                    key,
+                    Part::Key,
+                    SceneProblem::MissingFriction {
+                        contact: name.clone(),
+                    },
+                );
+                None
+            }
+            Some(table) => match friction::read(
+                self.document,
+                &law_key,
+                table,
+                first
+                    .as_ref()
+                    .and_then(|first| self.ply_fractions(first, materials)),
+            ) {
+                Ok(read) => {
+                    given.friction = Some(read.shown);
+                    Some(read.law)
+                }
+                Err(finding) => {
+                    self.findings.push(*finding);
+                    None
+                }
+            },
+        };
+        let (first, second) = (first?, second?);
+        // Of a body with itself another refusal tells.
+        if first.body != second.body {
+            self.pair(key, given, &first, &second);
+        }
+        let (gap, interference) = (given.gap, given.interference);
+        Some(Contact {
+            name,
+            first,
+            second,
+            gap,
+            projection: given.projection,
+            interference,
+            law: law?,
+        })
+    }
+
+    /// What the plies of the first body's laminate have of its thickness.
+    fn ply_fractions(
+        &self,
+        first: &SetRef,
+        materials: &BTreeMap<String, Material>,
+    ) -> Option<Vec<PlyFraction>> {
+        let Substance::Elastic { material, .. } = &self.bodies.get(&first.body)?.substance else {
+            return None;
+        };
+        let sheet = materials.get(material)?.laminate()?;
+        Some(sheet.ply_fractions())
+    }
+
+    fn pair(&mut self, key: &str, given: &ContactFormat, first: &SetRef, second: &SetRef) {
+        match self.touch(first, second) {
+            Some(Touch::Circles { radii }) => self.circles(given, [first, second], radii),
+            Some(Touch::Cylinder { .. }) => self.divided_together(key, [first, second]),
+            None => self.no_pair(key, first, second),
+        }
+    }
+
+    fn edge_of(&self, set: &SetRef) -> Option<Edge> {
+        self.bodies.get(&set.body)?.shape.edge(&set.set)
+    }
+
+    fn touch(&self, first: &SetRef, second: &SetRef) -> Option<Touch> {
+        self.edge_of(first)?.touches(&self.edge_of(second)?)
+    }
+
+    /// Refuses a cap and a surface of different sizes.
+    fn divided_together(&mut self, key: &str, edges: [&SetRef; 2]) {
+        let size = |edge: &SetRef| {
+            let bounds = self.bodies.get(&edge.body).map(|body| body.shape.bounds());
+            bounds.map_or([0.0; 2], |[low, high]| [high[0], high[1] - low[1]])
+        };
+        let [[length, depth], [other_length, other_depth]] = edges.map(size);
+        if (length, depth) != (other_length, other_depth) {
+            let [first, second] = edges.map(|edge| &edge.body);
+            let message = format!(
+                "'{first}' and '{second}' are divided together, but their half_length or depth differ \
+                 ({length} and {other_length} mm, {depth} and {other_depth} mm)"
+            );
+            let remedy = "give both bodies the same half_length and depth";
+            self.conflict(key, message, remedy);
+        }
+    }
+
+    fn no_pair(&mut self, key: &str, first: &SetRef, second: &SetRef) {
+        let swapped = self.touch(second, first).is_some();
+        let remedy = if swapped {
+            format!("swap them: first = \"{second}\", second = \"{first}\"")
+        } else {
+            "first is the hole of a plate_with_hole and second the rim of a disk or the outer edge of a ring, or first the \
+             contact edge of a cylinder and second that of a block"
+                .to_owned()
+        };
+        let problem = SceneProblem::ContactPair {
+            first: first.to_string(),
+            second: second.to_string(),
+            remedy,
+        };
+        self.report(key, Part::Key, problem);
+    }
+
+    /// Refuses two circles that overlap without being meant to, or that small displacements or gaps along radii cannot join.
+    fn circles(&mut self, given: &ContactFormat, edges: [&SetRef; 2], [hole, inner]: [f64; 2]) {
+        let [hole_key, inner_key] = edges.map(|edge| self.radius_key(edge));
+        let text = |key: &str| {
+            let value = self.document.get(key).and_then(serde_json::Value::as_str);
+            value.unwrap_or_default().to_owned()
+        };
+        let (hole_text, inner_text) = (text(&hole_key), text(&inner_key));
+        // Differences are told in the unit that the inner radius is written in.
+        let unit = crate::units::unit_of(&inner_text);
+        let show = |value: f64| unit.map_or_else(|| format!("{value} mm"), |unit| unit.show(value));
+        let second = self.bodies.get(&edges[1].body);
+        let hollow = second.and_then(|body| body.shape.edge_with(Role::Hole));
+        let part = if hollow.is_some() { "bushing" } else { "pin" };
+        if inner > hole && !given.interference {
+            let problem = SceneProblem::PinTooLarge {
+                part,
+                hole: hole_text,
+                overlap: show(inner - hole),
+                pin: inner_text,
+            };
+            self.report(&inner_key, Part::Value, problem);
+        } else if inner - hole > LARGEST_OVERLAP * hole {
+            let message = format!(
+                "the {part} (radius {inner_text}) overlaps the hole (radius {hole_text}) by {}, {:.3} % of the hole's radius; \
+                 displacements are taken as small, which they are not here",
+                show(inner - hole),
+                100.0 * (inner / hole - 1.0)
+            );
+            let most = show(hole * (1.0 + LARGEST_OVERLAP));
+            self.conflict(
+                &inner_key,
+                message,
+                format!("give a radius of at most {most}"),
+            );
+        } else if inner < SMALLEST_INNER * hole {
+            let message = format!(
+                "the {part} (radius {inner_text}) is too small for the hole (radius {hole_text}): gaps are found along the hole's \
+                 radii, and some of them miss a {part} of less than half its radius"
+            );
+            let least = show(SMALLEST_INNER * hole);
+            self.conflict(
+                &inner_key,
+                message,
+                format!("give a radius of at least {least}, close to the hole's"),
+            );
+        }
+    }
+
+    /// Key of the radius of a circular edge.
+    fn radius_key(&self, edge: &SetRef) -> String {
+        let size = self
+            .edge_of(edge)
+            .and_then(|edge| edge.size)
+            .unwrap_or_default();
+        format!("bodies.{}.shape.{size}", edge.body)
+    }
+}
+
+/// The contacts by which `contact` would lead from a body back to itself, if it would.
+fn closed_chain(others: &[Contact], contact: &Contact) -> Option<Vec<String>> {
+    let mut chain = vec![format!("'{}'", contact.name)];
+    let mut outer = &contact.first.body;
+    // The others close no chain, so this walk ends.
+    while *outer != contact.second.body {
+        let holder = others.iter().find(|other| other.second.body == *outer)?;
+        chain.push(format!("'{}'", holder.name));
+        outer = &holder.first.body;
+    }
+    Some(chain)
+}

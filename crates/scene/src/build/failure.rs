@@ -1,0 +1,245 @@
+//! What is asked about the failure of laminates.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use stickslip_laminate::failure::{Hashin, Interaction, PlyLoading, TsaiWu, criterion_named};
+use stickslip_laminate::{Degradation, FailureCriterion, FailureError};
+
+use super::Builder;
+use super::progressive::Surroundings;
+use crate::diagnostic::{LaminateProblem, SceneProblem, nearest};
+use crate::document::{Part, child};
+use crate::format::{FailureFormat, SceneFormat};
+use crate::schema::{Body, Characteristic, Envelopes, Failure, LaminateSheet, Material, Substance};
+use crate::shape::Role;
+
+/// Directions of an envelope.
+const DIRECTIONS: std::ops::RangeInclusive<usize> = 3..=100_000;
+
+pub(super) type Materials = BTreeMap<String, Material>;
+
+impl Builder<'_> {
+    pub(super) fn failure(
+        &mut self,
+        format: &SceneFormat,
+        materials: &Materials,
+        surroundings: &Surroundings<'_>,
+    ) -> Option<Failure> {
+        let given = format.failure.as_ref()?;
+        let criteria = self.criteria(given);
+        let bodies = self.failing_bodies(given, materials);
+        // Strengths are asked for when everything else is right.
+        if self.findings.is_empty() {
+            self.strengths(&criteria, &bodies, materials);
+        }
+        let characteristic = given.characteristic.as_ref().map(|distances| {
+            let table = "failure.characteristic";
+            self.holes(given, &bodies);
+            Characteristic {
+                tension: self.positive(table, "tension", &distances.tension),
+                compression: self.positive(table, "compression", &distances.compression),
+            }
+        });
+        let envelopes = self.envelopes(given);
+        let progressive = self.progressive(given, &bodies, materials, surroundings);
+        Some(Failure {
+            criteria,
+            bodies,
+            clear_of_supports: self.clear_of_supports(given),
+            characteristic,
+            envelopes,
+            progressive,
+        })
+    }
+
+    fn clear_of_supports(&mut self, given: &FailureFormat) -> Option<f64> {
+        let distance = given.clear_of_supports.as_ref()?;
+        if distance.value() < 0.0 {
+            let key = "failure.clear_of_supports";
+            self.out_of_range(key, distance.text(), "at least 0 mm");
+        }
+        Some(distance.value())
+    }
+
+    fn criteria(&mut self, given: &FailureFormat) -> Vec<Arc<dyn FailureCriterion>> {
+        if given.criteria.is_empty() {
+            let allowed = "at least one, such as [\"max_stress\"]";
+            self.out_of_range("failure.criteria", "[]", allowed);
+        }
+        let mut criteria: Vec<Arc<dyn FailureCriterion>> = Vec::new();
+        for (index, name) in given.criteria.iter().enumerate() {
+            let key = format!("failure.criteria.{index}");
+            match criterion(name, given) {
+                Ok(criterion) if criteria.iter().any(|other| other.name() == name) => {
+                    let message = format!("criterion '{}' is named twice", criterion.name());
+                    self.conflict(&key, message, "name each criterion once");
+                }
+                Ok(criterion) => criteria.push(criterion),
+                Err(FailureError::UnknownCriterion { name, known }) => {
+                    let problem = SceneProblem::UnknownName {
+                        what: "a failure criterion".to_owned(),
+                        nearest: nearest(&name, known.iter().copied()).map(str::to_owned),
+                        found: name,
+                        known: known.into_iter().map(str::to_owned).collect(),
+                    };
+                    self.report(&key, Part::Value, problem);
+                }
+                Err(cause) => {
+                    let key = match cause {
+                        FailureError::ShearWeight { .. } => "failure.hashin_shear_weight",
+                        _ => &key,
+                    };
+                    self.report(key, Part::Value, LaminateProblem::Failure { cause }.into());
+                }
+            }
+        }
+        criteria
+    }
+
+    /// The bodies named, or all that have plies.
+    fn failing_bodies(&mut self, given: &FailureFormat, materials: &Materials) -> Vec<String> {
+        let laminates: Vec<String> = self
+            .bodies
+            .keys()
+            .filter(|name| self.sheet(name, materials).is_some())
+            .cloned()
+            .collect();
+        let Some(named) = &given.bodies else {
+            // A laminate that is refused for itself leaves none, which needs no second message.
+            if laminates.is_empty() && self.findings.is_empty() {
+                self.report("failure", Part::Key, LaminateProblem::NoLaminates.into());
+            }
+            return laminates;
+        };
+        if named.is_empty() {
+            let allowed = "at least one body; leave it out for all bodies of a laminate";
+            self.out_of_range("failure.bodies", "[]", allowed);
+        }
+        let mut bodies = Vec::new();
+        for (index, name) in named.iter().enumerate() {
+            let key = format!("failure.bodies.{index}");
+            if !self.bodies.contains_key(name) {
+                let known = self.bodies.keys().cloned().collect();
+                self.undefined(&key, "body", name, known);
+            } else if laminates.contains(name) {
+                bodies.push(name.clone());
+            } else if self.findings.is_empty() {
+                let problem = LaminateProblem::NoPlies {
+                    body: name.clone(),
+                    laminates: laminates.clone(),
+                };
+                self.report(&key, Part::Value, problem.into());
+            }
+        }
+        bodies.sort();
+        bodies.dedup();
+        bodies
+    }
+
+    pub(super) fn sheet<'m>(
+        &self,
+        body: &str,
+        materials: &'m Materials,
+    ) -> Option<&'m Arc<LaminateSheet>> {
+        match &self.bodies.get(body)?.substance {
+            Substance::Elastic { material, .. } => materials.get(material)?.laminate(),
+            Substance::Rigid => None,
+        }
+    }
+
+    /// Every ply must have what every criterion asks for, and parameters must fit the strengths.
+    fn strengths(
+        &mut self,
+        criteria: &[Arc<dyn FailureCriterion>],
+        bodies: &[String],
+        materials: &Materials,
+    ) {
+        let mut told: Vec<FailureError> = Vec::new();
+        for body in bodies {
+            let Some(sheet) = self.sheet(body, materials).cloned() else {
+                continue;
+            };
+            for (index, criterion) in criteria.iter().enumerate() {
+                for layer in sheet.laminate.layers() {
+                    let tried = criterion.check(layer.ply()).and_then(|()| {
+                        let none = PlyLoading::default();
+                        criterion.assess(layer.ply(), &none).map(|_| ())
+                    });
+                    if let Err(cause) = tried
+                        && !told.contains(&cause)
+                    {
+                        told.push(cause.clone());
+                        let key = match cause {
+                            FailureError::OpenSurface { .. } => {
+                                "failure.tsai_wu_interaction".to_owned()
+                            }
+                            _ => format!("failure.criteria.{index}"),
+                        };
+                        self.report(&key, Part::Value, LaminateProblem::Failure { cause }.into());
+                    }
+                }
+            }
+        }
+    }
+
+    fn holes(&mut self, given: &FailureFormat, bodies: &[String]) {
+        for (index, name) in bodies.iter().enumerate() {
+            let hole = |body: &Body| body.shape.edge_with(Role::Hole).is_some();
+            if !self.bodies.get(name).is_some_and(hole) {
+                let key = match &given.bodies {
+                    Some(_) => format!("failure.bodies.{index}"),
+                    None => "failure.characteristic".to_owned(),
+                };
+                let body = name.clone();
+                self.report(&key, Part::Value, LaminateProblem::NoHole { body }.into());
+            }
+        }
+    }
+
+    fn envelopes(&mut self, given: &FailureFormat) -> Option<Envelopes> {
+        let table = "failure.envelopes";
+        let envelopes = given.envelopes.as_ref()?;
+        if envelopes.planes.is_empty() {
+            let allowed = "at least one of \"normal\" and \"shear\"";
+            self.out_of_range(&child(table, "planes"), "[]", allowed);
+        }
+        if !DIRECTIONS.contains(&envelopes.directions) {
+            let allowed = format!("from {} to {}", DIRECTIONS.start(), DIRECTIONS.end());
+            let value = envelopes.directions.to_string();
+            self.out_of_range(&child(table, "directions"), &value, allowed);
+        }
+        let last_ply = envelopes.last_ply.as_ref().and_then(|factors| {
+            match Degradation::new(factors.fibre, factors.matrix) {
+                Ok(degradation) => Some(degradation),
+                Err(cause) => {
+                    let key = child(&child(table, "last_ply"), cause.name);
+                    let problem = LaminateProblem::Degradation { cause };
+                    self.report(&key, Part::Value, problem.into());
+                    None
+                }
+            }
+        });
+        let mut planes = envelopes.planes.clone();
+        planes.dedup();
+        Some(Envelopes {
+            planes,
+            directions: envelopes.directions,
+            last_ply,
+        })
+    }
+}
+
+/// The criterion `name` with the scene's parameters.
+pub(super) fn criterion(
+    name: &str,
+    given: &FailureFormat,
+) -> Result<Arc<dyn FailureCriterion>, FailureError> {
+    Ok(match name {
+        "tsai_wu" => Arc::new(TsaiWu {
+            interaction: Interaction::Normalised(given.tsai_wu_interaction),
+        }),
+        "hashin" => Arc::new(Hashin::with_shear_weight(given.hashin_shear_weight)?),
+        other => Arc::from(criterion_named(other)?),
+    })
+}

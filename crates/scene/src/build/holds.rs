@@ -1,0 +1,159 @@
+//! Supports and platens, and whether they hold everything.
+
+use std::collections::BTreeMap;
+
+use super::{Builder, Fits};
+use crate::diagnostic::SceneProblem;
+use crate::document::Part;
+use crate::format::{SceneFormat, SupportFormat};
+use crate::schema::{Axes, Axis, Contact, Hold, Platen, Support};
+use crate::units::Quantity;
+
+fn axes(list: &[Axis]) -> Axes {
+    Axes {
+        x: list.contains(&Axis::X),
+        y: list.contains(&Axis::Y),
+    }
+}
+
+impl Builder<'_> {
+    pub(super) fn supports(&mut self, format: &SceneFormat) -> Vec<Support> {
+        let mut supports = Vec::new();
+        for (index, given) in format.supports.iter().enumerate() {
+            let key = format!("supports.{index}");
+            let on = self.set(&format!("{key}.on"), &given.on, Fits::EdgesAndPoints);
+            let hold = self.hold(&key, given);
+            let displacement = given.displacement.as_ref().map_or(0.0, Quantity::value);
+            if displacement != 0.0 && matches!(hold, Some(Hold::Axes(Axes { x: true, y: true }))) {
+                self.conflict(
+                    &format!("{key}.displacement"),
+                    "one displacement is given, but two directions are fixed".to_owned(),
+                    "write one support for x and one for y, each with its displacement",
+                );
+            }
+            if let (Some(on), Some(hold)) = (on, hold) {
+                supports.push(Support {
+                    on,
+                    hold,
+                    displacement,
+                });
+            }
+        }
+        supports
+    }
+
+    fn hold(&mut self, key: &str, given: &SupportFormat) -> Option<Hold> {
+        match (&given.fix, &given.normal) {
+            (Some(list), None) if list.is_empty() => {
+                self.out_of_range(
+                    &format!("{key}.fix"),
+                    "[]",
+                    "[\"x\"], [\"y\"] or [\"x\", \"y\"]",
+                );
+                None
+            }
+            (Some(list), None) => Some(Hold::Axes(axes(list))),
+            (None, Some(normal)) => Some(Hold::Direction(normal.value())),
+            (fix, _) => {
+                let found = if fix.is_some() { "both" } else { "none" };
+                let problem = SceneProblem::OneOf {
+                    table: key.to_owned(),
+                    choices: "fix = [\"x\", \"y\"], normal = \"30 deg\"".to_owned(),
+                    found: found.to_owned(),
+                };
+                self.report(key, Part::Key, problem);
+                None
+            }
+        }
+    }
+
+    pub(super) fn platens(&mut self, format: &SceneFormat, contacts: &[Contact]) -> Vec<Platen> {
+        let mut platens: Vec<Platen> = Vec::new();
+        for (index, given) in format.platens.iter().enumerate() {
+            let key = format!("platens.{index}.on");
+            let Some(on) = self.set(&key, &given.on, Fits::Edges) else {
+                continue;
+            };
+            if let Some(other) = platens.iter().find(|other| other.on.body == on.body) {
+                let message = format!(
+                    "'{}' has a platen on {} already, and a body has room for one",
+                    on.body, other.on
+                );
+                let remedy = format!(
+                    "remove one of them, or hold {on} by a support: [[supports]] on = \"{on}\", fix = [\"x\", \"y\"]"
+                );
+                self.conflict(&key, message, remedy);
+            }
+            let touches = |contact: &&Contact| contact.first == on || contact.second == on;
+            if let Some(contact) = contacts.iter().find(touches) {
+                let message = format!(
+                    "{on} is an edge of a contact, '{}', and cannot be glued to a platen too",
+                    contact.name
+                );
+                self.conflict(&key, message, "glue another edge of the body to the platen");
+            }
+            platens.push(Platen {
+                on,
+                free: axes(&given.free),
+            });
+        }
+        platens
+    }
+
+    /// Bodies that touch, directly or through others, form a group; each group needs something that holds it.
+    pub(super) fn everything_is_held(
+        &mut self,
+        contacts: &[Contact],
+        supports: &[Support],
+        platens: &[Platen],
+    ) {
+        let Some(Some(pairs)) = self.document.get("contacts").map(|list| list.as_array()) else {
+            return self.groups_are_held(&[], supports, platens);
+        };
+        // A contact or support that could not be read has been reported; what it holds is not known.
+        let written = |name: &str| {
+            self.document
+                .get(name)
+                .and_then(|list| list.as_array())
+                .map_or(0, Vec::len)
+        };
+        let complete = pairs.len() == contacts.len()
+            && written("supports") == supports.len()
+            && written("platens") == platens.len();
+        if complete {
+            self.groups_are_held(contacts, supports, platens);
+        }
+    }
+
+    fn groups_are_held(&mut self, contacts: &[Contact], supports: &[Support], platens: &[Platen]) {
+        let mut group: BTreeMap<String, usize> = self.bodies.keys().cloned().zip(0..).collect();
+        // Every set has been looked up among the bodies, so its body has a group.
+        for contact in contacts {
+            let (own, other) = (group[&contact.first.body], group[&contact.second.body]);
+            group
+                .values_mut()
+                .filter(|id| **id == other)
+                .for_each(|id| *id = own);
+        }
+        let held = supports
+            .iter()
+            .map(|support| &support.on)
+            .chain(platens.iter().map(|platen| &platen.on));
+        let held: Vec<usize> = held.map(|on| group[&on.body]).collect();
+        let mut loose: BTreeMap<usize, Vec<String>> = BTreeMap::new();
+        for (body, id) in group.into_iter().filter(|(_, id)| !held.contains(id)) {
+            loose.entry(id).or_default().push(body);
+        }
+        for bodies in loose.into_values() {
+            let first = &bodies[0];
+            let body = self.bodies.get(first);
+            let set = body.and_then(|body| body.shape.edges().pop());
+            let quoted: Vec<_> = bodies.iter().map(|body| format!("'{body}'")).collect();
+            let problem = SceneProblem::UnsupportedBody {
+                bodies: quoted.join(" and "),
+                example: format!("{first}.{}", set.map_or("edge", |edge| edge.name)),
+            };
+            self.report(&format!("bodies.{first}"), Part::Key, problem);
+        }
+    }
+}

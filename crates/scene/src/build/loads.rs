@@ -1,0 +1,282 @@
+//! Loads and their histories.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use super::{Builder, Fits};
+use crate::diagnostic::SceneProblem;
+use crate::document::{Part, child};
+use crate::format::{BearingFormat, ForceFormat, LoadFormat, PolarTractionFormat, SceneFormat};
+use crate::schema::{Load, LoadKind, Material, PolarTable, SetRef, Substance};
+use crate::shape::Role;
+use crate::table;
+use crate::units::{Measure, Quantity};
+
+fn values<M: Measure>(steps: &[Quantity<M>]) -> Vec<f64> {
+    steps.iter().map(Quantity::value).collect()
+}
+
+impl Builder<'_> {
+    pub(super) fn loads(
+        &mut self,
+        format: &SceneFormat,
+        materials: &BTreeMap<String, Material>,
+        base: &Path,
+    ) -> Vec<Load> {
+        let mut loads: Vec<Load> = Vec::new();
+        for (index, given) in format.loads.iter().enumerate() {
+            let key = format!("loads.{index}");
+            let name = given
+                .name
+                .clone()
+                .unwrap_or_else(|| format!("load{}", index + 1));
+            let Some(kind) = self.kind(&key, given, materials, base) else {
+                continue;
+            };
+            self.history(&key, &name, &kind, loads.first());
+            loads.push(Load { name, kind });
+        }
+        loads
+    }
+
+    fn history(&mut self, key: &str, name: &str, kind: &LoadKind, first: Option<&Load>) {
+        let key = child(&child(key, key_of(kind)), "steps");
+        let steps = kind.steps().len();
+        if steps == 0 {
+            self.out_of_range(&key, "[]", "a list of at least one value");
+        }
+        if let Some(first) = first
+            && first.kind.steps().len() != steps
+        {
+            let problem = SceneProblem::UnequalSteps {
+                load: name.to_owned(),
+                steps,
+                other: first.name.clone(),
+                other_steps: first.kind.steps().len(),
+            };
+            self.report(&key, Part::Value, problem);
+        }
+    }
+
+    fn kind(
+        &mut self,
+        key: &str,
+        given: &LoadFormat,
+        materials: &BTreeMap<String, Material>,
+        base: &Path,
+    ) -> Option<LoadKind> {
+        let present = [
+            ("force", given.force.is_some()),
+            ("bearing", given.bearing.is_some()),
+            ("pressure", given.pressure.is_some()),
+            ("polar_traction", given.polar_traction.is_some()),
+            ("temperature", given.temperature.is_some()),
+        ];
+        let found: Vec<_> = present
+            .iter()
+            .filter(|(_, given)| *given)
+            .map(|(name, _)| *name)
+            .collect();
+        if found.len() != 1 {
+            let problem = SceneProblem::OneOf {
+                table: key.to_owned(),
+                choices: present.map(|(name, _)| name).join(", "),
+                found: if found.is_empty() {
+                    "none".to_owned()
+                } else {
+                    found.join(", ")
+                },
+            };
+            self.report(key, Part::Key, problem);
+            return None;
+        }
+        if let Some(temperature) = &given.temperature {
+            let body = self.heated(key, &given.on, materials)?;
+            return Some(LoadKind::Temperature {
+                body,
+                steps: values(&temperature.steps),
+            });
+        }
+        let on = self.set(&child(key, "on"), &given.on, Fits::Edges)?;
+        if let Some(force) = &given.force {
+            return self.force(key, on, force);
+        }
+        if let Some(bearing) = &given.bearing {
+            return self.bearing(key, on, bearing);
+        }
+        if let Some(pressure) = &given.pressure {
+            return Some(LoadKind::Pressure {
+                on,
+                steps: values(&pressure.steps),
+            });
+        }
+        let traction = given.polar_traction.as_ref()?;
+        self.polar(key, on, traction, base)
+    }
+
+    /// The unit vector of a direction given at `key`.
+    fn direction(&mut self, key: &str, given: &[f64]) -> Option<[f64; 2]> {
+        let numbers: Vec<_> = given.iter().map(f64::to_string).collect();
+        let shown = format!("[{}]", numbers.join(", "));
+        let &[x, y] = given else {
+            let allowed = "two numbers, x and y, such as [-1, 0]";
+            self.out_of_range(key, &shown, allowed);
+            return None;
+        };
+        let length = x.hypot(y);
+        if !(length.is_finite() && length > 0.0) {
+            let allowed = "a vector other than zero, such as [-1, 0]";
+            self.out_of_range(key, &shown, allowed);
+            return None;
+        }
+        Some([x / length, y / length])
+    }
+
+    fn force(&mut self, key: &str, on: SetRef, force: &ForceFormat) -> Option<LoadKind> {
+        let direction = self.direction(&child(key, "force.direction"), &force.direction)?;
+        Some(LoadKind::Force {
+            on,
+            direction,
+            steps: values(&force.steps),
+        })
+    }
+
+    fn bearing(&mut self, key: &str, on: SetRef, bearing: &BearingFormat) -> Option<LoadKind> {
+        let edge = self
+            .bodies
+            .get(&on.body)
+            .and_then(|body| body.shape.edge(&on.set));
+        if edge.is_none_or(|edge| edge.role != Role::Hole) {
+            let message = format!("'{on}' is no hole, and a bearing load stands for a pin in one");
+            let remedy = "put it on the hole of a plate_with_hole, such as plate.hole; other edges take a force or a pressure";
+            self.conflict(&child(key, "on"), message, remedy);
+            return None;
+        }
+        let key = child(key, "bearing");
+        let direction = self.direction(&child(&key, "direction"), &bearing.direction)?;
+        for (index, step) in bearing.steps.iter().enumerate() {
+            if step.value() < 0.0 {
+                let key = child(&key, format!("steps.{index}"));
+                let allowed = "0 or more: a pin pushes; turn the direction to push the other way";
+                self.out_of_range(&key, step.text(), allowed);
+            }
+        }
+        Some(LoadKind::Bearing {
+            on,
+            direction,
+            law: bearing.law,
+            steps: values(&bearing.steps),
+        })
+    }
+
+    fn heated(
+        &mut self,
+        key: &str,
+        name: &str,
+        materials: &BTreeMap<String, Material>,
+    ) -> Option<String> {
+        let key = child(key, "on");
+        let known = self.bodies.keys().cloned().collect();
+        let Some(body) = self.bodies.get(name) else {
+            self.undefined(&key, "body", name, known);
+            return None;
+        };
+        let material = match &body.substance {
+            Substance::Elastic { material, .. } => materials
+                .get(material)
+                .map(|found| (material.clone(), found)),
+            Substance::Rigid => None,
+        };
+        match material {
+            Some((_, material)) if material.expands() => {}
+            Some((material, _)) => {
+                let message = format!(
+                    "a temperature does nothing to '{name}': material '{material}' has no expansion"
+                );
+                let remedy = format!(
+                    "add materials.{material}: expansion = \"2.3e-5 1/K\", or remove the load"
+                );
+                self.conflict(&key, message, remedy);
+            }
+            None => {
+                let message = format!("a temperature does nothing to '{name}', which is rigid");
+                self.conflict(
+                    &key,
+                    message,
+                    "give the body a material, or remove the load",
+                );
+            }
+        }
+        Some(name.to_owned())
+    }
+
+    fn polar(
+        &mut self,
+        key: &str,
+        on: SetRef,
+        given: &PolarTractionFormat,
+        base: &Path,
+    ) -> Option<LoadKind> {
+        let shape = self.bodies.get(&on.body)?.shape;
+        if shape.circle(&on.set).is_none() {
+            let edges = shape.edges().into_iter();
+            let circles = edges.filter(|edge| edge.circle().is_some());
+            let remedy = circles
+                .map(|edge| format!("{}.{}", on.body, edge.name))
+                .collect::<Vec<_>>();
+            let message = format!("'{on}' is no circle, and polar_traction needs one");
+            self.conflict(
+                &child(key, "on"),
+                message,
+                format!("circles of this body: {}", remedy.join(", ")),
+            );
+            return None;
+        }
+        let key = child(key, "polar_traction");
+        let file = base.join(&given.file);
+        let columns = [
+            given.theta.as_str(),
+            given.radial.as_str(),
+            given.shear.as_str(),
+        ];
+        let read = table::read(&file, columns, self.document.host)
+            .and_then(|columns| table::check_angles(&columns[0]).map(|()| columns));
+        let [theta, radial, shear] = match read {
+            Ok(columns) => columns,
+            Err(error) => {
+                let path = file.display().to_string();
+                let problem = SceneProblem::DataFile {
+                    path,
+                    cause: error.cause,
+                    remedy: error.remedy,
+                };
+                self.report(&child(&key, "file"), Part::Value, problem);
+                return None;
+            }
+        };
+        let in_base = given.stress.unit().in_base;
+        let scaled = |column: Vec<f64>| column.into_iter().map(|value| value * in_base).collect();
+        let theta = theta.into_iter().map(f64::to_radians).collect();
+        let table = PolarTable {
+            file,
+            theta,
+            radial: scaled(radial),
+            shear: scaled(shear),
+        };
+        Some(LoadKind::PolarTraction {
+            on,
+            table,
+            steps: given.steps.clone(),
+        })
+    }
+}
+
+fn key_of(kind: &LoadKind) -> &'static str {
+    match kind {
+        LoadKind::Force { .. } => "force",
+        LoadKind::Bearing { .. } => "bearing",
+        LoadKind::Pressure { .. } => "pressure",
+        LoadKind::PolarTraction { .. } => "polar_traction",
+        LoadKind::Temperature { .. } => "temperature",
+    }
+}

@@ -1,0 +1,377 @@
+//! What is asked about the progressive failure of a joint.
+
+use std::sync::Arc;
+
+use stickslip_joint::FractureEnergies;
+use stickslip_laminate::progressive::PointModelParameters;
+use stickslip_laminate::{FailureCriterion, FailureError};
+
+use super::failure::{Materials, criterion};
+use super::{Builder, Fits};
+use crate::diagnostic::{LaminateProblem, SceneProblem, nearest};
+use crate::document::{Part, child};
+use crate::format::{
+    ControlFormat, CrackBandFormat, DisplacementFormat, FailureFormat, ProgressiveFormat,
+};
+use crate::point_model;
+use crate::schema::{
+    Axis, Contact, Control, Hold, LaminateSheet, Load, LoadKind, Platen, Progressive,
+    ProgressiveModel, SetRef, Substance, Support,
+};
+use crate::units::Quantity;
+
+const TABLE: &str = "failure.progressive";
+
+/// Increments of a history.
+const INCREMENTS: std::ops::RangeInclusive<usize> = 1..=10_000;
+
+/// What surrounds the body that fails.
+pub(super) struct Surroundings<'a> {
+    pub(super) contacts: &'a [Contact],
+    pub(super) supports: &'a [Support],
+    pub(super) platens: &'a [Platen],
+    pub(super) loads: &'a [Load],
+}
+
+impl Builder<'_> {
+    pub(super) fn progressive(
+        &mut self,
+        failure: &FailureFormat,
+        bodies: &[String],
+        materials: &Materials,
+        around: &Surroundings<'_>,
+    ) -> Option<Progressive> {
+        let given = failure.progressive.as_ref()?;
+        let body = self.progressive_body(given, bodies)?;
+        self.one_pin(&body, around);
+        self.no_heating(around);
+        // A body of `bodies` has plies.
+        let sheet = Arc::clone(self.sheet(&body, materials)?);
+        let parameters =
+            match point_model::read(self.document, &child(TABLE, "model"), &given.model) {
+                Ok(parameters) => Some(parameters),
+                Err(finding) => {
+                    self.findings.push(*finding);
+                    None
+                }
+            };
+        let model = parameters
+            .clone()
+            .and_then(|parameters| self.progressive_model(parameters, failure, &sheet));
+        let crack_band = self.crack_band(given, parameters.as_deref());
+        let control = self.control(given, around);
+        Some(Progressive {
+            body,
+            model: model?,
+            crack_band,
+            control: control?,
+        })
+    }
+
+    fn progressive_body(&mut self, given: &ProgressiveFormat, bodies: &[String]) -> Option<String> {
+        let key = child(TABLE, "body");
+        match (&given.body, bodies) {
+            (Some(name), _) if bodies.contains(name) => Some(name.clone()),
+            (Some(name), _) => {
+                self.undefined(&key, "body of [failure]", name, bodies.to_vec());
+                None
+            }
+            (None, [only]) => Some(only.clone()),
+            (None, []) => None,
+            (None, several) => {
+                self.missing_name(TABLE, "body", several);
+                None
+            }
+        }
+    }
+
+    /// Load and place of failure are read at a pin.
+    fn one_pin(&mut self, body: &str, around: &Surroundings<'_>) {
+        let hole = |set: &SetRef| set.body == body && set.set == "hole";
+        let pins = around.contacts.iter();
+        let count = pins.filter(|pair| hole(&pair.first) || hole(&pair.second));
+        let contacts = count.count();
+        if contacts != 1 && self.findings.is_empty() {
+            let body = body.to_owned();
+            let problem = LaminateProblem::NoPin { body, contacts };
+            self.report(TABLE, Part::Key, problem.into());
+        }
+    }
+
+    fn no_heating(&mut self, around: &Surroundings<'_>) {
+        let heats = |load: &&Load| matches!(load.kind, LoadKind::Temperature { .. });
+        if let Some(load) = around.loads.iter().find(heats) {
+            let message = format!(
+                "load '{}' changes the temperature, which a progressive history holds",
+                load.name
+            );
+            let remedy = "give the laminate its cure: materials.NAME.laminate.cure = \"-150 K\"";
+            self.conflict(TABLE, message, remedy);
+        }
+    }
+
+    fn progressive_model(
+        &mut self,
+        parameters: Arc<dyn PointModelParameters>,
+        failure: &FailureFormat,
+        sheet: &LaminateSheet,
+    ) -> Option<ProgressiveModel> {
+        let key = child(TABLE, "model");
+        let own = child(&key, parameters.name());
+        let criterion = self.model_criterion(&own, parameters.as_ref(), failure)?;
+        let kept = parameters.degradation();
+        if kept.is_some_and(|kept| kept.fibre() == 1.0 && kept.matrix() == 1.0) {
+            self.conflict(
+                &own,
+                "fibre = 1 and matrix = 1: failed plies keep all stiffness, so nothing is lost"
+                    .to_owned(),
+                "0.01 to 0.1 are usual for what failed plies keep",
+            );
+            return None;
+        }
+        let model = ProgressiveModel {
+            parameters,
+            criterion,
+        };
+        match model.point(sheet.laminate.clone()) {
+            // What the criteria of [failure] lack has been said.
+            Err(cause) if self.findings.is_empty() => {
+                let problem = LaminateProblem::Progressive { cause };
+                self.report(&key, Part::Value, problem.into());
+                None
+            }
+            _ => Some(model),
+        }
+    }
+
+    /// The criterion that the model's table at `own` names, or the first of `failure`.
+    fn model_criterion(
+        &mut self,
+        own: &str,
+        parameters: &dyn PointModelParameters,
+        failure: &FailureFormat,
+    ) -> Option<Arc<dyn FailureCriterion>> {
+        let Some(name) = parameters.criterion() else {
+            // What is wrong with the first criterion has been reported.
+            return criterion(failure.criteria.first()?, failure).ok();
+        };
+        let cause = match criterion(name, failure) {
+            Ok(criterion) => return Some(criterion),
+            Err(cause) => cause,
+        };
+        let problem = match cause {
+            FailureError::UnknownCriterion { name, known } => SceneProblem::UnknownName {
+                what: "a failure criterion".to_owned(),
+                nearest: nearest(&name, known.iter().copied()).map(str::to_owned),
+                found: name,
+                known: known.into_iter().map(str::to_owned).collect(),
+            },
+            cause => LaminateProblem::Failure { cause }.into(),
+        };
+        self.report(&child(own, "criterion"), Part::Value, problem);
+        None
+    }
+
+    /// The fracture energies, which the model with `parameters` can use if they are known.
+    fn crack_band(
+        &mut self,
+        given: &ProgressiveFormat,
+        parameters: Option<&dyn PointModelParameters>,
+    ) -> Option<FractureEnergies> {
+        let table = child(TABLE, "crack_band");
+        let energies = given.crack_band.as_ref()?;
+        let kept = parameters.and_then(PointModelParameters::degradation);
+        if let (Some(parameters), None) = (parameters, kept) {
+            let message = format!(
+                "fracture energies scale the strengths of ply discount, but the model is {}",
+                parameters.name()
+            );
+            let remedy = "remove crack_band, or choose model.ply_discount";
+            self.conflict(&table, message, remedy);
+            return None;
+        }
+        let CrackBandFormat {
+            fibre_tension,
+            fibre_compression,
+            matrix_tension,
+            matrix_compression,
+            shear,
+        } = energies;
+        let mut energy = |name: &str, quantity: &Option<Quantity<_>>, kept: f64| {
+            let quantity = quantity.as_ref()?;
+            if kept >= 1.0 {
+                let message = format!("{name} takes energy, but its failure keeps all stiffness");
+                self.conflict(
+                    &child(&table, name),
+                    message,
+                    "0.01 to 0.1 are usual for what failed plies keep",
+                );
+            }
+            Some(self.positive(&table, name, quantity))
+        };
+        let (fibre, matrix) = kept.map_or((0.0, 0.0), |kept| (kept.fibre(), kept.matrix()));
+        Some(FractureEnergies {
+            fibre_tension: energy("fibre_tension", fibre_tension, fibre),
+            fibre_compression: energy("fibre_compression", fibre_compression, fibre),
+            matrix_tension: energy("matrix_tension", matrix_tension, matrix),
+            matrix_compression: energy("matrix_compression", matrix_compression, matrix),
+            shear: energy("shear", shear, matrix),
+        })
+    }
+
+    fn control(&mut self, given: &ProgressiveFormat, around: &Surroundings<'_>) -> Option<Control> {
+        let table = child(TABLE, "control");
+        match &given.control {
+            ControlFormat::Loads(loads) => {
+                self.increments(&child(&table, "loads"), loads.increments);
+                Some(Control::Loads {
+                    increments: loads.increments,
+                })
+            }
+            ControlFormat::Displacement(displacement) => {
+                self.driven(&child(&table, "displacement"), displacement, around)
+            }
+        }
+    }
+
+    fn increments(&mut self, table: &str, increments: usize) {
+        if !INCREMENTS.contains(&increments) {
+            let allowed = format!("from {} to {}", INCREMENTS.start(), INCREMENTS.end());
+            let key = child(table, "increments");
+            self.out_of_range(&key, &increments.to_string(), allowed);
+        }
+    }
+
+    fn driven(
+        &mut self,
+        table: &str,
+        given: &DisplacementFormat,
+        around: &Surroundings<'_>,
+    ) -> Option<Control> {
+        self.increments(table, given.increments);
+        if !(given.drop > 0.0 && given.drop <= 1.0) {
+            let value = given.drop.to_string();
+            self.out_of_range(&child(table, "drop"), &value, "greater than 0, at most 1");
+        }
+        if given.end.value() == 0.0 {
+            let key = child(table, "end");
+            self.out_of_range(&key, given.end.text(), "not 0; its sign is the direction");
+        }
+        let key = child(table, "on");
+        let on = self.set(&key, &given.on, Fits::EdgesAndPoints)?;
+        self.can_be_driven(&key, &on, given.axis, around);
+        self.nothing_else_loads(&key, &on, given.axis, around);
+        Some(Control::Displacement {
+            on,
+            axis: given.axis,
+            end: given.end.value(),
+            increments: given.increments,
+            drop: given.drop,
+        })
+    }
+
+    /// A drive takes the place of what loads the driven set along its axis, and leaves no room for other loads.
+    fn nothing_else_loads(
+        &mut self,
+        key: &str,
+        on: &SetRef,
+        axis: Axis,
+        around: &Surroundings<'_>,
+    ) {
+        // Loads that cannot be read leave the others without their number.
+        if !self.findings.is_empty() {
+            return;
+        }
+        let beside =
+            (around.loads.iter().enumerate()).find(|(_, load)| !is_replaced(load, on, axis));
+        if let Some((index, load)) = beside {
+            let along = axis.name();
+            let message = format!(
+                "load '{}' does not act on {on} along {along} alone: a drive replaces the load on the driven set along its axis, and applies no other",
+                load.name
+            );
+            let turned = match axis {
+                Axis::X => Axis::Y,
+                Axis::Y => Axis::X,
+            };
+            let remedy = if around
+                .loads
+                .iter()
+                .all(|load| is_replaced(load, on, turned))
+            {
+                format!(
+                    "drive it along the other axis: axis = \"{}\"",
+                    turned.name()
+                )
+            } else {
+                format!(
+                    "delete loads.{index}, or raise all loads in their proportion: failure.progressive.control.loads = {{}}"
+                )
+            };
+            self.conflict(key, message, remedy);
+        }
+        let own = |support: &&Support| support.displacement != 0.0 && support.on == *on;
+        if around.supports.iter().any(|support| own(&support)) {
+            let message = format!(
+                "a support on {on} has a displacement of its own, which a drive does not apply"
+            );
+            self.conflict(key, message, "delete the displacement of that support");
+        }
+    }
+
+    fn can_be_driven(&mut self, key: &str, on: &SetRef, axis: Axis, around: &Surroundings<'_>) {
+        let substance = self.bodies.get(&on.body).map(|body| &body.substance);
+        if matches!(substance, Some(Substance::Rigid)) {
+            let message = format!("'{}' is rigid, and rigid bodies are not driven", on.body);
+            self.conflict(
+                key,
+                message,
+                "drive an edge of the other body, as plate.left",
+            );
+        }
+        let touches = |contact: &&Contact| contact.first == *on || contact.second == *on;
+        if let Some(contact) = around.contacts.iter().find(touches) {
+            let message = format!("{on} is an edge of the contact '{}'", contact.name);
+            self.conflict(key, message, "drive an edge that does not touch anything");
+        }
+        let platen = around.platens.iter().find(|platen| platen.on == *on);
+        let across = |platen: &Platen| match axis {
+            Axis::X => platen.free.y,
+            Axis::Y => platen.free.x,
+        };
+        if platen.is_some_and(across) {
+            let message = format!("the platen on {on} would be free across the drive");
+            self.conflict(key, message, "free it along the driven axis alone");
+        }
+        let skew =
+            |support: &&Support| support.on == *on && matches!(support.hold, Hold::Direction(_));
+        if around.supports.iter().any(|support| skew(&support)) {
+            let message = format!("a skew support holds {on}");
+            self.conflict(key, message, "hold it along axes: fix = [\"y\"]");
+        }
+        let moved = |support: &&Support| support.displacement != 0.0 && support.on != *on;
+        if let Some(support) = around.supports.iter().find(moved) {
+            let message = format!("the support on {} moves too", support.on);
+            self.conflict(key, message, "drive one edge, and hold the others in place");
+        }
+    }
+}
+
+/// Whether driving `on` along `axis` takes the place of `load`.
+fn is_replaced(load: &Load, on: &SetRef, axis: Axis) -> bool {
+    /// Rounding of a unit vector.
+    const ACROSS: f64 = 1e-12;
+    let LoadKind::Force {
+        on: loaded,
+        direction: [x, y],
+        ..
+    } = &load.kind
+    else {
+        return false;
+    };
+    let across = match axis {
+        Axis::X => y,
+        Axis::Y => x,
+    };
+    loaded == on && across.abs() <= ACROSS
+}

@@ -1,0 +1,230 @@
+//! The load history of a scene as an experiment names its states.
+
+use super::plan::{Direction, Source, State};
+use crate::Scene;
+use crate::schema::{Load, LoadKind};
+use crate::units::Unit;
+
+/// The load steps of a scene that a state is compared with.
+#[derive(Debug, PartialEq)]
+pub struct Tied {
+    /// That of the state.
+    pub step: usize,
+    /// That of its null field, if it has one.
+    pub null: Option<usize>,
+    /// What had to be assumed for that, in a sentence.
+    pub assumed: Option<String>,
+}
+
+/// The first load that changes.
+#[derive(Clone, Copy, Debug)]
+pub struct History<'a> {
+    steps: usize,
+    load: Option<&'a Load>,
+    /// What forces are shown in.
+    force: &'static Unit,
+}
+
+impl<'a> History<'a> {
+    /// That of `scene`.
+    pub fn of(scene: &'a Scene) -> Self {
+        let changes = |load: &&Load| {
+            let values = load.kind.steps();
+            values.iter().any(|value| *value != values[0])
+        };
+        let load = scene.loads.iter().find(changes);
+        Self {
+            steps: scene.steps(),
+            load: load.or(scene.loads.first()),
+            force: scene.display.force,
+        }
+    }
+
+    /// Number of load steps.
+    pub fn steps(&self) -> usize {
+        self.steps
+    }
+
+    /// The force `[N]` at a step, if the load is one.
+    pub fn load(&self, step: usize) -> Option<f64> {
+        match &self.load?.kind {
+            LoadKind::Force { steps, .. } | LoadKind::Bearing { steps, .. } => {
+                steps.get(step).copied()
+            }
+            _ => None,
+        }
+    }
+
+    /// A force in the unit of results.
+    pub fn shown(&self, force: f64) -> String {
+        self.force.show(force)
+    }
+
+    /// Whether the load falls towards a step.
+    pub fn direction(&self, step: usize) -> Direction {
+        let values = self.load.map_or(&[][..], |load| load.kind.steps());
+        let at = |step: usize| values.get(step).map(|value| value.abs());
+        match (step.checked_sub(1).and_then(at), at(step)) {
+            (Some(before), Some(now)) if now < before => Direction::Unloading,
+            _ => Direction::Loading,
+        }
+    }
+
+    /// The load steps of a state; in words why there are none.
+    ///
+    /// # Errors
+    /// Why the state is no load step, as the end of a sentence.
+    pub fn tied(&self, state: &State) -> Result<Tied, String> {
+        let step = match &state.source {
+            Source::Step(step) => *step,
+            _ => self.step_of(state)?,
+        };
+        let (null, assumed) = match &state.null {
+            None => (None, None),
+            Some(Source::Step(null)) => (Some(*null), None),
+            Some(_) => {
+                let null = self.smallest_before(step)?;
+                (Some(null), Some(self.assumption(state, null)))
+            }
+        };
+        Ok(Tied {
+            step,
+            null,
+            assumed,
+        })
+    }
+
+    /// The first of the steps with the smallest load that come before `step`.
+    fn smallest_before(&self, step: usize) -> Result<usize, String> {
+        let values = self.load.map_or(&[][..], |load| load.kind.steps());
+        let before = values.iter().take(step).enumerate();
+        before
+            .min_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()))
+            .map(|(null, _)| null)
+            .ok_or_else(|| {
+                format!(
+                    "its null field was measured, and the scene has no load step before step {}",
+                    step + 1
+                )
+            })
+    }
+
+    fn assumption(&self, state: &State, null: usize) -> String {
+        let load = self.load(null);
+        let load = load.map_or_else(String::new, |load| format!(" of {}", self.force.show(load)));
+        format!(
+            "The load of the measured null field of state '{}' is not known: it is taken for that of step {} of the scene, the smallest \
+             load{load} before it.",
+            state.name,
+            null + 1
+        )
+    }
+
+    /// The load step with the load and the direction of a state.
+    fn step_of(&self, state: &State) -> Result<usize, String> {
+        /// Loads that differ by less, in parts, are the same.
+        const SAME: f64 = 1e-3;
+        let load = state.load.ok_or("its load is not given")?;
+        let same = |step: &usize| {
+            let close = |own: f64| (own - load).abs() <= SAME * load.abs();
+            self.load(*step).is_some_and(close) && self.direction(*step) == state.direction
+        };
+        (0..self.steps).find(same).ok_or_else(|| {
+            let direction = state.direction.name();
+            let load = self.force.show(load);
+            format!("no load step of the scene has {load} in {direction}")
+        })
+    }
+
+    /// The state at a step, named after it.
+    pub fn state(&self, step: usize) -> State {
+        let width = self.steps.to_string().len();
+        State {
+            name: format!("step-{:0width$}", step + 1),
+            direction: self.direction(step),
+            load: self.load(step),
+            edge_force: [None; 2],
+            source: Source::Step(step),
+            null: None,
+            back: None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io;
+    use std::path::Path;
+
+    use super::*;
+    use crate::Format;
+    use crate::experiment::Experiment;
+    use crate::host::{Host, System};
+    use crate::limits::Limits;
+
+    /// One file, whatever its name.
+    #[derive(Debug)]
+    struct OneFile(String);
+
+    impl System for OneFile {
+        fn read(&self, _: &Path, _: u64) -> io::Result<Vec<u8>> {
+            Ok(self.0.clone().into_bytes())
+        }
+
+        fn length(&self, _: &Path) -> io::Result<u64> {
+            Ok(self.0.len() as u64)
+        }
+
+        fn seconds(&self) -> f64 {
+            0.0
+        }
+    }
+
+    fn host(text: &str) -> Host {
+        Host {
+            limits: Limits::NONE,
+            system: Box::leak(Box::new(OneFile(text.to_owned()))),
+        }
+    }
+
+    #[test]
+    fn forces_are_told_in_the_units_of_the_experiment() {
+        let text = r#"
+            version = 1
+            units = { length = "in", force = "lbf", stress = "psi" }
+            [specimen]
+            scene = "pin-loaded-aluminium.toml"
+            body = "plate"
+            [[states]]
+            name = "up"
+            load = "1250 lbf"
+            table = { file = "up.csv", scale = "1 mm", y_axis = "up" }
+        "#;
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
+        let scene = std::fs::read_to_string(folder.join("pin-loaded-aluminium.toml")).unwrap();
+        for units in ["\"lbf\"", "\"kN\""] {
+            let text = text.replace("\"lbf\"", units);
+            let none: [&str; 0] = [];
+            let own =
+                Experiment::from_text(&text, Format::Toml, "e.toml", &folder, &none, host(&scene))
+                    .unwrap();
+            let history = History::of(&own.specimen.model.as_ref().unwrap().scene);
+            let state = State {
+                load: Some(1e5),
+                ..own.states[0].clone()
+            };
+            let words = history.tied(&state).unwrap_err();
+            let expected = own.display.force.show(1e5);
+            assert!(
+                words.contains(&format!("has {expected} in loading")),
+                "{words}"
+            );
+            let assumed = history.assumption(&own.states[0], 0);
+            let expected = own.display.force.show(history.load(0).unwrap());
+            assert!(
+                assumed.contains(&format!("the smallest load of {expected} before")),
+                "{assumed}"
+            );
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! `[[laws]]`: friction laws to fit, in the grammar of scenes.
+
+use serde_json::Value;
+
+use super::read::Refuse;
+use super::{FreeParameter, LawPlan, Specimen};
+use crate::diagnostic::SceneError;
+use crate::document::child;
+use crate::experiment::Candidate;
+use crate::experiment::format::LawFormat;
+use crate::friction::law as read_law;
+use crate::schema::Material;
+use crate::units::{Dimension, Expected, parse};
+
+pub(super) fn read(
+    refuse: Refuse<'_>,
+    given: &[LawFormat],
+    specimen: &Specimen,
+) -> Result<Vec<LawPlan>, SceneError> {
+    let mut laws: Vec<LawPlan> = Vec::new();
+    for (index, law) in given.iter().enumerate() {
+        let table = format!("laws.{index}");
+        let key = child(&table, "friction");
+        let plies = match &specimen.material {
+            Material::Laminate(sheet) => Some(sheet.ply_fractions()),
+            _ => None,
+        };
+        let read = read_law(refuse.0, &key, &law.friction, plies)
+            .map_err(|finding| SceneError::new(*finding, []))?;
+        let kind = law.friction.as_object().and_then(|map| map.keys().next());
+        let name = law
+            .name
+            .clone()
+            .or_else(|| kind.cloned())
+            .unwrap_or_default();
+        if laws.iter().any(|other| other.name == name) {
+            return Err(refuse.conflict(
+                &table,
+                format!("there are two laws '{name}'"),
+                "give each a name of its own: name = \"…\"",
+            ));
+        }
+        let mut free = Vec::new();
+        for (parameter, bounds) in &law.free {
+            let place = format!("{table}.free.{parameter}");
+            for (end, value) in bounds.iter().enumerate() {
+                Candidate::check_end(read.as_ref(), parameter, value)
+                    .map_err(|problem| refuse.at(&format!("{place}.{end}"), *problem))?;
+            }
+            let [low, high] = [0, 1].map(|k| number(&bounds[k]));
+            match (low, high) {
+                (Some(low), Some(high)) if low < high => free.push(FreeParameter {
+                    name: parameter.clone(),
+                    bounds: [low, high],
+                }),
+                _ => {
+                    return Err(refuse.conflict(
+                        &place,
+                        format!("'{parameter}' is free between no two values"),
+                        "give the least and the greatest value, with units where the parameter has one: [0.0, 1.0]",
+                    ));
+                }
+            }
+        }
+        laws.push(LawPlan {
+            name,
+            key,
+            friction: law.friction.clone(),
+            law: read,
+            free,
+        });
+    }
+    Ok(laws)
+}
+
+/// A number, or a quantity in base units.
+fn number(value: &Value) -> Option<f64> {
+    match value {
+        Value::Number(number) => number.as_f64(),
+        Value::String(text) => parse(text, &Expected::any(&Dimension::ALL))
+            .ok()
+            .map(|(value, _)| value),
+        _ => None,
+    }
+}

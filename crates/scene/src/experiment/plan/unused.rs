@@ -1,0 +1,127 @@
+//! Keys that are stated and have no effect with what else is stated. They are reported and not refused, so that one file serves several
+//! methods: `--set reduce.method=polynomial`.
+
+use super::{Fringes, Method, Reduce, RegionPlan, Source, State};
+use crate::diagnostic::SceneProblem;
+use crate::document::{Document, Part};
+
+/// A key, whether anything heeds it, and in words what would.
+type Entry = (&'static str, bool, &'static str);
+
+/// Warnings, one for each key without effect, at its line.
+pub(super) fn without_effect(
+    document: &Document,
+    reduce: &Reduce,
+    region: Option<&RegionPlan>,
+    fringes: Option<&Fringes>,
+    states: &[State],
+) -> Vec<String> {
+    let mut entries = of_method(reduce, region, states);
+    entries.extend(of_data(fringes, states));
+    let unheeded = entries
+        .into_iter()
+        .filter(|(key, heeded, _)| !heeded && document.get(key).is_some());
+    unheeded
+        .map(|(key, _, why)| told(document, key, why))
+        .collect()
+}
+
+fn told(document: &Document, key: &str, why: &str) -> String {
+    let problem = SceneProblem::Conflict {
+        message: format!("'{key}' has no effect: {why}"),
+        remedy: String::new(),
+    };
+    let finding = document.finding(key, Part::Key, problem);
+    let line = match finding.position() {
+        Some((line, _)) if !document.is_overridden(key) => format!(":{line}"),
+        _ => String::new(),
+    };
+    format!(
+        "{}{line}: {}; remove it, unless it waits for another method or other data.",
+        finding.source.name, finding.problem
+    )
+}
+
+fn of_method(reduce: &Reduce, region: Option<&RegionPlan>, states: &[State]) -> Vec<Entry> {
+    let polynomial = matches!(reduce.method, Method::Polynomial { .. });
+    let lines = matches!(reduce.method, Method::Lines { .. });
+    let whole = region.is_some_and(|plan| plan.whole_plate);
+    let subtracted = states.iter().any(null_of_other_places);
+    let interpolated = (subtracted && reduce.common_places.is_none())
+        || states.iter().any(|state| state.back.is_some());
+    let of_polynomial = "only reduce.method = \"polynomial\" heeds it";
+    vec![
+        ("reduce.order", polynomial, of_polynomial),
+        ("reduce.neighbours", polynomial, of_polynomial),
+        (
+            "reduce.reach",
+            lines,
+            "only reduce.method = \"lines\" heeds it",
+        ),
+        (
+            "reduce.longest_side",
+            reduce.method == Method::Linear || interpolated,
+            "only reduce.method = \"linear\" heeds it, and the interpolation of null and back",
+        ),
+        (
+            "reduce.free",
+            region.is_some(),
+            "the free edge of a [region] tells what it names, and there is none",
+        ),
+        (
+            "region.smoothing",
+            !lines || whole,
+            "reduce.method = \"lines\" fits nothing to the data, and region.whole_plate is not asked for",
+        ),
+    ]
+}
+
+fn of_data(fringes: Option<&Fringes>, states: &[State]) -> Vec<Entry> {
+    let four = fringes.is_some_and(|plan| plan.four);
+    let [mut pictured, mut single] = [false; 2];
+    let sources = states
+        .iter()
+        .flat_map(|state| {
+            [
+                Some(&state.source),
+                state.null.as_ref(),
+                state.back.as_ref(),
+            ]
+        })
+        .flatten();
+    for source in sources {
+        match source {
+            Source::Step(_) => (pictured, single) = (true, single || !four),
+            Source::Pictures(own) => {
+                pictured = true;
+                single |= own.files.iter().any(|files| files.len() == 1);
+            }
+            Source::Table(_) | Source::Lines(_) => {}
+        }
+    }
+    let of_pictures = "no state has fringe pictures";
+    let of_single = "no state has single fringe pictures, whose phase is that of a carrier";
+    vec![
+        ("reduce.stride", pictured, of_pictures),
+        ("reduce.least_modulation", pictured, of_pictures),
+        ("reduce.band", single, of_single),
+        ("reduce.settled", single, of_single),
+        (
+            "reduce.outliers",
+            states.iter().any(State::has_table),
+            "no state has a table",
+        ),
+        (
+            "reduce.common_places",
+            states.iter().any(null_of_other_places),
+            "no state has a null field that is a table, or that is taken off a table",
+        ),
+    ]
+}
+
+/// Whether a state's null field may have places of its own: pictures have the same pixels, fringe lines are compared along themselves.
+fn null_of_other_places(state: &State) -> bool {
+    let is_table = |source: &Source| matches!(source, Source::Table(_));
+    let null = state.null.as_ref();
+    null.is_some_and(|null| is_table(null) || is_table(&state.source))
+}

@@ -1,0 +1,344 @@
+//! The scene as a file spells it, key by key.
+//!
+//! Field names are the keys. Unknown keys are refused, every quantity carries its unit, and choices are externally tagged
+//! (`shape.disk = { … }`). Serialising gives the scene with all defaults filled in.
+
+mod laminate;
+mod loads;
+mod progressive;
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use stickslip_fem_core::material::PlaneState;
+use stickslip_fem_core::mesh::ElementKind;
+
+use super::schema::{
+    Axis, DisplayUnits, FieldOutput, GapKind, ModelChoice, ProjectionChoice, Ramp, SolverChoice,
+};
+use crate::shape::ShapeFormat;
+use crate::units::{
+    Angle, AngleOrLength, Force, Length, PerTemperature, Quantity, Stress, UnitName,
+};
+pub(super) use laminate::{FailureFormat, LaminateFormat, PlyFormat, StrengthsFormat};
+pub(super) use loads::{BearingFormat, ForceFormat, LoadFormat, PolarTractionFormat};
+pub(super) use progressive::{
+    ControlFormat, CrackBandFormat, DisplacementFormat, ProgressiveFormat,
+};
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct SceneFormat {
+    pub(super) version: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) title: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) description: Option<String>,
+    #[serde(default)]
+    pub(super) units: UnitsFormat,
+    #[serde(default)]
+    pub(super) analysis: AnalysisFormat,
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub(super) plies: BTreeMap<String, PlyFormat>,
+    #[serde(default)]
+    pub(super) materials: BTreeMap<String, MaterialFormat>,
+    pub(super) bodies: BTreeMap<String, BodyFormat>,
+    pub(super) mesh: MeshFormat,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) contacts: Vec<ContactFormat>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) supports: Vec<SupportFormat>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) platens: Vec<PlatenFormat>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) loads: Vec<LoadFormat>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) edges: Vec<EdgeFormat>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) failure: Option<FailureFormat>,
+    #[serde(default)]
+    pub(super) output: OutputFormat,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(
+    default,
+    deny_unknown_fields,
+    expecting = "a table, such as { key = value }"
+)]
+pub(crate) struct UnitsFormat {
+    pub(crate) length: UnitName<Length>,
+    pub(crate) force: UnitName<Force>,
+    pub(crate) stress: UnitName<Stress>,
+}
+
+impl UnitsFormat {
+    /// The units of results.
+    pub(crate) fn display(&self) -> DisplayUnits {
+        DisplayUnits {
+            length: self.length.unit(),
+            force: self.force.unit(),
+            stress: self.stress.unit(),
+        }
+    }
+}
+
+impl Default for UnitsFormat {
+    fn default() -> Self {
+        Self {
+            length: UnitName::base(),
+            force: UnitName::base(),
+            stress: UnitName::base(),
+        }
+    }
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(
+    default,
+    deny_unknown_fields,
+    expecting = "a table, such as { key = value }"
+)]
+pub(super) struct AnalysisFormat {
+    pub(super) plane: PlaneState,
+    pub(super) model: ModelChoice,
+    #[serde(with = "solver_name")]
+    pub(super) solver: SolverChoice,
+    /// Left out where it is false, so that it is no part of other scenes.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub(super) experimental: bool,
+    pub(super) substeps: usize,
+    pub(super) ramp: Ramp,
+}
+
+impl Default for AnalysisFormat {
+    fn default() -> Self {
+        Self {
+            plane: PlaneState::Stress,
+            model: ModelChoice::Auto,
+            solver: SolverChoice::Auto,
+            experimental: false,
+            substeps: 1,
+            ramp: Ramp::Linear,
+        }
+    }
+}
+
+/// A solver by its name in the list of the contact crate.
+mod solver_name {
+    use std::fmt;
+
+    use serde::de::{
+        Deserialize, Deserializer, EnumAccess, Error as _, VariantAccess as _, Visitor,
+    };
+    use serde::ser::Serializer;
+
+    use super::SolverChoice;
+
+    #[expect(
+        clippy::trivially_copy_pass_by_ref,
+        reason = "serde hands over references"
+    )]
+    pub(super) fn serialize<S: Serializer>(
+        solver: &SolverChoice,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(solver.info().name)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(
+        deserializer: D,
+    ) -> Result<SolverChoice, D::Error> {
+        deserializer.deserialize_enum("SolverChoice", &SolverChoice::NAMES, Names)
+    }
+
+    struct Names;
+
+    impl<'de> Visitor<'de> for Names {
+        type Value = SolverChoice;
+
+        fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+            formatter.write_str("enum SolverChoice")
+        }
+
+        fn visit_enum<A: EnumAccess<'de>>(self, data: A) -> Result<SolverChoice, A::Error> {
+            let (Name(solver), variant) = data.variant()?;
+            variant.unit_variant()?;
+            Ok(solver)
+        }
+    }
+
+    struct Name(SolverChoice);
+
+    impl<'de> Deserialize<'de> for Name {
+        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+            let name = String::deserialize(deserializer)?;
+            let solver = SolverChoice::named(&name);
+            let unknown = || D::Error::unknown_variant(&name, &SolverChoice::NAMES);
+            solver.map(Self).ok_or_else(unknown)
+        }
+    }
+}
+
+/// `[materials.NAME.isotropic]`, `[materials.NAME.orthotropic]` or `[materials.NAME.laminate]`.
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum MaterialFormat {
+    Isotropic(IsotropicFormat),
+    Orthotropic(Box<OrthotropicFormat>),
+    Laminate(Box<LaminateFormat>),
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct IsotropicFormat {
+    pub(super) young: Quantity<Stress>,
+    pub(super) poisson: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) expansion: Option<Quantity<PerTemperature>>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct OrthotropicFormat {
+    pub(super) e1: Quantity<Stress>,
+    pub(super) e2: Quantity<Stress>,
+    pub(super) g12: Quantity<Stress>,
+    pub(super) nu12: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) angle: Option<Quantity<Angle>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) expansion1: Option<Quantity<PerTemperature>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) expansion2: Option<Quantity<PerTemperature>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) e3: Option<Quantity<Stress>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) nu13: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) nu23: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) expansion3: Option<Quantity<PerTemperature>>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct BodyFormat {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) material: Option<String>,
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub(super) rigid: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) thickness: Option<Quantity<Length>>,
+    pub(super) shape: ShapeFormat,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) mesh: Option<BodyMeshFormat>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct MeshFormat {
+    #[serde(default = "default_element")]
+    pub(super) element: ElementKind,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) spacing: Option<Quantity<AngleOrLength>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) angles: Option<Vec<Quantity<Angle>>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) fine_to: Option<Quantity<AngleOrLength>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) coarse_spacing: Option<Quantity<AngleOrLength>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) layers: Option<usize>,
+}
+
+/// `[bodies.NAME.mesh]`: what differs from `[mesh]`.
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct BodyMeshFormat {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) element: Option<ElementKind>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) spacing: Option<Quantity<AngleOrLength>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) angles: Option<Vec<Quantity<Angle>>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) fine_to: Option<Quantity<AngleOrLength>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) coarse_spacing: Option<Quantity<AngleOrLength>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) layers: Option<usize>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct ContactFormat {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) name: Option<String>,
+    pub(super) first: String,
+    pub(super) second: String,
+    #[serde(default)]
+    pub(super) gap: GapKind,
+    #[serde(default)]
+    pub(super) projection: ProjectionChoice,
+    #[serde(default)]
+    pub(super) interference: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) friction: Option<Value>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct SupportFormat {
+    pub(super) on: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) fix: Option<Vec<Axis>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) normal: Option<Quantity<Angle>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) displacement: Option<Quantity<Length>>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct PlatenFormat {
+    pub(super) on: String,
+    pub(super) free: Vec<Axis>,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(super) struct EdgeFormat {
+    pub(super) on: String,
+}
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(
+    default,
+    deny_unknown_fields,
+    expecting = "a table, such as { key = value }"
+)]
+pub(super) struct OutputFormat {
+    pub(super) fields: FieldOutput,
+    pub(super) figures: bool,
+}
+
+impl Default for OutputFormat {
+    fn default() -> Self {
+        Self {
+            fields: FieldOutput::Peak,
+            figures: true,
+        }
+    }
+}
+
+const fn default_element() -> ElementKind {
+    ElementKind::Q8
+}
+
+// Serde hands over a reference.
+#[allow(clippy::trivially_copy_pass_by_ref)]
+fn is_false(flag: &bool) -> bool {
+    !flag
+}

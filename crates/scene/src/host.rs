@@ -1,0 +1,120 @@
+//! What a library asks of the machine that it runs on: files, the time, memory.
+//!
+//! Nothing else of this workspace but the command opens a file or reads a clock. A program without files, such as one in a browser, hands
+//! over a [`System`] of its own, or none.
+
+use std::fmt;
+use std::io::{self, ErrorKind};
+use std::path::Path;
+
+use crate::limits::{Content, Limits, amount};
+
+/// Files and a clock.
+pub trait System: fmt::Debug + Send + Sync {
+    /// The bytes of the regular file at `path`, of a longer one the first `most`.
+    ///
+    /// # Errors
+    /// Those of the system; a folder, device or pipe.
+    fn read(&self, path: &Path, most: u64) -> io::Result<Vec<u8>>;
+
+    /// The length of the regular file at `path` `[byte]`, as far as it is known before it is read.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    fn length(&self, path: &Path) -> io::Result<u64>;
+
+    /// Time since any moment that stays `[s]`.
+    fn seconds(&self) -> f64;
+}
+
+/// No files, and a clock that stands still.
+#[derive(Clone, Copy, Debug)]
+struct Nothing;
+
+impl System for Nothing {
+    fn read(&self, _: &Path, _: u64) -> io::Result<Vec<u8>> {
+        Err(io::Error::new(
+            ErrorKind::Unsupported,
+            "there are no files here",
+        ))
+    }
+
+    fn length(&self, path: &Path) -> io::Result<u64> {
+        self.read(path, 0).map(|_| 0)
+    }
+
+    fn seconds(&self) -> f64 {
+        0.0
+    }
+}
+
+/// The machine as a scene or an experiment sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct Host {
+    /// How much memory reading and modelling may take.
+    pub limits: Limits,
+    /// Files and a clock.
+    pub system: &'static dyn System,
+}
+
+impl Host {
+    /// No limit, no files, and a clock that stands still.
+    pub const NONE: Self = Self {
+        limits: Limits::NONE,
+        system: &Nothing,
+    };
+
+    /// Equal parts of the memory for `count` things that are done at the same time.
+    #[must_use]
+    pub fn shared_by(self, count: usize) -> Self {
+        Self {
+            limits: self.limits.shared_by(count),
+            ..self
+        }
+    }
+
+    /// Time since any moment that stays `[s]`.
+    pub fn seconds(&self) -> f64 {
+        self.system.seconds()
+    }
+
+    /// The bytes of a regular file.
+    ///
+    /// # Errors
+    /// Those of the system; a folder, device or pipe; a file that would take more memory than there is.
+    pub fn read(self, path: &Path, content: Content) -> io::Result<Vec<u8>> {
+        let factor = content.bytes_per_byte();
+        let refused = |bytes: u64| {
+            let outcome = self.limits.check(factor as f64 * bytes as f64);
+            outcome.map_err(|words| {
+                io::Error::new(
+                    ErrorKind::FileTooLarge,
+                    format!("it has {}: {words}", amount(bytes as f64)),
+                )
+            })
+        };
+        refused(self.system.length(path)?)?;
+        let most = self.limits.memory / factor;
+        // It may have grown meanwhile, and some systems do not know how long their files are.
+        let bytes = self.system.read(path, most.saturating_add(1))?;
+        refused(bytes.len() as u64)?;
+        Ok(bytes)
+    }
+
+    /// The text of a regular file.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read); bytes that are no UTF-8 text, with their line.
+    pub fn read_text(self, path: &Path, content: Content) -> io::Result<String> {
+        String::from_utf8(self.read(path, content)?).map_err(|cause| {
+            let valid = cause.utf8_error().valid_up_to();
+            let line = cause.as_bytes()[..valid]
+                .split(|&byte| byte == b'\n')
+                .count();
+            io::Error::new(
+                ErrorKind::InvalidData,
+                format!("line {line} is not UTF-8 text"),
+            )
+        })
+    }
+}

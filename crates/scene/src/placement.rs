@@ -1,0 +1,54 @@
+//! Where round bodies stand: each in the hole that holds it.
+//!
+//! ```text
+//! centre(second) = centre(first) + (max(R_first − R_second, 0), 0)
+//! ```
+//!
+//! A body that no hole holds is centred on the origin. One with clearance starts where it touches at θ = 0, one with
+//! interference concentric with what holds it.
+
+use stickslip_fem_core::mesh::Point;
+
+use crate::Scene;
+use crate::schema::{Contact, SetRef};
+
+/// Radii `[mm]` of the two circles of a round contact.
+pub fn radii(scene: &Scene, contact: &Contact) -> Option<[f64; 2]> {
+    let circle = |set: &SetRef| scene.bodies.get(&set.body)?.shape.circle(&set.set);
+    Some([circle(&contact.first)?, circle(&contact.second)?])
+}
+
+/// The round contact in which a hole holds `body`.
+pub fn holder<'a>(scene: &'a Scene, body: &str) -> Option<&'a Contact> {
+    scene
+        .contacts
+        .iter()
+        .find(|contact| contact.second.body == body && radii(scene, contact).is_some())
+}
+
+/// Centre of the second circle of a round contact, seen from that of the first `[mm]`.
+pub fn offset([first, second]: [f64; 2]) -> Point {
+    [(first - second).max(0.0), 0.0]
+}
+
+/// What the second body of the contact with the index `contact` moves along the unit vector `direction`, from where it starts to where a
+/// clearance c lets it touch there `[mm]`: (c direction − (c, 0)) · direction = c (1 − cos θ_b). Zero without clearance or circles.
+pub fn free_travel(scene: &Scene, contact: usize, direction: [f64; 2]) -> f64 {
+    let contact = scene.contacts.get(contact);
+    let radii = contact.and_then(|contact| radii(scene, contact));
+    radii.map_or(0.0, |radii| offset(radii)[0] * (1.0 - direction[0]))
+}
+
+/// Centre of `body` `[mm]`.
+pub fn centre(scene: &Scene, body: &str) -> Point {
+    let (mut sum, mut inner) = (0.0, body);
+    // A checked scene has no circular chain, so every contact is passed at most once.
+    for _ in &scene.contacts {
+        let Some(contact) = holder(scene, inner) else {
+            break;
+        };
+        sum += radii(scene, contact).map_or(0.0, |radii| offset(radii)[0]);
+        inner = &contact.first.body;
+    }
+    [sum, 0.0]
+}

@@ -1,0 +1,377 @@
+//! A checked scene in plain numbers.
+//!
+//! Base units throughout: mm, N, MPa, rad, K. Angles are counter-clockwise from +x, the load axis; names of bodies, materials and
+//! sets refer to things that exist.
+
+mod bearing;
+mod failure;
+mod progressive;
+
+use std::fmt;
+use std::path::PathBuf;
+
+use serde::{Deserialize, Serialize};
+use stickslip_fem_core::material::PlaneState;
+use stickslip_fem_core::mesh::ElementKind;
+use stickslip_friction::FrictionLaw;
+
+pub use super::material::{LaminateSheet, Material, OutOfPlane};
+pub use crate::shape::Shape;
+use crate::units::Unit;
+pub use bearing::BearingLaw;
+pub use failure::{Characteristic, EnvelopePlane, Envelopes, Failure};
+pub use progressive::{Control, Progressive, ProgressiveModel};
+
+/// Units that results are shown in.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DisplayUnits {
+    /// Of lengths; `length.from_base(mm)` converts.
+    pub length: &'static Unit,
+    /// Of forces; `force.from_base(N)` converts.
+    pub force: &'static Unit,
+    /// Of stresses; `stress.from_base(MPa)` converts.
+    pub stress: &'static Unit,
+}
+
+/// How the model is solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Analysis {
+    /// Plane stress or plane strain.
+    pub plane: PlaneState,
+    /// Half or whole model.
+    pub model: ModelChoice,
+    /// Solver of the contact problem.
+    pub solver: SolverChoice,
+    /// Equal sub-steps from one load step to the next, at least 1.
+    pub substeps: usize,
+    /// How the load grows within the first step.
+    pub ramp: Ramp,
+}
+
+/// How much of the bodies is modelled.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ModelChoice {
+    /// Half where shapes, materials, friction laws, supports and loads are symmetric about the x axis, otherwise whole.
+    Auto,
+    /// The half y ≥ 0.
+    Half,
+    /// The whole.
+    Whole,
+}
+
+pub use stickslip_contact::SolverKind as SolverChoice;
+
+/// How the load P grows over the n sub-steps k of the first step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Ramp {
+    /// P k/n.
+    Linear,
+    /// P (k/n)²: small steps while contact spreads fast.
+    Quadratic,
+}
+
+/// A body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Body {
+    /// What it is made of.
+    pub substance: Substance,
+    /// Its outline.
+    pub shape: Shape,
+    /// How finely it is divided where it differs from [`Scene::mesh`](super::Scene::mesh); whole, with what it takes from there.
+    pub mesh: Option<MeshSettings>,
+}
+
+/// What a body is made of.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Substance {
+    /// An elastic material of the scene.
+    Elastic {
+        /// Name of the material, defined in [`Scene::materials`](super::Scene::materials).
+        material: String,
+        /// Thickness `[mm]`.
+        thickness: f64,
+    },
+    /// Nothing in it deforms.
+    Rigid,
+}
+
+/// A set of a body, written `body.set`.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct SetRef {
+    /// The body.
+    pub body: String,
+    /// Its edge or point.
+    pub set: String,
+}
+
+impl fmt::Display for SetRef {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{}.{}", self.body, self.set)
+    }
+}
+
+/// How finely the bodies are divided.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeshSettings {
+    /// Element of the cells.
+    pub element: ElementKind,
+    /// Division along the contact edges.
+    pub division: Division,
+    /// Radial layers, or layers in depth; chosen from the division where it is `None`.
+    pub layers: Option<usize>,
+}
+
+/// Where the corner nodes of a contact edge lie.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Division {
+    /// At these angles `[rad]`, strictly increasing from 0 to at most 2π.
+    AngleList(Vec<f64>),
+    /// By angles `[rad]` from the bearing point θ = 0.
+    Angular(Grading),
+    /// By lengths `[mm]` from the point of first contact.
+    Linear(Grading),
+}
+
+/// Equal spacing, and optionally coarser beyond some distance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grading {
+    /// Spacing of corner nodes.
+    pub spacing: f64,
+    /// Up to where, measured from the bearing point; everywhere if `None`.
+    pub fine_to: Option<f64>,
+    /// Spacing that it grows to beyond; chosen by the generator if `None`.
+    pub coarse_spacing: Option<f64>,
+}
+
+/// Two edges that may touch.
+#[derive(Debug, Clone)]
+pub struct Contact {
+    /// Name in results.
+    pub name: String,
+    /// The edge that the normal points into: hole, or cylinder.
+    pub first: SetRef,
+    /// The other edge: rim of a pin, outer edge of a ring, or block.
+    pub second: SetRef,
+    /// How the initial gap is computed.
+    pub gap: GapKind,
+    /// How the two edges are tied to each other.
+    pub projection: ProjectionChoice,
+    /// Whether an initial overlap is meant.
+    pub interference: bool,
+    /// Its friction.
+    pub law: Box<dyn FrictionLaw>,
+}
+
+/// How the initial gap between two circles is computed.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum GapKind {
+    /// From the circles.
+    #[default]
+    Exact,
+    /// c (1 − cos θ), clearance c: what closed forms assume.
+    Linearised,
+    /// From the nodes and straight facets of the mesh.
+    Faceted,
+}
+
+/// How two edges in contact are tied to each other.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ProjectionChoice {
+    /// Pairs of nodes where the meshes match, dual mortar where they do not.
+    #[default]
+    Auto,
+    /// Pairs of nodes; the meshes must match.
+    Nodes,
+    /// Mortar projection with the shape functions of the first edge.
+    Mortar,
+    /// Mortar projection with functions biorthogonal to them.
+    DualMortar,
+}
+
+/// A coordinate axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Axis {
+    /// The load axis.
+    X,
+    /// The other.
+    Y,
+}
+
+impl Axis {
+    /// As scenes write it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::X => "x",
+            Self::Y => "y",
+        }
+    }
+}
+
+/// Some of the axes.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Axes {
+    /// Whether x is among them.
+    pub x: bool,
+    /// Whether y is among them.
+    pub y: bool,
+}
+
+/// Nodes whose displacement is given.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Support {
+    /// Where.
+    pub on: SetRef,
+    /// In which directions.
+    pub hold: Hold,
+    /// Displacement in each of them `[mm]`.
+    pub displacement: f64,
+}
+
+/// Directions in which a support holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Hold {
+    /// Along axes, at least one.
+    Axes(Axes),
+    /// Along the direction at this angle `[rad]` from +x.
+    Direction(f64),
+}
+
+/// A rigid plate that an edge is glued to. It does not rotate.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Platen {
+    /// The edge.
+    pub on: SetRef,
+    /// Axes along which it moves freely; along the others it is held.
+    pub free: Axes,
+}
+
+/// A load and its history.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Load {
+    /// Name in results.
+    pub name: String,
+    /// What loads what.
+    pub kind: LoadKind,
+}
+
+/// What loads what. Every `steps` has one entry per load step, and all loads act at once.
+#[derive(Debug, Clone, PartialEq)]
+pub enum LoadKind {
+    /// A total force on an edge of the whole body, spread evenly.
+    Force {
+        /// The edge.
+        on: SetRef,
+        /// Unit vector.
+        direction: [f64; 2],
+        /// Magnitudes `[N]`.
+        steps: Vec<f64>,
+    },
+    /// An assumed pressure on half of a hole, in the place of a pin.
+    Bearing {
+        /// The hole.
+        on: SetRef,
+        /// Unit vector of the force on the body; the pressure's middle lies there.
+        direction: [f64; 2],
+        /// How the pressure is spread.
+        law: BearingLaw,
+        /// Magnitudes of the force on the whole hole `[N]`, at least 0.
+        steps: Vec<f64>,
+    },
+    /// A pressure on an edge; positive pushes on the body, negative pulls.
+    Pressure {
+        /// The edge.
+        on: SetRef,
+        /// `[MPa]`
+        steps: Vec<f64>,
+    },
+    /// Stresses on a circular edge, from a table.
+    PolarTraction {
+        /// The edge.
+        on: SetRef,
+        /// The table.
+        table: PolarTable,
+        /// Factors of the table's stresses.
+        steps: Vec<f64>,
+    },
+    /// A temperature change of a body.
+    Temperature {
+        /// The body.
+        body: String,
+        /// `[K]`
+        steps: Vec<f64>,
+    },
+}
+
+impl LoadKind {
+    /// Name of the body that it acts on.
+    pub fn body(&self) -> &str {
+        match self {
+            Self::Force { on, .. }
+            | Self::Bearing { on, .. }
+            | Self::Pressure { on, .. }
+            | Self::PolarTraction { on, .. } => &on.body,
+            Self::Temperature { body, .. } => body,
+        }
+    }
+
+    /// The history, in whatever unit it has.
+    pub fn steps(&self) -> &[f64] {
+        match self {
+            Self::Force { steps, .. }
+            | Self::Bearing { steps, .. }
+            | Self::Pressure { steps, .. }
+            | Self::PolarTraction { steps, .. }
+            | Self::Temperature { steps, .. } => steps,
+        }
+    }
+}
+
+/// Stresses over the angle on a circle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PolarTable {
+    /// The file that it was read from.
+    pub file: PathBuf,
+    /// Angles `[rad]`, strictly increasing.
+    pub theta: Vec<f64>,
+    /// σ_r `[MPa]`.
+    pub radial: Vec<f64>,
+    /// τ_rθ `[MPa]`.
+    pub shear: Vec<f64>,
+}
+
+impl PolarTable {
+    /// Whether the table ends at π and so stands for a load symmetric about the x axis.
+    pub fn is_half(&self) -> bool {
+        self.theta
+            .last()
+            .is_some_and(|last| (last - std::f64::consts::PI).abs() < 1e-9)
+    }
+}
+
+/// What is written beside tables.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Output {
+    /// For which steps fields are written as VTU.
+    pub fields: FieldOutput,
+    /// Whether figures are drawn.
+    pub figures: bool,
+}
+
+/// For which load steps fields are computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum FieldOutput {
+    /// None.
+    None,
+    /// Where the load is largest that acts on a part of the scene which contact does not link to others, for every such part.
+    Peak,
+    /// The last.
+    Last,
+    /// Each.
+    All,
+}

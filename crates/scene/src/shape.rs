@@ -1,0 +1,135 @@
+//! Shapes of bodies: one file each, and the list of them all.
+//!
+//! | file             | in scenes                              | body                                              |
+//! |------------------|----------------------------------------|---------------------------------------------------|
+//! | [`Strip`]        | `shape.plate_with_hole.outline.strip`  | a rectangular plate around a hole                 |
+//! | [`Ring`]         | `shape.plate_with_hole.outline.ring`   | a plate between two circles                       |
+//! | [`Disk`]         | `shape.disk`                           | a pin                                             |
+//! | [`Rectangle`]    | `shape.rectangle`                      | a coupon                                          |
+//! | [`Block`]        | `shape.block`                          | stands for the half-plane below a line contact    |
+//! | [`Cylinder`]     | `shape.cylinder`                       | the cap above it                                  |
+//!
+//! A file brings the keys and their checks, and by [`Outline`] the edges and points with their exact curves, the extent, the symmetry,
+//! the generator of the mesh and one line of description. Nothing else of the program asks which shape a body has.
+
+mod block;
+mod cylinder;
+mod disk;
+mod hole;
+mod line_contact;
+mod outline;
+mod rectangle;
+mod ring;
+mod strip;
+#[cfg(test)]
+mod tests;
+
+use std::ops::Deref;
+
+use serde::{Deserialize, Serialize};
+
+use self::hole::Hole;
+use crate::document::child;
+use crate::units::{Length, Quantity};
+
+pub(crate) use self::outline::Sizes;
+pub use self::outline::{Curve, Divided, DivisionError, Edge, Meshing, Outline, Role, Touch};
+
+/// Makes everything that lists the shapes: the shape, and its table in scenes.
+macro_rules! shapes {
+    (
+        around a hole: $($hole_key:literal => $hole_file:ident::$Hole:ident,)*
+        others: $($key:literal => $file:ident::$Other:ident,)*
+    ) => {
+        $(pub use self::$hole_file::$Hole;)*
+        $(pub use self::$file::$Other;)*
+
+        /// A body's shape; what it brings is its [`Outline`].
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub enum Shape {
+            $(#[doc = concat!("`plate_with_hole.outline.", $hole_key, "`")] $Hole($Hole),)*
+            $(#[doc = concat!("`", $key, "`")] $Other($Other),)*
+        }
+
+        impl Deref for Shape {
+            type Target = dyn Outline;
+
+            fn deref(&self) -> &Self::Target {
+                match self {
+                    $(Self::$Hole(own) => own,)*
+                    $(Self::$Other(own) => own,)*
+                }
+            }
+        }
+
+        /// `shape.NAME = { … }`.
+        #[derive(Debug, Clone, Deserialize, Serialize)]
+        pub(crate) enum ShapeFormat {
+            #[serde(rename = "plate_with_hole")]
+            PlateWithHole(PlateWithHoleFormat),
+            $(#[serde(rename = $key)] $Other($file::Keys),)*
+        }
+
+        /// `outline.NAME = { … }` of a plate with a hole.
+        #[derive(Debug, Clone, Deserialize, Serialize)]
+        pub(crate) enum OutlineFormat {
+            $(#[serde(rename = $hole_key)] $Hole($hole_file::Keys),)*
+        }
+
+        impl ShapeFormat {
+            /// The shape that the table `table` of a body describes.
+            pub(crate) fn read(&self, table: &str, sizes: &mut dyn Sizes) -> Shape {
+                match self {
+                    Self::PlateWithHole(given) => given.read(&child(table, hole::NAME), sizes),
+                    $(Self::$Other(given) => {
+                        Shape::$Other(given.read(&child(table, $key), sizes))
+                    })*
+                }
+            }
+        }
+
+        impl OutlineFormat {
+            fn read(&self, table: &str, hole: &Hole<'_>, sizes: &mut dyn Sizes) -> Shape {
+                match self {
+                    $(Self::$Hole(given) => {
+                        Shape::$Hole(given.read(&child(table, $hole_key), hole, sizes))
+                    })*
+                }
+            }
+        }
+
+        /// An example of each shape, as a scene writes it.
+        #[cfg(test)]
+        const EXAMPLES: &[&str] = &[$($hole_file::EXAMPLE,)* $($file::EXAMPLE,)*];
+    };
+}
+
+// The list: key, file and type of each shape, in the order of messages.
+shapes! {
+    around a hole:
+        "strip" => strip::Strip,
+        "ring" => ring::Ring,
+    others:
+        "disk" => disk::Disk,
+        "rectangle" => rectangle::Rectangle,
+        "block" => block::Block,
+        "cylinder" => cylinder::Cylinder,
+}
+
+/// `shape.plate_with_hole = { … }`: a hole and what surrounds it.
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(crate) struct PlateWithHoleFormat {
+    hole_radius: Quantity<Length>,
+    outline: OutlineFormat,
+}
+
+impl PlateWithHoleFormat {
+    fn read(&self, table: &str, sizes: &mut dyn Sizes) -> Shape {
+        let hole = Hole {
+            radius: sizes.positive(table, "hole_radius", &self.hole_radius),
+            text: self.hole_radius.text(),
+        };
+        self.outline.read(&child(table, "outline"), &hole, sizes)
+    }
+}

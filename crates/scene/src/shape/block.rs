@@ -1,0 +1,84 @@
+//! `block`: x in [−half_length, half_length], y in [−depth, 0]; stands for the half-plane y ≤ 0.
+
+use serde::{Deserialize, Serialize};
+use stickslip_fem_core::mesh::Point;
+
+use super::line_contact;
+use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
+use crate::units::{Length, Quantity};
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(crate) struct Keys {
+    half_length: Quantity<Length>,
+    depth: Quantity<Length>,
+}
+
+#[cfg(test)]
+pub(super) const EXAMPLE: &str = r#"block = { half_length = "20 mm", depth = "18 mm" }"#;
+
+impl Keys {
+    pub(super) fn read(&self, table: &str, sizes: &mut dyn Sizes) -> Block {
+        Block {
+            half_length: sizes.positive(table, "half_length", &self.half_length),
+            depth: sizes.positive(table, "depth", &self.depth),
+        }
+    }
+}
+
+/// x in [−half_length, half_length], y in [−depth, 0]; stands for the half-plane y ≤ 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Block {
+    /// `[mm]`
+    pub half_length: f64,
+    /// `[mm]`
+    pub depth: f64,
+}
+
+impl Outline for Block {
+    fn name(&self) -> &'static str {
+        "block"
+    }
+
+    fn edges(&self) -> Vec<Edge> {
+        let [[left, bottom], [right, top]] = self.bounds();
+        let contact = Edge::straight("contact", [[right, top], [left, top]]);
+        vec![
+            Edge {
+                role: Role::Surface,
+                ..contact
+            },
+            Edge::straight("bottom", [[left, bottom], [right, bottom]]),
+            Edge::straight("left", [[left, top], [left, bottom]]),
+            Edge::straight("right", [[right, bottom], [right, top]]),
+        ]
+    }
+
+    fn bounds(&self) -> [Point; 2] {
+        [[-self.half_length, -self.depth], [self.half_length, 0.0]]
+    }
+
+    fn mirror(&self) -> Option<usize> {
+        Some(0)
+    }
+
+    fn is_round(&self) -> bool {
+        false
+    }
+
+    fn fine_to(&self, given: Option<f64>) -> Option<f64> {
+        Some(line_contact::fine_to(given, self.half_length))
+    }
+
+    fn meshing(&self, divided: &Divided<'_>) -> Result<Meshing, DivisionError> {
+        line_contact::meshing(self, divided)
+    }
+
+    fn describe(&self, show: &dyn Fn(f64) -> String) -> String {
+        format!(
+            "block {} long and {} deep",
+            show(2.0 * self.half_length),
+            show(self.depth)
+        )
+    }
+}

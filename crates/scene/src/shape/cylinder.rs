@@ -1,0 +1,109 @@
+//! `cylinder`: a cap above an arc that touches the origin, y = R − √(R² − x²), up to y = depth, for |x| ≤ half_length.
+
+use serde::{Deserialize, Serialize};
+use stickslip_fem_core::mesh::Point;
+
+use super::line_contact;
+use super::outline::{Curve, Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
+use crate::document::child;
+use crate::units::{Length, Quantity};
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(crate) struct Keys {
+    radius: Quantity<Length>,
+    half_length: Quantity<Length>,
+    depth: Quantity<Length>,
+}
+
+#[cfg(test)]
+pub(super) const EXAMPLE: &str =
+    r#"cylinder = { radius = "100 mm", half_length = "20 mm", depth = "18 mm" }"#;
+
+impl Keys {
+    pub(super) fn read(&self, table: &str, sizes: &mut dyn Sizes) -> Cylinder {
+        let cylinder = Cylinder {
+            radius: sizes.positive(table, "radius", &self.radius),
+            half_length: sizes.positive(table, "half_length", &self.half_length),
+            depth: sizes.positive(table, "depth", &self.depth),
+        };
+        if cylinder.half_length >= cylinder.radius {
+            let allowed = format!("less than the radius, {}", self.radius.text());
+            sizes.refuse(&child(table, "half_length"), &self.half_length, &allowed);
+        } else if cylinder.depth <= cylinder.rise() {
+            let allowed = "greater than the arc's rise at its ends, R − sqrt(R² − half_length²)";
+            sizes.refuse(&child(table, "depth"), &self.depth, allowed);
+        }
+        cylinder
+    }
+}
+
+/// Above an arc that touches the origin from above, y = R − √(R² − x²), up to y = depth, for |x| ≤ half_length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cylinder {
+    /// Radius R of the arc `[mm]`.
+    pub radius: f64,
+    /// `[mm]`, less than the radius.
+    pub half_length: f64,
+    /// `[mm]`, above the ends of the arc.
+    pub depth: f64,
+}
+
+impl Cylinder {
+    /// Height of the arc's ends.
+    fn rise(&self) -> f64 {
+        let (radius, half) = (self.radius, self.half_length);
+        radius - (radius * radius - half * half).sqrt()
+    }
+}
+
+impl Outline for Cylinder {
+    fn name(&self) -> &'static str {
+        "cylinder"
+    }
+
+    fn edges(&self) -> Vec<Edge> {
+        let [[left, _], [right, top]] = self.bounds();
+        let curve = Curve::Arc {
+            centre: [0.0, self.radius],
+            radius: self.radius,
+            ends: [[left, self.rise()], [right, self.rise()]],
+        };
+        let contact = Edge {
+            name: "contact",
+            curve,
+            role: Role::Cap,
+            size: Some("cylinder.radius"),
+        };
+        vec![contact, Edge::straight("top", [[right, top], [left, top]])]
+    }
+
+    fn bounds(&self) -> [Point; 2] {
+        [[-self.half_length, 0.0], [self.half_length, self.depth]]
+    }
+
+    fn mirror(&self) -> Option<usize> {
+        Some(0)
+    }
+
+    fn is_round(&self) -> bool {
+        false
+    }
+
+    fn fine_to(&self, given: Option<f64>) -> Option<f64> {
+        Some(line_contact::fine_to(given, self.half_length))
+    }
+
+    fn meshing(&self, divided: &Divided<'_>) -> Result<Meshing, DivisionError> {
+        line_contact::meshing(self, divided)
+    }
+
+    fn describe(&self, show: &dyn Fn(f64) -> String) -> String {
+        format!(
+            "cylinder of radius {}, {} long and {} high",
+            show(self.radius),
+            show(2.0 * self.half_length),
+            show(self.depth)
+        )
+    }
+}

@@ -1,0 +1,85 @@
+//! `disk`: a pin.
+
+use serde::{Deserialize, Serialize};
+use stickslip_fem_core::generate;
+use stickslip_fem_core::mesh::Point;
+
+use super::hole::SQUARE;
+use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
+use crate::units::{Length, Quantity};
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(crate) struct Keys {
+    radius: Quantity<Length>,
+}
+
+#[cfg(test)]
+pub(super) const EXAMPLE: &str = r#"disk = { radius = "5 mm" }"#;
+
+impl Keys {
+    pub(super) fn read(&self, table: &str, sizes: &mut dyn Sizes) -> Disk {
+        Disk {
+            radius: sizes.positive(table, "radius", &self.radius),
+        }
+    }
+}
+
+/// A disk.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Disk {
+    /// Radius `[mm]`.
+    pub radius: f64,
+}
+
+impl Outline for Disk {
+    fn name(&self) -> &'static str {
+        "disk"
+    }
+
+    fn edges(&self) -> Vec<Edge> {
+        vec![Edge::circular("rim", Role::Rim, self.radius, "disk.radius")]
+    }
+
+    fn points(&self) -> &'static [(&'static str, Point)] {
+        &[("centre", [0.0; 2])]
+    }
+
+    fn bounds(&self) -> [Point; 2] {
+        [[-self.radius; 2], [self.radius; 2]]
+    }
+
+    fn mirror(&self) -> Option<usize> {
+        Some(1)
+    }
+
+    fn is_round(&self) -> bool {
+        true
+    }
+
+    fn is_similar(&self) -> bool {
+        true
+    }
+
+    fn meshing(&self, divided: &Divided<'_>) -> Result<Meshing, DivisionError> {
+        let layers = ((0.22 * divided.half_count()).round() as usize).max(3);
+        let generator = generate::Disk {
+            radius: self.radius,
+            centre: divided.centre,
+            extent: divided.extent,
+            angles: divided.angles.to_vec(),
+            core: generate::Disk::CORE,
+            layers,
+            growth: SQUARE,
+            kind: divided.kind,
+        };
+        Ok(Meshing {
+            generator: Box::new(generator),
+            layers: Some(layers),
+        })
+    }
+
+    fn describe(&self, show: &dyn Fn(f64) -> String) -> String {
+        format!("disk of radius {}", show(self.radius))
+    }
+}

@@ -1,0 +1,290 @@
+//! What a shape brings: its edges and points, its extent and symmetry, its mesh, and how it is described.
+
+use std::fmt;
+
+use stickslip_fem_core::generate::{Extent, Generate, GenerateError};
+use stickslip_fem_core::mesh::{ElementKind, Mesh, Point};
+use thiserror::Error;
+
+use crate::units::{Length, Quantity};
+
+/// A body's shape. Coordinates are those of the body, whose centre stands where [`placement`](crate::placement) puts it; all
+/// lengths in `[mm]`.
+pub trait Outline: fmt::Debug {
+    /// Name in scenes, below `shape`.
+    fn name(&self) -> &'static str;
+
+    /// Its edges, in the order in which messages list them.
+    fn edges(&self) -> Vec<Edge>;
+
+    /// Its named points that are no edges, with their places.
+    fn points(&self) -> &'static [(&'static str, Point)] {
+        &[]
+    }
+
+    /// The smallest and the largest x and y of its points.
+    fn bounds(&self) -> [Point; 2];
+
+    /// The coordinate that changes sign between its two mirror halves, 0 for x and 1 for y; `None` if it is modelled whole. The half on
+    /// the positive side is meshed.
+    fn mirror(&self) -> Option<usize>;
+
+    /// Whether its mesh is divided by angles about its centre, and otherwise by lengths.
+    fn is_round(&self) -> bool;
+
+    /// Whether one length says all of its size, so that its plane compliance is that of any other size.
+    fn is_similar(&self) -> bool {
+        false
+    }
+
+    /// Up to which angle `[rad]` or length its contact edge is divided equally, where the scene says `given`; `None` for all of it.
+    fn fine_to(&self, given: Option<f64>) -> Option<f64> {
+        given
+    }
+
+    /// The generator of its mesh.
+    ///
+    /// # Errors
+    /// [`DivisionError`] for a division that does not suit it.
+    fn meshing(&self, divided: &Divided<'_>) -> Result<Meshing, DivisionError>;
+
+    /// One line about it, with lengths as `show` writes them.
+    fn describe(&self, show: &dyn Fn(f64) -> String) -> String;
+
+    /// The edge called `name`.
+    fn edge(&self, name: &str) -> Option<Edge> {
+        self.edges().into_iter().find(|edge| edge.name == name)
+    }
+
+    /// The first edge with this role.
+    fn edge_with(&self, role: Role) -> Option<Edge> {
+        self.edges().into_iter().find(|edge| edge.role == role)
+    }
+
+    /// Radius of the closed circle called `name`.
+    fn circle(&self, name: &str) -> Option<f64> {
+        self.edge(name)?.circle()
+    }
+}
+
+/// A named edge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Edge {
+    /// Name of its node and edge sets.
+    pub name: &'static str,
+    /// Where it lies exactly.
+    pub curve: Curve,
+    /// Its part in contacts.
+    pub role: Role,
+    /// Key of the size that places it, below `shape`: of a circle its radius, of a straight edge its distance from the centre.
+    pub size: Option<&'static str>,
+}
+
+/// An exact curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Curve {
+    /// A closed circle about the body's centre.
+    Circle {
+        /// Its radius.
+        radius: f64,
+    },
+    /// A part of a circle.
+    Arc {
+        /// Centre of the circle.
+        centre: Point,
+        /// Radius of the circle.
+        radius: f64,
+        /// Its ends; on the way from the first to the second the body is on the left.
+        ends: [Point; 2],
+    },
+    /// A straight line.
+    Segment {
+        /// Its ends; on the way from the first to the second the body is on the left.
+        ends: [Point; 2],
+    },
+}
+
+/// The part of an edge in contacts. A hole takes a rim; a cap takes a surface, and the two bodies are divided together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// None.
+    Free,
+    /// A circle with the body around it.
+    Hole,
+    /// A circle with the body inside.
+    Rim,
+    /// An arc that touches the origin from above.
+    Cap,
+    /// The line y = 0 with the body below.
+    Surface,
+}
+
+/// Two edges that can touch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Touch {
+    /// A circle in a hole.
+    Circles {
+        /// Radii of the hole and of the circle.
+        radii: [f64; 2],
+    },
+    /// A cap on a surface.
+    Cylinder {
+        /// Radius of the cap.
+        radius: f64,
+    },
+}
+
+impl Edge {
+    /// A closed circle, whose radius has the key `size`.
+    pub(super) fn circular(
+        name: &'static str,
+        role: Role,
+        radius: f64,
+        size: &'static str,
+    ) -> Self {
+        Self {
+            name,
+            curve: Curve::Circle { radius },
+            role,
+            size: Some(size),
+        }
+    }
+
+    /// A straight edge without a part in contacts.
+    pub(super) fn straight(name: &'static str, ends: [Point; 2]) -> Self {
+        Self {
+            name,
+            curve: Curve::Segment { ends },
+            role: Role::Free,
+            size: None,
+        }
+    }
+
+    /// The same edge with the key of its distance from the centre.
+    pub(super) fn placed_by(self, size: &'static str) -> Self {
+        Self {
+            size: Some(size),
+            ..self
+        }
+    }
+
+    /// Radius of a closed circle.
+    pub fn circle(&self) -> Option<f64> {
+        match self.curve {
+            Curve::Circle { radius } => Some(radius),
+            Curve::Arc { .. } | Curve::Segment { .. } => None,
+        }
+    }
+
+    /// The coordinate along `axis` (0 for x, 1 for y) that all points of a straight edge share.
+    pub fn level(&self, axis: usize) -> Option<f64> {
+        match self.curve {
+            Curve::Segment { ends: [from, to] } if from[axis] == to[axis] => Some(from[axis]),
+            _ => None,
+        }
+    }
+
+    /// Whether the edge's normal in results, e_r of a circle and +y of others, points into the body.
+    pub fn has_inward_normal(&self) -> bool {
+        match self.curve {
+            Curve::Circle { .. } => self.role == Role::Hole,
+            Curve::Arc { ends, .. } | Curve::Segment { ends } => ends[1][0] > ends[0][0],
+        }
+    }
+
+    /// How this edge, as the first of a contact, touches `second`; `None` where gaps between the two are not known.
+    pub fn touches(&self, second: &Self) -> Option<Touch> {
+        match (self.role, self.curve, second.role, second.curve) {
+            (
+                Role::Hole,
+                Curve::Circle { radius: hole },
+                Role::Rim,
+                Curve::Circle { radius: inner },
+            ) => Some(Touch::Circles {
+                radii: [hole, inner],
+            }),
+            (Role::Cap, Curve::Arc { radius, .. }, Role::Surface, _) => {
+                Some(Touch::Cylinder { radius })
+            }
+            _ => None,
+        }
+    }
+}
+
+/// How a body is divided.
+#[derive(Debug, Clone, Copy)]
+pub struct Divided<'a> {
+    /// Kind of the cells.
+    pub kind: ElementKind,
+    /// Angles of the corner nodes of a round shape `[rad]`, from 0 to π (half) or to below 2π (whole); empty for others.
+    pub angles: &'a [f64],
+    /// Spacing of corner nodes on the contact edge of a shape that is not round; `None` where the scene gives angles.
+    pub spacing: Option<f64>,
+    /// Up to where that spacing holds, where the scene says so.
+    pub fine_to: Option<f64>,
+    /// Layers between a hole and what surrounds it, where the scene gives them.
+    pub layers: Option<usize>,
+    /// Half or whole.
+    pub extent: Extent,
+    /// Where the body's centre stands.
+    pub centre: Point,
+    /// The shape that it is divided together with, of a cap or a surface.
+    pub partner: Option<&'a dyn Outline>,
+    /// Most nodes.
+    pub most: usize,
+}
+
+impl Divided<'_> {
+    /// Divisions of half the circle.
+    pub(super) fn half_count(&self) -> f64 {
+        match self.extent {
+            Extent::Half => self.angles.len() as f64 - 1.0,
+            Extent::Whole => self.angles.len() as f64 / 2.0,
+        }
+    }
+}
+
+/// How a mesh is made.
+pub struct Meshing {
+    /// Its generator.
+    pub generator: Box<dyn Generate<Output = Mesh>>,
+    /// Radial layers of a round shape.
+    pub layers: Option<usize>,
+}
+
+impl fmt::Debug for Meshing {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut shown = formatter.debug_struct("Meshing");
+        shown.field("layers", &self.layers).finish_non_exhaustive()
+    }
+}
+
+/// Why a body cannot be divided as the scene says.
+#[derive(Debug, Clone, Error, PartialEq)]
+#[non_exhaustive]
+pub enum DivisionError {
+    /// Angles, where a length is needed.
+    #[error("a line contact is divided by a length, such as spacing = \"0.02 mm\"")]
+    NeedsLength,
+    /// A cap without a surface, or a surface without a cap.
+    #[error("a cap is divided together with the surface that it touches")]
+    NoPartner,
+    /// So many nodes that they are not counted exactly.
+    #[error("the mesh would have about {nodes:.3e} nodes")]
+    TooManyNodes {
+        /// About how many.
+        nodes: f64,
+    },
+    /// The generator refuses its input.
+    #[error(transparent)]
+    Generate(#[from] GenerateError),
+}
+
+/// Checks the sizes of a shape while its table is read, and keeps what is wrong.
+pub(crate) trait Sizes {
+    /// The value `[mm]` of the key `name` of `table`, which must be positive.
+    fn positive(&mut self, table: &str, name: &str, size: &Quantity<Length>) -> f64;
+
+    /// Reports the size at `key`, which is not what is `allowed`.
+    fn refuse(&mut self, key: &str, size: &Quantity<Length>, allowed: &str);
+}

@@ -1,0 +1,118 @@
+//! `plate_with_hole` with `outline.strip`.
+//!
+//! ```text
+//!      half_width ┌──────────────────┐
+//!                 │          ╭─╮     │
+//!              0  │          ╰─╯     │
+//!                 │                  │
+//!     −half_width └──────────────────┘
+//!               −left         0    right
+//! ```
+
+use serde::{Deserialize, Serialize};
+use stickslip_fem_core::generate;
+use stickslip_fem_core::mesh::Point;
+
+use super::hole::{self, Hole};
+use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Sizes};
+use crate::document::child;
+use crate::units::{Length, Quantity};
+
+#[derive(Debug, Clone, Deserialize, Serialize)]
+#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+pub(crate) struct Keys {
+    half_width: Quantity<Length>,
+    left: Quantity<Length>,
+    right: Quantity<Length>,
+}
+
+#[cfg(test)]
+pub(super) const EXAMPLE: &str = r#"plate_with_hole = { hole_radius = "5 mm", outline.strip = { half_width = "20 mm", left = "70 mm", right = "15 mm" } }"#;
+
+impl Keys {
+    pub(super) fn read(&self, table: &str, hole: &Hole<'_>, sizes: &mut dyn Sizes) -> Strip {
+        let mut beyond = |name: &str, size: &Quantity<Length>| {
+            let value = sizes.positive(table, name, size);
+            if value > 0.0 && value <= hole.radius {
+                let allowed = format!("greater than the hole's radius, {}", hole.text);
+                sizes.refuse(&child(table, name), size, &allowed);
+            }
+            value
+        };
+        Strip {
+            hole_radius: hole.radius,
+            half_width: beyond("half_width", &self.half_width),
+            left: beyond("left", &self.left),
+            right: beyond("right", &self.right),
+        }
+    }
+}
+
+/// A strip around a circular hole: x in [−left, right], |y| ≤ half_width.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Strip {
+    /// Radius of the hole `[mm]`.
+    pub hole_radius: f64,
+    /// `[mm]`
+    pub half_width: f64,
+    /// `[mm]`
+    pub left: f64,
+    /// `[mm]`
+    pub right: f64,
+}
+
+impl Outline for Strip {
+    fn name(&self) -> &'static str {
+        hole::NAME
+    }
+
+    fn edges(&self) -> Vec<Edge> {
+        let [[left, bottom], [right, top]] = self.bounds();
+        let side = |name, from, to| Edge::straight(name, [from, to]);
+        vec![
+            hole::edge(self.hole_radius),
+            side("left", [left, top], [left, bottom])
+                .placed_by("plate_with_hole.outline.strip.left"),
+            side("right", [right, bottom], [right, top])
+                .placed_by("plate_with_hole.outline.strip.right"),
+            side("top", [right, top], [left, top])
+                .placed_by("plate_with_hole.outline.strip.half_width"),
+            side("bottom", [left, bottom], [right, bottom])
+                .placed_by("plate_with_hole.outline.strip.half_width"),
+        ]
+    }
+
+    fn bounds(&self) -> [Point; 2] {
+        [
+            [-self.left, -self.half_width],
+            [self.right, self.half_width],
+        ]
+    }
+
+    fn mirror(&self) -> Option<usize> {
+        Some(1)
+    }
+
+    fn is_round(&self) -> bool {
+        true
+    }
+
+    fn meshing(&self, divided: &Divided<'_>) -> Result<Meshing, DivisionError> {
+        let outline = generate::Outline::Strip {
+            half_width: self.half_width,
+            left: self.left,
+            right: self.right,
+        };
+        Ok(hole::meshing(self.hole_radius, outline, 0.4, divided))
+    }
+
+    fn describe(&self, show: &dyn Fn(f64) -> String) -> String {
+        format!(
+            "strip {} wide, {} to the left and {} to the right of a hole of radius {}",
+            show(2.0 * self.half_width),
+            show(self.left),
+            show(self.right),
+            show(self.hole_radius)
+        )
+    }
+}

@@ -1,0 +1,323 @@
+//! The contract of a shape, for every shape of the list.
+
+use stickslip_fem_core::generate::{Extent, uniform_angles};
+use stickslip_fem_core::mesh::{ElementKind, Mesh, Point};
+
+use super::{Curve, Divided, EXAMPLES, Edge, Role, Shape, ShapeFormat, Sizes};
+use crate::units::{Length, Quantity};
+
+/// Rounding of coordinates of some 100 mm, with room for a dozen operations.
+const EXACT: f64 = 1e-12;
+
+/// Sizes of examples are right.
+struct Right;
+
+impl Sizes for Right {
+    fn positive(&mut self, table: &str, name: &str, size: &Quantity<Length>) -> f64 {
+        assert!(size.value() > 0.0, "{table}.{name}");
+        size.value()
+    }
+
+    fn refuse(&mut self, key: &str, size: &Quantity<Length>, allowed: &str) {
+        panic!("{key} = {} is not {allowed}", size.text());
+    }
+}
+
+/// All shapes, as scenes write them.
+fn shapes() -> Vec<Shape> {
+    let read = |text: &&str| {
+        let given: ShapeFormat = toml::from_str(text).unwrap_or_else(|why| panic!("{text}: {why}"));
+        given.read("shape", &mut Right)
+    };
+    EXAMPLES.iter().map(read).collect()
+}
+
+/// The shape that `own` is divided together with, if it is.
+fn partner(own: &Shape) -> Option<Shape> {
+    let wanted = match own.edges().first()?.role {
+        Role::Cap => Role::Surface,
+        Role::Surface => Role::Cap,
+        Role::Free | Role::Hole | Role::Rim => return None,
+    };
+    let mut others = shapes().into_iter();
+    others.find(|other| other.edge_with(wanted).is_some())
+}
+
+fn mesh(shape: &Shape, kind: ElementKind, extent: Extent, centre: Point) -> Mesh {
+    let partner = partner(shape);
+    let count = if extent == Extent::Half { 24 } else { 48 };
+    let angles = uniform_angles(extent, count);
+    let divided = Divided {
+        kind,
+        angles: if shape.is_round() { &angles } else { &[] },
+        spacing: (!shape.is_round()).then_some(0.75),
+        fine_to: None,
+        layers: None,
+        extent,
+        centre,
+        partner: partner.as_deref(),
+        most: 1_000_000,
+    };
+    let meshing = shape.meshing(&divided).unwrap();
+    assert_eq!(meshing.layers.is_some(), shape.is_round(), "{shape:?}");
+    meshing.generator.generate().unwrap()
+}
+
+/// How far `at` lies from the curve `[mm]`.
+fn distance(curve: Curve, [x, y]: Point) -> f64 {
+    match curve {
+        Curve::Circle { radius } => (x.hypot(y) - radius).abs(),
+        Curve::Arc {
+            centre,
+            radius,
+            ends: [from, to],
+        } => {
+            // The arc's digits near the origin are those of its height, so it is measured along y.
+            let across = x - centre[0];
+            let depth = radius - ((radius - across) * (radius + across)).sqrt();
+            let beyond = (from[0] - x).max(x - to[0]).max(0.0);
+            (y - (centre[1] - radius + depth)).abs().max(beyond)
+        }
+        Curve::Segment {
+            ends: [[ax, ay], [bx, by]],
+        } => {
+            let (dx, dy) = (bx - ax, by - ay);
+            let part = ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy);
+            let part = part.clamp(0.0, 1.0);
+            (x - ax - part * dx).hypot(y - ay - part * dy)
+        }
+    }
+}
+
+/// Every shape, element and extent that makes a mesh, with its nodes about the body's centre.
+fn all(check: impl Fn(&str, &Shape, &Mesh, Extent, &[Point])) {
+    for shape in shapes() {
+        for kind in [
+            ElementKind::T3,
+            ElementKind::T6,
+            ElementKind::Q4,
+            ElementKind::Q8,
+            ElementKind::Q9,
+        ] {
+            for extent in [Extent::Half, Extent::Whole] {
+                if extent == Extent::Half && shape.mirror().is_none() {
+                    continue;
+                }
+                // Bodies that are divided by lengths stay at the origin.
+                let centre = if shape.is_round() {
+                    [0.25, 0.0]
+                } else {
+                    [0.0; 2]
+                };
+                let mesh = mesh(&shape, kind, extent, centre);
+                let nodes: Vec<Point> = (mesh.nodes().iter())
+                    .map(|[x, y]| [x - centre[0], y - centre[1]])
+                    .collect();
+                let name = format!("{shape:?} {kind:?} {extent:?}");
+                check(&name, &shape, &mesh, extent, &nodes);
+            }
+        }
+    }
+}
+
+/// Whether a half model of `shape` has no part of the edge.
+fn left_out(shape: &Shape, edge: &Edge, extent: Extent) -> bool {
+    let level = shape.mirror().and_then(|across| edge.level(across));
+    extent == Extent::Half && level.is_some_and(|level| level < 0.0)
+}
+
+#[test]
+fn the_list_names_every_shape_once() {
+    let shapes = shapes();
+    assert_eq!(shapes.len(), 6);
+    for (index, shape) in shapes.iter().enumerate() {
+        let kind = std::mem::discriminant(shape);
+        assert!(
+            shapes[..index]
+                .iter()
+                .all(|other| std::mem::discriminant(other) != kind)
+        );
+        assert!(EXAMPLES[index].starts_with(shape.name()), "{shape:?}");
+        let line = shape.describe(&|value| format!("{value} mm"));
+        assert!(line.contains(" mm"), "{line}");
+    }
+}
+
+#[test]
+fn what_is_read_is_written_as_it_was() {
+    for text in EXAMPLES {
+        let given: ShapeFormat = toml::from_str(text).unwrap();
+        let written = toml::to_string(&given).unwrap();
+        let again: ShapeFormat = toml::from_str(&written).unwrap();
+        let [first, second] = [given, again].map(|given| given.read("shape", &mut Right));
+        assert_eq!(first, second, "{text}");
+    }
+}
+
+#[test]
+fn edges_and_points_exist_where_the_shape_says() {
+    all(|name, shape, mesh, extent, nodes| {
+        for edge in shape.edges() {
+            if left_out(shape, &edge, extent) {
+                assert!(mesh.node_set(edge.name).is_err(), "{name} {}", edge.name);
+                continue;
+            }
+            let set = mesh.node_set(edge.name).unwrap();
+            assert!(set.len() > 2, "{name} {}", edge.name);
+            assert!(mesh.edge_set(edge.name).is_ok(), "{name} {}", edge.name);
+            for &node in set {
+                let error = distance(edge.curve, nodes[node]);
+                assert!(error < EXACT, "{name} {}: {error:e}", edge.name);
+            }
+        }
+        for &(point, [x, y]) in shape.points() {
+            let set = mesh.node_set(point).unwrap();
+            assert_eq!(set.len(), 1, "{name} {point}");
+            let at = nodes[set[0]];
+            assert!((at[0] - x).hypot(at[1] - y) < EXACT, "{name} {point}");
+        }
+    });
+}
+
+#[test]
+fn edges_reach_the_ends_that_they_state() {
+    all(|name, shape, mesh, extent, nodes| {
+        for edge in shape.edges() {
+            let (Curve::Segment { ends } | Curve::Arc { ends, .. }) = edge.curve else {
+                continue;
+            };
+            if left_out(shape, &edge, extent) {
+                continue;
+            }
+            let set = mesh.node_set(edge.name).unwrap();
+            for [x, y] in ends {
+                let kept = shape.mirror().is_none_or(|across| [x, y][across] >= 0.0);
+                if extent == Extent::Half && !kept {
+                    continue;
+                }
+                let gap = |&node: &usize| (nodes[node][0] - x).hypot(nodes[node][1] - y);
+                let nearest = set.iter().map(gap).fold(f64::INFINITY, f64::min);
+                assert!(nearest < EXACT, "{name} {}: {nearest:e}", edge.name);
+            }
+        }
+    });
+}
+
+#[test]
+fn the_extent_holds_all_nodes_and_is_reached() {
+    all(|name, shape, _, extent, nodes| {
+        let [low, high] = shape.bounds();
+        for axis in [0, 1] {
+            let along = nodes.iter().map(|node| node[axis]);
+            let (least, most) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {
+                (a.min(x), b.max(x))
+            });
+            let halved = extent == Extent::Half && shape.mirror() == Some(axis);
+            let low = if halved { 0.0 } else { low[axis] };
+            assert!((least - low).abs() < EXACT, "{name}: {least} and {low}");
+            assert!((most - high[axis]).abs() < EXACT, "{name}: {most}");
+        }
+    });
+}
+
+#[test]
+fn whole_meshes_have_the_symmetry_that_the_shape_claims() {
+    all(|name, shape, mesh, extent, nodes| {
+        let Some(across) = shape.mirror() else {
+            return;
+        };
+        if extent == Extent::Half {
+            for &node in mesh.node_set("symmetry").unwrap() {
+                assert!(nodes[node][across].abs() < EXACT, "{name}");
+            }
+            assert!(nodes.iter().all(|node| node[across] > -EXACT), "{name}");
+            return;
+        }
+        let image = |&node: &Point| {
+            let mut image = node;
+            image[across] *= -1.0;
+            image
+        };
+        // Sorted by the coordinate along the line of symmetry, an image is searched among its neighbours only.
+        let along = 1 - across;
+        let mut sorted = nodes.to_vec();
+        sorted.sort_by(|a, b| a[along].total_cmp(&b[along]));
+        for image in nodes.iter().map(image) {
+            let from = sorted.partition_point(|node| node[along] < image[along] - 1e-9);
+            let near = sorted[from..].iter();
+            let mut near = near.take_while(|node| node[along] < image[along] + 1e-9);
+            let found = near.any(|node| (node[0] - image[0]).hypot(node[1] - image[1]) < EXACT);
+            assert!(found, "{name}: no node at {image:?}");
+        }
+    });
+}
+
+#[test]
+fn normals_point_in_where_the_edge_says() {
+    all(|name, shape, mesh, extent, nodes| {
+        for edge in shape.edges() {
+            // Results take e_r of circles and +y of other edges; edges along y are not reported.
+            if left_out(shape, &edge, extent) || edge.level(0).is_some() {
+                continue;
+            }
+            let path = mesh.edge_path(edge.name).unwrap();
+            let own = path.nodes[path.nodes.len() / 2 / path.order * path.order];
+            let [x, y] = nodes[own];
+            let normal = match edge.curve {
+                Curve::Circle { radius } => [x / radius, y / radius],
+                Curve::Arc { .. } | Curve::Segment { .. } => [0.0, 1.0],
+            };
+            let cells = (0..mesh.element_count()).map(|cell| mesh.element(cell).1);
+            let mut depth = 0.0;
+            for other in cells.filter(|cell| cell.contains(&own)).flatten() {
+                let [px, py] = nodes[*other];
+                depth += (px - x) * normal[0] + (py - y) * normal[1];
+            }
+            assert_eq!(
+                depth > 0.0,
+                edge.has_inward_normal(),
+                "{name} {}",
+                edge.name
+            );
+        }
+    });
+}
+
+#[test]
+fn keys_of_sizes_lead_to_the_sizes() {
+    for (shape, text) in shapes().iter().zip(EXAMPLES) {
+        let table: toml::Value = toml::from_str(text).unwrap();
+        for edge in shape.edges() {
+            let Some(key) = edge.size else {
+                continue;
+            };
+            let value = key
+                .split('.')
+                .try_fold(&table, |table, name| table.get(name));
+            let value: Quantity<Length> = value.unwrap().clone().try_into().unwrap();
+            let size = match edge.curve {
+                Curve::Circle { radius } | Curve::Arc { radius, .. } => radius,
+                Curve::Segment { .. } => edge.level(0).or(edge.level(1)).unwrap().abs(),
+            };
+            assert_eq!(value.value(), size, "{key}");
+        }
+    }
+}
+
+#[test]
+fn a_hole_takes_a_rim_and_a_cap_takes_a_surface() {
+    let edges: Vec<Edge> = shapes().iter().flat_map(|shape| shape.edges()).collect();
+    for first in &edges {
+        for second in &edges {
+            let fits = matches!(
+                (first.role, second.role),
+                (Role::Hole, Role::Rim) | (Role::Cap, Role::Surface)
+            );
+            assert_eq!(
+                first.touches(second).is_some(),
+                fits,
+                "{first:?} {second:?}"
+            );
+        }
+    }
+}

@@ -1,0 +1,343 @@
+//! What must not be: the invariants of absence in ARCHITECTURE.md, tested by reading sources and manifests.
+//!
+//! A row of [`PATHS`] names Rust paths and the only places that may use them; a row of [`CRATES`] names a dependency and the only
+//! manifests that may list it. Comments, text and test modules do not count.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Sources of the crates that take and return values only.
+const LIBRARIES: &[&str] = &[
+    "crates/fem-core/src",
+    "crates/friction/src",
+    "crates/contact/src",
+    "crates/laminate/src",
+    "crates/joint/src",
+    "crates/hybrid/src",
+    "crates/text/src",
+    "crates/report/src",
+    "crates/scene/src",
+    "crates/engine/src",
+    "crates/measure/src",
+    "crates/present/src",
+];
+
+/// All Rust code of the workspace.
+const EVERYTHING: &[&str] = &["crates", "tests", "xtask", "examples"];
+
+/// Rust paths that stand nowhere below some folders but in a few places.
+struct Absence {
+    /// What must be absent.
+    what: &'static str,
+    /// Beginnings of paths (`std::fs`) and macros (`println!`).
+    marks: &'static [&'static str],
+    /// Folders whose code is read.
+    below: &'static [&'static str],
+    /// Files and folders that may, by the beginning of their names.
+    except: &'static [&'static str],
+}
+
+const PATHS: &[Absence] = &[
+    Absence {
+        what: "faer outside of its wrapper",
+        marks: &["faer"],
+        below: EVERYTHING,
+        except: &["crates/fem-core/src/linalg"],
+    },
+    Absence {
+        what: "threads outside of their seam",
+        marks: &["rayon", "std::thread"],
+        below: LIBRARIES,
+        except: &[
+            "crates/fem-core/src/parallel.rs",
+            "crates/fem-core/src/linalg/yardstick.rs",
+        ],
+    },
+    Absence {
+        what: "files in a library",
+        marks: &["std::fs", "std::os"],
+        below: LIBRARIES,
+        except: &[],
+    },
+    Absence {
+        what: "a clock in a library",
+        marks: &["std::time"],
+        below: LIBRARIES,
+        except: &[],
+    },
+    Absence {
+        what: "the terminal in a library",
+        marks: &[
+            "print!",
+            "println!",
+            "eprint!",
+            "eprintln!",
+            "dbg!",
+            "std::io::stdin",
+            "std::io::stdout",
+            "std::io::stderr",
+        ],
+        below: LIBRARIES,
+        except: &[],
+    },
+    Absence {
+        what: "the process or its surroundings in a library",
+        marks: &["std::process", "std::env", "std::net"],
+        below: LIBRARIES,
+        except: &[],
+    },
+    Absence {
+        what: "models and runs in the readers of scenes",
+        marks: &["stickslip_engine"],
+        below: &["crates/scene/src"],
+        except: &[],
+    },
+    Absence {
+        what: "pages in what finds",
+        marks: &["stickslip_present", "stickslip_report"],
+        below: &[
+            "crates/scene/src",
+            "crates/engine/src",
+            "crates/measure/src",
+        ],
+        except: &[],
+    },
+    Absence {
+        what: "contact in the finite elements",
+        marks: &["stickslip_contact", "stickslip_friction"],
+        below: &["crates/fem-core"],
+        except: &[],
+    },
+    Absence {
+        what: "meshes and matrices in friction laws",
+        marks: &["stickslip_fem_core", "nalgebra"],
+        below: &["crates/friction"],
+        except: &[],
+    },
+    Absence {
+        what: "cells and their matrices in contact, which sees edges only",
+        marks: &[
+            "stickslip_fem_core::element::Element",
+            "stickslip_fem_core::element::KindVisitor",
+            "stickslip_fem_core::element::with_element",
+            "stickslip_fem_core::body",
+        ],
+        below: &["crates/contact/src"],
+        except: &[],
+    },
+];
+
+/// A dependency that only some manifests list, tests and benches aside.
+struct Crate {
+    name: &'static str,
+    /// Folders of the crates that may.
+    only: &'static [&'static str],
+}
+
+const CRATES: &[Crate] = &[
+    Crate {
+        name: "faer",
+        only: &["crates/fem-core"],
+    },
+    Crate {
+        name: "rayon",
+        only: &["crates/fem-core", "crates/stickslip", "xtask"],
+    },
+];
+
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+fn read(path: &Path) -> String {
+    fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// Names, relative to the root, of the files below `folder` whose names end in `ending`.
+fn files(folder: &str, ending: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(root().join(folder)).expect("a readable folder") {
+        let entry = entry.expect("a readable entry");
+        let name = format!("{folder}/{}", entry.file_name().to_string_lossy());
+        if entry.path().is_dir() {
+            if !name.ends_with("/target") {
+                found.extend(files(&name, ending));
+            }
+        } else if name.ends_with(ending) {
+            found.push(name);
+        }
+    }
+    found.sort();
+    found
+}
+
+fn letter(byte: u8) -> bool {
+    byte.is_ascii_alphanumeric() || byte == b'_'
+}
+
+/// The code of a source: comments and the insides of text left out, and what follows a test module's attribute.
+fn code(source: &str) -> String {
+    let end = source.find("#[cfg(test)]\nmod ").unwrap_or(source.len());
+    let bytes = &source.as_bytes()[..end];
+    let at = |k: usize, mark: &str| bytes[k.min(end)..].starts_with(mark.as_bytes());
+    let (mut kept, mut k) = (Vec::new(), 0);
+    while k < end {
+        if at(k, "//") {
+            k += bytes[k..].iter().take_while(|&&byte| byte != b'\n').count();
+        } else if at(k, "r#\"") {
+            k += 3;
+            while k < end && !at(k, "\"#") {
+                k += 1;
+            }
+            k += 2;
+        } else if at(k, "'\"'") || at(k, "'\\\"'") {
+            k += if at(k, "'\"'") { 3 } else { 4 };
+        } else if at(k, "\"") {
+            k += 1;
+            while k < end && !at(k, "\"") {
+                k += if at(k, "\\") { 2 } else { 1 };
+            }
+            k += 1;
+        } else {
+            kept.push(bytes[k]);
+            k += 1;
+        }
+    }
+    String::from_utf8_lossy(&kept).into_owned()
+}
+
+/// Every path of the trees of `use` declarations, in full.
+fn imported(code: &str) -> Vec<String> {
+    fn expand(before: &str, tree: &str, paths: &mut Vec<String>) {
+        let Some((stem, group)) = tree.split_once('{') else {
+            paths.push(format!("{before}{}", tree.trim()));
+            return;
+        };
+        let group = group.trim_end().strip_suffix('}').unwrap_or(group);
+        let (mut depth, mut first) = (0, 0);
+        for (k, byte) in group.bytes().chain([b',']).enumerate() {
+            match byte {
+                b'{' => depth += 1,
+                b'}' => depth -= 1,
+                b',' if depth == 0 => {
+                    expand(&format!("{before}{}", stem.trim()), &group[first..k], paths);
+                    first = (k + 1).min(group.len());
+                }
+                _ => {}
+            }
+        }
+    }
+    let mut paths = Vec::new();
+    for (k, _) in code.match_indices("use ") {
+        if k == 0 || !letter(code.as_bytes()[k - 1]) {
+            let tree = code[k + 4..].split(';').next().unwrap_or_default();
+            expand("", tree, &mut paths);
+        }
+    }
+    paths
+}
+
+/// Whether `text` holds `mark` as whole identifiers.
+fn mentions(text: &str, mark: &str) -> bool {
+    let bytes = text.as_bytes();
+    text.match_indices(mark).any(|(k, _)| {
+        let end = k + mark.len();
+        let open = mark.ends_with('!') || end == bytes.len() || !letter(bytes[end]);
+        open && (k == 0 || !letter(bytes[k - 1]))
+    })
+}
+
+/// The mark that a source uses, if any.
+fn used<'a>(source: &str, marks: &[&'a str]) -> Option<&'a str> {
+    let code = code(source);
+    let imported = imported(&code);
+    let in_it =
+        |mark: &&&str| mentions(&code, mark) || imported.iter().any(|path| mentions(path, mark));
+    marks.iter().find(in_it).copied()
+}
+
+#[test]
+fn what_must_be_absent_is_absent() {
+    let mut wrong = Vec::new();
+    for row in PATHS {
+        for exception in row.except {
+            assert!(
+                root().join(exception).exists(),
+                "{}: {exception} is not there",
+                row.what
+            );
+        }
+        for name in row.below.iter().flat_map(|folder| files(folder, ".rs")) {
+            let excepted = row.except.iter().any(|start| name.starts_with(start));
+            if let Some(mark) = used(&read(&root().join(&name)), row.marks)
+                && !excepted
+            {
+                wrong.push(format!("{}: {name} uses {mark}", row.what));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// An exception that is used no more, or a mark that is misspelt, would hide the next offence.
+#[test]
+fn every_exception_is_needed() {
+    for row in PATHS {
+        for exception in row.except {
+            let folder = exception
+                .rsplit_once('/')
+                .map_or(*exception, |(folder, _)| folder);
+            let mut own = files(folder, ".rs").into_iter();
+            assert!(
+                own.any(|name| name.starts_with(exception)
+                    && used(&read(&root().join(&name)), row.marks).is_some()),
+                "{}: {exception} has no need of its exception",
+                row.what
+            );
+        }
+    }
+}
+
+#[test]
+fn dependencies_stand_where_they_may() {
+    let mut wrong = Vec::new();
+    for name in EVERYTHING
+        .iter()
+        .flat_map(|folder| files(folder, "/Cargo.toml"))
+    {
+        let manifest: toml::Table = toml::from_str(&read(&root().join(&name)))
+            .unwrap_or_else(|error| panic!("{name}: {error}"));
+        let listed = manifest.get("dependencies").and_then(toml::Value::as_table);
+        let folder = name.trim_end_matches("/Cargo.toml");
+        for row in CRATES {
+            let lists = listed.is_some_and(|listed| listed.contains_key(row.name));
+            if lists != row.only.contains(&folder) {
+                wrong.push(format!("{folder}: lists {}: {lists}", row.name));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn sources_are_read_as_code() {
+    let marks: &[&str] = &["std::fs", "println!", "rayon"];
+    for clean in [
+        "// std::fs\nlet x = \"std::fs \\\" std::fs\";",
+        "//! [`println!`]",
+        "let a = '\"'; // rayon\nlet b = r#\"rayon \"rayon\" \"#;",
+        "use crate::std::fs_like; let crayon = my_println!();",
+        "fn f() {}\n#[cfg(test)]\nmod tests { use std::fs; }",
+    ] {
+        assert_eq!(used(clean, marks), None, "{clean}");
+    }
+    for (foul, mark) in [
+        ("let x = std::fs::read(p);", "std::fs"),
+        ("use std::{\n    io,\n    fs::{self, File},\n};", "std::fs"),
+        ("use std::{io::{Read, Write}, fs};", "std::fs"),
+        ("let s = \"a\"; println!(\"b\");", "println!"),
+        ("use rayon::prelude::*;", "rayon"),
+    ] {
+        assert_eq!(used(foul, marks), Some(mark), "{foul}");
+    }
+}
