@@ -10,13 +10,14 @@
 //! rounding: residuals of smoothed data are small whatever their errors, those of calculated ones vanish. b is the bias that smoothing is
 //! estimated to leave: a declared systematic deviation, not a correction.
 
-pub mod bearing;
+mod bearing;
 mod boundary;
 mod edge;
+mod findings;
 mod held_out;
 mod imported;
 mod known_force;
-pub mod load;
+mod load;
 mod picture;
 mod region;
 pub(super) mod scale;
@@ -33,8 +34,9 @@ use stickslip_scene::experiment::Experiment;
 
 pub use bearing::BearingCheck;
 pub(super) use edge::smoothing_reach;
+pub use findings::free_in_region_only;
 pub use known_force::ForceCheck;
-pub use load::{LoadCheck, NotCompared};
+pub use load::LoadCheck;
 pub use picture::PictureMotion;
 pub use region::Workbench;
 pub(super) use region::meshed;

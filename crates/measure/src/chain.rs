@@ -5,6 +5,7 @@ use stickslip_scene::experiment::{Experiment, Source};
 
 use crate::analysed::{self, Analysed};
 use crate::error::ExperimentError;
+use crate::finding::{Finding, FrictionFinding, Located, ModelFinding};
 use crate::identified::{self, Coarser, Identified};
 use crate::laws::{self, Known, LawStage, LawsError};
 use crate::measured::{self, Measured};
@@ -27,7 +28,7 @@ pub enum Depth {
 
 /// What the stages found, to the depth that was asked for.
 #[derive(Debug)]
-pub struct Findings {
+pub struct Outcome {
     /// The solved scene, where any state is synthetic.
     pub truth: Option<Truth>,
     /// Measured fields, state by state; empty at [`Depth::Fringes`].
@@ -47,8 +48,8 @@ pub struct Edges {
     pub plates: Vec<WholeState>,
     /// Friction by the whole plate; `None` without such states.
     pub plate_friction: Option<Identified>,
-    /// States that are no load steps of the scene, and load steps that were assumed, in sentences.
-    pub plate_warnings: Vec<String>,
+    /// States that are no load steps of the scene, and load steps that were assumed.
+    pub plate_findings: Vec<ModelFinding>,
 }
 
 /// Friction of all states.
@@ -62,6 +63,27 @@ pub struct Friction {
     pub moves: Option<Result<f64, LawsError>>,
     /// Friction laws fitted by contact solves, where there are any.
     pub laws: Option<LawStage>,
+}
+
+impl Friction {
+    /// What makes friction by the edges `analysed` doubtful, or leaves it without a zone. Laws have [findings](LawStage::located) of their own.
+    pub fn findings(&self, experiment: &Experiment, analysed: &[Analysed]) -> Vec<Located> {
+        let bearings = analysed
+            .iter()
+            .filter_map(|found| found.bearing_finding(experiment));
+        let coarser = self.coarser.as_ref().ok().and_then(Option::as_ref);
+        let moves = match &self.moves {
+            Some(Err(cause)) => Some(FrictionFinding::MovesUnknown {
+                cause: cause.to_string(),
+            }),
+            _ => None,
+        };
+        let own = (self.identified.doubts(coarser).into_iter())
+            .chain(moves)
+            .chain(self.identified.findings.iter().cloned());
+        let own = own.map(|finding| Located::of_all(Finding::Friction(finding)));
+        bearings.chain(own).collect()
+    }
 }
 
 /// Takes the synthetic pictures as they are made, so that only one state's are held at a time.
@@ -90,7 +112,7 @@ pub fn run(
     depth: Depth,
     album: &mut dyn Album,
     progress: &mut dyn FnMut(Progress),
-) -> Result<Findings, ExperimentError> {
+) -> Result<Outcome, ExperimentError> {
     let truth = truth(experiment, progress)?;
     if truth.is_none() && depth == Depth::Fringes {
         return Err(ExperimentError::Missing {
@@ -100,7 +122,7 @@ pub fn run(
         });
     }
     let fields = measured(experiment, depth, truth.as_ref(), album, progress)?;
-    let mut findings = Findings {
+    let mut outcome = Outcome {
         truth,
         fields,
         edges: None,
@@ -108,19 +130,19 @@ pub fn run(
     };
     if depth >= Depth::Hybrid {
         progress(Progress::Phase("hybrid analysis"));
-        findings.edges = Some(edges(experiment, &findings.fields)?);
+        outcome.edges = Some(edges(experiment, &outcome.fields)?);
     }
-    if let (Depth::Identify, Some(edges)) = (depth, &findings.edges) {
-        let truth = findings.truth.as_ref();
-        findings.friction = Some(friction(
+    if let (Depth::Identify, Some(edges)) = (depth, &outcome.edges) {
+        let truth = outcome.truth.as_ref();
+        outcome.friction = Some(friction(
             experiment,
-            &findings.fields,
+            &outcome.fields,
             edges,
             truth,
             progress,
         )?);
     }
-    Ok(findings)
+    Ok(outcome)
 }
 
 /// The solved scene, if any state is synthetic.
@@ -177,7 +199,7 @@ fn measured(
 
 fn edges(experiment: &Experiment, fields: &[Measured]) -> Result<Edges, ExperimentError> {
     let analysed = analysed::all(experiment, fields)?;
-    let (plates, plate_warnings) = whole::stage(experiment, fields)?;
+    let (plates, plate_findings) = whole::stage(experiment, fields)?;
     let plate_edges: Vec<Analysed> = plates.iter().map(WholeState::edge).collect();
     let plate_friction = (!plates.is_empty())
         .then(|| identified::identify(experiment, &plate_edges))
@@ -186,7 +208,7 @@ fn edges(experiment: &Experiment, fields: &[Measured]) -> Result<Edges, Experime
         analysed,
         plates,
         plate_friction,
-        plate_warnings,
+        plate_findings,
     })
 }
 

@@ -19,6 +19,7 @@ use stickslip_hybrid::identify::{Bounds, SlipFit, Tractions, chi_squared_of_one}
 
 use super::analysed::Analysed;
 use super::error::ExperimentError;
+use super::finding::FrictionFinding;
 use stickslip_scene::experiment::{Experiment, RegionShape};
 use stickslip_text::short;
 
@@ -78,8 +79,8 @@ pub struct Identified {
     pub mesh: Option<f64>,
     /// What asks for the greatest static friction, of all stretches inside of slip zones.
     pub grip: Option<Grip>,
-    /// Notes for the reader.
-    pub remarks: Vec<String>,
+    /// Where no zone is recognised.
+    pub findings: Vec<FrictionFinding>,
 }
 
 /// Standard deviations by which χ² of all zones may exceed its mean before one coefficient is rejected.
@@ -118,6 +119,27 @@ impl Identified {
         self.zones_agree && self.dynamic.as_ref().is_none_or(consistent)
     }
 
+    /// What makes the coefficient doubtful, `coarser` being the same on half of the cells.
+    pub(crate) fn doubts(&self, coarser: Option<&Coarser>) -> Vec<FrictionFinding> {
+        let Some(fit) = &self.dynamic else {
+            return Vec::new();
+        };
+        let mut found = Vec::new();
+        if !self.is_explained() {
+            found.push(if self.zones_agree {
+                FrictionFinding::Rejected
+            } else {
+                FrictionFinding::ZonesDisagree
+            });
+        }
+        let has_friction = matches!(fit.bounds, Bounds::Between(..) | Bounds::AtLeast(_));
+        if has_friction && self.zones.iter().any(SlipZone::has_no_end) {
+            found.push(FrictionFinding::ZoneWithoutEnd);
+        }
+        found.extend(coarser.and_then(|own| own.doubt(fit)));
+        found
+    }
+
     /// The stretch that bounds static friction from below; `None` where no bound lies above what slipping places leave of the dynamic
     /// coefficient, or where that is rejected.
     pub fn static_bound(&self) -> Option<&Grip> {
@@ -139,10 +161,10 @@ pub fn identify(
 ) -> Result<Identified, ExperimentError> {
     on_the_hole(experiment)?;
     let rise = chi_squared_of_one(experiment.identify.confidence);
-    let mut remarks = Vec::new();
+    let mut findings = Vec::new();
     let mut zones = Vec::new();
     for found in analysed {
-        zones.extend(zones::of_state(experiment, found, rise, &mut remarks)?);
+        zones.extend(zones::of_state(experiment, found, rise, &mut findings)?);
     }
     let together = together(analysed, &zones)?;
     let (mut dynamic, mut simulation) = (None, None);
@@ -161,7 +183,7 @@ pub fn identify(
         dynamic,
         simulation,
         mesh: None,
-        remarks,
+        findings,
     })
 }
 

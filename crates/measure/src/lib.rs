@@ -14,6 +14,7 @@
 //! | [`whole`] | the whole plate under its remote load, its hole displaced as measured |
 //! | [`analysed`] | edge stresses by localized hybrid analysis, with bands and checks |
 //! | [`identified`] | slip zones, and the friction coefficients that they share |
+//! | [`finding`] | what a reader must know of all these, as data |
 //! | [`truth`], [`synthesis`] | the solution of a scene, and synthetic pictures of it |
 //!
 //! Four commands go to four depths of this chain, each doing all that comes before.
@@ -21,6 +22,7 @@
 pub mod analysed;
 pub mod chain;
 mod error;
+pub mod finding;
 pub mod identified;
 pub mod laws;
 pub mod measured;
@@ -29,3 +31,4 @@ pub mod truth;
 pub mod whole;
 
 pub use error::ExperimentError;
+pub use finding::Finding;

@@ -26,6 +26,7 @@ use stickslip_hybrid::data::{Field, FringeLines, Measurement, Symmetry};
 use stickslip_hybrid::fringe::PixelMap;
 
 use super::error::ExperimentError;
+use super::finding::{FieldFinding, Finding, Located, Part};
 use super::synthesis::{Shot, Shots};
 use stickslip_scene::experiment::{Experiment, Source};
 use stickslip_scene::limits::Content;
@@ -52,14 +53,12 @@ pub struct Measured {
     pub floor: [f64; 2],
     /// Rotations of the specimen that were taken off.
     pub rotations: Vec<TakenOff>,
-    /// What was assumed or left out.
-    pub remarks: Vec<String>,
-    /// What a reader must know before trusting the field.
-    pub warnings: Vec<String>,
+    /// What was assumed or left out, and what a reader must know before trusting the field.
+    pub findings: Vec<(Part, Finding)>,
 }
 
 impl Measured {
-    /// A field of displacements that is known in full, without lines, pictures or remarks.
+    /// A field of displacements that is known in full, without lines, pictures or findings.
     pub fn new(state: usize, measurement: Measurement) -> Self {
         Self {
             state,
@@ -70,9 +69,24 @@ impl Measured {
             outliers: Vec::new(),
             floor: [0.0; 2],
             rotations: Vec::new(),
-            remarks: Vec::new(),
-            warnings: Vec::new(),
+            findings: Vec::new(),
         }
+    }
+
+    /// The findings with the name of the state.
+    pub fn located(&self, experiment: &Experiment) -> impl Iterator<Item = Located> {
+        let name = &experiment.states[self.state].name;
+        let each = self.findings.iter();
+        each.map(move |(part, finding)| Located::of_state(name, *part, finding.clone()))
+    }
+
+    fn found(&mut self, findings: impl IntoIterator<Item = Finding>) {
+        self.found_in(Part::State, findings);
+    }
+
+    fn found_in(&mut self, part: Part, findings: impl IntoIterator<Item = Finding>) {
+        let findings = findings.into_iter();
+        self.findings.extend(findings.map(|own| (part, own)));
     }
 }
 
@@ -114,38 +128,26 @@ pub fn state(
 ) -> Result<Measured, ExperimentError> {
     let plan = &experiment.states[state];
     let key = format!("states.{state}");
-    let read = |source: &Source, key: &str, shot: Shot| -> Result<Reading, ExperimentError> {
-        let scope = Scope {
-            experiment,
-            state,
-            key: match source {
-                Source::Step(_) => "fringes".to_owned(),
-                Source::Table(_) => format!("{key}.table"),
-                Source::Pictures(_) => format!("{key}.pictures"),
-                Source::Lines(_) => format!("{key}.lines"),
-            },
-        };
-        match source {
-            Source::Step(_) => pictures::synthetic(&scope, shots.get(shot)),
-            Source::Table(source) => table::read(&scope, source),
-            Source::Pictures(source) => {
-                // What a null field with the same carrier takes off need not be told.
-                let takes_off = matches!(shot, Shot::State) && plan.null.is_none();
-                pictures::read(&scope, source, takes_off)
-            }
-            Source::Lines(source) => lines::read(&scope, source),
-        }
+    let scope = |key: String| Scope {
+        experiment,
+        state,
+        key,
+    };
+    let read = |source: &Source, key: &str, shot: Shot| {
+        let scope = scope(match source {
+            Source::Step(_) => "fringes".to_owned(),
+            Source::Table(_) => format!("{key}.table"),
+            Source::Pictures(_) => format!("{key}.pictures"),
+            Source::Lines(_) => format!("{key}.lines"),
+        });
+        read(&scope, source, shot, shots)
     };
     let own = read(&plan.source, &key, Shot::State)?;
     let null = plan.null.as_ref();
     let null = null
         .map(|source| read(source, &format!("{key}.null"), Shot::Null))
         .transpose()?;
-    let scope = Scope {
-        experiment,
-        state,
-        key: key.clone(),
-    };
+    let scope = scope(key.clone());
     let compared = experiment.reduce.symmetry.as_ref().zip(plan.back.as_ref());
     // The back has no null field, so that it is compared with the front as that was measured.
     let front = match (compared, &null) {
@@ -160,20 +162,42 @@ pub fn state(
         let back = read(source, &format!("{key}.back"), Shot::Back)?;
         let back = combine::combined(&scope, back, None)?;
         let (front, of_carriers) =
-            front.map_or((None, None), |(front, words)| (Some(front), words));
+            front.map_or((None, None), |(front, found)| (Some(front), found));
         let sides = symmetry::compared(&scope, line, front.as_ref().unwrap_or(&measured), &back)?;
-        tell_of_back(&mut measured, &back, sides);
-        measured.warnings.extend(of_carriers);
+        let of_back = back.findings.into_iter().map(|(_, finding)| finding);
+        measured.found_in(Part::Back, of_back);
+        measured.symmetry = sides.found;
+        measured.found(sides.findings.into_iter().chain(of_carriers));
     }
     if matches!(plan.source, Source::Table(_)) {
-        measured.warnings.extend(large(&measured.measurement));
+        measured.found(large(&measured.measurement));
     }
     coverage::check(&scope, &measured)?;
     Ok(measured)
 }
 
-/// Words on states that have the same data, each group once: a table under two loads, or one that was saved twice.
-pub fn repeated(experiment: &Experiment, fields: &[Measured]) -> Vec<String> {
+/// What `source` says of a state, its null field or its back.
+fn read(
+    scope: &Scope<'_>,
+    source: &Source,
+    shot: Shot,
+    shots: &Shots,
+) -> Result<Reading, ExperimentError> {
+    match source {
+        Source::Step(_) => pictures::synthetic(scope, shots.get(shot)),
+        Source::Table(source) => table::read(scope, source),
+        Source::Pictures(source) => {
+            // What a null field with the same carrier takes off need not be told.
+            let null = &scope.experiment.states[scope.state].null;
+            let takes_off = matches!(shot, Shot::State) && null.is_none();
+            pictures::read(scope, source, takes_off)
+        }
+        Source::Lines(source) => lines::read(scope, source),
+    }
+}
+
+/// States that have the same data, each group once: a table under two loads, or one that was saved twice.
+pub fn repeated(experiment: &Experiment, fields: &[Measured]) -> Vec<Located> {
     // Masked displacements are NaN, which equals nothing.
     let bits = |measured: &Measured| -> Vec<u64> {
         let data = &measured.measurement;
@@ -181,37 +205,18 @@ pub fn repeated(experiment: &Experiment, fields: &[Measured]) -> Vec<String> {
         let displacements = data.displacements.iter().flatten();
         places.chain(displacements).map(|x| x.to_bits()).collect()
     };
-    let mut groups: BTreeMap<Vec<u64>, Vec<&str>> = BTreeMap::new();
+    let mut groups: BTreeMap<Vec<u64>, Vec<String>> = BTreeMap::new();
     for measured in fields {
         let names = groups.entry(bits(measured)).or_default();
-        names.push(&experiment.states[measured.state].name);
+        names.push(experiment.states[measured.state].name.clone());
     }
     let shared = groups.into_values().filter(|names| names.len() > 1);
-    shared
-        .map(|names| {
-            format!(
-                "States {} have the same data, number by number: name the file of each, or remove all but one; as data of friction and of its \
-                 laws they count {} times.",
-                names.iter().map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", "),
-                names.len()
-            )
-        })
-        .collect()
+    let found = shared.map(|states| Finding::Field(FieldFinding::SameData { states }));
+    found.map(Located::of_all).collect()
 }
 
-/// What a comparison with the back found, and what there is to say of the back itself.
-fn tell_of_back(measured: &mut Measured, back: &Measured, sides: symmetry::Comparison) {
-    measured.symmetry = sides.found;
-    let remarks = back.remarks.iter();
-    let remarks = remarks.map(|words| format!("the back: {words}"));
-    measured.remarks.extend(remarks.chain(sides.remarks));
-    let warnings = back.warnings.iter();
-    let warnings = warnings.map(|words| format!("The back: {words}"));
-    measured.warnings.extend(warnings);
-}
-
-/// Words on displacements that differ by more than small strains allow: the mark of a wrong scale.
-fn large(measurement: &Measurement) -> Option<String> {
+/// Displacements that differ by more than small strains allow: the mark of a wrong scale.
+fn large(measurement: &Measurement) -> Option<Finding> {
     const STRAIN: f64 = 0.02;
     let spread = |values: &mut dyn Iterator<Item = f64>| {
         let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
@@ -228,14 +233,9 @@ fn large(measurement: &Measurement) -> Option<String> {
             .filter(|(_, valid)| **valid);
         spread(&mut valid.map(|(value, _)| value))
     });
-    let part = range[0].max(range[1]) / extent[0].hypot(extent[1]);
-    (part > STRAIN).then(|| {
-        format!(
-            "Displacements differ by {:.0} % of the extent of their places, far beyond small strains: check scale and displacement_scale \
-             (which is scale unless it is stated).",
-            100.0 * part
-        )
-    })
+    let of_extent = range[0].max(range[1]) / extent[0].hypot(extent[1]);
+    let found = FieldFinding::LargeDisplacements { of_extent };
+    (of_extent > STRAIN).then_some(Finding::Field(found))
 }
 
 /// What a source is read for.

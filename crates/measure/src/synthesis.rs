@@ -13,6 +13,7 @@ use stickslip_hybrid::fringe::{
 use stickslip_hybrid::moire::Grating;
 
 use super::error::ExperimentError;
+use super::finding::{Finding, Located, Part, PictureFinding};
 use super::truth::{Sampling, Truth};
 use stickslip_scene::experiment::{Experiment, Fringes, Source};
 
@@ -57,6 +58,24 @@ impl Shots {
     pub fn get(&self, shot: Shot) -> Option<&[FieldPictures; 2]> {
         let found = self.0.iter().find(|(own, _)| *own == shot);
         found.map(|(_, fields)| fields)
+    }
+
+    /// Fringes of the state with the index `state` that are too fine for their pixels.
+    pub fn located(&self, experiment: &Experiment, state: usize) -> Vec<Located> {
+        let fields = Field::BOTH
+            .into_iter()
+            .zip(self.get(Shot::State).into_iter().flatten());
+        let fine = fields.filter_map(|(field, own)| {
+            let part = too_fine(&own.orders);
+            let finding = PictureFinding::FineFringes {
+                field: field_name(field),
+                part,
+            };
+            (part > 0.0).then_some(Finding::Picture(finding))
+        });
+        let name = &experiment.states[state].name;
+        fine.map(|finding| Located::of_state(name, Part::State, finding))
+            .collect()
     }
 
     /// All that there are.
@@ -266,6 +285,24 @@ pub fn field_name(field: Field) -> &'static str {
         Field::U => "U",
         Field::V => "V",
     }
+}
+
+/// Part of the pixels whose order differs from that of the next one to the right or below by half a fringe or more.
+fn too_fine(orders: &PixelMap) -> f64 {
+    let (values, columns) = (orders.values(), orders.frame().columns());
+    let far = |pixel: usize, next: usize| {
+        let step: Option<f64> = values.get(next).map(|next| next - values[pixel]);
+        step.is_some_and(|step| step.abs() >= 0.5)
+    };
+    let (mut seen, mut fine) = (0.0, 0.0);
+    for (pixel, _) in orders.present() {
+        let at_end = (pixel + 1).is_multiple_of(columns);
+        seen += 1.0;
+        if far(pixel, pixel + columns) || (!at_end && far(pixel, pixel + 1)) {
+            fine += 1.0;
+        }
+    }
+    fine / seen
 }
 
 /// Names of the picture files of a field, without folder.

@@ -2,6 +2,7 @@
 
 mod analysed;
 pub mod check;
+pub mod findings;
 mod gallery;
 mod identified;
 pub mod laws;
@@ -14,6 +15,7 @@ use std::path::Path;
 use stickslip_engine::run::Progress;
 use stickslip_measure::ExperimentError;
 use stickslip_measure::chain::{self, Album, Depth};
+use stickslip_measure::finding::ignored_keys;
 use stickslip_measure::synthesis::{Camera, Shots};
 use stickslip_scene::experiment::Experiment;
 
@@ -41,9 +43,7 @@ pub fn tell(
     let mut story = album.story;
     let truth = found.truth.as_ref();
     if depth >= Depth::Reduce {
-        for words in &experiment.without_effect {
-            story.warn(words);
-        }
+        story.report(experiment, ignored_keys(experiment));
         measured::tell(experiment, &found.fields, &mut story);
     }
     let Some(edges) = &found.edges else {
@@ -55,10 +55,8 @@ pub fn tell(
         let told = Told {
             experiment,
             analysed: &edges.analysed,
-            identified: &friction.identified,
-            coarser: &friction.coarser,
+            friction,
             truth,
-            moves: &friction.moves,
         };
         identified::tell(&told, &mut story);
         if let Some(stage) = &friction.laws {

@@ -15,7 +15,6 @@ use std::ops::Range;
 use super::Analysed;
 use super::edge::CONTACT;
 use stickslip_engine::results::wrapped;
-use stickslip_scene::experiment::Experiment;
 
 /// Angle by which friction, pin and material may move the direction, beside three deviations `[rad]`.
 const ALLOWED: [f64; 2] = [12.0 * PI / 180.0, 3.0];
@@ -174,34 +173,4 @@ impl Sight {
         let middle = 0.5 * (first + last);
         [middle.min(0.0), middle.max(0.0)]
     }
-}
-
-/// A bearing point that the force on the edge contradicts.
-pub fn doubt(experiment: &Experiment, found: &Analysed) -> Option<String> {
-    let stated = experiment.identify.bearing;
-    let check = found.bearing_check(stated).filter(BearingCheck::fails)?;
-    let degrees = |angle: f64| angle.to_degrees();
-    let assumed = match stated {
-        Some(_) => "stated by identify.bearing",
-        None => "assumed, as identify.bearing is not stated",
-    };
-    let remedy = if check.is_whole {
-        format!(
-            "All of the contact is in sight: write [identify] bearing = \"{:.0} deg\", or leave it out",
-            degrees(check.direction)
-        )
-    } else {
-        "The region cuts the contact: write as [identify] bearing the direction in which the pin presses the hole, counted from +x \
-         towards +y in the frame of the data, or take a region that holds all of the contact"
-            .to_owned()
-    };
-    Some(format!(
-        "State '{}': the force on the edge in sight points to θ = {:.1} ± {:.1}°, {:.0}° beyond what a bearing point at θ = {:.1}° explains, \
-         which is {assumed}. Slip zones are counted from there, and friction may be wrong. {remedy}.",
-        experiment.states[found.state].name,
-        degrees(check.direction),
-        degrees(check.deviation),
-        degrees(check.beyond),
-        degrees(check.bearing),
-    ))
 }

@@ -10,9 +10,9 @@
 use std::f64::consts::TAU;
 
 use super::Analysed;
+use crate::finding::NotCompared;
 use stickslip_scene::experiment::history::History;
 use stickslip_scene::experiment::{Experiment, RegionShape, Source};
-use stickslip_text::short;
 
 /// Factor between force and load within which they agree.
 const FACTOR: f64 = 1.3;
@@ -48,61 +48,6 @@ impl LoadCheck {
         let less = if self.above_null { ABOVE_NULL } else { FACTOR };
         self.force - self.explained > FACTOR * self.load
             || (self.force + self.explained) * less < self.load
-    }
-}
-
-/// Why the force on an edge and the load of its state are not compared.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum NotCompared {
-    /// The state has no load.
-    NoLoad,
-    /// The load is that of the null field.
-    ZeroLoad,
-    /// The scene has other loads or contacts.
-    OtherLoads,
-    /// No pressure exceeds its uncertainty.
-    NoContact,
-    /// Noise hides where the contact ends.
-    Noise,
-    /// Neither end of the contact is in sight.
-    NoEnd,
-    /// The direction of the force contradicts the bearing point.
-    DoubtfulBearing,
-    /// The bearing point is out of sight.
-    HiddenBearing,
-}
-
-impl NotCompared {
-    /// In words.
-    pub fn why(self) -> &'static str {
-        match self {
-            Self::NoLoad => "no load is stated",
-            Self::ZeroLoad => "the load is zero",
-            Self::OtherLoads => "other loads or contacts of the scene take part",
-            Self::NoContact => "no pressure on it exceeds its uncertainty",
-            Self::Noise => "noise hides where the contact ends",
-            Self::NoEnd => "neither end of the contact is in sight",
-            Self::DoubtfulBearing => "the bearing point is doubtful",
-            Self::HiddenBearing => "the bearing point is out of sight",
-        }
-    }
-
-    /// What makes a check of it.
-    fn remedy(self) -> &'static str {
-        match self {
-            Self::NoLoad => {
-                "State load, with a region that holds an end of the contact, or edge_force"
-            }
-            Self::ZeroLoad => "A state whose load is not that of its null field would show them",
-            Self::OtherLoads => "State edge_force: what of them crosses this edge",
-            Self::NoContact | Self::Noise => {
-                "State edge_force, or take pictures with less noise or more load"
-            }
-            Self::NoEnd | Self::HiddenBearing => {
-                "State edge_force, or take a region that holds an end of the contact and the bearing point"
-            }
-            Self::DoubtfulBearing => "Check identify.bearing, or state edge_force",
-        }
     }
 }
 
@@ -201,63 +146,4 @@ fn load(experiment: &Experiment, state: usize) -> Result<(f64, bool), NotCompare
     } else {
         Err(NotCompared::ZeroLoad)
     }
-}
-
-/// An edge that is pulled, as no contact does.
-pub fn pulled(experiment: &Experiment, found: &Analysed) -> Option<String> {
-    // Beside a field under more load contact is relieved.
-    if experiment.states[found.state].null.is_some() {
-        return None;
-    }
-    let place = found.pull()?;
-    let stress = experiment.display.stress;
-    Some(format!(
-        "the edge bears a tension of {} {} at θ = {:.0}°, more than any pressure, and no contact pulls: check the signs of the displacements \
-         (table.reversed, the sense of the fringe orders) and which state is the unloaded one.",
-        short(-stress.from_base(found.tractions.pressure[place])),
-        stress.name,
-        found.angle[place].to_degrees(),
-    ))
-}
-
-/// A load that the force on the edge contradicts.
-pub fn doubt(experiment: &Experiment, found: &Analysed) -> Option<String> {
-    let check = found.load_check(experiment).ok().filter(LoadCheck::fails)?;
-    let [force, length] = [experiment.display.force, experiment.display.length];
-    let shown = |value: f64| format!("{} {}", short(force.from_base(value)), force.name);
-    let null = if check.above_null {
-        ", which counts from the null field"
-    } else {
-        ""
-    };
-    let bearing = if check.is_whole {
-        String::new()
-    } else {
-        format!(
-            "; the bearing point at θ = {:.0}° (identify.bearing), about which the part of the contact that the region cuts is taken for \
-             the mirror image of the other",
-            check.bearing.to_degrees()
-        )
-    };
-    Some(format!(
-        "the force on the edge is {} ± {}{null}, {} times the stated load of {}: check units and values of thickness ({} {}), of the material's \
-         moduli, of load, and of displacement_scale or the grating's frequency{bearing}; or whether this load is that of the contact.",
-        shown(check.force),
-        shown(check.deviation),
-        short(check.force / check.load),
-        shown(check.load),
-        short(length.from_base(experiment.specimen.thickness)),
-        length.name,
-    ))
-}
-
-/// Why the size of the force is not checked, where neither the load nor a known force does.
-pub fn unchecked(experiment: &Experiment, found: &Analysed) -> Option<String> {
-    let is_known = found.checks.force.iter().any(Option::is_some);
-    let why = found.load_check(experiment).err().filter(|_| !is_known)?;
-    Some(format!(
-        "the size of the force on the edge is not checked, for {}: wrong units of thickness, moduli or displacements would not show. {}.",
-        why.why(),
-        why.remedy()
-    ))
 }

@@ -5,9 +5,10 @@
 
 use stickslip_hybrid::identify::{Bounds, SlipFit};
 
-use super::{identify, words};
+use super::identify;
 use crate::analysed::Workbench;
 use crate::error::ExperimentError;
+use crate::finding::FrictionFinding;
 use crate::measured::Measured;
 use stickslip_scene::experiment::{Experiment, RegionShape};
 
@@ -57,24 +58,19 @@ pub fn on_half_the_cells(
 }
 
 impl Coarser {
-    /// What half of the cells give, in words.
-    pub fn words(&self) -> String {
-        let [along, across] = self.cells;
-        let given = match &self.dynamic {
-            Some(fit) => format!("μd is {:.4}, {}", fit.mu, words(fit.bounds)),
-            None => "no zone is recognised".to_owned(),
-        };
-        format!("On half of the cells, [{along}, {across}], {given}.")
-    }
-
-    /// Whether the mesh moves the coefficient by more than `fit` and this leave to the noise.
-    pub fn doubts(&self, fit: &SlipFit) -> bool {
+    /// The coefficient of these cells, if they move it by more than `fit` and this leave to the noise.
+    pub(super) fn doubt(&self, fit: &SlipFit) -> Option<FrictionFinding> {
         let half_width = |bounds| match bounds {
             Bounds::Between(low, high) => 0.5 * (high - low),
             _ => f64::INFINITY,
         };
-        self.dynamic.as_ref().is_some_and(|coarse| {
-            (fit.mu - coarse.mu).abs() > half_width(fit.bounds).max(half_width(coarse.bounds))
+        let coarse = self.dynamic.as_ref()?;
+        let noise = half_width(fit.bounds).max(half_width(coarse.bounds));
+        ((fit.mu - coarse.mu).abs() > noise).then_some(FrictionFinding::MeshMoves {
+            mu: fit.mu,
+            half_the_cells: self.cells,
+            mu_on_half: coarse.mu,
+            bounds_on_half: coarse.bounds,
         })
     }
 }
@@ -97,12 +93,22 @@ mod tests {
         let fine = fit(0.25, Bounds::Between(0.24, 0.26));
         let doubted = |dynamic| {
             let cells = [20, 5];
-            Coarser { cells, dynamic }.doubts(&fine)
+            Coarser { cells, dynamic }.doubt(&fine)
         };
-        assert!(doubted(Some(fit(0.27, Bounds::Between(0.265, 0.275)))));
-        assert!(!doubted(Some(fit(0.255, Bounds::Between(0.25, 0.26)))));
-        assert!(!doubted(Some(fit(0.27, Bounds::Between(0.245, 0.295)))));
-        assert!(!doubted(Some(fit(0.1, Bounds::AtMost(0.3)))));
-        assert!(!doubted(None));
+        let apart = Bounds::Between(0.265, 0.275);
+        let found = FrictionFinding::MeshMoves {
+            mu: 0.25,
+            half_the_cells: [20, 5],
+            mu_on_half: 0.27,
+            bounds_on_half: apart,
+        };
+        assert_eq!(doubted(Some(fit(0.27, apart))), Some(found));
+        assert_eq!(doubted(Some(fit(0.255, Bounds::Between(0.25, 0.26)))), None);
+        assert_eq!(
+            doubted(Some(fit(0.27, Bounds::Between(0.245, 0.295)))),
+            None
+        );
+        assert_eq!(doubted(Some(fit(0.1, Bounds::AtMost(0.3)))), None);
+        assert_eq!(doubted(None), None);
     }
 }

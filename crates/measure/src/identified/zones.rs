@@ -8,6 +8,7 @@ use super::SlipZone;
 use super::grip::MARGIN;
 use crate::analysed::Analysed;
 use crate::error::ExperimentError;
+use crate::finding::FrictionFinding;
 use stickslip_scene::experiment::{Experiment, ZonePlan};
 
 /// Standard deviations by which χ² of a zone may exceed what it should be.
@@ -25,7 +26,7 @@ pub(super) fn of_state(
     experiment: &Experiment,
     found: &Analysed,
     rise: f64,
-    remarks: &mut Vec<String>,
+    findings: &mut Vec<FrictionFinding>,
 ) -> Result<Vec<SlipZone>, ExperimentError> {
     let name = &experiment.states[found.state].name;
     let plans = experiment.identify.zones.iter();
@@ -38,20 +39,22 @@ pub(super) fn of_state(
     }
     let mut zones = Vec::new();
     let Some(contact) = found.contact() else {
-        remarks.push(format!(
-            "state '{name}': no pressure exceeds its uncertainty"
-        ));
+        findings.push(FrictionFinding::NoPressure {
+            state: name.clone(),
+        });
         return Ok(zones);
     };
     let bearing = found.bearing_place(&contact, experiment.identify.bearing);
     for flank in [Flank::After, Flank::Before] {
         match recognised(found, &contact, bearing, flank, rise)? {
             Some(zone) => zones.push(zone),
-            None if flank.ends_in_sight(found, &contact) => remarks.push(format!(
-                "state '{name}': no zone that slips is recognised at θ {} {:.0}°",
-                flank.sign(),
-                found.angle[bearing].to_degrees()
-            )),
+            None if flank.ends_in_sight(found, &contact) => {
+                findings.push(FrictionFinding::NoZone {
+                    state: name.clone(),
+                    after: flank == Flank::After,
+                    bearing_degrees: found.angle[bearing].to_degrees(),
+                });
+            }
             None => {}
         }
     }
@@ -105,13 +108,6 @@ enum Flank {
 }
 
 impl Flank {
-    const fn sign(self) -> &'static str {
-        match self {
-            Self::After => ">",
-            Self::Before => "<",
-        }
-    }
-
     /// Whether a zone goes as far as the bearing point.
     const fn reaches(self, zone: &Range<usize>, bearing: usize) -> bool {
         match self {

@@ -14,6 +14,7 @@ use super::{
 };
 use crate::analysed::Analysed;
 use crate::error::ExperimentError;
+use crate::finding::{Finding, LeftOut, LeftOutReason, Located, ModelFinding};
 use crate::measured::Measured;
 use crate::truth::Truth;
 use crate::whole::WholeState;
@@ -47,7 +48,7 @@ pub struct LawStage {
     /// How far the model is from the truth at the data of each observation, where that is known.
     pub discrepancies: Vec<Option<Discrepancy>>,
     /// States that could not be used, and why; load steps that were assumed; solves that failed.
-    pub warnings: Vec<String>,
+    pub findings: Vec<ModelFinding>,
 }
 
 /// What earlier stages know of the measured fields.
@@ -77,19 +78,13 @@ pub fn stage(
         return Ok(None);
     }
     let laws = candidates(experiment)?;
-    let Some(own) = &experiment.specimen.model else {
-        return Err(ExperimentError::Missing {
-            key: "laws".to_owned(),
-            what: "laws are fitted by contact solves, and there is no scene to solve".to_owned(),
-            remedy: "give [specimen] scene = \"scene.toml\" and body = \"plate\"".to_owned(),
-        });
-    };
+    let own = (experiment.specimen.model.as_ref()).ok_or_else(without_scene)?;
     let model = ContactModel::for_laws(own, &laws).map_err(failed)?;
     let Compared {
         observations,
         states,
         scales,
-        mut warnings,
+        mut findings,
     } = compared(experiment, &model, &History::of(&own.scene), fields, known)?;
     let confidence = experiment.identify.confidence;
     let settings = Settings {
@@ -107,11 +102,11 @@ pub fn stage(
         &laws,
         &observations,
         &settings,
-        &mut warnings,
+        &mut findings,
         progress,
     )
     .map_err(failed)?;
-    warnings.extend(experiment.warning_of_shared_mesh());
+    findings.extend(ModelFinding::of_mesh(experiment));
     let discrepancies = match known.truth {
         Some(truth) => discrepancies_of(experiment, &model, truth, &observations, &states),
         None => Ok(vec![None; states.len()]),
@@ -119,7 +114,7 @@ pub fn stage(
     .map_err(failed)?;
     let count = observations.iter().map(|own| own.step + 1).max();
     let slipped = slipped(&model, comparison.best(), count.unwrap_or(0)).map_err(failed)?;
-    let sensitivities = sensitivities(experiment, &model, &comparison, &mut warnings);
+    let sensitivities = sensitivities(experiment, &model, &comparison, &mut findings);
     Ok(Some(LawStage {
         shared_nulls: shared_nulls(experiment, &states, &observations, comparison.best()),
         comparison,
@@ -130,8 +125,16 @@ pub fn stage(
         slipped,
         scales,
         discrepancies,
-        warnings,
+        findings,
     }))
+}
+
+fn without_scene() -> ExperimentError {
+    ExperimentError::Missing {
+        key: "laws".to_owned(),
+        what: "laws are fitted by contact solves, and there is no scene to solve".to_owned(),
+        remedy: "give [specimen] scene = \"scene.toml\" and body = \"plate\"".to_owned(),
+    }
 }
 
 fn failed(cause: LawsError) -> ExperimentError {
@@ -147,7 +150,7 @@ struct Compared {
     observations: Vec<Observation>,
     states: Vec<usize>,
     scales: Vec<Scale>,
-    warnings: Vec<String>,
+    findings: Vec<ModelFinding>,
 }
 
 fn compared(
@@ -158,6 +161,7 @@ fn compared(
     known: Known<'_>,
 ) -> Result<Compared, ExperimentError> {
     let mut all = Compared::default();
+    let mut reasons = Vec::new();
     for measured in fields {
         let state = &experiment.states[measured.state];
         match observed(model, history, state, measured, known) {
@@ -165,12 +169,16 @@ fn compared(
                 all.observations.push(own.observation);
                 all.scales.push(own.scale);
                 all.states.push(measured.state);
-                all.warnings.extend(own.assumed);
+                all.findings.extend(own.assumed);
             }
-            Err(reason) => all.warnings.push(format!(
-                "State '{}' is not among the data of the laws: {reason}.",
-                state.name
-            )),
+            Err(reason) => {
+                let left_out = LeftOut {
+                    state: state.name.clone(),
+                    reason,
+                };
+                reasons.push(left_out.to_string());
+                all.findings.push(ModelFinding::LeftOutOfLaws(left_out));
+            }
         }
     }
     if !all.observations.is_empty() {
@@ -178,7 +186,7 @@ fn compared(
     }
     Err(ExperimentError::Missing {
         key: "states".to_owned(),
-        what: format!("no state can be compared with the scene. {}", all.warnings.join(" ")),
+        what: format!("no state can be compared with the scene. {}", reasons.join(" ")),
         remedy: "tie a state to the scene with step = 1, or with the load of one of its steps and its direction".to_owned(),
     })
 }
@@ -190,7 +198,7 @@ fn fitted(
     laws: &[Candidate],
     observations: &[Observation],
     settings: &Settings,
-    warnings: &mut Vec<String>,
+    findings: &mut Vec<ModelFinding>,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Comparison, LawsError> {
     let two_meshes = coarser
@@ -198,10 +206,9 @@ fn fitted(
     two_meshes.or_else(|cause| {
         // Where data or laws are at fault and not the coarser mesh, this says so.
         let found = fit(model, laws, observations, settings)?;
-        warnings.push(format!(
-            "Intervals hold the errors of the data alone and not that of the model's mesh, and a law may be preferred for what that mesh \
-             does not resolve: a mesh twice as coarse, which would show it, cannot be solved: {cause}."
-        ));
+        findings.push(ModelFinding::WithoutMeshError {
+            cause: cause.to_string(),
+        });
         Ok(found)
     })
 }
@@ -249,17 +256,17 @@ fn candidates(experiment: &Experiment) -> Result<Vec<Candidate>, ExperimentError
 struct Observed {
     observation: Observation,
     scale: Scale,
-    assumed: Option<String>,
+    assumed: Option<ModelFinding>,
 }
 
-/// The displacements of a state, or in words why they cannot be compared.
+/// The displacements of a state, or why they cannot be compared.
 fn observed(
     model: &ContactModel,
     history: &History<'_>,
     state: &State,
     measured: &Measured,
     known: Known<'_>,
-) -> Result<Observed, String> {
+) -> Result<Observed, LeftOutReason> {
     let tied = history.tied(state)?;
     let inside = model.inside(&measured.measurement.places);
     let mut data = measured.measurement.clone();
@@ -271,7 +278,7 @@ fn observed(
     }
     let mut data = decimated(&data, MOST_PLACES);
     if data.places.is_empty() {
-        return Err("none of its places lies in the specimen of the scene".to_owned());
+        return Err(LeftOutReason::OutsideOfScene);
     }
     let scale = Scale::of(measured.state, known);
     for deviation in &mut data.deviation {
@@ -291,16 +298,16 @@ fn observed(
     Ok(Observed {
         observation,
         scale,
-        assumed: tied.assumed,
+        assumed: ModelFinding::of_null(history, state, &tied),
     })
 }
 
-/// Each free parameter of each law moved up and down; changes that have no solution are left out, with a warning.
+/// Each free parameter of each law moved up and down; changes that have no solution are left out, with a finding.
 fn sensitivities(
     experiment: &Experiment,
     model: &ContactModel,
     comparison: &Comparison,
-    warnings: &mut Vec<String>,
+    findings: &mut Vec<ModelFinding>,
 ) -> Vec<(usize, usize, Sensitivity)> {
     let frequency = experiment
         .grating
@@ -311,10 +318,12 @@ fn sensitivities(
             let from = fit.calibration.values();
             match sensitivity(model, &fit.law, &from, std::slice::from_ref(&to), frequency) {
                 Ok(found) => rows.extend(found.into_iter().map(|own| (law, index, own))),
-                Err(cause) => warnings.push(format!(
-                    "How far the edge moves with '{}' = {} of law '{}' is not told: {cause}.",
-                    fit.law.parameters[index].name, to[index], fit.law.name
-                )),
+                Err(cause) => findings.push(ModelFinding::SensitivityUnknown {
+                    law: fit.law.name.clone(),
+                    parameter: fit.law.parameters[index].name.clone(),
+                    value: to[index],
+                    cause: cause.to_string(),
+                }),
             }
         }
     }
@@ -362,6 +371,22 @@ fn changed(parameter: &Parameter, value: f64, up: bool) -> f64 {
 }
 
 impl LawStage {
+    /// All that a reader must know of the fits, their own verdict last.
+    pub fn located(&self) -> impl Iterator<Item = Located> {
+        let (comparison, best) = (&self.comparison, self.comparison.best());
+        let drops = |fit: &Fit| fit.law.kind == "static_dynamic";
+        let drop = (comparison.fits.iter().any(drops)).then_some(ModelFinding::DropWithoutLength);
+        let unexplained = (!best.explains()).then(|| ModelFinding::NoLawExplains {
+            law: best.law.name.clone(),
+            chi_squared: best.calibration.chi_squared,
+            degrees: best.calibration.degrees(),
+            excess: best.calibration.excess(),
+        });
+        let all = drop.into_iter().chain(self.findings.iter().cloned());
+        let all = all.chain(unexplained);
+        all.map(|finding| Located::of_all(Finding::Model(finding)))
+    }
+
     /// Place `[mm]` of a datum of an observation.
     pub fn place(&self, observation: usize, datum: usize) -> Point {
         let own = &self.observations[observation];

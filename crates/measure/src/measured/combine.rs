@@ -10,6 +10,7 @@ use super::phase::Unwound;
 use super::rotation::{self, TakenOff};
 use super::{Measured, PictureField, Reading, Scope};
 use crate::error::ExperimentError;
+use crate::finding::{Apart, Finding, Part, PictureFinding};
 use crate::synthesis::field_name;
 use stickslip_scene::experiment::Source;
 
@@ -28,13 +29,12 @@ pub(super) fn combined(
             pictures(scope, &mut measured, *fields, None)?;
         }
         (Reading::Lines(own), None) => {
-            measured.warnings.extend(own.warnings);
+            measured.found(own.findings);
             fringe_lines(scope, &mut measured, own.lines, own.deviation)?;
         }
         (Reading::Lines(own), Some(Reading::Lines(null))) => {
-            measured.warnings.extend(own.warnings);
-            let of_null = null.warnings.iter();
-            (measured.warnings).extend(of_null.map(|words| format!("The null field: {words}")));
+            measured.found(own.findings);
+            measured.found_in(Part::NullField, null.findings);
             let lines = less_null(scope, &mut measured, &own.lines, &null.lines)?;
             let deviation = own.deviation.hypot(null.deviation);
             fringe_lines(scope, &mut measured, lines, deviation)?;
@@ -46,10 +46,7 @@ pub(super) fn combined(
                 let null = scattered(scope, &mut measured, null, true)?;
                 measured.measurement = minus(scope, &measured.measurement, &null)?;
                 if is_pictured {
-                    measured.remarks.push(
-                        "the maps of phase and orders show the state before its null field, a table, is taken off"
-                            .to_owned(),
-                    );
+                    measured.found([Finding::Picture(PictureFinding::MapsBeforeNullField)]);
                 }
             }
         }
@@ -64,13 +61,13 @@ fn scattered(
     reading: Reading,
     of_null: bool,
 ) -> Result<Measurement, ExperimentError> {
+    let in_own = |finding| (Part::State, finding);
     let own = match reading {
         Reading::Scattered(own) => Measured {
             outliers: own.outliers,
             floor: own.floor,
             rotations: own.rotation.into_iter().collect(),
-            remarks: own.remarks,
-            warnings: own.warnings,
+            findings: own.findings.into_iter().map(in_own).collect(),
             ..Measured::new(scope.state, own.measurement)
         },
         other => combined(scope, other, None)?,
@@ -84,17 +81,12 @@ fn scattered(
     }
     let rotations = own.rotations.into_iter();
     (measured.rotations).extend(rotations.map(|own| TakenOff { of_null, ..own }));
-    let said = |of: &str, words: String| {
-        if of_null {
-            format!("{of}: {words}")
-        } else {
-            words
-        }
+    let part = if of_null {
+        Part::NullField
+    } else {
+        Part::State
     };
-    let remarks = own.remarks.into_iter();
-    (measured.remarks).extend(remarks.map(|words| said("the null field", words)));
-    let warnings = own.warnings.into_iter();
-    (measured.warnings).extend(warnings.map(|words| said("The null field", words)));
+    measured.found_in(part, own.findings.into_iter().map(|(_, finding)| finding));
     if pictures.iter().any(Option::is_some) {
         for field in pictures.iter_mut().flatten() {
             field.of_null = of_null;
@@ -204,11 +196,9 @@ fn pictures(
         .map_err(|cause| scope.fringes("U or V", cause))?;
     let (data, taken) = rotation::of_picture(scope, data);
     measured.measurement = data;
-    (measured.remarks).extend(taken.and_then(|own| own.words()));
+    measured.found(taken.and_then(|own| own.finding()));
     measured.rotations.extend(taken);
-    measured.remarks.push(format!(
-        "one displacement per {stride} × {stride} pixels; [reduce] stride says otherwise"
-    ));
+    measured.found([Finding::Picture(PictureFinding::Stride { pixels: stride })]);
     Ok(())
 }
 
@@ -288,38 +278,34 @@ fn difference(own: &Unwound, null: &Unwound) -> Result<PixelMap, FringeError> {
 
 fn tell_of(measured: &mut Measured, field: Field, found: &Less) {
     let name = field_name(field);
-    if found.found_carrier {
-        measured.warnings.push(format!(
-            "The carrier of the {name} field was not stated: that which was found, ({:.4}, {:.4}) fringes/mm, was taken off, and with it \
-             the mean strain of the plate.",
-            found.field.carrier[0], found.field.carrier[1]
-        ));
-    }
-    if found.apart > 0 {
-        measured.remarks.push(format!(
-            "{} pixels of the {name} field hang together with no pixel of the largest region; their whole orders are not known, and they \
-             are masked",
-            found.apart
-        ));
-    }
+    let carrier = found.found_carrier.then_some(PictureFinding::CarrierFound {
+        field: name,
+        carrier_per_mm: found.field.carrier,
+    });
+    let apart = (found.apart > 0).then_some(PictureFinding::PixelsApart {
+        field: name,
+        pixels: found.apart,
+    });
+    measured.found(carrier.into_iter().chain(apart).map(Finding::Picture));
 }
 
-/// One line for both fields: what is wrong with one picture is mostly wrong with the other.
+/// One finding for both fields: what is wrong with one picture is mostly wrong with the other.
 fn tell_of_unwrapping(measured: &mut Measured) {
     let fields = Field::BOTH.into_iter().zip(&measured.pictures);
-    let open: Vec<String> = fields
+    let open: Vec<Apart> = fields
         .filter_map(|(field, found)| {
             let found = found.as_ref()?;
-            let (residues, cuts) = (found.residues.len(), found.cuts.len());
-            let name = field_name(field);
-            (residues + cuts > 0).then(|| format!("{residues} and {cuts} in the {name} field"))
+            let (loops, jumps) = (found.residues.len(), found.cuts.len());
+            (loops + jumps > 0).then_some(Apart {
+                field: field_name(field),
+                loops,
+                jumps,
+            })
         })
         .collect();
     if !open.is_empty() {
-        measured.warnings.push(format!(
-            "Unwrapping is inconsistent: loops of pixels that do not close, and neighbours half a fringe or more apart, are {}. They are \
-             marked on the map of the phase; pixels at the jumps are masked.",
-            open.join(", ")
-        ));
+        measured.found([Finding::Picture(PictureFinding::Unwrapping {
+            fields: open,
+        })]);
     }
 }

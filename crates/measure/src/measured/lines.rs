@@ -7,10 +7,10 @@ use super::combine::grating;
 use super::rotation::of_lines;
 use super::{Measured, Reading, Scope};
 use crate::error::ExperimentError;
+use crate::finding::{Finding, LineFinding};
 use crate::synthesis::field_name;
 use stickslip_scene::experiment::LineSource;
 use stickslip_scene::limits::Content;
-use stickslip_text::short;
 
 /// What tables of fringe centres say.
 #[derive(Clone, Debug)]
@@ -19,12 +19,12 @@ pub(super) struct Digitised {
     pub(super) lines: [FringeLines; 2],
     /// Standard deviation of an order `[fringes]`.
     pub(super) deviation: f64,
-    pub(super) warnings: Vec<String>,
+    pub(super) findings: Vec<Finding>,
 }
 
 /// The fringe lines of both fields.
 pub(super) fn read(scope: &Scope<'_>, source: &LineSource) -> Result<Reading, ExperimentError> {
-    let mut warnings = Vec::new();
+    let mut findings = Vec::new();
     let mut of = |field: Field| -> Result<FringeLines, ExperimentError> {
         let file = &source.files[field.component()];
         let bytes = scope.bytes(file, Content::Table)?;
@@ -32,14 +32,14 @@ pub(super) fn read(scope: &Scope<'_>, source: &LineSource) -> Result<Reading, Ex
         let reading = &source.reading[field.component()];
         let (lines, doubts) = FringeLines::read_with_doubts(&bytes[..], &name, field, reading)
             .map_err(|cause| refused(scope, field, cause))?;
-        warnings.extend(doubts.iter().map(|own| off_track(scope, &name, own)));
+        findings.extend(doubts.iter().map(|own| off_track(&name, own)));
         Ok(lines)
     };
     let lines = [of(Field::U)?, of(Field::V)?];
     Ok(Reading::Lines(Digitised {
         lines,
         deviation: source.deviation,
-        warnings,
+        findings,
     }))
 }
 
@@ -58,21 +58,19 @@ fn refused(scope: &Scope<'_>, field: Field, cause: DataError) -> ExperimentError
     own.data(cause)
 }
 
-/// Words on centres that lie so far off the track of their line that it may be another one.
-fn off_track(scope: &Scope<'_>, file: &str, found: &OffTrack) -> String {
-    let unit = scope.experiment.display.length;
-    let shown = |value: f64| format!("{} {}", short(unit.from_base(value)), unit.name);
-    let [x, y] = found.place;
-    let [off, all] = found.centres;
-    format!(
-        "'{file}', line {}: the fringe centre ({x}, {y}) lies {} off the track of fringe line '{}', and {off} of its {all} centres lie \
-         farther off than half of {}, their median spacing along it. Between centres orders are taken along the track: state another one \
-         (track, or tracks for single lines), or a tolerance if they belong there.",
-        found.row,
-        shown(found.distance),
-        found.name,
-        shown(found.spacing)
-    )
+/// Centres that lie so far off the track of their line that it may be another one.
+fn off_track(file: &str, found: &OffTrack) -> Finding {
+    let [count, centres] = found.centres;
+    Finding::Line(LineFinding::OffTrack {
+        file: file.to_owned(),
+        line: found.row,
+        centre: found.place,
+        distance: found.distance,
+        fringe_line: found.name.clone(),
+        count,
+        centres,
+        spacing: found.spacing,
+    })
 }
 
 /// Places of a component's own centres carry that component alone.
@@ -110,7 +108,7 @@ pub(super) fn fringe_lines(
             remedy: "all centres lie in the hole or under a mask: check scale and y_axis",
         }));
     }
-    measured.warnings.extend(of_lines(&measured.measurement));
+    measured.found(of_lines(&measured.measurement));
     measured.lines = Some(lines);
     Ok(())
 }
@@ -128,12 +126,11 @@ pub(super) fn less_null(
             .map_err(|cause| scope.data(cause))?;
         if !found.left_out.is_empty() {
             let (line, place) = &found.left_out[0];
-            measured.remarks.push(format!(
-                "{} fringe centres lie beyond the null field's lines and are left out, the first of line '{line}' at ({}, {}) mm",
-                found.left_out.len(),
-                place[0],
-                place[1]
-            ));
+            measured.found([Finding::Line(LineFinding::BeyondNullField {
+                count: found.left_out.len(),
+                fringe_line: line.clone(),
+                place: *place,
+            })]);
         }
         Ok(found.lines)
     };

@@ -1,11 +1,9 @@
 //! The finite rotation of the specimen, taken off each field before anything else is done with it.
 
-use std::f64::consts::PI;
-
 use stickslip_hybrid::data::{Measurement, Places, Rotation};
 
 use super::Scope;
-use stickslip_text::{short, significant};
+use crate::finding::{FieldFinding, Finding, LineFinding};
 
 /// A rotation of fringes `[rad]` that is kept, as loads alone make it: it strains the field by half of its square, 5e-7, a tenth of what moves
 /// friction out of its interval.
@@ -31,21 +29,15 @@ impl TakenOff {
         [self.rotation.angle, self.rotation.deviation].map(f64::to_degrees)
     }
 
-    /// What was done, in words.
-    pub(super) fn words(&self) -> Option<String> {
-        let [angle, deviation] = self.degrees();
-        let masked = match self.masked {
-            0 if self.rotation.angle.abs() <= OF_STRAINS => return None,
-            0 => String::new(),
-            count => format!(
-                "; {count} displacements are masked, because the other component of their place is not known"
-            ),
-        };
-        Some(format!(
-            "the specimen turned by {}° ± {}° (by independent errors) against its reference picture: taken off as a finite rotation about the middle of the hole{masked}",
-            short(angle),
-            significant(deviation, 2)
-        ))
+    /// What was done, where a reader should know.
+    pub(super) fn finding(&self) -> Option<Finding> {
+        let [degrees, deviation_degrees] = self.degrees();
+        let is_small = self.rotation.angle.abs() <= OF_STRAINS;
+        (self.masked > 0 || !is_small).then_some(Finding::Field(FieldFinding::RotationTakenOff {
+            degrees,
+            deviation_degrees,
+            masked: self.masked,
+        }))
     }
 }
 
@@ -85,15 +77,12 @@ fn taken_off(
     (turned, Some(taken))
 }
 
-/// Words on fringe lines of a specimen that has turned: their orders are interpolated along lines, and stay as they are.
-pub(super) fn of_lines(data: &Measurement) -> Option<String> {
+/// The rotation of fringe lines of a specimen that has turned: their orders are interpolated along lines, and stay as they are.
+pub(super) fn of_lines(data: &Measurement) -> Option<Finding> {
     let angle = data.rotation(Places::Deformed)?.angle;
-    (angle.abs() > OF_STRAINS).then(|| {
-        format!(
-            "The specimen turned by {}° between the fringe lines of this state and those of no load, which strains them by {} in both \
-             directions and is not taken off: turn the reference grating back, or give the displacements as a table.",
-            short(180.0 / PI * angle),
-            short(0.5 * angle * angle)
-        )
-    })
+    let kept = LineFinding::RotationKept {
+        degrees: angle.to_degrees(),
+        strain: 0.5 * angle * angle,
+    };
+    (angle.abs() > OF_STRAINS).then_some(Finding::Line(kept))
 }

@@ -6,6 +6,7 @@ use stickslip_hybrid::data::{DataError, Field, FringeLine, FringeLines, Symmetry
 use super::combine::{grating, longest_side};
 use super::{Measured, Reading, Scope};
 use crate::error::ExperimentError;
+use crate::finding::{BackFinding, Finding};
 use crate::synthesis::field_name;
 use stickslip_scene::experiment::SymmetryPlan;
 
@@ -14,7 +15,7 @@ use stickslip_scene::experiment::SymmetryPlan;
 pub(super) struct Comparison {
     pub(super) found: Vec<(Field, Symmetry)>,
     /// What was left out.
-    pub(super) remarks: Vec<String>,
+    pub(super) findings: Vec<Finding>,
 }
 
 /// Compares along the chosen line, or along all common fringe lines.
@@ -44,9 +45,10 @@ pub(super) fn compared(
                     format!("give the {name} of the back too, or leave {name} out of the front"),
                 ));
             }
-            [false, true] => comparison.remarks.push(format!(
-                "the front has no {name} that the {name} of the back could be compared with"
-            )),
+            [false, true] => {
+                let lacks = BackFinding::FrontLacks { field: name };
+                comparison.findings.push(Finding::Back(lacks));
+            }
             [false, false] => {}
         }
     }
@@ -60,16 +62,14 @@ pub(super) fn compared(
     Ok(comparison)
 }
 
-/// What must be said of carriers where front and back are pictures that differ from the nulled ones.
-pub(super) fn of_carriers(front: &Reading) -> Option<String> {
+/// What is not seen where front and back are pictures that differ from the nulled ones, whose carriers were found.
+pub(super) fn of_carriers(front: &Reading) -> Option<Finding> {
     let Reading::Pictures(fields) = front else {
         return None;
     };
-    let words = "Front and back are compared before the null field is taken off, the front less the carrier that was found in its own \
-                 picture: a difference of their mean strains is not seen.";
     (fields.iter().flatten())
         .any(|field| !field.known)
-        .then(|| words.to_owned())
+        .then_some(Finding::Back(BackFinding::MeanStrainsNotSeen))
 }
 
 fn not_compared(scope: &Scope<'_>, what: &str, remedy: String) -> ExperimentError {
@@ -122,10 +122,9 @@ fn common_lines(
         ));
     }
     if !alone.is_empty() {
-        comparison.remarks.push(format!(
-            "lines {} of the {name} field are not on the back and were not compared",
-            alone.join(", ")
-        ));
+        let lines = alone.into_iter().map(str::to_owned).collect();
+        let alone = BackFinding::LinesOfFrontAlone { field: name, lines };
+        comparison.findings.push(Finding::Back(alone));
     }
     Ok(())
 }

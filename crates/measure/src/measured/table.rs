@@ -1,16 +1,16 @@
 //! Displacements from a table.
 
 use stickslip_fem_core::mesh::Point;
-use stickslip_hybrid::data::{DataError, Field, Measurement, Outlier, Rows, Unit, YAxis};
+use stickslip_hybrid::data::{DataError, Field, Measurement, Rows, Unit, YAxis};
 
 use super::rotation::{self, TakenOff};
 use super::{Reading, Scope, scatter};
 use crate::error::ExperimentError;
+use crate::finding::{FieldFinding, Finding, TableFinding, Worst};
 use crate::synthesis::field_name;
 use stickslip_scene::experiment::TableSource;
 use stickslip_scene::limits::Content;
 use stickslip_scene::units::{Dimension, Expected, parse};
-use stickslip_text::short;
 
 /// Scatter of less than this part of the range is no measurement's: a hundredth of a fringe of a thousand fringes.
 const CALCULATED: f64 = 1e-5;
@@ -29,8 +29,7 @@ pub(super) struct Scattered {
     pub(super) floor: [f64; 2],
     /// The rotation of the specimen that was taken off.
     pub(super) rotation: Option<TakenOff>,
-    pub(super) remarks: Vec<String>,
-    pub(super) warnings: Vec<String>,
+    pub(super) findings: Vec<Finding>,
 }
 
 /// A table as its source says, its origin moved to the body's, masked where it shows no specimen and where places do not go with their
@@ -41,31 +40,16 @@ pub(super) fn read(scope: &Scope<'_>, source: &TableSource) -> Result<Reading, E
     let (mut measurement, rows) =
         Measurement::read_rows(&bytes[..], &name, &source.format, &source.reading)
             .map_err(|cause| scope.data(cause))?;
-    let mut remarks = Vec::new();
+    let mut findings = Vec::new();
     for unit in &rows.units {
-        remarks.extend(against_scale(scope, source, &name, unit)?);
+        findings.extend(against_scale(scope, source, &name, unit)?);
     }
-    let scale = source.reading.scale.unwrap_or(1.0);
-    let upright = source.reading.y_axis == YAxis::Up;
-    let down = if upright { 1.0 } else { -1.0 };
-    let shift = [scale * source.origin[0], down * scale * source.origin[1]];
+    let shift = origin(source);
     for place in &mut measurement.places {
         *place = [place[0] - shift[0], place[1] - shift[1]];
     }
-    let in_hole = inside_hole(scope, &name, &measurement);
-    let places = measurement.places.clone();
-    for field in Field::BOTH {
-        measurement.mask(field, |k| {
-            !(scope.shows(places[k]) && scope.is_away(places[k], 0.0))
-        });
-    }
-    if measurement.count(Field::U) + measurement.count(Field::V) == 0 {
-        return Err(scope.data(DataError::AllMasked {
-            file: name,
-            rows: measurement.places.len(),
-            remedy: "all its points lie in the hole or under a mask: check scale, origin and y_axis",
-        }));
-    }
+    findings.extend(inside_hole(scope, &name, &measurement));
+    mask_specimen(scope, &name, &mut measurement)?;
     // Rounding to a step is an error that is uniform in it.
     let rounding = rows.step.map(|step| step / 12.0_f64.sqrt());
     let floor = rounding.map(|rounding| source.deviation.unwrap_or(rounding));
@@ -74,8 +58,7 @@ pub(super) fn read(scope: &Scope<'_>, source: &TableSource) -> Result<Reading, E
         outliers: Vec::new(),
         floor,
         rotation: None,
-        remarks,
-        warnings: in_hole.into_iter().collect(),
+        findings,
         measurement,
     };
     mask_outliers(scope, &name, &rows, &mut found)?;
@@ -88,9 +71,8 @@ pub(super) fn read(scope: &Scope<'_>, source: &TableSource) -> Result<Reading, E
     let before = found.measurement.deviation;
     let data = std::mem::take(&mut found.measurement);
     (found.measurement, found.rotation) = rotation::of_material(scope, data);
-    found
-        .remarks
-        .extend(found.rotation.and_then(|own| own.words()));
+    let turned = found.rotation.and_then(|own| own.finding());
+    found.findings.extend(turned);
     if source.deviation.is_none() {
         // Once more in the frame of the specimen, so that what is found does not depend on the rotation. A component without any scatter
         // gets none by the other one's.
@@ -100,19 +82,49 @@ pub(super) fn read(scope: &Scope<'_>, source: &TableSource) -> Result<Reading, E
             found.measurement.deviation[c] = 0.0;
         }
         for field in Field::BOTH {
-            tell_of_deviation(scope, field, scatters[field.component()], &mut found);
+            found_deviation(field, scatters[field.component()], &mut found);
         }
     }
     Ok(Reading::Scattered(found))
 }
 
-/// Compares a unit that the table states with the scale that the experiment states; words where it is no length.
+/// The body's origin `[mm]` in the table's axes, y upright.
+fn origin(source: &TableSource) -> Point {
+    let scale = source.reading.scale.unwrap_or(1.0);
+    let upright = source.reading.y_axis == YAxis::Up;
+    let down = if upright { 1.0 } else { -1.0 };
+    [scale * source.origin[0], down * scale * source.origin[1]]
+}
+
+/// Masks what shows no specimen.
+fn mask_specimen(
+    scope: &Scope<'_>,
+    name: &str,
+    measurement: &mut Measurement,
+) -> Result<(), ExperimentError> {
+    let places = measurement.places.clone();
+    for field in Field::BOTH {
+        measurement.mask(field, |k| {
+            !(scope.shows(places[k]) && scope.is_away(places[k], 0.0))
+        });
+    }
+    if measurement.count(Field::U) + measurement.count(Field::V) > 0 {
+        return Ok(());
+    }
+    Err(scope.data(DataError::AllMasked {
+        file: name.to_owned(),
+        rows: measurement.places.len(),
+        remedy: "all its points lie in the hole or under a mask: check scale, origin and y_axis",
+    }))
+}
+
+/// Compares a unit that the table states with the scale that the experiment states; a finding where it is no length.
 fn against_scale(
     scope: &Scope<'_>,
     source: &TableSource,
     name: &str,
     found: &Unit,
-) -> Result<Option<String>, ExperimentError> {
+) -> Result<Option<Finding>, ExperimentError> {
     let reading = &source.reading;
     let (key, stated) = match (found.of_place, reading.displacement_scale) {
         (false, Some(scale)) => ("displacement_scale", scale),
@@ -123,9 +135,13 @@ fn against_scale(
     } = found;
     let length = Expected::one(Dimension::Length);
     let Ok((value, _)) = parse(&format!("1 {}", unit.replace('μ', "µ")), &length) else {
-        return Ok(Some(format!(
-            "line {line} of '{name}' is a row of units and passed over; '{unit}' of column '{column}' is not compared with {key}"
-        )));
+        return Ok(Some(Finding::Table(TableFinding::UnitNotCompared {
+            file: name.to_owned(),
+            line: *line,
+            column: column.clone(),
+            unit: unit.clone(),
+            key,
+        })));
     };
     if (value - stated).abs() <= 1e-9 * stated {
         return Ok(None);
@@ -148,8 +164,8 @@ fn against_scale(
     })
 }
 
-/// Words on valid places that lie well inside of the hole, where there are more than stray ones: the mark of a wrong origin.
-fn inside_hole(scope: &Scope<'_>, name: &str, data: &Measurement) -> Option<String> {
+/// Valid places that lie well inside of the hole, where there are more than stray ones: the mark of a wrong origin.
+fn inside_hole(scope: &Scope<'_>, name: &str, data: &Measurement) -> Option<Finding> {
     let hole = scope.experiment.specimen.hole;
     let valid = (0..data.places.len()).filter(|&k| data.valid[0][k] || data.valid[1][k]);
     let depths: Vec<(f64, Point)> = valid
@@ -163,19 +179,17 @@ fn inside_hole(scope: &Scope<'_>, name: &str, data: &Measurement) -> Option<Stri
         .iter()
         .filter(|(depth, _)| *depth > ON_EDGE * hole.radius);
     let count = inside.clone().count();
-    let (depth, [x, y]) = inside.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let &(depth, deepest) = inside.max_by(|a, b| a.0.total_cmp(&b.0))?;
     if count as f64 <= STRAY * depths.len() as f64 {
         return None;
     }
-    let unit = scope.experiment.display.length;
-    Some(format!(
-        "{count} of {} valid places of '{name}' lie inside of the hole, the deepest at ({}, {}), {} from its edge, and are left out: check \
-         origin, scale and y_axis, unless these are places on a pin.",
-        depths.len(),
-        unit.show(*x),
-        unit.show(*y),
-        unit.show(*depth)
-    ))
+    Some(Finding::Table(TableFinding::InsideHole {
+        file: name.to_owned(),
+        count,
+        places: depths.len(),
+        deepest,
+        depth,
+    }))
 }
 
 /// Masks places that do not go with their neighbours: of both components, for what spoils one spoils mostly the other.
@@ -202,28 +216,23 @@ fn mask_outliers(
     for &place in &bad {
         marks[place] = true;
     }
-    let worst = told(scope, worst, rows.lines[worst.place]);
+    let worst = Worst {
+        line: rows.lines[worst.place],
+        field: field_name(worst.field),
+        value: worst.value,
+        expected: worst.expected,
+    };
     for field in Field::BOTH {
         data.mask(field, |k| marks[k]);
     }
-    found.warnings.push(format!(
-        "{} of {places} places of '{name}' do not go with their neighbours and are masked as outliers; the worst is {worst}. [reduce] \
-         outliers = false keeps them.",
-        bad.len()
-    ));
+    found.findings.push(Finding::Table(TableFinding::Outliers {
+        file: name.to_owned(),
+        count: bad.len(),
+        places,
+        worst,
+    }));
     found.outliers = bad;
     Ok(())
-}
-
-fn told(scope: &Scope<'_>, one: &Outlier, line: u64) -> String {
-    let unit = scope.experiment.display.length;
-    let shown = |value: f64| format!("{} {}", short(unit.from_base(value)), unit.name);
-    format!(
-        "in line {line}, with {} = {} where its neighbours say {}",
-        field_name(one.field),
-        shown(one.value),
-        shown(one.expected)
-    )
 }
 
 /// Sets the deviation `[mm]` that errors of each component have by the scatter of neighbours, and at least by what rounds its digits;
@@ -253,35 +262,26 @@ fn scatters(
     Ok(scatters)
 }
 
-/// Words on the deviation of a component whose neighbours scatter by `scatter` `[mm]`.
-fn tell_of_deviation(scope: &Scope<'_>, field: Field, scatter: f64, found: &mut Scattered) {
+/// Findings on the deviation of a component whose neighbours scatter by `scatter` `[mm]`.
+fn found_deviation(field: Field, scatter: f64, found: &mut Scattered) {
     if found.measurement.count(field) == 0 {
         return;
     }
     let deviation = found.measurement.deviation[field.component()];
-    let length = scope.experiment.display.length;
-    let shown = |value: f64| format!("{} {}", short(length.from_base(value)), length.name);
-    let name = field_name(field);
     let range = range(&found.measurement, field);
-    if deviation < CALCULATED * range {
-        found.warnings.push(format!(
-            "{name} scatters by {} only, {} of its range, as calculated data do: bands hold this, not the error of a measurement or of a \
-             mesh. State the deviation that a measurement has.",
-            shown(deviation),
-            short(deviation / range)
-        ));
-    }
-    found.remarks.push(if deviation > scatter {
-        format!(
-            "deviation of {name}: {}, by which its digits are rounded; its neighbours scatter by less",
-            shown(deviation)
-        )
-    } else {
-        format!(
-            "deviation of {name} estimated from the scatter of neighbours: {}",
-            shown(deviation)
-        )
+    let field = field_name(field);
+    let calculated = (deviation < CALCULATED * range).then(|| FieldFinding::AsCalculated {
+        field,
+        deviation,
+        of_range: deviation / range,
     });
+    let estimated = FieldFinding::Deviation {
+        field,
+        deviation,
+        by_digits: deviation > scatter,
+    };
+    let both = calculated.into_iter().chain([estimated]);
+    found.findings.extend(both.map(Finding::Field));
 }
 
 /// Largest less least valid displacement `[mm]`.

@@ -5,6 +5,7 @@ use stickslip_hybrid::region::transfer::Propagated;
 use super::{WholeError, WholePlate, WholeSolution};
 use crate::analysed::{Analysed, Checked};
 use crate::error::ExperimentError;
+use crate::finding::ModelFinding;
 use crate::measured::Measured;
 use stickslip_scene::experiment::Experiment;
 use stickslip_scene::experiment::history::History;
@@ -48,22 +49,22 @@ impl WholeState {
     }
 }
 
-/// The whole plate in all states of `experiment`, where its file asks for it, and in words the states that are no load steps of the
-/// scene, and load steps that were assumed.
+/// The whole plate in all states of `experiment`, where its file asks for it, and findings on states that are no load steps of the
+/// scene, and on load steps that were assumed.
 ///
 /// # Errors
 /// [`ExperimentError`]: no scene, a plate that is not free, data that do not cover the hole.
 pub fn stage(
     experiment: &Experiment,
     fields: &[Measured],
-) -> Result<(Vec<WholeState>, Vec<String>), ExperimentError> {
-    let (mut states, mut warnings) = (Vec::new(), Vec::new());
+) -> Result<(Vec<WholeState>, Vec<ModelFinding>), ExperimentError> {
+    let (mut states, mut findings) = (Vec::new(), Vec::new());
     let Some(region) = experiment
         .region
         .as_ref()
         .filter(|region| region.whole_plate)
     else {
-        return Ok((states, warnings));
+        return Ok((states, findings));
     };
     let Some(own) = &experiment.specimen.model else {
         return Err(ExperimentError::Missing {
@@ -78,7 +79,7 @@ pub fn stage(
     };
     if experiment.laws.is_empty() {
         // Where laws are fitted, it is told there.
-        warnings.extend(experiment.warning_of_shared_mesh());
+        findings.extend(ModelFinding::of_mesh(experiment));
     }
     let plate = WholePlate::new(own).map_err(failed)?;
     let history = History::of(&own.scene);
@@ -89,17 +90,17 @@ pub fn stage(
                 let solution = plate
                     .analyse(measured, tied.step, tied.null, region.smoothing)
                     .map_err(failed)?;
-                warnings.extend(tied.assumed);
+                findings.extend(ModelFinding::of_null(&history, state, &tied));
                 states.push(WholeState {
                     state: measured.state,
                     solution,
                 });
             }
-            Err(reason) => warnings.push(format!(
-                "State '{}' is not analysed as a whole plate: {reason}.",
-                state.name
-            )),
+            Err(reason) => findings.push(ModelFinding::NoWholePlate {
+                state: state.name.clone(),
+                reason,
+            }),
         }
     }
-    Ok((states, warnings))
+    Ok((states, findings))
 }

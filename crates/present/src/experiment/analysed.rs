@@ -1,24 +1,19 @@
 //! Edge stresses on the page, as tables, and in the summary.
 
-mod doubts;
 pub(super) mod figures;
 mod forces;
 mod picture;
 
-use doubts::doubts;
 use serde_json::{Value, json};
 use stickslip_hybrid::region::checks::ChiSquared;
 use stickslip_hybrid::region::fit::Amount;
 use stickslip_report::table::{Column, Table};
 
 use crate::experiment::story::{Story, csv_table};
-use stickslip_measure::analysed::{Analysed, TruePlace, UNUSED, load, true_edge};
+use stickslip_measure::analysed::{Analysed, TruePlace, UNUSED, free_in_region_only, true_edge};
 use stickslip_measure::truth::Truth;
 use stickslip_scene::experiment::{Experiment, Method, RegionShape};
 use stickslip_text::{short, significant};
-
-/// Standard deviations above its mean at which a χ² is reported as too large.
-const LARGE: f64 = 4.0;
 
 /// Reports the edge stresses of all states.
 pub(crate) fn tell(
@@ -34,15 +29,7 @@ pub(crate) fn tell(
     story.table(forces::table(experiment, analysed));
     story.table(checks(experiment, analysed));
     story.table(picture::table(experiment, analysed));
-    let whole = experiment
-        .region
-        .as_ref()
-        .is_some_and(|plan| plan.whole_plate);
-    if !experiment.reduce.free.is_empty() && (whole || !experiment.laws.is_empty()) {
-        story.warn(
-            "What [reduce] free declares is taken off the region alone: the whole plate and friction laws take displacements as they are.",
-        );
-    }
+    story.report(experiment, free_in_region_only(experiment));
     for found in analysed {
         let name = &experiment.states[found.state].name;
         story.answer(&format!("State '{name}'"), answer(experiment, found));
@@ -113,41 +100,7 @@ fn state(experiment: &Experiment, found: &Analysed, truth: &[TruePlace], story: 
             figures::misfit(experiment, found),
         );
     }
-    for (what, check) in [
-        ("the misfit at unused places", &found.checks.unused),
-        ("the traction on the free edge", &found.checks.free_edge),
-        (
-            "the force on the nodes inside that move as measured",
-            &found.checks.interior,
-        ),
-    ] {
-        if let Some(check) = check.as_ref().filter(|check| check.excess() > LARGE) {
-            story.warn(format!(
-                "State '{name}': {what} has χ² = {} where {} ± {} is expected: data, region or material do not fit together.{}",
-                short(check.value),
-                check.count,
-                short(check.deviation),
-                picture::explanation(found)
-            ));
-        }
-    }
-    if let Some(why) = &found.without_direct {
-        story.note(format!(
-            "State '{name}': no direct interpolation to compare with: {why}."
-        ));
-    }
-    for warning in doubts(experiment, found)
-        .into_iter()
-        .chain(forces::doubts(experiment, found))
-        .chain(load::doubt(experiment, found))
-        .chain(load::pulled(experiment, found))
-        .chain(picture::doubts(experiment, found))
-    {
-        story.warn(format!("State '{name}': {warning}"));
-    }
-    if let Some(why) = load::unchecked(experiment, found) {
-        story.note(format!("State '{name}': {why}"));
-    }
+    story.report(experiment, found.findings(experiment));
     story.file(
         format!("edge-{name}.csv"),
         "stresses on the edge with standard deviations",

@@ -2,9 +2,11 @@
 
 use stickslip_hybrid::data::Field;
 
+use super::findings::line;
 use super::measured::signs;
 use stickslip_measure::ExperimentError;
 use stickslip_measure::analysed::Workbench;
+use stickslip_measure::finding::{Level, ignored_keys};
 use stickslip_measure::measured::{self, Measured};
 use stickslip_measure::synthesis::{Shots, field_name};
 use stickslip_scene::experiment::{Experiment, RegionShape, Source};
@@ -22,7 +24,7 @@ pub fn check(experiment: &Experiment) -> Result<Vec<(&'static str, String)>, Exp
         ),
         ("specimen", specimen(experiment)),
     ];
-    let mut warnings = experiment.without_effect.clone();
+    let mut findings = ignored_keys(experiment);
     let mut fields = Vec::new();
     for (index, state) in experiment.states.iter().enumerate() {
         let mut sources = [&state.null, &state.back].into_iter().flatten();
@@ -37,11 +39,10 @@ pub fn check(experiment: &Experiment) -> Result<Vec<(&'static str, String)>, Exp
         }
         let found = measured::state(experiment, index, &Shots::default())?;
         lines.push(("state", of_state(experiment, &found)));
-        let named = |words: &String| format!("state '{}': {words}", state.name);
-        warnings.extend(found.warnings.iter().map(named));
+        findings.extend(found.located(experiment));
         fields.push(found);
     }
-    warnings.extend(measured::repeated(experiment, &fields));
+    findings.extend(measured::repeated(experiment, &fields));
     let signs = signs(experiment).into_iter();
     lines.extend(signs.map(|(names, words)| ("signs", format!("{names}: {words}"))));
     if let Some(region) = &experiment.region {
@@ -59,7 +60,10 @@ pub fn check(experiment: &Experiment) -> Result<Vec<(&'static str, String)>, Exp
         };
         lines.push(("region", words));
     }
-    lines.extend(warnings.into_iter().map(|words| ("warning", words)));
+    let warnings = findings
+        .iter()
+        .filter(|own| own.finding.level() == Level::Warning);
+    lines.extend(warnings.map(|own| ("warning", line(experiment, own))));
     lines.push(("next", next(experiment)));
     lines.push(("hash", experiment.hash.clone()));
     Ok(lines)

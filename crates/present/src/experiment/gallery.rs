@@ -91,19 +91,9 @@ impl<'a> Gallery<'a> {
             }
             let carrier = camera.fringes().carrier;
             let range = [0, 1].map(|k| without_carrier(&fields[k].orders, carrier[k]));
-            for (field, pictures) in ["U", "V"].into_iter().zip(fields) {
-                let share = too_fine(&pictures.orders);
-                if share > 0.0 {
-                    story.warn(format!(
-                        "State '{}': fringes of the {field} field are finer than two pixels at {} % of them and show false patterns there; \
-                         take smaller pixels.",
-                        self.experiment.states[state].name,
-                        short(100.0 * share)
-                    ));
-                }
-            }
             self.extremes.push((state, range));
         }
+        story.report(self.experiment, shots.located(self.experiment, state));
         Ok(())
     }
 
@@ -262,24 +252,6 @@ fn without_carrier(orders: &PixelMap, carrier: [f64; 2]) -> Option<[f64; 2]> {
         let [low, high] = range.unwrap_or([value; 2]);
         Some([value.min(low), value.max(high)])
     })
-}
-
-/// Part of the pixels whose order differs from that of the next one to the right or below by half a fringe or more.
-fn too_fine(orders: &PixelMap) -> f64 {
-    let (values, columns) = (orders.values(), orders.frame().columns());
-    let far = |pixel: usize, next: usize| {
-        let step: Option<f64> = values.get(next).map(|next| next - values[pixel]);
-        step.is_some_and(|step| step.abs() >= 0.5)
-    };
-    let (mut seen, mut fine) = (0.0, 0.0);
-    for (pixel, _) in orders.present() {
-        let at_end = (pixel + 1).is_multiple_of(columns);
-        seen += 1.0;
-        if far(pixel, pixel + columns) || (!at_end && far(pixel, pixel + 1)) {
-            fine += 1.0;
-        }
-    }
-    fine / seen
 }
 
 /// "up, 1250 lbf, loading".

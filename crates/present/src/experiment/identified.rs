@@ -8,13 +8,13 @@ use serde_json::{Value, json};
 use stickslip_hybrid::identify::{Bounds, SlipFit};
 use stickslip_report::table::{Column, Table};
 
+use crate::experiment::findings::on_half_the_cells;
 use crate::experiment::story::Story;
-use stickslip_measure::ExperimentError;
-use stickslip_measure::analysed::{Analysed, bearing, true_edge};
+use stickslip_measure::analysed::{Analysed, true_edge};
+use stickslip_measure::chain::Friction;
 use stickslip_measure::identified::{
-    CONSISTENT, Coarser, Grip, Identified, SlipZone, ratio, static_friction, words,
+    CONSISTENT, Grip, Identified, SlipZone, ratio, static_friction, words,
 };
-use stickslip_measure::laws::LawsError;
 use stickslip_measure::truth::Truth;
 use stickslip_scene::experiment::Experiment;
 
@@ -31,17 +31,13 @@ const REJECTED: &str = "no interval: one coefficient is rejected, for this zone 
 pub(crate) struct Told<'a> {
     pub(crate) experiment: &'a Experiment,
     pub(crate) analysed: &'a [Analysed],
-    pub(crate) identified: &'a Identified,
-    /// The same on half of the cells.
-    pub(crate) coarser: &'a Result<Option<Coarser>, ExperimentError>,
+    pub(crate) friction: &'a Friction,
     pub(crate) truth: Option<&'a Truth>,
-    /// How far static friction moves the edge `[fringes]`, where no law is fitted that would tell.
-    pub(crate) moves: &'a Option<Result<f64, LawsError>>,
 }
 
 /// Tells of friction.
 pub(crate) fn tell(told: &Told<'_>, story: &mut Story) {
-    let (experiment, identified) = (told.experiment, told.identified);
+    let (experiment, identified) = (told.experiment, &told.friction.identified);
     story.section("Friction");
     story.text(
         "Where an edge slips, the shear is μ times the pressure, and both are uncertain with errors that go together; μ is where χ² of \
@@ -49,13 +45,12 @@ pub(crate) fn tell(told: &Told<'_>, story: &mut Story) {
          contact. A zone goes from there inwards as far as one coefficient explains it and its inner parts ask for no lesser one; at either end twice the angle that the edge \
          resolves is left out, where stresses are not smooth. That angle is a cell, or more where the smoothing goes on beyond cells.",
     );
-    for found in told.analysed {
-        if let Some(warning) = bearing::doubt(experiment, found) {
-            story.warn(warning);
-        }
-    }
     answers(told, story);
     mesh(told, story);
+    story.report(
+        experiment,
+        told.friction.findings(experiment, told.analysed),
+    );
     if told.bears() || identified.dynamic.is_some() {
         story.table(table(experiment, told.analysed, identified));
         let truth: Vec<_> = (told.analysed.iter())
@@ -67,9 +62,6 @@ pub(crate) fn tell(told: &Told<'_>, story: &mut Story) {
              truth is known it is a thin line.",
             figures::friction(experiment, told.analysed, identified, &truth),
         );
-    }
-    for remark in &identified.remarks {
-        story.note(format!("{remark}."));
     }
     story.file(
         "friction.csv",
@@ -96,13 +88,13 @@ impl Told<'_> {
 
     /// What is known of static friction.
     fn of_static(&self) -> String {
-        match self.identified.dynamic {
+        match self.friction.identified.dynamic {
             None if !self.bears() => self.without().to_owned(),
             _ => {
                 let confidence = 100.0 * self.experiment.identify.confidence;
-                let found = static_words(self.experiment, self.identified, confidence);
+                let found = static_words(self.experiment, &self.friction.identified, confidence);
                 let [from, to] = static_friction::RATIOS;
-                match self.moves {
+                match &self.friction.moves {
                     Some(Ok(fringes)) => format!(
                         "{found}. {to} instead of {from} times μd deforms the hole's edge by at most {fringes:.2} fringes"
                     ),
@@ -113,30 +105,9 @@ impl Told<'_> {
     }
 }
 
-/// What makes the coefficient doubtful.
-fn doubts(identified: &Identified, fit: &SlipFit, story: &mut Story) {
-    if !identified.is_explained() {
-        story.warn(if identified.zones_agree {
-            "One coefficient does not explain all slip zones together: friction changes within them, or the edge does not slip all over \
-             them. No interval is given; fit laws by [[laws]], or state [identify] zones."
-        } else {
-            "The coefficients of the slip zones differ by more than their errors: at least one of them holds places that stick. No \
-             interval is given; state [identify] zones, or fit laws by [[laws]]."
-        });
-    }
-    let has_friction = matches!(fit.bounds, Bounds::Between(..) | Bounds::AtLeast(_));
-    if has_friction && identified.zones.iter().any(SlipZone::has_no_end) {
-        story.warn(
-            "A slip zone reaches the bearing point, where friction turns: in this noise places that stick cannot be told from those that \
-             slip. Only the outer half of it is used, and μd may still be larger than its interval says. State [identify] zones near \
-             the end of contact, smooth more, or measure more data.",
-        );
-    }
-}
-
 /// Both coefficients and the simulation.
 fn answers(told: &Told<'_>, story: &mut Story) {
-    let (experiment, identified) = (told.experiment, told.identified);
+    let (experiment, identified) = (told.experiment, &told.friction.identified);
     let confidence = 100.0 * experiment.identify.confidence;
     match &identified.dynamic {
         Some(fit) => {
@@ -144,7 +115,6 @@ fn answers(told: &Told<'_>, story: &mut Story) {
                 "Dynamic friction μd",
                 dynamic_words(identified, fit, confidence),
             );
-            doubts(identified, fit, story);
         }
         None if !told.bears() => story.answer("Dynamic friction μd", told.without()),
         None => story.answer(
@@ -153,11 +123,6 @@ fn answers(told: &Told<'_>, story: &mut Story) {
         ),
     }
     story.answer("Static friction μs", told.of_static());
-    if let Some(Err(cause)) = told.moves {
-        story.note(format!(
-            "How far static friction moves the edge is not told: {cause}."
-        ));
-    }
     let explained = identified.is_explained();
     if let Some(simulation) = identified.simulation.as_ref().filter(|_| explained) {
         story.text(format!(
@@ -174,7 +139,7 @@ fn answers(told: &Told<'_>, story: &mut Story) {
 
 /// What half of the cells say.
 fn mesh(told: &Told<'_>, story: &mut Story) {
-    let coarser = match told.coarser {
+    let coarser = match &told.friction.coarser {
         Ok(Some(coarser)) => coarser,
         Ok(None) => return,
         Err(cause) => {
@@ -184,18 +149,13 @@ fn mesh(told: &Told<'_>, story: &mut Story) {
             return;
         }
     };
-    let held = match told.identified.mesh {
+    let held = match told.friction.identified.mesh {
         Some(_) => "Intervals hold this difference as an error of the mesh.",
         None => "The interval does not hold the error of the mesh.",
     };
-    story.text(format!("{} {held}", coarser.words()));
-    let fit = told.identified.dynamic.as_ref();
-    if fit.is_some_and(|fit| coarser.doubts(fit)) {
-        story.warn(format!(
-            "The mesh moves μd by more than either interval leaves to noise. {} Take more cells until it stays.",
-            coarser.words()
-        ));
-    }
+    let dynamic = coarser.dynamic.as_ref().map(|fit| (fit.mu, fit.bounds));
+    let words = on_half_the_cells(coarser.cells, dynamic);
+    story.text(format!("{words} {held}"));
 }
 
 /// The coefficient `fit` of all zones with its bounds, or why it has none.
@@ -323,7 +283,7 @@ fn csv(experiment: &Experiment, analysed: &[Analysed]) -> Vec<u8> {
 }
 
 fn entry(told: &Told<'_>) -> Value {
-    let (experiment, identified) = (told.experiment, told.identified);
+    let (experiment, identified) = (told.experiment, &told.friction.identified);
     let grip = identified.static_bound();
     let bearings = told.analysed.iter().map(|found| {
         let check = found.bearing_check(experiment.identify.bearing);
@@ -348,7 +308,7 @@ fn entry(told: &Told<'_>) -> Value {
     json!({
         "confidence": experiment.identify.confidence,
         "mu_dynamic": identified.dynamic.as_ref().map(|fit| fit_entry(fit, identified.dynamic_bounds())),
-        "half_the_cells": told.coarser.as_ref().ok().and_then(Option::as_ref).map(|coarser| json!({
+        "half_the_cells": told.friction.coarser.as_ref().ok().and_then(Option::as_ref).map(|coarser| json!({
             "cells": coarser.cells,
             "mu_dynamic": coarser.dynamic.as_ref().map(|fit| fit_entry(fit, fit.is_consistent(CONSISTENT).then_some(fit.bounds))),
         })),
@@ -363,7 +323,7 @@ fn entry(told: &Told<'_>) -> Value {
             "low": grip.map(|grip| grip.at_least),
             "high": null,
             "by": grip.map(|grip| grip_entry(experiment, grip)),
-            "fringes": told.moves.as_ref().and_then(|moves| moves.as_ref().ok()),
+            "fringes": told.friction.moves.as_ref().and_then(|moves| moves.as_ref().ok()),
             "in_words": told.of_static(),
         },
         "zones": zones.collect::<Vec<_>>(),

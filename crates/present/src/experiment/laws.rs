@@ -47,7 +47,7 @@ pub fn tell(experiment: &Experiment, stage: &LawStage, story: &mut Story) {
     if !stage.sensitivities.is_empty() {
         story.table(sensitivities(experiment, stage));
     }
-    doubts(stage, story);
+    story.report(experiment, stage.located());
     story.answer(
         "Friction law",
         format!("{}: {}", best.law.name, best.words()),
@@ -70,34 +70,6 @@ pub fn tell(experiment: &Experiment, stage: &LawStage, story: &mut Story) {
         );
     }
     story.entry("laws", files::entry(experiment, stage));
-}
-
-/// What makes the fits doubtful.
-pub fn doubts(stage: &LawStage, story: &mut Story) {
-    let (comparison, best) = (&stage.comparison, stage.comparison.best());
-    if comparison
-        .fits
-        .iter()
-        .any(|fit| fit.law.kind == "static_dynamic")
-    {
-        story.note(
-            "The drop from static to dynamic friction has no length of its own: what the static coefficient does depends on the spacing of \
-             the contact nodes, and its bounds move with the mesh.",
-        );
-    }
-    for words in &stage.warnings {
-        story.warn(words.clone());
-    }
-    if !best.explains() {
-        story.warn(format!(
-            "No law explains the data: that of the best, '{}', leaves χ² = {} of {} degrees of freedom, {} standard deviations too many. \
-             No interval is given: load, clearance, material, scale or place of the hole may be wrong; look at the residuals near the edge.",
-            best.law.name,
-            short(best.calibration.chi_squared),
-            best.calibration.degrees(),
-            short(best.calibration.excess()),
-        ));
-    }
 }
 
 /// Profiles, residuals, predictions and the passage.

@@ -24,9 +24,7 @@ pub(crate) fn tell(experiment: &Experiment, fields: &[Measured], story: &mut Sto
     );
     story.text(settings(experiment));
     story.table(table(experiment, fields));
-    for words in repeated(experiment, fields) {
-        story.warn(words);
-    }
+    story.report(experiment, repeated(experiment, fields));
     if fields.iter().any(|measured| !measured.rotations.is_empty()) {
         story.table(rotations(experiment, fields));
     }
@@ -128,12 +126,7 @@ fn one(experiment: &Experiment, measured: &Measured, story: &mut Story) {
         let figure = figures::data(experiment, measured);
         story.figure(&format!("data-{name}"), &text, figure);
     }
-    for words in &measured.warnings {
-        story.warn(format!("State '{name}': {words}"));
-    }
-    for words in &measured.remarks {
-        story.note(format!("State '{name}': {words}."));
-    }
+    story.report(experiment, measured.located(experiment));
     story.file(
         format!("measured-{name}.csv"),
         "measured displacements; empty where masked",

@@ -10,8 +10,9 @@ use stickslip_report::table::{Column, Table};
 use stickslip_text::plain::csv_cell;
 use thiserror::Error;
 
+use super::findings::sentence;
 use crate::PutFile;
-
+use stickslip_measure::finding::{Level, Located};
 use stickslip_scene::experiment::Experiment;
 
 /// Why a story cannot be kept.
@@ -44,6 +45,7 @@ pub struct Story {
     page: Page,
     files: Vec<(String, Vec<u8>)>,
     notes: Vec<(Vec<String>, String)>,
+    findings: Vec<Located>,
     summary: Map<String, Value>,
 }
 
@@ -67,6 +69,7 @@ impl Story {
             page,
             files: Vec::new(),
             notes: Vec::new(),
+            findings: Vec::new(),
             summary: head.as_object().cloned().unwrap_or_default(),
         }
     }
@@ -127,6 +130,18 @@ impl Story {
         self.page.notes.push(words.into());
     }
 
+    /// Findings, as warnings and notes of the page and as data of the summary.
+    pub fn report(&mut self, experiment: &Experiment, found: impl IntoIterator<Item = Located>) {
+        for own in found {
+            let words = sentence(experiment, &own);
+            match own.finding.level() {
+                Level::Warning => self.warn(words),
+                Level::Remark => self.note(words),
+            }
+            self.findings.push(own);
+        }
+    }
+
     /// An answer at the top of the page.
     pub fn answer(&mut self, name: &str, value: impl Into<String>) {
         self.page.summary.push((name.to_owned(), value.into()));
@@ -141,6 +156,7 @@ impl Story {
     pub fn summary(&self) -> Value {
         let mut summary = self.summary.clone();
         summary.insert("warnings".to_owned(), json!(self.page.warnings));
+        summary.insert("findings".to_owned(), json!(self.findings));
         Value::Object(summary)
     }
 

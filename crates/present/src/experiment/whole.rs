@@ -7,7 +7,9 @@ use stickslip_report::table::{Column, Table};
 
 use super::identified::dynamic_words;
 use crate::experiment::story::{Story, csv_table};
+use stickslip_measure::Finding;
 use stickslip_measure::chain::Edges;
+use stickslip_measure::finding::Located;
 use stickslip_measure::identified::{Identified, words};
 use stickslip_measure::whole::WholeState;
 use stickslip_scene::experiment::Experiment;
@@ -15,9 +17,9 @@ use stickslip_text::short;
 
 /// Tells of the whole plate; nothing where there is no state of it.
 pub fn tell(experiment: &Experiment, edges: &Edges, story: &mut Story) {
-    for words in &edges.plate_warnings {
-        story.warn(words.clone());
-    }
+    let findings = edges.plate_findings.iter().cloned();
+    let located = findings.map(|own| Located::of_all(Finding::Model(own)));
+    story.report(experiment, located);
     let states = &edges.plates;
     let Some(friction) = &edges.plate_friction else {
         return;

@@ -1,5 +1,8 @@
 //! The load history of a scene as an experiment names its states.
 
+use serde::Serialize;
+use thiserror::Error;
+
 use super::plan::{Direction, Source, State};
 use crate::Scene;
 use crate::schema::{Load, LoadKind};
@@ -12,8 +15,34 @@ pub struct Tied {
     pub step: usize,
     /// That of its null field, if it has one.
     pub null: Option<usize>,
-    /// What had to be assumed for that, in a sentence.
-    pub assumed: Option<String>,
+    /// Whether that of the null field is assumed: the field was measured, and its load is not known.
+    pub assumed: bool,
+}
+
+/// Why a state is no load step of the scene.
+#[derive(Clone, Debug, Error, PartialEq, Serialize)]
+#[serde(tag = "reason", rename_all = "snake_case")]
+pub enum Untied {
+    /// It has no load.
+    #[error("its load is not given")]
+    NoLoad,
+    /// No load step has its load and its direction.
+    #[error("no load step of the scene has {} in {}", .unit.show(*.load), .direction.name())]
+    NoSuchStep {
+        /// Its load `[N]`.
+        load: f64,
+        /// Whether the load was growing or falling.
+        direction: Direction,
+        /// What the load is shown in.
+        #[serde(skip)]
+        unit: &'static Unit,
+    },
+    /// Its null field was measured, and no load step comes before its own.
+    #[error("its null field was measured, and the scene has no load step before step {step}")]
+    NoStepBefore {
+        /// Its load step, counted from 1.
+        step: usize,
+    },
 }
 
 /// The first load that changes.
@@ -70,22 +99,19 @@ impl<'a> History<'a> {
         }
     }
 
-    /// The load steps of a state; in words why there are none.
+    /// The load steps of a state.
     ///
     /// # Errors
-    /// Why the state is no load step, as the end of a sentence.
-    pub fn tied(&self, state: &State) -> Result<Tied, String> {
+    /// [`Untied`]: why the state is no load step.
+    pub fn tied(&self, state: &State) -> Result<Tied, Untied> {
         let step = match &state.source {
             Source::Step(step) => *step,
             _ => self.step_of(state)?,
         };
         let (null, assumed) = match &state.null {
-            None => (None, None),
-            Some(Source::Step(null)) => (Some(*null), None),
-            Some(_) => {
-                let null = self.smallest_before(step)?;
-                (Some(null), Some(self.assumption(state, null)))
-            }
+            None => (None, false),
+            Some(Source::Step(null)) => (Some(*null), false),
+            Some(_) => (Some(self.smallest_before(step)?), true),
         };
         Ok(Tied {
             step,
@@ -95,44 +121,28 @@ impl<'a> History<'a> {
     }
 
     /// The first of the steps with the smallest load that come before `step`.
-    fn smallest_before(&self, step: usize) -> Result<usize, String> {
+    fn smallest_before(&self, step: usize) -> Result<usize, Untied> {
         let values = self.load.map_or(&[][..], |load| load.kind.steps());
         let before = values.iter().take(step).enumerate();
         before
             .min_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()))
             .map(|(null, _)| null)
-            .ok_or_else(|| {
-                format!(
-                    "its null field was measured, and the scene has no load step before step {}",
-                    step + 1
-                )
-            })
-    }
-
-    fn assumption(&self, state: &State, null: usize) -> String {
-        let load = self.load(null);
-        let load = load.map_or_else(String::new, |load| format!(" of {}", self.force.show(load)));
-        format!(
-            "The load of the measured null field of state '{}' is not known: it is taken for that of step {} of the scene, the smallest \
-             load{load} before it.",
-            state.name,
-            null + 1
-        )
+            .ok_or(Untied::NoStepBefore { step: step + 1 })
     }
 
     /// The load step with the load and the direction of a state.
-    fn step_of(&self, state: &State) -> Result<usize, String> {
+    fn step_of(&self, state: &State) -> Result<usize, Untied> {
         /// Loads that differ by less, in parts, are the same.
         const SAME: f64 = 1e-3;
-        let load = state.load.ok_or("its load is not given")?;
+        let load = state.load.ok_or(Untied::NoLoad)?;
         let same = |step: &usize| {
             let close = |own: f64| (own - load).abs() <= SAME * load.abs();
             self.load(*step).is_some_and(close) && self.direction(*step) == state.direction
         };
-        (0..self.steps).find(same).ok_or_else(|| {
-            let direction = state.direction.name();
-            let load = self.force.show(load);
-            format!("no load step of the scene has {load} in {direction}")
+        (0..self.steps).find(same).ok_or(Untied::NoSuchStep {
+            load,
+            direction: state.direction,
+            unit: self.force,
         })
     }
 
@@ -213,17 +223,11 @@ mod tests {
                 load: Some(1e5),
                 ..own.states[0].clone()
             };
-            let words = history.tied(&state).unwrap_err();
+            let words = history.tied(&state).unwrap_err().to_string();
             let expected = own.display.force.show(1e5);
             assert!(
                 words.contains(&format!("has {expected} in loading")),
                 "{words}"
-            );
-            let assumed = history.assumption(&own.states[0], 0);
-            let expected = own.display.force.show(history.load(0).unwrap());
-            assert!(
-                assumed.contains(&format!("the smallest load of {expected} before")),
-                "{assumed}"
             );
         }
     }

@@ -11,6 +11,7 @@ mod values;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use serde::Serialize;
 use serde_json::{Map, Value};
 use stickslip_fem_core::material::PlaneState;
 use stickslip_fem_core::mesh::Point;
@@ -25,6 +26,7 @@ use crate::limits::{Content, Limits};
 use crate::schema::{DisplayUnits, Material};
 use crate::{Format, Scene};
 
+pub use unused::Unheeded;
 pub use values::{
     FreeMotion, FreeParameter, Identify, LawPlan, MeshPlan, Method, Reduce, RegionPlan,
     RegionShape, SectorPlan, SymmetryPlan, ZonePlan,
@@ -79,8 +81,8 @@ pub struct Experiment {
     pub identify: Identify,
     /// Friction laws to fit by contact solves.
     pub laws: Vec<LawPlan>,
-    /// Keys that are stated and that nothing heeds, in sentences with their line.
-    pub without_effect: Vec<String>,
+    /// Keys that are stated and that nothing heeds.
+    pub without_effect: Vec<Unheeded>,
     /// Path of the file as given.
     pub source_name: String,
     /// Folder that its files are relative to.
@@ -189,7 +191,8 @@ impl Area {
 }
 
 /// Whether the load was growing or falling.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Direction {
     /// Growing.
     Loading,
@@ -366,15 +369,10 @@ impl Experiment {
         read::experiment(source, format, folder, overrides, host)
     }
 
-    /// What to say where the model that is fitted to synthetic pictures has the very mesh that made them.
-    pub fn warning_of_shared_mesh(&self) -> Option<String> {
+    /// Whether the model that is fitted to synthetic pictures has the very mesh that made them.
+    pub fn is_fitted_to_its_own_mesh(&self) -> bool {
         let synthetic = self.states.iter().any(|state| state.source.is_synthetic());
-        (synthetic && self.specimen.shares_its_mesh()).then(|| {
-            "The fitted model has the very mesh that made the synthetic pictures: errors of discretisation cancel, and what is found looks \
-             better than it would be of a measurement. [specimen] model_overrides = [\"mesh.spacing=\\\"3 deg\\\"\"] gives the model a \
-             mesh of its own."
-                .to_owned()
-        })
+        synthetic && self.specimen.shares_its_mesh()
     }
 
     /// What reading its files and its models may take.

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use stickslip::experiment::Experiment;
 use stickslip::experiment::SpecimenScene;
+use stickslip::experiment::finding::ModelFinding;
 use stickslip::experiment::laws::{
     ContactModel, Known, LawStage, Observation, Scale, ScaleSource, discrepancies, stage,
 };
@@ -94,7 +95,7 @@ fn a_model_has_a_mesh_of_its_own_and_whoever_gives_it_none_is_warned() {
         .unwrap();
     // The model's nodes are 9° apart along the half circle that is modelled, its mid-side nodes 4.5°.
     assert!(found.edge_nodes < truth.edge().len());
-    assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+    assert_eq!(found.findings, []);
 
     let shared = SYNTHETIC.replace("model_overrides = [\"mesh.spacing=9 deg\"]\n", "");
     let shared = read(&shared).unwrap();
@@ -102,12 +103,8 @@ fn a_model_has_a_mesh_of_its_own_and_whoever_gives_it_none_is_warned() {
     let found = stage(&shared, &fields, Known::default(), &mut |_| ())
         .unwrap()
         .unwrap();
-    assert!(
-        found.warnings[0].starts_with("The fitted model has the very mesh that made"),
-        "{:?}",
-        found.warnings
-    );
-    assert!(found.warnings[0].contains("model_overrides = [\"mesh.spacing="));
+    assert_eq!(found.findings, [ModelFinding::SharedMesh]);
+    assert!(told(&shared, &found).contains("model_overrides = [\\\"mesh.spacing="));
 }
 
 #[test]

@@ -4,6 +4,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use stickslip::experiment::chain::Edges;
+use stickslip::experiment::finding::{LeftOutReason, ModelFinding};
+use stickslip::experiment::history::Untied;
 use stickslip::experiment::identified::identify;
 use stickslip::experiment::laws::Known;
 use stickslip::experiment::measured::Measured;
@@ -80,14 +82,14 @@ fn the_page_tells_of_laws_and_of_the_whole_plate() {
     let experiment = experiment(EXPERIMENT);
     let fields = fields();
     let mut story = Story::new(&experiment);
-    let (states, warnings) = whole::stage(&experiment, &fields).unwrap();
-    assert_eq!((states.len(), warnings.len()), (2, 0));
+    let (states, findings) = whole::stage(&experiment, &fields).unwrap();
+    assert_eq!((states.len(), findings.len()), (2, 0));
     let bears: Vec<_> = states.iter().map(WholeState::edge).collect();
     let edges = Edges {
         analysed: Vec::new(),
         plate_friction: Some(identify(&experiment, &bears).unwrap()),
         plates: states,
-        plate_warnings: warnings,
+        plate_findings: findings,
     };
     page::whole::tell(&experiment, &edges, &mut story);
     let stage = laws::stage(&experiment, &fields, Known::default(), &mut |_| ())
@@ -166,8 +168,21 @@ fn a_state_that_is_no_load_step_is_told_of_and_left_out() {
         .unwrap()
         .unwrap();
     assert_eq!(stage.states, [0]);
-    assert!(
-        stage.warnings[0]
-            .starts_with("State 'down' is not among the data of the laws: no load step")
+    let ModelFinding::LeftOutOfLaws(left_out) = &stage.findings[0] else {
+        panic!("{:?}", stage.findings);
+    };
+    let state = &experiment.states[1];
+    assert_eq!(left_out.state, "down");
+    assert!(matches!(
+        left_out.reason,
+        LeftOutReason::Untied(Untied::NoSuchStep { load, direction, .. })
+            if Some(load) == state.load && direction == state.direction
+    ));
+    let load = experiment.display.force.show(state.load.unwrap());
+    assert_eq!(
+        left_out.to_string(),
+        format!(
+            "State 'down' is not among the data of the laws: no load step of the scene has {load} in unloading."
+        )
     );
 }

@@ -3,12 +3,14 @@
 use serde_json::{Value, json};
 use stickslip_report::table::{Column, Table};
 
+use crate::experiment::findings::why;
 use crate::experiment::story::csv_table;
 use stickslip_measure::analysed::{Analysed, ForceCheck, LoadCheck};
 use stickslip_scene::experiment::Experiment;
 use stickslip_text::short;
 
 const AXES: [&str; 2] = ["x", "y"];
+
 /// Forces on the edges of all states, by their nodes, and how well the stresses agree.
 pub(super) fn table(experiment: &Experiment, analysed: &[Analysed]) -> Table {
     let unit = experiment.display.force;
@@ -17,22 +19,7 @@ pub(super) fn table(experiment: &Experiment, analysed: &[Analysed]) -> Table {
         all.any(|found| found.checks.force[*axis].is_some())
     };
     let known: Vec<usize> = (0..2).filter(is_known).collect();
-    let mut columns = vec![
-        Column::new("state", ""),
-        Column::new("along x", unit.name),
-        Column::new("±", unit.name),
-        Column::new("along y", unit.name),
-        Column::new("±", unit.name),
-        Column::new("balance", "% of the force"),
-    ];
-    for &axis in &known {
-        let what = format!("over known: {}", AXES[axis]);
-        columns.extend([
-            Column::new(what, unit.name),
-            Column::new("±", unit.name),
-            Column::new("explained", unit.name),
-        ]);
-    }
+    let mut columns = columns(unit.name, &known);
     let loads: Vec<_> = (analysed.iter())
         .map(|found| found.load_check(experiment).ok())
         .collect();
@@ -82,33 +69,25 @@ pub(super) fn table(experiment: &Experiment, analysed: &[Analysed]) -> Table {
     )
 }
 
-/// Known forces that the stresses on the edge are not in balance with, and those that they cannot be compared with.
-pub(super) fn doubts(experiment: &Experiment, found: &Analysed) -> Vec<String> {
-    let unit = experiment.display.force;
-    let shown = |value: f64| format!("{} {}", short(unit.from_base(value)), unit.name);
-    let told = |axis: usize| {
-        let own = found.checks.force[axis]?;
-        let axis = AXES[axis];
-        if own.fails() {
-            return Some(format!(
-                "the force on the edge along {axis} is {} off the stated edge_force, where {} are explained by noise, mesh, smoothing and ends of \
-                 the edge: check that the edge holds all of the contact that edge_force is of and does not stand off from the hole, and scale, \
-                 thickness and material.",
-                shown(own.excess.abs()),
-                shown(own.explained),
-            ));
-        }
-        if own.is_evidence() {
-            return None;
-        }
-        Some(format!(
-            "the stated edge_force along {axis} is no evidence of scale, thickness and material: noise, smoothing, mesh and ends of the edge \
-             explain {}, {:.0} % of the force. Take more cells, more data, or a region whose edge goes on beyond the contact.",
-            shown(own.explained),
-            100.0 * own.explained / own.size
-        ))
-    };
-    (0..2).filter_map(told).collect()
+/// The columns of forces, and of their excess along the axes of known ones.
+fn columns(unit: &'static str, known: &[usize]) -> Vec<Column> {
+    let mut columns = vec![
+        Column::new("state", ""),
+        Column::new("along x", unit),
+        Column::new("±", unit),
+        Column::new("along y", unit),
+        Column::new("±", unit),
+        Column::new("balance", "% of the force"),
+    ];
+    for &axis in known {
+        let what = format!("over known: {}", AXES[axis]);
+        columns.extend([
+            Column::new(what, unit),
+            Column::new("±", unit),
+            Column::new("explained", unit),
+        ]);
+    }
+    columns
 }
 
 /// Forces at the nodes that move as measured.
@@ -150,7 +129,7 @@ pub(super) fn entry(experiment: &Experiment, found: &Analysed) -> Value {
             "load": unit.from_base(own.load),
             "ratio": own.force / own.load,
         })),
-        "load_not_checked": load.as_ref().err().map(|cause| cause.why()),
+        "load_not_checked": load.as_ref().err().map(|reason| why(*reason)),
         "x": x[0],
         "x_deviation": x[1],
         "y": y[0],

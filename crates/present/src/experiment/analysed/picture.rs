@@ -3,8 +3,8 @@
 use serde_json::{Value, json};
 use stickslip_measure::analysed::{Analysed, PictureMotion};
 use stickslip_report::table::{Column, Table};
-use stickslip_scene::experiment::{Experiment, FreeMotion};
-use stickslip_text::{short, significant};
+use stickslip_scene::experiment::Experiment;
+use stickslip_text::short;
 
 /// What may have been added to each state.
 pub(super) fn table(experiment: &Experiment, analysed: &[Analysed]) -> Table {
@@ -43,42 +43,6 @@ pub(super) fn table(experiment: &Experiment, analysed: &[Analysed]) -> Table {
          its standard deviation by noise and smoothing. The region itself takes it for a load; the tractions on the edge clear of contact, \
          which are none, say how much it is, as far as mesh and material are right. [reduce] free = [\"dilation\", \"tilt\"] takes it off and \
          adds its uncertainty to all bands.",
-    )
-}
-
-/// What a reader must know of it.
-pub(super) fn doubts(experiment: &Experiment, found: &Analysed) -> Vec<String> {
-    let unit = experiment.display.stress;
-    let open = found.picture.iter().filter(|own| own.amount.is_none());
-    if experiment.reduce.free.is_empty() {
-        return Vec::new();
-    }
-    open.map(|own| {
-        format!(
-            "the {} of the picture is declared free, and cannot be told from the load: no part of the region's edge is clear of contact beyond doubt, \
-             or the tractions there are not those of such a motion, but of mesh, material or contact. It is not taken off; 1e-5 of it changes the \
-             pressure by up to {} {}. Take a region whose edge goes on beyond the contact, and finer cells.",
-            own.motion.name(),
-            short(unit.from_base(1e-5 * own.pressure)),
-            unit.name
-        )
-    })
-    .collect()
-}
-
-/// A dilation that would explain tractions on the free edge, in words.
-pub(super) fn explanation(found: &Analysed) -> String {
-    let own = found
-        .picture
-        .iter()
-        .find(|own| own.motion == FreeMotion::Dilation && !own.taken_off);
-    let Some([amount, deviation]) = own.and_then(|own| own.amount) else {
-        return String::new();
-    };
-    format!(
-        " If the picture was dilated, by {} ± {}, [reduce] free = [\"dilation\"] takes that off.",
-        short(amount),
-        significant(deviation, 2)
     )
 }
 

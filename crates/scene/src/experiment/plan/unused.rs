@@ -8,38 +8,50 @@ use crate::document::{Document, Part};
 /// A key, whether anything heeds it, and in words what would.
 type Entry = (&'static str, bool, &'static str);
 
-/// Warnings, one for each key without effect, at its line.
+/// A key that is stated and that nothing heeds.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unheeded {
+    /// The file, or the argument, that states it.
+    pub file: String,
+    /// Line of the file, counted from 1.
+    pub line: Option<usize>,
+    /// The key.
+    pub key: &'static str,
+    /// What would heed it, or why nothing does.
+    pub why: &'static str,
+}
+
+/// The keys without effect.
 pub(super) fn without_effect(
     document: &Document,
     reduce: &Reduce,
     region: Option<&RegionPlan>,
     fringes: Option<&Fringes>,
     states: &[State],
-) -> Vec<String> {
+) -> Vec<Unheeded> {
     let mut entries = of_method(reduce, region, states);
     entries.extend(of_data(fringes, states));
     let unheeded = entries
         .into_iter()
         .filter(|(key, heeded, _)| !heeded && document.get(key).is_some());
     unheeded
-        .map(|(key, _, why)| told(document, key, why))
+        .map(|(key, _, why)| placed(document, key, why))
         .collect()
 }
 
-fn told(document: &Document, key: &str, why: &str) -> String {
+fn placed(document: &Document, key: &'static str, why: &'static str) -> Unheeded {
     let problem = SceneProblem::Conflict {
-        message: format!("'{key}' has no effect: {why}"),
+        message: why.to_owned(),
         remedy: String::new(),
     };
     let finding = document.finding(key, Part::Key, problem);
-    let line = match finding.position() {
-        Some((line, _)) if !document.is_overridden(key) => format!(":{line}"),
-        _ => String::new(),
-    };
-    format!(
-        "{}{line}: {}; remove it, unless it waits for another method or other data.",
-        finding.source.name, finding.problem
-    )
+    let line = finding.position().map(|(line, _)| line);
+    Unheeded {
+        file: finding.source.name.clone(),
+        line: line.filter(|_| !document.is_overridden(key)),
+        key,
+        why,
+    }
 }
 
 fn of_method(reduce: &Reduce, region: Option<&RegionPlan>, states: &[State]) -> Vec<Entry> {

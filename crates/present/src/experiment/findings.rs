@@ -1,0 +1,58 @@
+//! Findings in words: the one place where a finding becomes a sentence.
+
+mod data;
+mod edge;
+mod friction;
+
+use stickslip_measure::finding::{Finding, Level, Located, Part};
+use stickslip_scene::experiment::Experiment;
+use stickslip_scene::units::Unit;
+use stickslip_text::short;
+
+pub(super) use edge::why;
+pub(super) use friction::on_half_the_cells;
+
+/// A finding as a sentence, with the name of its state in front.
+pub fn sentence(experiment: &Experiment, found: &Located) -> String {
+    of("State", experiment, found)
+}
+
+/// The same in the lines of `stickslip check`, which begin with their subject.
+pub(super) fn line(experiment: &Experiment, found: &Located) -> String {
+    of("state", experiment, found)
+}
+
+fn of(state: &str, experiment: &Experiment, found: &Located) -> String {
+    let part = match (found.part, found.finding.level()) {
+        (Part::State, _) => "",
+        (Part::NullField, Level::Remark) => "the null field: ",
+        (Part::NullField, Level::Warning) => "The null field: ",
+        (Part::Back, Level::Remark) => "the back: ",
+        (Part::Back, Level::Warning) => "The back: ",
+    };
+    let words = words(experiment, &found.finding);
+    match &found.state {
+        Some(name) => format!("{state} '{name}': {part}{words}"),
+        None => format!("{part}{words}"),
+    }
+}
+
+fn words(experiment: &Experiment, finding: &Finding) -> String {
+    match finding {
+        Finding::File(own) => data::of_file(own),
+        Finding::Table(own) => data::of_table(experiment, own),
+        Finding::Field(own) => data::of_field(experiment, own),
+        Finding::Picture(own) => data::of_pictures(own),
+        Finding::Line(own) => data::of_lines(experiment, own),
+        Finding::Back(own) => data::of_back(own),
+        Finding::Fit(own) => edge::of_fit(experiment, own),
+        Finding::Force(own) => edge::of_forces(experiment, own),
+        Finding::Friction(own) => friction::of_zones(own),
+        Finding::Model(own) => friction::of_model(experiment, own),
+    }
+}
+
+/// A value of base units in `unit`.
+fn shown(unit: &Unit, value: f64) -> String {
+    format!("{} {}", short(unit.from_base(value)), unit.name)
+}
