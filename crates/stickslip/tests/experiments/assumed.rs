@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::fs;
 
 use super::refusals::{check, field};
-use super::{TABLE, fails, folder_with, grid, succeeds};
+use super::{TABLE, fails, finding, folder_with, grid, succeeds};
 
 /// Cells so small beside the data, 1 mm apart, that nothing but smoothing holds their nodes.
 const FINE: &str = r#"[region]
@@ -26,14 +26,12 @@ fn a_noise_factor_that_no_fit_tells_is_called_assumed() {
             "mm), θ = ",
         ],
     );
-    let warnings = summary["warnings"].as_array().unwrap();
-    let told = |words: &&serde_json::Value| words.as_str().unwrap().contains("noise factor");
-    check(
-        warnings.iter().find(told).unwrap().as_str().unwrap(),
-        &[
-            "State 'up': the noise factor is assumed to be 1, for the fit whose residuals tell it fails",
-        ],
+    let assumed = finding(&summary, "noise_factor_assumed", "warning");
+    assert_eq!(
+        (&assumed["state"], &assumed["factor"]),
+        (&"up".into(), &1.0.into())
     );
+    assert_eq!(assumed["cause"], own["noise_factor_assumed"]);
     let page = fs::read_to_string(folder.path().join("e-results/index.html")).unwrap();
     assert!(page.contains("1.00, assumed"));
     // The fit itself is refused with the same place.
@@ -75,13 +73,15 @@ fn a_comparison_that_the_data_do_not_give_is_told_of() {
     let region = "[region]\nsector = { angles = [\"-25 deg\", \"25 deg\"], outer = \"9 mm\", cells = [4, 2], stand_off = \"1.5 mm\" }\n";
     let experiment = format!("{TABLE}[reduce]\noutliers = false\n{region}");
     let folder = folder_with(&[("e.toml", &experiment), ("up.csv", &table)]);
-    succeeds(folder.path(), &["hybrid", "e.toml"]);
+    let summary = succeeds(folder.path(), &["hybrid", "e.toml"]);
+    let found = finding(&summary, "no_direct_stresses", "remark");
+    check(
+        found["cause"].as_str().unwrap(),
+        &["U is valid at", "24 are needed around each node"],
+    );
     let page = fs::read_to_string(folder.path().join("e-results/index.html")).unwrap();
     check(
         &page,
-        &[
-            "no direct interpolation to compare with: U is valid at",
-            "24 are needed around each node",
-        ],
+        &["no direct interpolation to compare with: U is valid at"],
     );
 }

@@ -2,8 +2,10 @@
 
 use std::fs;
 
+use serde_json::json;
+
 use super::refusals::{check, field, says};
-use super::{TABLE, fails, folder_with, grid};
+use super::{TABLE, fails, finding, findings, folder_with, grid};
 
 #[test]
 fn a_back_that_nothing_is_compared_with_is_refused() {
@@ -62,9 +64,8 @@ fn a_back_that_nothing_is_compared_with_is_refused() {
     )
     .unwrap();
     fs::write(folder.path().join("back.csv"), &table).unwrap();
-    super::succeeds(folder.path(), &["reduce", "e.toml"]);
-    let page = fs::read_to_string(folder.path().join("e-results/index.html")).unwrap();
-    assert!(page.contains("the front has no V"));
+    let summary = super::succeeds(folder.path(), &["reduce", "e.toml"]);
+    assert_eq!(finding(&summary, "front_lacks", "remark")["field"], "V");
 }
 
 #[test]
@@ -99,6 +100,14 @@ fn fringe_lines_of_the_back_need_the_names_of_the_front() {
     fs::write(folder.path().join("back.csv"), lines(["a", "d"])).unwrap();
     let summary = super::succeeds(folder.path(), &["reduce", "e.toml"]);
     assert_eq!(summary["measured"][0]["u"]["symmetric"], true, "{summary}");
+    for (found, field) in (findings(&summary, "lines_of_front_alone").iter()).zip(["U", "V"]) {
+        let told = (&found["field"], &found["lines"], &found["level"]);
+        assert_eq!(told, (&field.into(), &json!(["b"]), &"remark".into()));
+    }
     let page = fs::read_to_string(folder.path().join("e-results/index.html")).unwrap();
-    assert!(page.contains("lines b of the U field are not on the back"));
+    assert!(
+        page.contains(
+            "State 'up': lines b of the U field are not on the back and were not compared."
+        )
+    );
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 use serde_json::Value;
 use tempfile::TempDir;
 
-use super::{folder_with, stickslip, succeeds};
+use super::{finding, findings, folder_with, stickslip, succeeds};
 
 const SECTOR: &str = "region.sector={ angles = [\"0 deg\", \"110 deg\"], outer = \"13 mm\", cells = [30, 8], growth = 2.0 }";
 /// All of the contact: the whole load goes through the edge.
@@ -51,11 +51,12 @@ fn stresses_on_the_edge_carry_the_known_force_unless_the_material_is_wrong() {
         half,
         "specimen.material.isotropic={ young = \"60 GPa\", poisson = 0.33 }",
     ];
-    let warnings = hybrid(path, &softer)["warnings"].to_string();
-    assert!(
-        warnings.contains("off the stated edge_force") && warnings.contains("along x"),
-        "{warnings}"
-    );
+    let found = hybrid(path, &softer);
+    let fails = finding(&found, "edge_force_fails", "warning");
+    let force = &found["edge_stresses"][0]["force"];
+    assert_eq!(fails["axis"], "x");
+    assert_eq!(fails["excess"], force["excess_over_known"][0]);
+    assert_eq!(fails["explained"], force["excess_explained"][0]);
 }
 
 /// The region of one half of the contact ends where pressure is greatest and stresses are not trusted. The forces on its nodes show a modulus
@@ -71,25 +72,21 @@ fn a_region_that_cuts_the_contact_sees_a_wrong_modulus_or_says_that_it_cannot() 
         let found = hybrid(path, &[sector, half, &material]);
         let force = found["edge_stresses"][0]["force"].clone();
         println!("{young} GPa, {sector}: {force}\n{}", found["warnings"]);
-        (force, found["warnings"].to_string())
+        (force, found)
     };
     for (young, is_seen) in [(71.7, false), (71.7 * 1.1, true), (71.7 / 1.1, true)] {
-        let (force, warnings) = hybrid(young, SECTOR);
+        let (force, found) = hybrid(young, SECTOR);
         assert_eq!(force["is_evidence"][0], true, "{force}");
-        assert_eq!(
-            warnings.contains("off the stated edge_force"),
-            is_seen,
-            "{warnings}"
-        );
+        let fails = findings(&found, "edge_force_fails");
+        assert_eq!(fails.len(), usize::from(is_seen), "{fails:?}");
     }
     let few =
         "region.sector={ angles = [\"0 deg\", \"110 deg\"], outer = \"13 mm\", cells = [2, 2] }";
-    let (force, warnings) = hybrid(71.7 * 1.1, few);
+    let (force, found) = hybrid(71.7 * 1.1, few);
     assert_eq!(force["is_evidence"][0], false, "{force}");
-    assert!(
-        warnings.contains("is no evidence of scale, thickness and material"),
-        "{warnings}"
-    );
+    let silent = finding(&found, "edge_force_is_no_evidence", "warning");
+    assert_eq!(silent["explained"], force["excess_explained"][0]);
+    assert!(silent["of_force"].as_f64().unwrap() >= 0.1, "{silent}");
 }
 
 /// Columns x, y, force x, its deviation, force y, its deviation, and whether the node lies inside.

@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::friction::turn;
 use super::refusals::check;
-use super::{fails, folder_with, succeeds};
+use super::{fails, finding, findings, folder_with, succeeds};
 
 /// Summary of `identify` with the region between `angles` in degrees and what is `set`.
 fn summary(folder: &Path, file: &str, angles: [i32; 2], set: &[&str]) -> Value {
@@ -21,11 +21,11 @@ fn summary(folder: &Path, file: &str, angles: [i32; 2], set: &[&str]) -> Value {
     succeeds(folder, &arguments)
 }
 
-/// The warning of a summary that holds `words`.
-fn warning<'a>(summary: &'a Value, words: &str) -> Option<&'a str> {
-    let all = summary["warnings"].as_array().unwrap().iter();
-    all.filter_map(Value::as_str)
-        .find(|own| own.contains(words))
+/// The warning of a summary that has this kind.
+fn warning(summary: &Value, kind: &str) -> Option<Value> {
+    let found = findings(summary, kind);
+    assert!(found.iter().all(|own| own["level"] == "warning"));
+    found.first().map(|own| (*own).clone())
 }
 
 #[test]
@@ -39,10 +39,17 @@ fn a_bearing_point_that_the_force_contradicts_is_reported() {
         let set = bearing.map(|at| format!("identify.bearing={at} deg"));
         let set: Vec<&str> = set.iter().map(String::as_str).collect();
         let summary = summary(path, file, angles, &set);
-        let words = warning(&summary, "the force on the edge in sight points to");
-        let doubtful = summary["friction"]["bearing"][0]["doubtful"].as_bool();
-        assert_eq!(doubtful, Some(words.is_some()), "{summary}");
-        words.map(str::to_owned)
+        let found = warning(&summary, "bearing_fails");
+        let check = &summary["friction"]["bearing"][0];
+        assert_eq!(
+            check["doubtful"].as_bool(),
+            Some(found.is_some()),
+            "{summary}"
+        );
+        for key in ["direction_degrees", "deviation_degrees", "beyond_degrees"] {
+            assert!(found.iter().all(|own| own[key] == check[key]), "{summary}");
+        }
+        found
     };
     // Half of the contact, and all of it.
     let [half, whole] = [[-10, 110], [-110, 110]];
@@ -55,8 +62,8 @@ fn a_bearing_point_that_the_force_contradicts_is_reported() {
         ("turned.toml", turned(whole), None),
         ("turned.toml", turned(whole), Some(-270)),
     ] {
-        let words = told(file, angles, bearing);
-        assert!(words.is_none(), "{file} {angles:?} {bearing:?}: {words:?}");
+        let found = told(file, angles, bearing);
+        assert!(found.is_none(), "{file} {angles:?} {bearing:?}: {found:?}");
     }
     for (file, angles, bearing) in [
         ("mine.toml", half, Some(90)),
@@ -66,16 +73,31 @@ fn a_bearing_point_that_the_force_contradicts_is_reported() {
         ("turned.toml", half, None),
         ("turned.toml", turned(half), Some(-90)),
     ] {
-        let words = told(file, angles, bearing).expect("a warning");
-        let assumed = match bearing {
-            Some(_) => "stated by identify.bearing",
-            None => "identify.bearing is not stated",
-        };
-        assert!(words.contains(assumed), "{words}");
-        assert!(words.contains("The region cuts the contact") == (angles != whole));
+        let found = told(file, angles, bearing).expect("a warning");
+        assert_eq!(found["stated"], bearing.is_some(), "{found}");
+        assert_eq!(found["is_whole"], angles == whole, "{found}");
+        let at = found["bearing_degrees"].as_f64().unwrap();
+        assert!(
+            (at - f64::from(bearing.unwrap_or(0))).abs() < 1e-9,
+            "{found}"
+        );
     }
-    let words = told("turned.toml", turned(whole), Some(0)).unwrap();
-    assert!(words.contains("bearing = \"90 deg\""), "{words}");
+    let found = told("turned.toml", turned(whole), Some(0)).unwrap();
+    let direction = found["direction_degrees"].as_f64().unwrap();
+    assert_eq!(direction.round(), 90.0, "{found}");
+    let summary = summary(
+        path,
+        "turned.toml",
+        turned(whole),
+        &["identify.bearing=0 deg"],
+    );
+    let words = summary["warnings"].to_string();
+    let parts = [
+        "State 'up': the force on the edge in sight points to",
+        "stated by identify.bearing",
+        "bearing = \\\"90 deg\\\"",
+    ];
+    assert!(parts.iter().all(|part| words.contains(part)), "{words}");
     let arguments = ["check", "mine.toml", "--set", "identify.bearing=400 deg"];
     let refused = fails(path, &arguments);
     check(
@@ -93,13 +115,12 @@ fn a_force_of_another_size_than_the_load_is_reported() {
     let told = |angles: [i32; 2], set: &[&str]| {
         let summary = summary(path, "mine.toml", angles, set);
         let ratio = &summary["edge_stresses"][0]["force"]["by_load"]["ratio"];
-        let words = warning(&summary, "times the stated load");
-        (ratio.as_f64(), words.map(str::to_owned))
+        (ratio.as_f64(), warning(&summary, "load_fails"))
     };
     // By symmetry half of the contact says what all of it does: 5516 N.
     for angles in [half, [-110, 110]] {
-        let (ratio, words) = told(angles, &[]);
-        assert!(words.is_none(), "{words:?}");
+        let (ratio, found) = told(angles, &[]);
+        assert!(found.is_none(), "{found:?}");
         assert!((ratio.unwrap() - 1.0).abs() < 0.02, "{ratio:?}");
     }
     for (set, factor) in [
@@ -110,18 +131,19 @@ fn a_force_of_another_size_than_the_load_is_reported() {
         ("states.0.load=1839 N", 3.0),
         ("identify.bearing=30 deg", 0.65),
     ] {
-        let (ratio, words) = told(half, &[set]);
-        let words = words.expect(set);
-        assert!(
-            (ratio.unwrap() / factor - 1.0).abs() < 0.03,
-            "{set}: {ratio:?}"
-        );
-        let keys = ["thickness", "moduli", "load", "displacement_scale"];
-        assert!(keys.iter().all(|key| words.contains(key)), "{words}");
+        let (ratio, found) = told(half, &[set]);
+        let found = found.expect(set);
+        let ratio = ratio.unwrap();
+        assert!((ratio / factor - 1.0).abs() < 0.03, "{set}: {ratio}");
+        let [force, load] = ["force", "load"].map(|key| found[key].as_f64().unwrap());
+        assert!((force / load / ratio - 1.0).abs() < 1e-9, "{found}");
+        assert!(found["bearing_degrees"].is_number() && found["above_null"] == false);
     }
     // Without a load nothing is compared, and a note says so and what would check it.
     let page = || std::fs::read_to_string(path.join("mine-results/index.html")).unwrap();
-    told(half, &["states.0.load=0 N"]);
+    let unchecked = summary(path, "mine.toml", half, &["states.0.load=0 N"]);
+    let found = finding(&unchecked, "load_not_checked", "remark");
+    assert_eq!(found["reason"], "zero_load");
     let text = page();
     assert!(
         text.contains("not checked, for the load is zero")
@@ -132,13 +154,10 @@ fn a_force_of_another_size_than_the_load_is_reported() {
     let file = path.join("mine.toml");
     let text = std::fs::read_to_string(&file).unwrap();
     std::fs::write(&file, text.replace("\nload = ", "\n# load = ")).unwrap();
-    let (ratio, words) = told(half, &["specimen.thickness=1.524 in"]);
-    assert_eq!((ratio, words), (None, None));
-    let text = page();
-    assert!(
-        text.contains("not checked, for no load is stated") && text.contains("State load, with"),
-        "{text}"
-    );
+    let unchecked = summary(path, "mine.toml", half, &["specimen.thickness=1.524 in"]);
+    let found = finding(&unchecked, "load_not_checked", "remark");
+    assert_eq!(found["reason"], "no_load");
+    assert_eq!(warning(&unchecked, "load_fails"), None);
 }
 
 /// Displacements of the wrong sign pull at the edge, as no contact does.
@@ -149,9 +168,11 @@ fn an_edge_in_tension_is_reported() {
     succeeds(path, &["init", "experiment", "mine.toml"]);
     let told = |set: &[&str]| {
         let summary = summary(path, "mine.toml", [-10, 110], set);
-        warning(&summary, "and no contact pulls").map(str::to_owned)
+        warning(&summary, "pulled")
     };
     assert_eq!(told(&[]), None);
-    let words = told(&["states.0.table.reversed=[true,true]"]).unwrap();
-    assert!(words.contains("table.reversed"), "{words}");
+    let found = told(&["states.0.table.reversed=[true,true]"]).unwrap();
+    assert!(found["tension"].as_f64().unwrap() > 0.0, "{found}");
+    let theta = found["theta_degrees"].as_f64().unwrap();
+    assert!((-10.0..110.0).contains(&theta), "{found}");
 }

@@ -7,7 +7,7 @@ use stickslip::experiment::truth::Truth;
 use stickslip::host::HOST;
 use stickslip_hybrid::fringe::decode;
 
-use super::{FRINGES, SCENE, fails, folder_with, numbers, succeeds};
+use super::{FRINGES, SCENE, fails, findings, folder_with, numbers, succeeds};
 
 const STATES: &str = r#"
 [[states]]
@@ -51,6 +51,12 @@ fn every_load_step_is_a_state_where_none_is_named() {
         "fringes.pixel=0.1 mm",
     ];
     let summary = succeeds(folder.path(), &coarse);
+    let fine = findings(&summary, "fine_fringes");
+    assert_eq!(fine[0]["level"], "warning");
+    for found in &fine {
+        let part = found["part"].as_f64().unwrap();
+        assert!(part > 0.0 && part < 1.0, "{found}");
+    }
     let warning = summary["warnings"][0].as_str().unwrap();
     assert!(warning.contains("finer than two pixels"), "{warning}");
     assert!(

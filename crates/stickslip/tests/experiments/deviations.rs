@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use super::{TABLE, fails, folder_with, grid, succeeds};
+use super::{TABLE, close, fails, findings, folder_with, grid, succeeds};
 
 const STATED: &str = ", deviation = \"1e-4 mm\"";
 const REGION: &str = "[region]\nsector = { angles = [\"-90 deg\", \"90 deg\"], outer = \"9 mm\", cells = [12, 3] }\n";
@@ -23,13 +23,18 @@ fn of_rounded_data_the_deviation_of_rounding_is_told() {
         0,
         "{summary}"
     );
+    let told = findings(&summary, "deviation");
+    assert_eq!(told.len(), 2, "{told:?}");
+    for (found, field) in told.iter().zip(["U", "V"]) {
+        assert_eq!(
+            (&found["field"], &found["by_digits"]),
+            (&field.into(), &true.into())
+        );
+        assert!(close(&found["deviation"], used), "{found}");
+    }
     let page = fs::read_to_string(folder.path().join("e-results/index.html")).unwrap();
-    let told = page.split("deviation of U: ").nth(1).unwrap_or_default();
-    assert!(
-        told.starts_with("0.0002887 mm, by which its digits are rounded"),
-        "{told:.60}"
-    );
-    assert!(!page.contains("estimated from the scatter of neighbours: 0 mm"));
+    let words = "State 'up': deviation of U: 0.0002887 mm, by which its digits are rounded; its neighbours scatter by less.";
+    assert!(page.contains(words));
 }
 
 /// A component that is zero everywhere tells no deviation, and nothing can be weighed by none.

@@ -2,7 +2,9 @@
 
 use std::fs;
 
-use super::{TABLE, fails, folder_with, grid, stickslip, succeeds};
+use serde_json::json;
+
+use super::{TABLE, fails, findings, folder_with, grid, stickslip, succeeds};
 
 fn linear(x: f64, y: f64) -> [f64; 2] {
     [1e-3 * x + 2e-4 * y, 2e-4 * x - 3e-4 * y]
@@ -52,9 +54,15 @@ fn decimal_commas_and_units_are_read_and_units_are_compared_with_the_scale() {
     succeeds(path, &["check", "e.toml"]);
     fs::write(path.join("up.csv"), spreadsheet("px;px;um;um")).unwrap();
     succeeds(path, &["check", "e.toml"]);
-    succeeds(path, &["reduce", "e.toml", "--force"]);
-    let page = fs::read_to_string(path.join("e-results/index.html")).unwrap();
-    assert!(page.contains("row of units and passed over"));
+    let summary = succeeds(path, &["reduce", "e.toml", "--force"]);
+    let passed_over = findings(&summary, "unit_not_compared");
+    for (found, column) in passed_over.iter().zip(["x", "y"]) {
+        let told = ["level", "line", "unit", "key"].map(|key| &found[key]);
+        let expected = [json!("remark"), json!(2), json!("px"), json!("scale")];
+        assert_eq!(told, expected.each_ref(), "{found}");
+        assert_eq!(found["column"], *column);
+    }
+    assert_eq!(passed_over.len(), 2, "{summary}");
 }
 
 #[test]

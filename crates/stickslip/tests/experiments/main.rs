@@ -113,6 +113,28 @@ fn succeeds(folder: &Path, arguments: &[&str]) -> Value {
     serde_json::from_slice(&output.stdout).unwrap()
 }
 
+/// The findings of a summary that have this kind.
+fn findings<'a>(summary: &'a Value, kind: &str) -> Vec<&'a Value> {
+    let all = summary["findings"].as_array().unwrap().iter();
+    all.filter(|own| own["kind"] == kind).collect()
+}
+
+/// The only finding of this kind, with its level.
+fn finding<'a>(summary: &'a Value, kind: &str, level: &str) -> &'a Value {
+    let [own] = findings(summary, kind)[..] else {
+        panic!("{kind}: {summary}");
+    };
+    assert_eq!(own["level"], level, "{own}");
+    own
+}
+
+/// Whether `value` is the number `expected`, but for rounding of decimal digits.
+fn close(value: &Value, expected: f64) -> bool {
+    value
+        .as_f64()
+        .is_some_and(|own| (own - expected).abs() <= 1e-9 * expected.abs())
+}
+
 /// Runs a command that must fail; its standard error.
 fn fails(folder: &Path, arguments: &[&str]) -> String {
     let output = stickslip(folder, arguments);

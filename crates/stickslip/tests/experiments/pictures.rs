@@ -4,9 +4,10 @@ use std::f64::consts::TAU;
 use std::fs;
 use std::path::Path;
 
+use serde_json::{Value, json};
 use stickslip_hybrid::fringe::{Depth, Format, Frame, PixelMap, encode};
 
-use super::{TABLE, fails, folder_with, succeeds};
+use super::{TABLE, fails, finding, findings, folder_with, succeeds};
 
 const WINDOW: [[f64; 2]; 2] = [[6.0, -5.0], [16.0, 5.0]];
 
@@ -40,11 +41,9 @@ fn loops_that_do_not_close_are_flagged_on_the_map() {
     let field = &summary["measured"][0]["u"];
     assert!(field["open_loops"].as_u64().unwrap() >= 1, "{summary}");
     assert!(field["jumps"].as_u64().unwrap() >= 1, "{summary}");
-    let warning = summary["warnings"][0].as_str().unwrap();
-    assert!(
-        warning.contains("loops of pixels that do not close"),
-        "{warning}"
-    );
+    let open = &finding(&summary, "unwrapping", "warning")["fields"][0];
+    let told = ["field", "loops", "jumps"].map(|key| &open[key]);
+    assert_eq!(told, [&"U".into(), &field["open_loops"], &field["jumps"]]);
     let map = fs::read_to_string(folder.path().join("e-results/figures/phase-up.svg")).unwrap();
     assert!(map.contains("loops that do not close: 1") && map.contains("jumps of half a fringe"));
     assert_eq!(summary["measured"][0]["v"]["valid"], 0);
@@ -54,13 +53,8 @@ fn loops_that_do_not_close_are_flagged_on_the_map() {
         summary["measured"][0]["u"]["jumps"].as_u64().unwrap() >= 1,
         "{summary}"
     );
-    assert!(
-        summary["warnings"][0]
-            .as_str()
-            .unwrap()
-            .contains("half a fringe"),
-        "{summary}"
-    );
+    let open = &finding(&summary, "unwrapping", "warning")["fields"][0];
+    assert_eq!(open["jumps"], summary["measured"][0]["u"]["jumps"]);
 }
 
 #[test]
@@ -228,15 +222,19 @@ fn pictures_and_tables_are_taken_off_each_other_with_what_pictures_tell() {
         let summary = succeeds(folder.path(), &["reduce", "e.toml"]);
         let field = &summary["measured"][0]["u"];
         assert!(field["open_loops"].as_u64().unwrap() >= 1, "{summary}");
-        let warnings = summary["warnings"].to_string();
-        let whose = if of_null { "The null field: " } else { "" };
-        for words in [
-            "The carrier of the U field was not stated",
-            "Unwrapping is inconsistent: ",
-        ] {
-            let words = format!("State 'up': {whose}{words}");
-            assert!(warnings.contains(&words), "{words}: {warnings}");
-        }
+        let whose = if of_null {
+            json!("null_field")
+        } else {
+            Value::Null
+        };
+        let carrier = finding(&summary, "carrier_found", "warning");
+        assert_eq!((&carrier["field"], &carrier["part"]), (&"U".into(), &whose));
+        assert_eq!(carrier["carrier_per_mm"], field["carrier_per_mm"]);
+        let open = finding(&summary, "unwrapping", "warning");
+        assert_eq!((&open["state"], &open["part"]), (&"up".into(), &whose));
+        assert_eq!(open["fields"][0]["loops"], field["open_loops"]);
+        let maps = findings(&summary, "maps_before_null_field");
+        assert_eq!(maps.len(), usize::from(!of_null));
         let figures = folder.path().join("e-results/figures");
         let map = fs::read_to_string(figures.join("phase-up.svg")).unwrap();
         assert!(map.contains("loops that do not close: "));
@@ -270,21 +268,22 @@ fn one_warning_counts_the_loops_of_both_fields_and_of_the_null_field() {
         Some(&|x, y| 4.0 * y + (y - 1.0).atan2(x - 11.0) / TAU),
     );
     let summary = succeeds(folder.path(), &["reduce", "e.toml"]);
-    for name in ["u", "v"] {
-        let loops = summary["measured"][0][name]["open_loops"].as_u64();
-        assert!(loops.unwrap() >= 1, "{summary}");
+    let open = finding(&summary, "unwrapping", "warning");
+    let mut counts = Vec::new();
+    for (k, (name, field)) in [("u", "U"), ("v", "V")].into_iter().enumerate() {
+        let own = &summary["measured"][0][name];
+        let [loops, jumps] = ["open_loops", "jumps"].map(|key| own[key].as_u64().unwrap());
+        assert!(loops >= 1, "{summary}");
+        let expected = json!({ "field": field, "loops": loops, "jumps": jumps });
+        assert_eq!(open["fields"][k], expected);
+        counts.push(format!("{loops} and {jumps} in the {field} field"));
     }
-    let warnings = summary["warnings"].as_array().unwrap();
-    assert_eq!(warnings.len(), 1, "{summary}");
-    let words = warnings[0].as_str().unwrap();
-    assert!(
-        words.starts_with("State 'up': Unwrapping is inconsistent: "),
-        "{words}"
+    let words = format!(
+        "State 'up': Unwrapping is inconsistent: loops of pixels that do not close, and neighbours half a fringe or more apart, are {}. They \
+         are marked on the map of the phase; pixels at the jumps are masked.",
+        counts.join(", ")
     );
-    assert!(
-        words.contains("in the U field, ") && words.contains("in the V field."),
-        "{words}"
-    );
+    assert_eq!(summary["warnings"], json!([words]));
 }
 
 /// What the pictures of the back cannot be trusted in is said.
@@ -298,6 +297,7 @@ fn warnings_of_the_back_are_told() {
     write(&folder.path().join("u.png"), Some(&|x, _| 4.0 * x));
     write(&folder.path().join("b.png"), Some(&dislocation));
     let summary = succeeds(folder.path(), &["reduce", "e.toml"]);
+    assert_eq!(finding(&summary, "unwrapping", "warning")["part"], "back");
     let words = summary["warnings"][0].as_str().unwrap();
     assert!(
         words.starts_with("State 'up': The back: Unwrapping is inconsistent: "),

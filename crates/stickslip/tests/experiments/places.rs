@@ -3,14 +3,18 @@
 use std::fmt::Write as _;
 
 use super::refusals::{check, field, says};
-use super::{TABLE, folder_with, grid, succeeds};
+use serde_json::Value;
 
-fn warnings(experiment: &str, table: &str) -> Vec<String> {
+use super::{TABLE, close, folder_with, grid, succeeds};
+
+/// The findings that are warnings.
+fn warnings(experiment: &str, table: &str) -> Vec<Value> {
     let folder = folder_with(&[("e.toml", experiment), ("up.csv", table)]);
     let summary = succeeds(folder.path(), &["reduce", "e.toml"]);
-    let found = summary["warnings"].as_array().unwrap().iter();
+    let found = summary["findings"].as_array().unwrap().iter();
     found
-        .map(|words| words.as_str().unwrap().to_owned())
+        .filter(|own| own["level"] == "warning")
+        .cloned()
         .collect()
 }
 
@@ -37,15 +41,14 @@ fn places_inside_of_the_hole_are_warned_of() {
             }
         }
     }
-    check(
-        &found[0],
-        &[
-            &format!("{inside} of {places} valid places of '"),
-            "up.csv' lie inside of the hole",
-            &format!("{deepest:.5} mm from its edge"),
-            "check origin, scale and y_axis",
-        ],
+    let found = &found[0];
+    assert_eq!(found["kind"], "inside_hole");
+    assert!(found["file"].as_str().unwrap().ends_with("up.csv"));
+    assert_eq!(
+        (&found["count"], &found["places"]),
+        (&inside.into(), &places.into())
     );
+    assert!(close(&found["depth"], deepest), "{found}");
 }
 
 /// A stray place or two, or what the edge's own errors do, is no wrong origin.

@@ -4,10 +4,10 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use serde_json::Value;
+use serde_json::{Value, json};
 use tempfile::TempDir;
 
-use super::{folder_with, succeeds};
+use super::{finding, findings, folder_with, succeeds};
 
 const SECTOR: &str = "region.sector={ angles = [\"-10 deg\", \"115 deg\"], outer = \"13 mm\", cells = [24, 6], growth = 2.0 }";
 
@@ -90,8 +90,7 @@ fn friction_does_not_depend_on_how_far_the_specimen_turned() {
         }
         assert!((turned - angle(&still)[0] - degrees).abs() < 1e-9);
         assert!(deviation > 0.0 && deviation < 1e-3);
-        let warnings = summary["warnings"].to_string();
-        assert_eq!(warnings, still["warnings"].to_string());
+        assert_eq!(summary["warnings"], still["warnings"]);
     }
 }
 
@@ -185,6 +184,11 @@ fn a_dilation_is_told_by_the_free_edge_and_taken_off_where_it_is_declared_free()
     let (found, _, taken) = picture(&dilated);
     println!("dilated: {:?}; dilation {found:.2e}", friction(&dilated));
     assert!((found - none - 1e-4).abs() < deviation && !taken);
+    for failed in findings(&dilated, "check_fails") {
+        let own = &dilated["edge_stresses"][0]["picture"][0];
+        assert_eq!(failed["dilation"], json!([own["value"], own["deviation"]]));
+    }
+    assert!(!findings(&dilated, "check_fails").is_empty(), "{dilated}");
     assert!(
         dilated["warnings"].to_string().contains("[reduce] free"),
         "{}",
@@ -241,10 +245,8 @@ fn a_dilation_that_cannot_be_told_from_the_load_is_not_taken_off() {
             still["edge_stresses"][0]["largest"]
         );
     }
-    let warnings = freed["warnings"].to_string();
-    assert!(
-        warnings.contains("cannot be told from the load")
-            && warnings.contains("beyond the contact"),
-        "{warnings}"
-    );
+    let open = finding(&freed, "not_separable", "warning");
+    let own = &freed["edge_stresses"][0]["picture"][0];
+    assert_eq!(open["motion"], "dilation");
+    assert_eq!(open["pressure_per_unit"], own["pressure_per_unit"]);
 }

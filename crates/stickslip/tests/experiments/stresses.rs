@@ -6,7 +6,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use super::{FRINGES, SCENE, TABLE, folder_with, numbers, stickslip, succeeds};
+use super::{FRINGES, SCENE, TABLE, finding, findings, folder_with, numbers, stickslip, succeeds};
 
 const SIGMA: f64 = 1e-5;
 
@@ -124,13 +124,14 @@ fn bands_of_calculated_data_are_those_of_the_stated_deviation_or_of_their_digits
             .as_f64()
             .unwrap()
     };
-    let warning = |summary: &Value| summary["warnings"].to_string();
     let noisy = hybrid(path, &table(1.0, None), OPEN_HOLE);
     assert!((0.7..1.5).contains(&factor(&noisy)), "{noisy}");
     assert_eq!(noisy["warnings"].as_array().unwrap().len(), 0, "{noisy}");
     let stated = hybrid(path, &table(0.0, None), OPEN_HOLE);
     assert_eq!(factor(&stated), 1.0);
-    assert!(warning(&stated).contains("that was stated"), "{stated}");
+    let small = finding(&stated, "small_residuals", "warning");
+    assert_eq!(small["stated"], true, "{small}");
+    assert!(small["variance_ratio"].as_f64().unwrap() < 0.1, "{small}");
     let ratio = deviation(&stated) / deviation(&noisy);
     // Less noise is smoothed less, by cross-validation, and never more.
     assert!(ratio > 0.8, "{ratio}");
@@ -144,7 +145,10 @@ fn bands_of_calculated_data_are_those_of_the_stated_deviation_or_of_their_digits
         assert!(deviation(&rounded) > 0.0);
     }
     let whole = hybrid(path, &table(0.0, None), &estimated);
-    assert!(warning(&whole).contains("as calculated data do"), "{whole}");
+    for found in findings(&whole, "as_calculated") {
+        assert!(found["of_range"].as_f64().unwrap() < 1e-5, "{found}");
+    }
+    assert!(!findings(&whole, "as_calculated").is_empty(), "{whole}");
     assert!(factor(&whole) > 0.0);
 }
 

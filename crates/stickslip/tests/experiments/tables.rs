@@ -3,7 +3,9 @@
 use std::fmt::Write as _;
 use std::fs;
 
-use super::{TABLE, fails, folder_with, grid, numbers, succeeds};
+use serde_json::json;
+
+use super::{TABLE, fails, finding, folder_with, grid, numbers, succeeds};
 
 fn linear(x: f64, y: f64) -> [f64; 2] {
     [1e-3 * x + 2e-4 * y, 2e-4 * x - 3e-4 * y]
@@ -242,6 +244,14 @@ fn outliers_of_a_table_are_masked_and_told_of() {
     for field in ["u", "v"] {
         assert_eq!(measured[field]["valid"].as_u64().unwrap(), places - 2);
     }
+    let found = finding(&summary, "outliers", "warning");
+    assert_eq!(
+        (&found["count"], &found["places"]),
+        (&2.into(), &places.into())
+    );
+    let worst =
+        json!({ "line": 101, "field": "U", "value": 0.5, "expected": found["worst"]["expected"] });
+    assert_eq!(found["worst"], worst);
     let warning = summary["warnings"][0].as_str().unwrap();
     for part in [
         "2 of",
@@ -306,9 +316,16 @@ fn outliers_of_a_null_field_are_told_of_as_its_own() {
     ]);
     let summary = succeeds(folder.path(), &["reduce", "e.toml"]);
     assert_eq!(summary["measured"][0]["outliers"], 0);
+    let found = finding(&summary, "outliers", "warning");
+    assert_eq!(
+        (&found["part"], &found["count"]),
+        (&"null_field".into(), &1.into())
+    );
+    let worst = ["field", "value"].map(|key| &found["worst"][key]);
+    assert_eq!(worst, [&json!("V"), &json!(1.0)]);
     let warning = summary["warnings"][0].as_str().unwrap();
     assert!(
-        warning.contains("The null field: 1 of") && warning.contains("V = 1 mm"),
+        warning.starts_with("State 'up': The null field: 1 of"),
         "{warning}"
     );
     for row in numbers(&folder.path().join("e-results/measured-up.csv")) {
