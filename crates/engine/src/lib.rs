@@ -21,3 +21,4 @@ pub mod results;
 pub mod run;
 
 pub use load_scale::LoadScale;
+pub use results::{ContactFinding, Finding, JointFinding};

@@ -22,7 +22,7 @@ use stickslip_fem_core::mesh::{Mesh, MeshError};
 use stickslip_fem_core::{ElasticBody, RigidBody};
 use thiserror::Error;
 
-use crate::results::{Choice, EdgeGeometry};
+use crate::results::{Choice, EdgeGeometry, Finding};
 use stickslip_scene::Scene;
 use stickslip_scene::host::Host;
 
@@ -220,7 +220,7 @@ pub struct Model {
     /// What was chosen.
     pub choices: Vec<Choice>,
     /// What the reader must know.
-    pub notes: Vec<String>,
+    pub findings: Vec<Finding>,
 }
 
 impl Model {
@@ -267,7 +267,7 @@ impl Model {
             history: loads::history(scene)?,
             half,
             choices,
-            notes: remarks::of_scene(scene),
+            findings: remarks::of_scene(scene),
         };
         room::check(scene, &model)?;
         Ok(model)

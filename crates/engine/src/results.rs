@@ -1,6 +1,7 @@
 //! What a run yields, in base units (mm, N, MPa, rad): the source of every table, file and figure.
 
 mod failure;
+mod finding;
 mod frame;
 mod progressive;
 mod resolution;
@@ -11,6 +12,11 @@ use std::sync::Arc;
 pub use failure::{
     BesideSupports, BodyFailure, CharacteristicFailure, EdgePlies, EdgePly, Envelope,
     EnvelopePoint, FailurePoint, FirstPly, JointFailure, JointMode, PlyGroup, PlyMap,
+};
+
+pub use finding::{
+    ContactFinding, CutBackEffect, FailedSolver, Finding, FreeBody, FreeMotion, FurtherSolvers,
+    JointFinding, Quantity, SolverDependence, StatusCycle, UniquenessBound,
 };
 
 pub use frame::wrapped;
@@ -43,7 +49,7 @@ pub struct Results {
     /// What the program chose, and why.
     pub choices: Vec<Choice>,
     /// What a reader must know: several solutions, points in doubt, cut-backs.
-    pub notes: Vec<String>,
+    pub findings: Vec<Finding>,
     /// Bodies in the order of their names.
     pub bodies: Vec<BodySummary>,
     /// Sparse factorisations made.

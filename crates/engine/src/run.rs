@@ -23,7 +23,6 @@ use thiserror::Error;
 use crate::loads;
 pub use crate::loads::loads_reached;
 pub use progressive::ProgressiveRunError;
-pub use remarks::quoted;
 
 use crate::load_scale::LoadScale;
 use crate::model::{Model, ModelBodyKind, ModelError};
@@ -328,15 +327,14 @@ fn reported(
             seconds: solved.step_seconds[index],
         });
     }
-    let mut notes = model.notes.clone();
-    notes.extend(remarks::of_steps(scene, &geometries, &steps));
-    notes.extend(doubts::of_steps(model, &steps));
-    notes.extend(remarks::of_freedom(model, &solved.interface));
-    notes.extend(remarks::of_reserve(scene));
-    notes.extend(doubts::of_looseness(model, &solved.records));
-    notes.extend(doubts::of_sliding(model, &solved.records));
-    notes.extend(doubts::of_parting(&solved.records));
-    notes.extend(doubts::of_ripples(model, &solved));
+    let mut findings = model.findings.clone();
+    findings.extend(remarks::of_steps(scene, &geometries, &steps));
+    findings.extend(doubts::of_steps(model, &steps));
+    findings.extend(remarks::of_freedom(model, &solved.interface));
+    findings.extend(remarks::of_reserve(scene));
+    findings.extend(doubts::of_looseness(model, &solved.records));
+    findings.extend(doubts::of_parting(&solved.records));
+    findings.extend(doubts::of_ripples(model, &solved));
     let mut choices = model.choices.clone();
     choices.push(solver_choice(scene.analysis.solver));
     let operators = solved.operators.iter();
@@ -346,7 +344,7 @@ fn reported(
         scene_hash: scene.hash.clone(),
         units: scene.display,
         choices,
-        notes,
+        findings,
         bodies: bodies(model, &solved),
         factorisations: operators.filter_map(Operator::elastic).count(),
         edges: geometries,

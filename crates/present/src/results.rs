@@ -17,11 +17,13 @@ mod csv_files;
 mod display;
 mod failure;
 mod figures;
+mod findings;
 mod names;
 mod page;
 mod progressive;
 mod summary;
 mod tables;
+pub use findings::{joint_sentence, quoted, sentence};
 pub use tables::SIGNS;
 mod vtk_files;
 mod zones;
@@ -194,13 +196,13 @@ pub fn summary_json(results: &Results) -> serde_json::Value {
 }
 
 /// The load steps as a table for a terminal of `width` columns, which leaves columns out, the least needed first, rather than break
-/// numbers; empty where the results do not fit together.
-pub fn summary_table(results: &Results, width: usize) -> String {
-    if check(results).is_ok() {
-        tables::terminal(results, width)
-    } else {
-        String::new()
-    }
+/// numbers.
+///
+/// # Errors
+/// [`OutputError::Inconsistent`] and [`OutputError::NoBody`] for results that do not fit together.
+pub fn summary_table(results: &Results, width: usize) -> Result<String, OutputError> {
+    check(results)?;
+    Ok(tables::terminal(results, width))
 }
 
 /// What every quantity's sign means, as a table for the terminal.

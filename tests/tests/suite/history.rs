@@ -2,6 +2,7 @@
 
 use std::sync::Mutex;
 
+use stickslip::results::Finding;
 use stickslip_contact::solver::{FailureCause, StepFailure, StepSolution, Work};
 use stickslip_contact::{Chain, InterfaceSolver, solver::Step};
 use stickslip_tests::balance::{internal_forces, load_forces};
@@ -168,11 +169,8 @@ fn rejected_increments_leave_no_trace() {
                 .iter()
                 .all(|step| step.cutbacks == 1 && step.increments == 2)
         );
-        assert!(
-            cut.notes.iter().any(|note| note.contains("cut back")),
-            "{:?}",
-            cut.notes
-        );
+        let cut_back = |finding: &Finding| matches!(finding, Finding::CutBack { steps, .. } if steps[..] == [1, 2, 3]);
+        assert!(cut.findings.iter().any(cut_back), "{:?}", cut.findings);
         assert_eq!(all_stresses(&cut), all_stresses(&halved), "{law}");
         let dissipation = |results: &stickslip::results::Results| {
             results

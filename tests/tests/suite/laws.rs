@@ -1,6 +1,6 @@
 //! Friction laws where one becomes another.
 
-use stickslip::results::Results;
+use stickslip::results::{Finding, Results};
 use stickslip_tests::Draft;
 use stickslip_tests::compare::{all_stresses, last_tractions, relative_difference};
 
@@ -115,12 +115,18 @@ fn a_drop_is_not_unique_and_says_so() {
     assert!(found > 0.02, "{found:e}");
     let doubtful: Vec<usize> = drop.steps.iter().map(|step| step.doubtful).collect();
     assert!(doubtful.iter().any(|&count| count > 0), "{doubtful:?}");
-    let said = |results: &Results| results.notes.iter().any(|note| note.contains("not unique"));
-    assert!(said(&drop), "{:?}", drop.notes);
+    let said = |results: &Results| {
+        results.findings.iter().find_map(|finding| match finding {
+            Finding::PointsInDoubt { points, .. } => Some(*points),
+            Finding::SeveralSolutions { solutions, .. } => Some(*solutions),
+            _ => None,
+        })
+    };
+    assert_eq!(said(&drop), doubtful.iter().copied().max());
     assert!(
-        !said(&lagged) && lagged.steps.iter().all(|step| step.doubtful == 0),
+        said(&lagged).is_none() && lagged.steps.iter().all(|step| step.doubtful == 0),
         "{:?}",
-        lagged.notes
+        lagged.findings
     );
     // What slips under the drop carries μd p, within the step in which it begins to slip.
     for row in drop.steps[0].edges[0]

@@ -2,66 +2,53 @@
 
 use stickslip_contact::zones::{Zone, ends_of_contact};
 
-use crate::results::{EdgeGeometry, EdgeKind, wrapped};
+use crate::results::{ContactFinding, EdgeGeometry, EdgeKind, Finding, Quantity, wrapped};
 use stickslip_scene::Scene;
 use stickslip_scene::placement::radii;
 use stickslip_scene::schema::{Contact, Division, Substance};
 
-/// Clearance, as a part of the hole's radius, from which pairing points at equal angles is told.
+/// Clearance, as a part of the hole's radius, from which pairing points at equal angles is reported.
 const WIDE_CLEARANCE: f64 = 0.1;
 
-/// Remarks on the scene as it stands.
-pub(super) fn of_scene(scene: &Scene) -> Vec<String> {
+/// Findings on the scene as it stands.
+pub(super) fn of_scene(scene: &Scene) -> Vec<Finding> {
     let contacts = scene.contacts.iter();
-    let of_contact = |contact| {
-        let wide = radii(scene, contact).and_then(|radii| wide(contact, radii));
-        wide.into_iter().chain(uneven(scene, contact))
+    let of_contact = |contact: &Contact| {
+        let wide = radii(scene, contact).and_then(wide);
+        let found = wide.into_iter().chain(uneven(scene, contact));
+        let found = found.map(|finding| Finding::about(&contact.name, finding));
+        found.collect::<Vec<_>>()
     };
     contacts.flat_map(of_contact).collect()
 }
 
 /// Bodies of different thickness press on each other over the first one's.
-fn uneven(scene: &Scene, contact: &Contact) -> Option<String> {
+fn uneven(scene: &Scene, contact: &Contact) -> Option<ContactFinding> {
     let thickness = |body: &str| match scene.bodies.get(body)?.substance {
         Substance::Elastic { thickness, .. } => Some(thickness),
         Substance::Rigid => None,
     };
     let first = thickness(&contact.first.body)?;
     let second = thickness(&contact.second.body)?;
-    (first != second).then(|| {
-        let show = |value: f64| scene.display.length.show(value);
-        format!(
-            "Contact '{}': '{}' is {} thick and '{}' {}. CPRESS and CSHEAR1 are forces over the first one's thickness, and each body \
-             carries them evenly over its own.",
-            contact.name,
-            contact.first.body,
-            show(first),
-            contact.second.body,
-            show(second)
-        )
+    (first != second).then(|| ContactFinding::UnequalThickness {
+        bodies: [&contact.first, &contact.second].map(|edge| edge.body.clone()),
+        thickness: [first, second].map(Quantity::Length),
     })
 }
 
 /// Circles of very different radius touch along a part of each that is not equally long.
-fn wide(contact: &Contact, [hole, inner]: [f64; 2]) -> Option<String> {
-    let part = 1.0 - inner / hole;
-    (part > WIDE_CLEARANCE).then(|| {
-        format!(
-            "Contact '{}': the clearance is {:.0} % of the hole's radius. Points are paired at equal angles on the two circles, so \
-             away from θ = 0 their places along the contact differ by as much.",
-            contact.name,
-            100.0 * part
-        )
-    })
+fn wide([hole, inner]: [f64; 2]) -> Option<ContactFinding> {
+    let clearance = 1.0 - inner / hole;
+    (clearance > WIDE_CLEARANCE).then_some(ContactFinding::WideClearance { clearance })
 }
 
-/// Says if an end of contact on `edge` lies beyond the mesh's fine zone in any load step, with the farthest one; `steps` holds
-/// the contact's zones for each step. Contact all around has no end, and a mesh of equal spacing no limit.
+/// The farthest end of contact on `edge` in any load step, if it lies beyond the mesh's fine zone; `steps` holds the contact's zones for
+/// each step. Contact all around has no end, and a mesh of equal spacing no limit.
 pub(crate) fn beyond_fine_zone(
     scene: &Scene,
     edge: &EdgeGeometry,
     steps: &[&[Zone]],
-) -> Option<String> {
+) -> Option<Finding> {
     let (Division::Angular(grading) | Division::Linear(grading)) =
         scene.mesh_of(&edge.body).division
     else {
@@ -88,27 +75,18 @@ pub(crate) fn beyond_fine_zone(
     if end.abs() <= limit * (1.0 + 1e-9) {
         return None;
     }
-    let show = |value: f64| match edge.kind {
-        EdgeKind::Circle { .. } => format!("{:.1}°", value.to_degrees()),
-        EdgeKind::Line => scene.display.length.show(value),
-    };
-    let both = ends(steps[step])
+    let both_ends = ends(steps[step])
         .iter()
         .any(|other| (other + end).abs() <= 1e-6 * end.abs());
-    let symbol = match edge.kind {
-        EdgeKind::Circle { .. } => "θ",
-        EdgeKind::Line => "x",
+    let quantity = match edge.kind {
+        EdgeKind::Circle { .. } => Quantity::Angle,
+        EdgeKind::Line => Quantity::Length,
     };
-    let at = if both {
-        format!("±{}", show(end.abs()))
-    } else {
-        format!("{symbol} = {}", show(end))
+    let found = ContactFinding::BeyondFineMesh {
+        step: step + 1,
+        end: quantity(end),
+        both_ends,
+        limit: quantity(limit),
     };
-    Some(format!(
-        "Contact '{}' ends at {at} in load step {}, beyond the fine part of its mesh, which ends at ±{}: stresses near that end are as \
-         accurate as the coarser mesh there. mesh.fine_to moves the limit.",
-        edge.name,
-        step + 1,
-        show(limit)
-    ))
+    Some(Finding::about(&edge.name, found))
 }

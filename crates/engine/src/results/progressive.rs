@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use stickslip_joint::ModeCall;
 use stickslip_laminate::FailureMode;
 
-use super::ContactFrame;
+use super::{ContactFrame, JointFinding};
 
 /// Progressive failure of a body.
 #[derive(Clone, Debug)]
@@ -38,8 +38,8 @@ pub struct ProgressiveFailure {
     pub free_travel: f64,
     /// Where the pin bears: the load is read along this direction, and angles are counted from it.
     pub frame: ContactFrame,
-    /// What the scene asks for and the followed joint has less of, one sentence each.
-    pub notes: Vec<String>,
+    /// What the scene asks for and the followed joint has less of.
+    pub findings: Vec<JointFinding>,
 }
 
 /// A joint whose plies never fail.

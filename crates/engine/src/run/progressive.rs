@@ -6,7 +6,7 @@
 //! from where a pin with clearance can bear.
 
 mod edge;
-mod notes;
+mod findings;
 mod words;
 
 use std::borrow::Cow;
@@ -400,7 +400,7 @@ impl<'a> Subject<'a> {
             half: model.half,
             frame: ContactFrame::NONE,
             free_travel: 0.0,
-            notes: notes::of(self, scene, model),
+            findings: findings::of(self, scene, model),
         }
     }
 

@@ -8,6 +8,7 @@ use super::display::EdgeView;
 use super::display::shared;
 use super::failure::{self, FailureView};
 use super::figures::{Drawing, Group};
+use super::findings;
 use super::progressive::{self, ProgressiveView};
 use super::tables::{self, Detail};
 use super::zones::{contact_ranges, stick_ranges};
@@ -23,7 +24,8 @@ pub(super) fn page(
     files: &[FileNote],
 ) -> Page {
     let mut page = Page::new(&results.title, subtitle(results));
-    page.warnings = results.notes.iter().chain(failures).cloned().collect();
+    page.warnings = findings::sentences(results);
+    page.warnings.extend_from_slice(failures);
     page.summary = summary(results);
     page.notes = notes(results);
     let (joint, mut drawings): (Vec<_>, Vec<_>) = drawings

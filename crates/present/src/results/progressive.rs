@@ -9,6 +9,7 @@ pub(super) mod tables;
 pub(super) use maps::damage_map;
 
 use super::failure::FailureView;
+use super::findings::joint_sentence;
 use stickslip_engine::results::{PlyLoss, ProgressiveFailure};
 
 /// A followed joint with what a reader needs around it.
@@ -38,6 +39,14 @@ impl<'a> ProgressiveView<'a> {
 
     pub(super) fn length_unit(&self) -> &'static str {
         self.failure.results.units.length.name
+    }
+
+    /// What the scene asks for and the joint has less of, as sentences.
+    fn notes(&self) -> Vec<String> {
+        let findings = self.progressive.findings.iter();
+        findings
+            .map(|finding| joint_sentence(finding, self.failure.results.units))
+            .collect()
     }
 
     /// Angle `[degree]` from the bearing point of the joint and radius in display units of a place about the hole.

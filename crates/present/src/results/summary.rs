@@ -9,6 +9,7 @@ use stickslip_contact::history::Difference;
 
 use super::display::EdgeView;
 use super::failure::{self, FailureView};
+use super::findings;
 use super::zones::{contact_ranges, stick_ranges, zone_ranges};
 use keys::{
     Body, Choice, ContactZone, Cycle, Edge, EdgeStep, FORMAT_VERSION, Failed, Load, OtherAnswer,
@@ -50,7 +51,8 @@ pub(super) fn summary(results: &Results) -> Summary<'_> {
             angle: "deg",
         },
         choices: results.choices.iter().map(choice).collect(),
-        notes: results.notes.clone(),
+        notes: findings::sentences(results),
+        findings: findings::entries(&results.findings, results.units),
         bodies: results.bodies.iter().map(body).collect(),
         dofs: results.bodies.iter().map(|body| body.dofs).sum(),
         factorisations: results.factorisations,

@@ -9,6 +9,7 @@ use super::experiment::{self, Kind, kind_of};
 use super::failure::Failure;
 use super::located::locate;
 use stickslip_engine::model::{Model, ModelBodyKind};
+use stickslip_present::results::sentence;
 use stickslip_scene::Scene;
 use stickslip_scene::schema::{Body, Division, LoadKind, MeshSettings, Substance};
 use stickslip_scene::units::{Dimension, Unit};
@@ -81,7 +82,8 @@ fn outline(scene: &Scene, model: &Model) -> Vec<(&'static str, String)> {
             format!("{}: {} – {}", choice.what, choice.value, choice.reason),
         ));
     }
-    lines.extend(model.notes.iter().map(|note| ("note", note.clone())));
+    let notes = model.findings.iter();
+    lines.extend(notes.map(|finding| ("note", sentence(finding, scene.display))));
     for contact in &scene.contacts {
         lines.push((
             "contact",

@@ -3,7 +3,8 @@
 use stickslip_contact::ContactError;
 use stickslip_engine::model::ModelError;
 use stickslip_engine::results::LoadValue;
-use stickslip_engine::run::{RunError, loads_reached, quoted};
+use stickslip_engine::run::{RunError, loads_reached};
+use stickslip_present::results::quoted;
 use stickslip_scene::Scene;
 use stickslip_scene::diagnostic::{SceneError, SceneProblem};
 use stickslip_scene::schema::Division;

@@ -80,16 +80,12 @@ pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Fail
     bar.finish_and_clear();
     let results = solved.map_err(|error| located(&scene, &error))?;
     let path = keep::results(&results, folder, scene.output.figures).map_err(KeepError::from)?;
+    let table = output::summary_table(&results, Console::width())
+        .map_err(|error| KeepError::Output(error.into()))?;
     // As large as the results of a long history: made for those who read it only.
     let summary = console.json.then(|| output::summary_json(&results));
     console.result(
-        || {
-            format!(
-                "{}\nresults in {}\n",
-                output::summary_table(&results, Console::width()),
-                path.display()
-            )
-        },
+        || format!("{table}\nresults in {}\n", path.display()),
         &summary,
     )
 }

@@ -1,6 +1,6 @@
 //! First-ply failure: against lamination theory where stresses are uniform, and what must hold around a hole.
 
-use stickslip::results::{FirstPly, Results};
+use stickslip::results::{Finding, FirstPly, Results};
 use stickslip_laminate::failure::{criterion_named, first_ply_failure};
 use stickslip_laminate::{Deformation, LaminateLoad};
 
@@ -230,8 +230,8 @@ fn without_load_nothing_fails() {
 fn reserve_factors_beside_interference_are_told_of() {
     let said = |changes: &[&str]| {
         let results = solved(PIN, changes);
-        let about = |note: &&String| note.contains("multiply the interference");
-        results.notes.iter().filter(about).count()
+        let about = |finding: &&Finding| matches!(finding, Finding::ReserveWithInterference { .. });
+        results.findings.iter().filter(about).count()
     };
     assert_eq!(said(&["mesh.spacing=15 deg"]), 0);
     let tight = [

@@ -7,7 +7,7 @@ use serde_json::{Map, Value};
 use stickslip::folder::{Overwrite, ResultFolder};
 use stickslip::keep;
 use stickslip::output::{summary_json, summary_table};
-use stickslip::results::Results;
+use stickslip::results::{ContactFinding, Finding, Results};
 
 use super::solved;
 
@@ -289,7 +289,7 @@ fn tell_the_same(one: &Results, other: &Results, what: &str) {
             );
         }
     }
-    let table = |results: &Results| words(&summary_table(results, 400)).0;
+    let table = |results: &Results| words(&summary_table(results, 400).unwrap()).0;
     let row = |text: String| {
         text.replace('─', "")
             .split_whitespace()
@@ -384,11 +384,16 @@ fn a_load_along_y_is_measured_from_there() {
         assert_eq!(zone["direction"], "away", "{zone}");
     }
     // The sideways force turns the bearing point, which is reported.
-    let wanders = "The bearing point of contact 'pin' wanders";
+    let wanders = |finding: &Finding| match finding {
+        Finding::Contact { contact, finding } => {
+            contact == "pin" && matches!(finding, ContactFinding::BearingPointWanders { .. })
+        }
+        _ => false,
+    };
     assert!(
-        results.notes.iter().any(|note| note.contains(wanders)),
+        results.findings.iter().any(wanders),
         "{:?}",
-        results.notes
+        results.findings
     );
 }
 

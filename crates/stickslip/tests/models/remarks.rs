@@ -1,61 +1,102 @@
-//! Remarks on scenes that are right but surprise.
+//! Findings on scenes that are right but surprise.
 
 use std::path::Path;
 
 use stickslip::host::HOST;
+use stickslip::output::sentence;
+use stickslip::results::{
+    ContactFinding, Finding, FreeBody, FreeMotion, Quantity, UniquenessBound,
+};
 use stickslip::scene::Scene;
 
 use super::{BUSHING, model, results, solved};
 
-/// The notes on a run that have this part.
-fn told(changes: &[&str], part: &str) -> Vec<String> {
-    let notes = solved(BUSHING, changes).notes;
-    notes
-        .into_iter()
-        .filter(|note| note.contains(part))
-        .collect()
+/// What `kind` takes of the findings on contacts, with the name of each contact.
+fn on_contacts<T>(
+    findings: &[Finding],
+    kind: impl Fn(&ContactFinding) -> Option<T>,
+) -> Vec<(&str, T)> {
+    let taken = findings.iter().map(|finding| match finding {
+        Finding::Contact { contact, finding } => Some((contact.as_str(), kind(finding)?)),
+        _ => None,
+    });
+    taken.flatten().collect()
+}
+
+fn free_bodies(findings: &[Finding]) -> Vec<&FreeBody> {
+    let taken = findings.iter().map(|finding| match finding {
+        Finding::FreeBody(free) => Some(free),
+        _ => None,
+    });
+    taken.flatten().collect()
+}
+
+fn degrees(place: Quantity) -> f64 {
+    match place {
+        Quantity::Angle(angle) => (angle.to_degrees() * 10.0).round() / 10.0,
+        Quantity::Length(_) => panic!("{place:?} on a circle"),
+    }
 }
 
 #[test]
 fn a_plain_joint_needs_no_remark() {
-    assert_eq!(solved(BUSHING, &[]).notes, Vec::<String>::new());
+    assert_eq!(solved(BUSHING, &[]).findings, []);
 }
 
 /// A contact that bears on one side and then on the other is reported; one that always bears on the far side needs no remark.
 #[test]
 fn a_bearing_point_that_wanders_is_told() {
-    let part = "The bearing point of contact";
+    let wanders = |finding: &ContactFinding| match *finding {
+        ContactFinding::BearingPointWanders {
+            step,
+            at,
+            largest_step,
+            largest_at,
+        } => Some([(step, degrees(at)), (largest_step, degrees(largest_at))]),
+        _ => None,
+    };
     for extent in ["half", "whole"] {
         let extent = format!("analysis.model={extent}");
-        let turned = told(&["loads.0.force.direction=[1, 0]", &extent], part);
-        assert_eq!(turned, Vec::<String>::new());
+        let turned = solved(BUSHING, &["loads.0.force.direction=[1, 0]", &extent]);
+        assert_eq!(on_contacts(&turned.findings, wanders), []);
     }
     let pressed = "loads.0={ on = \"plate.left\", pressure.steps = [\"-5 MPa\", \"4 MPa\"] }";
-    let pressed = told(&[pressed], part);
-    assert_eq!(pressed.len(), 2, "{pressed:?}");
-    for (note, name) in pressed.iter().zip(["'bushing'", "'pin'"]) {
-        let where_to = "it is at θ = 180.0° in load step 2 and at θ = 0.0° in load step 1";
-        assert!(note.contains(name) && note.contains(where_to), "{note}");
-    }
+    let pressed = solved(BUSHING, &[pressed]);
+    let places = [(2, 180.0), (1, 0.0)];
+    assert_eq!(
+        on_contacts(&pressed.findings, wanders),
+        [("bushing", places), ("pin", places)]
+    );
+    let words = sentence(&pressed.findings[0], pressed.units);
+    let where_to = "it is at θ = 180.0° in load step 2 and at θ = 0.0° in load step 1";
+    assert!(words.contains(where_to), "{words}");
 }
 
 #[test]
 fn a_wide_clearance_is_told() {
     let wide = model(BUSHING, &["bodies.pin.shape.disk.radius=4 mm"]);
-    assert!(
-        wide.notes[0].contains("the clearance is 20 % of the hole's radius"),
-        "{:?}",
-        wide.notes
-    );
+    let clearance = on_contacts(&wide.findings, |finding| match *finding {
+        ContactFinding::WideClearance { clearance } => Some(clearance),
+        _ => None,
+    });
+    let [("pin", clearance)] = clearance[..] else {
+        panic!("{:?}", wide.findings);
+    };
+    assert!((clearance - 0.2).abs() < 1e-12, "{clearance}");
 }
 
 #[test]
 fn bodies_of_different_thickness_are_told() {
-    let uneven = model(BUSHING, &["bodies.pin.thickness=1.5 mm"]).notes;
-    assert_eq!(uneven.len(), 1, "{uneven:?}");
+    let uneven = model(BUSHING, &["bodies.pin.thickness=1.5 mm"]).findings;
+    let finding = ContactFinding::UnequalThickness {
+        bodies: ["bushing", "pin"].map(String::from),
+        thickness: [2.0, 1.5].map(Quantity::Length),
+    };
+    assert_eq!(uneven, [Finding::about("pin", finding)]);
+    let words = sentence(&uneven[0], solved(BUSHING, &[]).units);
     assert!(
-        uneven[0].starts_with("Contact 'pin': 'bushing' is 2 mm thick and 'pin' 1.5 mm."),
-        "{uneven:?}"
+        words.starts_with("Contact 'pin': 'bushing' is 2 mm thick and 'pin' 1.5 mm."),
+        "{words}"
     );
 }
 
@@ -69,15 +110,16 @@ fn forces_that_cancel_are_nothing() {
 
 #[test]
 fn an_end_of_contact_outside_the_fine_zone_is_told() {
-    let part = "beyond the fine part of its mesh, which ends at ±30.0°";
+    let beyond = |finding: &ContactFinding| match *finding {
+        ContactFinding::BeyondFineMesh { step, limit, .. } => Some((step, degrees(limit))),
+        _ => None,
+    };
     for extent in ["half", "whole"] {
         let extent = format!("analysis.model={extent}");
         let fine = ["mesh.fine_to=30 deg", "mesh.coarse_spacing=12 deg", &extent];
-        let notes = told(&fine, part);
-        assert_eq!(notes.len(), 2, "{notes:?}");
-        assert!(
-            notes.iter().all(|note| note.contains("in load step 2")),
-            "{notes:?}"
+        assert_eq!(
+            on_contacts(&solved(BUSHING, &fine).findings, beyond),
+            [("bushing", (2, 30.0)), ("pin", (2, 30.0))]
         );
     }
     // Contact all around has no end.
@@ -87,8 +129,11 @@ fn an_end_of_contact_outside_the_fine_zone_is_told() {
         "bodies.bushing.shape.plate_with_hole.outline.ring.radius=7.05 mm",
         "contacts.0.interference=true",
     ];
-    let notes = told(&around, part);
-    assert!(notes.len() == 1 && notes[0].contains("'pin'"), "{notes:?}");
+    let around = solved(BUSHING, &around);
+    let names: Vec<&str> = (on_contacts(&around.findings, beyond).into_iter())
+        .map(|(name, _)| name)
+        .collect();
+    assert_eq!(names, ["pin"]);
 }
 
 #[test]
@@ -97,35 +142,50 @@ fn a_bushing_without_friction_is_said_to_turn_freely() {
         "contacts.0.friction.coulomb.mu=0",
         "contacts.1.friction.coulomb.mu=0",
     ];
-    let part = "Body 'bushing' can turn freely: its rotation and CSLIP1";
-    let whole = told(&[&smooth[..], &["analysis.model=whole"]].concat(), part);
-    assert_eq!(whole.len(), 1, "{whole:?}");
-    assert!(whole[0].contains("are not unique"), "{whole:?}");
+    let whole = solved(BUSHING, &[&smooth[..], &["analysis.model=whole"]].concat());
+    let bushing = FreeBody {
+        body: "bushing".into(),
+        motion: FreeMotion::Rotation,
+        contacts: ["bushing", "pin"].map(String::from).into(),
+    };
+    assert_eq!(free_bodies(&whole.findings)[0], &bushing);
     // Symmetry holds it, and so does friction on either side.
-    assert!(told(&smooth, "can turn freely").is_empty());
-    let rubbing = solved(BUSHING, &["analysis.model=whole"]).notes;
-    let begins = |part: &str| rubbing.iter().filter(|note| note.starts_with(part)).count();
-    let moving =
-        begins("Nothing holds 'bushing', 'pin' and 'plate' against turning or sliding together");
-    // The other solver would take more work than comparisons may.
-    let dear = begins("Whether another solver finds another answer is not known");
-    assert_eq!([moving, dear, rubbing.len()], [1, 1, 2], "{rubbing:?}");
+    let half = solved(BUSHING, &smooth);
+    assert!(free_bodies(&half.findings).is_empty());
+    let rubbing = solved(BUSHING, &["analysis.model=whole"]).findings;
+    assert_eq!(
+        rubbing,
+        [
+            // The other solver would take more work than comparisons may.
+            Finding::NoOtherSolver {
+                too_dear: vec![1, 2, 3],
+                unsolved: Vec::new(),
+            },
+            Finding::FreeTogether {
+                bodies: ["bushing", "pin", "plate"].map(String::from).into(),
+            },
+        ]
+    );
 }
 
 /// A coefficient beyond the estimate of the bound of uniqueness is told once, with the step in which contact is largest.
 #[test]
 fn friction_beyond_its_estimated_bound_is_told() {
-    let part = "the estimate of the coefficient of friction up to which load step 2";
+    let bounds = |findings: &[Finding]| -> Vec<UniquenessBound> {
+        let taken = findings.iter().map(|finding| match *finding {
+            Finding::NearUniquenessBound(bound) => Some(bound),
+            _ => None,
+        });
+        taken.flatten().collect()
+    };
     let high = [0, 1].map(|pair| format!("contacts.{pair}.friction.coulomb.mu=3"));
     let changes: Vec<&str> = high.iter().map(String::as_str).collect();
-    let notes = told(&changes, part);
-    assert_eq!(notes.len(), 1, "{notes:?}");
-    assert!(
-        notes[0].contains("Friction of up to 3.000 is beyond"),
-        "{notes:?}"
-    );
-    assert!(notes[0].contains("they were not enumerated"), "{notes:?}");
     let run = solved(BUSHING, &changes);
+    let [bound] = bounds(&run.findings)[..] else {
+        panic!("{:?}", run.findings);
+    };
+    assert_eq!((bound.step, bound.solutions), (2, None));
+    assert!((bound.friction - 3.0).abs() < 1e-9 && bound.estimate < 3.0);
     let estimated: Vec<bool> = run
         .steps
         .iter()
@@ -137,7 +197,7 @@ fn friction_beyond_its_estimated_bound_is_told() {
             .iter()
             .all(|step| (step.notes.friction - 3.0).abs() < 1e-9)
     );
-    assert!(told(&[], part).is_empty());
+    assert!(bounds(&solved(BUSHING, &[]).findings).is_empty());
 }
 
 /// The status iteration cycles on a pin with friction of 0.2; the solver that takes over says so in one line.
@@ -151,18 +211,18 @@ fn solvers_that_failed_on_the_way_are_told() {
         "output.fields=none",
     ];
     let run = results(&Scene::from_file(&path, &changes, HOST).unwrap());
-    let part = "More than the first solver was needed in load step";
-    let notes: Vec<&String> = run
-        .notes
-        .iter()
-        .filter(|note| note.contains(part))
-        .collect();
-    assert_eq!(notes.len(), 1, "{:?}", run.notes);
-    assert!(
-        notes[0].contains("status iteration: cycled (×"),
-        "{notes:?}"
+    let taken = run.findings.iter().filter_map(|finding| match finding {
+        Finding::FurtherSolvers(found) => Some(found),
+        _ => None,
+    });
+    let [found] = taken.collect::<Vec<_>>()[..] else {
+        panic!("{:?}", run.findings);
+    };
+    assert_eq!(
+        (found.failed[0].solver, found.failed[0].reason),
+        ("status iteration", "cycled")
     );
-    assert!(notes[0].contains("repeated with period"), "{notes:?}");
+    assert!(found.cycle.is_some_and(|cycle| cycle.period > 1));
     let mut cycles = run.steps.iter().filter_map(|step| {
         let cycle = step.notes.recovery.first_cycle.as_ref()?;
         Some((cycle.points.len(), step.notes.cycle_places.len()))
@@ -222,9 +282,11 @@ fn slip_that_friction_leaves_undetermined_is_told() {
     let cooled = format!("{pull}[[loads]]\non = \"plate\"\ntemperature.steps = [\"-70 K\"]\n");
     let said = |loads: &str, model: &str| {
         let scene = pressed_pin("10 deg", loads);
-        let notes = solved(&scene, &[&format!("analysis.model={model}")]).notes;
-        let about = |note: &&String| note.contains("slip in a range has the same friction");
-        notes.iter().filter(about).count()
+        let findings = solved(&scene, &[&format!("analysis.model={model}")]).findings;
+        on_contacts(&findings, |finding| {
+            matches!(finding, ContactFinding::SlipUndetermined { .. }).then_some(())
+        })
+        .len()
     };
     assert_eq!(said(&cooled, "whole"), 1);
     assert_eq!(said(&cooled, "half"), 0);

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use stickslip::results::{
     BearingSource, BodyFields, BodySummary, Choice, ContactFrame, EdgeGeometry, EdgeKind,
-    EdgeResults, EdgeRow, LoadValue, Results, StepNotes, StepResults,
+    EdgeResults, EdgeRow, Finding, LoadValue, Results, StepNotes, StepResults,
 };
 use stickslip::scene::schema::DisplayUnits;
 use stickslip::units::{Dimension, Unit};
@@ -41,7 +41,10 @@ pub(crate) fn results() -> Results {
             value: "half".into(),
             reason: "all is symmetric".into(),
         }],
-        notes: vec!["One point is in doubt.".into()],
+        findings: vec![Finding::PointsInDoubt {
+            steps: vec![3],
+            points: 1,
+        }],
         bodies: vec![
             BodySummary {
                 name: "pin".into(),

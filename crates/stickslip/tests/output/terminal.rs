@@ -1,15 +1,20 @@
 //! Tables for the terminal.
 
-use stickslip::output::{signs_table, summary_table};
+use stickslip::output::{OutputError, signs_table};
+use stickslip::results::Results;
 
 use super::fixture::{open_hole, results};
 
 /// Enough for all columns.
 const WIDE: usize = 120;
 
+fn table(results: &Results, width: usize) -> String {
+    stickslip::output::summary_table(results, width).unwrap()
+}
+
 #[test]
 fn load_steps_fit_in_120_columns_below_a_row_of_units() {
-    let text = summary_table(&results(), WIDE);
+    let text = table(&results(), WIDE);
     assert!(
         text.lines().all(|line| line.chars().count() <= 120),
         "{text}"
@@ -41,10 +46,10 @@ fn load_steps_fit_in_120_columns_below_a_row_of_units() {
 
 #[test]
 fn a_narrow_terminal_has_fewer_columns_and_whole_numbers() {
-    let wide = summary_table(&results(), WIDE);
+    let wide = table(&results(), WIDE);
     assert!(!wide.contains("want of width"), "{wide}");
     for width in [100, 80] {
-        let text = summary_table(&results(), width);
+        let text = table(&results(), width);
         assert!(
             text.lines().all(|line| line.chars().count() <= width),
             "{text}"
@@ -62,7 +67,7 @@ fn a_narrow_terminal_has_fewer_columns_and_whole_numbers() {
 
 #[test]
 fn without_contact_the_hoop_stress_is_shown() {
-    let text = summary_table(&open_hole(), WIDE);
+    let text = table(&open_hole(), WIDE);
     assert!(text.starts_with("Edge 'plate.hole'\n"), "{text}");
     assert!(
         text.contains("max σ_θ") && !text.contains("contact"),
@@ -71,9 +76,9 @@ fn without_contact_the_hoop_stress_is_shown() {
 }
 
 /// The header, the units and the first row of the first table.
-fn head(results: &stickslip::results::Results) -> Vec<Vec<String>> {
+fn head(results: &Results) -> Vec<Vec<String>> {
     let words = |line: &str| line.split_whitespace().map(str::to_owned).collect();
-    summary_table(results, WIDE).lines().map(words).collect()
+    table(results, WIDE).lines().map(words).collect()
 }
 
 #[test]
@@ -113,10 +118,21 @@ fn without_loads_the_steps_have_only_their_numbers() {
 }
 
 #[test]
-fn inconsistent_results_have_no_table() {
+fn inconsistent_results_are_an_error() {
     let mut results = results();
     results.steps[0].edges.clear();
-    assert_eq!(summary_table(&results, WIDE), "");
+    let refused = stickslip::output::summary_table(&results, WIDE);
+    assert!(
+        matches!(
+            refused,
+            Err(OutputError::Inconsistent {
+                found: 0,
+                expected: 3,
+                ..
+            })
+        ),
+        "{refused:?}"
+    );
 }
 
 #[test]

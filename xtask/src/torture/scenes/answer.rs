@@ -6,7 +6,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use stickslip::results::{EdgeKind, Results};
+use stickslip::results::{ContactFinding, EdgeKind, Finding, Results};
 
 /// How far apart two places on an edge are still one: radians, or parts of the edge's length.
 const SAME_PLACE: f64 = 1e-7;
@@ -40,7 +40,7 @@ struct Edge {
     steps: Vec<EdgeStep>,
 }
 
-/// What the notes say is free at the end of a step.
+/// What the findings say is free at the end of a step.
 #[derive(Clone, Debug, Default)]
 struct Free {
     /// Edges whose gaps and slips are one of many.
@@ -53,18 +53,19 @@ impl Free {
     /// For each step of `results`.
     fn of(results: &Results) -> Vec<Self> {
         let mut free = vec![Self::default(); results.steps.len()];
-        for note in &results.notes {
-            let ends = [" touches at too few points", " sticks that would hold"];
-            let Some((start, _)) = ends.iter().find_map(|end| note.split_once(end)) else {
+        for finding in &results.findings {
+            let Finding::Contact {
+                contact,
+                finding:
+                    ContactFinding::GapsUndetermined { steps, .. }
+                    | ContactFinding::SlipUndetermined { steps, .. },
+            } = finding
+            else {
                 continue;
             };
-            let name = start.split('\'').nth(1).unwrap_or_default();
-            let mut numbers = start.split(|letter: char| !letter.is_ascii_digit());
-            let Some(first) = numbers.find_map(|part| part.parse::<usize>().ok()) else {
-                continue;
-            };
+            let first = steps[0];
             for (index, step) in free.iter_mut().enumerate().skip(first - 1) {
-                step.places.push(name.to_owned());
+                step.places.push(contact.clone());
                 step.all |= index >= first || results.steps[index].increments > 1;
             }
         }
@@ -113,13 +114,18 @@ impl Answer {
                     normal: edge.normal_force,
                 }
             });
-            let moves_freely = |note: &String| {
-                note.contains("CSLIP1") && note.contains(&format!("'{}'", geometry.name))
+            let moves_freely = |finding: &Finding| match finding {
+                Finding::FreeBody(free) => free.contacts.contains(&geometry.name),
+                Finding::Contact { contact, finding } => {
+                    let slides = matches!(finding, ContactFinding::SlipUndetermined { .. });
+                    slides && *contact == geometry.name
+                }
+                _ => false,
             };
             Edge {
                 name: geometry.name.clone(),
                 circle: matches!(geometry.kind, EdgeKind::Circle { .. }),
-                slips: !results.notes.iter().any(moves_freely),
+                slips: !results.findings.iter().any(moves_freely),
                 steps: steps.collect(),
             }
         });
@@ -212,13 +218,13 @@ impl Answer {
         self
     }
 
-    /// Whether the notes call some gaps free.
+    /// Whether the findings call some gaps free.
     pub(super) fn is_free(&self) -> bool {
         self.free.iter().any(|step| !step.places.is_empty())
     }
 
     /// The largest difference of the two at the places of `self`; `give` is the length `[mm]` that a stress of 1 MPa gives. With `firm`
-    /// what the notes of either call free is left out.
+    /// what the findings of either call free is left out.
     pub(super) fn difference(&self, other: &Self, give: f64, firm: bool) -> Difference {
         let mut worst = Difference {
             relative: 0.0,
@@ -261,12 +267,12 @@ impl Answer {
         worst
     }
 
-    /// Whether the notes of either say that everything in `step` may be another.
+    /// Whether the findings of either say that everything in `step` may be another.
     fn is_free_in(&self, other: &Self, step: usize) -> bool {
         [self, other].iter().any(|answer| answer.free[step].all)
     }
 
-    /// Whether the notes of either say that the gaps of `edge` at the end of `step` may be others.
+    /// Whether the findings of either say that the gaps of `edge` at the end of `step` may be others.
     fn frees(&self, other: &Self, edge: &str, step: usize) -> bool {
         let names = |answer: &&Self| answer.free[step].places.iter().any(|name| name == edge);
         [self, other].iter().any(names)

@@ -1,5 +1,7 @@
 //! Balance of each body from written resultants, reactions and the scene's own loads, and what is said where it is poor.
 
+use stickslip::output::sentence;
+use stickslip::results::Finding;
 use stickslip::scene::schema::{Hold, LoadKind, Substance};
 use stickslip::scene::shape::{Curve, Role};
 
@@ -14,7 +16,7 @@ const REST: f64 = 1e-6;
 /// Part of the force that thermal strain would take if it were held which counts as none at all.
 const HELD: f64 = 1e-4;
 
-/// A residual of balance above this is reported in the notes.
+/// A residual of balance above this is a finding.
 const REPORTED: f64 = 1e-8;
 
 /// Loads, contact resultants and reactions of every body sum to zero; without reactions along axes that nothing holds.
@@ -226,7 +228,7 @@ fn free_axes(sample: &Sample, body: &str) -> [bool; 2] {
     free
 }
 
-/// A poor residual of balance is said in the notes.
+/// A poor residual of balance is a finding.
 pub(super) fn residual(sample: &Sample) -> Verdict {
     let worst = sample
         .results
@@ -237,9 +239,10 @@ pub(super) fn residual(sample: &Sample) -> Verdict {
     if worst <= REPORTED {
         return Verdict::Holds;
     }
-    let says = |note: &&String| note.contains("balance");
-    match sample.results.notes.iter().find(says) {
-        Some(note) => Verdict::Declared(note.clone()),
+    let results = &sample.results;
+    let says = |finding: &&Finding| matches!(finding, Finding::Unbalanced { .. });
+    match results.findings.iter().find(says) {
+        Some(finding) => Verdict::Declared(sentence(finding, results.units)),
         None => Verdict::Fails(format!("balance_residual {worst:e} without a note")),
     }
 }

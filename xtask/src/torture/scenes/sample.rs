@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use serde_json::Value;
 use stickslip::host::HOST;
-use stickslip::results::Results;
+use stickslip::output::sentence;
+use stickslip::results::{ContactFinding, CutBackEffect, Finding, Results};
 use stickslip::run::RunError;
 use stickslip::scene::shape::Edge;
 use stickslip::scene::{Format, Scene};
@@ -181,17 +182,19 @@ impl Sample {
 
 /// What `results` say of an answer that need not be the only one, or that depends on the path of the solution.
 pub(super) fn declared(results: &Results) -> Option<String> {
-    let words = [
-        "answer is not unique",
-        "further solutions",
-        "answer depends on the solver",
-        "another answer is not known",
-        "pressures node by node are not unique",
-        "cut back",
-    ];
-    // A cut-back that changed nothing explains nothing.
-    let says = |note: &&String| {
-        words.iter().any(|words| note.contains(words)) && !note.contains("changed nothing")
+    let declares = |finding: &&Finding| match finding {
+        Finding::PointsInDoubt { .. }
+        | Finding::SeveralSolutions { .. }
+        | Finding::NearUniquenessBound(_)
+        | Finding::SolverDependent(_)
+        | Finding::NoOtherSolver { .. } => true,
+        // A cut-back that changed nothing explains nothing.
+        Finding::CutBack { effect, .. } => *effect != CutBackEffect::Nothing,
+        Finding::Contact { finding, .. } => {
+            matches!(finding, ContactFinding::RipplingPressures { .. })
+        }
+        _ => false,
     };
-    results.notes.iter().find(says).cloned()
+    let found = results.findings.iter().find(declares)?;
+    Some(sentence(found, results.units))
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use serde_json::{Value, json};
-use stickslip::results::{EdgeRow, Results};
+use stickslip::results::{EdgeRow, Finding, Results};
 use stickslip_contact::Status;
 
 use super::replay::replay;
@@ -139,10 +139,10 @@ fn a_row_that_a_single_run_contradicts_is_found() {
 #[test]
 fn what_the_notes_declare_is_counted_as_declared() {
     let mut sample = sample(&strip());
-    sample
-        .results
-        .notes
-        .push("The answer is not unique in load step 1: …".into());
+    sample.results.findings.push(Finding::SeveralSolutions {
+        steps: vec![1],
+        solutions: 2,
+    });
     let mirrored = checks().find(|check| check.name == "mirrored").unwrap();
     assert_eq!((mirrored.verdict)(&sample), Verdict::Holds);
     tamper("mirrored", &mut sample);

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::tables::DEPARTURE;
 use super::{ProgressiveView, mode_name};
+use crate::results::findings::{Entry, entries};
 use stickslip_engine::results::{CurvePoint, PlyLoss, ProgressiveEnd};
 use stickslip_text::tidy;
 
@@ -22,7 +23,8 @@ pub(crate) struct Progressive<'a> {
     free_travel: Quantity,
     edge_departures_deg: Vec<[Option<f64>; 2]>,
     curve: Vec<Point>,
-    notes: &'a [String],
+    notes: Vec<String>,
+    findings: Vec<Entry>,
 }
 
 #[derive(Debug, Serialize)]
@@ -104,7 +106,8 @@ pub(crate) fn progressive<'a>(view: &ProgressiveView<'a>) -> Progressive<'a> {
             .map(|range| range.map(|angle| tidy(angle.to_degrees())))
             .collect(),
         curve: own.curve.iter().map(point).collect(),
-        notes: &own.notes,
+        notes: view.notes(),
+        findings: entries(&own.findings, view.failure.results.units),
     }
 }
 

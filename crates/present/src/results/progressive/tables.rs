@@ -152,7 +152,7 @@ pub(crate) fn verdict(view: &ProgressiveView<'_>) -> Vec<String> {
             format!("The history ends where no equilibrium near was found: {cause}.")
         }
     });
-    sentences.extend(own.notes.iter().cloned());
+    sentences.extend(view.notes());
     sentences.push(
         "Plies are asked at the quadrature points here, inside the cells; the table of first-ply failure asks at the nodes, on the edge too."
             .to_owned(),

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use crate::results::failure::summary::Failure;
+use crate::results::findings::Entry;
 
 /// Version of the format; a change that could break a reader raises it.
 pub(super) const FORMAT_VERSION: u32 = 2;
@@ -21,6 +22,7 @@ pub(crate) struct Summary<'a> {
     pub(super) units: Units,
     pub(super) choices: Vec<Choice<'a>>,
     pub(crate) notes: Vec<String>,
+    pub(super) findings: Vec<Entry>,
     pub(super) bodies: Vec<Body<'a>>,
     pub(super) dofs: usize,
     pub(super) factorisations: usize,

@@ -1,0 +1,343 @@
+//! What a reader must know of a run, as kinds of findings with their numbers. `present` writes the sentences.
+//!
+//! Load steps are counted from 1. Parts are relative numbers without a dimension; everything else is a [`Quantity`].
+
+use serde::Serialize;
+
+/// A length or an angle in base units; serialised as `{"unit": "mm", "value": 1.0}`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(tag = "unit", content = "value")]
+pub enum Quantity {
+    /// `[mm]`.
+    #[serde(rename = "mm")]
+    Length(f64),
+    /// `[rad]`.
+    #[serde(rename = "rad")]
+    Angle(f64),
+}
+
+impl Quantity {
+    /// Its magnitude.
+    #[must_use]
+    pub fn abs(self) -> Self {
+        match self {
+            Self::Length(value) => Self::Length(value.abs()),
+            Self::Angle(value) => Self::Angle(value.abs()),
+        }
+    }
+
+    /// Its number `[mm or rad]`.
+    pub fn value(self) -> f64 {
+        match self {
+            Self::Length(value) | Self::Angle(value) => value,
+        }
+    }
+}
+
+/// A remark or a warning about a run; serialised with its `kind` in snake case.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum Finding {
+    /// Points stick with a traction between the dynamic and the static bound, where slip would be admissible too.
+    PointsInDoubt {
+        /// Load steps with such points.
+        steps: Vec<usize>,
+        /// Largest number of such points in a step.
+        points: usize,
+    },
+    /// The first solver failed before a step was solved.
+    FurtherSolvers(FurtherSolvers),
+    /// An increment has several solutions, which were enumerated.
+    SeveralSolutions {
+        /// Load steps with such increments.
+        steps: Vec<usize>,
+        /// Largest number of solutions of an increment.
+        solutions: usize,
+    },
+    /// Friction is near or beyond the estimate of the coefficient up to which a step is unique.
+    NearUniquenessBound(UniquenessBound),
+    /// Increments were cut back.
+    CutBack {
+        /// Load steps with increments that were halved.
+        steps: Vec<usize>,
+        /// What smaller increments change.
+        effect: CutBackEffect,
+    },
+    /// Another solver finds another answer from the same state before the step.
+    SolverDependent(SolverDependence),
+    /// Another solver should have been asked and gave no answer.
+    NoOtherSolver {
+        /// Load steps that would take more work than comparisons may.
+        too_dear: Vec<usize>,
+        /// Load steps that the other solver did not solve.
+        unsolved: Vec<usize>,
+    },
+    /// Rounding shows in the balance of forces.
+    Unbalanced {
+        /// Load steps above the usual residual.
+        steps: Vec<usize>,
+        /// Largest residual of balance, as a part of the load.
+        residual: f64,
+        /// What ordinary rounding does not reach.
+        usual: f64,
+    },
+    /// Contact parts and bears elsewhere within one increment.
+    ContactParts {
+        /// Load steps with such increments.
+        steps: Vec<usize>,
+    },
+    /// A body moves as a whole without resistance, with slip.
+    FreeBody(FreeBody),
+    /// Bodies move together as one rigid body, without slip.
+    FreeTogether {
+        /// The bodies.
+        bodies: Vec<String>,
+    },
+    /// Reserve factors multiply the interference of contacts.
+    ReserveWithInterference {
+        /// The contacts.
+        contacts: Vec<String>,
+    },
+    /// A finding about one contact; serialised with the `kind` of that.
+    #[serde(untagged)]
+    Contact {
+        /// Name of the contact.
+        contact: String,
+        /// What was found.
+        #[serde(flatten)]
+        finding: ContactFinding,
+    },
+}
+
+/// A finding about one contact.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum ContactFinding {
+    /// Its bodies differ in thickness.
+    UnequalThickness {
+        /// First and second body.
+        bodies: [String; 2],
+        /// Their thickness `[mm]`.
+        thickness: [Quantity; 2],
+    },
+    /// The clearance is wide for points that are paired at equal angles.
+    WideClearance {
+        /// Clearance as a part of the hole's radius.
+        clearance: f64,
+    },
+    /// It ends beyond the fine part of its mesh.
+    BeyondFineMesh {
+        /// The load step with the farthest end.
+        step: usize,
+        /// That end, θ `[rad]` or x `[mm]`.
+        end: Quantity,
+        /// Whether the other end is as far on the other side.
+        both_ends: bool,
+        /// Where the fine part of the mesh ends on either side `[rad or mm]`.
+        limit: Quantity,
+    },
+    /// Its bearing point moves in the history.
+    BearingPointWanders {
+        /// The load step in which it is farthest from the place below.
+        step: usize,
+        /// Where it is then, θ `[rad]` or x `[mm]`.
+        at: Quantity,
+        /// The load step in which the contact force is largest.
+        largest_step: usize,
+        /// Where it is then, from where angles are counted.
+        largest_at: Quantity,
+    },
+    /// The mesh does not resolve it.
+    Unresolved {
+        /// Load steps in which it touches along less than two element edges.
+        steps: Vec<usize>,
+        /// Fewest nodes of a part of the contact.
+        nodes: usize,
+    },
+    /// Its pressures node by node are not unique, because the first body has more nodes than the soft second one can follow.
+    RipplingPressures {
+        /// First and second body.
+        bodies: [String; 2],
+        /// Their numbers of nodes along the contact.
+        nodes: [usize; 2],
+        /// How many times as much the second body gives.
+        stiffness_ratio: f64,
+    },
+    /// It leaves a rigid motion of its bodies undetermined that changes no force, and with it gaps.
+    GapsUndetermined {
+        /// First and second body.
+        bodies: [String; 2],
+        /// Load steps with such increments.
+        steps: Vec<usize>,
+    },
+    /// Friction leaves a rigid motion of its bodies along it undetermined, and with it slip.
+    SlipUndetermined {
+        /// First and second body.
+        bodies: [String; 2],
+        /// Load steps with such increments.
+        steps: Vec<usize>,
+    },
+}
+
+/// What the scene asks for and a followed joint has less of.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum JointFinding {
+    /// A fracture energy lowers no strength on this mesh.
+    CrackBandIdle {
+        /// Key of the energy in `crack_band`.
+        energy: &'static str,
+        /// Width of a row of points from which it lowers a strength `[mm]`.
+        row_width: Quantity,
+        /// Size of a cell with such rows `[mm]`.
+        cell_size: Quantity,
+        /// Size of the largest cell `[mm]`.
+        largest_cell: Quantity,
+    },
+    /// A fracture energy lowers a strength in some cells only.
+    CrackBandPartial {
+        /// Key of the energy in `crack_band`.
+        energy: &'static str,
+        /// Number of cells in which it does.
+        lowered_cells: usize,
+        /// Number of all cells.
+        cells: usize,
+        /// Size of a cell from which on it does `[mm]`.
+        cell_size: Quantity,
+    },
+    /// `analysis.substeps` and `analysis.ramp` do not divide the joint's increments.
+    SubstepsIgnored,
+    /// `failure.clear_of_supports` has no effect on the joint.
+    ClearOfSupportsIgnored,
+    /// Plies of further bodies do not fail.
+    OtherBodiesIntact {
+        /// The bodies.
+        bodies: Vec<String>,
+    },
+}
+
+/// Solvers that failed before a step was solved.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct FurtherSolvers {
+    /// Load steps in which solvers failed.
+    pub steps: Vec<usize>,
+    /// What failed, and how often in all steps.
+    pub failed: Vec<FailedSolver>,
+    /// The first cycle of statuses, if one was met.
+    pub cycle: Option<StatusCycle>,
+}
+
+/// How often a solver failed in one way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct FailedSolver {
+    /// Name of the solver.
+    pub solver: &'static str,
+    /// What happened.
+    pub reason: &'static str,
+    /// How often.
+    pub count: usize,
+}
+
+/// Statuses that repeated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct StatusCycle {
+    /// Number of iterations after which they return.
+    pub period: usize,
+    /// Number of points whose status changes.
+    pub points: usize,
+}
+
+/// Friction beside the estimate of the coefficient up to which a step is unique.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct UniquenessBound {
+    /// The load step nearest to its bound.
+    pub step: usize,
+    /// Its largest coefficient of friction (dimensionless).
+    pub friction: f64,
+    /// The estimate (dimensionless).
+    pub estimate: f64,
+    /// Number of enumerated solutions; `None` where they were not enumerated.
+    pub solutions: Option<usize>,
+    /// Whether another solver was asked.
+    pub other_solver_asked: bool,
+}
+
+/// Another answer that another solver finds.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SolverDependence {
+    /// Load steps with another answer.
+    pub steps: Vec<usize>,
+    /// The load step whose tractions differ most.
+    pub step: usize,
+    /// The other solver in that step.
+    pub solver: &'static str,
+    /// Change of the largest pressure there, as a part of it.
+    pub peak_pressure_change: f64,
+    /// Largest change of a traction there, as a part of the largest pressure.
+    pub traction_change: f64,
+}
+
+/// A body that moves as a whole without resistance.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct FreeBody {
+    /// The body.
+    pub body: String,
+    /// How it moves.
+    pub motion: FreeMotion,
+    /// Contacts that slip in the motion.
+    pub contacts: Vec<String>,
+}
+
+/// What smaller increments change of an answer whose increments were cut back.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum CutBackEffect {
+    /// Without friction no answer depends on the path.
+    Frictionless,
+    /// Smaller equal increments were not solved.
+    Unknown,
+    /// Nothing.
+    Nothing,
+    /// Slip and its work.
+    Slip {
+        /// The load step that changes most.
+        step: usize,
+        /// Number of equal increments.
+        increments: usize,
+        /// Largest change of a slip in the step, as a part of the largest.
+        slip_change: f64,
+        /// Change of the work of friction, as a part of it.
+        dissipation_change: f64,
+    },
+    /// Tractions.
+    Tractions {
+        /// The load step that changes most.
+        step: usize,
+        /// Number of equal increments.
+        increments: usize,
+        /// Change of the largest pressure, as a part of it.
+        peak_pressure_change: f64,
+        /// Largest change of a traction, as a part of the largest pressure.
+        traction_change: f64,
+    },
+}
+
+/// A rigid motion that nothing resists.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum FreeMotion {
+    /// The body turns.
+    Rotation,
+    /// The body slides along straight contacts.
+    Translation,
+}
+
+impl Finding {
+    /// The `finding` about the contact `name`.
+    pub fn about(name: &str, finding: ContactFinding) -> Self {
+        Self::Contact {
+            contact: name.to_owned(),
+            finding,
+        }
+    }
+}

@@ -1,0 +1,289 @@
+//! Findings as sentences for a reader, and as entries of `summary.json`.
+
+mod contact;
+mod joint;
+
+use serde::Serialize;
+use serde_json::{Map, Value, json};
+use stickslip_engine::results::{
+    CutBackEffect, FailedSolver, Finding, FreeBody, FreeMotion, FurtherSolvers, Results,
+    SolverDependence, StatusCycle, UniquenessBound,
+};
+use stickslip_scene::schema::DisplayUnits;
+use stickslip_text::tidy;
+
+pub use joint::joint_sentence;
+
+/// `finding` as a sentence or some, with lengths in `units`.
+pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
+    match finding {
+        Finding::PointsInDoubt { steps, points } => format!(
+            "The answer is not unique in load step {}: up to {points} contact points stick with a traction between the dynamic and the \
+             static bound, where slip at the dynamic traction would be admissible too. They were taken to stick because they had \
+             not slipped before.",
+            numbers(steps)
+        ),
+        Finding::FurtherSolvers(found) => further_solvers(found),
+        Finding::SeveralSolutions { steps, solutions } => format!(
+            "The answer is not unique in load step {}: an increment has up to {solutions} solutions with the same loads. That was taken \
+             whose statuses differ least from the last accepted ones, and of equal ones that which moves least.",
+            numbers(steps)
+        ),
+        Finding::NearUniquenessBound(bound) => near_bound(bound),
+        Finding::CutBack { steps, effect } => cut_back(steps, *effect),
+        Finding::SolverDependent(other) => solver_dependent(other),
+        Finding::NoOtherSolver { too_dear, unsolved } => no_other_solver(too_dear, unsolved),
+        Finding::Unbalanced {
+            steps,
+            residual,
+            usual,
+        } => format!(
+            "Forces balance to {residual:.1e} of the load only in load step {}, where {usual:.0e} is usual: rounding has taken digits \
+             from the results, which may be off by thirty times that part. Cells many times longer than wide, bodies many times longer \
+             than their contact, and thermal strains far above those of the load cause it.",
+            numbers(steps)
+        ),
+        Finding::ContactParts { steps } => format!(
+            "In an increment of load step {} contact parts and bears elsewhere: what the bodies travel in between counts as slip, and friction has \
+             the direction of that way. Give a step without load in between (steps = [\"1 kN\", \"0 N\", \"-1 kN\"]), from which only the way under \
+             force counts.",
+            numbers(steps)
+        ),
+        Finding::FreeBody(free) => free_body(free),
+        Finding::FreeTogether { bodies } => format!(
+            "Nothing holds {} against turning or sliding together, as one rigid body: displacements hold up to that motion, which changes no stress and no slip.",
+            quoted(bodies)
+        ),
+        Finding::ReserveWithInterference { contacts } => format!(
+            "Reserve factors multiply the interference of {} with the loads: a load of first failure beyond the last step is no prediction. \
+             Raise the loads until a reserve factor falls to 1.",
+            quoted(contacts)
+        ),
+        Finding::Contact { contact, finding } => contact::sentence(contact, finding, units),
+    }
+}
+
+/// The sentences of all findings of `results`.
+pub(super) fn sentences(results: &Results) -> Vec<String> {
+    let findings = results.findings.iter();
+    findings
+        .map(|finding| sentence(finding, results.units))
+        .collect()
+}
+
+fn further_solvers(found: &FurtherSolvers) -> String {
+    let counted = |entry: &FailedSolver| {
+        let FailedSolver {
+            solver,
+            reason,
+            count,
+        } = entry;
+        format!("{solver}: {reason} (×{count})")
+    };
+    let failed: Vec<String> = found.failed.iter().map(counted).collect();
+    let cycle = found.cycle.map_or_else(String::new, |cycle| {
+        let StatusCycle { period, points } = cycle;
+        format!(
+            " In the first cycle the statuses of {points} points repeated with period {period}."
+        )
+    });
+    format!(
+        "More than the first solver was needed in load step {}: {}.{cycle}",
+        numbers(&found.steps),
+        failed.join(", ")
+    )
+}
+
+fn near_bound(bound: &UniquenessBound) -> String {
+    let &UniquenessBound {
+        step,
+        friction,
+        estimate,
+        ..
+    } = bound;
+    let beyond = friction > estimate;
+    let relation = if beyond { "beyond" } else { "near" };
+    let counted = match bound.solutions {
+        Some(1) => "enumeration found no other with the same points in contact".into(),
+        Some(count) => format!("{count} were found by enumeration of the points in contact"),
+        None if bound.other_solver_asked => {
+            "they were not enumerated, but another solver was asked".into()
+        }
+        None if beyond => "they were not enumerated, because too many points touch".into(),
+        None => "none was looked for".into(),
+    };
+    format!(
+        "Friction of up to {friction:.3} is {relation} {estimate:.3}, the estimate of the coefficient of friction up to which load step {step} \
+         (where contact is largest) is unique. There may be further solutions; {counted}."
+    )
+}
+
+fn cut_back(steps: &[usize], effect: CutBackEffect) -> String {
+    let effect = match effect {
+        CutBackEffect::Frictionless => String::new(),
+        CutBackEffect::Unknown => {
+            " Whether that changed the answer is not known: smaller equal increments were not solved.".to_owned()
+        }
+        CutBackEffect::Nothing => {
+            " That changed nothing: smaller increments give the same answer.".to_owned()
+        }
+        CutBackEffect::Slip {
+            step,
+            increments,
+            slip_change,
+            dissipation_change,
+        } => format!(
+            " Smaller increments give the same tractions. Slip counts from the increment in which a point closes: in {increments} equal increments CSLIP1 of \
+             load step {step} changes by up to {} of its largest, the work of friction by {}.",
+            percent(slip_change),
+            percent(dissipation_change)
+        ),
+        CutBackEffect::Tractions {
+            step,
+            increments,
+            peak_pressure_change,
+            traction_change,
+        } => format!(
+            " The answer depends on the path: in {increments} equal increments the largest pressure of load step {step} changes by {}, \
+             tractions by up to {} of it.",
+            percent(peak_pressure_change),
+            percent(traction_change)
+        ),
+    };
+    format!(
+        "The increment was cut back in load step {}.{effect}",
+        numbers(steps)
+    )
+}
+
+fn solver_dependent(other: &SolverDependence) -> String {
+    format!(
+        "The answer depends on the solver in load step {}: from the same state before the step, {} finds another one that meets \
+         all contact conditions. In load step {} its largest pressure differs by {}, tractions by up to {} of it.",
+        numbers(&other.steps),
+        other.solver,
+        other.step,
+        percent(other.peak_pressure_change),
+        percent(other.traction_change)
+    )
+}
+
+fn no_other_solver(too_dear: &[usize], unsolved: &[usize]) -> String {
+    let mut reasons = Vec::new();
+    if !too_dear.is_empty() {
+        reasons.push(format!(
+            "load step {} would take more work than comparisons of a history may, 1e9 operations",
+            numbers(too_dear)
+        ));
+    }
+    if !unsolved.is_empty() {
+        reasons.push(format!(
+            "the other solver did not solve load step {}",
+            numbers(unsolved)
+        ));
+    }
+    format!(
+        "Whether another solver finds another answer is not known where friction, cut-back or loose contact allow one: {}.",
+        reasons.join("; ")
+    )
+}
+
+fn free_body(free: &FreeBody) -> String {
+    let (verb, motion) = match free.motion {
+        FreeMotion::Rotation => ("turn", "rotation"),
+        FreeMotion::Translation => ("slide", "translation"),
+    };
+    format!(
+        "Body '{}' can {verb} freely: its {motion} and CSLIP1 on {} are not unique.",
+        free.body,
+        quoted(&free.contacts)
+    )
+}
+
+/// "'a', 'b' and 'c'".
+pub fn quoted<T: AsRef<str>>(names: impl IntoIterator<Item = T>) -> String {
+    let quoted = names.into_iter().map(|name| format!("'{}'", name.as_ref()));
+    let mut names: Vec<String> = quoted.collect();
+    let last = names.pop().unwrap_or_default();
+    if names.is_empty() {
+        last
+    } else {
+        format!("{} and {last}", names.join(", "))
+    }
+}
+
+/// Ascending numbers with runs shortened: "2–5, 9".
+fn numbers(steps: &[usize]) -> String {
+    let runs = steps.chunk_by(|a, b| a + 1 == *b);
+    let shown = runs.map(|run| match run {
+        [first, .., last] => format!("{first}–{last}"),
+        one => one.iter().map(ToString::to_string).collect(),
+    });
+    shown.collect::<Vec<_>>().join(", ")
+}
+
+/// A part in percent with two digits.
+fn percent(part: f64) -> String {
+    let value = 100.0 * part;
+    let size = value.abs();
+    let digits = if size > 0.0 && size < 10.0 {
+        (1.0 - size.log10().floor()).clamp(0.0, 8.0) as usize
+    } else {
+        0
+    };
+    format!("{value:.digits$} %")
+}
+
+/// A finding in `summary.json`: its kind first, then its numbers, quantities in display units.
+#[derive(Debug, Serialize)]
+pub(super) struct Entry {
+    kind: Option<Value>,
+    #[serde(flatten)]
+    fields: Map<String, Value>,
+}
+
+/// `findings` as entries of `summary.json`, with quantities in `units`.
+pub(super) fn entries<T: Serialize>(findings: &[T], units: DisplayUnits) -> Vec<Entry> {
+    let entry = |finding: &T| {
+        let mut fields = match serde_json::to_value(finding) {
+            Ok(value) => match displayed(value, units) {
+                Value::Object(fields) => fields,
+                _ => Map::new(),
+            },
+            Err(_) => Map::new(),
+        };
+        Entry {
+            kind: fields.remove("kind"),
+            fields,
+        }
+    };
+    findings.iter().map(entry).collect()
+}
+
+/// `value` with at most twelve digits, its lengths in `units` and its angles in degrees.
+fn displayed(value: Value, units: DisplayUnits) -> Value {
+    match value {
+        Value::Number(number) if number.is_f64() => json!(number.as_f64().and_then(tidy)),
+        Value::Array(values) => {
+            let values = values.into_iter().map(|value| displayed(value, units));
+            values.collect()
+        }
+        Value::Object(fields) => {
+            let number = fields.get("value").and_then(Value::as_f64);
+            let (value, unit) = match fields.get("unit").and_then(Value::as_str) {
+                Some("mm") => (
+                    number.map(|mm| units.length.from_base(mm)),
+                    units.length.name,
+                ),
+                Some("rad") => (number.map(f64::to_degrees), "deg"),
+                _ => {
+                    let fields = fields.into_iter();
+                    let fields = fields.map(|(key, value)| (key, displayed(value, units)));
+                    return Value::Object(fields.collect());
+                }
+            };
+            json!({ "unit": unit, "value": value.and_then(tidy) })
+        }
+        other => other,
+    }
+}

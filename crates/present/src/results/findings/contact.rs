@@ -1,0 +1,142 @@
+//! Findings about one contact as sentences.
+
+use stickslip_engine::results::{ContactFinding, Quantity};
+use stickslip_scene::schema::DisplayUnits;
+
+use super::{numbers, quoted};
+
+/// `finding` about the contact `name` as a sentence or some, with lengths in `units`.
+pub(super) fn sentence(name: &str, finding: &ContactFinding, units: DisplayUnits) -> String {
+    match finding {
+        ContactFinding::UnequalThickness { bodies, thickness } => {
+            unequal_thickness(name, bodies, *thickness, units)
+        }
+        ContactFinding::WideClearance { clearance } => format!(
+            "Contact '{name}': the clearance is {:.0} % of the hole's radius. Points are paired at equal angles on the two circles, so \
+             away from θ = 0 their places along the contact differ by as much.",
+            100.0 * clearance
+        ),
+        ContactFinding::BeyondFineMesh {
+            step,
+            end,
+            both_ends,
+            limit,
+        } => {
+            let at = if *both_ends {
+                format!("±{}", shown(end.abs(), units))
+            } else {
+                format!("{} = {}", symbol(*end), shown(*end, units))
+            };
+            format!(
+                "Contact '{name}' ends at {at} in load step {step}, beyond the fine part of its mesh, which ends at ±{}: stresses near that end are as \
+                 accurate as the coarser mesh there. mesh.fine_to moves the limit.",
+                shown(*limit, units)
+            )
+        }
+        ContactFinding::BearingPointWanders {
+            step,
+            at,
+            largest_step,
+            largest_at,
+        } => wanders(name, [*step, *largest_step], [*at, *largest_at], units),
+        ContactFinding::Unresolved { steps, nodes } => format!(
+            "The mesh does not resolve contact '{name}' in load step {}: it touches along less than two element edges, at fewest at {nodes} \
+             {}. Its peak pressure, half-width and stresses nearby depend on the mesh; its resultant holds. Reduce mesh.spacing.",
+            numbers(steps),
+            if *nodes == 1 { "node" } else { "nodes" }
+        ),
+        ContactFinding::RipplingPressures {
+            bodies,
+            nodes,
+            stiffness_ratio,
+        } => ripples(name, bodies, *nodes, *stiffness_ratio),
+        ContactFinding::GapsUndetermined { bodies, steps } => gaps(name, bodies, steps),
+        ContactFinding::SlipUndetermined { bodies, steps } => slip(name, bodies, steps),
+    }
+}
+
+fn unequal_thickness(
+    name: &str,
+    [first, second]: &[String; 2],
+    thickness: [Quantity; 2],
+    units: DisplayUnits,
+) -> String {
+    let [one, other] = thickness.map(|thickness| shown(thickness, units));
+    format!(
+        "Contact '{name}': '{first}' is {one} thick and '{second}' {other}. CPRESS and CSHEAR1 are forces over the first one's thickness, and each body \
+         carries them evenly over its own."
+    )
+}
+
+fn wanders(
+    name: &str,
+    [step, largest_step]: [usize; 2],
+    places: [Quantity; 2],
+    units: DisplayUnits,
+) -> String {
+    let measured = match places[1] {
+        Quantity::Angle(_) => "Angles φ are counted from the latter",
+        Quantity::Length(_) => "Places x are counted from x = 0",
+    };
+    let [at, largest_at] = places.map(|place| {
+        let text = format!("{} = {}", symbol(place), shown(place, units));
+        match place {
+            Quantity::Angle(_) => text.replace('-', "−"),
+            Quantity::Length(_) => text,
+        }
+    });
+    format!(
+        "The bearing point of contact '{name}' wanders: it is at {at} in load step {step} and at {largest_at} in load step {largest_step}, where the contact force is \
+         largest. {measured}; stick, slip and friction of a step refer to the step's own bearing point, which summary.json and \
+         steps.csv give."
+    )
+}
+
+fn ripples(
+    name: &str,
+    [first, second]: &[String; 2],
+    [finer, coarser]: [usize; 2],
+    ratio: f64,
+) -> String {
+    format!(
+        "Contact '{name}' has {finer} nodes of '{first}' on {coarser} of '{second}', which gives {ratio:.0} times as much and \
+         cannot follow so many: pressures node by node are not unique and may open every other one. Their means over cells of \
+         '{second}' and the resultant hold. Give '{first}' a mesh no finer than that of '{second}' along the contact."
+    )
+}
+
+fn gaps(name: &str, bodies: &[String; 2], steps: &[usize]) -> String {
+    format!(
+        "In an increment of load step {} contact '{name}' touches at too few points, or at none, to hold {} against a rigid \
+         motion that changes no force: COPEN, displacements and what closes next are one of many answers of equal right, and so is what \
+         follows from them.",
+        numbers(steps),
+        quoted(bodies)
+    )
+}
+
+fn slip(name: &str, bodies: &[String; 2], steps: &[usize]) -> String {
+    format!(
+        "In an increment of load step {} no point of contact '{name}' sticks that would hold {} against a rigid motion along it, and \
+         slip in a range has the same friction: CSLIP1 on '{name}' and displacements are one of many answers of equal right, and so is what follows \
+         from them.",
+        numbers(steps),
+        quoted(bodies)
+    )
+}
+
+/// A length in display units, an angle in degrees.
+fn shown(quantity: Quantity, units: DisplayUnits) -> String {
+    match quantity {
+        Quantity::Angle(angle) => format!("{:.1}°", angle.to_degrees()),
+        Quantity::Length(length) => units.length.show(length),
+    }
+}
+
+/// What a place along an edge is called.
+fn symbol(place: Quantity) -> &'static str {
+    match place {
+        Quantity::Angle(_) => "θ",
+        Quantity::Length(_) => "x",
+    }
+}

@@ -1,0 +1,228 @@
+//! Findings as sentences and in `summary.json`.
+
+use std::fs;
+use std::path::Path;
+
+use serde_json::{Value, json};
+use stickslip::output::{joint_sentence, sentence, summary_json};
+use stickslip::results::{
+    ContactFinding, CutBackEffect, FailedSolver, Finding, FreeBody, FreeMotion, FurtherSolvers,
+    JointFinding, Quantity, SolverDependence, StatusCycle, UniquenessBound,
+};
+
+use super::fixture::results;
+
+/// One of every kind that concerns no contact.
+fn of_the_run() -> Vec<Finding> {
+    let steps = vec![2, 3, 4, 7];
+    let names = || vec!["a".to_owned(), "b".to_owned(), "c".to_owned()];
+    vec![
+        Finding::PointsInDoubt {
+            steps: steps.clone(),
+            points: 3,
+        },
+        Finding::FurtherSolvers(FurtherSolvers {
+            steps: steps.clone(),
+            failed: vec![FailedSolver {
+                solver: "status iteration",
+                reason: "cycled",
+                count: 2,
+            }],
+            cycle: Some(StatusCycle {
+                period: 2,
+                points: 5,
+            }),
+        }),
+        Finding::SeveralSolutions {
+            steps: steps.clone(),
+            solutions: 3,
+        },
+        Finding::NearUniquenessBound(UniquenessBound {
+            step: 3,
+            friction: 0.9,
+            estimate: 1.0,
+            solutions: Some(1),
+            other_solver_asked: false,
+        }),
+        Finding::CutBack {
+            steps: steps.clone(),
+            effect: CutBackEffect::Slip {
+                step: 7,
+                increments: 8,
+                slip_change: 0.0123456,
+                dissipation_change: 0.5,
+            },
+        },
+        Finding::SolverDependent(SolverDependence {
+            steps: steps.clone(),
+            step: 7,
+            solver: "pivoting",
+            peak_pressure_change: 0.25,
+            traction_change: 0.1 + 0.2,
+        }),
+        Finding::NoOtherSolver {
+            too_dear: steps.clone(),
+            unsolved: vec![1],
+        },
+        Finding::Unbalanced {
+            steps: steps.clone(),
+            residual: 2.8e-7,
+            usual: 1e-8,
+        },
+        Finding::ContactParts { steps },
+        Finding::FreeBody(FreeBody {
+            body: "pin".into(),
+            motion: FreeMotion::Translation,
+            contacts: names(),
+        }),
+        Finding::FreeTogether { bodies: names() },
+        Finding::ReserveWithInterference { contacts: names() },
+    ]
+}
+
+/// One of every kind that concerns a contact.
+fn of_a_contact() -> Vec<Finding> {
+    let bodies = || ["plate", "pin"].map(String::from);
+    let steps = || vec![2, 5];
+    let findings = [
+        ContactFinding::UnequalThickness {
+            bodies: bodies(),
+            thickness: [25.4, 50.8].map(Quantity::Length),
+        },
+        ContactFinding::WideClearance { clearance: 0.2 },
+        ContactFinding::BeyondFineMesh {
+            step: 2,
+            end: Quantity::Length(-25.4),
+            both_ends: false,
+            limit: Quantity::Length(12.7),
+        },
+        ContactFinding::BearingPointWanders {
+            step: 2,
+            at: Quantity::Angle(-0.5),
+            largest_step: 3,
+            largest_at: Quantity::Angle(std::f64::consts::PI),
+        },
+        ContactFinding::Unresolved {
+            steps: steps(),
+            nodes: 1,
+        },
+        ContactFinding::RipplingPressures {
+            bodies: bodies(),
+            nodes: [30, 10],
+            stiffness_ratio: 20.4,
+        },
+        ContactFinding::GapsUndetermined {
+            bodies: bodies(),
+            steps: steps(),
+        },
+        ContactFinding::SlipUndetermined {
+            bodies: bodies(),
+            steps: steps(),
+        },
+    ];
+    findings
+        .map(|finding| Finding::about("pin", finding))
+        .into()
+}
+
+/// One of every kind that concerns a followed joint.
+fn of_a_joint() -> [JointFinding; 5] {
+    let [row_width, cell_size, largest_cell] = [25.4, 50.8, 12.7].map(Quantity::Length);
+    [
+        JointFinding::CrackBandIdle {
+            energy: "fibre_tension",
+            row_width,
+            cell_size,
+            largest_cell,
+        },
+        JointFinding::CrackBandPartial {
+            energy: "matrix_tension",
+            lowered_cells: 27,
+            cells: 78,
+            cell_size,
+        },
+        JointFinding::SubstepsIgnored,
+        JointFinding::ClearOfSupportsIgnored,
+        JointFinding::OtherBodiesIntact {
+            bodies: vec!["a".into(), "b".into()],
+        },
+    ]
+}
+
+#[test]
+fn sentences_hold_steps_parts_and_display_units() {
+    let units = results().units;
+    let mut words: Vec<String> = (of_the_run().iter().chain(&of_a_contact()))
+        .map(|finding| sentence(finding, units))
+        .collect();
+    words.extend(of_a_joint().map(|finding| joint_sentence(&finding, units)));
+    let begin = |part: &str| words.iter().filter(|words| words.starts_with(part)).count();
+    for part in [
+        "The answer is not unique in load step 2–4, 7: up to 3 contact points stick",
+        "More than the first solver was needed in load step 2–4, 7: status iteration: cycled (×2). In the first cycle the statuses of 5 points repeated with period 2.",
+        "Friction of up to 0.900 is near 1.000, the estimate of the coefficient of friction up to which load step 3 ",
+        "The increment was cut back in load step 2–4, 7. Smaller increments give the same tractions. Slip counts from the increment in which a point closes: in 8 equal increments CSLIP1 of load step 7 changes by up to 1.2 % of its largest, the work of friction by 50 %.",
+        "Forces balance to 2.8e-7 of the load only in load step 2–4, 7, where 1e-8 is usual:",
+        "Body 'pin' can slide freely: its translation and CSLIP1 on 'a', 'b' and 'c' are not unique.",
+        "Contact 'pin': 'plate' is 1 in thick and 'pin' 2 in.",
+        "Contact 'pin' ends at x = -1 in in load step 2, beyond the fine part of its mesh, which ends at ±0.5 in:",
+        "The bearing point of contact 'pin' wanders: it is at θ = −28.6° in load step 2 and at θ = 180.0° in load step 3, where the contact force is largest. Angles φ are counted from the latter;",
+        "crack_band.fibre_tension has no effect on this mesh: it lowers strengths in rows of points wider than 1 in, that is in cells larger than 2 in; the largest cell has 0.5 in.",
+        "Plies of 'a', 'b' do not fail here: one body is followed.",
+    ] {
+        assert_eq!(begin(part), 1, "{part} in {words:#?}");
+    }
+}
+
+#[test]
+fn the_summary_has_their_numbers_in_display_units() {
+    let mut results = results();
+    results.findings = [of_the_run(), of_a_contact()].concat();
+    let summary = summary_json(&results);
+    let findings = summary["findings"].as_array().unwrap();
+    assert_eq!(findings.len(), summary["notes"].as_array().unwrap().len());
+    let of_kind = |kind: &str| findings.iter().find(|finding| finding["kind"] == kind);
+    let inches = |value: f64| json!({ "value": value, "unit": "in" });
+    assert_eq!(
+        of_kind("solver_dependent").unwrap(),
+        &json!({
+            "kind": "solver_dependent", "steps": [2, 3, 4, 7], "step": 7, "solver": "pivoting",
+            "peak_pressure_change": 0.25, "traction_change": 0.3,
+        })
+    );
+    assert_eq!(
+        of_kind("unequal_thickness").unwrap(),
+        &json!({
+            "kind": "unequal_thickness", "contact": "pin", "bodies": ["plate", "pin"],
+            "thickness": [inches(1.0), inches(2.0)],
+        })
+    );
+    let place = &of_kind("bearing_point_wanders").unwrap()["largest_at"];
+    assert_eq!(place, &json!({ "value": 180.0, "unit": "deg" }));
+    let effect = &of_kind("cut_back").unwrap()["effect"];
+    assert_eq!(effect["kind"], "slip");
+}
+
+#[test]
+fn every_kind_and_key_is_described() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/summary-format.md");
+    let text = fs::read_to_string(path).unwrap();
+    let findings = [of_the_run(), of_a_contact()].concat();
+    let entries = (findings.iter().map(serde_json::to_value)).chain(
+        of_a_joint()
+            .iter()
+            .map(serde_json::to_value)
+            .collect::<Vec<_>>(),
+    );
+    for entry in entries {
+        let Value::Object(entry) = entry.unwrap() else {
+            panic!("a finding is an object");
+        };
+        let line = format!("| `{}` |", entry["kind"].as_str().unwrap());
+        let line = text.lines().find(|described| described.starts_with(&line));
+        let line = line.unwrap_or_else(|| panic!("{entry:?} is not described"));
+        for key in entry.keys().filter(|key| *key != "kind") {
+            assert!(line.contains(&format!("`{key}`")), "{key}: {line}");
+        }
+    }
+}
