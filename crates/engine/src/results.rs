@@ -172,7 +172,7 @@ pub struct EdgeRow {
 }
 
 /// One edge at the end of a load step.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct EdgeResults {
     /// One row per node.
     pub rows: Vec<EdgeRow>,

@@ -21,6 +21,7 @@ mod findings;
 mod names;
 mod page;
 mod progressive;
+mod quantities;
 mod summary;
 mod tables;
 pub use findings::{joint_sentence, quoted, sentence};

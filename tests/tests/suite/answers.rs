@@ -95,7 +95,7 @@ fn a_balance_that_rounding_spoils_is_reported() {
         let worst = results.steps.iter().map(|step| step.balance_residual);
         assert_eq!(residuals(&results), [worst.fold(0.0, f64::max)]);
     }
-    assert_eq!(residuals(&Draft::pin().run()), []);
+    assert!(residuals(&Draft::pin().run()).is_empty());
 }
 
 /// A plate that hangs on one node of its bush may swing about it: no force changes, but gaps do.

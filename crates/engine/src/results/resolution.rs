@@ -117,17 +117,7 @@ mod tests {
         };
         let edge = EdgeResults {
             rows: pressures.iter().map(row).collect(),
-            zones: Vec::new(),
-            bearing: None,
-            contact_half_extent: None,
-            stick_half_extent: None,
-            peak_pressure: None,
-            peak_hoop: None,
-            peak_hoop_uncertainty: None,
-            hoop_at_bearing_point: None,
-            resultant: [0.0; 2],
-            friction_force: 0.0,
-            normal_force: 0.0,
+            ..EdgeResults::default()
         };
         edge.fewest_contact_nodes(&geometry)
     }

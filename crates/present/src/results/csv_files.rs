@@ -5,6 +5,7 @@ use stickslip_text::plain::csv_cell;
 
 use super::display::EdgeView;
 use super::names::{FileNames, step_name};
+use super::quantities::csv_columns;
 use super::{FileNote, OutputError, failure};
 use crate::PutFile;
 use stickslip_engine::results::{EdgeRow, Results};
@@ -169,101 +170,18 @@ fn steps(results: &Results) -> Result<Vec<u8>, OutputError> {
 }
 
 fn edge_quantities<'a>(edge: EdgeView<'a>, prefix: &str) -> Vec<StepColumn<'a>> {
-    let units = edge.units();
-    let place_unit = edge.place_unit();
-    let names = if edge.is_circle() {
-        ["half_angle", "angle"]
-    } else {
-        ["half_width", "position"]
-    };
-    let mut columns: Vec<StepColumn<'a>> = Vec::new();
-    let mut add = |name: String, unit: &str, value: Box<dyn Fn(usize) -> Option<f64> + 'a>| {
-        let cell = move |step: usize| value(step).map_or(String::new(), number);
-        columns.push((format!("{prefix}{name} [{unit}]"), Box::new(cell)));
-    };
-    let stress = units.stress.name;
+    let declared = csv_columns(edge).map(|column| {
+        let heading = format!("{prefix}{} [{}]", column.heading, column.unit);
+        (heading, column.cell)
+    });
+    let mut columns: Vec<StepColumn<'a>> = declared.collect();
     if edge.geometry.contact {
-        let place = move |value: Option<f64>| value.map(|value| edge.place(value));
-        let length = move |value: Option<f64>| value.map(|value| edge.length(value));
-        add(
-            format!("contact_{}", names[0]),
-            place_unit,
-            Box::new(move |k| length(edge.step(k).contact_half_extent)),
-        );
-        add(
-            format!("stick_{}", names[0]),
-            place_unit,
-            Box::new(move |k| length(edge.step(k).stick_half_extent)),
-        );
-        add(
-            format!("bearing_{}", names[1]),
-            place_unit,
-            Box::new(move |k| edge.bearing_place(k)),
-        );
-        add(
-            "peak_pressure".into(),
-            stress,
-            Box::new(move |k| edge.step(k).peak_pressure.map(|(p, _)| edge.stress(p))),
-        );
-        let at = move |k: usize| place(edge.step(k).peak_pressure.map(|(_, place)| place));
-        add(
-            format!("peak_pressure_{}", names[1]),
-            place_unit,
-            Box::new(at),
-        );
-    }
-    if edge.geometry.contact && edge.geometry.bearing_area.is_some() {
-        add(
-            "bearing_stress".into(),
-            stress,
-            Box::new(move |k| edge.bearing(k).map(|value| edge.stress(value))),
-        );
-    }
-    add(
-        "peak_hoop".into(),
-        stress,
-        Box::new(move |k| edge.step(k).peak_hoop.map(|(value, _)| edge.stress(value))),
-    );
-    add(
-        "peak_hoop_uncertainty".into(),
-        stress,
-        Box::new(move |k| {
-            edge.step(k)
-                .peak_hoop_uncertainty
-                .map(|value| edge.stress(value))
-        }),
-    );
-    let at = move |k: usize| edge.step(k).peak_hoop.map(|(_, place)| edge.place(place));
-    add(format!("peak_hoop_{}", names[1]), place_unit, Box::new(at));
-    let hoop = move |k: usize| {
-        edge.step(k)
-            .hoop_at_bearing_point
-            .map(|value| edge.stress(value))
-    };
-    add("hoop_at_bearing_point".into(), stress, Box::new(hoop));
-    if edge.geometry.contact {
-        let force = units.force;
-        let in_force = move |value: f64| Some(force.from_base(value));
-        add(
-            "friction_force".into(),
-            force.name,
-            Box::new(move |k| edge.friction_force(k).and_then(in_force)),
-        );
-        add(
-            "normal_force".into(),
-            force.name,
-            Box::new(move |k| in_force(edge.step(k).normal_force)),
-        );
-        add(
-            "resultant_x".into(),
-            force.name,
-            Box::new(move |k| in_force(edge.step(k).resultant[0])),
-        );
-        add(
-            "resultant_y".into(),
-            force.name,
-            Box::new(move |k| in_force(edge.step(k).resultant[1])),
-        );
+        let force = edge.units().force;
+        for (axis, name) in ["x", "y"].into_iter().enumerate() {
+            let heading = format!("{prefix}resultant_{name} [{}]", force.name);
+            let cell = move |k: usize| number(force.from_base(edge.step(k).resultant[axis]));
+            columns.push((heading, Box::new(cell)));
+        }
     }
     columns
 }

@@ -162,12 +162,7 @@ impl<'a> EdgeView<'a> {
         })
     }
 
-    /// Place of the bearing point of a step in display units: θ_b from +x, or x.
-    pub(super) fn bearing_place(&self, step: usize) -> Option<f64> {
-        self.step(step).bearing.map(|at| self.length(at))
-    }
-
-    /// The same from the frame's bearing point.
+    /// Place of the bearing point of a step in display units, from the frame's bearing point or x.
     pub(super) fn bearing_point(&self, step: usize) -> Option<f64> {
         self.step(step).bearing.map(|at| self.place(at))
     }

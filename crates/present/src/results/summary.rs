@@ -10,11 +10,12 @@ use stickslip_contact::history::Difference;
 use super::display::EdgeView;
 use super::failure::{self, FailureView};
 use super::findings;
+use super::quantities::SummaryQuantities;
 use super::zones::{contact_ranges, stick_ranges, zone_ranges};
 use keys::{
     Body, Choice, ContactZone, Cycle, Edge, EdgeStep, FORMAT_VERSION, Failed, Load, OtherAnswer,
-    OwnEdgeStep, Place, Places, Program, Quantity, Resultant, SlipZone, SolverNotes, Step, Summary,
-    Units,
+    OwnEdgeStep, Place, Program, Quantity, Resultant, SlipZone, SolverNotes, Step, Summary, Units,
+    Zones,
 };
 use stickslip_engine::LoadScale;
 use stickslip_engine::results::{BearingSource, EdgeKind, LoadValue, Results, StepNotes};
@@ -251,77 +252,36 @@ fn solver_notes(notes: &StepNotes, units: DisplayUnits) -> SolverNotes {
 
 fn edge_step(view: &EdgeView<'_>, step: usize) -> EdgeStep {
     let edge = view.step(step);
-    let units = view.units();
-    let stress = |value: f64| Quantity {
-        value: tidy(view.stress(value)),
-        unit: units.stress.name.to_owned(),
-    };
-    let force = |value: f64| Quantity {
-        value: tidy(units.force.from_base(value)),
-        unit: units.force.name.to_owned(),
-    };
-    let in_contact = |value: f64| view.geometry.contact.then_some(value);
+    let force = view.units().force;
     EdgeStep {
+        zones: zones(view, step),
+        quantities: SummaryQuantities::of(view, step),
         fewest_contact_nodes: edge.fewest_contact_nodes(view.geometry),
         contact_resolved: edge.is_resolved(view.geometry),
-        places: if view.is_circle() {
-            on_circle(view, step)
-        } else {
-            on_line(view, step)
-        },
-        peak_pressure: edge.peak_pressure.map(|(value, _)| stress(value)),
-        peak_hoop: edge.peak_hoop.map(|(value, _)| stress(value)),
-        peak_hoop_uncertainty: edge.peak_hoop_uncertainty.map(stress),
-        hoop_at_bearing_point: edge.hoop_at_bearing_point.map(stress),
-        friction_force: view.friction_force(step).map(force),
-        normal_force: in_contact(edge.normal_force).map(force),
         resultant: view.geometry.contact.then(|| Resultant {
-            x: tidy(units.force.from_base(edge.resultant[0])),
-            y: tidy(units.force.from_base(edge.resultant[1])),
-            unit: units.force.name,
+            x: tidy(force.from_base(edge.resultant[0])),
+            y: tidy(force.from_base(edge.resultant[1])),
+            unit: force.name,
         }),
     }
 }
 
-fn on_circle(view: &EdgeView<'_>, step: usize) -> Places {
-    let edge = view.step(step);
-    let degrees = |angle: f64| tidy(angle.to_degrees());
-    let place = |peak: Option<(f64, f64)>| peak.and_then(|(_, place)| tidy(view.place(place)));
-    let bearing = view.bearing(step);
-    let over_bearing = |stress: f64| bearing.and_then(|bearing| tidy(stress / bearing));
-    Places::Circle {
-        bearing_angle_deg: view.bearing_place(step).and_then(tidy),
-        contact_half_angle_deg: edge.contact_half_extent.and_then(degrees),
-        stick_half_angle_deg: view.step(step).stick_half_extent.and_then(degrees),
-        contact_zones_deg: zone_list(view, contact_ranges(view, step)),
-        stick_zones_deg: zone_list(view, stick_ranges(view, step)),
-        slip_zones_deg: slip_zones(view, step),
-        bearing_stress: bearing.map(|bearing| Quantity {
-            value: tidy(view.stress(bearing)),
-            unit: view.units().stress.name.to_owned(),
-        }),
-        peak_pressure_over_bearing: edge
-            .peak_pressure
-            .and_then(|(value, _)| over_bearing(value)),
-        peak_pressure_angle_deg: place(edge.peak_pressure),
-        peak_hoop_over_bearing: edge.peak_hoop.and_then(|(value, _)| over_bearing(value)),
-        peak_hoop_angle_deg: place(edge.peak_hoop),
-        hoop_at_bearing_point_over_bearing: edge.hoop_at_bearing_point.and_then(over_bearing),
-    }
-}
-
-fn on_line(view: &EdgeView<'_>, step: usize) -> Places {
-    let edge = view.step(step);
-    let length = |value: f64| length(view, value);
-    Places::Line {
-        bearing_position: edge.bearing.map(length),
-        contact_half_width: edge.contact_half_extent.map(length),
-        stick_half_width: view.step(step).stick_half_extent.map(length),
-        contact_zones: zone_list(view, contact_ranges(view, step)),
-        stick_zones: zone_list(view, stick_ranges(view, step)),
-        slip_zones: slip_zones(view, step),
-        peak_pressure_position: edge.peak_pressure.map(|(_, place)| length(place)),
-        peak_hoop_position: edge.peak_hoop.map(|(_, place)| length(place)),
+fn zones(view: &EdgeView<'_>, step: usize) -> Zones {
+    let contact = zone_list(view, contact_ranges(view, step));
+    let stick = zone_list(view, stick_ranges(view, step));
+    let slip = slip_zones(view, step);
+    if view.is_circle() {
+        Zones::Circle {
+            contact_zones_deg: contact,
+            stick_zones_deg: stick,
+            slip_zones_deg: slip,
+        }
+    } else {
+        Zones::Line {
+            contact_zones: contact,
+            stick_zones: stick,
+            slip_zones: slip,
+        }
     }
 }
 

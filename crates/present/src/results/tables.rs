@@ -13,6 +13,7 @@ use super::display::shared;
 use super::display::{EdgeView, even};
 use super::failure::{self, FailureView};
 use super::progressive::{self, ProgressiveView};
+use super::quantities::table_columns;
 use super::zones::{contact_reach, stick_ranges, zone_length};
 use fit::fitted;
 use stickslip_engine::LoadScale;
@@ -74,7 +75,7 @@ pub(super) fn contact_table(edge: &EdgeView<'_>, one_load: bool, detail: Detail)
     let edge = *edge;
     let mut columns = load_columns(edge);
     columns.extend(extent_columns(edge));
-    columns.extend(peak_columns(edge, detail));
+    columns.extend(quantity_columns(edge, detail));
     columns.extend(work_columns(edge, detail));
     let mut table = assembled(edge.results(), &columns);
     table.caption = format!("Contact {}", captioned(&edge, one_load));
@@ -85,7 +86,7 @@ pub(super) fn contact_table(edge: &EdgeView<'_>, one_load: bool, detail: Detail)
 pub(super) fn stress_table(edge: &EdgeView<'_>, one_load: bool) -> Table {
     let edge = *edge;
     let mut columns = load_columns(edge);
-    columns.extend(hoop_columns(edge));
+    columns.extend(quantity_columns(edge, Detail::Brief));
     let mut table = assembled(edge.results(), &columns);
     table.caption = format!("Edge {}", captioned(&edge, one_load));
     table
@@ -210,68 +211,10 @@ pub(super) fn lies_evenly(edge: &EdgeView<'_>) -> bool {
     })
 }
 
-fn peak_columns(edge: EdgeView<'_>, detail: Detail) -> Vec<StepColumn<'_>> {
-    let stress = edge.units().stress.name;
-    let pressure = move |step: usize| edge.step(step).peak_pressure;
-    let mut columns = vec![column("max p", stress, move |step| {
-        pressure(step).map_or("–".into(), |(value, _)| {
-            significant(edge.stress(value), 5)
-        })
-    })];
-    if detail == Detail::Full && edge.geometry.bearing_area.is_some() {
-        columns.push(column("max p/σ_b", "–", move |step| {
-            let bearing = edge.bearing(step);
-            decimals(
-                pressure(step)
-                    .zip(bearing)
-                    .map(|((value, _), bearing)| value / bearing),
-                3,
-            )
-        }));
-    }
-    columns.push(place_column(edge, pressure));
-    columns.extend(hoop_columns(edge));
-    if detail == Detail::Full && edge.geometry.bearing_area.is_some() {
-        columns.push(column(
-            format!("max {}/σ_b", edge.stress_symbols()[1]),
-            "–",
-            move |step| {
-                let hoop = edge.step(step).peak_hoop;
-                decimals(
-                    hoop.zip(edge.bearing(step))
-                        .map(|((value, _), bearing)| value / bearing),
-                    3,
-                )
-            },
-        ));
-    }
-    columns
-}
-
-fn hoop_columns(edge: EdgeView<'_>) -> Vec<StepColumn<'_>> {
-    let hoop = move |step: usize| edge.step(step).peak_hoop;
-    let name = format!("max {}", edge.stress_symbols()[1]);
-    let value = column(name, edge.units().stress.name, move |step| {
-        hoop(step).map_or("–".into(), |(value, _)| {
-            significant(edge.stress(value), 5)
-        })
-    });
-    let uncertainty = column("±", edge.units().stress.name, move |step| {
-        let cusp = edge.step(step).peak_hoop_uncertainty;
-        cusp.map_or("–".into(), |value| significant(edge.stress(value), 2))
-    });
-    vec![value, uncertainty, place_column(edge, hoop)]
-}
-
-fn place_column<'a>(
-    edge: EdgeView<'a>,
-    peak: impl Fn(usize) -> Option<(f64, f64)> + 'a,
-) -> StepColumn<'a> {
-    column(
-        format!("at {}", edge.place_symbol()),
-        edge.place_unit(),
-        move |step| along(edge, peak(step).map(|(_, place)| edge.place(place))),
-    )
+/// The columns of declared quantities.
+fn quantity_columns(edge: EdgeView<'_>, detail: Detail) -> impl Iterator<Item = StepColumn<'_>> {
+    let columns = table_columns(edge, detail == Detail::Full);
+    columns.map(|own| (own.heading, own.unit.to_owned(), own.cell))
 }
 
 fn work_columns(edge: EdgeView<'_>, detail: Detail) -> Vec<StepColumn<'_>> {

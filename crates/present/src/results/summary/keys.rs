@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::results::failure::summary::Failure;
 use crate::results::findings::Entry;
+use crate::results::quantities::SummaryQuantities;
 
 /// Version of the format; a change that could break a reader raises it.
 pub(super) const FORMAT_VERSION: u32 = 2;
@@ -182,15 +183,11 @@ pub(super) struct OwnEdgeStep {
 #[derive(Debug, Serialize)]
 pub(super) struct EdgeStep {
     #[serde(flatten)]
-    pub(super) places: Places,
+    pub(super) zones: Zones,
+    #[serde(flatten)]
+    pub(super) quantities: SummaryQuantities,
     pub(super) fewest_contact_nodes: Option<usize>,
     pub(super) contact_resolved: Option<bool>,
-    pub(super) peak_pressure: Option<Quantity>,
-    pub(super) peak_hoop: Option<Quantity>,
-    pub(super) peak_hoop_uncertainty: Option<Quantity>,
-    pub(super) hoop_at_bearing_point: Option<Quantity>,
-    pub(super) friction_force: Option<Quantity>,
-    pub(super) normal_force: Option<Quantity>,
     pub(super) resultant: Option<Resultant>,
 }
 
@@ -201,33 +198,19 @@ pub(super) struct Resultant {
     pub(super) unit: &'static str,
 }
 
-/// What is measured along the edge: in degrees on a circle, in lengths on a line.
+/// Zones along the edge: in degrees on a circle, in lengths on a line.
 #[derive(Debug, Serialize)]
 #[serde(untagged)]
-pub(super) enum Places {
+pub(super) enum Zones {
     Circle {
-        bearing_angle_deg: Option<f64>,
-        contact_half_angle_deg: Option<f64>,
         contact_zones_deg: Vec<ContactZone>,
         stick_zones_deg: Vec<ContactZone>,
-        stick_half_angle_deg: Option<f64>,
         slip_zones_deg: Vec<SlipZone>,
-        bearing_stress: Option<Quantity>,
-        peak_pressure_over_bearing: Option<f64>,
-        peak_pressure_angle_deg: Option<f64>,
-        peak_hoop_over_bearing: Option<f64>,
-        peak_hoop_angle_deg: Option<f64>,
-        hoop_at_bearing_point_over_bearing: Option<f64>,
     },
     Line {
-        bearing_position: Option<Quantity>,
-        contact_half_width: Option<Quantity>,
         contact_zones: Vec<ContactZone>,
         stick_zones: Vec<ContactZone>,
-        stick_half_width: Option<Quantity>,
         slip_zones: Vec<SlipZone>,
-        peak_pressure_position: Option<Quantity>,
-        peak_hoop_position: Option<Quantity>,
     },
 }
 
