@@ -105,14 +105,14 @@ fn gaps_that_contact_leaves_undetermined_are_reported() {
         .map(|solver| solved("loose-on-one-node", &[&format!("analysis.solver={solver}")]));
     for results in [&newton, &pivoting] {
         let loose = found(results, |finding| match finding {
-            Finding::Contact { contact, finding } => match finding {
-                ContactFinding::GapsUndetermined { bodies, steps } => Some((
-                    contact.as_str(),
-                    bodies.each_ref().map(String::as_str),
-                    &steps[..],
-                )),
-                _ => None,
-            },
+            Finding::Contact {
+                contact,
+                finding: ContactFinding::GapsUndetermined { bodies, steps },
+            } => Some((
+                contact.as_str(),
+                bodies.each_ref().map(String::as_str),
+                &steps[..],
+            )),
             _ => None,
         });
         assert_eq!(loose, [("bush", ["plate", "bush"], &[1, 2, 3, 4][..])]);

@@ -129,7 +129,7 @@ fn key_of_drive(scene: &Scene, bodies: &[usize]) -> String {
 
 /// ", for 'pin' and 'plate'", if these are not all bodies.
 fn among(scene: &Scene, bodies: &[usize]) -> String {
-    let quoted = quoted(names(scene, bodies).into_iter());
+    let quoted = quoted(names(scene, bodies));
     if quoted.is_empty() {
         quoted
     } else {
