@@ -79,13 +79,15 @@ pub(super) fn build(
     let contacts = builder.contacts(format, &materials);
     let supports = builder.supports(format);
     let platens = builder.platens(format, &contacts);
-    let loads = builder.loads(format, &materials, base);
+    let (numbers, loads): (Vec<_>, Vec<_>) =
+        builder.loads(format, &materials, base).into_iter().unzip();
     let edges = builder.edges(format);
     let surroundings = Surroundings {
         contacts: &contacts,
         supports: &supports,
         platens: &platens,
         loads: &loads,
+        numbers: &numbers,
     };
     let failure = builder.failure(format, &materials, &surroundings);
     builder.everything_is_held(&contacts, &supports, &platens);
@@ -190,6 +192,21 @@ impl Builder<'_> {
             self.out_of_range(&child(table, name), quantity.text(), "greater than 0");
         }
         quantity.value()
+    }
+
+    /// Whether something below `key` has been refused, and needs no second message.
+    fn is_refused(&self, key: &str) -> bool {
+        let below = |finding: &Finding| {
+            let rest = finding.key.strip_prefix(key);
+            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+        };
+        self.findings.iter().any(below)
+    }
+
+    /// Entries of the list `name` as written; fewer were read where some are refused.
+    fn written(&self, name: &str) -> usize {
+        let list = self.document.get(name).and_then(Value::as_array);
+        list.map_or(0, Vec::len)
     }
 
     /// Names are parts of keys and of file names.

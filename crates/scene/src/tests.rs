@@ -1,5 +1,6 @@
 //! Scenes that are right, and what tests of wrong ones share.
 
+mod collected;
 mod lists;
 mod refusals;
 

@@ -29,7 +29,6 @@ impl Builder<'_> {
         for (name, material) in &format.materials {
             self.name("materials", name);
             let table = child("materials", name);
-            let before = self.findings.len();
             let (kind, material) = match material {
                 MaterialFormat::Isotropic(given) => ("isotropic", self.isotropic(&table, given)),
                 MaterialFormat::Orthotropic(given) => {
@@ -44,7 +43,7 @@ impl Builder<'_> {
                 }
             };
             // Constants that are wrong each for itself need no second message.
-            if self.findings.len() == before
+            if !self.is_refused(&table)
                 && let Err(cause) = material.in_plane(plane)
             {
                 self.bad_material(&child(&table, kind), name, cause);

@@ -29,10 +29,7 @@ impl Builder<'_> {
         let given = format.failure.as_ref()?;
         let criteria = self.criteria(given);
         let bodies = self.failing_bodies(given, materials);
-        // Strengths are asked for when everything else is right.
-        if self.findings.is_empty() {
-            self.strengths(&criteria, &bodies, materials);
-        }
+        self.strengths(given, &criteria, &bodies, materials);
         let characteristic = given.characteristic.as_ref().map(|distances| {
             let table = "failure.characteristic";
             self.holes(given, &bodies);
@@ -106,8 +103,11 @@ impl Builder<'_> {
             .cloned()
             .collect();
         let Some(named) = &given.bodies else {
-            // A laminate that is refused for itself leaves none, which needs no second message.
-            if laminates.is_empty() && self.findings.is_empty() {
+            let all_known = self
+                .bodies
+                .keys()
+                .all(|name| self.is_known(name, materials));
+            if laminates.is_empty() && all_known {
                 self.report("failure", Part::Key, LaminateProblem::NoLaminates.into());
             }
             return laminates;
@@ -124,7 +124,7 @@ impl Builder<'_> {
                 self.undefined(&key, "body", name, known);
             } else if laminates.contains(name) {
                 bodies.push(name.clone());
-            } else if self.findings.is_empty() {
+            } else if self.is_known(name, materials) {
                 let problem = LaminateProblem::NoPlies {
                     body: name.clone(),
                     laminates: laminates.clone(),
@@ -148,9 +148,20 @@ impl Builder<'_> {
         }
     }
 
+    /// Whether what the body is made of could be read; what is wrong with it has been reported.
+    fn is_known(&self, body: &str, materials: &Materials) -> bool {
+        let substance = self.bodies.get(body).map(|body| &body.substance);
+        let read = match substance {
+            Some(Substance::Elastic { material, .. }) => materials.contains_key(material),
+            _ => true,
+        };
+        read && !self.is_refused(&child("bodies", body))
+    }
+
     /// Every ply must have what every criterion asks for, and parameters must fit the strengths.
     fn strengths(
         &mut self,
+        given: &FailureFormat,
         criteria: &[Arc<dyn FailureCriterion>],
         bodies: &[String],
         materials: &Materials,
@@ -160,8 +171,11 @@ impl Builder<'_> {
             let Some(sheet) = self.sheet(body, materials).cloned() else {
                 continue;
             };
-            for (index, criterion) in criteria.iter().enumerate() {
+            for criterion in criteria {
                 for layer in sheet.laminate.layers() {
+                    if self.is_refused(&child("plies", layer.ply().name())) {
+                        continue;
+                    }
                     let tried = criterion.check(layer.ply()).and_then(|()| {
                         let none = PlyLoading::default();
                         criterion.assess(layer.ply(), &none).map(|_| ())
@@ -174,7 +188,11 @@ impl Builder<'_> {
                             FailureError::OpenSurface { .. } => {
                                 "failure.tsai_wu_interaction".to_owned()
                             }
-                            _ => format!("failure.criteria.{index}"),
+                            _ => {
+                                let named = |name: &String| name == criterion.name();
+                                let index = given.criteria.iter().position(named);
+                                format!("failure.criteria.{}", index.unwrap_or_default())
+                            }
                         };
                         self.report(&key, Part::Value, LaminateProblem::Failure { cause }.into());
                     }

@@ -111,15 +111,9 @@ impl Builder<'_> {
             return self.groups_are_held(&[], supports, platens);
         };
         // A contact or support that could not be read has been reported; what it holds is not known.
-        let written = |name: &str| {
-            self.document
-                .get(name)
-                .and_then(|list| list.as_array())
-                .map_or(0, Vec::len)
-        };
         let complete = pairs.len() == contacts.len()
-            && written("supports") == supports.len()
-            && written("platens") == platens.len();
+            && self.written("supports") == supports.len()
+            && self.written("platens") == platens.len();
         if complete {
             self.groups_are_held(contacts, supports, platens);
         }

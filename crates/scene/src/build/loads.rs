@@ -17,13 +17,14 @@ fn values<M: Measure>(steps: &[Quantity<M>]) -> Vec<f64> {
 }
 
 impl Builder<'_> {
+    /// The loads that could be read, with their numbers in the scene.
     pub(super) fn loads(
         &mut self,
         format: &SceneFormat,
         materials: &BTreeMap<String, Material>,
         base: &Path,
-    ) -> Vec<Load> {
-        let mut loads: Vec<Load> = Vec::new();
+    ) -> Vec<(usize, Load)> {
+        let mut loads: Vec<(usize, Load)> = Vec::new();
         for (index, given) in format.loads.iter().enumerate() {
             let key = format!("loads.{index}");
             let name = given
@@ -33,8 +34,8 @@ impl Builder<'_> {
             let Some(kind) = self.kind(&key, given, materials, base) else {
                 continue;
             };
-            self.history(&key, &name, &kind, loads.first());
-            loads.push(Load { name, kind });
+            self.history(&key, &name, &kind, loads.first().map(|(_, first)| first));
+            loads.push((index, Load { name, kind }));
         }
         loads
     }

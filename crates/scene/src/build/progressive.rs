@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use stickslip_joint::FractureEnergies;
-use stickslip_laminate::progressive::PointModelParameters;
+use stickslip_laminate::laminate::Layer;
+use stickslip_laminate::progressive::{PointModelParameters, ProgressiveError};
 use stickslip_laminate::{FailureCriterion, FailureError};
 
 use super::failure::{Materials, criterion};
@@ -31,6 +32,8 @@ pub(super) struct Surroundings<'a> {
     pub(super) supports: &'a [Support],
     pub(super) platens: &'a [Platen],
     pub(super) loads: &'a [Load],
+    /// Their numbers in the scene.
+    pub(super) numbers: &'a [usize],
 }
 
 impl Builder<'_> {
@@ -42,11 +45,11 @@ impl Builder<'_> {
         around: &Surroundings<'_>,
     ) -> Option<Progressive> {
         let given = failure.progressive.as_ref()?;
-        let body = self.progressive_body(given, bodies)?;
-        self.one_pin(&body, around);
+        let body = self.progressive_body(given, bodies);
+        if let Some(body) = &body {
+            self.one_pin(body, around);
+        }
         self.no_heating(around);
-        // A body of `bodies` has plies.
-        let sheet = Arc::clone(self.sheet(&body, materials)?);
         let parameters =
             match point_model::read(self.document, &child(TABLE, "model"), &given.model) {
                 Ok(parameters) => Some(parameters),
@@ -55,13 +58,15 @@ impl Builder<'_> {
                     None
                 }
             };
-        let model = parameters
-            .clone()
-            .and_then(|parameters| self.progressive_model(parameters, failure, &sheet));
+        let sheet = body.as_ref().and_then(|body| self.sheet(body, materials));
+        let model = match (parameters.clone(), sheet.cloned()) {
+            (Some(parameters), Some(sheet)) => self.progressive_model(parameters, failure, &sheet),
+            _ => None,
+        };
         let crack_band = self.crack_band(given, parameters.as_deref());
         let control = self.control(given, around);
         Some(Progressive {
-            body,
+            body: body?,
             model: model?,
             crack_band,
             control: control?,
@@ -88,12 +93,12 @@ impl Builder<'_> {
     /// Load and place of failure are read at a pin.
     fn one_pin(&mut self, body: &str, around: &Surroundings<'_>) {
         let hole = |set: &SetRef| set.body == body && set.set == "hole";
-        let pins = around.contacts.iter();
-        let count = pins.filter(|pair| hole(&pair.first) || hole(&pair.second));
-        let contacts = count.count();
-        if contacts != 1 && self.findings.is_empty() {
+        let mut contacts = around.contacts.iter();
+        let touched = contacts.any(|pair| hole(&pair.first) || hole(&pair.second));
+        // A contact that could not be read may be the pin's, and several at one hole are refused as such.
+        if !touched && self.written("contacts") == around.contacts.len() {
             let body = body.to_owned();
-            let problem = LaminateProblem::NoPin { body, contacts };
+            let problem = LaminateProblem::NoPin { body };
             self.report(TABLE, Part::Key, problem.into());
         }
     }
@@ -134,14 +139,27 @@ impl Builder<'_> {
             criterion,
         };
         match model.point(sheet.laminate.clone()) {
-            // What the criteria of [failure] lack has been said.
-            Err(cause) if self.findings.is_empty() => {
+            Err(cause) if !self.is_reported(&cause, sheet) => {
                 let problem = LaminateProblem::Progressive { cause };
                 self.report(&key, Part::Value, problem.into());
                 None
             }
             _ => Some(model),
         }
+    }
+
+    /// Whether a ply of `sheet` has been refused, or the criteria of [failure] lack the same.
+    fn is_reported(&self, cause: &ProgressiveError, sheet: &LaminateSheet) -> bool {
+        let refused = |layer: &Layer| self.is_refused(&child("plies", layer.ply().name()));
+        if sheet.laminate.layers().iter().any(refused) {
+            return true;
+        }
+        self.findings.iter().any(|finding| match &finding.problem {
+            SceneProblem::Laminate(LaminateProblem::Failure { cause: reported }) => {
+                matches!(cause, ProgressiveError::Failure(own) if own == reported)
+            }
+            _ => false,
+        })
     }
 
     /// The criterion that the model's table at `own` names, or the first of `failure`.
@@ -278,12 +296,8 @@ impl Builder<'_> {
         axis: Axis,
         around: &Surroundings<'_>,
     ) {
-        // Loads that cannot be read leave the others without their number.
-        if !self.findings.is_empty() {
-            return;
-        }
-        let beside =
-            (around.loads.iter().enumerate()).find(|(_, load)| !is_replaced(load, on, axis));
+        let mut numbered = around.numbers.iter().zip(around.loads);
+        let beside = numbered.find(|(_, load)| !is_replaced(load, on, axis));
         if let Some((index, load)) = beside {
             let along = axis.name();
             let message = format!(

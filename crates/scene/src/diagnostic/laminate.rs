@@ -129,9 +129,9 @@ pub enum LaminateProblem {
         /// What the parameters refuse, with the value.
         message: String,
     },
-    /// Progressive failure without a pin, or with several.
+    /// Progressive failure without a pin.
     #[error(
-        "progressive failure of '{body}' follows the load of one pin in its hole, and {contacts} contacts touch it"
+        "progressive failure of '{body}' follows the load of one pin in its hole, and 0 contacts touch it"
     )]
     #[diagnostic(
         code(scene::progressive_pin),
@@ -140,8 +140,6 @@ pub enum LaminateProblem {
     NoPin {
         /// The body.
         body: String,
-        /// Contacts at its hole.
-        contacts: usize,
     },
     /// Characteristic distances without a hole.
     #[error("characteristic distances are measured from a hole, which body '{body}' does not have")]
