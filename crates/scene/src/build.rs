@@ -5,6 +5,7 @@
 
 mod bodies;
 mod contacts;
+mod declared;
 mod failure;
 mod holds;
 mod laminates;
@@ -26,10 +27,6 @@ use super::schema::{
     SetRef, Support,
 };
 use crate::diagnostic::{Finding, SceneError, SceneProblem, nearest, one_of};
-use crate::units::{Measure, Quantity};
-
-/// Most sub-steps of a load step.
-const SUBSTEP_LIMIT: usize = 100_000;
 
 /// Most letters of a name, which is a part of file names.
 const LONGEST_NAME: usize = 64;
@@ -70,6 +67,7 @@ pub(super) fn build(
         findings: Vec::new(),
         bodies: BTreeMap::new(),
     };
+    builder.declared();
     let analysis = builder.analysis(format);
     let plies = builder.plies(format);
     let materials = builder.materials(format, &plies, analysis.plane);
@@ -186,14 +184,6 @@ impl Builder<'_> {
         self.report(key, Part::Value, problem);
     }
 
-    /// The value of a quantity that must be positive.
-    fn positive<M: Measure>(&mut self, table: &str, name: &str, quantity: &Quantity<M>) -> f64 {
-        if quantity.value() <= 0.0 {
-            self.out_of_range(&child(table, name), quantity.text(), "greater than 0");
-        }
-        quantity.value()
-    }
-
     /// Whether something below `key` has been refused, and needs no second message.
     fn is_refused(&self, key: &str) -> bool {
         let below = |finding: &Finding| {
@@ -272,11 +262,6 @@ impl Builder<'_> {
 
     fn analysis(&mut self, format: &SceneFormat) -> Analysis {
         let analysis = &format.analysis;
-        if !(1..=SUBSTEP_LIMIT).contains(&analysis.substeps) {
-            let allowed = format!("from 1 to {SUBSTEP_LIMIT}");
-            let given = analysis.substeps.to_string();
-            self.out_of_range("analysis.substeps", &given, allowed);
-        }
         let solver = analysis.solver.info();
         if solver.experimental && !analysis.experimental {
             self.conflict(

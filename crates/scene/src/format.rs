@@ -233,30 +233,13 @@ pub(super) struct BodyFormat {
     pub(super) thickness: Option<Quantity<Length>>,
     pub(super) shape: ShapeFormat,
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) mesh: Option<BodyMeshFormat>,
+    pub(super) mesh: Option<MeshFormat>,
 }
 
+/// `[mesh]`, or what differs from it in `[bodies.NAME.mesh]`.
 #[derive(Debug, Clone, Deserialize, Serialize)]
 #[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
 pub(super) struct MeshFormat {
-    #[serde(default = "default_element")]
-    pub(super) element: ElementKind,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) spacing: Option<Quantity<AngleOrLength>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) angles: Option<Vec<Quantity<Angle>>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) fine_to: Option<Quantity<AngleOrLength>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) coarse_spacing: Option<Quantity<AngleOrLength>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) layers: Option<usize>,
-}
-
-/// `[bodies.NAME.mesh]`: what differs from `[mesh]`.
-#[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
-pub(super) struct BodyMeshFormat {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) element: Option<ElementKind>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -331,10 +314,6 @@ impl Default for OutputFormat {
             figures: true,
         }
     }
-}
-
-const fn default_element() -> ElementKind {
-    ElementKind::Q8
 }
 
 // Serde hands over a reference.

@@ -41,6 +41,7 @@ mod format;
 mod friction;
 pub mod host;
 mod json;
+pub mod keys;
 pub mod limits;
 mod material;
 mod overrides;

@@ -30,6 +30,7 @@ use serde::{Deserialize, Serialize};
 
 use self::hole::Hole;
 use crate::document::child;
+use crate::keys::{Key, Table, table};
 use crate::units::{Length, Quantity};
 
 pub(crate) use self::outline::Sizes;
@@ -98,6 +99,21 @@ macro_rules! shapes {
             }
         }
 
+        const SHAPES: &[Key] = &[
+            table("plate_with_hole", "one of the five", hole::MEANING),
+            $(table($key, "one of the five", $file::MEANING),)*
+        ];
+
+        const OUTLINES: &[Key] = &[$(table($hole_key, "one of the two", $hole_file::MEANING),)*];
+
+        const TABLES: &[Table] = &[
+            Table::new("bodies.NAME.shape", SHAPES),
+            Table::new("bodies.NAME.shape.plate_with_hole", hole::ROWS),
+            Table::new("bodies.NAME.shape.plate_with_hole.outline", OUTLINES),
+            $(Table::new(concat!("bodies.NAME.shape.plate_with_hole.outline.", $hole_key), $hole_file::ROWS),)*
+            $(Table::new(concat!("bodies.NAME.shape.", $key), $file::ROWS),)*
+        ];
+
         /// An example of each shape, as a scene writes it.
         #[cfg(test)]
         const EXAMPLES: &[&str] = &[$($hole_file::EXAMPLE,)* $($file::EXAMPLE,)*];
@@ -116,6 +132,11 @@ shapes! {
         "cylinder" => cylinder::Cylinder,
 }
 
+/// The tables of keys of all shapes.
+pub(crate) fn tables() -> impl Iterator<Item = Table> {
+    TABLES.iter().copied()
+}
+
 /// `shape.plate_with_hole = { … }`: a hole and what surrounds it.
 #[derive(Debug, Clone, Deserialize, Serialize)]
 #[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
@@ -127,7 +148,7 @@ pub(crate) struct PlateWithHoleFormat {
 impl PlateWithHoleFormat {
     fn read(&self, table: &str, sizes: &mut dyn Sizes) -> Shape {
         let hole = Hole {
-            radius: sizes.positive(table, "hole_radius", &self.hole_radius),
+            radius: self.hole_radius.value(),
             text: self.hole_radius.text(),
         };
         self.outline.read(&child(table, "outline"), &hole, sizes)

@@ -79,6 +79,12 @@ impl Dimension {
         }
     }
 
+    /// The dimension without its article: "length".
+    pub fn noun(self) -> &'static str {
+        let named = self.with_article();
+        named.split_once(' ').map_or(named, |(_, noun)| noun)
+    }
+
     /// Name of the base unit.
     pub const fn base_unit(self) -> &'static str {
         match self {

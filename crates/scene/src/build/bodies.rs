@@ -18,6 +18,14 @@ fn expansion(given: Option<&Quantity<PerTemperature>>) -> f64 {
     given.map_or(0.0, Quantity::value)
 }
 
+fn isotropic(given: &IsotropicFormat) -> Material {
+    Material::Isotropic {
+        young: given.young.value(),
+        poisson: given.poisson,
+        expansion: expansion(given.expansion.as_ref()),
+    }
+}
+
 impl Builder<'_> {
     pub(super) fn materials(
         &mut self,
@@ -30,7 +38,7 @@ impl Builder<'_> {
             self.name("materials", name);
             let table = child("materials", name);
             let (kind, material) = match material {
-                MaterialFormat::Isotropic(given) => ("isotropic", self.isotropic(&table, given)),
+                MaterialFormat::Isotropic(given) => ("isotropic", isotropic(given)),
                 MaterialFormat::Orthotropic(given) => {
                     ("orthotropic", self.orthotropic(&table, given, plane))
                 }
@@ -53,14 +61,6 @@ impl Builder<'_> {
         materials
     }
 
-    fn isotropic(&mut self, table: &str, given: &IsotropicFormat) -> Material {
-        Material::Isotropic {
-            young: self.positive(&child(table, "isotropic"), "young", &given.young),
-            poisson: given.poisson,
-            expansion: expansion(given.expansion.as_ref()),
-        }
-    }
-
     fn orthotropic(
         &mut self,
         table: &str,
@@ -69,12 +69,12 @@ impl Builder<'_> {
     ) -> Material {
         let table = child(table, "orthotropic");
         let constants = OrthotropicConstants {
-            e1: self.positive(&table, "e1", &given.e1),
-            e2: self.positive(&table, "e2", &given.e2),
-            g12: self.positive(&table, "g12", &given.g12),
+            e1: given.e1.value(),
+            e2: given.e2.value(),
+            g12: given.g12.value(),
             nu12: given.nu12,
         };
-        let e3 = given.e3.as_ref().map(|e3| self.positive(&table, "e3", e3));
+        let e3 = given.e3.as_ref().map(Quantity::value);
         let out_of_plane = match (e3, given.nu13, given.nu23) {
             (Some(e3), Some(nu13), Some(nu23)) => Some(OutOfPlane {
                 e3,
@@ -146,24 +146,12 @@ impl Builder<'_> {
         body: &BodyFormat,
         materials: &BTreeMap<String, Material>,
     ) -> Substance {
-        let thickness = body
-            .thickness
-            .as_ref()
-            .map(|given| self.positive(table, "thickness", given));
+        let thickness = body.thickness.as_ref().map(Quantity::value);
         let material = match (&body.material, body.rigid) {
             (Some(material), false) => material,
             (None, true) => return Substance::Rigid,
-            (given, _) => {
-                let found = if given.is_some() { "both" } else { "none" };
-                let choices = "material = \"…\", rigid = true".to_owned();
-                let problem = SceneProblem::OneOf {
-                    table: table.to_owned(),
-                    choices,
-                    found: found.to_owned(),
-                };
-                self.report(table, Part::Key, problem);
-                return Substance::Rigid;
-            }
+            // Both or none has been reported.
+            _ => return Substance::Rigid,
         };
         // A laminate that was refused for itself needs no second message.
         let written = self.document.get(&child("materials", material)).is_some();
@@ -190,10 +178,6 @@ impl Builder<'_> {
 }
 
 impl Sizes for Builder<'_> {
-    fn positive(&mut self, table: &str, name: &str, size: &Quantity<Length>) -> f64 {
-        Builder::positive(self, table, name, size)
-    }
-
     fn refuse(&mut self, key: &str, size: &Quantity<Length>, allowed: &str) {
         self.out_of_range(key, size.text(), allowed);
     }

@@ -13,9 +13,7 @@ use crate::document::{Part, child};
 use crate::format::{FailureFormat, SceneFormat};
 use crate::schema::{Body, Characteristic, Envelopes, Failure, LaminateSheet, Material, Substance};
 use crate::shape::Role;
-
-/// Directions of an envelope.
-const DIRECTIONS: std::ops::RangeInclusive<usize> = 3..=100_000;
+use crate::units::Quantity;
 
 pub(super) type Materials = BTreeMap<String, Material>;
 
@@ -31,11 +29,10 @@ impl Builder<'_> {
         let bodies = self.failing_bodies(given, materials);
         self.strengths(given, &criteria, &bodies, materials);
         let characteristic = given.characteristic.as_ref().map(|distances| {
-            let table = "failure.characteristic";
             self.holes(given, &bodies);
             Characteristic {
-                tension: self.positive(table, "tension", &distances.tension),
-                compression: self.positive(table, "compression", &distances.compression),
+                tension: distances.tension.value(),
+                compression: distances.compression.value(),
             }
         });
         let envelopes = self.envelopes(given);
@@ -43,27 +40,14 @@ impl Builder<'_> {
         Some(Failure {
             criteria,
             bodies,
-            clear_of_supports: self.clear_of_supports(given),
+            clear_of_supports: given.clear_of_supports.as_ref().map(Quantity::value),
             characteristic,
             envelopes,
             progressive,
         })
     }
 
-    fn clear_of_supports(&mut self, given: &FailureFormat) -> Option<f64> {
-        let distance = given.clear_of_supports.as_ref()?;
-        if distance.value() < 0.0 {
-            let key = "failure.clear_of_supports";
-            self.out_of_range(key, distance.text(), "at least 0 mm");
-        }
-        Some(distance.value())
-    }
-
     fn criteria(&mut self, given: &FailureFormat) -> Vec<Arc<dyn FailureCriterion>> {
-        if given.criteria.is_empty() {
-            let allowed = "at least one, such as [\"max_stress\"]";
-            self.out_of_range("failure.criteria", "[]", allowed);
-        }
         let mut criteria: Vec<Arc<dyn FailureCriterion>> = Vec::new();
         for (index, name) in given.criteria.iter().enumerate() {
             let key = format!("failure.criteria.{index}");
@@ -112,10 +96,6 @@ impl Builder<'_> {
             }
             return laminates;
         };
-        if named.is_empty() {
-            let allowed = "at least one body; leave it out for all bodies of a laminate";
-            self.out_of_range("failure.bodies", "[]", allowed);
-        }
         let mut bodies = Vec::new();
         for (index, name) in named.iter().enumerate() {
             let key = format!("failure.bodies.{index}");
@@ -216,22 +196,12 @@ impl Builder<'_> {
     }
 
     fn envelopes(&mut self, given: &FailureFormat) -> Option<Envelopes> {
-        let table = "failure.envelopes";
         let envelopes = given.envelopes.as_ref()?;
-        if envelopes.planes.is_empty() {
-            let allowed = "at least one of \"normal\" and \"shear\"";
-            self.out_of_range(&child(table, "planes"), "[]", allowed);
-        }
-        if !DIRECTIONS.contains(&envelopes.directions) {
-            let allowed = format!("from {} to {}", DIRECTIONS.start(), DIRECTIONS.end());
-            let value = envelopes.directions.to_string();
-            self.out_of_range(&child(table, "directions"), &value, allowed);
-        }
         let last_ply = envelopes.last_ply.as_ref().and_then(|factors| {
             match Degradation::new(factors.fibre, factors.matrix) {
                 Ok(degradation) => Some(degradation),
                 Err(cause) => {
-                    let key = child(&child(table, "last_ply"), cause.name);
+                    let key = child("failure.envelopes.last_ply", cause.name);
                     let problem = LaminateProblem::Degradation { cause };
                     self.report(&key, Part::Value, problem.into());
                     None

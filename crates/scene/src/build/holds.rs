@@ -16,13 +16,22 @@ fn axes(list: &[Axis]) -> Axes {
     }
 }
 
+/// What a support holds; `None` where that has been reported.
+fn hold(given: &SupportFormat) -> Option<Hold> {
+    match (&given.fix, &given.normal) {
+        (Some(list), None) if !list.is_empty() => Some(Hold::Axes(axes(list))),
+        (None, Some(normal)) => Some(Hold::Direction(normal.value())),
+        _ => None,
+    }
+}
+
 impl Builder<'_> {
     pub(super) fn supports(&mut self, format: &SceneFormat) -> Vec<Support> {
         let mut supports = Vec::new();
         for (index, given) in format.supports.iter().enumerate() {
             let key = format!("supports.{index}");
             let on = self.set(&format!("{key}.on"), &given.on, Fits::EdgesAndPoints);
-            let hold = self.hold(&key, given);
+            let hold = hold(given);
             let displacement = given.displacement.as_ref().map_or(0.0, Quantity::value);
             if displacement != 0.0 && matches!(hold, Some(Hold::Axes(Axes { x: true, y: true }))) {
                 self.conflict(
@@ -40,31 +49,6 @@ impl Builder<'_> {
             }
         }
         supports
-    }
-
-    fn hold(&mut self, key: &str, given: &SupportFormat) -> Option<Hold> {
-        match (&given.fix, &given.normal) {
-            (Some(list), None) if list.is_empty() => {
-                self.out_of_range(
-                    &format!("{key}.fix"),
-                    "[]",
-                    "[\"x\"], [\"y\"] or [\"x\", \"y\"]",
-                );
-                None
-            }
-            (Some(list), None) => Some(Hold::Axes(axes(list))),
-            (None, Some(normal)) => Some(Hold::Direction(normal.value())),
-            (fix, _) => {
-                let found = if fix.is_some() { "both" } else { "none" };
-                let problem = SceneProblem::OneOf {
-                    table: key.to_owned(),
-                    choices: "fix = [\"x\", \"y\"], normal = \"30 deg\"".to_owned(),
-                    found: found.to_owned(),
-                };
-                self.report(key, Part::Key, problem);
-                None
-            }
-        }
     }
 
     pub(super) fn platens(&mut self, format: &SceneFormat, contacts: &[Contact]) -> Vec<Platen> {

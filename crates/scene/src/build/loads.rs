@@ -66,29 +66,8 @@ impl Builder<'_> {
         materials: &BTreeMap<String, Material>,
         base: &Path,
     ) -> Option<LoadKind> {
-        let present = [
-            ("force", given.force.is_some()),
-            ("bearing", given.bearing.is_some()),
-            ("pressure", given.pressure.is_some()),
-            ("polar_traction", given.polar_traction.is_some()),
-            ("temperature", given.temperature.is_some()),
-        ];
-        let found: Vec<_> = present
-            .iter()
-            .filter(|(_, given)| *given)
-            .map(|(name, _)| *name)
-            .collect();
-        if found.len() != 1 {
-            let problem = SceneProblem::OneOf {
-                table: key.to_owned(),
-                choices: present.map(|(name, _)| name).join(", "),
-                found: if found.is_empty() {
-                    "none".to_owned()
-                } else {
-                    found.join(", ")
-                },
-            };
-            self.report(key, Part::Key, problem);
+        // Several kinds or none have been reported.
+        if self.findings.iter().any(|finding| finding.key == key) {
             return None;
         }
         if let Some(temperature) = &given.temperature {
@@ -155,13 +134,6 @@ impl Builder<'_> {
         }
         let key = child(key, "bearing");
         let direction = self.direction(&child(&key, "direction"), &bearing.direction)?;
-        for (index, step) in bearing.steps.iter().enumerate() {
-            if step.value() < 0.0 {
-                let key = child(&key, format!("steps.{index}"));
-                let allowed = "0 or more: a pin pushes; turn the direction to push the other way";
-                self.out_of_range(&key, step.text(), allowed);
-            }
-        }
         Some(LoadKind::Bearing {
             on,
             direction,

@@ -2,12 +2,15 @@
 
 use std::f64::consts::TAU;
 
+use stickslip_fem_core::mesh::ElementKind;
+
 use super::Builder;
-use crate::diagnostic::SceneProblem;
 use crate::document::{Part, child};
-use crate::format::{BodyMeshFormat, MeshFormat, SceneFormat};
+use crate::format::{MeshFormat, SceneFormat};
 use crate::schema::{Body, Division, Grading, MeshSettings, Substance};
 use crate::units::{AngleOrLength, Dimension, Expected, Quantity, UnitError};
+
+const DEFAULT_ELEMENT: ElementKind = ElementKind::Q8;
 
 /// A table of mesh settings and the bodies that it divides.
 struct Scope<'a> {
@@ -22,7 +25,8 @@ impl Scope<'_> {
 }
 
 impl Builder<'_> {
-    pub(super) fn mesh(&mut self, format: &SceneFormat) -> MeshSettings {
+    pub(super) fn mesh(&mut self, format: &mut SceneFormat) -> MeshSettings {
+        format.mesh.element.get_or_insert(DEFAULT_ELEMENT);
         let divided = |name: &&String| {
             let own = format.bodies[*name].mesh.as_ref();
             !own.is_some_and(|own| own.spacing.is_some() || own.angles.is_some())
@@ -75,11 +79,8 @@ impl Builder<'_> {
         given: &MeshFormat,
         inherited: Option<Division>,
     ) -> MeshSettings {
-        if given.layers == Some(0) {
-            self.out_of_range(&scope.key("layers"), "0", "at least 1");
-        }
         MeshSettings {
-            element: given.element,
+            element: given.element.unwrap_or(DEFAULT_ELEMENT),
             division: inherited.unwrap_or_else(|| self.division(scope, given)),
             layers: given.layers,
         }
@@ -107,16 +108,8 @@ impl Builder<'_> {
                 Division::AngleList(angles)
             }
             (Some(spacing), None) => self.graded(scope, spacing, others),
-            (spacing, _) => {
-                let found = if spacing.is_some() { "both" } else { "none" };
-                let problem = SceneProblem::OneOf {
-                    table: scope.table.to_owned(),
-                    choices: "spacing = \"2 deg\", angles = [\"0 deg\", …]".to_owned(),
-                    found: found.to_owned(),
-                };
-                self.report(scope.table, Part::Key, problem);
-                Division::AngleList(Vec::new())
-            }
+            // Both or none has been reported.
+            _ => Division::AngleList(Vec::new()),
         }
     }
 
@@ -163,13 +156,13 @@ impl Builder<'_> {
     ) -> Division {
         let dimension = spacing.dimension();
         self.fits_shapes(scope, "spacing", spacing.text(), dimension);
-        let fine = self.positive(scope.table, "spacing", spacing);
+        let fine = spacing.value();
         if dimension == Dimension::Angle && fine > TAU / 8.0 {
             self.out_of_range(&scope.key("spacing"), spacing.text(), "at most 45 deg");
         }
         let [fine_to, coarse_spacing] = others.map(|(name, other)| {
             let other = other.as_ref()?;
-            let value = self.positive(scope.table, name, other);
+            let value = other.value();
             if other.dimension() != dimension {
                 let problem = UnitError::WrongDimension {
                     text: other.text().to_owned(),
@@ -270,7 +263,7 @@ impl Builder<'_> {
 
 /// What a body's own settings and those of the scene make together. A spacing of its own keeps the fine zone of the scene where
 /// that is possible; a list of angles says everything.
-fn merged(own: &BodyMeshFormat, whole: &MeshFormat) -> MeshFormat {
+fn merged(own: &MeshFormat, whole: &MeshFormat) -> MeshFormat {
     let divides = own.spacing.is_some() || own.angles.is_some();
     let fits = |fine_to: &&Quantity<AngleOrLength>| match (&own.spacing, &own.angles) {
         (Some(spacing), None) => {
@@ -282,7 +275,7 @@ fn merged(own: &BodyMeshFormat, whole: &MeshFormat) -> MeshFormat {
     let kept = || whole.fine_to.as_ref().filter(fits).cloned();
     let coarse = || whole.coarse_spacing.clone().filter(|_| !divides);
     MeshFormat {
-        element: own.element.unwrap_or(whole.element),
+        element: own.element.or(whole.element),
         spacing: own
             .spacing
             .clone()

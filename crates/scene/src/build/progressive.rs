@@ -23,9 +23,6 @@ use crate::units::Quantity;
 
 const TABLE: &str = "failure.progressive";
 
-/// Increments of a history.
-const INCREMENTS: std::ops::RangeInclusive<usize> = 1..=10_000;
-
 /// What surrounds the body that fails.
 pub(super) struct Surroundings<'a> {
     pub(super) contacts: &'a [Contact],
@@ -225,7 +222,7 @@ impl Builder<'_> {
                     "0.01 to 0.1 are usual for what failed plies keep",
                 );
             }
-            Some(self.positive(&table, name, quantity))
+            Some(quantity.value())
         };
         let (fibre, matrix) = kept.map_or((0.0, 0.0), |kept| (kept.fibre(), kept.matrix()));
         Some(FractureEnergies {
@@ -240,23 +237,12 @@ impl Builder<'_> {
     fn control(&mut self, given: &ProgressiveFormat, around: &Surroundings<'_>) -> Option<Control> {
         let table = child(TABLE, "control");
         match &given.control {
-            ControlFormat::Loads(loads) => {
-                self.increments(&child(&table, "loads"), loads.increments);
-                Some(Control::Loads {
-                    increments: loads.increments,
-                })
-            }
+            ControlFormat::Loads(loads) => Some(Control::Loads {
+                increments: loads.increments,
+            }),
             ControlFormat::Displacement(displacement) => {
                 self.driven(&child(&table, "displacement"), displacement, around)
             }
-        }
-    }
-
-    fn increments(&mut self, table: &str, increments: usize) {
-        if !INCREMENTS.contains(&increments) {
-            let allowed = format!("from {} to {}", INCREMENTS.start(), INCREMENTS.end());
-            let key = child(table, "increments");
-            self.out_of_range(&key, &increments.to_string(), allowed);
         }
     }
 
@@ -266,15 +252,6 @@ impl Builder<'_> {
         given: &DisplacementFormat,
         around: &Surroundings<'_>,
     ) -> Option<Control> {
-        self.increments(table, given.increments);
-        if !(given.drop > 0.0 && given.drop <= 1.0) {
-            let value = given.drop.to_string();
-            self.out_of_range(&child(table, "drop"), &value, "greater than 0, at most 1");
-        }
-        if given.end.value() == 0.0 {
-            let key = child(table, "end");
-            self.out_of_range(&key, given.end.text(), "not 0; its sign is the direction");
-        }
         let key = child(table, "on");
         let on = self.set(&key, &given.on, Fits::EdgesAndPoints)?;
         self.can_be_driven(&key, &on, given.axis, around);

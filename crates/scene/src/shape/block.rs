@@ -5,7 +5,21 @@ use stickslip_fem_core::mesh::Point;
 
 use super::line_contact;
 use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
+use crate::keys::{Key, POSITIVE, REQUIRED, length};
 use crate::units::{Length, Quantity};
+
+pub(super) const MEANING: &str = "|x| ≤ half_length, −depth ≤ y ≤ 0; its top is the edge `contact`; edges `contact`, `bottom`, `left`, `right`";
+
+pub(super) const ROWS: &[Key] = &[
+    length(
+        "half_length",
+        REQUIRED,
+        r#""40 mm""#,
+        "half of its size along x",
+    )
+    .range(POSITIVE),
+    length("depth", REQUIRED, r#""40 mm""#, "size along y").range(POSITIVE),
+];
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
 #[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
@@ -18,10 +32,10 @@ pub(crate) struct Keys {
 pub(super) const EXAMPLE: &str = r#"block = { half_length = "20 mm", depth = "18 mm" }"#;
 
 impl Keys {
-    pub(super) fn read(&self, table: &str, sizes: &mut dyn Sizes) -> Block {
+    pub(super) fn read(&self, _: &str, _: &mut dyn Sizes) -> Block {
         Block {
-            half_length: sizes.positive(table, "half_length", &self.half_length),
-            depth: sizes.positive(table, "depth", &self.depth),
+            half_length: self.half_length.value(),
+            depth: self.depth.value(),
         }
     }
 }

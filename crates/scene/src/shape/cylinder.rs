@@ -6,7 +6,16 @@ use stickslip_fem_core::mesh::Point;
 use super::line_contact;
 use super::outline::{Curve, Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
 use crate::document::child;
+use crate::keys::{Key, POSITIVE, REQUIRED, length};
 use crate::units::{Length, Quantity};
+
+pub(super) const MEANING: &str = "from the arc that touches the origin from above up to y = depth, |x| ≤ half_length; its arc is the edge `contact`; edges `contact`, `top`";
+
+pub(super) const ROWS: &[Key] = &[
+    length("radius", REQUIRED, r#""50 mm""#, "radius R of the arc").range(POSITIVE),
+    length("half_length", REQUIRED, r#""40 mm""#, "half of its size along x, less than the radius").range(POSITIVE),
+    length("depth", REQUIRED, r#""40 mm""#, "height of the top above the origin, greater than the arc's rise at its ends, R − √(R² − half_length²)").range(POSITIVE),
+];
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
 #[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
@@ -23,9 +32,9 @@ pub(super) const EXAMPLE: &str =
 impl Keys {
     pub(super) fn read(&self, table: &str, sizes: &mut dyn Sizes) -> Cylinder {
         let cylinder = Cylinder {
-            radius: sizes.positive(table, "radius", &self.radius),
-            half_length: sizes.positive(table, "half_length", &self.half_length),
-            depth: sizes.positive(table, "depth", &self.depth),
+            radius: self.radius.value(),
+            half_length: self.half_length.value(),
+            depth: self.depth.value(),
         };
         if cylinder.half_length >= cylinder.radius {
             let allowed = format!("less than the radius, {}", self.radius.text());

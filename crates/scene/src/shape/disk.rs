@@ -6,7 +6,14 @@ use stickslip_fem_core::mesh::Point;
 
 use super::hole::SQUARE;
 use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
+use crate::keys::{Key, POSITIVE, REQUIRED, length};
 use crate::units::{Length, Quantity};
+
+pub(super) const MEANING: &str =
+    "a disk around the origin, or in the hole that holds it; edges `rim`; points `centre`";
+
+pub(super) const ROWS: &[Key] =
+    &[length("radius", REQUIRED, r#""5 mm""#, "radius").range(POSITIVE)];
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
 #[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
@@ -18,9 +25,9 @@ pub(crate) struct Keys {
 pub(super) const EXAMPLE: &str = r#"disk = { radius = "5 mm" }"#;
 
 impl Keys {
-    pub(super) fn read(&self, table: &str, sizes: &mut dyn Sizes) -> Disk {
+    pub(super) fn read(&self, _: &str, _: &mut dyn Sizes) -> Disk {
         Disk {
-            radius: sizes.positive(table, "radius", &self.radius),
+            radius: self.radius.value(),
         }
     }
 }

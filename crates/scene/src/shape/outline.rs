@@ -282,9 +282,6 @@ pub enum DivisionError {
 
 /// Checks the sizes of a shape while its table is read, and keeps what is wrong.
 pub(crate) trait Sizes {
-    /// The value `[mm]` of the key `name` of `table`, which must be positive.
-    fn positive(&mut self, table: &str, name: &str, size: &Quantity<Length>) -> f64;
-
     /// Reports the size at `key`, which is not what is `allowed`.
     fn refuse(&mut self, key: &str, size: &Quantity<Length>, allowed: &str);
 }

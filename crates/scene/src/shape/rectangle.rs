@@ -5,7 +5,16 @@ use stickslip_fem_core::generate;
 use stickslip_fem_core::mesh::Point;
 
 use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Sizes};
+use crate::keys::{Key, POSITIVE, REQUIRED, length};
 use crate::units::{Length, Quantity};
+
+pub(super) const MEANING: &str =
+    "|x| ≤ width/2, −height ≤ y ≤ 0; edges `left`, `right`, `bottom`, `top`";
+
+pub(super) const ROWS: &[Key] = &[
+    length("width", REQUIRED, r#""40 mm""#, "size along x").range(POSITIVE),
+    length("height", REQUIRED, r#""40 mm""#, "size along y").range(POSITIVE),
+];
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
 #[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
@@ -18,10 +27,10 @@ pub(crate) struct Keys {
 pub(super) const EXAMPLE: &str = r#"rectangle = { width = "60 mm", height = "20 mm" }"#;
 
 impl Keys {
-    pub(super) fn read(&self, table: &str, sizes: &mut dyn Sizes) -> Rectangle {
+    pub(super) fn read(&self, _: &str, _: &mut dyn Sizes) -> Rectangle {
         Rectangle {
-            width: sizes.positive(table, "width", &self.width),
-            height: sizes.positive(table, "height", &self.height),
+            width: self.width.value(),
+            height: self.height.value(),
         }
     }
 }

@@ -9,7 +9,18 @@ use stickslip_fem_core::mesh::Point;
 use super::hole::{self, Hole};
 use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
 use crate::document::child;
+use crate::keys::{Key, POSITIVE, REQUIRED, length};
 use crate::units::{Length, Quantity};
+
+pub(super) const MEANING: &str = "a circle around the hole";
+
+pub(super) const ROWS: &[Key] = &[length(
+    "radius",
+    REQUIRED,
+    r#""50 mm""#,
+    "radius of the outer edge, greater than the hole's",
+)
+.range(POSITIVE)];
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
 #[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
@@ -23,7 +34,7 @@ pub(super) const EXAMPLE: &str =
 
 impl Keys {
     pub(super) fn read(&self, table: &str, hole: &Hole<'_>, sizes: &mut dyn Sizes) -> Ring {
-        let radius = sizes.positive(table, "radius", &self.radius);
+        let radius = self.radius.value();
         if radius > 0.0 && radius <= hole.radius {
             let allowed = format!("greater than the hole's radius, {}", hole.text);
             sizes.refuse(&child(table, "radius"), &self.radius, &allowed);

@@ -16,7 +16,22 @@ use stickslip_fem_core::mesh::Point;
 use super::hole::{self, Hole};
 use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Sizes};
 use crate::document::child;
+use crate::keys::{Key, POSITIVE, REQUIRED, length};
 use crate::units::{Length, Quantity};
+
+pub(super) const MEANING: &str = "−left ≤ x ≤ right, |y| ≤ half_width";
+
+pub(super) const ROWS: &[Key] = &[
+    length("half_width", REQUIRED, r#""40 mm""#, "half of the width").range(POSITIVE),
+    length("left", REQUIRED, r#""40 mm""#, "distance to the edge at −x").range(POSITIVE),
+    length(
+        "right",
+        REQUIRED,
+        r#""40 mm""#,
+        "distance to the edge at +x",
+    )
+    .range(POSITIVE),
+];
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
 #[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
@@ -32,7 +47,7 @@ pub(super) const EXAMPLE: &str = r#"plate_with_hole = { hole_radius = "5 mm", ou
 impl Keys {
     pub(super) fn read(&self, table: &str, hole: &Hole<'_>, sizes: &mut dyn Sizes) -> Strip {
         let mut beyond = |name: &str, size: &Quantity<Length>| {
-            let value = sizes.positive(table, name, size);
+            let value = size.value();
             if value > 0.0 && value <= hole.radius {
                 let allowed = format!("greater than the hole's radius, {}", hole.text);
                 sizes.refuse(&child(table, name), size, &allowed);

@@ -13,11 +13,6 @@ const EXACT: f64 = 1e-12;
 struct Right;
 
 impl Sizes for Right {
-    fn positive(&mut self, table: &str, name: &str, size: &Quantity<Length>) -> f64 {
-        assert!(size.value() > 0.0, "{table}.{name}");
-        size.value()
-    }
-
     fn refuse(&mut self, key: &str, size: &Quantity<Length>, allowed: &str) {
         panic!("{key} = {} is not {allowed}", size.text());
     }

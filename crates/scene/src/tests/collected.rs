@@ -167,8 +167,8 @@ fn the_rest_of_progressive_failure_is_checked_without_its_body() {
     assert_eq!(
         keys,
         [
-            "failure.progressive.body",
-            "failure.progressive.control.loads.increments"
+            "failure.progressive.control.loads.increments",
+            "failure.progressive.body"
         ]
     );
 }

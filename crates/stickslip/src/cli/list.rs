@@ -1,5 +1,6 @@
 //! `stickslip list`: what can be written in a scene or an experiment.
 
+mod keys;
 mod laminates;
 mod presets;
 
@@ -37,18 +38,8 @@ enum Topic {
     Solvers,
     Units,
     Signs,
+    Keys,
 }
-
-const LOADS: [(&str, &str); 5] = [
-    ("force", "a total force, spread evenly over an edge"),
-    (
-        "bearing",
-        "a force on a hole without a pin, as pressure by an assumed law: cosine, uniform",
-    ),
-    ("pressure", "a pressure on an edge"),
-    ("polar_traction", "stresses on a circle, from a file"),
-    ("temperature", "a temperature change of a body"),
-];
 
 /// Columns of the tables of edges, what they are measured in, and what they are.
 const COLUMNS: [(&str, &str, &str); 9] = [
@@ -99,6 +90,7 @@ fn name(topic: Topic) -> &'static str {
         Topic::Solvers => "solvers",
         Topic::Units => "units",
         Topic::Signs => "signs",
+        Topic::Keys => "keys",
     }
 }
 
@@ -119,7 +111,7 @@ fn text(topic: Topic) -> String {
         }
         Topic::Loads => {
             let row = |(name, summary): (&str, &str)| (name.to_owned(), summary.to_owned());
-            table("Loads, for loads.N.NAME", LOADS.into_iter().map(row))
+            table("Loads, for loads.N.NAME", keys::loads().map(row))
         }
         Topic::Layups => laminates::layups_text(),
         Topic::Criteria => laminates::criteria_text(),
@@ -134,6 +126,7 @@ fn text(topic: Topic) -> String {
             table("Templates, for `stickslip init NAME`", rows)
         }
         Topic::Presets => presets::text(),
+        Topic::Keys => keys::text(),
         Topic::Elements => {
             let row = |kind: ElementKind| (kind.name().to_owned(), element_summary(kind));
             table(
@@ -228,8 +221,7 @@ fn default_of(parameter: &ParameterInfo) -> String {
 
 fn value(topic: Topic) -> Value {
     match topic {
-        Topic::Loads => LOADS
-            .iter()
+        Topic::Loads => keys::loads()
             .map(|(name, summary)| json!({ "name": name, "summary": summary }))
             .collect(),
         Topic::Layups => laminates::layups_value(),
@@ -245,6 +237,7 @@ fn value(topic: Topic) -> Value {
             .map(|template| json!({ "name": template.name, "summary": template.summary }))
             .collect(),
         Topic::Presets => presets::value(),
+        Topic::Keys => keys::value(),
         Topic::Elements => ElementKind::ALL
             .into_iter()
             .map(|kind| json!({ "name": kind, "summary": element_summary(kind), "nodes": kind.nodes() }))

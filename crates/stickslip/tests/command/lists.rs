@@ -81,6 +81,34 @@ fn list_shows_point_models_with_their_parameters() {
 }
 
 #[test]
+fn list_names_every_key_with_type_units_default_and_example() {
+    let printed = succeeds(Path::new("."), &["list", "keys"]);
+    for part in [
+        "materials.NAME.isotropic",
+        "young = \"70 GPa\"  (stress > 0 in MPa, GPa,",
+        "substeps = 4  (integer from 1 to 100000; default 1)",
+        "Young's modulus E",
+    ] {
+        assert!(printed.contains(part), "'{part}' is missing in:\n{printed}");
+    }
+    let keys: Value =
+        serde_json::from_str(&succeeds(Path::new("."), &["list", "keys", "--json"])).unwrap();
+    let keys = keys["keys"].as_array().unwrap();
+    assert!(keys.len() > 120, "{}", keys.len());
+    let row = |table: &str, key: &str| {
+        let found = keys
+            .iter()
+            .find(|row| row["table"] == table && row["key"] == key);
+        found.unwrap_or_else(|| panic!("{table}.{key}"))
+    };
+    let spacing = row("mesh", "spacing");
+    assert_eq!(spacing["type"], "angle or length > 0");
+    assert_eq!(spacing["example"], "spacing = \"2 deg\"");
+    assert!(spacing["units"].as_str().unwrap().contains("deg"));
+    assert_eq!(row("output", "figures")["default"], "`true`");
+}
+
+#[test]
 fn senseless_arguments_exit_with_two() {
     for arguments in [&["solve"][..], &["check"], &["list", "everything"], &[]] {
         let output = stickslip(Path::new("."), arguments);

@@ -1,0 +1,221 @@
+//! Every key of a scene, declared once: its type and unit, its default, an example, what excludes it and what it means.
+//!
+//! | from the declarations come    | by                                              |
+//! |-------------------------------|-------------------------------------------------|
+//! | tables of `scene-format.md`   | [`document()`], written by `cargo xtask docs`   |
+//! | `stickslip list keys`         | [`tables()`]                                    |
+//! | examples of missing keys      | [`Key::assignment`]                             |
+//! | checks of ranges and choices  | `build/declared.rs`                             |
+//!
+//! A new key is a field of a table in `format.rs` and a row in a file below `keys`. Shapes bring their own rows.
+
+mod bodies;
+mod document;
+mod failure;
+mod kind;
+mod loads;
+mod materials;
+mod range;
+mod scene;
+#[cfg(test)]
+mod tests;
+
+use serde_json::Value;
+
+use crate::document::child;
+use crate::shape;
+
+pub use self::document::document;
+pub use self::kind::Kind;
+pub(crate) use self::kind::{
+    angle, angles, energy, expansion, flag, forces, integer, length, lists, number, set, spacing,
+    stress, stresses, table, table_as, tables_of, temperature, temperatures, text, words,
+};
+pub(crate) use self::range::{POSITIVE, Range, counts, filled};
+
+/// The default of a key that must be there.
+pub(crate) const REQUIRED: &str = "required";
+/// The default of a key without which there is nothing of the kind.
+pub(crate) const NONE: &str = "–";
+
+/// One key of a table.
+#[derive(Debug, Clone, Copy)]
+pub struct Key {
+    /// Its name.
+    pub name: &'static str,
+    /// Its type.
+    pub kind: Kind,
+    /// What holds where it is left out, in words or as a value in backticks.
+    pub default: &'static str,
+    /// What it means.
+    pub meaning: &'static str,
+    example: &'static str,
+    noted: &'static str,
+    range: Option<Range>,
+}
+
+impl Key {
+    /// Checks its value, or each entry of its list, against `range`.
+    pub(crate) const fn range(mut self, range: Range) -> Self {
+        self.range = Some(range);
+        self
+    }
+
+    /// Adds a range that is checked with other values.
+    pub(crate) const fn noted(mut self, noted: &'static str) -> Self {
+        self.noted = noted;
+        self
+    }
+
+    /// An example as a scene writes it, `spacing = "2 deg"`; `None` of tables that have keys of their own.
+    pub fn assignment(&self) -> Option<String> {
+        let (name, example) = (self.name, self.example);
+        match example.chars().next() {
+            None => None,
+            Some('.') => Some(format!("{name}{example}")),
+            Some(_) => Some(format!("{name} = {example}")),
+        }
+    }
+
+    /// Its type with its range: `length > 0`.
+    pub fn type_text(&self) -> String {
+        let range = self.range.map(|range| range.shown()).unwrap_or_default();
+        format!("{}{range}{}", self.kind, self.noted)
+    }
+
+    /// Whether it must be there, at least under some condition.
+    pub fn is_required(&self) -> bool {
+        self.default.starts_with(REQUIRED)
+    }
+
+    pub(crate) fn checked(&self) -> Option<Range> {
+        self.range
+    }
+}
+
+/// A table of keys.
+#[derive(Debug, Clone, Copy)]
+pub struct Table {
+    /// Where it stands, with `NAME` for any name: `materials.NAME.isotropic`; empty for the scene itself.
+    pub path: &'static str,
+    /// Its keys.
+    pub keys: &'static [Key],
+    exclusive: Option<Exclusive>,
+}
+
+/// Keys of a table of which exactly one is given.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Exclusive {
+    /// The keys.
+    pub(crate) names: &'static [&'static str],
+    /// The choices as a message lists them.
+    pub(crate) choices: &'static str,
+    /// Whether the table may leave out all of them.
+    pub(crate) optional: bool,
+}
+
+impl Table {
+    /// The table at `path`.
+    pub(crate) const fn new(path: &'static str, keys: &'static [Key]) -> Self {
+        Self {
+            path,
+            keys,
+            exclusive: None,
+        }
+    }
+
+    /// The same table, in which exactly one of `names` is given, as messages list their `choices`.
+    pub(crate) const fn one_of(
+        mut self,
+        names: &'static [&'static str],
+        choices: &'static str,
+    ) -> Self {
+        self.exclusive = Some(Exclusive {
+            names,
+            choices,
+            optional: false,
+        });
+        self
+    }
+
+    /// The same table, in which one of `names` is given, or none.
+    pub(crate) const fn at_most_one_of(
+        self,
+        names: &'static [&'static str],
+        choices: &'static str,
+    ) -> Self {
+        let mut own = self.one_of(names, choices);
+        if let Some(exclusive) = &mut own.exclusive {
+            exclusive.optional = true;
+        }
+        own
+    }
+
+    pub(crate) fn exclusive(&self) -> Option<Exclusive> {
+        self.exclusive
+    }
+
+    /// The tables of this kind that a scene has, with their keys.
+    pub(crate) fn written<'v>(&self, root: &'v Value) -> Vec<(String, &'v Value)> {
+        let mut found = vec![(String::new(), root)];
+        for segment in self.path.split('.').filter(|segment| !segment.is_empty()) {
+            let below = |(key, value): (String, &'v Value)| entries(&key, value, segment);
+            found = found.into_iter().flat_map(below).collect();
+        }
+        found.retain(|(_, value)| value.is_object());
+        found
+    }
+
+    fn holds(&self, path: &[&str]) -> bool {
+        let own: Vec<&str> = self
+            .path
+            .split('.')
+            .filter(|name| !name.is_empty())
+            .collect();
+        let fits = |(own, given): (&&str, &&str)| *own == "NAME" || own == given;
+        own.len() == path.len() && own.iter().zip(path).all(fits)
+    }
+}
+
+/// What `value` has at `segment`: any entry at `NAME`, and of a list each entry.
+fn entries<'v>(key: &str, value: &'v Value, segment: &str) -> Vec<(String, &'v Value)> {
+    let Value::Object(map) = value else {
+        return Vec::new();
+    };
+    let fits = map
+        .iter()
+        .filter(|(name, _)| segment == "NAME" || *name == segment);
+    fits.flat_map(|(name, value)| each(child(key, name), value))
+        .collect()
+}
+
+/// The value, or the entries of a list.
+pub(crate) fn each(key: String, value: &Value) -> Vec<(String, &Value)> {
+    match value {
+        Value::Array(list) => {
+            let entry = |(index, value)| (child(&key, index), value);
+            list.iter().enumerate().map(entry).collect()
+        }
+        value => vec![(key, value)],
+    }
+}
+
+/// Every table of a scene, each before those inside it.
+pub fn tables() -> impl Iterator<Item = Table> {
+    let own = [scene::TABLES, materials::TABLES, bodies::TABLES];
+    let others = [loads::TABLES, failure::TABLES];
+    let own = own.into_iter().flatten().copied();
+    own.chain(shape::tables())
+        .chain(others.into_iter().flatten().copied())
+}
+
+/// The declaration of `key`, given in full: `bodies.plate.thickness`.
+pub(crate) fn declared(key: &str) -> Option<&'static Key> {
+    let path: Vec<&str> = key
+        .split('.')
+        .filter(|name| name.parse::<usize>().is_err())
+        .collect();
+    let (name, table) = path.split_last()?;
+    let keys = tables().find(|own| own.holds(table))?.keys;
+    keys.iter().find(|own| own.name == *name)
+}

@@ -1,0 +1,83 @@
+//! The tables of keys in `docs/scene-format.md`.
+
+use super::{Key, Table, tables};
+use crate::document::child;
+
+const START: &str = "<!-- keys of ";
+const END: &str = "<!-- end of keys -->";
+
+/// `text` with the tables of keys as they are declared, each between `<!-- keys of PATH -->` and `<!-- end of keys -->`.
+///
+/// # Errors
+/// A table that `text` does not place, or a place without a table.
+pub fn document(text: &str) -> Result<String, String> {
+    let mut missing: Vec<Table> = tables().collect();
+    let mut parts = text.split_inclusive('\n');
+    let mut written = String::new();
+    while let Some(line) = parts.next() {
+        written.push_str(line);
+        let Some(path) = line
+            .strip_prefix(START)
+            .and_then(|rest| rest.split(" -->").next())
+        else {
+            continue;
+        };
+        let place = missing.iter().position(|table| title(table) == path);
+        let place = place
+            .ok_or_else(|| format!("there is no table of keys '{path}', or it is placed twice"))?;
+        written.push_str(&rows(&missing.remove(place)));
+        let end = parts.find(|line| line.trim_end() == END);
+        written.push_str(end.ok_or_else(|| format!("'{END}' is missing after '{path}'"))?);
+    }
+    let titles: Vec<_> = missing.iter().map(title).collect();
+    match titles.as_slice() {
+        [] => Ok(written),
+        titles => Err(format!("the document does not place {}", titles.join(", "))),
+    }
+}
+
+fn title(table: &Table) -> &'static str {
+    if table.path.is_empty() {
+        "the scene"
+    } else {
+        table.path
+    }
+}
+
+fn rows(table: &Table) -> String {
+    let mut text =
+        "| key | type | default | meaning | example |\n| --- | --- | --- | --- | --- |\n"
+            .to_owned();
+    for key in table.keys {
+        let cells = [
+            key.type_text(),
+            key.default.to_owned(),
+            key.meaning.to_owned(),
+            example(table, key),
+        ];
+        let cells = cells.map(|cell| cell.replace('|', "\\|"));
+        text.push_str(&format!("| `{}` | {} |\n", key.name, cells.join(" | ")));
+    }
+    if let Some(exclusive) = table.exclusive() {
+        let amount = if exclusive.optional {
+            "At most"
+        } else {
+            "Exactly"
+        };
+        let names = exclusive.names.join("`, `");
+        text.push_str(&format!("\n{amount} one of `{names}` is given.\n"));
+    }
+    text
+}
+
+/// The example of a key, or a link to its own table.
+fn example(table: &Table, key: &Key) -> String {
+    let own = child(table.path, key.name);
+    let named = child(&own, "NAME");
+    let below = tables().find(|table| table.path == own || table.path == named);
+    match (below, key.assignment()) {
+        (Some(below), _) => format!("[below](#{})", below.path.replace('.', "").to_lowercase()),
+        (None, Some(assignment)) => format!("`{assignment}`"),
+        (None, None) => String::new(),
+    }
+}

@@ -1,0 +1,185 @@
+//! The declarations against the reader: what it knows is declared, and what is declared it knows.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+use serde::Deserialize;
+use serde_json::{Value, json};
+use stickslip_laminate::progressive::point_models;
+
+use super::*;
+use crate::diagnostic::SceneProblem;
+use crate::examples::example;
+use crate::format::SceneFormat;
+use crate::read::Reader;
+use crate::templates::{Kind as TemplateKind, TEMPLATES};
+use crate::units::Expected;
+
+/// Tables that the registry of point models reads.
+const REGISTERED: &str = "failure.progressive.model";
+
+fn names(table: &Table) -> BTreeSet<String> {
+    table.keys.iter().map(|key| key.name.to_owned()).collect()
+}
+
+/// What the reader says of a scene that holds nothing but `value` in `table`.
+fn refusal(table: &Table, value: Value) -> SceneProblem {
+    let is_list = |name: &str| {
+        let top = declared(name).map(|key| key.kind.to_string());
+        top.as_deref() == Some("list of tables")
+    };
+    let path: Vec<&str> = table
+        .path
+        .split('.')
+        .filter(|name| !name.is_empty())
+        .collect();
+    let inside = |value: Value, name: &&str| json!({ *name: value });
+    let scene = match path.split_first() {
+        None => value,
+        Some((top, rest)) => {
+            let below = rest.iter().rev().fold(value, inside);
+            let below = if is_list(top) { json!([below]) } else { below };
+            inside(below, top)
+        }
+    };
+    let error = SceneFormat::deserialize(Reader::new(&scene, "")).unwrap_err();
+    *error.problem
+}
+
+/// The keys that the reader knows in `table`.
+fn known(table: &Table) -> BTreeSet<String> {
+    match refusal(table, json!({ "unheard_of": 1 })) {
+        SceneProblem::UnknownKey { known, .. } | SceneProblem::UnknownName { known, .. } => {
+            known.into_iter().collect()
+        }
+        problem => panic!("[{}]: {problem}", table.path),
+    }
+}
+
+fn parse(text: &str) -> Value {
+    serde_json::to_value(toml::from_str::<toml::Table>(text).unwrap()).unwrap()
+}
+
+/// All shipped scenes and templates.
+fn scenes() -> Vec<Value> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
+    let mut found: Vec<Value> = (TEMPLATES.iter())
+        .filter(|template| template.kind == TemplateKind::Scene)
+        .map(|template| parse(template.text))
+        .collect();
+    for folder in [folder.clone(), folder.join("validation")] {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.extension().is_some_and(|end| end == "toml") {
+                found.push(parse(&fs::read_to_string(path).unwrap()));
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn scenes_have_the_declared_keys() {
+    for table in tables().filter(|table| !table.path.starts_with(REGISTERED)) {
+        assert_eq!(names(&table), known(&table), "[{}]", table.path);
+    }
+    let scenes = scenes();
+    assert!(scenes.len() >= 18, "{}", scenes.len());
+    for table in tables() {
+        let written = scenes.iter().flat_map(|scene| table.written(scene));
+        for (place, value) in written {
+            let own: BTreeSet<_> = value.as_object().unwrap().keys().cloned().collect();
+            assert!(own.is_subset(&names(&table)), "{place}: {own:?}");
+        }
+    }
+}
+
+#[test]
+fn point_models_have_the_declared_keys() {
+    for table in tables().filter(|table| table.path.starts_with(REGISTERED)) {
+        let rest = table
+            .path
+            .trim_start_matches(REGISTERED)
+            .trim_start_matches('.');
+        let registered: BTreeSet<String> = match point_models().find(|info| info.name == rest) {
+            Some(info) => info
+                .parameters
+                .iter()
+                .map(|own| own.path.to_owned())
+                .collect(),
+            None => point_models().map(|info| info.name.to_owned()).collect(),
+        };
+        assert_eq!(names(&table), registered, "[{}]", table.path);
+    }
+}
+
+/// The words by which the reader asks for a value of this kind; `None` where they differ from key to key.
+fn asked(kind: Kind) -> Option<String> {
+    let quantity = |expected: Expected| format!("{expected} with its unit in quotes");
+    match kind {
+        Kind::Quantity(dimensions) => Some(quantity(Expected::any(dimensions))),
+        Kind::List(dimension) => Some(quantity(Expected::one(dimension))),
+        Kind::Words(words) => Some(
+            match words {
+                "number" => "a number",
+                "integer" => "a whole number, at least 0",
+                "text" | "path" | "`body.set`" => "a text in quotes",
+                "`true`, `false`" => "true or false",
+                _ => return None,
+            }
+            .to_owned(),
+        ),
+    }
+}
+
+#[test]
+fn the_reader_asks_for_the_declared_types() {
+    let mut count = 0;
+    for table in tables().filter(|table| !table.path.starts_with(REGISTERED)) {
+        for key in table.keys {
+            let Some(wanted) = asked(key.kind) else {
+                continue;
+            };
+            let value = match key.kind {
+                Kind::List(_) => json!([[]]),
+                _ => json!([]),
+            };
+            match refusal(&table, json!({ key.name: value })) {
+                SceneProblem::WrongKind { expected, .. } => {
+                    assert_eq!(expected, wanted, "[{}] {}", table.path, key.name);
+                }
+                problem => panic!("[{}] {}: {problem}", table.path, key.name),
+            }
+            count += 1;
+        }
+    }
+    assert!(count >= 90, "{count}");
+}
+
+#[test]
+fn every_key_has_an_example_or_a_table_of_its_own() {
+    for table in tables() {
+        for key in table.keys {
+            let own = child(table.path, key.name);
+            let below =
+                tables().any(|table| table.path == own || table.path == child(&own, "NAME"));
+            assert!(below || key.assignment().is_some(), "{own}");
+            assert!(!key.meaning.is_empty() && !key.default.is_empty(), "{own}");
+        }
+    }
+}
+
+#[test]
+fn declarations_are_found_by_their_keys() {
+    assert_eq!(
+        example("materials.steel.isotropic.young"),
+        "young = \"70 GPa\""
+    );
+    assert_eq!(example("loads.3.force.steps"), "steps = [\"1 kN\"]");
+    assert_eq!(
+        example("bodies.pin.shape"),
+        "shape.disk = { radius = \"5 mm\" }"
+    );
+    assert!(declared("bodies.pin.colour").is_none());
+}
