@@ -38,8 +38,13 @@ impl Builder<'_> {
 
     fn one_of(&mut self, place: &str, given: &Value, exclusive: Exclusive) {
         let names = exclusive.names.iter().copied();
-        let is_given = |name: &&str| !matches!(given.get(name), None | Some(Value::Bool(false)));
-        let found: Vec<&str> = names.filter(is_given).collect();
+        let is_absent = |name| {
+            matches!(
+                given.get(name),
+                None | Some(Value::Null | Value::Bool(false))
+            )
+        };
+        let found: Vec<&str> = names.filter(|name| !is_absent(name)).collect();
         let found = match found.as_slice() {
             [_] => return,
             [] if exclusive.optional => return,

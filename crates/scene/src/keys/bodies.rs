@@ -7,58 +7,35 @@ use super::{
 };
 
 /// `[mesh]`.
+#[rustfmt::skip]
 const MESH: &[Key] = &[
     words("element", ELEMENTS, r#"`"Q8"`"#, r#""Q4""#, "element of the bodies"),
-    spacing("spacing", "required, or `angles`", r#""2 deg""#, "spacing of nodes: round shapes, an angle on the contact circle at θ = 0; cylinder and block, a length at the contact point; rectangle, a length everywhere, an angle at most 45 deg").range(POSITIVE),
-    angles("angles", NONE, r#"["0 deg", "30 deg", "60 deg", "90 deg", "120 deg", "150 deg", "180 deg"]"#, "the nodes of the contact circle themselves, increasing from 0 deg: to 180 deg, mirrored in a whole model; or around to below 360 deg, for whole models only; a strip needs nodes near the directions of its corners"),
-    spacing("fine_to", "everywhere; line contact: half_length/8", r#""100 deg""#, "distance from θ = 0 or from the contact point, to both sides, up to which `spacing` holds; beyond it the spacing grows from cell to cell by 15 % on circles and 12 % in line contacts; without effect on rectangles").range(POSITIVE),
-    spacing("coarse_spacing", "4 × `spacing`", r#""4.5 deg""#, "on circles the spacing that it grows to; needs `fine_to`").range(POSITIVE),
-    integer("layers", "by the number of angles and the width of a ring, for cells about as deep as wide", "24", "layers of cells around the hole of each plate or ring; other shapes choose their own").range(FROM_ONE),
+    spacing("spacing", "required, or `angles`", r#""2 deg""#,
+        "spacing of nodes: round shapes, an angle on the contact circle at θ = 0; cylinder and block, a length at the contact \
+        point; rectangle, a length everywhere; an angle is at most 45 deg").range(POSITIVE),
+    angles("angles", NONE, r#"["0 deg", "30 deg", "60 deg", "90 deg", "120 deg", "150 deg", "180 deg"]"#,
+        "the nodes of the contact circle themselves, increasing from 0 deg: to 180 deg, mirrored in a whole model; or around \
+        to below 360 deg, for whole models only; a strip needs nodes near the directions of its corners"),
+    spacing("fine_to", "everywhere; line contact: half_length/8", r#""100 deg""#,
+        "distance from θ = 0 or from the contact point, to both sides, up to which `spacing` holds; beyond it the spacing \
+        grows from cell to cell by 15 % on circles and 12 % in line contacts; without effect on rectangles").range(POSITIVE),
+    spacing("coarse_spacing", "4 × `spacing`", r#""4.5 deg""#,
+        "on circles the spacing that it grows to; needs `fine_to`").range(POSITIVE),
+    integer("layers", "by the number of angles and the width of a ring, for cells about as deep as wide", "24",
+        "layers of cells around the hole of each plate or ring; other shapes choose their own").range(FROM_ONE),
 ];
 
 /// `[bodies.NAME.mesh]`: what differs from there.
+#[rustfmt::skip]
 const OWN_MESH: &[Key] = &[
-    words(
-        "element",
-        ELEMENTS,
-        "of the scene",
-        r#""Q4""#,
-        "element of the body",
-    ),
-    spacing(
-        "spacing",
-        "of the scene",
-        r#""2 deg""#,
-        "spacing of nodes, an angle at most 45 deg",
-    )
-    .range(POSITIVE),
-    angles(
-        "angles",
-        "of the scene",
-        r#"["0 deg", "30 deg", "60 deg", "90 deg", "120 deg", "150 deg", "180 deg"]"#,
-        "the nodes of the contact circle themselves",
-    ),
-    spacing(
-        "fine_to",
-        "of the scene",
-        r#""100 deg""#,
-        "distance up to which `spacing` holds",
-    )
-    .range(POSITIVE),
-    spacing(
-        "coarse_spacing",
-        "of the scene; 4 × an own `spacing`",
-        r#""6 deg""#,
-        "the spacing that it grows to",
-    )
-    .range(POSITIVE),
-    integer(
-        "layers",
-        "of the scene",
-        "24",
-        "layers of cells around the hole",
-    )
-    .range(FROM_ONE),
+    words("element", ELEMENTS, "of the scene", r#""Q4""#, "element of the body"),
+    spacing("spacing", "of the scene", r#""2 deg""#, "spacing of nodes, an angle at most 45 deg").range(POSITIVE),
+    angles("angles", "of the scene", r#"["0 deg", "30 deg", "60 deg", "90 deg", "120 deg", "150 deg", "180 deg"]"#,
+        "the nodes of the contact circle themselves"),
+    spacing("fine_to", "of the scene", r#""100 deg""#, "distance up to which `spacing` holds").range(POSITIVE),
+    spacing("coarse_spacing", "of the scene; 4 × an own `spacing`", r#""6 deg""#,
+        "the spacing that it grows to").range(POSITIVE),
+    integer("layers", "of the scene", "24", "layers of cells around the hole").range(FROM_ONE),
 ];
 
 const DIVISIONS: &[&str] = &["spacing", "angles"];
@@ -66,11 +43,14 @@ const DIVISION_CHOICES: &str = r#"spacing = "2 deg", angles = ["0 deg", …]"#;
 const ELEMENTS: &str = r#"`"T3"`, `"T6"`, `"Q4"`, `"Q8"`, `"Q9"`, `"P1"` … `"P8"`"#;
 const FROM_ONE: Range = numbers(" ≥ 1", "at least 1", |value| value >= 1.0);
 
+#[rustfmt::skip]
 pub(super) const TABLES: &[Table] = &[
     Table::new("bodies.NAME", &[
         words("material", "name of a material", "required unless rigid", r#""aluminium""#, "what the body is made of"),
         flag("rigid", "`false`", "true", "nothing in the body deforms; without `material`"),
-        length("thickness", "required unless rigid or of a laminate, whose own it is", r#""1.5 mm""#, "thickness; also in plane strain, where forces are those on this length; one that contradicts the laminate is refused").range(POSITIVE),
+        length("thickness", "required unless rigid or of a laminate, whose own it is", r#""1.5 mm""#,
+            "thickness; also in plane strain, where forces are those on this length; one that contradicts the laminate is \
+            refused").range(POSITIVE),
         table_as("shape", REQUIRED, r#".disk = { radius = "5 mm" }"#, "outline"),
         table("mesh", "that of the [scene](#mesh)", "how finely this body is divided; not of a rigid one"),
     ]).one_of(&["material", "rigid"], r#"material = "…", rigid = true"#),

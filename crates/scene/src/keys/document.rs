@@ -1,5 +1,7 @@
 //! The tables of keys in `docs/scene-format.md`.
 
+use std::fmt::Write as _;
+
 use super::{Key, Table, tables};
 use crate::document::child;
 
@@ -46,7 +48,7 @@ fn title(table: &Table) -> &'static str {
 
 fn rows(table: &Table) -> String {
     let mut text =
-        "| key | type | default | meaning | example |\n| --- | --- | --- | --- | --- |\n"
+        "\n| key | type | default | meaning | example |\n| --- | --- | --- | --- | --- |\n"
             .to_owned();
     for key in table.keys {
         let cells = [
@@ -56,7 +58,8 @@ fn rows(table: &Table) -> String {
             example(table, key),
         ];
         let cells = cells.map(|cell| cell.replace('|', "\\|"));
-        text.push_str(&format!("| `{}` | {} |\n", key.name, cells.join(" | ")));
+        // Writing into a string does not fail.
+        let _ = writeln!(text, "| `{}` | {} |", key.name, cells.join(" | "));
     }
     if let Some(exclusive) = table.exclusive() {
         let amount = if exclusive.optional {
@@ -65,9 +68,9 @@ fn rows(table: &Table) -> String {
             "Exactly"
         };
         let names = exclusive.names.join("`, `");
-        text.push_str(&format!("\n{amount} one of `{names}` is given.\n"));
+        let _ = writeln!(text, "\n{amount} one of `{names}` is given.");
     }
-    text
+    text + "\n"
 }
 
 /// The example of a key, or a link to its own table.

@@ -14,12 +14,18 @@ const PART: Range = numbers(" in (0, 1]", "greater than 0, at most 1", |value| {
     value > 0.0 && value <= 1.0
 });
 
+#[rustfmt::skip]
 pub(super) const TABLES: &[Table] = &[
     Table::new("failure", &[
-        words("criteria", "list of texts", REQUIRED, r#"["max_stress", "tsai_wu"]"#, "one or more of `max_stress`, `max_strain`, `tsai_hill`, `tsai_hill_3d`, `hoffman`, `tsai_wu`, `hashin`, `yamada_sun`; the first one is drawn").range(filled(r#"at least one, such as ["max_stress"]"#)),
-        words("bodies", "list of bodies", "all of a laminate", r#"["coupon"]"#, "the bodies asked").range(filled("at least one body; leave it out for all bodies of a laminate")),
-        length("clear_of_supports", "5 % of the body's smaller outer dimension", r#""2 mm""#, "distance from the ends of supported edges and platens, and from points that are held, within which no ply is asked").range(NOT_NEGATIVE),
-        number("tsai_wu_interaction", "`-0.5`", "0.0", "F12 of `tsai_wu` as a multiple of √(F11 F22)").noted(" between −1 and 1"),
+        words("criteria", "list of texts", REQUIRED, r#"["max_stress", "tsai_wu"]"#,
+            "one or more of `max_stress`, `max_strain`, `tsai_hill`, `tsai_hill_3d`, `hoffman`, `tsai_wu`, `hashin`, \
+            `yamada_sun`; the first one is drawn").range(filled(r#"at least one, such as ["max_stress"]"#)),
+        words("bodies", "list of bodies", "all of a laminate", r#"["coupon"]"#,
+            "the bodies asked").range(filled("at least one body; leave it out for all bodies of a laminate")),
+        length("clear_of_supports", "5 % of the body's smaller outer dimension", r#""2 mm""#,
+            "distance from the ends of supported edges and platens, and from points that are held, within which no ply is asked").range(NOT_NEGATIVE),
+        number("tsai_wu_interaction", "`-0.5`", "0.0",
+            "F12 of `tsai_wu` as a multiple of √(F11 F22)").noted(" between −1 and 1"),
         number("hashin_shear_weight", "`1.0`", "0.0", "weight of shear in fibre tension of `hashin`").noted(" from 0 to 1"),
         table("characteristic", NONE, "failure at a distance from the hole"),
         table("envelopes", NONE, "failure envelopes of the bodies' laminates"),
@@ -30,7 +36,8 @@ pub(super) const TABLES: &[Table] = &[
         length("compression", REQUIRED, r#""1.8 mm""#, "R_c, at the bearing point").range(POSITIVE),
     ]),
     Table::new("failure.envelopes", &[
-        words("planes", r#"list of `"normal"`, `"shear"`"#, r#"`["normal","shear"]`"#, r#"["normal"]"#, "(σ_x, σ_y) and (σ_x, τ_xy)").range(filled(r#"at least one of "normal" and "shear""#)),
+        words("planes", r#"list of `"normal"`, `"shear"`"#, r#"`["normal","shear"]`"#, r#"["normal"]"#,
+            "(σ_x, σ_y) and (σ_x, τ_xy)").range(filled(r#"at least one of "normal" and "shear""#)),
         integer("directions", "`180`", "360", "directions of load in each plane").range(counts(3, 100_000)),
         table("last_ply", NONE, "the last ply's failure as well, by ply discount"),
     ]),
@@ -39,7 +46,8 @@ pub(super) const TABLES: &[Table] = &[
         number("matrix", REQUIRED, "0.1", "on E2 and G12, after failure of the matrix"),
     ]),
     Table::new("failure.progressive", &[
-        words("body", "body", "the only one of `failure.bodies`", r#""coupon""#, "the body whose plies fail; one contact touches its hole"),
+        words("body", "body", "the only one of `failure.bodies`", r#""coupon""#,
+            "the body whose plies fail; one contact touches its hole"),
         table_as("model", REQUIRED, ".ply_discount = { fibre = 0.01, matrix = 0.1 }", "how plies lose stiffness"),
         table("crack_band", NONE, "fracture energies that scale strengths with the cells, by ply discount only"),
         table_as("control", "the loads, in 10 increments each", ".loads = {}", "what is raised"),
@@ -50,11 +58,13 @@ pub(super) const TABLES: &[Table] = &[
     ]),
     Table::new("failure.progressive.model.ply_discount", &[
         text("criterion", "the first of `failure.criteria`", r#""max_stress""#, "the criterion by which plies fail"),
-        number("fibre", REQUIRED, "0.01", "factor on E1 after fibre failure; on E2 and G12 the smaller of both").noted(" from 10⁻⁹ to 1"),
+        number("fibre", REQUIRED, "0.01",
+            "factor on E1 after fibre failure; on E2 and G12 the smaller of both").noted(" from 10⁻⁹ to 1"),
         number("matrix", REQUIRED, "0.1", "factor on E2 and G12 after failure of the matrix").noted(" from 10⁻⁹ to 1"),
     ]),
     Table::new("failure.progressive.model.plasticity", &[
-        words("hardening", "stress ≥ 0", REQUIRED, r#""500 MPa""#, "plastic shear modulus dτ/dγᵖ of a ply, by the shear strength of the first ply; 0 is perfect plasticity"),
+        words("hardening", "stress ≥ 0", REQUIRED, r#""500 MPa""#,
+            "plastic shear modulus dτ/dγᵖ of a ply, by the shear strength of the first ply; 0 is perfect plasticity"),
     ]),
     Table::new("failure.progressive.crack_band", &[
         energy("fibre_tension", NONE, r#""90 kJ/m2""#, "fibres in tension").range(POSITIVE),
@@ -71,10 +81,13 @@ pub(super) const TABLES: &[Table] = &[
         integer("increments", "`10`", "20", "increments of each load step").range(counts(1, 10_000)),
     ]),
     Table::new("failure.progressive.control.displacement", &[
-        set("on", REQUIRED, r#""plate.left""#, "the edge or point that is driven, of an elastic body; a support or platen there gives way along the axis"),
+        set("on", REQUIRED, r#""plate.left""#,
+            "the edge or point that is driven, of an elastic body; a support or platen there gives way along the axis"),
         words("axis", r#"`"x"`, `"y"`"#, r#"`"x"`"#, r#""y""#, "axis of the drive"),
         length("end", REQUIRED, r#""-0.4 mm""#, "displacement at the end").range(NOT_ZERO),
-        integer("increments", "`40`", "60", "increments of the history, cut where many plies fail at once").range(counts(1, 10_000)),
-        number("drop", "`0.3`", "0.5", "part of the peak load by which the load falls before the history ends, as in bearing tests (ASTM D5961)").range(PART),
+        integer("increments", "`40`", "60",
+            "increments of the history, cut where many plies fail at once").range(counts(1, 10_000)),
+        number("drop", "`0.3`", "0.5",
+            "part of the peak load by which the load falls before the history ends, as in bearing tests (ASTM D5961)").range(PART),
     ]),
 ];

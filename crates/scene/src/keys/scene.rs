@@ -5,6 +5,7 @@ use super::{
     tables_of, text, words,
 };
 
+#[rustfmt::skip]
 pub(super) const TABLES: &[Table] = &[
     Table::new("", &[
         integer("version", REQUIRED, "1", "version of this format; 1 is the only one"),
@@ -31,36 +32,67 @@ pub(super) const TABLES: &[Table] = &[
     ]),
     Table::new("analysis", &[
         words("plane", r#"`"stress"`, `"strain"`"#, r#"`"stress"`"#, r#""strain""#, "plane stress or plane strain"),
-        words("model", r#"`"auto"`, `"half"`, `"whole"`"#, r#"`"auto"`"#, r#""whole""#, "half: y ≥ 0 of round shapes, x ≥ 0 of a line contact; auto takes it where shapes, materials, supports, platens, loads and friction laws are symmetric and it has all `edges`; half is refused where they are not; a rectangle has no half"),
-        words("solver", r#"`"auto"`, `"status"`, `"newton"`, `"pivoting"`, `"principal_pivoting"`, `"gauss_seidel"`, `"augmented_lagrangian"`, `"continuation"`; experimental `"penalty"`, `"tresca"`, `"enumeration"`"#, r#"`"auto"`"#, r#""pivoting""#, "auto and newton: semismooth Newton, then pivoting where it fails; status: iteration of statuses before these two; the others alone. All but experimental ones ask first for a proof that the load cannot be balanced, and stop at stated work"),
-        flag("experimental", "`false`", "true", "allows solvers whose answers may be inexact (penalty) or that are limited to few points or to small friction (enumeration, Tresca)"),
-        integer("substeps", "`1`", "4", "equal sub-steps of every load step; one that fails is halved by itself").range(counts(1, 100_000)),
-        words("ramp", r#"`"linear"`, `"quadratic"`"#, r#"`"linear"`"#, r#""quadratic""#, "load at sub-step k of n in the first load step, from nothing to its value P: P k/n, or P (k/n)², finer where contact spreads fastest; later steps are linear"),
+        words("model", r#"`"auto"`, `"half"`, `"whole"`"#, r#"`"auto"`"#, r#""whole""#,
+            "half: y ≥ 0 of round shapes, x ≥ 0 of a line contact; auto takes it where shapes, materials, supports, platens, \
+            loads and friction laws are symmetric and it has all `edges`; half is refused where they are not; a rectangle has \
+            no half"),
+        words("solver",
+            r#"`"auto"`, `"status"`, `"newton"`, `"pivoting"`, `"principal_pivoting"`, `"gauss_seidel"`, `"augmented_lagrangian"`, `"continuation"`; experimental `"penalty"`, `"tresca"`, `"enumeration"`"#,
+            r#"`"auto"`"#, r#""pivoting""#,
+            "auto and newton: semismooth Newton, then pivoting where it fails; status: iteration of statuses before these \
+            two; the others alone. All but experimental ones ask first for a proof that the load cannot be balanced, and stop \
+            at stated work"),
+        flag("experimental", "`false`", "true",
+            "allows solvers whose answers may be inexact (penalty) or that are limited to few points or to small friction \
+            (enumeration, Tresca)"),
+        integer("substeps", "`1`", "4",
+            "equal sub-steps of every load step; one that fails is halved by itself").range(counts(1, 100_000)),
+        words("ramp", r#"`"linear"`, `"quadratic"`"#, r#"`"linear"`"#, r#""quadratic""#,
+            "load at sub-step k of n in the first load step, from nothing to its value P: P k/n, or P (k/n)², finer where \
+            contact spreads fastest; later steps are linear"),
     ]),
     Table::new("contacts", &[
         text("name", "name of the second body", r#""pin""#, "name in the results, a different one for each contact"),
-        set("first", REQUIRED, r#""plate.hole""#, "the hole of a plate_with_hole, or the `contact` edge of a cylinder; an elastic body"),
-        set("second", REQUIRED, r#""pin.rim""#, "the rim of a disk or the `outer` edge of a ring, or the `contact` edge of a block"),
-        words("gap", r#"`"exact"`, `"linearised"`, `"faceted"`"#, r#"`"exact"`"#, r#""linearised""#, "initial gap: of the true circles; to first order, c (1 − cos θ) with clearance c or x²/2R, as closed forms have it; between the nodes of the mesh"),
-        words("projection", r#"`"auto"`, `"nodes"`, `"mortar"`, `"dual-mortar"`"#, r#"`"auto"`"#, r#""dual-mortar""#, "how the edges are tied: by pairs of nodes, which the meshes must have; by a mortar projection with the shape functions of the first edge, or with functions dual to them; auto pairs nodes where the meshes match and takes dual mortar where they do not"),
-        flag("interference", "`false`", "true", "allows a pin or bushing larger than its hole, by at most 10 % of the radius; it starts concentric, and the whole overlap acts from the first sub-step"),
-        words("friction", "one table", REQUIRED, ".static_dynamic = { static = 0.35, dynamic = 0.25 }", "the friction law by name, with its parameters: `coulomb`, `static_dynamic`, `slip_power`, `pressure_power`, `fibre_coverage`, or one of another crate"),
+        set("first", REQUIRED, r#""plate.hole""#,
+            "the hole of a plate_with_hole, or the `contact` edge of a cylinder; an elastic body"),
+        set("second", REQUIRED, r#""pin.rim""#,
+            "the rim of a disk or the `outer` edge of a ring, or the `contact` edge of a block"),
+        words("gap", r#"`"exact"`, `"linearised"`, `"faceted"`"#, r#"`"exact"`"#, r#""linearised""#,
+            "initial gap: of the true circles; to first order, c (1 − cos θ) with clearance c or x²/2R, as closed forms have \
+            it; between the nodes of the mesh"),
+        words("projection", r#"`"auto"`, `"nodes"`, `"mortar"`, `"dual-mortar"`"#, r#"`"auto"`"#, r#""dual-mortar""#,
+            "how the edges are tied: by pairs of nodes, which the meshes must have; by a mortar projection with the shape \
+            functions of the first edge, or with functions dual to them; auto pairs nodes where the meshes match and takes \
+            dual mortar where they do not"),
+        flag("interference", "`false`", "true",
+            "allows a pin or bushing larger than its hole, by at most 10 % of the radius; it starts concentric, and the whole \
+            overlap acts from the first sub-step"),
+        words("friction", "one table", REQUIRED, ".static_dynamic = { static = 0.35, dynamic = 0.25 }",
+            "the friction law by name, with its parameters: `coulomb`, `static_dynamic`, `slip_power`, `pressure_power`, \
+            `fibre_coverage`, or one of another crate"),
     ]),
     Table::new("supports", &[
         set("on", REQUIRED, r#""plate.left""#, "edge or point"),
-        words("fix", r#"list of `"x"`, `"y"`"#, "required, or `normal`", r#"["x"]"#, "axes along which the nodes are held").range(filled(r#"["x"], ["y"] or ["x", "y"]"#)),
+        words("fix", r#"list of `"x"`, `"y"`"#, "required, or `normal`", r#"["x"]"#,
+            "axes along which the nodes are held").range(filled(r#"["x"], ["y"] or ["x", "y"]"#)),
         angle("normal", NONE, r#""30 deg""#, "one direction, from +x, along which the nodes are held; across it they slide"),
-        length("displacement", "0", r#""0.01 mm""#, "displacement along that one axis or direction, reached at the end of the first load step and kept"),
+        length("displacement", "0", r#""0.01 mm""#,
+            "displacement along that one axis or direction, reached at the end of the first load step and kept"),
     ]).one_of(&["fix", "normal"], r#"fix = ["x", "y"], normal = "30 deg""#),
     Table::new("platens", &[
         set("on", REQUIRED, r#""plate.left""#, "the edge"),
-        words("free", r#"list of `"x"`, `"y"`"#, REQUIRED, r#"["x", "y"]"#, "axes along which it moves freely; along the others it is held, `[]` holds it"),
+        words("free", r#"list of `"x"`, `"y"`"#, REQUIRED, r#"["x", "y"]"#,
+            "axes along which it moves freely; along the others it is held, `[]` holds it"),
     ]),
     Table::new("edges", &[
-        set("on", REQUIRED, r#""plate.left""#, "an edge of an elastic body: a circle, reported over θ, or an edge along x, reported over x; not `left` or `right`, not the second edge of a contact; one that a half model lacks makes auto choose the whole"),
+        set("on", REQUIRED, r#""plate.left""#,
+            "an edge of an elastic body: a circle, reported over θ, or an edge along x, reported over x; not `left` or \
+            `right`, not the second edge of a contact; one that a half model lacks makes auto choose the whole"),
     ]),
     Table::new("output", &[
-        words("fields", r#"`"none"`, `"peak"`, `"last"`, `"all"`"#, r#"`"peak"`"#, r#""all""#, "load steps whose displacements and stresses are written as VTU, and drawn: none, that of the largest load in magnitude (the earliest of equals), of each load by which joints of their own are counted, the last, every one"),
+        words("fields", r#"`"none"`, `"peak"`, `"last"`, `"all"`"#, r#"`"peak"`"#, r#""all""#,
+            "load steps whose displacements and stresses are written as VTU, and drawn: none, that of the largest load in \
+            magnitude (the earliest of equals), of each load by which joints of their own are counted, the last, every one"),
         flag("figures", "`true`", "false", "whether figures are drawn, as SVG, as PNG and in `report.html`"),
     ]),
 ];

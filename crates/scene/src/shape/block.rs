@@ -8,16 +8,12 @@ use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes
 use crate::keys::{Key, POSITIVE, REQUIRED, length};
 use crate::units::{Length, Quantity};
 
-pub(super) const MEANING: &str = "|x| ≤ half_length, −depth ≤ y ≤ 0; its top is the edge `contact`; edges `contact`, `bottom`, `left`, `right`";
+pub(super) const MEANING: &str = "|x| ≤ half_length, −depth ≤ y ≤ 0; its top is the edge `contact`; edges `contact`, \
+    `bottom`, `left`, `right`";
 
+#[rustfmt::skip]
 pub(super) const ROWS: &[Key] = &[
-    length(
-        "half_length",
-        REQUIRED,
-        r#""40 mm""#,
-        "half of its size along x",
-    )
-    .range(POSITIVE),
+    length("half_length", REQUIRED, r#""40 mm""#, "half of its size along x").range(POSITIVE),
     length("depth", REQUIRED, r#""40 mm""#, "size along y").range(POSITIVE),
 ];
 

@@ -9,12 +9,15 @@ use crate::document::child;
 use crate::keys::{Key, POSITIVE, REQUIRED, length};
 use crate::units::{Length, Quantity};
 
-pub(super) const MEANING: &str = "from the arc that touches the origin from above up to y = depth, |x| ≤ half_length; its arc is the edge `contact`; edges `contact`, `top`";
+pub(super) const MEANING: &str = "from the arc that touches the origin from above up to y = depth, |x| ≤ half_length; its \
+    arc is the edge `contact`; edges `contact`, `top`";
 
+#[rustfmt::skip]
 pub(super) const ROWS: &[Key] = &[
     length("radius", REQUIRED, r#""50 mm""#, "radius R of the arc").range(POSITIVE),
     length("half_length", REQUIRED, r#""40 mm""#, "half of its size along x, less than the radius").range(POSITIVE),
-    length("depth", REQUIRED, r#""40 mm""#, "height of the top above the origin, greater than the arc's rise at its ends, R − √(R² − half_length²)").range(POSITIVE),
+    length("depth", REQUIRED, r#""40 mm""#,
+        "height of the top above the origin, greater than the arc's rise at its ends, R − √(R² − half_length²)").range(POSITIVE),
 ];
 
 #[derive(Debug, Clone, Deserialize, Serialize)]

@@ -11,16 +11,13 @@ use crate::keys::{Key, POSITIVE, REQUIRED, length, table_as};
 /// Name in scenes of all plates with a hole.
 pub(super) const NAME: &str = "plate_with_hole";
 
-pub(super) const MEANING: &str = "a plate around a circular hole at the origin; a ring also in the hole that holds it; edges `hole`; of a strip also `left`, `right`, `top`, `bottom`; of a ring also `outer`";
+pub(super) const MEANING: &str = "a plate around a circular hole at the origin; a ring also in the hole that holds it; \
+    edges `hole`; of a strip also `left`, `right`, `top`, `bottom`; of a ring also `outer`";
 
+#[rustfmt::skip]
 pub(super) const ROWS: &[Key] = &[
     length("hole_radius", REQUIRED, r#""5 mm""#, "radius of the hole").range(POSITIVE),
-    table_as(
-        "outline",
-        REQUIRED,
-        r#".strip = { half_width = "40 mm", left = "180 mm", right = "40 mm" }"#,
-        "outer edge",
-    ),
+    table_as("outline", REQUIRED, r#".strip = { half_width = "40 mm", left = "180 mm", right = "40 mm" }"#, "outer edge"),
 ];
 
 /// Layers that start with square cells.

@@ -14,13 +14,10 @@ use crate::units::{Length, Quantity};
 
 pub(super) const MEANING: &str = "a circle around the hole";
 
-pub(super) const ROWS: &[Key] = &[length(
-    "radius",
-    REQUIRED,
-    r#""50 mm""#,
-    "radius of the outer edge, greater than the hole's",
-)
-.range(POSITIVE)];
+#[rustfmt::skip]
+pub(super) const ROWS: &[Key] = &[
+    length("radius", REQUIRED, r#""50 mm""#, "radius of the outer edge, greater than the hole's").range(POSITIVE),
+];
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
 #[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]

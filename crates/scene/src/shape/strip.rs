@@ -21,16 +21,11 @@ use crate::units::{Length, Quantity};
 
 pub(super) const MEANING: &str = "−left ≤ x ≤ right, |y| ≤ half_width";
 
+#[rustfmt::skip]
 pub(super) const ROWS: &[Key] = &[
     length("half_width", REQUIRED, r#""40 mm""#, "half of the width").range(POSITIVE),
     length("left", REQUIRED, r#""40 mm""#, "distance to the edge at −x").range(POSITIVE),
-    length(
-        "right",
-        REQUIRED,
-        r#""40 mm""#,
-        "distance to the edge at +x",
-    )
-    .range(POSITIVE),
+    length("right", REQUIRED, r#""40 mm""#, "distance to the edge at +x").range(POSITIVE),
 ];
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
