@@ -38,7 +38,7 @@ impl Builder<'_> {
 
     fn one_of(&mut self, place: &str, given: &Value, exclusive: Exclusive) {
         let names = exclusive.names.iter().copied();
-        let is_absent = |name| {
+        let is_absent = |name: &str| {
             matches!(
                 given.get(name),
                 None | Some(Value::Null | Value::Bool(false))
