@@ -193,6 +193,11 @@ impl Builder<'_> {
         self.findings.iter().any(below)
     }
 
+    /// Whether `key` itself has been refused.
+    fn is_refused_at(&self, key: &str) -> bool {
+        self.findings.iter().any(|finding| finding.key == key)
+    }
+
     /// Entries of the list `name` as written; fewer were read where some are refused.
     fn written(&self, name: &str) -> usize {
         let list = self.document.get(name).and_then(Value::as_array);

@@ -51,7 +51,7 @@ pub struct Key {
     pub meaning: &'static str,
     example: &'static str,
     noted: &'static str,
-    range: Option<Range>,
+    pub(crate) range: Option<Range>,
 }
 
 impl Key {
@@ -87,10 +87,6 @@ impl Key {
     pub fn is_required(&self) -> bool {
         self.default.starts_with(REQUIRED)
     }
-
-    pub(crate) fn checked(&self) -> Option<Range> {
-        self.range
-    }
 }
 
 /// A table of keys.
@@ -100,7 +96,7 @@ pub struct Table {
     pub path: &'static str,
     /// Its keys.
     pub keys: &'static [Key],
-    exclusive: Option<Exclusive>,
+    pub(crate) exclusive: Option<Exclusive>,
 }
 
 /// Keys of a table of which exactly one is given.
@@ -149,10 +145,6 @@ impl Table {
             exclusive.optional = true;
         }
         own
-    }
-
-    pub(crate) fn exclusive(&self) -> Option<Exclusive> {
-        self.exclusive
     }
 
     /// The tables of this kind that a scene has, with their keys.

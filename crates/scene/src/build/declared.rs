@@ -13,11 +13,11 @@ impl Builder<'_> {
         let document = self.document;
         for table in tables() {
             for (place, given) in table.written(&document.root) {
-                if let Some(exclusive) = table.exclusive() {
+                if let Some(exclusive) = table.exclusive {
                     self.one_of(&place, given, exclusive);
                 }
                 for key in table.keys {
-                    let (Some(range), Some(value)) = (key.checked(), given.get(key.name)) else {
+                    let (Some(range), Some(value)) = (key.range, given.get(key.name)) else {
                         continue;
                     };
                     let place = child(&place, key.name);

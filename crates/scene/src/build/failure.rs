@@ -135,7 +135,7 @@ impl Builder<'_> {
             Some(Substance::Elastic { material, .. }) => materials.contains_key(material),
             _ => true,
         };
-        read && !self.is_refused(&child("bodies", body))
+        read && !self.is_refused_at(&child("bodies", body))
     }
 
     /// Every ply must have what every criterion asks for, and parameters must fit the strengths.

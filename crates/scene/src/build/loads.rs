@@ -67,7 +67,7 @@ impl Builder<'_> {
         base: &Path,
     ) -> Option<LoadKind> {
         // Several kinds or none have been reported.
-        if self.findings.iter().any(|finding| finding.key == key) {
+        if self.is_refused_at(key) {
             return None;
         }
         if let Some(temperature) = &given.temperature {

@@ -61,7 +61,7 @@ fn rows(table: &Table) -> String {
         // Writing into a string does not fail.
         let _ = writeln!(text, "| `{}` | {} |", key.name, cells.join(" | "));
     }
-    if let Some(exclusive) = table.exclusive() {
+    if let Some(exclusive) = table.exclusive {
         let amount = if exclusive.optional {
             "At most"
         } else {
