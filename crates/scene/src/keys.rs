@@ -102,12 +102,19 @@ pub struct Table {
 /// Keys of a table of which exactly one is given.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Exclusive {
-    /// The keys.
-    pub(crate) names: &'static [&'static str],
+    /// Each key with those that stand beside it alone.
+    pub(crate) groups: &'static [&'static [&'static str]],
     /// The choices as a message lists them.
     pub(crate) choices: &'static str,
     /// Whether the table may leave out all of them.
     pub(crate) optional: bool,
+}
+
+impl Exclusive {
+    /// The keys.
+    pub(crate) fn names(&self) -> Vec<&'static str> {
+        self.groups.iter().map(|group| group[0]).collect()
+    }
 }
 
 impl Table {
@@ -120,27 +127,27 @@ impl Table {
         }
     }
 
-    /// The same table, in which exactly one of `names` is given, as messages list their `choices`.
+    /// The same table, in which exactly one of the first keys of `groups` is given, as messages list their `choices`.
     pub(crate) const fn one_of(
         mut self,
-        names: &'static [&'static str],
+        groups: &'static [&'static [&'static str]],
         choices: &'static str,
     ) -> Self {
         self.exclusive = Some(Exclusive {
-            names,
+            groups,
             choices,
             optional: false,
         });
         self
     }
 
-    /// The same table, in which one of `names` is given, or none.
+    /// The same table, in which one of the first keys of `groups` is given, or none.
     pub(crate) const fn at_most_one_of(
         self,
-        names: &'static [&'static str],
+        groups: &'static [&'static [&'static str]],
         choices: &'static str,
     ) -> Self {
-        let mut own = self.one_of(names, choices);
+        let mut own = self.one_of(groups, choices);
         if let Some(exclusive) = &mut own.exclusive {
             exclusive.optional = true;
         }
@@ -158,14 +165,18 @@ impl Table {
         found
     }
 
-    fn holds(&self, path: &[&str]) -> bool {
-        let own: Vec<&str> = self
-            .path
-            .split('.')
-            .filter(|name| !name.is_empty())
-            .collect();
-        let fits = |(own, given): (&&str, &&str)| *own == "NAME" || own == given;
-        own.len() == path.len() && own.iter().zip(path).all(fits)
+    /// Whether this is the table at `path`, in which entries of lists have their index.
+    fn stands_at(&self, path: &str) -> bool {
+        let is_index = |name: &&str| name.parse::<usize>().is_ok();
+        let mut given = path.split('.').filter(|name| !name.is_empty()).peekable();
+        for own in self.path.split('.').filter(|name| !name.is_empty()) {
+            let fits = |name: &&str| own == "NAME" || own == *name;
+            given.next_if(|name| !fits(name) && is_index(name));
+            if given.next_if(fits).is_none() {
+                return false;
+            }
+        }
+        given.all(|name| is_index(&name))
     }
 }
 
@@ -201,13 +212,14 @@ pub fn tables() -> impl Iterator<Item = Table> {
         .chain(others.into_iter().flatten().copied())
 }
 
+/// The table at `path`, `loads.0.force`.
+pub(crate) fn table_at(path: &str) -> Option<Table> {
+    tables().find(|table| table.stands_at(path))
+}
+
 /// The declaration of `key`, given in full: `bodies.plate.thickness`.
 pub(crate) fn declared(key: &str) -> Option<&'static Key> {
-    let path: Vec<&str> = key
-        .split('.')
-        .filter(|name| name.parse::<usize>().is_err())
-        .collect();
-    let (name, table) = path.split_last()?;
-    let keys = tables().find(|own| own.holds(table))?.keys;
-    keys.iter().find(|own| own.name == *name)
+    let (path, name) = key.rsplit_once('.').unwrap_or(("", key));
+    let keys = table_at(path)?.keys;
+    keys.iter().find(|own| own.name == name)
 }

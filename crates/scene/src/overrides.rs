@@ -12,6 +12,7 @@ use serde_json::{Map, Value};
 
 use super::document::{Document, Format, Place, child};
 use super::friction::is_choice;
+use super::keys::table_at;
 use super::read::described;
 use crate::diagnostic::{Finding, SceneError, SceneProblem, SourceText};
 
@@ -26,27 +27,6 @@ const CHOICES: [&str; 4] = [
     "bodies.*.shape",
     "bodies.*.shape.plate_with_hole.outline",
     "contacts.*.friction",
-];
-
-/// The two ways to divide an edge.
-const DIVISIONS: [&[&str]; 2] = [&["angles"], &["spacing", "fine_to", "coarse_spacing"]];
-
-/// Keys of which a table holds only one group.
-const RIVALS: [(&str, &[&[&str]]); 5] = [
-    (
-        "loads.*",
-        &[
-            &["force"],
-            &["bearing"],
-            &["pressure"],
-            &["polar_traction"],
-            &["temperature"],
-        ],
-    ),
-    ("supports.*", &[&["fix"], &["normal"]]),
-    ("bodies.*", &[&["rigid"], &["material"]]),
-    ("mesh", &DIVISIONS),
-    ("bodies.*.mesh", &DIVISIONS),
 ];
 
 /// Applies one argument `key=value`.
@@ -227,9 +207,8 @@ fn rivals(path: &str, name: &str, map: &Map<String, Value>) -> Vec<String> {
     if CHOICES.iter().any(|pattern| matches(path, pattern)) || is_choice(path) {
         return others.cloned().collect();
     }
-    let Some((_, groups)) = RIVALS.iter().find(|(pattern, _)| matches(path, pattern)) else {
-        return Vec::new();
-    };
+    let exclusive = table_at(path).and_then(|table| table.exclusive);
+    let groups = exclusive.map_or(&[][..], |exclusive| exclusive.groups);
     let Some(own) = groups.iter().find(|group| group.contains(&name)) else {
         return Vec::new();
     };

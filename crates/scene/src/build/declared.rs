@@ -37,19 +37,21 @@ impl Builder<'_> {
     }
 
     fn one_of(&mut self, place: &str, given: &Value, exclusive: Exclusive) {
-        let names = exclusive.names.iter().copied();
+        let names = exclusive.names();
         let is_absent = |name: &str| {
             matches!(
                 given.get(name),
                 None | Some(Value::Null | Value::Bool(false))
             )
         };
-        let found: Vec<&str> = names.filter(|name| !is_absent(name)).collect();
+        let found: Vec<&str> = (names.iter().copied())
+            .filter(|name| !is_absent(name))
+            .collect();
         let found = match found.as_slice() {
             [_] => return,
             [] if exclusive.optional => return,
             [] => "none".to_owned(),
-            [_, _] if exclusive.names.len() == 2 => "both".to_owned(),
+            [_, _] if names.len() == 2 => "both".to_owned(),
             several => several.join(", "),
         };
         let problem = SceneProblem::OneOf {

@@ -38,7 +38,7 @@ const OWN_MESH: &[Key] = &[
     integer("layers", "of the scene", "24", "layers of cells around the hole").range(FROM_ONE),
 ];
 
-const DIVISIONS: &[&str] = &["spacing", "angles"];
+const DIVISIONS: &[&[&str]] = &[&["spacing", "fine_to", "coarse_spacing"], &["angles"]];
 const DIVISION_CHOICES: &str = r#"spacing = "2 deg", angles = ["0 deg", …]"#;
 const ELEMENTS: &str = r#"`"T3"`, `"T6"`, `"Q4"`, `"Q8"`, `"Q9"`, `"P1"` … `"P8"`"#;
 const FROM_ONE: Range = numbers(" ≥ 1", "at least 1", |value| value >= 1.0);
@@ -53,7 +53,7 @@ pub(super) const TABLES: &[Table] = &[
             refused").range(POSITIVE),
         table_as("shape", REQUIRED, r#".disk = { radius = "5 mm" }"#, "outline"),
         table("mesh", "that of the [scene](#mesh)", "how finely this body is divided; not of a rigid one"),
-    ]).one_of(&["material", "rigid"], r#"material = "…", rigid = true"#),
+    ]).one_of(&[&["material"], &["rigid"]], r#"material = "…", rigid = true"#),
     Table::new("bodies.NAME.mesh", OWN_MESH).at_most_one_of(DIVISIONS, DIVISION_CHOICES),
     Table::new("mesh", MESH).one_of(DIVISIONS, DIVISION_CHOICES),
 ];

@@ -67,7 +67,7 @@ fn rows(table: &Table) -> String {
         } else {
             "Exactly"
         };
-        let names = exclusive.names.join("`, `");
+        let names = exclusive.names().join("`, `");
         let _ = writeln!(text, "\n{amount} one of `{names}` is given.");
     }
     text + "\n"

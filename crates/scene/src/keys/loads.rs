@@ -9,6 +9,14 @@ const PUSHES: Range = numbers(
     |value| value >= 0.0,
 );
 
+const KINDS: &[&[&str]] = &[
+    &["force"],
+    &["bearing"],
+    &["pressure"],
+    &["polar_traction"],
+    &["temperature"],
+];
+
 #[rustfmt::skip]
 pub(super) const TABLES: &[Table] = &[
     Table::new("loads", &[
@@ -19,7 +27,7 @@ pub(super) const TABLES: &[Table] = &[
         table("pressure", "one of the five", "a pressure on an edge"),
         table("polar_traction", "one of the five", "stresses on a circle, from a file"),
         table("temperature", "one of the five", "a temperature change of a body"),
-    ]).one_of(&["force", "bearing", "pressure", "polar_traction", "temperature"], "force, bearing, pressure, polar_traction, temperature"),
+    ]).one_of(KINDS, "force, bearing, pressure, polar_traction, temperature"),
     Table::new("loads.force", &[
         words("direction", "two numbers", REQUIRED, "[-1, 0]", "vector (x, y), of any length but zero"),
         forces("steps", REQUIRED, r#"["1 kN"]"#,

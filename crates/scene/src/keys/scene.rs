@@ -78,7 +78,7 @@ pub(super) const TABLES: &[Table] = &[
         angle("normal", NONE, r#""30 deg""#, "one direction, from +x, along which the nodes are held; across it they slide"),
         length("displacement", "0", r#""0.01 mm""#,
             "displacement along that one axis or direction, reached at the end of the first load step and kept"),
-    ]).one_of(&["fix", "normal"], r#"fix = ["x", "y"], normal = "30 deg""#),
+    ]).one_of(&[&["fix"], &["normal"]], r#"fix = ["x", "y"], normal = "30 deg""#),
     Table::new("platens", &[
         set("on", REQUIRED, r#""plate.left""#, "the edge"),
         words("free", r#"list of `"x"`, `"y"`"#, REQUIRED, r#"["x", "y"]"#,
