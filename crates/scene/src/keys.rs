@@ -79,7 +79,7 @@ impl Key {
 
     /// Its type with its range: `length > 0`.
     pub fn type_text(&self) -> String {
-        let range = self.range.map(|range| range.shown()).unwrap_or_default();
+        let range = self.range.map(Range::shown).unwrap_or_default();
         format!("{}{range}{}", self.kind, self.noted)
     }
 

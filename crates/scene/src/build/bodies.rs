@@ -147,11 +147,9 @@ impl Builder<'_> {
         materials: &BTreeMap<String, Material>,
     ) -> Substance {
         let thickness = body.thickness.as_ref().map(Quantity::value);
-        let material = match (&body.material, body.rigid) {
-            (Some(material), false) => material,
-            (None, true) => return Substance::Rigid,
-            // Both or none has been reported.
-            _ => return Substance::Rigid,
+        // Both or none has been reported.
+        let (Some(material), false) = (&body.material, body.rigid) else {
+            return Substance::Rigid;
         };
         // A laminate that was refused for itself needs no second message.
         let written = self.document.get(&child("materials", material)).is_some();

@@ -164,15 +164,12 @@ impl Builder<'_> {
                         && !told.contains(&cause)
                     {
                         told.push(cause.clone());
-                        let key = match cause {
-                            FailureError::OpenSurface { .. } => {
-                                "failure.tsai_wu_interaction".to_owned()
-                            }
-                            _ => {
-                                let named = |name: &String| name == criterion.name();
-                                let index = given.criteria.iter().position(named);
-                                format!("failure.criteria.{}", index.unwrap_or_default())
-                            }
+                        let named = |name: &String| name == criterion.name();
+                        let index = given.criteria.iter().position(named);
+                        let key = if matches!(cause, FailureError::OpenSurface { .. }) {
+                            "failure.tsai_wu_interaction".to_owned()
+                        } else {
+                            format!("failure.criteria.{}", index.unwrap_or_default())
                         };
                         self.report(&key, Part::Value, LaminateProblem::Failure { cause }.into());
                     }

@@ -40,7 +40,7 @@ const OWN_MESH: &[Key] = &[
 
 const DIVISIONS: &[&[&str]] = &[&["spacing", "fine_to", "coarse_spacing"], &["angles"]];
 const DIVISION_CHOICES: &str = r#"spacing = "2 deg", angles = ["0 deg", …]"#;
-const ELEMENTS: &str = r#"`"T3"`, `"T6"`, `"Q4"`, `"Q8"`, `"Q9"`, `"P1"` … `"P8"`"#;
+const ELEMENTS: &str = r#"`"T3"`, `"T6"`, `"Q4"`, `"Q8"`, `"Q9"`, `"P1"`, `"P2"`, `"P3"`, `"P4"`, `"P5"`, `"P6"`, `"P7"`, `"P8"`"#;
 const FROM_ONE: Range = numbers(" ≥ 1", "at least 1", |value| value >= 1.0);
 
 #[rustfmt::skip]
