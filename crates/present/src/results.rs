@@ -13,6 +13,8 @@
 //!
 //! Everything is in the scene's display units, and every heading names its unit.
 
+mod attempt;
+mod cells;
 mod csv_files;
 mod display;
 mod failure;

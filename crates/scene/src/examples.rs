@@ -1,6 +1,7 @@
 //! A line that would do for each required key; in backticks where words follow it.
 
-use crate::keys::{Key, declared};
+use crate::declaration::Key;
+use crate::keys::declared;
 
 /// What to write for the missing `key`, given in full: `bodies.plate.thickness`.
 pub(super) fn example(key: &str) -> String {

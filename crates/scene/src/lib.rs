@@ -32,6 +32,7 @@
 //! ```
 
 mod build;
+pub mod declaration;
 pub mod diagnostic;
 pub mod document;
 mod dotted;

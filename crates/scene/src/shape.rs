@@ -29,8 +29,8 @@ use std::ops::Deref;
 use serde::{Deserialize, Serialize};
 
 use self::hole::Hole;
+use crate::declaration::{Key, Table, table};
 use crate::document::child;
-use crate::keys::{Key, Table, table};
 use crate::units::{Length, Quantity};
 
 pub(crate) use self::outline::Sizes;

@@ -8,7 +8,8 @@ use serde_json::Value;
 use stickslip::diagnostic::{SceneError, SceneProblem};
 use stickslip::host::HOST;
 use stickslip::model::Model;
-use stickslip::scene::keys::{Key, Table, document, tables};
+use stickslip::scene::declaration::{Key, Table};
+use stickslip::scene::keys::{document, tables};
 use stickslip::scene::{Format, Scene};
 
 const DOCUMENT: &str = include_str!("../../../docs/scene-format.md");

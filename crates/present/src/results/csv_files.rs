@@ -1,20 +1,15 @@
 //! Tables as CSV files: one per step and edge, and one of all steps. Headings carry the units: `CPRESS [psi]`.
 
 use stickslip_contact::Status;
-use stickslip_text::plain::csv_cell;
 
+use super::cells::{number, write};
 use super::display::EdgeView;
 use super::names::{FileNames, step_name};
 use super::quantities::csv_columns;
 use super::{FileNote, OutputError, failure};
 use crate::PutFile;
 use stickslip_engine::results::{EdgeRow, Results};
-use stickslip_text::tidy;
 
-/// A file's name and bytes.
-pub(super) type File = (String, Vec<u8>);
-
-/// Takes a file's name and bytes.
 /// Hands all CSV files to `put`, one after the other, because those of a long history are many; what they hold.
 pub(super) fn files(results: &Results, put: &PutFile<'_>) -> Result<Vec<FileNote>, OutputError> {
     put("steps.csv", &steps(results)?)?;
@@ -43,34 +38,6 @@ pub(super) fn files(results: &Results, put: &PutFile<'_>) -> Result<Vec<FileNote
     }
     notes.extend(about);
     Ok(notes)
-}
-
-pub(super) fn write(
-    file: &str,
-    rows: impl IntoIterator<Item = Vec<String>>,
-) -> Result<Vec<u8>, OutputError> {
-    let fail = |cause: csv::Error| OutputError::Csv {
-        file: file.to_owned(),
-        cause,
-    };
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for row in rows {
-        let cells = row.iter().map(|cell| csv_cell(cell).into_owned());
-        writer.write_record(cells).map_err(fail)?;
-    }
-    writer
-        .into_inner()
-        .map_err(|cause| fail(cause.into_error().into()))
-}
-
-/// A number for a program: up to twelve significant digits, empty where there is none.
-pub(super) fn number(value: f64) -> String {
-    match tidy(value) {
-        None => String::new(),
-        Some(0.0) => "0".into(),
-        Some(value) if (1e-4..1e12).contains(&value.abs()) => value.to_string(),
-        Some(value) => format!("{value:e}"),
-    }
 }
 
 /// A column of an edge's table: heading and the cell of a row.

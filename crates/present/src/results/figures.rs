@@ -1,20 +1,17 @@
 //! Figures of a run, each with a caption that says what one sees in numbers.
 
-mod edge;
+pub(super) mod edge;
 mod families;
-mod fields;
+pub(super) mod fields;
 mod history;
 mod map;
 
-pub(super) use edge::{TICK_INTERVALS, along, place_axis};
-pub(super) use fields::drawn;
-
 use stickslip_contact::Status;
-use stickslip_report::FigureError;
 use stickslip_report::chart::Band;
 use stickslip_report::color::Color;
 use stickslip_report::svg::Svg;
 
+use super::attempt::Attempt;
 use super::display::EdgeView;
 use super::failure::{self, FailureView};
 use super::names::FileNames;
@@ -43,9 +40,6 @@ pub(super) enum Group {
     Failure,
     Field,
 }
-
-/// A figure before it has a file name; `None` where it does not apply.
-pub(super) type Attempt = Result<Option<(Svg, String)>, FigureError>;
 
 /// All figures that apply, and a line for each that could not be drawn: a picture is not worth losing a result.
 pub(super) fn draw(results: &Results) -> (Vec<Drawing>, Vec<String>) {

@@ -4,7 +4,7 @@
 use serde::{Serialize, Serializer};
 use stickslip_text::{decimals, short, significant, tidy};
 
-use super::csv_files::number;
+use super::cells::number;
 use super::display::EdgeView;
 
 /// One number of an edge.

@@ -8,7 +8,7 @@ use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_fem_core::stress::polar;
 use stickslip_fem_core::vtk::{Field, PvdEntry, write_pvd, write_vtu};
 
-use super::csv_files::File;
+use super::cells::File;
 use super::failure::plain_name;
 use super::names::{FileNames, step_name};
 use super::{FileNote, OutputError};

@@ -3,9 +3,10 @@
 use serde_json::Value;
 
 use super::Builder;
+use crate::declaration::{Exclusive, each};
 use crate::diagnostic::SceneProblem;
 use crate::document::{Part, child};
-use crate::keys::{Exclusive, each, tables};
+use crate::keys::tables;
 
 impl Builder<'_> {
     /// Checks every key that is written against its declaration.

@@ -1,7 +1,7 @@
 //! Bodies, and how they are divided.
 
-use super::range::numbers;
-use super::{
+use crate::declaration::numbers;
+use crate::declaration::{
     Key, NONE, POSITIVE, REQUIRED, Range, Table, angles, flag, integer, length, spacing, table,
     table_as, words,
 };

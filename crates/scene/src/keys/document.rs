@@ -2,7 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::{Key, Table, tables};
+use super::tables;
+use crate::declaration::{Key, Table};
 use crate::document::child;
 
 const START: &str = "<!-- keys of ";

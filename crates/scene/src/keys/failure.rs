@@ -1,7 +1,7 @@
 //! What is asked about the failure of laminates.
 
-use super::range::numbers;
-use super::{
+use crate::declaration::numbers;
+use crate::declaration::{
     NONE, POSITIVE, REQUIRED, Range, Table, counts, energy, filled, integer, length, number, set,
     table, table_as, text, words,
 };

@@ -1,7 +1,9 @@
 //! Loads.
 
-use super::range::numbers;
-use super::{REQUIRED, Range, Table, forces, stresses, table, temperatures, text, words};
+use crate::declaration::numbers;
+use crate::declaration::{
+    REQUIRED, Range, Table, forces, stresses, table, temperatures, text, words,
+};
 
 const PUSHES: Range = numbers(
     " ≥ 0",

@@ -1,6 +1,6 @@
 //! Plies and materials.
 
-use super::{
+use crate::declaration::{
     POSITIVE, REQUIRED, Table, angle, expansion, flag, length, number, stress, table, temperature,
     text, words,
 };

@@ -1,6 +1,6 @@
 //! The scene itself, and its tables without names.
 
-use super::{
+use crate::declaration::{
     NONE, REQUIRED, Table, angle, counts, filled, flag, integer, length, lists, set, table,
     tables_of, text, words,
 };

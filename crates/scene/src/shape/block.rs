@@ -5,7 +5,7 @@ use stickslip_fem_core::mesh::Point;
 
 use super::line_contact;
 use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
-use crate::keys::{Key, POSITIVE, REQUIRED, length};
+use crate::declaration::{Key, POSITIVE, REQUIRED, length};
 use crate::units::{Length, Quantity};
 
 pub(super) const MEANING: &str = "|x| ≤ half_length, −depth ≤ y ≤ 0; its top is the edge `contact`; edges `contact`, \

@@ -5,8 +5,8 @@ use stickslip_fem_core::mesh::Point;
 
 use super::line_contact;
 use super::outline::{Curve, Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
+use crate::declaration::{Key, POSITIVE, REQUIRED, length};
 use crate::document::child;
-use crate::keys::{Key, POSITIVE, REQUIRED, length};
 use crate::units::{Length, Quantity};
 
 pub(super) const MEANING: &str = "from the arc that touches the origin from above up to y = depth, |x| ≤ half_length; its \

@@ -6,7 +6,7 @@ use stickslip_fem_core::mesh::Point;
 
 use super::hole::SQUARE;
 use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
-use crate::keys::{Key, POSITIVE, REQUIRED, length};
+use crate::declaration::{Key, POSITIVE, REQUIRED, length};
 use crate::units::{Length, Quantity};
 
 pub(super) const MEANING: &str =

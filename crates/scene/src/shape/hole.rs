@@ -6,7 +6,7 @@ use stickslip_fem_core::generate::{
 use stickslip_fem_core::mesh::{Mesh, Point};
 
 use super::outline::{Divided, Edge, Meshing, Role};
-use crate::keys::{Key, POSITIVE, REQUIRED, length, table_as};
+use crate::declaration::{Key, POSITIVE, REQUIRED, length, table_as};
 
 /// Name in scenes of all plates with a hole.
 pub(super) const NAME: &str = "plate_with_hole";

@@ -5,7 +5,7 @@ use stickslip_fem_core::generate;
 use stickslip_fem_core::mesh::Point;
 
 use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Sizes};
-use crate::keys::{Key, POSITIVE, REQUIRED, length};
+use crate::declaration::{Key, POSITIVE, REQUIRED, length};
 use crate::units::{Length, Quantity};
 
 pub(super) const MEANING: &str =

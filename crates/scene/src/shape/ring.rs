@@ -8,8 +8,8 @@ use stickslip_fem_core::mesh::Point;
 
 use super::hole::{self, Hole};
 use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
+use crate::declaration::{Key, POSITIVE, REQUIRED, length};
 use crate::document::child;
-use crate::keys::{Key, POSITIVE, REQUIRED, length};
 use crate::units::{Length, Quantity};
 
 pub(super) const MEANING: &str = "a circle around the hole";

@@ -15,8 +15,8 @@ use stickslip_fem_core::mesh::Point;
 
 use super::hole::{self, Hole};
 use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Sizes};
+use crate::declaration::{Key, POSITIVE, REQUIRED, length};
 use crate::document::child;
-use crate::keys::{Key, POSITIVE, REQUIRED, length};
 use crate::units::{Length, Quantity};
 
 pub(super) const MEANING: &str = "−left ≤ x ≤ right, |y| ≤ half_width";

@@ -2,7 +2,7 @@
 
 use super::tables::hypotheses;
 use super::{FailureView, plain_name, plane_symbols};
-use crate::results::csv_files::{File, number, write};
+use crate::results::cells::{File, number, write};
 use crate::results::display::EdgeView;
 use crate::results::names::{FileNames, step_name};
 use crate::results::progressive::{self, ProgressiveView};

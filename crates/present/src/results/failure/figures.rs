@@ -5,8 +5,9 @@ use stickslip_report::chart::{Band, Dash, Legend, LineChart, Panels, ReferenceLi
 use stickslip_report::color::Color;
 
 use super::{FailureView, criterion_name, plane_symbols};
+use crate::results::attempt::Attempt;
 use crate::results::display::EdgeView;
-use crate::results::figures::{Attempt, TICK_INTERVALS, along, place_axis};
+use crate::results::figures::edge::{TICK_INTERVALS, along, place_axis};
 use stickslip_engine::results::{EdgePlies, EdgePly, Envelope};
 use stickslip_scene::schema::EnvelopePlane;
 use stickslip_text::{short, significant};

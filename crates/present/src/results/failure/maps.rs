@@ -5,7 +5,8 @@ use stickslip_report::chart::tile;
 use stickslip_report::field::FieldPlot;
 
 use super::{FailureView, criterion_name};
-use crate::results::figures::{Attempt, drawn};
+use crate::results::attempt::Attempt;
+use crate::results::figures::fields::drawn;
 use stickslip_engine::results::{EdgeKind, PlyMap};
 use stickslip_text::significant;
 

@@ -3,7 +3,8 @@
 use stickslip_report::axis::Axis;
 use stickslip_report::chart::{Dash, LineChart, Series};
 
-use super::{Attempt, half_remark, zone_bands};
+use super::{half_remark, zone_bands};
+use crate::results::attempt::Attempt;
 use crate::results::display::{EdgeView, even};
 use crate::results::zones::{contact_ranges, contact_reach, is_closed, modelled, stick_ranges};
 use stickslip_engine::results::EdgeRow;

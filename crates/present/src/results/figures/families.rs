@@ -7,7 +7,8 @@ use stickslip_report::color::{Color, loading_sequence, sequence, unloading_seque
 use stickslip_report::svg::Svg;
 
 use super::edge::{around_contact, curve, place_axis};
-use super::{Attempt, last_largest};
+use super::last_largest;
+use crate::results::attempt::Attempt;
 use crate::results::display::{EdgeView, even};
 use crate::results::zones::contact_reach;
 use stickslip_engine::results::EdgeRow;

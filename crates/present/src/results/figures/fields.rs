@@ -5,8 +5,8 @@ use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_report::color::Colormap;
 use stickslip_report::field::{FieldPlot, Mirror};
 
-use super::Attempt;
 use super::edge::all_contact;
+use crate::results::attempt::Attempt;
 use crate::results::display::EdgeView;
 use crate::results::vtk_files::{polar_stresses, von_mises_stresses};
 use stickslip_engine::results::{BodyFields, EdgeKind, Results, StepResults};

@@ -5,7 +5,8 @@ use stickslip_report::chart::{Dash, Legend, LineChart, Panels, Series, SeriesSty
 use stickslip_report::color::Color;
 
 use super::edge::all_contact;
-use super::{Attempt, last_largest};
+use super::last_largest;
+use crate::results::attempt::Attempt;
 use crate::results::display::EdgeView;
 use crate::results::tables::lies_evenly;
 use crate::results::zones::{contact_ranges, contact_reach, stick_ranges};

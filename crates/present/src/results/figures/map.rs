@@ -6,7 +6,8 @@ use stickslip_report::chart::{Legend, LineChart, ReferenceLine, Series};
 use stickslip_report::color::Color;
 
 use super::edge::{TICK_INTERVALS, all_contact, around_contact, place_axis};
-use super::{Attempt, zone_color, zone_name};
+use super::{zone_color, zone_name};
+use crate::results::attempt::Attempt;
 use crate::results::display::EdgeView;
 use crate::results::zones::{shown_ranges, zone_ranges};
 use stickslip_text::significant;

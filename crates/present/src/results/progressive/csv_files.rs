@@ -1,7 +1,7 @@
 //! The load–displacement curve and the damage of every ply as CSV files.
 
 use super::{ProgressiveView, mode_name};
-use crate::results::csv_files::{File, number, write};
+use crate::results::cells::{File, number, write};
 use crate::results::failure::plain_name;
 use crate::results::{FileNote, OutputError};
 

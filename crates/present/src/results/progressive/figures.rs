@@ -5,7 +5,7 @@ use stickslip_report::chart::{Dash, Legend, LineChart, Panels, Series, SeriesSty
 use stickslip_report::color::Color;
 
 use super::{ProgressiveView, tables};
-use crate::results::figures::Attempt;
+use crate::results::attempt::Attempt;
 use stickslip_engine::results::{EdgeStrain, ProgressiveFailure};
 use stickslip_text::significant;
 

@@ -8,7 +8,8 @@ use stickslip_report::map::Category;
 use stickslip_report::mesh_map::MeshMap;
 
 use super::ProgressiveView;
-use crate::results::figures::{Attempt, drawn};
+use crate::results::attempt::Attempt;
+use crate::results::figures::fields::drawn;
 use stickslip_text::significant;
 
 /// Room around the damage and the hole, in radii.

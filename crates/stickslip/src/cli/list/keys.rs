@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 
 use serde_json::{Value, json};
-use stickslip_scene::keys::{Key, tables};
+use stickslip_scene::declaration::Key;
+use stickslip_scene::keys::tables;
 
 /// The loads that a scene may hold: name and meaning.
 pub(super) fn loads() -> impl Iterator<Item = (&'static str, &'static str)> {
