@@ -26,7 +26,7 @@ pub struct Key {
     pub name: &'static str,
     /// Its type.
     pub kind: Kind,
-    /// What holds where it is left out, in words or as a value in backticks.
+    /// What holds where it is left out, as text or as a value in backticks.
     pub default: &'static str,
     /// What it means.
     pub meaning: &'static str,

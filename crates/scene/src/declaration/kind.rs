@@ -12,7 +12,7 @@ pub enum Kind {
     Quantity(&'static [Dimension]),
     /// A list of quantities.
     List(Dimension),
-    /// Anything else, in words.
+    /// Anything else, as text.
     Words(&'static str),
 }
 
