@@ -108,7 +108,7 @@ impl Laboratory {
         }
     }
 
-    /// `quick` or `full`, whichever is requested.
+    /// `quick` or `full`, whichever is asked for.
     pub(crate) fn sized<T>(&self, quick: T, full: T) -> T {
         match self.size {
             Size::Quick => quick,

@@ -40,7 +40,7 @@ impl Raster {
     ///
     /// # Errors
     ///
-    /// An invalid frame; no valid pixel.
+    /// A frame that is none; no pixel that is there.
     pub fn placed(
         self,
         first: Point,

@@ -12,9 +12,9 @@ pub enum ProgressiveError {
     /// A strain or temperature that is not finite.
     #[error("strain {strain:?} at the temperature rise {temperature} is not finite")]
     NotFinite {
-        /// The requested strain.
+        /// The strain asked for.
         strain: [f64; 3],
-        /// The requested temperature rise.
+        /// The temperature rise asked for.
         temperature: f64,
     },
     /// A state of another laminate.

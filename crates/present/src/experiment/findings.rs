@@ -1,4 +1,4 @@
-//! Sentences for findings: the only place where a finding becomes text.
+//! Findings in words: the one place where a finding becomes a sentence.
 
 mod data;
 mod edge;

@@ -1,4 +1,4 @@
-//! Settings of the progressive failure analysis of a joint.
+//! What is asked about the progressive failure of a joint.
 
 use std::sync::Arc;
 

@@ -12,9 +12,7 @@ pub enum Kind {
     Quantity(&'static [Dimension]),
     /// A list of quantities.
     List(Dimension),
-    /// One of the names that are registered or listed.
-    Names(fn() -> String),
-    /// Anything else, as text.
+    /// Anything else, in words.
     Words(&'static str),
 }
 
@@ -24,7 +22,7 @@ impl Kind {
         match self {
             Self::Quantity(dimensions) => Expected::any(dimensions).unit_list(),
             Self::List(dimension) => Expected::one(*dimension).unit_list(),
-            Self::Names(_) | Self::Words(_) => String::new(),
+            Self::Words(_) => String::new(),
         }
     }
 }
@@ -41,7 +39,6 @@ impl fmt::Display for Kind {
                 let plural = if name.ends_with('s') { "es" } else { "s" };
                 write!(formatter, "list of {name}{plural}")
             }
-            Self::Names(names) => formatter.write_str(&names()),
             Self::Words(words) => formatter.write_str(words),
         }
     }
@@ -108,17 +105,6 @@ pub(crate) const fn words(
     meaning: &'static str,
 ) -> Key {
     row(name, Kind::Words(kind), default, example, meaning)
-}
-
-/// A key whose choices are what `names` lists.
-pub(crate) const fn names(
-    name: &'static str,
-    names: fn() -> String,
-    default: &'static str,
-    example: &'static str,
-    meaning: &'static str,
-) -> Key {
-    row(name, Kind::Names(names), default, example, meaning)
 }
 
 /// A table with keys of its own.

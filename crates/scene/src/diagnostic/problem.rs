@@ -142,7 +142,7 @@ pub enum SceneProblem {
         /// All known keys.
         known: Vec<String>,
     },
-    /// A value that is not among the choices.
+    /// A word that is none of the choices.
     #[error("'{found}' is not {what}")]
     #[diagnostic(code(scene::unknown_name), help("{}choices: {}", meant(nearest.as_deref()), known.join(", ")))]
     UnknownName {
@@ -206,7 +206,7 @@ pub enum SceneProblem {
         key: String,
         /// As written.
         value: String,
-        /// What is allowed, as text.
+        /// What is allowed, in words.
         allowed: String,
     },
     /// A value that its reader refuses for another reason.
@@ -282,7 +282,7 @@ pub enum SceneProblem {
         shape: &'static str,
         /// Edge, or edge or point.
         what: &'static str,
-        /// The requested set.
+        /// The set asked for.
         set: String,
         /// The set most like it.
         nearest: Option<String>,
@@ -385,7 +385,7 @@ pub enum SceneProblem {
     Experiment {
         /// What is wrong, with its numbers.
         message: String,
-        /// How to correct it.
+        /// How to mend it.
         remedy: String,
     },
     /// A scene that reads well but cannot be modelled.
@@ -394,7 +394,7 @@ pub enum SceneProblem {
     Model {
         /// The model builder's words, with their numbers.
         message: String,
-        /// How to correct it.
+        /// How to mend it.
         remedy: String,
     },
 }

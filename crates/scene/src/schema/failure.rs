@@ -1,4 +1,4 @@
-//! Settings of the failure analysis of laminates.
+//! What is asked about the failure of laminates.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! Sentences for findings of measured data.
+//! Findings of measured data in words.
 
 use stickslip_measure::finding::{
     BackFinding, FieldFinding, FileFinding, LineFinding, PictureFinding, TableFinding,

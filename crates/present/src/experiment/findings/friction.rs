@@ -1,4 +1,4 @@
-//! Sentences for findings of friction.
+//! Findings of friction in words.
 
 use stickslip_hybrid::identify::Bounds;
 use stickslip_measure::finding::{FrictionFinding, ModelFinding};
