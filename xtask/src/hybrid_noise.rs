@@ -1,8 +1,8 @@
 //! `cargo xtask hybrid-noise`: what noise and bias are left in the shear at a measured edge.
 //!
 //! Displacements of a sector pressed and sheared at its hole are measured with errors of ±1/4 fringe, reduced in several ways, and made
-//! into shear at the edge by localized hybrid analysis. Noise is the propagated deviation, confirmed by draws; bias is the error without
-//! noise. Varied are data per cell, cell size, amount of smoothing, and the distance of the data from the edge.
+//! into shear at the edge by localized hybrid analysis. Noise is the propagated standard deviation, confirmed by draws; bias is the error
+//! without noise. Varied are data per cell, cell size, amount of smoothing, and the distance of the data from the edge.
 
 pub(crate) mod case;
 pub(crate) mod specimen;

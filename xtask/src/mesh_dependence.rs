@@ -2,7 +2,7 @@
 //!
 //! A ply that loses its stiffness at once dissipates ½ X²(1 − d)/E per volume. Its failure gathers in one row of points, so the energy
 //! of a crack goes with the size h of the cells, and the load at which a crack runs with √h. Strengths that make the energy per crack
-//! area the same on every mesh (crack bands, Bažant & Oh 1983) mend that. Two specimens, each with the plies' own strengths and with
+//! area the same on every mesh (crack bands, Bažant & Oh 1983) correct that. Two specimens, each with the plies' own strengths and with
 //! crack bands: a strip of fibres along x with a crack along them, pulled across, and a pinned joint. Scenes never raise a strength, so
 //! both are built from the library.
 

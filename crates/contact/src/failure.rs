@@ -1,6 +1,6 @@
 //! Why a step was not solved, what was spent on it, and how near the best state came.
 //!
-//! Nothing here knows a problem or a solver: errors of histories carry these values as solvers made them.
+//! These types do not depend on a problem or a solver: errors of histories carry the values that a solver returned.
 
 use thiserror::Error;
 

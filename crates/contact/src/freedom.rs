@@ -4,7 +4,7 @@
 //! G_n α = 0 at every point,     G_t α = 0 at every point with friction
 //! ```
 //!
-//! If the load does no work along such an α, as it must where there is balance, every multiple of it may be added to a solution.
+//! In equilibrium the load does no work along such an α. Then every multiple of α may be added to a solution.
 
 use nalgebra::{DMatrix, DVector};
 use stickslip_friction::History;

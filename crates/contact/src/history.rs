@@ -49,8 +49,8 @@ pub struct LoadHistory {
 
 /// Smallest part of an increment to which cut-back goes.
 const SMALLEST_PART: f64 = 1.0 / 1024.0;
-/// Floating-point operations that failed attempts at a sub-step may cost before it is cut back no further, or twice those of the dearest
-/// attempt where that is more.
+/// Floating-point operations that failed attempts at a sub-step may cost before it is cut back no further, or twice those of the most
+/// expensive attempt where that is more.
 const CUTBACK_EFFORT: u64 = 20_000_000_000;
 
 impl LoadHistory {
@@ -342,7 +342,7 @@ fn all_or_first_end(
 }
 
 /// The step in which most points touch, the last of equal ones, and its estimated bound of uniqueness: it costs more than an
-/// interface solve, and tells nothing new of fewer points under the same law.
+/// interface solve, and says nothing new about fewer points under the same law.
 fn estimate_uniqueness<'a>(
     problem: &InterfaceProblem,
     records: impl Iterator<Item = &'a StepRecord>,

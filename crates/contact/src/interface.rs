@@ -1,6 +1,6 @@
-//! All contacts of a scene, in parts that know nothing of each other.
+//! All contacts of a scene, in independent parts.
 //!
-//! Contacts depend on each other where bodies that give or move link them; a rigid body that is held passes nothing on. Without such
+//! Contacts depend on each other where bodies that give or move link them; a fixed rigid body transmits nothing. Without such
 //! links the compliance of all contacts and their rigid motions are block-diagonal,
 //!
 //! ```text
@@ -8,7 +8,7 @@
 //! ```
 //!
 //! so that each part is an [`InterfaceProblem`] of its own with its own scales, increments and proofs, and memory and work are sums
-//! over the parts. Points, pairs, bodies and rigid motions keep the numbers that they have in the whole.
+//! over the parts. Points, pairs, bodies and rigid motions keep their numbers in the whole problem.
 
 use std::collections::BTreeMap;
 use std::ops::Range;

@@ -2,7 +2,7 @@
 //!
 //! Elasticity is linear and expensive, contact nonlinear and cheap; they meet on the contact points. Bodies arrive as
 //! [`InterfaceOperator`](stickslip_fem_core::InterfaceOperator)s, are assembled into an [`Interface`], which has one dense [`InterfaceProblem`] for all
-//! bodies that contact links, and a [`LoadHistory`] walks these problems through its load steps with an [`InterfaceSolver`].
+//! bodies that contact links. A [`LoadHistory`] takes these problems through its load steps with an [`InterfaceSolver`].
 //!
 //! ```text
 //! g_n ≥ 0,  λ_n ≥ 0,  g_n λ_n = 0;     |λ_t| ≤ F (stick),   λ_t = −F sign Δs (slip)
@@ -13,7 +13,7 @@
 //! | [`gap`] | initial gaps from the true geometry |
 //! | [`mortar`] | contact points between edges whose nodes do not match |
 //! | [`problem`] | pairs, points, and the operators of bodies in one problem |
-//! | [`interface`] | all contacts, in parts that know nothing of each other |
+//! | [`interface`] | all contacts, in independent parts |
 //! | [`state`] | what is known at the end of a step |
 //! | [`solver`] | the family of one-step solvers and their fallback chain |
 //! | [`history`] | load steps, sub-steps, cut-back, dissipation |

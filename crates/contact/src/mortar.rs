@@ -21,8 +21,8 @@
 //! points, ∫ N_i ds is Lobatto's weight: ½, ½ or ⅙, ⁴⁄₆, ⅙ of its length, and so on (it is the corners of quadratic *faces* in space
 //! that would need a change of basis). On part of an edge of order 2 or more ∫ N_i ds can be negative, but never with piecewise linear
 //! functions (Puso, Laursen & Solberg 2008), which take over there.
-//! All functions of an edge sum to 1. Where the second body covers too little of an edge to tell its functions apart, dual
-//! functions do not exist and the standard ones are used.
+//! All functions of an edge sum to 1. Where the second body covers too little of an edge to distinguish its functions,
+//! dual functions do not exist and the standard ones are used.
 //!
 //! Sources: Bernardi, Maday & Patera (1994); Wohlmuth (2000), dual functions; Puso & Laursen (2004), segments; Cichosz & Bischoff
 //! (2011), dual functions on edges covered in part.

@@ -7,8 +7,8 @@
 //!
 //! | solver | idea | ends |
 //! | --- | --- | --- |
-//! | [`StatusIteration`] | guess open/stick/slip, solve, correct all at once (Post & Reddy 1988, II 2.1) | may cycle, and says so |
-//! | [`SemismoothNewton`] | the same solves, corrected by the projection (Alart & Curnier 1991), with rules against repetition | may cycle, and says so |
+//! | [`StatusIteration`] | guess open/stick/slip, solve, correct all at once (Post & Reddy 1988, II 2.1) | may cycle, which it detects |
+//! | [`SemismoothNewton`] | the same solves, corrected by the projection (Alart & Curnier 1991), with rules against repetition | may cycle, which it detects |
 //! | [`TrescaFixedPoint`] | a convex problem with given bounds, then new bounds (Panagiotopoulos 1975) | at its tolerance for small μ; may stall for large |
 //! | [`Pivoting`] | Lemke's complementary pivoting (Cottle, Pang & Stone 1992) | after finitely many pivots; with a solution where all bodies are supported |
 //! | [`PrincipalPivoting`] | exchange of single complementary pairs, least index first (Murty 1974) | for small μ; detects repetition |
@@ -19,7 +19,7 @@
 //! | [`Enumeration`] | every combination of statuses | after 4ⁿ solves, with a proof if there is no solution |
 //! | [`Chain`] | a solver made of solvers: the next one takes over where one fails | with its last member |
 //!
-//! To add a solver, write its file, and name it here: its module, its [`SolverKind`] and its line in [`SOLVERS`].
+//! To add a solver, write its file and add its module, its [`SolverKind`] and its line in [`SOLVERS`] here.
 
 mod accept;
 mod active_set;

@@ -1,9 +1,9 @@
 //! Where a pair is open, sticks and slips, with ends that do not sit on nodes.
 //!
 //! Near the end of contact of smooth bodies the pressure falls as the root of the distance to the end, so p² is linear
-//! there, and the gap opens as distance^{3/2}, so g^{2/3} is. The end is where p² of the last touching points, extrapolated,
+//! there; the gap opens as distance^{3/2}, so g^{2/3} is linear. The end is where p² of the last touching points, extrapolated,
 //! vanishes, kept between the last touching and the first open point. Stick ends half-way between a sticking and a
-//! slipping point. A single point that sticks between slips of opposite signs is where slip turns, and no zone.
+//! slipping point. A single point that sticks between slips of opposite signs marks the reversal of slip and is not a zone.
 //!
 //! A closed contact has no first point: its zones are joined across the place where its walk starts, and a mirrored half
 //! ([`mirrored`]) has the zones of the whole.

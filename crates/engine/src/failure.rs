@@ -12,9 +12,8 @@
 //! T and α are those of a ply. Contact is not linear in the load, so a reserve factor of a step is an extrapolation at fixed contact;
 //! between two steps stresses are taken to change in proportion, which small steps make exact.
 //!
-//! A half model stands for both halves: at the mirror image of a place the shear stress has the other sign, and every ply is asked
-//! at both. Where every ply has a counterpart of the opposite angle that asks nothing new, because no criterion knows the sign of τ₁₂,
-//! and one half is enough.
+//! A half model stands for both halves: at the mirror image of a place the shear stress has the other sign, and every ply is evaluated at
+//! both. Where every ply has a counterpart of the opposite angle one half is enough, because no criterion depends on the sign of τ₁₂.
 
 mod characteristic;
 mod plies;

@@ -8,7 +8,7 @@
 //!
 //! | module | subject |
 //! | --- | --- |
-//! | [`model`] | meshes, bodies, contact pairs, load history; the choices made |
+//! | [`model`] | meshes, bodies, contact pairs, load history, with the choices made |
 //! | [`run`](mod@run) | condense the bodies, follow the history, recover what is reported |
 //! | [`results`] | what a run yields |
 //! | [`LoadScale`] | what tables and figures count the load steps by |

@@ -1,7 +1,7 @@
-//! What tables and figures count the load steps by.
+//! The quantity by which tables and figures count the load steps.
 //!
-//! Of the bodies that contact links to what is shown: one load that acts on them, where one tells the steps apart; the contact force,
-//! where several loads take turns; the step's number, where there is neither.
+//! Steps are counted by the load that distinguishes them, among the loads on the bodies that contact links to what is shown; by the
+//! contact force where several loads take turns; by the step's number where there is neither.
 
 use std::collections::BTreeSet;
 
@@ -84,7 +84,7 @@ impl LoadScale {
         })
     }
 
-    /// Which of the loads `histories` tells the steps apart, or the contact force.
+    /// Which of the loads `histories` distinguishes the steps, or the contact force.
     fn chosen(histories: &[Self], contact_force: impl FnOnce() -> Option<Self>) -> Option<Self> {
         let changing: Vec<&Self> = histories.iter().filter(|load| load.changes()).collect();
         let rests_while_another_acts = |load: &Self| {

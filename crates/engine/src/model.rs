@@ -58,7 +58,7 @@ pub enum ModelError {
         body: String,
         /// Nodes that the scene asks for.
         nodes: f64,
-        /// The memory that it would take and the memory that there is, in words.
+        /// The memory that it would take and the memory that there is, as text.
         words: String,
     },
     /// Contacts that share bodies, with more points than there is memory for.
@@ -72,7 +72,7 @@ pub enum ModelError {
         contacts: usize,
         /// Number of their points.
         points: usize,
-        /// The memory that all contacts would take and the memory that there is, in words.
+        /// The memory that all contacts would take and the memory that there is, as text.
         words: String,
     },
     /// A load history of more steps than there is memory for.
@@ -80,7 +80,7 @@ pub enum ModelError {
     HistoryTooLong {
         /// Number of load steps.
         steps: usize,
-        /// The memory that their results would take and the memory that there is, in words.
+        /// The memory that their results would take and the memory that there is, as text.
         words: String,
     },
     /// A mesh generator refused.

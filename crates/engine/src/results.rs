@@ -60,7 +60,7 @@ pub struct Results {
     pub parts: Vec<ResultPart>,
     /// Load steps.
     pub steps: Vec<StepResults>,
-    /// Failure of the laminated bodies that the scene asks about.
+    /// Failure of the laminated bodies for which the scene requests it.
     pub failure: Vec<BodyFailure>,
     /// Wall time of each phase `[s]`.
     pub phases: Vec<(&'static str, f64)>,
@@ -277,7 +277,7 @@ pub struct StepResults {
     pub balance: Vec<Option<BodyBalance>>,
     /// Frictional dissipation in the step, whole model `[N·mm]`.
     pub dissipation: f64,
-    /// Fields of each elastic body, where asked for.
+    /// Fields of each elastic body, where requested.
     pub fields: Vec<BodyFields>,
     /// Wall time of the step's contact solution `[s]`.
     pub seconds: f64,

@@ -52,7 +52,7 @@ pub enum RunError {
     /// Stresses could not be recovered.
     #[error("stresses: {0}")]
     Stress(#[from] StressError),
-    /// Plies could not be asked for failure.
+    /// Cannot evaluate the failure criterion of the plies.
     #[error("failure of body '{body}': {cause}")]
     Failure {
         /// The body.
@@ -72,7 +72,7 @@ pub enum RunError {
     },
 }
 
-/// What a run tells while it goes on.
+/// What a run reports while it goes on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Progress {
     /// A phase begins.
@@ -238,7 +238,7 @@ pub fn condense(model: &Model) -> Result<Vec<Operator>, RunError> {
     operators.into_iter().collect()
 }
 
-/// What is reported of the history `solved` of `scene`: edges, balances and, where asked for, fields.
+/// What is reported of the history `solved` of `scene`: edges, balances and, where requested, fields.
 ///
 /// # Errors
 /// [`RunError::Stress`], [`RunError::Failure`], [`RunError::Progressive`], and [`RunError::Model`] if characteristic distances lead out of

@@ -20,7 +20,7 @@ pub enum FrictionError {
         /// The numbers allowed.
         allowed: Interval,
     },
-    /// The coefficient during slip exceeds the one before it, and nobody said that this is meant.
+    /// The coefficient during slip exceeds the one before it, and this is not declared as intended.
     #[error(
         "friction law '{law}': dynamic = {dynamic_coefficient} is greater than static = {static_coefficient}; \
          if slip is meant to strengthen the contact, say allow_strengthening = true"

@@ -15,7 +15,7 @@
 //! | `p`    | contact pressure              | `[stress]`    |
 //!
 //! For m < 1 the derivative is unbounded at p → 0. A pressure below ε p₀ (ε: spacing of the floating-point numbers at 1) is not
-//! told from zero in a solution whose pressures are of the order p₀, so below it the derivative at ε p₀ is returned: finite, and
+//! distinguished from zero in a solution whose pressures are of the order p₀, so below it the derivative at ε p₀ is returned: finite, and
 //! at most μ₀/ε. The value is exact at all pressures.
 
 use serde::{Deserialize, Serialize};

@@ -6,21 +6,21 @@
 //! AIC = χ² + 2k,     AICc = AIC + 2k(k + 1)/(n − k − 1),     BIC = χ² + k ln n,     k: parameters and nuisances together.
 //! ```
 //!
-//! Where errors of neighbouring data go together ([`Correlation`]), criteria take χ² and n over the inflation v of their variance, and
+//! Where errors of neighbouring data are correlated ([`Correlation`]), criteria take χ² and n over the inflation v of their variance, and
 //! intervals z² times v.
 //!
-//! m are the data with covariance Σ, h the model's prediction, and Z b what nobody can predict and no one asks for: the rigid motion
-//! of a grating, whole fringe orders, what is left of a carrier. It is projected out before anything is weighed. An error of known shape d
-//! whose amount is known no better than by its order, as that of a mesh, adds d dᵀ to Σ ([`Data::with_shapes`]).
+//! m are the data with covariance Σ, h the model's prediction, and Z b the nuisances: the rigid motion of a grating, whole fringe orders,
+//! the remainder of a carrier. They are projected out before the data are weighted. An error of known shape d and of roughly known size, as
+//! that of a mesh, adds d dᵀ to Σ ([`Data::with_shapes`]).
 //!
-//! Models with contact inside are smooth only as long as no point changes its status, and refuse parameters that make no law. So the
-//! search starts on a coarse grid, goes on from its best minima by Levenberg's and Marquardt's method within the ranges, and ends with
-//! trial steps that need no derivative. A refused place is a place without prediction, no failure; refusals are counted.
+//! Models with contact are smooth only as long as no point changes its status, and refuse parameters that do not define a law. So the
+//! search starts on a coarse grid, continues from its best minima by the Levenberg–Marquardt method within the ranges, and ends with trial
+//! steps that need no derivative. Refused parameters have no prediction; refusals are counted and are not errors.
 //!
-//! An interval is that of the profile of the likelihood, which need not be symmetric and need not end: where it reaches an end of the
-//! range it is one-sided, and where it reaches both the data say nothing. Nor is it an end by the data where the model refuses to go on,
-//! as a static coefficient that cannot fall below the dynamic one. Sources: Levenberg (1944), Marquardt (1963), Akaike (1974),
-//! Schwarz (1978), Hurvich & Tsai (1989), Venzon & Moolgavkar (1988).
+//! Intervals are those of the profile likelihood. They may be asymmetric and unbounded: an interval that reaches one end of the range is
+//! one-sided, and where it reaches both ends the data do not determine the parameter. An end at which the model refuses further values,
+//! such as a static coefficient below the dynamic one, is not an end by the data. Sources: Levenberg (1944), Marquardt (1963), Akaike
+//! (1974), Schwarz (1978), Hurvich & Tsai (1989), Venzon & Moolgavkar (1988).
 //!
 //! ```
 //! use stickslip_hybrid::calibrate::{Block, Data, Noise, Parameter, Settings, calibrate};
@@ -71,7 +71,7 @@ pub struct Settings {
     pub grid: [usize; MOST_PARAMETERS],
     /// How many of the grid's minima are followed.
     pub starts: usize,
-    /// How errors of the data go together although they are stated to be independent. Intervals widen by the root of its inflation, and
+    /// Correlation of the errors of the data although they are stated to be independent. Intervals widen by the root of its inflation, and
     /// criteria count fewer data.
     pub correlation: Correlation,
 }

@@ -1,17 +1,17 @@
-//! Measured displacements: places, values, what failed, and their deviation.
+//! Measured displacements: places, values, what failed, and their standard deviation.
 //!
 //! ```text
 //! place = s X,   displacement = ± d u,       y and v change their sign where y points down,
 //! ΔU = U − U₀                                the initial load subtracted
 //! ```
 //!
-//! with the scales s and d, the table's numbers X and u, and signs that are all stated and never guessed. What failed is masked,
-//! and its value is NaN, so that using it shows.
+//! with the scales s and d, the table's numbers X and u, and signs that are all stated and never guessed. Failed places are
+//! masked and have the value NaN, so that any use of them shows.
 //!
 //! | what | where |
 //! | --- | --- |
 //! | displacements at scattered places from a table | [`Measurement::read`] with a [`Format`] and a [`Reading`] |
-//! | places that do not go with their neighbours | [`Measurement::outliers`] |
+//! | outliers: places that do not fit their neighbours | [`Measurement::outliers`] |
 //! | digitised fringe centres along lines | [`FringeLines::read`] with a [`LineReading`] |
 //! | a finite rotation of the specimen taken off | [`Measurement::rotation`], [`Measurement::turned_back`] |
 //! | the initial load taken off | [`Measurement::minus`], [`FringeLines::minus`] |

@@ -36,7 +36,7 @@
 //! | speckle of contrast ¼, ½, 1 | 0.0117, 0.0237, 0.0495 | 0.94, 0.95, 1.01 | |
 //!
 //! Errors of the orders themselves exceed what the noise of the intensity lets expect, by √1.5 at most, because all of them is
-//! phase. In first order a Fourier phase's deviation is σ/b √(2 ΣH²/n) / 2π with the band's weights H, and that of four pictures
+//! phase. In first order a Fourier phase's standard deviation is σ/b √(2 ΣH²/n) / 2π with the band's weights H, and that of four pictures
 //! σ/b / (√2 · 2π).
 
 mod carrier;
@@ -77,9 +77,9 @@ pub enum FringeError {
         step[0], step[1], map::MOST_PIXELS
     )]
     Frame {
-        /// Columns asked for.
+        /// Requested columns.
         columns: usize,
-        /// Rows asked for.
+        /// Requested rows.
         rows: usize,
         /// Steps from pixel to pixel `[length]`.
         step: [f64; 2],
@@ -175,7 +175,7 @@ pub enum FringeError {
     Crowded {
         /// Part of the power in the band.
         share: f64,
-        /// Least part asked for.
+        /// Requested least part.
         least: f64,
     },
     /// A region's pixels do not span a plane.

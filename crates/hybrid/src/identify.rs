@@ -5,12 +5,12 @@
 //! ```
 //!
 //! Where an edge slips, the shear is μ times the pressure, in the direction s of friction. Pressures are as uncertain as shears, and errors
-//! of neighbouring places go together; a straight fit of τ over p would draw μ towards zero. χ² takes the covariance of both along, and μ
-//! is where it is least. The interval is that in which χ² stays within a bound of its least value (Fieller 1954); it need not have two
-//! ends. Where the data cannot tell μ from any other, it says so.
+//! of neighbouring places are correlated; a least-squares fit of τ over p would bias μ towards zero. χ² includes the covariance of both,
+//! and μ minimises it. The interval holds all μ at which χ² stays within a bound of its minimum (Fieller 1954); it may be unbounded. Where
+//! the data exclude no μ, the result says so.
 //!
 //! A zone that slips goes on inwards until it sticks, where |τ| < μ p. χ² of many places hardly sees the first of them, so that the inner
-//! parts of a zone are asked for a coefficient of their own: if χ² falls by much with one that is less, the zone is too long.
+//! parts of a zone are fitted with a coefficient of their own: if χ² falls by much with one that is less, the zone is too long.
 
 mod confidence;
 mod simulate;
@@ -51,7 +51,7 @@ pub struct Tractions {
     pub covariance: Vec<f64>,
 }
 
-/// Why friction cannot be asked of tractions.
+/// Why tractions do not determine friction.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum IdentifyError {
@@ -70,7 +70,7 @@ pub enum IdentifyError {
     /// A zone with no place, or beyond the last.
     #[error("the zone {}..{} is not among {places} places", .zone.start, .zone.end)]
     Zone {
-        /// The zone asked for.
+        /// The requested zone.
         zone: Range<usize>,
         /// Places given.
         places: usize,
@@ -81,7 +81,7 @@ pub enum IdentifyError {
         /// Index of the place.
         place: usize,
     },
-    /// A covariance that is none.
+    /// Not a valid covariance matrix.
     #[error("the covariance of the zone is not positive definite, at place {place} of it")]
     Covariance {
         /// Index in the zone.
@@ -161,7 +161,7 @@ impl Tractions {
     /// The coefficient at which all of `zone` slips, where friction acts along +shear if `positive`; bounds with a confidence of 95 %.
     ///
     /// # Errors
-    /// [`IdentifyError`] for lists and zones that do not fit, values that are not finite, a covariance that is none.
+    /// [`IdentifyError`] for lists and zones that do not fit, values that are not finite, an invalid covariance matrix.
     pub fn slip(&self, zone: Range<usize>, positive: bool) -> Result<SlipFit, IdentifyError> {
         self.slip_within(zone, positive, CHI_SQUARED_95)
     }
@@ -190,8 +190,8 @@ impl Tractions {
         let mu = misfit.least(low, high)?;
         let chi_squared = misfit.at(mu)?;
         let limit = chi_squared + rise;
-        // Where χ² still falls towards coefficients below 0, which there are none, the data ask for the impossible; an interval of the rest
-        // would be the narrower the less they hold. So χ² counts less its slope there, as if it were least at 0 itself.
+        // Where χ² still falls towards coefficients below 0, which there are none, the data point to an impossible value; an interval of
+        // the rest would be the narrower the less they hold. So χ² counts less its slope there, as if it were least at 0 itself.
         let slope = if best == 0 {
             let step = AT_NONE * grid[1];
             ((misfit.at(step)? - misfit.at(0.0)?) / step).max(0.0)
@@ -224,7 +224,7 @@ impl Tractions {
     }
 
     /// The longest zone from place `end` inwards, towards `towards`, that one coefficient explains to `deviations`, with its fit, and
-    /// whose inner half and quarter do not ask for a lesser one. Slip starts at the end of contact, so `end` is the last place that
+    /// whose inner half and quarter do not fit a lower one better. Slip starts at the end of contact, so `end` is the last place that
     /// bears pressure.
     ///
     /// # Errors

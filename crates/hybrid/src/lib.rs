@@ -10,7 +10,7 @@
 //!
 //! | module | subject |
 //! | --- | --- |
-//! | [`data`] | measured displacements: places, values, what failed, their deviation |
+//! | [`data`] | measured displacements: places, values, what failed, their standard deviation |
 //! | [`moire`] | gratings: frequency, fringe orders, displacements, strains |
 //! | [`fringe`] | fringe pictures: synthesis, phase, unwrapping, carrier |
 //! | [`reduce`] | displacements of nodes from measured ones, with covariance |

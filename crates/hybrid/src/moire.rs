@@ -36,7 +36,7 @@ pub enum MoireError {
         "light of wavelength {wavelength} makes gratings of at most {most} lines per length; {frequency} were asked for"
     )]
     TooFine {
-        /// Lines per length asked for `[1/length]`.
+        /// Requested lines per length `[1/length]`.
         frequency: f64,
         /// Wavelength `[length]`.
         wavelength: f64,

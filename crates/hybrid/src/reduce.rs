@@ -4,7 +4,7 @@
 //! q = W u,   Σ_q = W diag(σ²) Wᵀ
 //! ```
 //!
-//! with the measured displacements u, independent and of deviation σ, and the nodes' displacements q. Every reduction here is
+//! with the measured displacements u, independent and of standard deviation σ, and the nodes' displacements q. Every reduction here is
 //! linear in the data, so its weights W are all there is to it: they depend on places and masks alone, are found once, serve every
 //! load that was measured at the same places, and the covariance is exact. Nodes that share data are correlated; components x and y
 //! are not.
@@ -214,7 +214,7 @@ impl Reduction {
         &self.uncovered
     }
 
-    /// This reduction if it covers every node that was asked for.
+    /// This reduction if it covers every requested node.
     ///
     /// # Errors
     /// [`ReduceError::Uncovered`] with the nodes that are not, their places and the reasons.

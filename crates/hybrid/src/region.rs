@@ -7,7 +7,7 @@
 //! Δ² = K₂₂⁻¹ (F² − K₂₁ Δ¹),     F¹ = (K₁₁ − K₁₂ K₂₂⁻¹ K₂₁) Δ¹ + K₁₂ K₂₂⁻¹ F².
 //! ```
 //!
-//! All that is asked of it, stresses on an edge, forces through an arc, displacements elsewhere, is linear in the displacements,
+//! All its results, stresses on an edge, forces through an arc, displacements elsewhere, are linear in the displacements,
 //! y = A Δ, so that the covariance Σ of Δ¹ goes over exactly,
 //!
 //! ```text
@@ -55,7 +55,7 @@ pub enum RegionError {
     /// The body is not one that can be solved.
     #[error(transparent)]
     Body(#[from] BodyError),
-    /// The mesh lacks what is asked of it.
+    /// The mesh lacks what is requested of it.
     #[error(transparent)]
     Mesh(#[from] MeshError),
     /// The sector cannot be meshed.
@@ -102,7 +102,7 @@ pub enum RegionError {
         /// Row in which this shows.
         row: usize,
     },
-    /// A measurement without a deviation cannot be weighed.
+    /// A measurement without a standard deviation cannot be weighed.
     #[error("the deviation {0} of the measurement is not positive")]
     Deviation(f64),
     /// A place outside of the region.
@@ -333,7 +333,7 @@ fn positions(
     Ok(positions)
 }
 
-/// Covariance `[length²]`, row by row, of the displacements of `nodes` nodes that are independent with the deviations
+/// Covariance `[length²]`, row by row, of the displacements of `nodes` nodes that are independent with the standard deviations
 /// `deviation` `[length]` along x and y.
 pub fn independent_covariance(nodes: usize, deviation: [f64; 2]) -> Vec<f64> {
     let size = 2 * nodes;

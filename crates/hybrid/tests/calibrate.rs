@@ -76,7 +76,7 @@ fn a_straight_line_has_the_answer_of_the_normal_equations() {
             "{own:?}"
         );
         assert!((own.deviation.unwrap() / deviations[k] - 1.0).abs() < 1e-6);
-        // χ² is a parabola: the profile's interval is that of the deviation.
+        // χ² is a parabola: the profile's interval is that of the standard deviation.
         let Bounds::Between(low, high) = own.bounds else {
             panic!("{:?}", own.bounds)
         };
@@ -101,7 +101,7 @@ fn a_straight_line_has_the_answer_of_the_normal_equations() {
 
 #[test]
 fn correlated_errors_and_nuisances_give_the_answer_of_the_whole_problem() {
-    // Errors x_i + x_{i−1}, and an offset that nobody asks for: the fit must equal the one with the offset as a parameter.
+    // Errors x_i + x_{i−1}, and an offset as a nuisance: the fit must equal the one with the offset as a parameter.
     let mut random = StdRng::seed_from_u64(8);
     let x: Vec<f64> = (0..=PLACES).map(|_| 0.1 * normal(&mut random)).collect();
     let values: Vec<f64> = (0..PLACES)

@@ -16,7 +16,7 @@ fn along(k: usize) -> f64 {
 
 #[test]
 fn the_end_of_a_profile_is_found_beside_places_that_the_model_refuses() {
-    // The slope has the deviation 0.025: 4.89 of them are the confidence 0.999999, steps of the profile are at 3.85 and 5.3.
+    // The slope has the standard deviation 0.025: 4.89 of them are the confidence 0.999999, steps of the profile are at 3.85 and 5.3.
     const SLOPE: f64 = 0.6;
     const DEVIATION: f64 = 0.025;
     let norm = (0..PLACES).map(|k| along(k).powi(2)).sum::<f64>().sqrt();

@@ -100,7 +100,7 @@ fn uneven_light_does_not_matter() {
     assert!(found.phase.above(1.0).is_err());
 }
 
-/// Carriers of either sign and a hole in the mask that is none in the plate.
+/// Carriers of either sign and a hole in the mask where the plate has none.
 #[test]
 fn a_given_carrier_sets_the_sign() {
     let falling = Plane {
@@ -127,8 +127,8 @@ fn a_given_carrier_sets_the_sign() {
     assert!(error(&other.phase, &mirrored, |_| true) < 0.01);
 }
 
-/// The first-order law of the deviation, with the noise as estimated from the picture. 512² pixels and a band of 2 % of the
-/// frequencies leave some 5000 independent values, so the measured deviation scatters by 1 %; the law's next term is (σ/b)²/8.
+/// The first-order law of the standard deviation, with the noise as estimated from the picture. 512² pixels and a band of 2 % of the
+/// frequencies leave some 5000 independent values, so the measured standard deviation scatters by 1 %; the law's next term is (σ/b)²/8.
 #[test]
 fn noise_of_orders_is_as_predicted() {
     for noise in [0.02, 0.05, 0.1, 0.2] {

@@ -29,7 +29,7 @@ fn normal(random: &mut StdRng) -> f64 {
     (0..12).map(|_| random.random::<f64>()).sum::<f64>() - 6.0
 }
 
-/// The truth with errors of deviation `noise` that go together at neighbouring places and between pressure and shear.
+/// The truth with errors of standard deviation `noise` that are correlated at neighbouring places and between pressure and shear.
 fn measured(mu: f64, stick: usize, noise: f64, seed: u64) -> Tractions {
     let ([pressure, shear], _) = truth(mu, stick);
     let n = 2 * PLACES;
@@ -114,7 +114,7 @@ fn draws_confirm_the_interval() {
     draws.sort_by(f64::total_cmp);
     let [first, last] = [draws[100], draws[3899]];
     println!("interval {low:.4} … {high:.4}, of draws {first:.4} … {last:.4}");
-    // Quantiles of 4000 draws have a deviation of 0.025 of a half width of the interval.
+    // Quantiles of 4000 draws have a standard deviation of 0.025 of a half width of the interval.
     let half = 0.5 * (high - low);
     assert!((first - low).abs() < 0.12 * half && (last - high).abs() < 0.12 * half);
     let mean = draws.iter().sum::<f64>() / 4000.0;

@@ -8,7 +8,7 @@
 //! points, so the energy per crack area is that times the row's width and vanishes with the mesh: the load at which a crack runs falls
 //! with √h. The equivalent strength X_eq (Bažant & Cedolin 1979; Bažant & Oh 1983) makes it the same on every mesh.
 //!
-//! How much that is depends on how a row fails: by the stress at its points, not by the energy that the crack's advance sets free, and
+//! How much that is depends on how a row fails: by the stress at its points, not by the energy that the crack's advance releases, and
 //! what is set free beyond G goes into waves. A crack in a strip of fibres then runs at 2.1 times the load of linear fracture
 //! mechanics on any mesh; with rows taken as 4.3 times as wide ([`CrackBand::with_width`]) it runs at that load. On quadratic
 //! quadrilaterals rows of points are half a cell wide and fail one by one: their width is half of that.

@@ -70,7 +70,7 @@ pub struct PlyDamage {
 }
 
 /// Damage of each ply of `body` in the states `points`, from the bottom up. Where laminates differ from cell to cell, plies are
-/// told by their place and have the angle of the first cell.
+/// identified by their position and have the angle of the first cell.
 pub fn damage_map(body: &ProgressiveBody, points: &[PointState]) -> Vec<PlyDamage> {
     let mut map: Vec<PlyDamage> = Vec::new();
     for (point, state) in points.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! What cannot be asked of a joint, and why an increment of its load found no equilibrium.
+//! Requests that a joint refuses, and why an increment of its load found no equilibrium.
 
 use stickslip_contact::ContactError;
 use stickslip_contact::solver::StepFailure;

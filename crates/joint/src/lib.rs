@@ -7,12 +7,12 @@
 //!
 //! Newton's iteration linearises each such body about its present displacement. The linearised body is an ordinary
 //! [`InterfaceOperator`](stickslip_fem_core::InterfaceOperator), so the contact is solved exactly in every iteration, by the same
-//! solvers as between elastic bodies, and sees nothing of the history. States are committed with the increment and never before:
-//! what is rejected leaves no trace.
+//! solvers as between elastic bodies, and does not depend on the history. States are committed with the increment and never
+//! before: a rejected increment leaves no trace.
 //!
 //! Where plies fail at once, as in ply discount, an increment alternates between equilibrium with the damage so far and the damage
 //! that its strains make, at constant load, until no further ply fails. An increment in which too many plies fail by the load itself
-//! is cut, so that those fail first that are to.
+//! is cut, so that plies fail in the right order.
 //!
 //! Under given loads a history ends where the smallest increment finds no equilibrium, or none near: the load reached is the joint's
 //! *strength*, a result. Supports that are driven ([`LoadCase::moves_supports`](stickslip_fem_core::LoadCase)) carry the curve past the
@@ -86,12 +86,12 @@
 //! A body's linearisation costs one sparse factorisation. Factors are kept by their tangents, so the elastic part of a history costs
 //! one in all, as a linear body does.
 //!
-//! Limits. Displacements are small, contact is found on the undeformed geometry. Temperature does not change in a history: the
-//! residual stresses of the cure are a state of rest ([`ProgressiveBody::at_temperature`]), so a joint that is loaded hot or cold is one
-//! history at that temperature, and heating under load is none. Point models would take a temperature per increment, but the energies that
+//! Limits. Displacements are small, contact is found on the undeformed geometry. Temperature does not change in a history: the residual
+//! stresses of the cure are a state of rest ([`ProgressiveBody::at_temperature`]), so a joint that is loaded hot or cold is one history at
+//! that temperature, and heating under load is not supported. Point models would take a temperature per increment, but the energies that
 //! every increment is checked by are those of constant temperature, and bodies of given materials would need its strain as a load case,
-//! which is refused ([`JointError::InitialStrain`]). A model may flow or fail at once; one that
-//! does both has its failures taken at the end of a linear solve. A plate in plane stress knows no delamination and no clamping.
+//! which is refused ([`JointError::InitialStrain`]). A model may flow or fail at once; one that does both has its failures evaluated at the
+//! end of a linear solve. A plate in plane stress knows no delamination and no clamping.
 
 mod body;
 mod crack_band;

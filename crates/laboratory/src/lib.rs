@@ -1,7 +1,7 @@
 //! Where contact methods are compared: problems with known answers, a conventional solver to compare with, and timing.
 //!
-//! A method is an element, a contact discretisation and an [`InterfaceSolver`](stickslip_contact::InterfaceSolver); what it is
-//! worth is its error against what it costs. Everything here takes and returns values.
+//! A method is an element, a contact discretisation and an [`InterfaceSolver`](stickslip_contact::InterfaceSolver); its merit
+//! is its error against its cost. Everything here takes and returns values.
 //!
 //! | module | subject |
 //! | --- | --- |

@@ -5,8 +5,8 @@
 
 use std::time::{Duration, Instant};
 
-/// Processor time `[s]` that the calling thread has used, which other programs on the machine do not move; `None` where the
-/// system does not tell.
+/// Processor time `[s]` that the calling thread has used, which does not depend on other programs on the machine; `None`
+/// where the system does not report it.
 pub fn thread_seconds() -> Option<f64> {
     #[cfg(unix)]
     {

@@ -55,7 +55,7 @@ pub struct Run {
     /// Wall times.
     pub seconds: Seconds,
     /// Processor times of the calling thread: of the whole work if it uses no other thread. Wall times where the system does
-    /// not tell.
+    /// not report them.
     pub processor: Seconds,
     /// Unknowns of all elastic bodies.
     pub unknowns: usize,

@@ -59,7 +59,7 @@ pub use response::{Deformation, LaminateLoad, PlyState, Position};
 
 use crate::ply::Ply;
 
-/// A stack of plies that is no laminate, or not one for the use asked.
+/// A stack of plies that is no laminate, or unsuitable for the requested use.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum LaminateError {

@@ -4,11 +4,11 @@
 //! Δ¹ from the data,   y = T Δ¹,   Σ_y = s² T Σ Tᵀ + diag(b²)
 //! ```
 //!
-//! Errors of neighbouring data may go together (a phase from a band of the spectrum, speckles of several pixels), and the fit, which is
-//! smoother than their spacing, sees only what is left of them in the mean. s² is therefore the χ² of the means of blocks of
-//! neighbouring residuals over its degrees of freedom, but at least what makes the deviation that was stated, or that of the digits'
-//! rounding: residuals of smoothed data are small whatever their errors, those of calculated ones vanish. b is the bias that smoothing is
-//! estimated to leave: a declared systematic deviation, not a correction.
+//! Errors of neighbouring data may be correlated (a phase from a band of the spectrum, speckles of several pixels), and the fit, which is
+//! smoother than their spacing, sees only their mean. s² is therefore the χ² of the means of blocks of neighbouring residuals over its
+//! degrees of freedom, but at least the value that corresponds to the stated standard deviation, or to the rounding of the digits:
+//! residuals of smoothed data are small whatever their errors, and those of calculated data vanish. b is the estimated bias by smoothing.
+//! It is declared as a systematic error; nothing is corrected by it.
 
 mod bearing;
 mod boundary;
@@ -52,8 +52,8 @@ pub struct Analysed {
     pub state: usize,
     /// Angle of each place along the edge `[rad]`, ascending.
     pub angle: Vec<f64>,
-    /// Angle that is resolved along the edge `[rad]`: that between two corners of its cells, or more where smoothing spreads what
-    /// they could tell. What is nearer cannot be told apart.
+    /// Angle that is resolved along the edge `[rad]`: that between two corners of its cells, or more where smoothing reaches
+    /// farther. Features closer together cannot be distinguished.
     pub resolution: f64,
     /// Pressure and shear τ_rθ `[MPa]` with their covariance, systematic part included.
     pub tractions: Tractions,
@@ -65,17 +65,17 @@ pub struct Analysed {
     pub bias: Vec<[f64; 3]>,
     /// Pressure, shear and hoop stress of the same displacements by the elements alone, without equilibrium, per place `[MPa]`.
     pub direct: Option<Vec<[f64; 3]>>,
-    /// Why they are not known, in words, where the data do not give them.
+    /// Why they are not known, as text, where the data do not give them.
     pub without_direct: Option<String>,
     /// What the fit did, where displacements were fitted.
     pub fit: Option<FitFacts>,
     /// The variance of the data was multiplied by this, s².
     pub scale: f64,
-    /// Why s² is none that residuals say but the least one that the deviation leaves, in words, where that is so.
+    /// The reason, as a sentence, where s² is the least that the standard deviation allows because residuals give none.
     pub scale_assumed: Option<String>,
     /// What the picture may have added to the displacements of loads.
     pub picture: Vec<PictureMotion>,
-    /// Residuals of the fit that the noise factor is measured by, over the stated deviations.
+    /// Residuals of the fit that the noise factor is measured by, over the stated standard deviations.
     pub(super) residuals: Vec<scale::Residual>,
     /// What the checks of the data say.
     pub checks: Checked,
@@ -127,9 +127,9 @@ pub struct FitFacts {
     pub kept: f64,
     /// Number of data.
     pub data: usize,
-    /// χ² of the residuals with the stated deviations.
+    /// χ² of the residuals with the stated standard deviations.
     pub residual: f64,
-    /// s² as residuals alone say; [`Analysed::scale`] is larger where a deviation was stated, or digits are coarse.
+    /// s² as residuals alone say; [`Analysed::scale`] is larger where a standard deviation was stated, or digits are coarse.
     pub of_residuals: f64,
 }
 
@@ -140,7 +140,7 @@ pub struct MisfitAt {
     pub place: Point,
     /// 0 for U, 1 for V.
     pub axis: usize,
-    /// The misfit over its deviation.
+    /// The misfit over its standard deviation.
     pub relative: f64,
 }
 

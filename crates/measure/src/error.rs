@@ -73,9 +73,9 @@ pub enum ExperimentError {
         state: String,
         /// U, V, or both.
         field: &'static str,
-        /// The picture in words, ", 'up-u.png'"; empty for synthetic ones.
+        /// The picture as text, ", 'up-u.png'"; empty for synthetic ones.
         file: String,
-        /// What else was found, in words; may be empty.
+        /// What else was found, as text; may be empty.
         hint: String,
         /// Key of the pictures.
         key: String,

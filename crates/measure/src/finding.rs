@@ -114,7 +114,7 @@ impl Located {
     }
 }
 
-/// The keys of `experiment` that nothing heeds.
+/// The ignored keys of `experiment`.
 pub fn ignored_keys(experiment: &Experiment) -> Vec<Located> {
     let keys = experiment.without_effect.iter();
     let found = keys.map(|own| FileFinding::IgnoredKey {

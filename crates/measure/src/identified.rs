@@ -256,12 +256,12 @@ fn summarised(mut draws: Vec<f64>, confidence: f64) -> Option<Simulation> {
     })
 }
 
-/// τ/p at a place and its deviation, to first order.
+/// τ/p at a place and its standard deviation, to first order.
 pub fn ratio(found: &Analysed, place: usize) -> (f64, f64) {
     ratio_of(&found.tractions, place)
 }
 
-/// τ/p of `data` at a place and its deviation, to first order.
+/// τ/p of `data` at a place and its standard deviation, to first order.
 pub fn ratio_of(data: &Tractions, place: usize) -> (f64, f64) {
     let (n, all) = (data.pressure.len(), 2 * data.pressure.len());
     let (pressure, shear) = (data.pressure[place], data.shear[place]);
@@ -272,7 +272,7 @@ pub fn ratio_of(data: &Tractions, place: usize) -> (f64, f64) {
     (ratio, variance.max(0.0).sqrt() / pressure.abs())
 }
 
-/// Bounds in words.
+/// Bounds as text.
 pub fn words(bounds: Bounds) -> String {
     match bounds {
         Bounds::Between(low, high) => format!("between {low:.4} and {high:.4}"),

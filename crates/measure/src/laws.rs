@@ -4,24 +4,23 @@
 //! χ²(θ) = min over b of |L⁻¹ (m − u(θ) − Z b)|²,     u(θ): displacements of the scene's history under the law with parameters θ
 //! ```
 //!
-//! m are the displacements of all states, Σ = L Lᵀ their covariance, Z b the rigid motion of the grating in each state, which nobody
-//! controls. Bodies are condensed once, so that one χ² costs one history of small contact problems ([`ContactModel`]). Which law the
-//! data prefer is told by the information criteria of the fits, and which parameters they determine by the profiles of χ²
-//! ([`stickslip_hybrid::calibrate`]).
+//! m are the displacements of all states, Σ = L Lᵀ their covariance, Z b the unknown rigid motion of the grating in each state. Bodies are
+//! condensed once, so that one χ² costs one history of small contact problems ([`ContactModel`]). The information criteria of the fits rank
+//! the laws, and the profiles of χ² show which parameters the data determine ([`stickslip_hybrid::calibrate`]).
 //!
 //! | module | subject |
 //! | --- | --- |
 //! | [`ContactModel`], [`View`] | condensed scene, and displacements seen of it |
 //! | [`Candidate`] | a law with free parameters, of any registered kind |
-//! | [`Observation`] | the displacements of a state, with their covariance and what is not asked of them |
+//! | [`Observation`] | the displacements of a state, with their covariance and nuisances |
 //! | [`fit`], [`Comparison`] | fits of several laws to the same data, compared |
 //! | [`stage`] | all of this for an experiment |
 //! | [`Sensitivity`] | how far the edge moves when a parameter does, in fringes |
-//! | [`Scale`] | by what the variance of a state is multiplied, and who says so |
+//! | [`Scale`] | the factor on the variance of a state, and its source |
 //! | [`SharedNull`] | states whose errors are not independent of each other |
 //! | [`MeshError`], [`fit_on_two_meshes`] | intervals that hold the error of the model's mesh |
 //! | [`coefficient`] | the coefficient along the slip path |
-//! | [`Discrepancy`] | what the mesh of the model costs, where the truth is known |
+//! | [`Discrepancy`] | the error due to the mesh of the model, where the truth is known |
 
 mod compare;
 mod contact;

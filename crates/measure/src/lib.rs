@@ -8,16 +8,16 @@
 //!
 //! | module | subject |
 //! | --- | --- |
-//! | [`chain`] | the stages one after the other, and what they found |
-//! | [`measured`] | displacements with their deviation and mask |
+//! | [`chain`] | the stages one after the other, and their findings |
+//! | [`measured`] | displacements with their standard deviation and mask |
 //! | [`laws`] | friction laws fitted by contact solves, and compared |
 //! | [`whole`] | the whole plate under its remote load, its hole displaced as measured |
 //! | [`analysed`] | edge stresses by localized hybrid analysis, with bands and checks |
 //! | [`identified`] | slip zones, and the friction coefficients that they share |
-//! | [`finding`] | what a reader must know of all these, as data |
+//! | [`finding`] | warnings and remarks on all these, as data |
 //! | [`truth`], [`synthesis`] | the solution of a scene, and synthetic pictures of it |
 //!
-//! Four commands go to four depths of this chain, each doing all that comes before.
+//! Four commands stop at four depths of this chain; each runs all stages before it.
 
 pub mod analysed;
 pub mod chain;

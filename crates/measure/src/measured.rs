@@ -1,10 +1,10 @@
-//! Measured fields: displacements with their deviation and their mask, from tables, fringe pictures or fringe lines.
+//! Measured fields: displacements with their standard deviation and their mask, from tables, fringe pictures or fringe lines.
 //!
 //! ```text
 //! u = (N − N₀) / f      orders less those of the carrier, or of the null field with the same carrier
 //! ```
 //!
-//! A picture tells neither whole orders nor the plate's motion as a whole: U and V are known up to a constant each and, where the
+//! A picture shows neither whole orders nor the rigid motion of the plate: U and V are known up to a constant each and, where the
 //! carrier is not known to the last digit, a rotation. Neither changes any stress. A finite rotation does, to second order, and is taken off
 //! each table before its null field is, and off pictures after it.
 
@@ -187,7 +187,7 @@ fn read(
         Source::Step(_) => pictures::synthetic(scope, shots.get(shot)),
         Source::Table(source) => table::read(scope, source),
         Source::Pictures(source) => {
-            // What a null field with the same carrier takes off need not be told.
+            // What a null field with the same carrier takes off need not be reported.
             let null = &scope.experiment.states[scope.state].null;
             let takes_off = matches!(shot, Shot::State) && null.is_none();
             pictures::read(scope, source, takes_off)

@@ -6,8 +6,8 @@
 //! ```
 //!
 //! All of the plate's edges but the hole are free or carry a known load, so that only the hole's displacements are unknown, and the
-//! tractions on the hole balance the remote load whatever the data say. The localized analysis knows less: every side of its region is
-//! measured.
+//! tractions on the hole balance the remote load for any data. The localized analysis has less information: every side of its
+//! region is measured.
 //!
 //! Source: Post & Reddy, *Friction Phenomenon in Contact Stress Problems* (1988), part II, 4.3, Figs 10–13.
 
@@ -88,11 +88,11 @@ pub struct WholePlate {
 pub struct WholeSolution {
     /// Angle of each node of the hole `[rad]`, in −π … π, ascending.
     pub angle: Vec<f64>,
-    /// Angle that is resolved along the hole's edge where its cells are finest `[rad]`, as of a region: what is nearer cannot be told
-    /// apart.
+    /// Angle that is resolved along the hole's edge where its cells are finest `[rad]`, as of a region: features closer together
+    /// cannot be distinguished.
     pub resolution: f64,
-    /// Pressure and shear τ_rθ on the hole `[MPa]` with their covariance; the estimated bias by smoothing is in it as a deviation of its
-    /// own at each place.
+    /// Pressure and shear τ_rθ on the hole `[MPa]` with their covariance; the estimated bias by smoothing is in it as a standard deviation
+    /// of its own at each place.
     pub tractions: Tractions,
     /// Hoop stress `[MPa]` and its standard deviation.
     pub hoop: Vec<[f64; 2]>,
@@ -100,10 +100,10 @@ pub struct WholeSolution {
     pub force: [f64; 2],
     /// Remote load `[N]`.
     pub load: [f64; 2],
-    /// χ² of the fit with the stated deviations, number of data, and effective number of parameters.
+    /// χ² of the fit with the stated standard deviations, number of data, and effective number of parameters.
     pub fit: (f64, usize, f64),
     /// The variance of the data was multiplied by this: χ² of the means of blocks of neighbouring residuals over its degrees of freedom,
-    /// or what a stated deviation asks for, if that is more.
+    /// or what a stated standard deviation asks for, if that is more.
     pub scale: f64,
     /// Bias of pressure, shear and hoop stress that the smoothing makes, estimated, per place `[MPa]`.
     pub bias: Vec<[f64; 3]>,
@@ -184,7 +184,7 @@ impl WholePlate {
     /// the tractions.
     ///
     /// # Errors
-    /// [`WholeError::Region`]: data that are none, that do not cover the surroundings of the hole, or a smoothing that is none.
+    /// [`WholeError::Region`]: invalid data, data that do not cover the surroundings of the hole, or an invalid smoothing.
     pub fn analyse(
         &self,
         of: &Measured,
@@ -246,7 +246,7 @@ impl WholePlate {
         data
     }
 
-    /// Measured less calculated displacements over the stated deviations, of all valid data in the plate.
+    /// Measured less calculated displacements over the stated standard deviations, of all valid data in the plate.
     fn residuals(&self, measured: &Measurement, calculated: &[f64]) -> Vec<Residual> {
         let locator = Locator::new(self.region.mesh());
         let mut residuals = Vec::new();

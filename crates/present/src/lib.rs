@@ -5,7 +5,7 @@
 //! | [`results`] | what a run yields |
 //! | [`experiment`] | what was found in measured displacements |
 //!
-//! Nothing here touches a file: what is made is handed, name and bytes, to the caller's [`PutFile`].
+//! Nothing here touches a file: each file is passed as name and bytes to the caller's [`PutFile`].
 
 pub mod experiment;
 pub mod results;

@@ -1,7 +1,7 @@
 //! From the file's spelling to a checked scene.
 //!
-//! Reading stops at the first thing that it does not understand; here everything is understood, so all that is wrong is
-//! collected and shown at once.
+//! Reading stops at the first entry that it does not understand. Here every entry has been understood, so all
+//! problems are collected and shown at once.
 
 mod bodies;
 mod contacts;

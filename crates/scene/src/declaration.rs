@@ -9,8 +9,8 @@ use crate::document::child;
 
 pub use self::kind::Kind;
 pub(crate) use self::kind::{
-    angle, angles, energy, expansion, flag, forces, integer, length, lists, number, set, spacing,
-    stress, stresses, table, table_as, tables_of, temperature, temperatures, text, words,
+    angle, angles, energy, expansion, flag, forces, integer, length, lists, names, number, set,
+    spacing, stress, stresses, table, table_as, tables_of, temperature, temperatures, text, words,
 };
 pub(crate) use self::range::{POSITIVE, Range, counts, filled, numbers};
 
@@ -26,7 +26,7 @@ pub struct Key {
     pub name: &'static str,
     /// Its type.
     pub kind: Kind,
-    /// What holds where it is left out, in words or as a value in backticks.
+    /// What holds where it is left out, as text or as a value in backticks.
     pub default: &'static str,
     /// What it means.
     pub meaning: &'static str,

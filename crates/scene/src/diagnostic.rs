@@ -1,6 +1,6 @@
 //! Errors that show file, line and remedy.
 //!
-//! A [`SceneProblem`] says what is wrong and how to mend it, in numbers. A [`Finding`] is a problem at its place: the key, and
+//! A [`SceneProblem`] says what is wrong and how to correct it, with numbers. A [`Finding`] is a problem at its place: the key, and
 //! the span of the scene file or of the `--set` argument that it stands in. A [`SceneError`] is everything that was found in
 //! one scene.
 
@@ -78,7 +78,7 @@ pub struct FindingSummary {
     pub code: Option<String>,
     /// What is wrong.
     pub message: String,
-    /// How to mend it.
+    /// How to correct it.
     pub help: Option<String>,
     /// File, or `--set`.
     pub source: Option<String>,

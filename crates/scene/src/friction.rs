@@ -83,7 +83,7 @@ pub(super) fn parameters(
 
 struct LawReader<'a> {
     document: &'a Document,
-    /// Ply fractions for a law that asks for `plies` and is not told.
+    /// Ply fractions for a law that needs `plies` where the scene gives none.
     plies: Option<Value>,
 }
 

@@ -1,6 +1,6 @@
-//! What a library asks of the machine that it runs on: files, the time, memory.
+//! What a library needs from the machine: files, the time, memory.
 //!
-//! Nothing else of this workspace but the command opens a file or reads a clock. A program without files, such as one in a browser, hands
+//! In this workspace only the command opens files and reads the clock. A program without files, such as one in a browser, hands
 //! over a [`System`] of its own, or none.
 
 use std::fmt;

@@ -32,6 +32,18 @@ pub fn tables() -> impl Iterator<Item = Table> {
         .chain(others.into_iter().flatten().copied())
 }
 
+/// Choices that are texts, as a document shows them: `"Q8"`, `"Q9"`.
+fn quoted(names: impl Iterator<Item = &'static str>) -> String {
+    let names: Vec<String> = names.map(|name| format!("`\"{name}\"`")).collect();
+    names.join(", ")
+}
+
+/// Choices that are keys, as a document shows them.
+fn coded(names: impl Iterator<Item = &'static str>) -> String {
+    let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
+    names.join(", ")
+}
+
 /// The table at `path`, `loads.0.force`.
 pub(crate) fn table_at(path: &str) -> Option<Table> {
     tables().find(|table| table.stands_at(path))

@@ -1,7 +1,7 @@
 //! How much memory reading and modelling may take.
 //!
 //! Readers and the model builder count what they would need before they allocate it, and refuse what is more than [`Limits`] allow.
-//! Only the caller knows what there is.
+//! The caller states how much memory is available.
 
 /// What reading a file and modelling its content may take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,7 +49,7 @@ impl Limits {
     /// Refuses what would take `bytes`.
     ///
     /// # Errors
-    /// The two amounts in words.
+    /// The two amounts as text.
     pub fn check(self, bytes: f64) -> Result<(), String> {
         if bytes <= self.memory as f64 {
             return Ok(());
@@ -64,7 +64,7 @@ impl Limits {
     /// Refuses pictures of more pixels than there is memory for.
     ///
     /// # Errors
-    /// The two amounts in words.
+    /// The two amounts as text.
     pub fn check_pixels(self, pixels: f64) -> Result<(), String> {
         /// What a pixel takes at most on the way from its file to its phase and its part of a figure \[byte\]; 125 were measured.
         const BYTES_PER_PIXEL: f64 = 200.0;
@@ -72,7 +72,7 @@ impl Limits {
     }
 }
 
-/// Bytes in words.
+/// Bytes as text.
 pub(crate) fn amount(bytes: f64) -> String {
     let (value, unit) = match bytes {
         bytes if bytes < 1e6 => (bytes / 1e3, "kB"),

@@ -1,6 +1,6 @@
 //! Deserialises a tree of values so that every error knows its key and its kind.
 //!
-//! The errors of ready-made deserialisers are words. This one returns a typed [`SceneProblem`] with the key at which it arose:
+//! Existing deserialisers report errors as text. This one returns a typed [`SceneProblem`] with the key at which it arose:
 //! an unknown key with its neighbours, a missing key with its table, a quantity with its dimension.
 
 mod error;

@@ -52,7 +52,7 @@ pub struct Scene {
     pub loads: Vec<Load>,
     /// Edges to report besides those in contact.
     pub edges: Vec<SetRef>,
-    /// What is asked about the failure of laminates.
+    /// Settings of the failure analysis of laminates.
     pub failure: Option<Failure>,
     /// What is written beside tables.
     pub output: Output,

@@ -10,7 +10,7 @@
 //! | [`Cylinder`]     | `shape.cylinder`                       | the cap above it                                  |
 //!
 //! A file brings the keys and their checks, and by [`Outline`] the edges and points with their exact curves, the extent, the symmetry,
-//! the generator of the mesh and one line of description. Nothing else of the program asks which shape a body has.
+//! the generator of the mesh and one line of description. The rest of the program does not depend on the shape of a body.
 
 mod block;
 mod cylinder;

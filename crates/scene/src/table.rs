@@ -1,13 +1,13 @@
 //! Tables of stresses over the angle, as text with commas.
 //!
-//! The first line that is not a comment (`#`) or empty names the columns; columns that are not asked for are skipped.
+//! The first line that is not a comment (`#`) or empty names the columns; other columns are skipped.
 
 use std::path::Path;
 
 use crate::host::Host;
 use crate::limits::Content;
 
-/// Why a table cannot be used, in words that name the line.
+/// Why a table cannot be used, as text that names the line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct TableError {
     pub(super) cause: String,

@@ -112,7 +112,7 @@ fn refused(refusal: &clap::Error) -> ExitCode {
         if json {
             Console::new(false, true).fail(&CommandError::usage(refusal).into());
         } else {
-            // The exit code tells of the failure even if nobody can read the message.
+            // The exit code reports the failure even if nobody can read the message.
             let _ = refusal.print();
         }
         return ExitCode::from(2);

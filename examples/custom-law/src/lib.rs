@@ -9,7 +9,7 @@
 //!
 //! with s the path before the step. Stick and slip share the bound, so a step has one answer however the coefficient moves.
 //! The three things below are all that a law needs: its parameters with their check, the trait, and an entry in the registry
-//! that tells the scene reader which parameters carry units.
+//! from which the scene reader knows which parameters carry units.
 
 use serde::{Deserialize, Serialize};
 use stickslip_friction::{

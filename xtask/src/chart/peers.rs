@@ -188,7 +188,7 @@ fn nearer(mu: f64, peak: f64) -> Option<Known> {
     nearest.copied()
 }
 
-/// The smallest error that can be told with the coefficient of friction `mu`.
+/// The smallest error that can be resolved with the coefficient of friction `mu`.
 pub(super) fn finest_error(mu: f64) -> f64 {
     let found = REFERENCES.iter().find(|(known, _)| *known == mu);
     found.map_or(0.0, |(_, [small, _])| small.uncertainty / small.value)

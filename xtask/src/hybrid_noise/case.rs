@@ -73,9 +73,9 @@ pub(crate) struct Case {
 /// The answer of a case: root mean squares along the edge, two cells at either end left out `[MPa]`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Quality {
-    /// Deviation of the shear by the propagated covariance.
+    /// Standard deviation of the shear by the propagated covariance.
     pub(crate) noise: f64,
-    /// Deviation over the seeds.
+    /// Standard deviation over the seeds.
     pub(crate) drawn: f64,
     /// Change of the shear, without noise, from that of the nodes' true displacements: the bias of the reduction.
     pub(crate) bias: f64,

@@ -7,7 +7,7 @@ use super::outcome::Outcome;
 use super::row::Row;
 use crate::study::record::fields;
 
-/// The outcomes of each method in words, "3 solved, 1 cycled", in the order of first occurrence.
+/// The outcomes of each method as text, "3 solved, 1 cycled", in the order of first occurrence.
 fn counts(rows: &[Row]) -> Vec<(&'static str, String)> {
     let mut methods: Vec<&'static str> = Vec::new();
     for row in rows {

@@ -45,7 +45,7 @@ pub(crate) enum Outcome {
     Stopped,
     /// The chain ended without solution or proof; said so.
     Unresolved,
-    /// Claimed an answer that is none, or a proof of what is not true.
+    /// Claimed an answer that is not a solution, or a proof of a false statement.
     Wrong,
 }
 

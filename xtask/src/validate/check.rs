@@ -145,7 +145,7 @@ impl Checks {
         );
     }
 
-    /// `computed`, in words, is as `reference` demands.
+    /// `computed`, as text, is as `reference` demands.
     pub(crate) fn holds(
         &mut self,
         quantity: impl Into<String>,

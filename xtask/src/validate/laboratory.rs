@@ -108,7 +108,7 @@ impl Laboratory {
         }
     }
 
-    /// `quick` or `full`, whichever is asked for.
+    /// `quick` or `full`, whichever is requested.
     pub(crate) fn sized<T>(&self, quick: T, full: T) -> T {
         match self.size {
             Size::Quick => quick,

@@ -1,6 +1,7 @@
-//! Load steps walked again from where they began, by another solver or in smaller increments: how far the answer depends on either.
+//! Solves load steps again from their initial state, by another solver or in smaller increments, to show how far the answer depends on
+//! either.
 //!
-//! Neither walk is cut back, so a step that the other way does not solve is left without a comparison.
+//! Neither solution is cut back, so a step that the other solver or the smaller increments do not solve has no comparison.
 
 use super::{LoadHistory, StepRecord, each};
 use crate::interface::{Interface, Part};

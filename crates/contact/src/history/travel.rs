@@ -1,6 +1,6 @@
 //! Bodies that travel freely before they touch.
 //!
-//! An increment takes the way of each point as one: what a pin moves through its clearance before it bears would count as slip under the
+//! An increment treats the motion of each point as one step: the travel of a pin through its clearance would count as slip under the
 //! forces at the end. So bodies that do not bear where the load presses them are brought there first, without force and without slip.
 //!
 //! ```text

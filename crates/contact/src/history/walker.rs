@@ -1,11 +1,11 @@
-//! A walk along a load path in increments, for everything that is loaded step by step.
+//! Follows a load path in increments, for everything that is loaded step by step.
 //!
 //! ```text
 //! refused     the increment is halved, down to a smallest part, or until the work that refusals may cost is spent
 //! accepted    the next one may be twice as long, up to a whole one, if the path says so
 //! ```
 //!
-//! The walker knows no contact, no body and no law: what an increment is, and when the next may grow, is the [`LoadPath`]'s affair.
+//! The walker knows no contact, no body and no law. The [`LoadPath`] defines what an increment is and when the next one may grow.
 
 /// Part of an increment by which it may be stretched to end where the walk ends.
 const ROUNDING: f64 = 1e-9;
@@ -18,7 +18,7 @@ pub struct Walker {
     /// Smallest part of a whole increment to which cut-back goes, in (0, 1].
     pub smallest_part: f64,
     /// Floating-point operations that refused attempts of one walk may cost before it is cut back no further, or twice those of the
-    /// dearest attempt where that is more; `None` without a limit.
+    /// most expensive attempt where that is more; `None` without a limit.
     pub effort: Option<u64>,
 }
 

@@ -43,7 +43,7 @@ pub(super) fn combination(
     dual.unwrap_or_else(|| DMatrix::identity(size, size))
 }
 
-/// D M⁻¹ over the functions that do not vanish on the samples; `None` if those cannot be told apart.
+/// D M⁻¹ over the functions that do not vanish on the samples; `None` if those cannot be distinguished.
 fn dual(functions: usize, samples: &[(f64, &[f64])]) -> Option<DMatrix<f64>> {
     /// Smallest eigenvalue of the mass matrix of functions of unit norm, below which half of the digits are lost.
     const DISTINCT: f64 = 1e-8;

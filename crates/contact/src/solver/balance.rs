@@ -1,14 +1,14 @@
-//! Can the load be balanced at all? A proof that it cannot, by Farkas; and where bodies that nothing pushes are clear of each other.
+//! Decides whether the load can be balanced at all, with a proof by Farkas' lemma where it cannot; and finds where unloaded bodies are
+//! clear of each other.
 //!
 //! Contact forces that obey the friction cones act on the rigid motions through Gᵀλ = A z, z ≥ 0, where the columns of A are
 //! the edges G_n ± μ G_t of the cones. The load r has no balance if and only if the nearest point of the cone {A z} to −r
 //! leaves a remainder ρ = r + A z ≠ 0: then ρ·a ≥ 0 for every column and ρ·r > 0, so along the rigid motion ρ the load does
 //! work and no admissible contact force works against it.
 //!
-//! μ is the largest that the law gives a point whatever it remembers: untouched, as now, or having slipped far. So the proof
-//! holds for every way to the load, as far as a law's coefficient lies between those of these three pasts. Of a law that does
-//! not say that its bound is proportional to pressure, μ is the largest at some pressures about that of the load, which is a
-//! reason and no proof.
+//! μ is the largest coefficient of the law at a point over three histories: untouched, as now, and after long slip. So the proof holds for
+//! every path to the load if the law's coefficient stays within the range of these three histories. For a law that does not declare its
+//! bound proportional to pressure, μ is the largest at several pressures about that of the load, which is an indication and no proof.
 
 use nalgebra::{DMatrix, DVector};
 

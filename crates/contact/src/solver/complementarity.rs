@@ -44,7 +44,7 @@ pub(super) struct Complementarity {
     coefficients: Vec<f64>,
     /// Compliance and free motion, springs included, relative to the largest compliance.
     sprung: Sprung,
-    /// What the springs need to tell how far they give: rigid motions, load resultants, and those at rest.
+    /// What determines how far the springs yield: rigid motions, load resultants, and those at rest.
     modes: DMatrix<f64>,
     mode_load: DVector<f64>,
     rest: DVector<f64>,

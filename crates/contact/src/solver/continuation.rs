@@ -4,8 +4,8 @@
 //! F = τ F(λ_n)  (friction grows from none)    or    load = (1 − τ) last + τ new  (the load grows),    0 ≤ τ ≤ 1
 //! ```
 //!
-//! with slip counted from the last accepted state throughout. Each τ starts from the statuses of the one before, and the way
-//! is cut where that fails. At τ = 0 the first is a convex problem, and the second is solved by the last accepted state. A
+//! with slip counted from the last accepted state throughout. Each τ starts from the statuses of the one before, and the
+//! increment of τ is cut where that fails. At τ = 0 the first is a convex problem, and the second is solved by the last accepted state. A
 //! path that turns back at a fold (Klarbring 1990) is left by a jump to whatever the solver finds beyond it.
 
 use super::attempt::Attempt;

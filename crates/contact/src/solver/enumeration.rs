@@ -1,7 +1,7 @@
-//! All combinations of statuses, one after the other: slow, and the last word on small problems.
+//! Tries all combinations of statuses, one after the other: slow, but exhaustive on small problems.
 //!
-//! Every solution of a step has a status at each of its n points, so 4ⁿ interface solves find it. That none is found proves
-//! that there is none only where a body floats (a supported one always has a solution), where the law's bound is proportional
+//! Every solution of a step has a status at each of its n points, so 4ⁿ interface solves find it. A search without result
+//! proves that there is no solution only where a body floats (a supported one always has a solution), where the law's bound is proportional
 //! to pressure, and where every combination has one solution that misses the conditions by far more than rounding.
 
 use super::active_set::{settle, undetermined};

@@ -31,7 +31,7 @@ impl Mixing {
 
     /// The next iterate after `image` = S(`iterate`).
     pub(super) fn next(&mut self, iterate: &DVector<f64>, image: DVector<f64>) -> DVector<f64> {
-        /// Growth of the change at which the past no longer tells about the future.
+        /// Growth of the change beyond which past iterates are discarded.
         const GROWTH: f64 = 2.0;
         if self.depth == 0 {
             return image;

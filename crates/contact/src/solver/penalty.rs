@@ -6,7 +6,7 @@
 //!
 //! (Kikuchi & Oden 1988; with the stick spring at rest under the last accepted shear). In the solver's terms the springs add
 //! the compliance 1/k to the bodies' own at each point, so the regularised step is solved exactly, by
-//! [`SemismoothNewton`] or [`Pivoting`]. The answer penetrates and creeps by λ/k; its residuals say by how much.
+//! [`SemismoothNewton`] or [`Pivoting`]. The answer penetrates and creeps by λ/k; its residuals give the amount.
 
 use super::attempt::Attempt;
 use super::residual::read_statuses;

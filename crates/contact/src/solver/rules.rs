@@ -6,8 +6,8 @@
 //! slip:    −σ Δs ≤ 0, else stick or turn:  |λ_t − Δs/c| ≤ F(λ_n − g_n/c)  sticks,  else slip against it
 //! ```
 //!
-//! A point that closes is told the same way. c is the sum of magnitudes of the compliances by which all touching points move
-//! this one, so that the projection is that of Alart & Curnier with 1/c for its parameter, applied where a status changes to
+//! The status of a point that closes follows from the same projection. c is the sum of magnitudes of the compliances by which all touching
+//! points move this one, so that the projection is that of Alart & Curnier with 1/c for its parameter, applied where a status changes to
 //! contact or turns; elsewhere signs alone decide, as in the report's rules.
 
 use super::accept::ROUNDING;
@@ -139,7 +139,7 @@ impl At<'_> {
             return (plain, violation);
         }
         // A closing or turning point sticks only if the force that would stop its motion lies within the bound. Its
-        // neighbours move with it, so it takes the compliance of all touching points together to tell.
+        // neighbours move with it, so the test needs the compliance of all touching points together.
         let compliance = self.step.problem.compliance();
         let stop = |row: usize| {
             let column = compliance.column(row);

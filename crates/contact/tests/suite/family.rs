@@ -153,7 +153,7 @@ proptest! {
     }
 }
 
-/// Friction up to 3, several solutions, floating bodies, loads without balance: nobody gives a wrong answer, and some say
+/// Friction up to 3, several solutions, floating bodies, loads without balance: no solver gives a wrong answer, and some say
 /// that they have none.
 #[test]
 fn no_solver_claims_what_is_not_so() {

@@ -4,9 +4,9 @@
 //! f ← f + t ∫ N_a (a + b e_z × (x − c)) ds,     Σ f_a = F,   Σ (x_a − c) × f_a = M
 //! ```
 //!
-//! The facets of a mesh move the line of action of a force on a rim by some 10⁻⁵ of the radius, and leave of a load that balances itself
-//! as much of a force. Both are nothing beside the stresses. But where nothing resists a rigid motion, a pin with little friction turns
-//! and a free ring drifts until contact stops it, and the scene is another one. The traction (a, b) is the smooth one that takes them away.
+//! The facets of a mesh move the line of action of a force on a rim by some 10⁻⁵ of the radius, and leave a resultant of the same relative
+//! size of a self-balanced load. Both are negligible for the stresses. But where nothing resists a rigid motion, a pin with little friction
+//! turns and a free ring drifts until contact stops it, which changes the problem. The smooth traction (a, b) removes both errors.
 
 use nalgebra::{Matrix3, Vector3};
 use stickslip_fem_core::load::edge_load;

@@ -84,7 +84,7 @@ pub struct FirstPly {
     pub reached: bool,
     /// Reached: the part of the way from the step before, in [0, 1]. Otherwise the multiple of the step's loads, at least 1.
     pub factor: f64,
-    /// The load there, by what tells the steps apart; `None` where nothing but their number does.
+    /// The load there, in terms of what distinguishes the steps; `None` where only their number does.
     pub load: Option<LoadValue>,
     /// The ply and its place, with the stress at that load.
     pub at: FailurePoint,

@@ -1,4 +1,4 @@
-//! From where the places of an edge are measured: its bearing point.
+//! The origin from which places on an edge are measured: its bearing point.
 //!
 //! ```text
 //! circle   θ    counter-clockwise from +x about the circle's centre

@@ -10,9 +10,9 @@ use super::{ContactFrame, JointFinding};
 /// Progressive failure of a body.
 #[derive(Clone, Debug)]
 pub struct ProgressiveFailure {
-    /// How plies lose stiffness, in words.
+    /// How plies lose stiffness, as text.
     pub model: String,
-    /// What was raised, in words.
+    /// What was raised, as text.
     pub control: String,
     /// The load–displacement curve, from the first increment on; never empty.
     pub curve: Vec<CurvePoint>,

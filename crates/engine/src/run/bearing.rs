@@ -1,4 +1,4 @@
-//! Where an edge bears in every load step, and what is measured from there.
+//! Where an edge bears in every load step, and quantities measured from there.
 //!
 //! ```text
 //! circle   θ_b = direction of the contact force on the first body, R = ∫(p e_r + λ_t e_t) dA

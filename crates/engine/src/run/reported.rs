@@ -1,7 +1,7 @@
-//! The contact as it is reported: without what is rounding beside the rest of the history.
+//! The contact as it is reported: values within rounding of the rest of the history are zero.
 //!
 //! A contact that opens keeps forces of some 10⁻¹⁶ of those it had, and a point at rest moves by as little of the largest motion.
-//! Shown, such numbers look like results, and ratios of them like large ones.
+//! In a table such numbers, and above all their ratios, would look like results.
 
 use std::ops::Range;
 

@@ -63,7 +63,7 @@ pub enum GenerateError {
     WrongEnd {
         /// Which end of which list.
         what: &'static str,
-        /// What it must be, in words.
+        /// What it must be, as text.
         expected: &'static str,
         /// What it is.
         value: f64,

@@ -1,4 +1,4 @@
-//! What every [`InterfaceOperator`] must fulfil, as a check that a new maker of operators calls in its tests.
+//! What every [`InterfaceOperator`] must fulfil, as a check that a new implementation calls in its tests.
 //!
 //! ```text
 //! C = Cᵀ,   λᵀ C λ ≥ 0                          a body takes up work

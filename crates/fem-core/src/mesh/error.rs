@@ -88,7 +88,7 @@ pub enum MeshError {
         family: &'static str,
         /// Name of the set.
         set: String,
-        /// The member, in words and numbers.
+        /// The member, as text.
         what: String,
         /// How many there are.
         count: usize,
@@ -100,15 +100,15 @@ pub enum MeshError {
         family: &'static str,
         /// Name of the set.
         set: String,
-        /// The member, in words and numbers.
+        /// The member, as text.
         what: String,
     },
-    /// A set was asked for that does not exist.
+    /// A requested set does not exist.
     #[error("no {family} set '{name}'; the mesh has: {}", listed(available))]
     MissingSet {
         /// "node", "edge" or "element".
         family: &'static str,
-        /// The name asked for.
+        /// The requested name.
         name: String,
         /// The names that exist.
         available: Vec<String>,

@@ -1,32 +1,32 @@
-//! How errors of neighbouring data go together, by the residuals of a fit.
+//! Correlation of the errors of neighbouring data, estimated from the residuals of a fit.
 //!
 //! ```text
 //! c(d) = mean of r_i r_j over pairs of one field at the distance d,     ρ = c/c(0)
 //! inflation = c(0) + Σ over rings of N c(d),     squares = 1 + Σ over rings of N ρ(d)²,     N: neighbours of a datum in the ring
 //! ```
 //!
-//! n correlated data say as much of a smooth signal as n/inflation independent ones: the variance of a sum of n of them is n times the
-//! inflation, which is the spectrum of the errors at wave number zero. Signals that change over the length of the correlation see less of
-//! it, so that intervals by this number hold at least as often as they say. χ² of n correlated data scatters as that of n/squares
+//! n correlated data hold as much information on a smooth signal as n/inflation independent ones: the variance of a sum of n of them is n
+//! times the inflation, which is the spectrum of the errors at wave number zero. It affects signals that change over the correlation length
+//! less, so that the coverage of intervals by this number is at least the stated one. χ² of n correlated data scatters as that of n/squares
 //! independent ones. Rings end where c is no longer above its own scatter. Sources: Bartlett (1946); Bayley & Hammersley (1946).
 
 use std::collections::{BTreeMap, HashMap};
 
-/// A residual over its stated deviation.
+/// A residual over its stated standard deviation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Residual {
     /// Where its datum is, of any unit.
     pub place: [f64; 2],
     /// Residuals of one field are compared with each other: one component of one state.
     pub field: usize,
-    /// Measured less predicted over the deviation.
+    /// Measured less predicted over the standard deviation.
     pub value: f64,
 }
 
-/// How errors of neighbouring data go together.
+/// Correlation of the errors of neighbouring data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Correlation {
-    /// Variance of a sum of data over that of independent data with their stated deviations, at least 1.
+    /// Variance of a sum of data over that of independent data with their stated standard deviations, at least 1.
     pub inflation: f64,
     /// Mean sum of the squares of a datum's correlations with all data, itself included; at least 1.
     pub squares: f64,
@@ -189,8 +189,8 @@ mod tests {
     use super::*;
     use crate::random::normal;
 
-    /// Two fields on a grid of `side` squared, each value the mean of `reach` squared independent ones, of deviation 1; without the mean of a
-    /// field, which a fit takes as a translation.
+    /// Two fields on a grid of `side` squared, each value the mean of `reach` squared independent ones, of standard deviation 1; without
+    /// the mean of a field, which a fit takes as a translation.
     fn fields(side: usize, reach: usize, seed: u64) -> Vec<Residual> {
         let mut random = StdRng::seed_from_u64(seed);
         let wide = side + reach - 1;

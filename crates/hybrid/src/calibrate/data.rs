@@ -99,7 +99,7 @@ impl Data {
         Ok(Self { blocks })
     }
 
-    /// The same data with one more error in each block: its shape, times an amount that nobody knows, normal about zero with deviation 1.
+    /// The same data with one more error in each block: its shape times an unknown amplitude, normal about zero with standard deviation 1.
     ///
     /// It adds d dᵀ to the covariance of a block with shape d. A shape that is small beside the errors changes nothing, and one that is
     /// large takes away all that the data say along it, as a nuisance does.

@@ -11,7 +11,7 @@ pub enum CalibrateError {
     /// Too few or too many parameters.
     #[error("{0} parameters cannot be fitted; from 1 to {MOST_PARAMETERS} can")]
     Parameters(usize),
-    /// A range that is none.
+    /// An empty or invalid range.
     #[error("the range of '{name}' from {} to {} is none{}", range[0], range[1], if *logarithmic { ": it must increase and be positive, being logarithmic" } else { ": it must increase" })]
     Range {
         /// Name of the parameter.
@@ -21,7 +21,7 @@ pub enum CalibrateError {
         /// Whether it is divided evenly in the logarithm.
         logarithmic: bool,
     },
-    /// A confidence that is none.
+    /// A confidence that does not lie between 0 and 1.
     #[error("the confidence {0} is not between 0 and 1")]
     Confidence(f64),
     /// Blocks of data that do not fit their noise or nuisances.
@@ -36,7 +36,7 @@ pub enum CalibrateError {
         /// Entries given.
         found: usize,
     },
-    /// A number that is infinite or none, or a deviation that is not positive.
+    /// A number that is infinite or not a number, or a standard deviation that is not positive.
     #[error("{what} {index} of block {block} is {value}")]
     Value {
         /// What it is.
@@ -48,7 +48,7 @@ pub enum CalibrateError {
         /// The number.
         value: f64,
     },
-    /// A covariance that is none.
+    /// Not a valid covariance matrix.
     #[error("the covariance of block {block} is not positive definite, at row {row}")]
     Covariance {
         /// Index of the block.

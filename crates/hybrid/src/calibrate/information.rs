@@ -1,4 +1,4 @@
-//! What the curvature of χ² at its least says of the parameters.
+//! The information about the parameters in the curvature of χ² at its minimum.
 //!
 //! ```text
 //! Σ = (JᵀJ)⁻¹,   J = ∂r/∂z
@@ -12,15 +12,15 @@ use super::parameter::Parameter;
 pub(super) struct Information {
     /// Parameters that have an influence; others are left out.
     active: Vec<usize>,
-    /// The inverse over these; `None` where they cannot be told apart.
+    /// The inverse over these; `None` where they cannot be distinguished.
     inverse: Option<Matrix>,
-    /// Deviation of each parameter if it alone were unknown; infinite without influence.
+    /// Standard deviation of each parameter if it alone were unknown; infinite without influence.
     alone: Vec<f64>,
 }
 
 impl Information {
     pub(super) fn of(jacobian: &Matrix) -> Self {
-        /// A deviation of so many ranges is none by the data but by rounding.
+        /// A standard deviation of so many ranges comes from rounding.
         const BEYOND: f64 = 1e3;
         let gram = jacobian.transpose_multiply(jacobian);
         let alone: Vec<f64> = (0..jacobian.columns())
@@ -28,7 +28,7 @@ impl Information {
             .collect();
         let active: Vec<usize> = (0..alone.len()).filter(|&k| alone[k] < BEYOND).collect();
         let size = active.len();
-        // Scaled to a diagonal of ones, so that the factor breaks down where parameters cannot be told apart.
+        // Scaled to a diagonal of ones, so that the factorisation breaks down where parameters cannot be distinguished.
         let scaled = Matrix::from_fn(size, size, |i, j| {
             gram[(active[i], active[j])] * alone[active[i]] * alone[active[j]]
         });
@@ -45,7 +45,7 @@ impl Information {
         }
     }
 
-    /// Deviation in parts of the range; `None` without influence, or beside others that cannot be told apart from it.
+    /// Standard deviation in parts of the range; `None` without influence, or where other parameters cannot be distinguished from it.
     pub(super) fn deviation(&self, axis: usize) -> Option<f64> {
         let inverse = self.inverse.as_ref()?;
         let own = self.active.iter().position(|&active| active == axis)?;

@@ -58,8 +58,8 @@ impl Search<'_> {
         Ok(self.at(&parts)?.is_none())
     }
 
-    /// The profile of parameter `axis` about `best`, whose deviation in parts is `deviation`, with the interval in which χ² increases by
-    /// at most `limit`; [`Outcome::Better`] where it meets a better point, unless this is the `last` round.
+    /// The profile of parameter `axis` about `best`, whose standard deviation in parts is `deviation`, with the interval in which χ²
+    /// increases by at most `limit`; [`Outcome::Better`] where it meets a better point, unless this is the `last` round.
     pub(super) fn profile(
         &mut self,
         best: &Point,

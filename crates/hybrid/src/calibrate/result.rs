@@ -57,11 +57,11 @@ pub(super) fn aicc(chi_squared: f64, unknowns: usize, data: f64) -> f64 {
 pub struct Calibration {
     /// One per parameter, in their order.
     pub estimates: Vec<Estimate>,
-    /// Covariance of the parameters by the curvature of χ², square, row by row; empty unless all of them have a deviation.
+    /// Covariance of the parameters by the curvature of χ², square, row by row; empty unless all of them have a standard deviation.
     pub covariance: Vec<f64>,
-    /// The least χ², of data with their stated deviations.
+    /// The least χ², of data with their stated standard deviations.
     pub chi_squared: f64,
-    /// How errors of the data go together.
+    /// Correlation of the errors of the data.
     pub correlation: Correlation,
     /// Number of data.
     pub data: usize,
@@ -90,7 +90,7 @@ impl Calibration {
             .saturating_sub(self.estimates.len() + self.nuisances)
     }
 
-    /// χ² per degree of freedom; about 1 where model and deviations hold.
+    /// χ² per degree of freedom; about 1 where model and standard deviations hold.
     pub fn reduced(&self) -> f64 {
         self.chi_squared / self.degrees().max(1) as f64
     }
@@ -128,7 +128,7 @@ impl Calibration {
 
     /// By how many standard deviations χ² lies above what it should be if the model holds, by the cube root that makes it nearly normal
     /// (Wilson & Hilferty 1931), of as many degrees of freedom as the correlation leaves. Above 3 the model does not explain the data, or
-    /// their deviations are too small.
+    /// their standard deviations are too small.
     pub fn excess(&self) -> f64 {
         let degrees = self.degrees().max(1) as f64 / self.correlation.squares.max(1.0);
         let spread = 2.0 / (9.0 * degrees);

@@ -1,4 +1,4 @@
-//! The least χ² within the ranges: a grid, descent by Levenberg's and Marquardt's method, trial steps.
+//! Finds the least χ² within the ranges: a grid, descent by the Levenberg–Marquardt method, trial steps.
 //!
 //! ```text
 //! (JᵀJ + λ diag JᵀJ) Δz = −Jᵀ r,   z ← clamp(z + Δz, 0, 1),     J by central differences,   z: parts of the ranges

@@ -1,4 +1,4 @@
-//! Fringe centres as a table has them, so that what is wrong with a line is told in the table's own numbers and at its row.
+//! Fringe centres as a table has them, so that errors name the row and show the table's own numbers.
 
 use stickslip_fem_core::mesh::Point;
 

@@ -34,7 +34,7 @@ pub enum DataError {
         /// Name of the data.
         file: String,
     },
-    /// A column that is asked for does not exist.
+    /// A requested column does not exist.
     #[error(
         "{file}: line {line} names no column '{column}'; it has {available}; state which of them holds it"
     )]
@@ -43,19 +43,19 @@ pub enum DataError {
         file: String,
         /// Line of the header.
         line: u64,
-        /// Name asked for.
+        /// Requested name.
         column: String,
         /// Names that exist.
         available: String,
     },
-    /// A column that is asked for exists more than once.
+    /// A requested column exists more than once.
     #[error("{file}: line {line} names column '{column}' {times} times; rename all but one")]
     RepeatedColumn {
         /// Name of the data.
         file: String,
         /// Line of the header.
         line: u64,
-        /// Name asked for.
+        /// Requested name.
         column: String,
         /// How often it is there.
         times: usize,
@@ -259,7 +259,7 @@ pub enum DataError {
     NoSuchLine {
         /// Name of the data.
         file: String,
-        /// Name asked for.
+        /// Requested name.
         name: String,
         /// Names that exist.
         available: String,

@@ -85,7 +85,7 @@ pub struct Reading {
 }
 
 impl Default for Reading {
-    /// No scale, y up, signs as they are, deviation 0.
+    /// No scale, y up, signs as they are, standard deviation 0.
     fn default() -> Self {
         Self {
             scale: None,

@@ -26,7 +26,7 @@ pub enum NullField {
 impl Measurement {
     /// What the load has added: these displacements minus those of the initial load `null`.
     ///
-    /// A component is masked where either is masked or the null field was not measured. The deviation is √(σ² + σ₀²): exact at
+    /// A component is masked where either is masked or the null field was not measured. The standard deviation is √(σ² + σ₀²): exact at
     /// common places, an upper bound of each point's where the null field is interpolated (its correlation between neighbours,
     /// which share triangles, is not kept).
     ///
@@ -164,7 +164,7 @@ pub struct Difference {
 
 impl FringeLines {
     /// What the load has added: these orders minus those of the initial load `null`, which are interpolated along the line of the
-    /// same name. Deviations add as √(σ² + σ₀²) at most.
+    /// same name. Standard deviations add as √(σ² + σ₀²) at most.
     ///
     /// # Errors
     /// [`DataError`]: fields of two directions, a line that `null` has not, a line of which fewer than 2 centres remain.

@@ -1,4 +1,4 @@
-//! Gross outliers: displacements that do not go with those of their neighbours.
+//! Gross outliers: displacements that do not fit those of their neighbours.
 //!
 //! ```text
 //! r₀ = |u₀ − p(x₀)| / (1 + h),   m = max(median |uᵢ − p(xᵢ)|, upper third of rᵢ),   ε = max(σ, median of all r / 0.6745)
@@ -6,12 +6,12 @@
 //! ```
 //!
 //! The normalised median test of Westerweel & Scarano (2005), Experiments in Fluids 39, 1096–1100. In place of the neighbours' median
-//! stands a plane p through the nearest ones, fitted with Huber's weights, so that gradients of displacements are no outliers; h is the
-//! leverage of x₀ on it, so that neither are places at the rim of the data, where p is extrapolated. Errors alone would ask for √(1 + h);
-//! 1 + h asks for more, by 4 % amid neighbours and by more at a rim, where the bending of the field is extrapolated too. Where the
-//! field bends, m grows by what the plane leaves of the neighbours, and by what each of them is off the plane through its own. What is
-//! found takes no part as a neighbour, and all is asked again, until nothing changes: outliers that are neighbours do not hide each
-//! other, and a good place among them is not lost.
+//! stands a plane p through the nearest ones, fitted with Huber's weights, so that gradients of displacements do not count as outliers. The
+//! leverage h of x₀ on the plane does the same for places at the rim of the data, where p is extrapolated. Errors alone would need the
+//! factor √(1 + h); 1 + h is larger, by 4 % amid neighbours and by more at a rim, where the curvature of the field is extrapolated too.
+//! Where the field bends, m grows by what the plane leaves of the neighbours, and by what each of them is off the plane through its own.
+//! Outliers are excluded as neighbours and the test is repeated until nothing changes: neighbouring outliers do not hide each other, and a
+//! good place among them is kept.
 
 use stickslip_fem_core::mesh::Point;
 use stickslip_fem_core::parallel;
@@ -56,9 +56,9 @@ impl Measurement {
     /// Displacements that are off those of their neighbours by more than `threshold` times what is usual there, by place and
     /// component; at least [`Measurement::deviation`] counts as usual. A component with fewer than nine valid places has none.
     ///
-    /// With a threshold of 8, no place of a smooth field is found, free of noise or with normal or uniform noise of its deviation, at the
-    /// rim of a hole or of the data either; values that are off by 100 deviations are, alone or one in a hundred. In noise, half of those
-    /// that are off by 20 deviations are found, hardly any that are off by 12.
+    /// With a threshold of 8, no place of a smooth field is found, free of noise or with normal or uniform noise of its standard deviation,
+    /// at the rim of a hole or of the data either; values that are off by 100 standard deviations are, alone or one in a hundred. In noise,
+    /// half of those that are off by 20 standard deviations are found, hardly any that are off by 12.
     ///
     /// # Errors
     /// [`DataError::Setting`] for a threshold that is not positive, and as [`check`](Self::check).

@@ -7,10 +7,10 @@
 //! ```
 //!
 //! w is the displacement that loads make, in the frame of the specimen. In small-strain theory a rotation strains nothing, but the
-//! displacement of a finite one holds the contraction cos φ − 1 along both axes, 6e-6 at 0.2°, and turns w against its places.
+//! displacement of a finite rotation includes the contraction cos φ − 1 along both axes, 6e-6 at 0.2°, and turns w against its places.
 //!
 //! The angle is that of the polar decomposition F = R U of the mean deformation gradient: of 1 + ∇u of the planes of least squares through
-//! both components over X, of (1 − ∇u)⁻¹ over x. It holds the mean rotation that loads make, of the order of the strains, which no data
+//! both components over X, of (1 − ∇u)⁻¹ over x. It includes the mean rotation due to the loads, of the order of the strains, which no data
 //! separate from a rigid one and no stress depends on. A rotation of all data adds to it exactly, so that w stays as it is.
 
 use stickslip_fem_core::mesh::Point;

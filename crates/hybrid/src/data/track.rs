@@ -24,7 +24,8 @@ pub enum Track {
         /// Whether the last fringe centre is followed by the first.
         closed: bool,
     },
-    /// Straight steps from centre to centre as they were digitised; a line that turns back is refused, as nothing tells its order.
+    /// Straight steps from centre to centre as they were digitised; a line that turns back is refused, because the order of its centres is
+    /// unknown.
     Drawn,
 }
 

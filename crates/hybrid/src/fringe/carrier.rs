@@ -10,7 +10,7 @@ use super::check::parameter;
 pub enum Carrier {
     /// Known.
     Given([f64; 2]),
-    /// The centre of the strongest peak of the spectrum. A picture does not tell rising from falling orders: the carrier is taken
+    /// The centre of the strongest peak of the spectrum. A picture does not distinguish rising from falling orders: the carrier is taken
     /// to rise towards the direction given.
     Found {
         /// A direction in which orders rise.

@@ -11,7 +11,7 @@ use crate::data::Measurement;
 ///
 /// # Errors
 ///
-/// Pictures of unlike frames; a frequency that is not positive, a deviation below 0, a stride of 0; no order at any pixel taken.
+/// Pictures of unlike frames; a frequency that is not positive, a standard deviation below 0, a stride of 0; no order at any pixel taken.
 pub fn measurement(
     orders: [Option<&PixelMap>; 2],
     frequency: f64,

@@ -40,7 +40,7 @@ impl Raster {
     ///
     /// # Errors
     ///
-    /// A frame that is none; no pixel that is there.
+    /// An invalid frame; no valid pixel.
     pub fn placed(
         self,
         first: Point,

@@ -7,7 +7,7 @@ use super::order::{median, wrap};
 use super::spectrum::Transform;
 use super::{Frame, FringeError, PixelMap};
 
-/// Least number of fringes across the picture that can be told from its background.
+/// Least number of fringes across the picture that can be separated from its background.
 const LEAST_FRINGES: f64 = 4.0;
 
 /// Probability that white noise alone shows a peak that counts as a carrier.

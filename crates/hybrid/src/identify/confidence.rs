@@ -9,10 +9,11 @@
 /// Increase of χ² at the ends of an interval of 95 %, one degree of freedom.
 pub(super) const CHI_SQUARED_95: f64 = 3.841_458_820_694_124;
 
-/// Beyond this many deviations a double has no digits left for the probability.
+/// Beyond this many standard deviations a double has no digits left for the probability.
 const FARTHEST: f64 = 8.0;
 
-/// Computes the z `[1]` with the probability `p` below it in a standard normal distribution; ±8 where p is nearer to 0 or 1 than a double can tell.
+/// Computes the z `[1]` with the probability `p` below it in a standard normal distribution; ±8 where p is nearer to 0 or 1 than double
+/// precision resolves.
 pub fn normal_quantile(p: f64) -> f64 {
     let [mut low, mut high] = [-FARTHEST, FARTHEST];
     for _ in 0..80 {

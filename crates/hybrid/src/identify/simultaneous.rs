@@ -14,7 +14,7 @@ use stickslip_fem_core::linalg::Matrix;
 use super::{IdentifyError, factored};
 use crate::random::normal;
 
-/// Draws of the joint distribution. The quantile of 95 % then has a deviation of about 0.03.
+/// Draws of the joint distribution. The quantile of 95 % then has a standard deviation of about 0.03.
 const DRAWS: usize = 4000;
 
 /// The q that all errors, each over its own standard deviation, stay below together with the probability `confidence`, between 0 and 1.
@@ -92,7 +92,7 @@ mod tests {
         for n in [1_usize, 10] {
             let found = simultaneous_quantile(&[equal(n, 0.0)], 0.95, 1).unwrap();
             let exact = normal_quantile(0.95_f64.powf(1.0 / n as f64));
-            // To three deviations of a quantile of as many draws.
+            // To three standard deviations of a quantile of as many draws.
             assert!((found - exact).abs() < 0.1, "{n}: {found} of {exact}");
             let groups = vec![vec![1.0]; n];
             let apart = simultaneous_quantile(&groups, 0.95, 2).unwrap();

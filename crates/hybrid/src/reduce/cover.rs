@@ -47,7 +47,7 @@ pub enum Reason {
     },
     /// Too few valid places are near.
     Sparse {
-        /// Neighbours asked for.
+        /// Requested neighbours.
         neighbours: usize,
         /// Radius within which there are as many `[length]`.
         radius: f64,
@@ -79,7 +79,7 @@ impl fmt::Display for Reason {
 }
 
 impl Reason {
-    /// The reason in words, with its lengths as `length` spells them.
+    /// The reason as text, with its lengths as `length` spells them.
     pub fn told(&self, length: &dyn Fn(f64) -> String) -> String {
         match self {
             Self::Outside => "outside the data".to_owned(),

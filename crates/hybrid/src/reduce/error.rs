@@ -6,7 +6,7 @@ use thiserror::Error;
 use super::Uncovered;
 use crate::data::{DataError, Field, letter};
 
-/// How many nodes an error shows in words.
+/// How many nodes an error shows as text.
 const SHOWN: usize = 3;
 
 /// Why displacements of nodes cannot be found.
@@ -16,7 +16,7 @@ pub enum ReduceError {
     /// A node does not exist.
     #[error("node {node} was asked for; there are {count} nodes")]
     NoSuchNode {
-        /// Index asked for.
+        /// Requested index.
         node: usize,
         /// Nodes that exist.
         count: usize,
@@ -29,7 +29,7 @@ pub enum ReduceError {
         /// Its place `[length]`.
         place: Point,
     },
-    /// The measurement is no measurement.
+    /// An invalid measurement.
     #[error(transparent)]
     Data(#[from] DataError),
     /// A setting is not a positive length.
@@ -50,7 +50,7 @@ pub enum ReduceError {
         order: usize,
         /// Terms.
         needed: usize,
-        /// Neighbours asked for.
+        /// Requested neighbours.
         found: usize,
     },
     /// There are fewer valid places than a fit's neighbours.
@@ -63,7 +63,7 @@ pub enum ReduceError {
         component: usize,
         /// Valid places.
         valid: usize,
-        /// Neighbours asked for.
+        /// Requested neighbours.
         needed: usize,
     },
     /// Valid places cannot be triangulated.
@@ -87,7 +87,7 @@ pub enum ReduceError {
     /// Nodes are not covered by the data.
     #[error("{} of {wanted} nodes are not covered by the data: {}", .nodes.len(), some(.nodes))]
     Uncovered {
-        /// Nodes asked for.
+        /// Requested nodes.
         wanted: usize,
         /// Those not covered.
         nodes: Vec<Uncovered>,

@@ -8,7 +8,8 @@
 
 use stickslip_fem_core::mesh::Point;
 
-/// Part of a column that must be left when the columns before it are taken off: below it the points do not tell it from them.
+/// Part of a column that must be left when the columns before it are taken off: below it the points do not distinguish the column from
+/// them.
 const RANK: f64 = 1e-6;
 
 /// Number of terms of a plane polynomial.

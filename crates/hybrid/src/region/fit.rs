@@ -152,9 +152,9 @@ pub struct Fitter<'a> {
     region: &'a Region,
     /// Place and component of each datum.
     places: Vec<(usize, usize)>,
-    /// Inverse deviation along x and y.
+    /// Inverse standard deviation along x and y.
     weight: [f64; 2],
-    /// H times the inverse deviations, data × prescribed.
+    /// H times the inverse standard deviations, data × prescribed.
     rows: Matrix,
     modes: Modes,
 }
@@ -171,7 +171,7 @@ impl<'a> Fitter<'a> {
     /// smoothed.
     ///
     /// # Errors
-    /// [`RegionError::SmoothingOrder`]; a measurement whose arrays do not fit or are not finite, or without a deviation;
+    /// [`RegionError::SmoothingOrder`]; a measurement whose arrays do not fit or are not finite, or without a standard deviation;
     /// [`RegionError::NoData`]; [`RegionError::NotDetermined`] where a piece of the boundary has no data near.
     pub fn new(region: &'a Region, data: &Measurement, order: usize) -> Result<Self, RegionError> {
         if ![2, 3].contains(&order) {

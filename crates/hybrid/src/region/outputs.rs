@@ -1,4 +1,4 @@
-//! What is asked of a region, as rows A of y = A Δ over the displacements of all nodes.
+//! Results of a region, as rows A of y = A Δ over the displacements of all nodes.
 //!
 //! Stresses at the nodes of an edge are those of the quadrature points, extrapolated in each cell and averaged,
 //!

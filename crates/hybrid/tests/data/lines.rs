@@ -90,7 +90,7 @@ fn fringe_lines_are_refused_with_the_place() {
     );
 }
 
-/// A table in pixels of 0.01, y down: what is wrong is told in pixels as they stand in the file, not in lengths of the body's frame.
+/// A table in pixels of 0.01, y down: errors are reported in pixels, as in the file.
 #[test]
 fn faults_of_fringe_centres_are_told_in_the_numbers_of_their_rows() {
     let pixels = LineReading {

@@ -55,7 +55,7 @@ fn noisy(mut data: Measurement, noise: fn(f64, f64) -> f64, seed: u64) -> Measur
     data
 }
 
-/// Adds so many deviations up or down to one component of one of so many places; their marks.
+/// Adds so many standard deviations up or down to one component of one of so many places; their marks.
 fn spoilt(data: &mut Measurement, deviations: f64, one_of: usize, seed: u64) -> Vec<[bool; 2]> {
     let mut random = StdRng::seed_from_u64(seed);
     let mut marks = vec![[false; 2]; data.places.len()];
@@ -87,7 +87,7 @@ fn smooth_fields_have_no_outliers_with_or_without_noise() {
         scattered(20_000, 4),
     ]) {
         for noise in noises() {
-            // A deviation that is stated, and one that is not.
+            // A standard deviation that is stated, and one that is not.
             for deviation in [SIGMA, 0.0] {
                 let mut data = noisy(clean.clone(), noise, seed);
                 data.deviation = [deviation; 2];
@@ -126,7 +126,7 @@ fn values_off_by_a_hundred_deviations_are_found_alone_and_one_in_a_hundred() {
     }
 }
 
-/// The limit: of displacements that are off by twenty deviations of the noise, half are found.
+/// The limit: of displacements that are off by twenty standard deviations of the noise, half are found.
 #[test]
 fn half_of_the_values_that_are_off_by_twenty_deviations_are_found() {
     let fields = [grid(30, 0.2), scattered(2000, 5), scattered(20_000, 6)];

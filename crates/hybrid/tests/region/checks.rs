@@ -122,7 +122,7 @@ fn good_data_pass_and_bad_data_do_not() {
         let mean = excess.iter().sum::<f64>() / count;
         let spread = (excess.iter().map(|e| (e - mean).powi(2)).sum::<f64>() / count).sqrt();
         println!("{name}: excess of χ² over {seeds} seeds: mean {mean:.2}, deviation {spread:.2}");
-        // Mean 0 and deviation 1; chi-squared numbers have a long tail.
+        // Mean 0 and standard deviation 1; chi-squared numbers have a long tail.
         assert!(
             mean.abs() < 4.0 / count.sqrt() && (0.6..1.5).contains(&spread),
             "{name} {mean} {spread}"

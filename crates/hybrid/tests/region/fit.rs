@@ -155,7 +155,7 @@ fn uniform(seed: u64) -> impl FnMut() -> f64 {
 #[derive(Debug)]
 struct Quality {
     amount: f64,
-    /// Deviation over seeds.
+    /// Standard deviation over seeds.
     noise: f64,
     /// Deviation from the propagated covariance.
     propagated: f64,
@@ -198,7 +198,7 @@ fn quality(experiment: &Experiment, fitter: &Fitter<'_>, amount: f64, seeds: u64
     }
 }
 
-/// Shear deviation where every prescribed node has errors of its own: the localized hybrid analysis without a fit.
+/// Shear standard deviation where every prescribed node has errors of its own: the localized hybrid analysis without a fit.
 fn nodal_noise(region: &Region, edge: &EdgeRows) -> f64 {
     let nodes = region.prescribed_nodes();
     let measured = NodalDisplacements {
@@ -240,7 +240,7 @@ fn declared_smoothing_takes_the_noise_and_little_else() {
                     "  order {order}, share {share}: amount {:.1e}, noise {:.2}, propagated {:.2}, added bias {:.2}, error without noise {:.2}",
                     found.amount, found.noise, found.propagated, found.added_bias, found.error
                 );
-                // 100 seeds with some ten free modes on the edge: 1/√2000, to three deviations.
+                // 100 seeds with some ten free modes on the edge: 1/√2000, to three standard deviations.
                 assert!(
                     (found.noise / found.propagated - 1.0).abs() < 0.07,
                     "{found:?}"

@@ -1,4 +1,4 @@
-//! How far ply discount depends on the mesh, and how far equivalent strengths mend it.
+//! How far ply discount depends on the mesh, and how far equivalent strengths reduce that.
 
 use std::f64::consts::PI;
 use std::sync::Arc;

@@ -1,4 +1,4 @@
-//! What a joint refuses, with the numbers that mend it.
+//! What a joint refuses, with the numbers needed to correct it.
 
 use std::sync::Arc;
 

@@ -123,7 +123,7 @@ fn run(criterion: &dyn FailureCriterion, sample: &CriterionSample) -> Checked {
     Ok(())
 }
 
-/// A criterion that is asked about one ply.
+/// A criterion, evaluated for one ply.
 struct Asked<'a> {
     criterion: &'a dyn FailureCriterion,
     ply: &'a Ply,

@@ -68,7 +68,7 @@ impl Assessment {
 }
 
 /// A failure criterion of a ply in plane stress. Another crate's criterion implements [`assess`](Self::assess). A ply is its own
-/// mirror image across its fibres, so no criterion may tell τ₁₂ from −τ₁₂.
+/// mirror image across its fibres, so no criterion may distinguish τ₁₂ from −τ₁₂.
 pub trait FailureCriterion: Debug + Send + Sync {
     /// Returns the short name, as in the table of [`failure`](crate::failure).
     fn name(&self) -> &'static str;

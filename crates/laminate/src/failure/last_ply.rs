@@ -9,7 +9,7 @@
 //! ```
 //!
 //! Stresses are those of the laminate as damaged so far, redistributed after each failure at the same load; layers alike by
-//! symmetry fail together. A layer whose matrix has failed is asked for fibre failure only, by maximum stress along the fibres:
+//! symmetry fail together. A layer whose matrix has failed is checked for fibre failure only, by maximum stress along the fibres:
 //! an interactive criterion would find its matrix failed again.
 //!
 //! *The strength* of the laminate is the load of the event after which failed material carries more than half of it: φ is the

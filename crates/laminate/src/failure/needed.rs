@@ -52,7 +52,7 @@ pub(super) struct InPlane {
 }
 
 impl InPlane {
-    /// The mode of the stress that is nearest to its strength: interactive criteria do not tell modes apart themselves.
+    /// The mode of the stress that is nearest to its strength: interactive criteria do not distinguish modes themselves.
     pub(super) fn dominant(&self, [s1, s2, t]: &[f64; 3]) -> FailureMode {
         largest(&[
             (s1 / self.xt, FailureMode::FibreTension),

@@ -6,7 +6,7 @@
 //! Tsai–Wu     the same with 2 F₁₂ σ₁σ₂ for the second term
 //! ```
 //!
-//! Interactive criteria do not tell modes apart: the mode named is that of the stress nearest to its own strength. Strengths for
+//! Interactive criteria do not distinguish modes: the reported mode is that of the stress nearest to its own strength. Strengths for
 //! which a polynomial is no closed ellipse are refused: Tsai–Hill needs Y < 2X, Hoffman Y_t Y_c < 4 X_t X_c, Tsai–Wu |F₁₂| < √(F₁₁F₂₂).
 //!
 //! Sources: Azzi & Tsai, Exp. Mech. 5 (1965) 283; Hoffman, J. Compos. Mater. 1 (1967) 200; Tsai & Wu, J. Compos. Mater. 5 (1971) 58.

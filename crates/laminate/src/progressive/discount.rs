@@ -7,7 +7,7 @@
 //!
 //! e is the elastic strain of the ply. Every ply follows its own strain, so a step along a straight path finds the same events
 //! whatever its size, and passes several of them exactly. The tangent is the stiffness after the step, which is the derivative of
-//! the stress except at the events themselves, where the stress jumps. After matrix failure a ply is asked for fibre failure only.
+//! the stress except at the events themselves, where the stress jumps. After matrix failure a ply is checked for fibre failure only.
 //!
 //! The energy dissipated is per volume: in a body it shrinks with the elements in which the damage gathers, so the load at which a
 //! structure fails depends on its mesh.

@@ -12,9 +12,9 @@ pub enum ProgressiveError {
     /// A strain or temperature that is not finite.
     #[error("strain {strain:?} at the temperature rise {temperature} is not finite")]
     NotFinite {
-        /// The strain asked for.
+        /// The requested strain.
         strain: [f64; 3],
-        /// The temperature rise asked for.
+        /// The requested temperature rise.
         temperature: f64,
     },
     /// A state of another laminate.

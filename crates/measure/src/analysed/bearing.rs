@@ -1,4 +1,4 @@
-//! Where the edge bears against where it is stated to.
+//! Compares the direction in which the edge bears with the stated one.
 //!
 //! ```text
 //! F_p = ∫ p e_r dθ,   F = ∫ (p e_r − τ e_θ) dθ   over the edge in sight
@@ -7,7 +7,7 @@
 //! Of a contact that is wholly in sight F has the direction of the bearing point, and so has F_p where friction is alike on both sides. Of
 //! one that the region cuts, pressure that does not grow away from the bearing point leaves F_p between there and the middle of the
 //! contact in sight, which a pressure that is the same all over has. Friction, a pin that is softer than the hole, and laminates move it a
-//! little; the direction nearer to what is stated counts.
+//! little; the direction nearer to the stated one counts.
 
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
@@ -16,7 +16,7 @@ use super::Analysed;
 use super::edge::CONTACT;
 use stickslip_engine::results::wrapped;
 
-/// Angle by which friction, pin and material may move the direction, beside three deviations `[rad]`.
+/// Angle by which friction, pin and material may move the direction, beside three standard deviations `[rad]`.
 const ALLOWED: [f64; 2] = [12.0 * PI / 180.0, 3.0];
 /// Pressures of this part of the largest one must exceed their uncertainty, or noise may hide where contact ends.
 const SEEN: f64 = 0.3;

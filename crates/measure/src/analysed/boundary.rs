@@ -21,15 +21,15 @@ pub(super) struct Boundary {
     pub(super) bias: Vec<f64>,
     pub(super) fit: Option<FitFacts>,
     pub(super) scale: f64,
-    /// Why no residuals say what the scale is, in words.
+    /// Why no residuals say what the scale is, as text.
     pub(super) assumed: Option<String>,
     /// Prescribed displacements `[mm]` that the fit makes of a unit of each motion of the picture.
     pub(super) responses: Vec<(FreeMotion, Vec<f64>)>,
     /// Motions of the picture that were taken off, with their amounts.
     pub(super) taken_off: Vec<(FreeMotion, f64)>,
-    /// What residuals say of the variance of a single datum, at least that of its deviation.
+    /// What residuals say of the variance of a single datum, at least that of its standard deviation.
     pub(super) single: f64,
-    /// Residuals of the fit over the stated deviations; none where nothing was fitted.
+    /// Residuals of the fit over the stated standard deviations; none where nothing was fitted.
     pub(super) residuals: Vec<Residual>,
 }
 
@@ -122,7 +122,7 @@ impl Workbench<'_> {
             })
     }
 
-    /// The fit to all data, whose errors have at least the deviations `floor`.
+    /// The fit to all data, whose errors have at least the standard deviations `floor`.
     fn fitted(&self, used: &Measurement, floor: [f64; 2]) -> Result<Boundary, RegionError> {
         let smoothing = self.plan.smoothing;
         let fitter = Fitter::new(&self.region, used, smoothing.order)?;
@@ -170,7 +170,7 @@ impl Workbench<'_> {
         sum / f64::max(count, 1.0)
     }
 
-    /// Measured less calculated displacements over the stated deviations, of all valid data in the region.
+    /// Measured less calculated displacements over the stated standard deviations, of all valid data in the region.
     fn residuals(
         &self,
         data: &Measurement,

@@ -13,7 +13,7 @@ use stickslip_hybrid::region::transfer::Propagated;
 use super::Analysed;
 use stickslip_engine::results::wrapped;
 
-/// Deviations by which a pressure has to exceed zero, and part of the largest, to count as contact.
+/// Standard deviations by which a pressure has to exceed zero, and part of the largest, to count as contact.
 pub(super) const CONTACT: [f64; 2] = [3.0, 0.05];
 /// Part of the largest hoop stress that the largest pressure has to exceed as well: what noise and smoothing leave on the edge of an
 /// open hole does not.
@@ -137,7 +137,7 @@ impl Edge {
     }
 
     /// Pressures and shears. The covariance of the `stresses` has been multiplied by the scale of the data's variance already; the
-    /// bias is added as a deviation of its own at each place.
+    /// bias is added as a standard deviation of its own at each place.
     pub(super) fn tractions(&self, stresses: &Propagated, bias: &[[f64; 3]]) -> Tractions {
         let n = self.count();
         let (part, all) = (2 * n, 3 * n);
@@ -248,7 +248,7 @@ impl Analysed {
 }
 
 /// Places of the edge that are clear of contact, on either side. None of an edge without contact: beside the stresses of an open hole the
-/// error of the mesh, which is in no deviation, is more than noise. Nor where noise may hide the greater part of a contact.
+/// error of the mesh, which is in no standard deviation, is more than noise. Nor where noise may hide the greater part of a contact.
 pub(super) fn beyond_contact(found: &Analysed) -> Vec<Range<usize>> {
     let Some(contact) = found.contact() else {
         return Vec::new();

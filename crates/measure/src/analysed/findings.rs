@@ -13,9 +13,9 @@ use stickslip_scene::experiment::{Experiment, FreeMotion, Source};
 const LARGE: f64 = 4.0;
 /// Part of the data that the parameters of a fit may be before it is reported.
 const MANY: f64 = 0.5;
-/// Noise factors beyond which the stated deviation is reported as wrong.
+/// Noise factors beyond which the stated standard deviation is reported as wrong.
 const FACTORS: [f64; 2] = [0.1, 10.0];
-/// Part of the noise factor that single residuals show of errors which do not go together.
+/// Part of the noise factor that single residuals show of errors which are not correlated.
 const CORRELATED: f64 = 0.5;
 /// The axes of forces.
 const AXES: [&str; 2] = ["x", "y"];
@@ -118,7 +118,7 @@ impl Analysed {
         many.into_iter().chain(self.fit.and_then(residuals))
     }
 
-    /// What the residuals say of the deviation of the data.
+    /// What the residuals say of the standard deviation of the data.
     fn residual_finding(&self, experiment: &Experiment, fit: &FitFacts) -> Option<FitFinding> {
         let single = fit.residual / (fit.data as f64 - fit.parameters).max(1.0);
         let least = fit.of_residuals.min(single);
@@ -192,7 +192,7 @@ impl Analysed {
         })
     }
 
-    /// Motions of the picture that are declared free and cannot be told from the load.
+    /// Motions of the picture that are declared free and cannot be separated from the load.
     fn open_motions(&self, experiment: &Experiment) -> impl Iterator<Item = FitFinding> {
         let asked = !experiment.reduce.free.is_empty();
         let open = self.picture.iter();
@@ -204,7 +204,7 @@ impl Analysed {
     }
 }
 
-/// Whether the deviation of a state and of its null field was stated, and not estimated.
+/// Whether the standard deviation of a state and of its null field was stated, and not estimated.
 fn states_deviation(experiment: &Experiment, state: usize) -> bool {
     let is_stated = |source: &Source| match source {
         Source::Table(table) => table.deviation.is_some(),

@@ -1,4 +1,4 @@
-//! Places that are kept out of a fit to check it, one of so many, evenly over the plane.
+//! Places held out of a fit to check it: one of n, evenly over the plane.
 //!
 //! ```text
 //! groups of n places along Morton's curve;   of group g the place ⌊n frac(g φ)⌋,   φ = (√5 − 1)/2

@@ -1,7 +1,7 @@
 //! A region's mesh from a file of Gmsh (format 4.1, text or binary).
 //!
-//! Its cells are all triangles and quadrilaterals of the file, linear or quadratic, in the plane z = constant; groups do not matter. The
-//! edges whose ends lie on the hole are those on which stresses are asked for.
+//! Its cells are all triangles and quadrilaterals of the file, linear or quadratic, in the plane z = constant; groups do not matter.
+//! Stresses are computed on the edges whose ends lie on the hole.
 
 use std::collections::BTreeMap;
 

@@ -1,14 +1,14 @@
-//! The force through an edge against the known one, by the forces that hold its nodes.
+//! Compares the force through an edge, as the sum of its nodal forces, with the known one.
 //!
 //! ```text
 //! F = Σ_k f_k,     f = (K₁₁ − K₁₂ K₂₂⁻¹ K₂₁) Δ¹ at the nodes of the edge
 //! ```
 //!
 //! Stresses where an edge ends are doubtful, and a contact that the region cuts bears most there. The forces that hold the nodes need no
-//! stress: they are those of the strain energy, linear in the data, and their sum has the exact covariance. What it may be wrong by shows in
-//! the region itself: what it differs from the integral of the stresses by is the error of the mesh, forces of the neighbouring edges act
-//! on the two nodes at the ends, and smoothing has an estimated bias. Where these explain what a wrong modulus changes, the check has no
-//! evidence.
+//! stress: they are those of the strain energy, linear in the data, and their sum has the exact covariance. The region itself shows the
+//! possible errors of the sum: its difference from the integral of the stresses is the error of the mesh, forces of the neighbouring edges
+//! act on the two end nodes, and smoothing has an estimated bias. Where these are as large as the effect of a wrong modulus, the check is
+//! no evidence.
 
 use stickslip_hybrid::region::RegionError;
 
@@ -16,7 +16,7 @@ use super::Analysed;
 use super::boundary::Boundary;
 use super::region::Workbench;
 
-/// Deviations, and part of the known force, by which the force may miss it beside what shows in the region.
+/// Standard deviations, and part of the known force, by which the force may miss it beside what shows in the region.
 const ALLOWED: [f64; 2] = [3.0, 0.02];
 /// Part of the forces on the nodes at the ends that may be of neighbouring edges.
 const ENDS: f64 = 0.5;

@@ -1,11 +1,11 @@
-//! The force on an edge against the stated load.
+//! Compares the force on an edge with the stated load.
 //!
 //! ```text
 //! F_b = R t ∫ (p cos φ + τ sin φ) dφ,   φ from the bearing point, over the contact in sight and the mirror image of what is not
 //! ```
 //!
-//! A unit that is wrong changes it by a factor that a contact which is not quite symmetric does not. Loads are labels that need not be
-//! exactly those of the contact, and so a factor well away from 1 alone is doubted.
+//! A wrong unit changes the ratio by a larger factor than a slightly asymmetric contact. Loads are labels and need not equal the
+//! contact force exactly, so only a ratio well away from 1 is reported.
 
 use std::f64::consts::TAU;
 
@@ -18,7 +18,7 @@ use stickslip_scene::experiment::{Experiment, RegionShape, Source};
 const FACTOR: f64 = 1.3;
 /// The same for the load over the force where the initial load is not known, which the force does not hold.
 const ABOVE_NULL: f64 = 10.0;
-/// Deviations, and part of all tractions along the load whatever their sign, by which the force may be wrong.
+/// Standard deviations, and part of all tractions along the load whatever their sign, by which the force may be wrong.
 const ALLOWED: [f64; 2] = [3.0, 0.1];
 /// Largest angle around the bearing point that may be out of sight, to either side `[rad]`.
 const HIDDEN: f64 = 0.5;

@@ -7,10 +7,10 @@
 //! ```
 //!
 //! with x = (X, Y) from the middle of the hole, r its radius, R the boundary displacements that the fit makes of C, and A the tractions on
-//! the edge clear of contact. A region whose whole boundary moves as measured takes a dilation for a uniform strain: it is in balance, and
-//! no datum inside contradicts it. Only the edge that nothing touches tells it from a load, because its tractions are known to vanish. A
-//! known force through the edge would say ten times less: a uniform stress has no resultant on a whole turn, and a dilation of 1e-4 adds
-//! some per cent to the force of a half. Without a free edge nothing is taken off, and the result says so.
+//! the edge clear of contact. In a region whose whole boundary moves as measured, a dilation looks like a uniform strain: it is in
+//! equilibrium, and no datum inside contradicts it. Only the edge clear of contact distinguishes it from a load, because its tractions are
+//! known to vanish. A known force through the edge would be ten times less sensitive: a uniform stress has no resultant on a whole turn,
+//! and a dilation of 1e-4 adds some per cent to the force of a half. Without a free edge nothing is taken off, and the result says so.
 
 use nalgebra::{DMatrix, DVector};
 use stickslip_fem_core::body::SparseRow;
@@ -34,7 +34,7 @@ pub struct PictureMotion {
     /// What it is.
     pub motion: FreeMotion,
     /// Its amount, a strain at the distance of the hole's radius, and its standard deviation by noise and smoothing; `None` where the data
-    /// do not tell it from a load, or a free edge contradicts it.
+    /// do not distinguish it from a load, or a free edge contradicts it.
     pub amount: Option<[f64; 2]>,
     /// Whether it was taken off, and its uncertainty added to that of all results.
     pub taken_off: bool,
@@ -103,7 +103,7 @@ impl Workbench<'_> {
         Ok(motions.iter().enumerate().map(motion).collect())
     }
 
-    /// What the free edge says; `None` without one, or where it does not tell the motions from each other.
+    /// What the free edge says; `None` without one, or where it does not distinguish the motions.
     fn estimate(
         &self,
         found: &Analysed,
@@ -138,7 +138,7 @@ impl Workbench<'_> {
         });
         let gain = weighted.tr_mul(&y).cholesky()?.solve(&weighted.transpose());
         let amounts = &gain * &tractions;
-        // What no motion of the picture explains is an error of the free edge: of mesh, noise that goes together, or contact after all.
+        // What no motion of the picture explains is an error of the free edge: of mesh, correlated noise, or contact after all.
         let left = &tractions - &y * &amounts;
         let degrees = rows.len().saturating_sub(motions.len()).max(1) as f64;
         let pressed = |&row: &usize| if row < count { found.hoop[row] } else { 0.0 };

@@ -232,7 +232,7 @@ impl<'a> Workbench<'a> {
         Ok(self.edge.by_place(&stresses))
     }
 
-    /// The comparison without equilibrium: a local polynomial at every node that the edge's stresses need; in words why there is none.
+    /// The comparison without equilibrium: a local polynomial at every node that the edge's stresses need; as text why there is none.
     fn direct(&self, used: &Measurement) -> Result<Vec<[f64; 3]>, String> {
         const NEIGHBOURS: usize = 24;
         let dofs = self.edge.stresses.iter().flatten();

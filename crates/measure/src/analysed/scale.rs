@@ -1,4 +1,4 @@
-//! How much the errors of data exceed what their deviations say, in the mean over neighbours.
+//! How much the errors of data exceed what their standard deviations say, in the mean over neighbours.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -8,7 +8,7 @@ use stickslip_hybrid::calibrate::{self, Correlation};
 /// Data in a block, about: three by three.
 pub(crate) const IN_A_BLOCK: f64 = 9.0;
 
-/// A residual over its stated deviation.
+/// A residual over its stated standard deviation.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Residual {
     pub(crate) place: Point,
@@ -19,11 +19,11 @@ pub(crate) struct Residual {
 /// By what correlated errors must exceed those of blocks to count: their own scatter is about a third.
 const BEYOND_BLOCKS: f64 = 1.5;
 
-/// How much the variance of means of neighbouring `residuals` exceeds that of independent data with their deviations, by a fit with
-/// `parameters`; 1 where there are too few data to say.
+/// How much the variance of means of neighbouring `residuals` exceeds that of independent data with their standard deviations, by a fit
+/// with `parameters`; 1 where there are too few data to say.
 ///
-/// Independent errors give 1. Errors that go together over less than a block of data give, by the means of blocks, the factor by which they
-/// count in everything smoother. Where the fit leaves blocks too few degrees of freedom, or errors go together farther than a block
+/// Independent errors give 1. Errors that are correlated over less than a block of data give, by the means of blocks, the factor by which
+/// they count in everything smoother. Where the fit leaves blocks too few degrees of freedom, or errors are correlated farther than a block
 /// reaches, the sum of their covariances gives it.
 pub(crate) fn scale(residuals: &[Residual], parameters: f64) -> f64 {
     let summed = by_covariances(residuals, parameters);
@@ -76,7 +76,7 @@ fn by_blocks(residuals: &[Residual], parameters: f64) -> Option<f64> {
     (degrees > 0.5 * blocks).then(|| squares / degrees)
 }
 
-/// The scale at which errors have the deviations `floor`, where `deviation` are those that residuals were divided by.
+/// The scale at which errors have the standard deviations `floor`, where `deviation` are those that residuals were divided by.
 pub(crate) fn least_scale(deviation: [f64; 2], floor: [f64; 2]) -> f64 {
     let parts = floor.into_iter().zip(deviation);
     let squares = parts.map(|(least, deviation)| (least / deviation).powi(2));
@@ -107,7 +107,7 @@ fn block_size(residuals: &[&Residual]) -> Option<f64> {
 mod tests {
     use super::*;
 
-    /// A number between −√3 and √3, uniform: deviation 1.
+    /// A number between −√3 and √3, uniform: standard deviation 1.
     fn noise(k: usize) -> f64 {
         let bits = (k as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
         let bits = (bits ^ (bits >> 29)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -128,7 +128,7 @@ mod tests {
     #[test]
     fn independent_errors_have_the_scale_one() {
         let found = scale(&field(120, |i, j| noise(121 * i + j)), 0.0);
-        // About 1600 blocks: √(2/1600), to three deviations.
+        // About 1600 blocks: √(2/1600), to three standard deviations.
         assert!((found - 1.0).abs() < 0.11, "{found}");
     }
 

@@ -52,14 +52,14 @@ pub enum FitFinding {
         /// Effective number of parameters.
         parameters: f64,
     },
-    /// Residuals are far below the deviation of the data.
+    /// Residuals are far below the standard deviation of the data.
     SmallResiduals {
-        /// Their variance over that of the deviation.
+        /// Their variance over that of the standard deviation.
         variance_ratio: f64,
-        /// Whether the deviation was stated, and not estimated.
+        /// Whether the standard deviation was stated, and not estimated.
         stated: bool,
     },
-    /// Errors of neighbours go together.
+    /// Errors of neighbours are correlated.
     CorrelatedResiduals {
         /// Variance of means of neighbouring residuals over that of independent errors.
         of_means: f64,
@@ -68,12 +68,12 @@ pub enum FitFinding {
         /// Whether the amount of smoothing is stated.
         amount_stated: bool,
     },
-    /// The variance of the residuals is far from that of the deviation.
+    /// The variance of the residuals is far from that of the standard deviation.
     WrongDeviation {
         /// The former over the latter.
         variance_ratio: f64,
     },
-    /// A motion of the picture that is declared free and cannot be told from the load.
+    /// A motion of the picture that is declared free and cannot be separated from the load.
     NotSeparable {
         /// Its name.
         motion: &'static str,

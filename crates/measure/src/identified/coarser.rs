@@ -1,4 +1,4 @@
-//! How much of the coefficient is the mesh's.
+//! How much of the coefficient is an error of the mesh.
 //!
 //! Bands hold noise and the bias of smoothing, but not the error of the region's cells. The same data on half of the cells show its size:
 //! the error of the finer mesh is smaller still.

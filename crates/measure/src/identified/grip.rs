@@ -1,4 +1,4 @@
-//! What static friction must at least be, by places that stick.
+//! The lower bound of static friction, from places that stick.
 //!
 //! ```text
 //! μ_s ≥ s τ/p wherever the edge sticks;     bound = max over stretches W of  min over k in W of (s τ_k/p_k − q σ_k)
@@ -123,7 +123,7 @@ impl<'a> Candidates<'a> {
         })
     }
 
-    /// What is exceeded all along a stretch, where all errors stay below `quantile` deviations.
+    /// What is exceeded all along a stretch, where all errors stay below `quantile` standard deviations.
     fn exceeded(&self, stretch: Range<usize>, quantile: f64) -> Grip {
         let angles = [stretch.start, stretch.end - 1].map(|place| self.angle[place]);
         let least = |of: &dyn Fn(f64, f64) -> f64| {
@@ -174,7 +174,7 @@ mod tests {
         let mut normal = || (0..12).map(|_| random.random::<f64>()).sum::<f64>() - 6.0;
         let angle: Vec<f64> = (0..PLACES).map(|k| 0.5 * k as f64).collect();
         let pressure = vec![100.0; PLACES];
-        // Errors of neighbours go together: each is the mean of two.
+        // Errors of neighbours are correlated: each is the mean of two.
         let errors: Vec<f64> = (0..=PLACES).map(|_| noise * normal()).collect();
         let shear = (angle.iter().zip(errors.windows(2)))
             .map(|(&angle, own)| 100.0 * ratio(angle) + (own[0] + own[1]) / 2.0_f64.sqrt())

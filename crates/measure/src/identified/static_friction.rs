@@ -1,7 +1,7 @@
 //! How much of static friction the displacements could show.
 //!
-//! Static friction that drops to the dynamic one has no length of its own: it decides where the edge sticks, and hardly what moves. Contact
-//! solves of the scene say by how many fringes.
+//! Static friction that drops to the dynamic value has no length scale: it decides where the edge sticks, and hardly changes displacements.
+//! Contact solves of the scene give the change in fringes.
 
 use stickslip_friction::{StaticDynamic, Transition};
 use stickslip_hybrid::identify::{Bounds, SlipFit};

@@ -211,7 +211,7 @@ fn covers(
     holds && from_bearing(far) >= COVERED * from_bearing(end)
 }
 
-/// Places of a zone that goes as far as the bearing point, where friction turns. If it rubs nobody knows where it ends, and its outer half
+/// Places of a zone that goes as far as the bearing point, where friction turns. If it slips there, its end is unknown, and its outer half
 /// slips most surely.
 fn surest(
     data: &Tractions,

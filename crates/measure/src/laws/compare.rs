@@ -53,7 +53,7 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// Whether χ² is as large as the deviations of the data make it.
+    /// Whether χ² is as large as the standard deviations of the data make it.
     pub fn explains(&self) -> bool {
         self.calibration.excess() <= UNEXPLAINED
     }

@@ -1,10 +1,10 @@
-//! A scene's contact problem with its bodies condensed once, and the displacements that can be seen of it.
+//! A scene's contact problem with its bodies condensed once, and its visible displacements.
 //!
 //! ```text
 //! u(x) = N(x) (K⁺ Bᵀ λ + Σ m_k u_k + R α) = P (λ; m; α)
 //! ```
 //!
-//! Everything between contact forces and displacements is linear and does not know of friction. So P is made once, column by column,
+//! The map from contact forces to displacements is linear and independent of friction. So P is made once, column by column,
 //! and another friction law costs one history of small contact problems and one small product.
 
 use std::sync::Arc;

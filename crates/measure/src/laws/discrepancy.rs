@@ -1,10 +1,10 @@
-//! What the mesh of the fitted model costs, where the truth is known.
+//! The error due to the mesh of the fitted model, where the truth is known.
 //!
 //! ```text
 //! d_k = u_model(x_k) − u_truth(x_k) − Z b,     both with the friction of their own scene,     χ² = |L⁻¹ d|²
 //! ```
 //!
-//! Nothing of this can be seen of a measurement. It says how far from the data the true law itself is on the model's mesh.
+//! A measurement cannot show this error: the distance of the true law on the model's mesh from the data.
 
 use std::sync::Arc;
 

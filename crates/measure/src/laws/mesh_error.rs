@@ -1,4 +1,4 @@
-//! The error of the model's mesh, as intervals hold it.
+//! The error of the model's mesh, as intervals include it.
 //!
 //! ```text
 //! δ_k = u_h(x_k) − u_2h(x_k),     Σ + δ δᵀ for each state:     an error c δ,  c normal about zero with deviation 1
@@ -6,7 +6,8 @@
 //!
 //! u_h is the history of a law on the model's mesh and u_2h that on a mesh twice as coarse. Where displacements converge with order p, c is
 //! 1/(2^p − 1), a third for p = 2 (Richardson 1911; Roache 1994). Contact converges less evenly: its zones end between nodes, so that c may
-//! have either sign and differs from state to state. A deviation of 1 is therefore wide, and what δ does not resemble is not held.
+//! have either sign and differs from state to state. A standard deviation of 1 is therefore wide. Errors of a shape unlike δ are not
+//! included.
 
 use std::sync::Arc;
 

@@ -71,7 +71,7 @@ pub struct Observation {
 }
 
 impl Observation {
-    /// All valid components of a measurement, independent with its deviation.
+    /// All valid components of a measurement, independent with its standard deviation.
     pub fn of_measurement(state: &str, step: usize, measured: &Measurement) -> Self {
         let mut own = Self {
             state: state.to_owned(),

@@ -1,10 +1,10 @@
-//! The coefficient along the slip path, of laws in which it passes from one value to another.
+//! The coefficient along the slip path, for laws in which it changes from one value to another.
 //!
 //! ```text
 //! μ(s) = |τ|/p of a slipping point with slip path s,     band: μ(s; θ̂) ± z √(gᵀ C g),   g = ∂μ/∂θ
 //! ```
 //!
-//! C is the covariance of the parameters by the curvature of χ²: parameters that make up for each other widen their own intervals, and
+//! C is the covariance of the parameters by the curvature of χ²: parameters that compensate each other widen their own intervals, but
 //! not the band.
 
 use stickslip_friction::{FrictionLaw, History, Place, PointStatus};
@@ -35,7 +35,7 @@ pub fn passes(law: &dyn FrictionLaw, slip: f64) -> bool {
     }
 }
 
-/// The band of `fit` at `slip`: half its width; `None` where not all parameters have a deviation, and where χ² rejects the model.
+/// The band of `fit` at `slip`: half its width; `None` where not all parameters have a standard deviation, and where χ² rejects the model.
 pub fn half_width(fit: &Fit, slip: f64, confidence: f64) -> Option<f64> {
     /// Parts of the values by which they are changed.
     const CHANGE: f64 = 1e-4;

@@ -5,9 +5,9 @@
 //! ```
 //!
 //! A law A with more parameters than B may fit better by the displacements of single contact points, such as the peak of shear where
-//! static friction lets go. These have no length of their own: on another mesh they are others. What A explains of the data by
-//! displacements that both meshes show is the gain above; it is compared with the criteria's penalty for A's further parameters. A law
-//! that χ² rejects, beside one that it does not, needs no such comparison.
+//! static friction lets go. These have no length of their own and change with the mesh. What A explains of the data by
+//! displacements that both meshes show is the gain above; it is compared with the criteria's penalty for A's further parameters. No
+//! such comparison is needed where χ² rejects only one of the two laws.
 
 use stickslip_hybrid::calibrate::Data;
 

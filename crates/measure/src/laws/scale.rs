@@ -1,4 +1,4 @@
-//! How much the errors of a state exceed their stated deviation, by fits that know of no friction law.
+//! How much the errors of a state exceed their stated standard deviation, by fits that know of no friction law.
 
 use std::collections::HashSet;
 
@@ -19,7 +19,7 @@ pub struct Scale {
 /// Whose residuals a variance is measured by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ScaleSource {
-    /// Nobody's: the deviation as it was stated or measured.
+    /// Nobody's: the standard deviation as it was stated or measured.
     Stated,
     /// The localized analysis.
     Localized,
@@ -44,7 +44,7 @@ impl Scale {
     /// What a fit cannot follow adds to its residuals, and nothing takes away from them but its parameters, which are allowed for. So the
     /// smaller of two fits is nearer to the errors.
     ///
-    /// It is the variance of single data. That errors of neighbours go together is counted by [`Correlation`].
+    /// It is the variance of single data. That errors of neighbours are correlated is counted by [`Correlation`].
     pub(super) fn of(state: usize, known: Known<'_>) -> Self {
         let scale = |residual: f64, data: usize, parameters: f64| {
             residual / (data as f64 - parameters).max(1.0)

@@ -83,6 +83,6 @@ fn without_rigid_motion(places: &[Point], change: Vec<f64>, half: bool) -> Vec<f
         block.nuisance.truncate(1);
     }
     let none = vec![0.0; change.len()];
-    // Unit deviations and independent columns make a block that is always accepted.
+    // Unit standard deviations and independent columns make a block that is always accepted.
     Data::new(vec![block]).map_or(change, |data| data.residual(&none))
 }

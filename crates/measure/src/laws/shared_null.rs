@@ -4,7 +4,7 @@
 //! d_k = m_k − n,     cov(d_j, d_k) = σ_n²,     ρ = ⟨r_j r_k⟩ / ½⟨r_j² + r_k²⟩ over common data and pairs
 //! ```
 //!
-//! The errors of n are in all of them. A fit that takes K such states for independent of each other makes deviations wrong by a factor
+//! The errors of n are in all of them. A fit that treats K such states as independent has standard deviations that are wrong by a factor
 //! of at most √(1 + (K − 1) ρ), the root of the largest eigenvalue of the correlations: that much too small where a parameter moves all
 //! states alike, and too large where it moves them oppositely, as friction does on the way up and on the way down.
 
@@ -27,7 +27,7 @@ pub struct SharedNull {
 }
 
 impl SharedNull {
-    /// By what factor deviations may be too small.
+    /// By what factor standard deviations may be too small.
     pub fn too_narrow(&self) -> f64 {
         (1.0 + (self.states.len() as f64 - 1.0) * self.correlation.max(0.0)).sqrt()
     }
@@ -83,7 +83,7 @@ pub(super) fn shared_nulls(
         .collect()
 }
 
-/// Residuals over their deviations, by place and axis.
+/// Residuals over their standard deviations, by place and axis.
 fn relative(own: &Observation, residual: &[f64]) -> HashMap<([u64; 2], usize), f64> {
     let deviation = |k: usize| match &own.noise {
         Noise::Independent(all) => all.get(k).copied().unwrap_or(1.0),

@@ -63,8 +63,8 @@ pub struct Known<'a> {
 }
 
 /// Fits the laws of `experiment` to its measured fields; `None` where it names none. Where a state was analysed around the edge or as a
-/// whole plate, the residuals of that fit, which knows of no law, say how much its errors exceed their stated deviation, and its variance
-/// is scaled so. `progress` hears of every fit of a law.
+/// whole plate, the residuals of that fit, which knows of no law, say how much its errors exceed their stated standard deviation, and its
+/// variance is scaled so. `progress` hears of every fit of a law.
 ///
 /// # Errors
 /// [`ExperimentError`]: no scene, no state that is a load step of it, a parameter that a law does not have, solves that fail.

@@ -16,8 +16,9 @@ use stickslip_scene::experiment::{Method, Source};
 /// Data nearer than this many of their spacings cover a node.
 const SPACINGS: f64 = 3.0;
 
-/// Refuses a state without one of the components or its deviation, or that leaves a node of the region's boundary without data near it.
-/// Fringe lines along which nodes are interpolated cover what is near a line, and that is asked when the nodes' displacements are made.
+/// Refuses a state without one of the components or its standard deviation, or that leaves a node of the region's boundary without data
+/// near it. Fringe lines along which nodes are interpolated cover what is near a line, and that is asked when the nodes' displacements are
+/// made.
 pub(super) fn check(scope: &Scope<'_>, measured: &Measured) -> Result<(), ExperimentError> {
     let region = &scope.experiment.region;
     if region.is_some() || !scope.experiment.laws.is_empty() {

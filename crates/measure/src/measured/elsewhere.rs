@@ -1,4 +1,4 @@
-//! Data that were measured elsewhere, in words.
+//! Data that were measured elsewhere, as text.
 
 use stickslip_hybrid::data::{Measurement, NullField};
 
@@ -51,7 +51,7 @@ fn nearest(own: &Measurement, null: &Measurement) -> f64 {
     distances.fold(f64::INFINITY, f64::min)
 }
 
-/// The rectangle of valid places in words.
+/// The rectangle of valid places as text.
 pub(super) fn extent(scope: &Scope<'_>, data: &Measurement) -> String {
     let valid = |k: &usize| data.valid[0][*k] || data.valid[1][*k];
     let unit = scope.experiment.display.length;

@@ -110,7 +110,7 @@ fn opened(scope: &Scope<'_>, source: &PictureSource) -> Result<[Vec<Vec<u8>>; 2]
     Ok(files)
 }
 
-/// Pictures whose carrier nothing tells.
+/// Pictures whose carrier is unknown.
 fn untold(scope: &Scope<'_>) -> ExperimentError {
     ExperimentError::Missing {
         key: scope.key.clone(),
@@ -139,7 +139,7 @@ fn picture(
     placed.map_err(|cause| failed(scope, field, &files, cause, String::new()))
 }
 
-/// The carrier that a picture has where the one that was stated is not found, in words.
+/// The carrier that a picture has where the one that was stated is not found, as text.
 fn other_carrier(
     scope: &Scope<'_>,
     pictures: Vec<PixelMap>,

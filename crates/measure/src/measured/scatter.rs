@@ -1,4 +1,4 @@
-//! The deviation of measured displacements from their scatter among neighbours.
+//! The standard deviation of measured displacements from their scatter among neighbours.
 //!
 //! ```text
 //! r = u₀ − Σ wᵢ uᵢ,   Σ wᵢ = 1,  Σ wᵢ xᵢ = x₀,    σ² (1 + Σ wᵢ²) = E r²

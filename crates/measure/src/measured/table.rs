@@ -235,8 +235,8 @@ fn mask_outliers(
     Ok(())
 }
 
-/// Sets the deviation `[mm]` that errors of each component have by the scatter of neighbours, and at least by what rounds its digits;
-/// the scatter.
+/// Sets the standard deviation `[mm]` that errors of each component have by the scatter of neighbours, and at least by what rounds its
+/// digits; the scatter.
 fn scatters(
     scope: &Scope<'_>,
     rounding: [f64; 2],
@@ -262,7 +262,7 @@ fn scatters(
     Ok(scatters)
 }
 
-/// Findings on the deviation of a component whose neighbours scatter by `scatter` `[mm]`.
+/// Findings on the standard deviation of a component whose neighbours scatter by `scatter` `[mm]`.
 fn found_deviation(field: Field, scatter: f64, found: &mut Scattered) {
     if found.measurement.count(field) == 0 {
         return;

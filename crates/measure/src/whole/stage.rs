@@ -78,7 +78,7 @@ pub fn stage(
         cause: Box::new(cause),
     };
     if experiment.laws.is_empty() {
-        // Where laws are fitted, it is told there.
+        // Where laws are fitted, it is reported there.
         findings.extend(ModelFinding::of_mesh(experiment));
     }
     let plate = WholePlate::new(own).map_err(failed)?;

@@ -206,7 +206,7 @@ fn answer(experiment: &Experiment, found: &Analysed) -> String {
     told.join("; ")
 }
 
-/// Why no stress can be told.
+/// Why no stress can be resolved.
 fn unresolved(found: &Analysed) -> String {
     let reach = 2.0 * found.resolution;
     let length = found.angle.last().zip(found.angle.first());

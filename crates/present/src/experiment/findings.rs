@@ -1,4 +1,4 @@
-//! Findings in words: the one place where a finding becomes a sentence.
+//! Sentences for findings: the only place where a finding becomes text.
 
 mod data;
 mod edge;

@@ -20,13 +20,13 @@ use stickslip_scene::experiment::Experiment;
 
 /// What is said of either coefficient where nothing touches the edge.
 const NO_CONTACT: &str = "no pressure on the edge: no contact, no friction to identify";
-/// And where that cannot be told.
+/// The same where contact cannot be resolved.
 const HIDDEN: &str = "not identifiable: no pressure on the edge exceeds its uncertainty";
 
 /// Stands in place of an interval where χ² rejects one coefficient.
 const REJECTED: &str = "no interval: one coefficient is rejected, for this zone or for all";
 
-/// What is told, and of what.
+/// What is reported, and its source.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Told<'a> {
     pub(crate) experiment: &'a Experiment,

@@ -1,4 +1,4 @@
-//! What the stages of an experiment have to tell: sections of one page, files, figures, a summary.
+//! What the stages of an experiment report: sections of one page, files, figures, a summary.
 
 use serde_json::{Map, Value, json};
 use stickslip_fem_core::parallel;
@@ -98,7 +98,7 @@ impl Story {
         self.block(Block::Table(table));
     }
 
-    /// A figure of the section, also as `figures/NAME.svg` and `figures/NAME.png`. One that cannot be drawn is told of.
+    /// A figure of the section, also as `figures/NAME.svg` and `figures/NAME.png`. A figure that cannot be drawn is reported.
     pub fn figure(&mut self, name: &str, caption: &str, drawn: Result<Svg, FigureError>) {
         match drawn {
             Ok(picture) => {

@@ -21,7 +21,7 @@ pub(super) struct FailureView<'a> {
 }
 
 impl<'a> FailureView<'a> {
-    /// All bodies that the scene asks about.
+    /// All bodies for which the scene requests it.
     pub(super) fn all(results: &'a Results) -> Vec<Self> {
         let view = |failure| Self { failure, results };
         results.failure.iter().map(view).collect()

@@ -209,6 +209,9 @@ impl EdgeQuantity {
 
     /// The number in display units.
     fn shown(&self, edge: &EdgeView<'_>, step: usize) -> Option<f64> {
+        if self.edges == Edges::Contacts && !edge.geometry.contact {
+            return None;
+        }
         let value = (self.value)(edge, step)?;
         Some(match self.kind {
             Kind::Stress(_) => edge.stress(value),

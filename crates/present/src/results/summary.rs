@@ -200,7 +200,7 @@ fn step_entry<'a>(
     }
 }
 
-/// The load of a step; `None` where nothing but its number tells it apart.
+/// The load of a step; `None` where only its number distinguishes the step.
 fn load(scale: &LoadScale, step: usize) -> Option<Quantity> {
     scale.is_load().then(|| Quantity {
         value: tidy(scale.values[step]),

@@ -1,8 +1,8 @@
 //! Zones of contact, stick and slip in display units, as seen from the bearing point.
 //!
-//! About a bearing point, slip is told by where it goes: [`Status::SlipPositive`] stands for slip of the first body's edge away from
-//! the bearing point of the step, [`Status::SlipNegative`] for slip towards it. That does not depend on which side of the point the
-//! zone lies, nor on which way the scene is turned or mirrored. Elsewhere both keep their meaning, slip along ±e_t.
+//! About a bearing point, slip is named by its direction relative to the point: [`Status::SlipPositive`] stands for slip of the first
+//! body's edge away from the bearing point of the step, [`Status::SlipNegative`] for slip towards it. This is independent of the side of
+//! the point on which the zone lies, and of how the scene is turned or mirrored. Elsewhere both mean slip along ±e_t.
 
 use std::f64::consts::PI;
 

@@ -15,7 +15,7 @@ const STRIPS: usize = 128;
 const TICK: f64 = 4.0;
 const POINT: f64 = 11.0;
 const LABEL_GAP: f64 = 8.0;
-/// Without three ticks a colour's value cannot be told.
+/// Without three ticks a colour's value cannot be read.
 const LEAST_TICKS: usize = 3;
 const MOST_WANTED: usize = 12;
 

@@ -133,8 +133,7 @@ impl Placer<'_> {
     }
 }
 
-/// The least and largest value and their places in words, places to a ten-thousandth of
-/// the picture or finer; empty if there are none.
+/// The least and largest value and their places as text, places to a ten-thousandth of the picture or finer; empty if there are none.
 fn describe(extremes: Option<&[[f64; 3]; 2]>, extent: [Span; 2]) -> String {
     let Some([least, largest]) = extremes else {
         return String::new();

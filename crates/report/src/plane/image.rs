@@ -8,7 +8,7 @@ use crate::shape::Area;
 
 /// Palette: 0 is no value, the rest are colours.
 const COLORS: usize = 255;
-/// As many greys as the eye tells apart in a pattern; fewer make smaller files.
+/// As many greys as the eye distinguishes in a pattern; fewer make smaller files.
 const GREYS: usize = 32;
 
 fn colors(colormap: Colormap) -> usize {

@@ -135,7 +135,7 @@ impl Builder<'_> {
             },
         };
         let (first, second) = (first?, second?);
-        // Of a body with itself another refusal tells.
+        // Contact of a body with itself is refused elsewhere.
         if first.body != second.body {
             self.pair(key, given, &first, &second);
         }
@@ -223,7 +223,7 @@ impl Builder<'_> {
             value.unwrap_or_default().to_owned()
         };
         let (hole_text, inner_text) = (text(&hole_key), text(&inner_key));
-        // Differences are told in the unit that the inner radius is written in.
+        // Differences are reported in the unit that the inner radius is written in.
         let unit = crate::units::unit_of(&inner_text);
         let show = |value: f64| unit.map_or_else(|| format!("{value} mm"), |unit| unit.show(value));
         let second = self.bodies.get(&edges[1].body);

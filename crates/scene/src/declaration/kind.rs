@@ -12,7 +12,9 @@ pub enum Kind {
     Quantity(&'static [Dimension]),
     /// A list of quantities.
     List(Dimension),
-    /// Anything else, in words.
+    /// One of the names that are registered or listed.
+    Names(fn() -> String),
+    /// Anything else, as text.
     Words(&'static str),
 }
 
@@ -22,7 +24,7 @@ impl Kind {
         match self {
             Self::Quantity(dimensions) => Expected::any(dimensions).unit_list(),
             Self::List(dimension) => Expected::one(*dimension).unit_list(),
-            Self::Words(_) => String::new(),
+            Self::Names(_) | Self::Words(_) => String::new(),
         }
     }
 }
@@ -39,6 +41,7 @@ impl fmt::Display for Kind {
                 let plural = if name.ends_with('s') { "es" } else { "s" };
                 write!(formatter, "list of {name}{plural}")
             }
+            Self::Names(names) => formatter.write_str(&names()),
             Self::Words(words) => formatter.write_str(words),
         }
     }
@@ -105,6 +108,17 @@ pub(crate) const fn words(
     meaning: &'static str,
 ) -> Key {
     row(name, Kind::Words(kind), default, example, meaning)
+}
+
+/// A key whose choices are what `names` lists.
+pub(crate) const fn names(
+    name: &'static str,
+    names: fn() -> String,
+    default: &'static str,
+    example: &'static str,
+    meaning: &'static str,
+) -> Key {
+    row(name, Kind::Names(names), default, example, meaning)
 }
 
 /// A table with keys of its own.

@@ -142,7 +142,7 @@ pub enum SceneProblem {
         /// All known keys.
         known: Vec<String>,
     },
-    /// A word that is none of the choices.
+    /// A value that is not among the choices.
     #[error("'{found}' is not {what}")]
     #[diagnostic(code(scene::unknown_name), help("{}choices: {}", meant(nearest.as_deref()), known.join(", ")))]
     UnknownName {
@@ -206,7 +206,7 @@ pub enum SceneProblem {
         key: String,
         /// As written.
         value: String,
-        /// What is allowed, in words.
+        /// What is allowed, as text.
         allowed: String,
     },
     /// A value that its reader refuses for another reason.
@@ -282,7 +282,7 @@ pub enum SceneProblem {
         shape: &'static str,
         /// Edge, or edge or point.
         what: &'static str,
-        /// The set asked for.
+        /// The requested set.
         set: String,
         /// The set most like it.
         nearest: Option<String>,
@@ -385,7 +385,7 @@ pub enum SceneProblem {
     Experiment {
         /// What is wrong, with its numbers.
         message: String,
-        /// How to mend it.
+        /// How to correct it.
         remedy: String,
     },
     /// A scene that reads well but cannot be modelled.
@@ -394,7 +394,7 @@ pub enum SceneProblem {
     Model {
         /// The model builder's words, with their numbers.
         message: String,
-        /// How to mend it.
+        /// How to correct it.
         remedy: String,
     },
 }

@@ -180,7 +180,7 @@ impl Candidate {
 const ASKED: u32 = 8;
 
 /// Dimension of the parameter `path` of the law `kind`, which may lie in a law inside of it; a bare number where the registry does not
-/// tell.
+/// say.
 fn dimension(kind: &str, path: &str) -> Dimension {
     let Some(info) = registry::find(kind) else {
         return Dimension::Dimensionless;

@@ -81,7 +81,7 @@ pub struct Experiment {
     pub identify: Identify,
     /// Friction laws to fit by contact solves.
     pub laws: Vec<LawPlan>,
-    /// Keys that are stated and that nothing heeds.
+    /// Ignored keys: stated, but without effect.
     pub without_effect: Vec<Unheeded>,
     /// Path of the file as given.
     pub source_name: String,
@@ -279,7 +279,7 @@ pub struct TableSource {
     pub file: PathBuf,
     /// Its columns.
     pub format: data::Format,
-    /// What its numbers are; the deviation is that below.
+    /// What its numbers are; the standard deviation is that below.
     pub reading: Reading,
     /// Where the origin of the body's frame is, in the table's own numbers.
     pub origin: [f64; 2],

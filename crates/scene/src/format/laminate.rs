@@ -1,4 +1,4 @@
-//! Plies, laminates and what is asked about their failure, as a file spells it.
+//! Plies, laminates and the settings of their failure analysis, as a file spells it.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,15 +1,17 @@
 //! Bodies, and how they are divided.
 
-use crate::declaration::numbers;
+use stickslip_fem_core::mesh::ElementKind;
+
+use super::quoted;
 use crate::declaration::{
-    Key, NONE, POSITIVE, REQUIRED, Range, Table, angles, flag, integer, length, spacing, table,
-    table_as, words,
+    Key, NONE, POSITIVE, REQUIRED, Range, Table, angles, flag, integer, length, names, numbers,
+    spacing, table, table_as, words,
 };
 
 /// `[mesh]`.
 #[rustfmt::skip]
 const MESH: &[Key] = &[
-    words("element", ELEMENTS, r#"`"Q8"`"#, r#""Q4""#, "element of the bodies"),
+    names("element", elements, r#"`"Q8"`"#, r#""Q4""#, "element of the bodies"),
     spacing("spacing", "required, or `angles`", r#""2 deg""#,
         "spacing of nodes: round shapes, an angle on the contact circle at θ = 0; cylinder and block, a length at the contact \
         point; rectangle, a length everywhere; an angle is at most 45 deg").range(POSITIVE),
@@ -28,7 +30,7 @@ const MESH: &[Key] = &[
 /// `[bodies.NAME.mesh]`: what differs from there.
 #[rustfmt::skip]
 const OWN_MESH: &[Key] = &[
-    words("element", ELEMENTS, "of the scene", r#""Q4""#, "element of the body"),
+    names("element", elements, "of the scene", r#""Q4""#, "element of the body"),
     spacing("spacing", "of the scene", r#""2 deg""#, "spacing of nodes, an angle at most 45 deg").range(POSITIVE),
     angles("angles", "of the scene", r#"["0 deg", "30 deg", "60 deg", "90 deg", "120 deg", "150 deg", "180 deg"]"#,
         "the nodes of the contact circle themselves"),
@@ -40,7 +42,6 @@ const OWN_MESH: &[Key] = &[
 
 const DIVISIONS: &[&[&str]] = &[&["spacing", "fine_to", "coarse_spacing"], &["angles"]];
 const DIVISION_CHOICES: &str = r#"spacing = "2 deg", angles = ["0 deg", …]"#;
-const ELEMENTS: &str = r#"`"T3"`, `"T6"`, `"Q4"`, `"Q8"`, `"Q9"`, `"P1"`, `"P2"`, `"P3"`, `"P4"`, `"P5"`, `"P6"`, `"P7"`, `"P8"`"#;
 const FROM_ONE: Range = numbers(" ≥ 1", "at least 1", |value| value >= 1.0);
 
 #[rustfmt::skip]
@@ -57,3 +58,8 @@ pub(super) const TABLES: &[Table] = &[
     Table::new("bodies.NAME.mesh", OWN_MESH).at_most_one_of(DIVISIONS, DIVISION_CHOICES),
     Table::new("mesh", MESH).one_of(DIVISIONS, DIVISION_CHOICES),
 ];
+
+/// The names of the elements.
+fn elements() -> String {
+    quoted(ElementKind::ALL.iter().map(|kind| kind.name()))
+}

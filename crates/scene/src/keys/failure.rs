@@ -1,9 +1,9 @@
-//! What is asked about the failure of laminates.
+//! Settings of the failure analysis of laminates.
 
-use crate::declaration::numbers;
+use super::quoted;
 use crate::declaration::{
-    NONE, POSITIVE, REQUIRED, Range, Table, counts, energy, filled, integer, length, number, set,
-    table, table_as, text, words,
+    NONE, POSITIVE, REQUIRED, Range, Table, counts, energy, filled, integer, length, names, number,
+    numbers, set, table, table_as, text, words,
 };
 
 const NOT_NEGATIVE: Range = numbers(" ≥ 0", "at least 0 mm", |value| value >= 0.0);
@@ -17,9 +17,8 @@ const PART: Range = numbers(" in (0, 1]", "greater than 0, at most 1", |value| {
 #[rustfmt::skip]
 pub(super) const TABLES: &[Table] = &[
     Table::new("failure", &[
-        words("criteria", "list of texts", REQUIRED, r#"["max_stress", "tsai_wu"]"#,
-            "one or more of `max_stress`, `max_strain`, `tsai_hill`, `tsai_hill_3d`, `hoffman`, `tsai_wu`, `hashin`, \
-            `yamada_sun`; the first one is drawn").range(filled(r#"at least one, such as ["max_stress"]"#)),
+        names("criteria", criteria, REQUIRED, r#"["max_stress", "tsai_wu"]"#,
+            "one or more; the first one is drawn").range(filled(r#"at least one, such as ["max_stress"]"#)),
         words("bodies", "list of bodies", "all of a laminate", r#"["coupon"]"#,
             "the bodies asked").range(filled("at least one body; leave it out for all bodies of a laminate")),
         length("clear_of_supports", "5 % of the body's smaller outer dimension", r#""2 mm""#,
@@ -91,3 +90,9 @@ pub(super) const TABLES: &[Table] = &[
             "part of the peak load by which the load falls before the history ends, as in bearing tests (ASTM D5961)").range(PART),
     ]),
 ];
+
+/// The registered failure criteria.
+fn criteria() -> String {
+    let names = stickslip_laminate::failure::criteria().map(|own| own.name);
+    format!("list of {}", quoted(names))
+}

@@ -1,7 +1,10 @@
 //! The scene itself, and its tables without names.
 
+use stickslip_contact::solver::SOLVERS;
+
+use super::{coded, quoted};
 use crate::declaration::{
-    NONE, REQUIRED, Table, angle, counts, filled, flag, integer, length, lists, set, table,
+    NONE, REQUIRED, Table, angle, counts, filled, flag, integer, length, lists, names, set, table,
     tables_of, text, words,
 };
 
@@ -36,8 +39,7 @@ pub(super) const TABLES: &[Table] = &[
             "half: y ≥ 0 of round shapes, x ≥ 0 of a line contact; auto takes it where shapes, materials, supports, platens, \
             loads and friction laws are symmetric and it has all `edges`; half is refused where they are not; a rectangle has \
             no half"),
-        words("solver",
-            r#"`"auto"`, `"status"`, `"newton"`, `"pivoting"`, `"principal_pivoting"`, `"gauss_seidel"`, `"augmented_lagrangian"`, `"continuation"`; experimental `"penalty"`, `"tresca"`, `"enumeration"`"#,
+        names("solver", solvers,
             r#"`"auto"`"#, r#""pivoting""#,
             "auto and newton: semismooth Newton, then pivoting where it fails; status: iteration of statuses before these \
             two; the others alone. All but experimental ones ask first for a proof that the load cannot be balanced, and stop \
@@ -67,9 +69,8 @@ pub(super) const TABLES: &[Table] = &[
         flag("interference", "`false`", "true",
             "allows a pin or bushing larger than its hole, by at most 10 % of the radius; it starts concentric, and the whole \
             overlap acts from the first sub-step"),
-        words("friction", "one table", REQUIRED, ".static_dynamic = { static = 0.35, dynamic = 0.25 }",
-            "the friction law by name, with its parameters: `coulomb`, `static_dynamic`, `slip_power`, `pressure_power`, \
-            `fibre_coverage`, or one of another crate"),
+        names("friction", laws, REQUIRED, ".static_dynamic = { static = 0.35, dynamic = 0.25 }",
+            "the friction law by name, with its parameters; those of other crates too"),
     ]),
     Table::new("supports", &[
         set("on", REQUIRED, r#""plate.left""#, "edge or point"),
@@ -96,3 +97,22 @@ pub(super) const TABLES: &[Table] = &[
         flag("figures", "`true`", "false", "whether figures are drawn, as SVG, as PNG and in `report.html`"),
     ]),
 ];
+
+/// The names of the contact solvers.
+fn solvers() -> String {
+    let of = |experimental: bool| {
+        let own = SOLVERS
+            .iter()
+            .filter(|own| own.experimental == experimental);
+        quoted(own.map(|own| own.name))
+    };
+    format!("{}; experimental {}", of(false), of(true))
+}
+
+/// The friction laws, each a table.
+fn laws() -> String {
+    format!(
+        "table {}",
+        coded(stickslip_friction::laws().map(|law| law.name))
+    )
+}

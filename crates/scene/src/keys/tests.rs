@@ -110,6 +110,7 @@ fn asked(kind: Kind) -> Option<String> {
     match kind {
         Kind::Quantity(dimensions) => Some(quantity(Expected::any(dimensions))),
         Kind::List(dimension) => Some(quantity(Expected::one(dimension))),
+        Kind::Names(_) => None,
         Kind::Words(words) => Some(
             match words {
                 "number" => "a number",

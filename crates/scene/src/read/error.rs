@@ -9,7 +9,7 @@ use crate::diagnostic::{SceneProblem, nearest};
 use crate::document::{Part, child};
 use crate::examples::example;
 
-/// A problem, and the key where it arose once a table around it has told.
+/// A problem, and its key, which an enclosing table adds.
 #[derive(Debug)]
 pub struct ReadError {
     pub problem: Box<SceneProblem>,

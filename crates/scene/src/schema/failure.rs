@@ -1,4 +1,4 @@
-//! What is asked about the failure of laminates.
+//! Settings of the failure analysis of laminates.
 
 use std::sync::Arc;
 

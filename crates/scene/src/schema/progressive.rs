@@ -1,4 +1,4 @@
-//! What is asked about the progressive failure of a joint.
+//! Settings of the progressive failure analysis of a joint.
 
 use std::sync::Arc;
 

@@ -58,7 +58,7 @@ impl fmt::Display for Expected {
     }
 }
 
-/// Why a text is not a quantity of the dimension asked for.
+/// Why a text is not a quantity of the requested dimension.
 #[derive(Debug, Clone, PartialEq, Error, Diagnostic)]
 #[non_exhaustive]
 pub enum UnitError {

@@ -80,7 +80,7 @@ impl Console {
             let colours = terminal && std::env::var_os("NO_COLOR").is_none();
             failure.render(if terminal { TERMINAL_WIDTH } else { UNBROKEN }, colours)
         };
-        // The exit code tells of the failure even if nobody can read the message.
+        // The exit code reports the failure even if nobody can read the message.
         let _ = stream.write_all(text.as_bytes());
     }
 }

@@ -8,7 +8,7 @@ use super::console::Console;
 use super::failure::CommandError;
 use crate::folder::{Abandoned, FolderError, FolderHandle, ResultFolder};
 
-/// What shells report for a process that SIGINT ended, 128 + 2; also for the other signals, which the handler cannot tell apart.
+/// What shells report for a process that SIGINT ended, 128 + 2; also for the other signals, which the handler cannot distinguish.
 pub(super) const INTERRUPTED: i32 = 130;
 
 /// The folder that `create` makes, which an interrupt of the process deletes as long as it is not complete.
@@ -23,7 +23,7 @@ pub(super) fn guarded(
     // Without a handler an interrupt leaves the hidden folder, which does no harm.
     let _ = ctrlc::set_handler(move || {
         let slot = seen.lock().unwrap_or_else(PoisonError::into_inner);
-        // As long as it is held, the run cannot fail for want of its folder before this does.
+        // While the lock is held, the run cannot fail on its deleted folder before this handler ends the process.
         let abandoned = slot.as_ref().map(FolderHandle::abandon);
         let reason = match &abandoned {
             Some(Abandoned::TooLate) => CommandError::InterruptedLate,

@@ -174,7 +174,7 @@ impl<'a> Shop<'a> {
         }
     }
 
-    /// The numbers of a case, or in words why there are none.
+    /// The numbers of a case, or as text why there are none.
     fn solved(&self, case: usize, last: &mut LastModel) -> Result<Measures, String> {
         let scene = self
             .sweep

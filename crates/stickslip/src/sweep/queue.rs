@@ -1,5 +1,5 @@
 //! Who solves which case: a worker stays with the bodies that it has condensed as long as they have cases, then begins a group that
-//! nobody has begun, and helps another worker only when there is none.
+//! no worker has begun, and helps another worker only when there is none.
 
 use std::collections::VecDeque;
 

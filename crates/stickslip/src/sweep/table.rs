@@ -177,7 +177,7 @@ pub fn text(sweep: &Sweep, rows: &[Row]) -> Result<Vec<u8>, SweepError> {
 /// The rows of the table `text` of `sweep`. A last line that was cut short in the middle is left out.
 ///
 /// # Errors
-/// [`SweepError::Other`] for other headings or values, [`SweepError::Row`] for a row that is none of this program's.
+/// [`SweepError::Other`] for other headings or values, [`SweepError::Row`] for a row that this program did not write.
 pub fn read(sweep: &Sweep, text: &str) -> Result<Vec<Row>, SweepError> {
     // Whatever follows the last line break was being written when the program was ended.
     let complete = text.rfind('\n').map_or("", |end| &text[..=end]);

@@ -57,7 +57,7 @@ fn a_back_that_nothing_is_compared_with_is_refused() {
         &says_of_back(&|x, y| [field(x, y)[0], f64::NAN]),
         &["the back has no V"],
     );
-    // A V of the back alone is told of.
+    // A V of the back alone is reported.
     fs::write(
         folder.path().join("up.csv"),
         grid("x,y,u,v", |x, y| [field(x, y)[0], f64::NAN]),

@@ -89,7 +89,7 @@ fn a_region_that_cuts_the_contact_sees_a_wrong_modulus_or_says_that_it_cannot() 
     assert!(silent["of_force"].as_f64().unwrap() >= 0.1, "{silent}");
 }
 
-/// Columns x, y, force x, its deviation, force y, its deviation, and whether the node lies inside.
+/// Columns x, y, force x, its standard deviation, force y, its standard deviation, and whether the node lies inside.
 fn forces(path: &Path) -> Vec<Vec<f64>> {
     let text = fs::read_to_string(path.join("mine-results/forces-up.csv")).unwrap();
     let rows = text.lines().skip(1);

@@ -1,4 +1,4 @@
-//! Deviations that nobody states: what is used is what is told.
+//! Standard deviations that are not stated: the page reports those in use.
 
 use std::fs;
 
@@ -37,7 +37,7 @@ fn of_rounded_data_the_deviation_of_rounding_is_told() {
     assert!(page.contains(words));
 }
 
-/// A component that is zero everywhere tells no deviation, and nothing can be weighed by none.
+/// A component that is zero everywhere has no standard deviation, and cannot be weighted.
 #[test]
 fn a_component_that_does_not_scatter_needs_a_stated_deviation() {
     let text = format!("{TABLE}{REGION}").replace(STATED, "");

@@ -86,8 +86,8 @@ fn a_mesh_of_gmsh_gives_the_stresses_of_the_sector_of_the_same_cells() {
         let values = other.iter().map(|row| row[column].abs());
         values.fold(0.0, f64::max)
     };
-    // Pressure, shear and hoop stress with their deviations and biases. The cells are the same and their nodes numbered otherwise, so that
-    // only rounding differs: 1e-16 in coordinates, times a condition number of 1e6 or so of the system behind the stresses.
+    // Pressure, shear and hoop stress with their standard deviations and biases. The cells are the same and their nodes numbered otherwise,
+    // so that only rounding differs: 1e-16 in coordinates, times a condition number of 1e6 or so of the system behind the stresses.
     for column in 1..=9 {
         for (own, other) in own.iter().zip(&other) {
             let difference = (own[column] - other[column]).abs();

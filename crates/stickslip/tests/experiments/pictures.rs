@@ -47,7 +47,7 @@ fn loops_that_do_not_close_are_flagged_on_the_map() {
     let map = fs::read_to_string(folder.path().join("e-results/figures/phase-up.svg")).unwrap();
     assert!(map.contains("loops that do not close: 1") && map.contains("jumps of half a fringe"));
     assert_eq!(summary["measured"][0]["v"]["valid"], 0);
-    // At the fringe's end there is no amplitude. Without those pixels no loop of four is open, and the jump across is told of still.
+    // At the fringe's end there is no amplitude. Without those pixels no loop of four is open, and the jump across is still reported.
     let summary = succeeds(folder.path(), &["reduce", "e.toml", "--force"]);
     assert!(
         summary["measured"][0]["u"]["jumps"].as_u64().unwrap() >= 1,

@@ -18,7 +18,7 @@ fn warnings(experiment: &str, table: &str) -> Vec<Value> {
         .collect()
 }
 
-/// An origin that is forgotten moves the places into the hole, and what is masked there is told of.
+/// A forgotten origin moves the places into the hole, and those masked there are reported.
 #[test]
 fn places_inside_of_the_hole_are_warned_of() {
     let table = grid("x,y,u,v", field);

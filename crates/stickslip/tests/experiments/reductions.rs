@@ -33,8 +33,8 @@ fn number(value: &Value) -> f64 {
     value.as_f64().unwrap()
 }
 
-/// Whatever the way, pressures agree within their deviations, the noise factor is that of the data, and an arc inside of the body is taken
-/// for no free edge.
+/// Whatever the way, pressures agree within their standard deviations, the noise factor is that of the data, and an arc inside of the body
+/// is taken for no free edge.
 #[test]
 fn all_ways_agree_off_the_hole() {
     let folder = sample();

@@ -1,4 +1,4 @@
-//! Edge stresses and friction of tables and pictures, as the command tells of them.
+//! Edge stresses and friction of tables and pictures, as the command reports them.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -26,7 +26,7 @@ fn kirsch(x: f64, y: f64) -> [f64; 2] {
     [u, v].map(|shape| stress * radius / (8.0 * shear) * shape)
 }
 
-/// A number between −√3 and √3, uniform: deviation 1.
+/// A number between −√3 and √3, uniform: standard deviation 1.
 fn noise(k: usize) -> f64 {
     let bits = (k as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
     let bits = (bits ^ (bits >> 29)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -34,7 +34,7 @@ fn noise(k: usize) -> f64 {
     (2.0 * part - 1.0) * 3.0_f64.sqrt()
 }
 
-/// The upper half of the plate; noise in deviations, and decimals where numbers are rounded.
+/// The upper half of the plate; noise in standard deviations, and decimals where numbers are rounded.
 fn table(deviations: f64, decimals: Option<usize>) -> String {
     let mut text = "x,y,u,v\n".to_owned();
     let mut k = 0;
@@ -73,7 +73,7 @@ table = { file = "up.csv", scale = "1 mm", y_axis = "up", deviation = "1e-5 mm" 
 
 const STATED: &str = ", deviation = \"1e-5 mm\"";
 
-/// An open hole has hoop stress and no friction, and both commands say so in words.
+/// An open hole has hoop stress and no friction, and both commands say so as text.
 #[test]
 fn an_open_hole_in_tension_has_no_contact_and_no_friction_to_identify() {
     let folder = folder_with(&[("e.toml", OPEN_HOLE), ("up.csv", &table(1.0, None))]);
@@ -152,7 +152,7 @@ fn bands_of_calculated_data_are_those_of_the_stated_deviation_or_of_their_digits
     assert!(factor(&whole) > 0.0);
 }
 
-/// Contact of pictures: one line per state in the terminal, states by name, static friction alike in words and numbers.
+/// Contact of pictures: one line per state in the terminal, states by name, static friction alike as text.
 #[test]
 fn friction_is_told_by_the_names_of_states() {
     let text = FRINGES.replace(

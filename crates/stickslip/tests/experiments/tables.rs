@@ -298,7 +298,7 @@ fn outliers_of_a_table_are_masked_and_told_of() {
     }
 }
 
-/// The null field's outliers are told of as its own.
+/// Outliers of the null field are reported as its own.
 #[test]
 fn outliers_of_a_null_field_are_told_of_as_its_own() {
     let null = "null.table = { file = \"initial.csv\", scale = \"1 mm\", y_axis = \"up\", deviation = \"1e-4 mm\" }\n";

@@ -199,7 +199,7 @@ fn a_half_model_stands_for_the_whole() {
             close(a.first.factor, b.first.factor, 1e-7);
             assert_eq!((a.mode, a.first.at.ply), (b.mode, b.first.at.ply));
         }
-        // Patches at the line of symmetry are one-sided in a half model, which two cells of 6° away nobody notices.
+        // Patches at the line of symmetry are one-sided in a half model, which has no effect two cells of 6° away.
         let indices = curves[0].index.iter().zip(&curves[1].index);
         for (a, b) in indices
             .flat_map(|(a, b)| a.iter().zip(b).zip(&curves[0].angles))

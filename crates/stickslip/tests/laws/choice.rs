@@ -1,4 +1,4 @@
-//! Laws chosen, and intervals, by data whose errors go together.
+//! Laws chosen, and intervals, by data whose errors are correlated.
 //!
 //! `STICKSLIP_SEEDS=100 cargo test --release -p stickslip --test laws correlated -- --nocapture` asks as many seeds of each case.
 
@@ -52,7 +52,7 @@ impl Study {
     }
 }
 
-/// Adds errors of deviation [`QUARTER`] fringes that are means over squares of `reach` places of a grid of `spacing`.
+/// Adds errors of standard deviation [`QUARTER`] fringes that are means over squares of `reach` places of a grid of `spacing`.
 fn correlated(data: &mut [Observation], spacing: f64, reach: usize, seed: u64) {
     const SIDE: usize = 80;
     let mut random = StdRng::seed_from_u64(seed);

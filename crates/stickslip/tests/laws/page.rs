@@ -1,4 +1,4 @@
-//! What the page tells of fitted laws and of the whole plate.
+//! What the page reports of fitted laws and of the whole plate.
 
 use std::path::Path;
 use std::sync::Arc;

@@ -232,7 +232,7 @@ fn the_summary_has_one_entry_for_each_contact() {
     let summary = summary_json(&results(&scene(BUSHING, &[])));
     let edges = summary["steps"][1]["edges"].as_object().unwrap();
     assert_eq!(edges.keys().collect::<Vec<_>>(), ["bushing", "pin"]);
-    // Contacts are named by their second bodies, and what is told of one is not told of the other.
+    // Contacts are named by their second bodies, and a note on one does not apply to the other.
     let angle = |name: &str| edges[name]["contact_half_angle_deg"].as_f64().unwrap();
     assert!(angle("bushing") > 10.0 && (angle("bushing") - angle("pin")).abs() > 0.1);
 }

@@ -165,7 +165,7 @@ fn entry_is_image(
             close(image[0], found[0], path);
             close(image[1], found[1], path);
         }
-        // Of equal peaks on both sides the positive one is told, also in the mirror.
+        // Of equal peaks on both sides the positive one is reported, also in the mirror.
         "peak_pressure_angle_deg" | "peak_hoop_angle_deg" if motion.mirror => {
             close(number(value).abs(), number(other).abs(), path);
         }

@@ -168,7 +168,7 @@ fn a_bushing_without_friction_is_said_to_turn_freely() {
     );
 }
 
-/// A coefficient beyond the estimate of the bound of uniqueness is told once, with the step in which contact is largest.
+/// A coefficient beyond the estimate of the bound of uniqueness is reported once, with the step in which contact is largest.
 #[test]
 fn friction_beyond_its_estimated_bound_is_told() {
     let bounds = |findings: &[Finding]| -> Vec<UniquenessBound> {

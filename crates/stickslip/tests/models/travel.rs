@@ -103,7 +103,7 @@ fn a_driven_plate_slips_from_where_it_touches() {
     alike(&near[0], &far[0], 1e-7);
 }
 
-/// A load that reverses by a step without load is as one that pushed from the start; one that reverses at once is told of.
+/// A load that reverses by a step without load is as one that pushed from the start; one that reverses at once is reported.
 #[test]
 fn a_load_that_reverses_by_a_step_without_load_begins_anew() {
     let reversed = |loads: &str| solved(&format!("{JOINT}{}", pull("left", "[-1, 0]", loads)), &[]);

@@ -218,7 +218,7 @@ pub(super) type Steps = Vec<Vec<[f64; 2]>>;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cost {
     pub(super) wall: f64,
-    /// User and system, where the system tells.
+    /// User and system, where the system reports them.
     pub(super) cpu: Option<f64>,
 }
 

@@ -16,7 +16,7 @@ use super::lab::{Lab, Medium};
 use crate::publish::Trouble;
 use crate::torture::draw::Draw;
 
-/// Deviations on either side of a value that hold 95 % of errors.
+/// Standard deviations on either side of a value that hold 95 % of errors.
 const OF_95: f64 = 1.96;
 /// Error of stresses by the mesh of the region, part of the largest hoop stress.
 const MESH: f64 = 0.01;
@@ -34,7 +34,7 @@ pub(super) struct Statement {
 pub(super) enum Outcome {
     /// The truth is in it.
     Held,
-    /// It is not: by so many half widths of what is stated, and in words.
+    /// It is not: the distance in half widths of the stated interval, and a sentence.
     Missed(f64, String),
     /// Not identifiable, or rejected.
     Unstated,
@@ -119,7 +119,7 @@ impl List {
                     .clone()
                     .map(|k| found.hoop[k].abs())
                     .fold(0.0, f64::max);
-            // A dilation that cannot be told from the load stays in the stresses, and a warning says how much it may be.
+            // A dilation that cannot be separated from the load stays in the stresses, and a warning reports how large it may be.
             let dilated =
                 |own: &PictureMotion| own.motion == FreeMotion::Dilation && !own.taken_off;
             let untold = lab.dilation != 0.0 && found.picture.iter().any(dilated);
@@ -245,7 +245,7 @@ impl List {
                 displacements: exact.clone(),
                 ..field.measurement.clone()
             };
-            // The deviation is that by independent errors, and says so.
+            // The standard deviation is that by independent errors, and says so.
             let independent = matches!(lab.medium, Medium::Table { reach: 1, .. });
             let truth = exact.rotation(Places::Reference).filter(|_| independent);
             for own in &field.rotations {
@@ -354,7 +354,7 @@ fn outcome_within(bounds: Option<Bounds>, half: f64, [least, most]: [f64; 2]) ->
     )
 }
 
-/// Whether a value with its deviation holds `truth`.
+/// Whether a value with its standard deviation holds `truth`.
 fn within(value: f64, deviation: f64, truth: f64) -> Outcome {
     let beyond = (value - truth).abs() / (OF_95 * deviation).max(f64::MIN_POSITIVE);
     if beyond <= 1.0 {

@@ -64,7 +64,7 @@ pub(super) struct Lab {
     pub(super) experiment: Value,
     /// Loads of all steps `[N]`.
     pub(super) loads: Vec<f64>,
-    /// Whether the force on the edge, and the deviation of tables, are stated.
+    /// Whether the force on the edge, and the standard deviation of tables, are stated.
     pub(super) states_force: bool,
     pub(super) states_deviation: bool,
     /// What the model has wrong.

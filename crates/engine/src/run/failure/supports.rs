@@ -4,8 +4,8 @@
 //! σ ~ r^(λ − 1),   0 < λ < 1     at the distance r from the end of a clamped edge, or from a point that is held
 //! ```
 //!
-//! There the stress grows without bound as the mesh is refined (Williams 1952), so the first ply to fail would be one at a clamp,
-//! at a load that the mesh decides. Plies are not asked within a stated distance of such places; what would fail there first is told.
+//! There the stress grows without bound as the mesh is refined (Williams 1952), so the first ply would fail at a clamp, at a load
+//! that depends on the mesh. Plies are not evaluated within a stated distance of such places; a note reports what would fail there first.
 
 use stickslip_fem_core::mesh::{MeshError, Point};
 

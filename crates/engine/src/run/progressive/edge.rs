@@ -3,7 +3,7 @@
 //! Where the two differ, plies have failed or flow. Strains are those of the quadrature points next to the edge, in polar components
 //! about the hole's centre.
 //!
-//! Source: Post & Reddy (1988), part II, 4.4, who tell modes of failure by where the two part.
+//! Source: Post & Reddy (1988), part II, 4.4, who distinguish modes of failure by where the two differ.
 
 use stickslip_contact::InterfaceSolver;
 use stickslip_fem_core::QuadraturePoints;

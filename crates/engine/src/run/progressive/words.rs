@@ -1,4 +1,4 @@
-//! How a joint was followed, in words.
+//! How a joint was followed, as text.
 
 use super::Subject;
 use stickslip_scene::Scene;

@@ -54,7 +54,7 @@ impl Merger {
     }
 
     fn merged(&mut self, at: Point) -> usize {
-        // The cast saturates; points that share a square wrongly are still told apart by distance.
+        // The cast saturates; points that share a square wrongly are still distinguished by their distance.
         let square = at.map(|c| (c / self.tolerance).floor() as i64);
         let near = |node: usize| {
             let other = self.nodes[node];

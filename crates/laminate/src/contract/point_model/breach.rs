@@ -25,9 +25,9 @@ pub enum PointBreach {
     /// A step of the sample is refused.
     #[error("it refuses the strain {strain:?} at the temperature rise {temperature}: {cause}")]
     Refused {
-        /// Strain asked for.
+        /// Requested strain.
         strain: [f64; 3],
-        /// Temperature rise asked for.
+        /// Requested temperature rise.
         temperature: f64,
         /// The error.
         cause: ProgressiveError,
@@ -37,7 +37,7 @@ pub enum PointBreach {
     NotFinite {
         /// Which one.
         quantity: &'static str,
-        /// Strain asked for.
+        /// Requested strain.
         strain: [f64; 3],
     },
     /// The trial state is not that of the strain and temperature asked for.
@@ -47,13 +47,13 @@ pub enum PointBreach {
     OtherState {
         /// Strain, temperature rise or number of layers.
         quantity: &'static str,
-        /// Strain asked for.
+        /// Requested strain.
         strain: [f64; 3],
     },
     /// The same step from the same state has two answers.
     #[error("asked again after a rejected step, it answers otherwise at the strain {strain:?}")]
     NotPure {
-        /// Strain asked for.
+        /// Requested strain.
         strain: [f64; 3],
     },
     /// A step without change of strain and temperature changes stress or state.
@@ -83,7 +83,7 @@ pub enum PointBreach {
         upper: f64,
         /// Entry at (column, row) `[stress]`.
         lower: f64,
-        /// Strain asked for.
+        /// Requested strain.
         strain: [f64; 3],
     },
     /// The tangent is not the derivative of the stress.
@@ -101,7 +101,7 @@ pub enum PointBreach {
         difference: f64,
         /// Largest accepted distance between both `[stress]`.
         tolerance: f64,
-        /// Strain asked for.
+        /// Requested strain.
         strain: [f64; 3],
     },
     /// Energy comes back that was dissipated.
@@ -111,7 +111,7 @@ pub enum PointBreach {
         before: f64,
         /// Energy dissipated after it `[stress]`.
         after: f64,
-        /// Strain asked for.
+        /// Requested strain.
         strain: [f64; 3],
     },
     /// The stored energy is negative.
@@ -119,7 +119,7 @@ pub enum PointBreach {
     NegativeStored {
         /// Energy stored per volume `[stress]`.
         stored: f64,
-        /// Strain asked for.
+        /// Requested strain.
         strain: [f64; 3],
     },
     /// Damage heals.
@@ -127,7 +127,7 @@ pub enum PointBreach {
     Healed {
         /// Index of the layer, from the bottom, from 0.
         layer: usize,
-        /// Strain asked for.
+        /// Requested strain.
         strain: [f64; 3],
     },
     /// A step that makes no sense gets an answer, or another error than the one for it.

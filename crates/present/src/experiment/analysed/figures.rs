@@ -142,7 +142,7 @@ pub(crate) fn truth_within<'a>(
         .filter(move |place| (low..=high).contains(&place.angle))
 }
 
-/// Misfit at unused places over its deviation, U and V.
+/// Misfit at unused places over its standard deviation, U and V.
 pub(super) fn misfit(experiment: &Experiment, found: &Analysed) -> Result<Svg, FigureError> {
     let unit = experiment.display.length;
     let edge = arc(experiment, found);

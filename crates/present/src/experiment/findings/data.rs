@@ -1,4 +1,4 @@
-//! Findings of measured data in words.
+//! Sentences for findings of measured data.
 
 use stickslip_measure::finding::{
     BackFinding, FieldFinding, FileFinding, LineFinding, PictureFinding, TableFinding,

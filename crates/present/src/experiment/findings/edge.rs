@@ -1,4 +1,4 @@
-//! Findings of edge stresses in words.
+//! Sentences for findings of edge stresses.
 
 use stickslip_measure::finding::{
     BearingFails, Check, FitFinding, ForceFinding, LoadFails, NotCompared,
@@ -82,7 +82,7 @@ fn explanation([amount, deviation]: [f64; 2]) -> String {
     )
 }
 
-/// What it means that residuals are far below the deviation of the data.
+/// What residuals far below the standard deviation of the data mean.
 fn small_residuals(variance_ratio: f64, stated: bool) -> String {
     let found = format!(
         "the residuals have {} of the variance of the deviation",
@@ -101,7 +101,7 @@ fn small_residuals(variance_ratio: f64, stated: bool) -> String {
     }
 }
 
-/// What errors of neighbours that go together mean for the amount of smoothing.
+/// What correlated errors of neighbours mean for the amount of smoothing.
 fn of_smoothing(amount_stated: bool) -> &'static str {
     if amount_stated {
         "so do residuals where the stated amount smooths the displacements themselves away: compare a smaller region.smoothing amount"

@@ -1,4 +1,4 @@
-//! Findings of friction in words.
+//! Sentences for findings of friction.
 
 use stickslip_hybrid::identify::Bounds;
 use stickslip_measure::finding::{FrictionFinding, ModelFinding};

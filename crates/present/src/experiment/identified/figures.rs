@@ -14,7 +14,7 @@ use stickslip_measure::identified::{Identified, ratio};
 use stickslip_scene::experiment::Experiment;
 
 const WIDTH: f64 = 760.0;
-/// Ratios whose deviation is larger say nothing and would hide the others.
+/// Ratios whose standard deviation is larger say nothing and would hide the others.
 const VAGUE: f64 = 0.15;
 /// Least half height of the axis.
 const LEAST: f64 = 0.1;

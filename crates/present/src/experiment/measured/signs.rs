@@ -1,4 +1,4 @@
-//! What signs and axes were taken for granted, in words: a sign that is wrong turns friction round and shows nowhere else.
+//! Sentences on the assumed signs and axes: a wrong sign reverses friction and shows nowhere else.
 
 use stickslip_hybrid::data::YAxis;
 

@@ -12,7 +12,7 @@ use stickslip_engine::results::{EdgePlies, EdgePly, Envelope};
 use stickslip_scene::schema::EnvelopePlane;
 use stickslip_text::{short, significant};
 
-/// Dashes of plies, so that curves are told apart without colour.
+/// Dashes of plies, which distinguish curves without colour.
 const DASHES: [Dash; 4] = [Dash::Solid, Dash::Dashed, Dash::DashDotted, Dash::Dotted];
 
 /// The step of the largest load.

@@ -79,7 +79,7 @@ fn legend_name(view: &EdgeView<'_>, status: Status) -> String {
     }
 }
 
-/// Whether slip is told by where it goes from a bearing point.
+/// Whether the direction of slip is reported relative to a bearing point.
 fn from_bearing(view: &EdgeView<'_>) -> bool {
     view.is_circle() && view.geometry.frame.bearing.is_some()
 }
@@ -126,7 +126,7 @@ fn caption(view: &EdgeView<'_>) -> String {
     }
     let both_ways = |step: &usize| {
         let zones = zone_ranges(view, *step);
-        // The two sides of a line mirror each other, so one side tells.
+        // The two sides of a line mirror each other, so one side suffices.
         let has = |sign: f64| {
             let own = zones.iter().filter(|zone| zone.0.slip_sign() == sign);
             own.into_iter()

@@ -32,7 +32,7 @@ pub(crate) struct Summary<'a> {
     pub(super) edge: Option<&'a str>,
     pub(super) edges: Vec<Edge<'a>>,
     pub(super) steps: Vec<Step<'a>>,
-    /// Failure of the laminated bodies that the scene asks about.
+    /// Failure of the laminated bodies for which the scene requests it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) failure: Vec<Failure<'a>>,
 }

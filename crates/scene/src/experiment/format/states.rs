@@ -121,7 +121,7 @@ impl<'de> Deserialize<'de> for FilesFormat {
     }
 }
 
-/// Tells of a list that is none of four, where serde's untagged choice would only say that nothing fits.
+/// Reports a list that does not have four entries, where serde's untagged choice would only say that nothing matches.
 struct FilesVisitor;
 
 impl<'de> Visitor<'de> for FilesVisitor {

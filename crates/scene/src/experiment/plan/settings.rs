@@ -18,7 +18,7 @@ use crate::experiment::format::{
 /// Part of the cross-validated smoothing that keeps the bias of stresses below half of their noise.
 const SHARE: f64 = 0.4;
 /// How far off its neighbours an outlier is, over what is usual: smooth fields stay below 6.4 with any noise, and all gross errors of 100
-/// deviations are beyond.
+/// standard deviations are beyond.
 const OUTLIERS: f64 = 8.0;
 /// A whole turn and rounding.
 const WHOLE_TURN: f64 = std::f64::consts::TAU + 1e-9;

@@ -181,7 +181,7 @@ fn model_of(
     })
 }
 
-/// The first load of a model that is not that of the scene, in words.
+/// The first load of a model that is not that of the scene, as text.
 fn other_load(model: &Scene, scene: &Scene) -> Option<String> {
     let [of_model, of_scene] = [model.loads.len(), scene.loads.len()];
     if of_model != of_scene {

@@ -145,7 +145,7 @@ impl Scope<'_> {
         }
     }
 
-    /// The direction that is stated or that of the load step, which must not differ; `None` where loads must tell.
+    /// The direction that is stated or that of the load step, which must not differ; `None` where it follows from the loads.
     fn direction(
         &self,
         key: &str,

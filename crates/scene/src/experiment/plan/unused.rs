@@ -5,10 +5,10 @@ use super::{Fringes, Method, Reduce, RegionPlan, Source, State};
 use crate::diagnostic::SceneProblem;
 use crate::document::{Document, Part};
 
-/// A key, whether anything heeds it, and in words what would.
+/// A key, whether anything uses it, and a sentence on what would.
 type Entry = (&'static str, bool, &'static str);
 
-/// A key that is stated and that nothing heeds.
+/// A key that is stated and has no effect.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unheeded {
     /// The file, or the argument, that states it.
@@ -17,7 +17,7 @@ pub struct Unheeded {
     pub line: Option<usize>,
     /// The key.
     pub key: &'static str,
-    /// What would heed it, or why nothing does.
+    /// What would use the key, or why nothing does.
     pub why: &'static str,
 }
 
