@@ -11,14 +11,13 @@ mod exceptions;
 mod numbers;
 
 use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode, Stdio};
+use std::process::{Command, Stdio};
 use std::time::Instant;
 
 use clap::Args;
 
-use crate::publish::Trouble;
+use crate::publish::{Trouble, root, this_command};
 use cases::Case;
 use compare::{Comparison, compare};
 use exceptions::Exceptions;
@@ -44,22 +43,8 @@ pub(crate) struct Options {
 }
 
 /// Runs and compares; fails if something differs that is not listed.
-pub(crate) fn main(options: &Options) -> ExitCode {
-    match compare_all(options) {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::FAILURE,
-        Err(trouble) => {
-            eprintln!("{trouble}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-/// Whether all answers are the same but for listed exceptions.
-fn compare_all(options: &Options) -> Result<bool, Trouble> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("..")
-        .canonicalize()?;
+pub(crate) fn main(options: &Options) -> Result<bool, Trouble> {
+    let root = root().canonicalize()?;
     let work = root.join("target/same-answers");
     fs::create_dir_all(&work)?;
     let mut exceptions = Exceptions::read(&root.join("xtask/same-answers.toml"))?;
@@ -117,11 +102,6 @@ fn compare_all(options: &Options) -> Result<bool, Trouble> {
         println!("listed, but the same: {exception}");
     }
     Ok(same)
-}
-
-/// Makes this program the command, under its name.
-fn this_command(path: &Path) -> io::Result<()> {
-    std::os::unix::fs::symlink(std::env::current_exe()?, path)
 }
 
 /// Runs a case into its folder below `results`, and leaves a failure's message there as `error.txt`.

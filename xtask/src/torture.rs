@@ -16,7 +16,6 @@ mod writers;
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
@@ -86,18 +85,7 @@ fn kinds(options: &Options) -> Vec<Box<dyn Kind>> {
 }
 
 /// Runs the trials; fails where a check did.
-pub(crate) fn main(options: &Options) -> ExitCode {
-    match torture(options) {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::FAILURE,
-        Err(trouble) => {
-            eprintln!("{trouble}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-fn torture(options: &Options) -> Result<bool, Trouble> {
+pub(crate) fn main(options: &Options) -> Result<bool, Trouble> {
     if !options.replay.is_empty() {
         return replay(&options.replay);
     }

@@ -13,15 +13,10 @@ use super::joint::{Joint, coulomb, set};
 use super::methods::{CHAIN, Method, methods};
 use super::outcome::judge;
 use super::row::Row;
-use super::{Context, Found, Study, Trouble};
+use super::{Context, Found};
+use crate::publish::Trouble;
 use crate::study::record::fields;
 use starts::stuck;
-
-pub(super) const STUDY: Study = Study {
-    name: "01-friction",
-    title: "Coefficient of friction",
-    run,
-};
 
 const PUSHED: &str = "one node, pushed";
 const WEDGED: &str = "one node, load removed";
@@ -57,7 +52,7 @@ struct Fact {
 /// A case at a μ.
 type Entry = (&'static str, f64, Fact);
 
-fn run(context: &Context) -> Result<Found, Trouble> {
+pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
     let count = context.sized(6, 30);
     let values: Vec<f64> = (0..=count)
         .map(|k| 3.0 * f64::from(k) / f64::from(count))

@@ -11,14 +11,9 @@ use toml::Table;
 
 use super::methods::{Method, methods};
 use super::outcome::{Outcome, judge};
-use super::{Context, Found, Study, Trouble};
+use super::{Context, Found};
+use crate::publish::Trouble;
 use crate::study::record::fields;
-
-pub(super) const STUDY: Study = Study {
-    name: "09-random",
-    title: "Random small problems",
-    run,
-};
 
 /// Problems that go through the default chain, and each of how many that goes through every method.
 const PROBLEMS: [u64; 2] = [4000, 100_000];
@@ -79,7 +74,7 @@ struct Trial {
     note: String,
 }
 
-fn run(context: &Context) -> Result<Found, Trouble> {
+pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
     let problems = if context.quick {
         PROBLEMS[0]
     } else {

@@ -4,8 +4,9 @@ use stickslip::results::Results;
 use stickslip_fem_core::mesh::ElementKind;
 
 use super::check::{Check, Checks, Tolerance, number};
-use super::laboratory::{Laboratory, PSI, Trouble};
+use super::laboratory::{Laboratory, PSI};
 use super::rigid_pin::stresses;
+use crate::publish::Trouble;
 
 const LOAD_STEPS: usize = 14;
 /// Load steps that are compared: 1240 lb while loading, 1210 lb while unloading.
@@ -84,9 +85,7 @@ fn one(
     results: &Results,
 ) -> Result<(), Trouble> {
     let edge = &results.steps[LOADED].edges[0];
-    let (pressure, _) = edge
-        .peak_pressure
-        .ok_or_else(|| Trouble::Missing("the pin does not touch".into()))?;
+    let (pressure, _) = edge.peak_pressure.ok_or("the pin does not touch")?;
     let quantity = format!("{what}: peak pressure, 1240 lb");
     let limit = match spacing {
         s if s <= 1.125 => Some(2e-4),
@@ -162,9 +161,7 @@ struct PeakHoop {
 impl PeakHoop {
     fn of(results: &Results) -> Result<Self, Trouble> {
         let edge = &results.steps[LOADED].edges[0];
-        let (value, angle) = edge
-            .peak_hoop
-            .ok_or_else(|| Trouble::Missing("no stress".into()))?;
+        let (value, angle) = edge.peak_hoop.ok_or("no stress")?;
         Ok(Self {
             value: value / PSI,
             angle: angle.to_degrees(),

@@ -1,5 +1,7 @@
 //! One line of the validation table: a quantity, what it should be, what it is, and whether that will do.
 
+use super::laboratory::Worst;
+
 /// Whether a check was met.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Verdict {
@@ -97,52 +99,42 @@ impl Checks {
                 difference.abs() <= limit,
             ),
         };
+        let [reference, computed] =
+            [reference, computed].map(|own| format!("{}{unit}", number(own)));
         self.push(
             quantity.into(),
-            format!("{}{unit}", number(reference)),
-            format!("{}{unit}", number(computed)),
+            reference,
+            computed,
             error,
             bound,
             Verdict::of(met),
         );
     }
 
-    /// `error`, a fraction found at `place`, is below `limit`.
+    /// The `worst` error, a fraction, is below `limit`.
     pub(crate) fn error_below(
         &mut self,
         quantity: impl Into<String>,
-        place: impl Into<String>,
-        error: f64,
+        worst: impl Into<Worst>,
         limit: f64,
     ) {
-        let met = error <= limit;
-        self.push(
-            quantity.into(),
-            String::new(),
-            place.into(),
-            percent(error),
-            percent(limit),
-            Verdict::of(met),
-        );
+        let Worst { value, place } = worst.into();
+        let (error, bound) = (percent(value), percent(limit));
+        let verdict = Verdict::of(value <= limit);
+        self.push(quantity.into(), String::new(), place, error, bound, verdict);
     }
 
-    /// `value`, zero up to rounding, is below `limit`.
+    /// The `worst` value, zero up to rounding, is below `limit`.
     pub(crate) fn rounding_below(
         &mut self,
         quantity: impl Into<String>,
-        place: impl Into<String>,
-        value: f64,
+        worst: impl Into<Worst>,
         limit: f64,
     ) {
-        let met = value <= limit;
-        self.push(
-            quantity.into(),
-            "0".into(),
-            place.into(),
-            format!("{value:.1e}"),
-            format!("{limit:.0e}"),
-            Verdict::of(met),
-        );
+        let Worst { value, place } = worst.into();
+        let (error, bound) = (format!("{value:.1e}"), format!("{limit:.0e}"));
+        let verdict = Verdict::of(value <= limit);
+        self.push(quantity.into(), "0".into(), place, error, bound, verdict);
     }
 
     /// `computed`, as text, is as `reference` demands.
@@ -153,12 +145,14 @@ impl Checks {
         computed: impl Into<String>,
         met: bool,
     ) {
+        let (reference, computed) = (reference.into(), computed.into());
+        let (error, bound) = (String::new(), "as stated".into());
         self.push(
             quantity.into(),
-            reference.into(),
-            computed.into(),
-            String::new(),
-            "as stated".into(),
+            reference,
+            computed,
+            error,
+            bound,
             Verdict::of(met),
         );
     }
@@ -184,14 +178,11 @@ impl Checks {
         reference: impl Into<String>,
         computed: impl Into<String>,
     ) {
-        self.push(
-            quantity.into(),
-            reference.into(),
-            computed.into(),
-            String::new(),
-            String::new(),
-            Verdict::Shown,
-        );
+        self.holds(quantity, reference, computed, true);
+        if let Some(check) = self.list.last_mut() {
+            check.bound.clear();
+            check.verdict = Verdict::Shown;
+        }
     }
 
     fn push(
@@ -274,8 +265,8 @@ mod tests {
     fn a_number_that_is_none_fails() {
         let mut checks = Checks::default();
         checks.near("", f64::NAN, 1.0, "", Tolerance::Relative(1.0));
-        checks.error_below("", "", f64::NAN, 1.0);
-        checks.rounding_below("", "", f64::NAN, 1.0);
+        checks.error_below("", ("", f64::NAN), 1.0);
+        checks.rounding_below("", ("", f64::NAN), 1.0);
         checks.near("", 1.1, 1.0, "", Tolerance::Absolute(0.05));
         let list = checks.into_list();
         assert!(list.iter().all(|check| check.verdict == Verdict::Fail));

@@ -11,7 +11,8 @@ use stickslip_laboratory::references::line_contact::{
 };
 
 use super::check::{Check, Checks, Tolerance, percent};
-use super::laboratory::{Laboratory, Trouble, Worst};
+use super::laboratory::{Laboratory, Worst};
+use crate::publish::Trouble;
 
 /// Corner spacing of the scene of Cattaneo and Mindlin `[mm]`.
 const SPACING: f64 = 0.011;
@@ -38,7 +39,7 @@ pub(super) fn cattaneo(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
     let results = laboratory.run("cattaneo-mindlin", &[])?;
     let stuck = results.steps[1].edges[0]
         .stick_half_extent
-        .ok_or_else(|| Trouble::Missing("no stick zone".into()))?;
+        .ok_or("no stick zone")?;
     checks.near(
         "stick half-width at Q = 0.5 μP, bound 1 % of a",
         stuck,
@@ -55,12 +56,7 @@ pub(super) fn cattaneo(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
         Tolerance::Relative(BOUND),
     );
     for (name, worst) in shear_errors(&results, 0.1 * PEAK) {
-        checks.error_below(
-            format!("shear {name}, {AWAY}"),
-            worst.place,
-            worst.value,
-            BOUND,
-        );
+        checks.error_below(format!("shear {name}, {AWAY}"), worst, BOUND);
     }
     for (substeps, ramp) in [(4, "linear"), (32, "quadratic")] {
         let results = laboratory.run("cattaneo-mindlin", &small_radius(substeps, ramp))?;
@@ -134,14 +130,11 @@ fn shear_error(
 }
 
 fn peak(edge: &EdgeResults) -> Result<f64, Trouble> {
-    let (value, _) = edge.peak_pressure.ok_or_else(open)?;
-    Ok(value)
+    Ok(edge.peak_pressure.ok_or(OPEN)?.0)
 }
 
 fn extent(edge: &EdgeResults) -> Result<f64, Trouble> {
-    edge.contact_half_extent.ok_or_else(open)
+    Ok(edge.contact_half_extent.ok_or(OPEN)?)
 }
 
-fn open() -> Trouble {
-    Trouble::Missing("the cylinder does not touch".into())
-}
+const OPEN: &str = "the cylinder does not touch";

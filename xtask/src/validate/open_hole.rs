@@ -8,8 +8,9 @@
 //! for an infinite orthotropic plate under tension S along its 1-axis (Lekhnitskii 1968); with E_θ along the edge's tangent.
 
 use super::check::{Check, Checks, Tolerance, percent};
-use super::laboratory::{KSI, Laboratory, Trouble, Worst};
+use super::laboratory::{KSI, Laboratory, Worst};
 use super::rigid_pin::stresses;
+use crate::publish::Trouble;
 
 /// Allowed error.
 const BOUND: f64 = 1e-3;
@@ -54,12 +55,7 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
             )
         });
     }
-    checks.error_below(
-        "orthotropic plate: σ_θ, of its peak",
-        worst.place,
-        worst.value,
-        BOUND,
-    );
+    checks.error_below("orthotropic plate: σ_θ, of its peak", worst, BOUND);
     checks.show(
         "orthotropic plate: force on the idle pin, of S R t",
         "0",

@@ -4,7 +4,8 @@ use stickslip::results::Results;
 use stickslip_laboratory::references::persson::{STEPS, pressure};
 
 use super::check::{Check, Checks, Tolerance, percent};
-use super::laboratory::{Laboratory, Trouble, Worst};
+use super::laboratory::{Laboratory, Worst};
+use crate::publish::Trouble;
 
 /// Allowed errors: of the half-angle `[deg]`, of the pressure.
 const ANGLE: f64 = 0.1;
@@ -78,8 +79,7 @@ fn bounds(checks: &mut Checks, what: &str, errors: &Errors, half_angle: f64) {
     );
     checks.error_below(
         format!("{what}: pressure more than 2h from the end, of its peak"),
-        &errors.inside.place,
-        errors.inside.value,
+        errors.inside.clone(),
         PRESSURE,
     );
 }
@@ -105,7 +105,7 @@ fn errors(
     spacing: f64,
 ) -> Result<Errors, Trouble> {
     let (geometry, edge) = (&run.edges[0], &run.steps[step].edges[0]);
-    let missing = || Trouble::Missing(format!("no contact in step {}", step + 1));
+    let missing = || format!("no contact in step {}", step + 1);
     let epsilon = half_angle.to_radians();
     let highest = pressure(epsilon, 0.0);
     let (mut inside, mut end) = (Worst::default(), Worst::default());

@@ -12,7 +12,8 @@
 use stickslip::results::{EdgeResults, EdgeRow};
 
 use super::check::{Check, Checks, Tolerance};
-use super::laboratory::{Laboratory, Trouble};
+use super::laboratory::Laboratory;
+use crate::publish::Trouble;
 
 /// Allowed error.
 const BOUND: f64 = 2e-3;

@@ -8,7 +8,7 @@ use stickslip_fem_core::material::{Isotropic, Material, PlaneState};
 use stickslip_fem_core::mesh::{Curve, ElementKind, Mesh, MeshParts};
 use stickslip_fem_core::{ElasticBody, HeldDirection, LoadCase, RigidBody, Support};
 
-use crate::stability::Trouble;
+use crate::publish::Trouble;
 use crate::stability::joint::coulomb;
 
 /// Radius of the cylinder.

@@ -189,12 +189,11 @@ pub(super) fn cone(sample: &Sample) -> Verdict {
                 EdgeKind::Circle { .. } => place + FRAC_PI_2,
                 EdgeKind::Line => 0.0,
             };
-            let allowed = bound(
-                &contact.text["friction"],
-                row.pressure.max(0.0),
-                tangent - axis,
-                &plies,
-            )?;
+            let (law, pressure) = (&contact.text["friction"], row.pressure.max(0.0));
+            let allowed = match bound(law, pressure, tangent - axis, &plies) {
+                Ok(allowed) => allowed,
+                Err(unknown) => return Some(unknown),
+            };
             let shear = row.shear.abs();
             let beyond = match row.status {
                 Status::Open => shear,

@@ -25,13 +25,19 @@ pub(super) enum NoAnswer {
 }
 
 impl NoAnswer {
+    /// What became of the trial.
+    pub(super) fn outcome(&self) -> &'static str {
+        match self {
+            Self::Refused(_) => "refused",
+            Self::Impossible(_) => "proved impossible",
+            Self::Unsolved(_) => "not solved",
+        }
+    }
+
     /// As messages say it.
     pub(super) fn words(&self) -> String {
-        match self {
-            Self::Refused(why) => format!("refused: {why}"),
-            Self::Impossible(why) => format!("proved impossible: {why}"),
-            Self::Unsolved(why) => format!("not solved: {why}"),
-        }
+        let (Self::Refused(why) | Self::Impossible(why) | Self::Unsolved(why)) = self;
+        format!("{}: {why}", self.outcome())
     }
 }
 
