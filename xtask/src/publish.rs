@@ -1,5 +1,6 @@
 //! What tasks share: options of studies, cases solved side by side, and the files that are written in the end.
 
+use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus};
@@ -7,6 +8,7 @@ use std::process::{Command, ExitStatus};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
+use serde::de::DeserializeOwned;
 use stickslip::folder::{FolderError, SharedFolder, write_atomic};
 use stickslip_report::raster::{DEFAULT_SCALE, to_png};
 use stickslip_report::svg::Svg;
@@ -28,6 +30,12 @@ pub(crate) struct Options {
     /// Folder for tables and pictures; the study's own below docs for a full run.
     #[arg(long, value_name = "FOLDER")]
     pub(crate) output: Option<PathBuf>,
+}
+
+/// The list under `key` of a TOML text.
+pub(crate) fn listed<T: DeserializeOwned>(text: &str, key: &str) -> Result<Vec<T>, Trouble> {
+    let mut all: BTreeMap<String, Vec<T>> = toml::from_str(text)?;
+    Ok(all.remove(key).unwrap_or_default())
 }
 
 /// Makes this program the command, under its name.

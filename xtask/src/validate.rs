@@ -31,8 +31,6 @@ mod rigid_pin;
 mod sensitivity;
 mod shear_sign;
 
-use std::collections::BTreeMap;
-
 use clap::Args;
 use serde::Deserialize;
 use stickslip::folder::write_atomic;
@@ -41,7 +39,7 @@ use check::{Check, Checks, Verdict};
 use laboratory::{Laboratory, Size};
 use mutation::Mutation;
 
-use crate::publish::{Trouble, root};
+use crate::publish::{Trouble, listed, root};
 
 /// Largest relative residual of any step.
 const RESIDUAL: f64 = 1e-10;
@@ -104,13 +102,6 @@ struct Case {
 }
 
 impl Case {
-    /// All cases.
-    fn all() -> Result<Vec<Self>, Trouble> {
-        let mut all: BTreeMap<String, Vec<Self>> =
-            toml::from_str(include_str!("validate/cases.toml"))?;
-        Ok(all.remove("cases").unwrap_or_default())
-    }
-
     fn checks(&self, laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
         let own = CHECKERS.iter().find(|(name, _)| *name == self.name);
         let (_, checker) = own.ok_or_else(|| format!("nothing checks {}", self.name))?;
@@ -127,7 +118,7 @@ pub(crate) struct Outcome {
 /// Runs the task: table on stdout, progress on stderr.
 pub(crate) fn main(options: &Options) -> Result<bool, Trouble> {
     let only = options.only.as_deref().unwrap_or_default();
-    let all = Case::all()?;
+    let all: Vec<Case> = listed(include_str!("validate/cases.toml"), "cases")?;
     let chosen: Vec<&Case> = all.iter().filter(|case| case.name.contains(only)).collect();
     if chosen.is_empty() {
         let names: Vec<&str> = all.iter().map(|case| case.name.as_str()).collect();

@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 use serde::Deserialize;
 
 use super::trial::Failure;
+use crate::publish::listed;
 
 /// A known failure.
 #[derive(Debug, Deserialize)]
@@ -16,16 +17,9 @@ pub(super) struct Open {
     pub(super) reason: String,
 }
 
-#[derive(Deserialize)]
-struct List {
-    open: Vec<Open>,
-}
-
 /// All of them.
-pub(super) static OPEN: LazyLock<Vec<Open>> = LazyLock::new(|| {
-    let list: List = toml::from_str(include_str!("open.toml")).expect("tests read it");
-    list.open
-});
+pub(super) static OPEN: LazyLock<Vec<Open>> =
+    LazyLock::new(|| listed(include_str!("open.toml"), "open").expect("tests read it"));
 
 /// Whether `failure` of `kind` is known.
 pub(super) fn is_known(kind: &str, failure: &Failure) -> bool {

@@ -31,12 +31,7 @@ pub(super) fn frictional(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble>
     let mut fine = None;
     for name in SCENES {
         let results = laboratory.run(name, &[])?;
-        checks.completes(
-            format!("{name}: load steps that converge"),
-            LOAD_STEPS.to_string(),
-            results.steps.len().to_string(),
-            results.steps.len() == LOAD_STEPS,
-        );
+        checks.converges(name, &results, LOAD_STEPS);
         iterations(&mut checks, name, &results);
         fine.get_or_insert(results);
     }

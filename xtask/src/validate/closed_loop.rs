@@ -1,6 +1,7 @@
 //! Friction from synthetic fringe pictures of a scene whose friction is known.
 
-use super::check::{Check, Checks, Tolerance};
+use super::check::Tolerance::Absolute;
+use super::check::{Check, Checks};
 use super::laboratory::Laboratory;
 use crate::closed_loop::{FIRST, NEAR, Series, WITH_FRICTION, WITHOUT_FRICTION, wanted};
 use crate::publish::Trouble;
@@ -68,10 +69,8 @@ fn with_friction(checks: &mut Checks, series: &Series) {
     );
     checks.near(
         format!("μd, mean of {seeds} seeds"),
-        series.mean(),
-        truth,
-        "",
-        Tolerance::Absolute(NEAR),
+        [series.mean(), truth],
+        Absolute(NEAR, ""),
     );
     let wanted = wanted(seeds);
     checks.holds(

@@ -7,7 +7,8 @@ use std::f64::consts::PI;
 use stickslip::results::Results;
 use stickslip_laboratory::references::loaded_hole::{LoadedHole, Plate, isotropic_hoop, pressure};
 
-use super::check::{Check, Checks, Tolerance};
+use super::check::Tolerance::Relative;
+use super::check::{Check, Checks};
 use super::laboratory::{KSI, Laboratory, Worst};
 use super::rigid_pin::stresses;
 use crate::publish::Trouble;
@@ -54,17 +55,13 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
     let peak = -stresses(&results, 0, 0.0)?[0] / MEAN;
     checks.near(
         "isotropic plate: prescribed peak pressure D t/P = 4/π",
-        peak,
-        4.0 / PI,
-        "",
-        Tolerance::Relative(1e-12),
+        [peak, 4.0 / PI],
+        Relative(1e-12, ""),
     );
     checks.near(
         "isotropic plate: σ_θ D t/P at 90° = 8/π²",
-        stresses(&results, 0, 90.0)?[1] / MEAN,
-        8.0 / (PI * PI),
-        "",
-        Tolerance::Relative(BOUND),
+        [stresses(&results, 0, 90.0)?[1] / MEAN, 8.0 / (PI * PI)],
+        Relative(BOUND, ""),
     );
     hoop(&mut checks, "isotropic plate", &results, |theta| {
         isotropic_hoop(POISSON, theta)
@@ -80,10 +77,8 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
         let found = stresses(&results, 0, 90.0)?[1] / MEAN;
         checks.near(
             format!("{name}: σ_θ D t/P at 90°"),
-            found,
-            exact.polar_stresses(1.0, 0.5 * PI)[1],
-            "",
-            Tolerance::Relative(BOUND),
+            [found, exact.polar_stresses(1.0, 0.5 * PI)[1]],
+            Relative(BOUND, ""),
         );
         hoop(&mut checks, name, &results, |theta| {
             exact.polar_stresses(1.0, theta)[1]

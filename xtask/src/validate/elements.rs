@@ -9,7 +9,8 @@ use stickslip_fem_core::HeldDirection;
 use stickslip_fem_core::material::{Isotropic, Material, PlaneState};
 use stickslip_fem_core::mesh::{ElementKind, Point};
 
-use super::check::{Check, Checks, Tolerance};
+use super::check::Tolerance::Absolute;
+use super::check::{Check, Checks};
 use super::laboratory::Laboratory;
 use crate::publish::Trouble;
 use fields::{Field, both, driven, kolosov, lekhnitskii, linear, materials, ply};
@@ -91,20 +92,16 @@ fn convergence(checks: &mut Checks, kind: ElementKind, cells: [usize; 3]) -> Res
             runs.push(solve(kind, n, &material, &field)?);
         }
         let rate = |norm: fn(&Errors) -> f64| (norm(&runs[1]) / norm(&runs[2])).log2();
-        let tolerance = Tolerance::Absolute(0.1);
+        let tolerance = Absolute(0.1, "");
         let what = format!("{kind:?} manufactured, {name}");
         checks.near(
             format!("{what}: order in L²"),
-            rate(|e| e.l2),
-            order + 1.0,
-            "",
+            [rate(|e| e.l2), order + 1.0],
             tolerance,
         );
         checks.near(
             format!("{what}: order in energy"),
-            rate(|e| e.energy),
-            order,
-            "",
+            [rate(|e| e.energy), order],
             tolerance,
         );
     }

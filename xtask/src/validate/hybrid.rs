@@ -9,7 +9,8 @@ use stickslip_hybrid::fringe::{
     Carrier, Exposure, FourierOptions, Frame, PixelMap, Plane, fourier, orders_of, picture,
 };
 
-use super::check::{Check, Checks, Tolerance};
+use super::check::Tolerance::Absolute;
+use super::check::{Check, Checks};
 use super::laboratory::Laboratory;
 use super::sensitivity::Known;
 use crate::hybrid_noise::case::{Case, Method, SHARE};
@@ -51,16 +52,10 @@ fn covariance(checks: &mut Checks, draws: usize) -> Result<(), Trouble> {
             let squares = own.map(|draw| (draw[k] - propagated.values[k]).powi(2));
             squares.sum::<f64>() / draws as f64 / (deviation * deviation)
         });
-    checks.near(
-        format!(
+    checks.near(format!(
             "variance of {draws} draws of ±1/4 fringe, each solved, over T Σ Tᵀ: mean of {} stresses",
             rows.len()
-        ),
-        ratios.sum::<f64>() / rows.len() as f64,
-        1.0,
-        "",
-        Tolerance::Absolute(0.05),
-    );
+        ), [ratios.sum::<f64>() / rows.len() as f64, 1.0], Absolute(0.05, ""));
     checks.holds(
         "solves that T takes: the fewer of outputs and boundary displacements",
         region.prescribed().len().min(rows.len()).to_string(),
@@ -87,10 +82,8 @@ fn reductions(checks: &mut Checks, specimen: &Specimen, seeds: u64) -> Result<()
                 "{}: noise of {seeds} seeds over the propagated one",
                 method.name()
             ),
-            row.drawn / row.noise,
-            1.0,
-            "",
-            Tolerance::Absolute(0.1),
+            [row.drawn / row.noise, 1.0],
+            Absolute(0.1, ""),
         );
         if method == Method::Nodes {
             nodes = row.noise;
@@ -138,10 +131,8 @@ fn phase(checks: &mut Checks, specimen: &Specimen) -> Result<(), Trouble> {
         let rms = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
         checks.near(
             format!("Fourier phase of the {} field: rms error", ["U", "V"][axis]),
-            rms,
-            0.0,
-            " fringes",
-            Tolerance::Absolute(0.01),
+            [rms, 0.0],
+            Absolute(0.01, " fringes"),
         );
     }
     Ok(())

@@ -1,13 +1,11 @@
 //! Laminated joints followed to their end: each mode of failure governs its scene, and lies where the report found it.
 
-use std::collections::BTreeMap;
-
 use serde::Deserialize;
 use stickslip::results::ProgressiveFailure;
 
 use super::check::{Check, Checks};
 use super::laboratory::Laboratory;
-use crate::publish::Trouble;
+use crate::publish::{Trouble, listed};
 
 const SOURCE: &str = "Post & Reddy 1988, part II, 4.4 and Figs. 17–19";
 
@@ -27,8 +25,7 @@ const FLOWING: &str = "failure.progressive.model={plasticity={hardening=\"100 MP
 
 pub(crate) fn checks(lab: &Laboratory) -> Result<Vec<Check>, Trouble> {
     let mut checks = Checks::against(SOURCE);
-    let joints: BTreeMap<String, Vec<Joint>> = toml::from_str(include_str!("joint_modes.toml"))?;
-    for joint in &joints["joints"] {
+    for joint in listed::<Joint>(include_str!("joint_modes.toml"), "joints")? {
         let broken = followed(lab, &joint.scene, &[])?;
         if let Some(call) = broken.mode.as_ref() {
             let found = call.mode.name();

@@ -9,7 +9,8 @@ use stickslip_laminate::{
     Curvature, Deformation, Laminate, LaminateLoad, Ply, PlyConstants, Strengths,
 };
 
-use super::check::{Check, Checks, Tolerance};
+use super::check::Tolerance::Absolute;
+use super::check::{Check, Checks};
 use super::laboratory::{Laboratory, Worst};
 use crate::publish::Trouble;
 
@@ -253,8 +254,11 @@ fn report(checks: &mut Checks) -> Result<(), Trouble> {
         ("G", own.gxy, 2.97, "e6 psi"),
         ("ν", own.nuxy, 0.30, ""),
     ] {
-        let tolerance = Tolerance::Absolute(DIGITS);
-        checks.near(format!("{what}: {name}"), found, reference, unit, tolerance);
+        checks.near(
+            format!("{what}: {name}"),
+            [found, reference],
+            Absolute(DIGITS, unit),
+        );
     }
     checks.now_against("Tsai & Hahn 1980, ply constants in GPa");
     let psi = 6.894_757_293_168;
@@ -266,10 +270,8 @@ fn report(checks: &mut Checks) -> Result<(), Trouble> {
     })?;
     checks.near(
         "the same lay-up of a textbook T300/5208 ply, a third stiffer than the report's plate: E",
-        textbook.ex,
-        69.68 / psi,
-        "e6 psi",
-        Tolerance::Absolute(DIGITS),
+        [textbook.ex, 69.68 / psi],
+        Absolute(DIGITS, "e6 psi"),
     );
     Ok(())
 }

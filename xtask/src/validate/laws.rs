@@ -21,7 +21,8 @@ use stickslip_hybrid::calibrate::Settings;
 use stickslip_hybrid::data::Measurement;
 use stickslip_hybrid::identify::Bounds;
 
-use super::check::{Check, Checks, Tolerance};
+use super::check::Tolerance::Absolute;
+use super::check::{Check, Checks};
 use super::laboratory::Laboratory;
 use crate::publish::{Trouble, root};
 
@@ -61,8 +62,11 @@ fn drop_law(checks: &mut Checks, study: &Study) -> Result<usize, Trouble> {
     let found = study.fitted(DROP, &[drop_candidate()?], &[3, 6, 9], 1)?;
     let own = &found.fits[0];
     let (dynamic, _) = estimate(own, "dynamic")?;
-    let near = Tolerance::Absolute(0.002);
-    checks.near("drop: dynamic coefficient", dynamic, 0.25, "", near);
+    checks.near(
+        "drop: dynamic coefficient",
+        [dynamic, 0.25],
+        Absolute(0.002, ""),
+    );
     let (_, bounds) = estimate(own, "static")?;
     let weak = match bounds {
         Bounds::AtMost(high) => high >= 0.35,
@@ -115,10 +119,8 @@ fn sensitivities(checks: &mut Checks) -> Result<(), Trouble> {
     );
     checks.near(
         "most that the hole's edge deforms: both coefficients up by 0.02",
-        both,
-        1.2,
-        " fringes",
-        Tolerance::Absolute(0.05),
+        [both, 1.2],
+        Absolute(0.05, " fringes"),
     );
     Ok(())
 }

@@ -10,7 +10,8 @@ use stickslip_laboratory::references::line_contact::{
     CYCLE, FRICTION, HALF_WIDTH, PEAK, STICK, reversed_stick, shear_loaded, shear_returned,
 };
 
-use super::check::{Check, Checks, Tolerance, percent};
+use super::check::Tolerance::{Absolute, Relative};
+use super::check::{Check, Checks, percent};
 use super::laboratory::{Laboratory, Worst};
 use crate::publish::Trouble;
 
@@ -27,9 +28,12 @@ pub(super) fn hertz(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
     )?;
     let edge = &results.steps[0].edges[0];
     let mut checks = Checks::against("Hertz 1882");
-    let bound = Tolerance::Relative(2e-3);
-    checks.near("peak pressure", peak(edge)?, PEAK, " MPa", bound);
-    checks.near("half-width", extent(edge)?, HALF_WIDTH, " mm", bound);
+    checks.near("peak pressure", [peak(edge)?, PEAK], Relative(2e-3, " MPa"));
+    checks.near(
+        "half-width",
+        [extent(edge)?, HALF_WIDTH],
+        Relative(2e-3, " mm"),
+    );
     Ok(checks.into_list())
 }
 
@@ -42,18 +46,14 @@ pub(super) fn cattaneo(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
         .ok_or("no stick zone")?;
     checks.near(
         "stick half-width at Q = 0.5 μP, bound 1 % of a",
-        stuck,
-        STICK,
-        " mm",
-        Tolerance::Absolute(BOUND * HALF_WIDTH),
+        [stuck, STICK],
+        Absolute(BOUND * HALF_WIDTH, " mm"),
     );
     let lost: f64 = results.steps[2..].iter().map(|step| step.dissipation).sum();
     checks.near(
         "work lost in a cycle",
-        lost,
-        CYCLE,
-        " N mm/mm",
-        Tolerance::Relative(BOUND),
+        [lost, CYCLE],
+        Relative(BOUND, " N mm/mm"),
     );
     for (name, worst) in shear_errors(&results, 0.1 * PEAK) {
         checks.error_below(format!("shear {name}, {AWAY}"), worst, BOUND);

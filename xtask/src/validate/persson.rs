@@ -3,7 +3,8 @@
 use stickslip::results::Results;
 use stickslip_laboratory::references::persson::{STEPS, pressure};
 
-use super::check::{Check, Checks, Tolerance, percent};
+use super::check::Tolerance::{Absolute, Relative};
+use super::check::{Check, Checks, percent};
 use super::laboratory::{Laboratory, Worst};
 use crate::publish::Trouble;
 
@@ -65,17 +66,13 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
 fn bounds(checks: &mut Checks, what: &str, errors: &Errors, half_angle: f64) {
     checks.near(
         format!("{what}: half-angle"),
-        errors.half_angle,
-        half_angle,
-        "°",
-        Tolerance::Absolute(ANGLE),
+        [errors.half_angle, half_angle],
+        Absolute(ANGLE, "°"),
     );
     checks.near(
         format!("{what}: peak pressure R t/Q"),
-        errors.peak,
-        pressure(half_angle.to_radians(), 0.0),
-        "",
-        Tolerance::Relative(PRESSURE),
+        [errors.peak, pressure(half_angle.to_radians(), 0.0)],
+        Relative(PRESSURE, ""),
     );
     checks.error_below(
         format!("{what}: pressure more than 2h from the end, of its peak"),

@@ -45,7 +45,10 @@ pub(super) fn interference(laboratory: &Laboratory) -> Result<Vec<Check>, Troubl
         let [x, y] = step.edges[0].resultant;
         let (expected, scale) = (load * POUND, normal.max(load * POUND));
         checks.rounding_below(
-            format!("{load} lb: force on the plate against the load, of the press fit's force or the load"), (format!("{} lb", number((x / POUND * 1e6).round() / 1e6)), (x - expected).hypot(y) / scale), BALANCE);
+            format!("{load} lb: force on the plate against the load, of the press fit's force or the load"),
+            (format!("{} lb", number((x / POUND * 1e6).round() / 1e6)), (x - expected).hypot(y) / scale),
+            BALANCE,
+        );
     }
     let extents = results.steps.iter().map(|step| {
         let extent = step.edges[0].contact_half_extent.unwrap_or(0.0);
@@ -106,13 +109,9 @@ pub(super) fn orthotropic(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble
     let mut checks = Checks::against("statics");
     let steel = laboratory.run("pin-orthotropic", &[])?;
     let rigid = laboratory.run("pin-orthotropic", &["bodies.pin.rigid=true".into()])?;
-    for (name, results) in [("steel pin", &steel), ("rigid pin", &rigid)] {
-        checks.completes(
-            format!("{name}: load steps that converge"),
-            "1",
-            results.steps.len().to_string(),
-            results.steps.len() == 1,
-        );
+    let pins = [("steel pin", &steel), ("rigid pin", &rigid)];
+    for (name, results) in pins {
+        checks.converges(name, results, 1);
         checks.rounding_below(
             format!("{name}: unbalanced force over the load"),
             ("", results.steps[0].balance_residual),
@@ -121,7 +120,7 @@ pub(super) fn orthotropic(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble
     }
     checks.now_against("table of the rigid pin, μ = 0.2, infinite plate, every 5°");
     let (angle, peak) = rigid_pin::table_peak()?;
-    for (name, results) in [("steel pin", &steel), ("rigid pin", &rigid)] {
+    for (name, results) in pins {
         let (place, value) = peak_radial(results);
         checks.show(
             format!("{name}, strip 40 R wide: largest −σ_r, of P/(2Rt)"),

@@ -6,14 +6,13 @@ use std::time::Instant;
 
 use stickslip_fem_core::ElasticBody;
 use stickslip_fem_core::body::SparseRow;
-use stickslip_fem_core::material::{Isotropic, Material, PlaneState};
-use stickslip_fem_core::mesh::ElementKind;
 use stickslip_hybrid::data::NodalDisplacements;
 use stickslip_hybrid::region::outputs::EdgeRows;
 use stickslip_hybrid::region::sector::ArcSector;
 use stickslip_hybrid::region::{Region, independent_covariance};
 
 use super::check::Checks;
+use crate::hybrid_noise::specimen::{analysed, body};
 use crate::publish::Trouble;
 
 const DRAWS: usize = 1000;
@@ -68,20 +67,10 @@ pub(super) fn checks(checks: &mut Checks) -> Result<(), Trouble> {
 impl Work {
     fn new() -> Result<Self, Trouble> {
         let sector = ArcSector {
-            centre: [0.0, 0.0],
-            hole: 9.525,
-            stand_off: 0.0,
-            outer: 19.05,
-            angles: [-1.0, 1.0],
             cells: [84, 39],
-            growth: 1.5,
-            kind: ElementKind::Q8,
+            ..analysed(1.0)
         };
-        let mesh = Arc::new(sector.mesh()?);
-        let aluminium = Isotropic::new(70.3e3, 0.34, PlaneState::Stress)?;
-        let materials: Vec<Arc<dyn Material>> = vec![Arc::new(aluminium)];
-        let body = ElasticBody::new(mesh, materials, 1.524)?;
-        let body = Arc::new(body);
+        let body = body(&sector)?;
         let region = Region::new(&body, &[])?;
         let nodes = region.prescribed_nodes();
         let places = body.mesh().nodes();

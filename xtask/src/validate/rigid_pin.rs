@@ -1,14 +1,12 @@
 //! Rigid pin in an infinite orthotropic plate: stresses at the hole edge, every 5°, against tables.
 
-use std::collections::BTreeMap;
-
 use serde::Deserialize;
 use stickslip::results::Results;
 use stickslip_laboratory::references::rigid_pin;
 
 use super::check::{Check, Checks};
 use super::laboratory::Laboratory;
-use crate::publish::{Trouble, root};
+use crate::publish::{Trouble, listed, root};
 
 pub(super) use rigid_pin::BEARING;
 
@@ -36,8 +34,7 @@ struct Table {
 
 /// The tables with or without friction.
 fn tables(which: &str) -> Result<Vec<Table>, Trouble> {
-    let mut all: BTreeMap<String, Vec<Table>> = toml::from_str(include_str!("rigid_pin.toml"))?;
-    Ok(all.remove(which).unwrap_or_default())
+    listed(include_str!("rigid_pin.toml"), which)
 }
 
 impl Table {

@@ -11,7 +11,8 @@ use stickslip_hybrid::data::NodalDisplacements;
 use stickslip_hybrid::region::outputs::EdgeRows;
 use stickslip_hybrid::region::{Region, independent_covariance};
 
-use super::check::{Check, Checks, Tolerance};
+use super::check::Tolerance::Relative;
+use super::check::{Check, Checks};
 use super::laboratory::{KSI, Laboratory};
 use crate::hybrid_noise::case::inside;
 use crate::hybrid_noise::specimen::{self, DEVIATION, FREQUENCY, analysed, loaded};
@@ -113,10 +114,8 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
         let noise = Known::new(size, 5.0)?.noise(2)? / KSI;
         checks.near(
             format!("±1/4 fringe, cells of {size} mm: rms of the edge shear"),
-            noise,
-            expected,
-            " ksi",
-            Tolerance::Relative(0.2),
+            [noise, expected],
+            Relative(0.2, " ksi"),
         );
     }
     checks.now_against(STUDY);

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use serde::Deserialize;
 
-use crate::publish::root;
+use crate::publish::{listed, root};
 
 /// A reader, the files that it reads, and which of them is mutated.
 #[derive(Debug, Deserialize)]
@@ -49,11 +49,8 @@ pub(super) enum Form {
 }
 
 /// All targets.
-pub(super) static TARGETS: LazyLock<Vec<Target>> = LazyLock::new(|| {
-    let mut all: BTreeMap<String, Vec<Target>> =
-        toml::from_str(include_str!("targets.toml")).expect("tests read it");
-    all.remove("targets").unwrap_or_default()
-});
+pub(super) static TARGETS: LazyLock<Vec<Target>> =
+    LazyLock::new(|| listed(include_str!("targets.toml"), "targets").expect("tests read it"));
 
 /// A file of the corpus; nothing where the sources are not there.
 fn file(name: &str) -> Vec<u8> {

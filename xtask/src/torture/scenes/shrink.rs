@@ -1,7 +1,6 @@
 //! Small scenes of large ones: what is not needed for a failure is deleted, rounded or made coarser as long as the failure stays.
 
 use std::collections::BTreeSet;
-use std::fmt::Display;
 use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
@@ -9,7 +8,7 @@ use stickslip::scene::keys;
 use stickslip_friction::registry;
 
 use super::draw::digits;
-use super::quantity::{number, split, text};
+use super::quantity::{histories, number, paths, split, text, with_histories};
 
 /// The smallest scene found for which `fails` still says so, within `time` and `tries` questions.
 pub(super) fn shrink(
@@ -86,23 +85,14 @@ fn without(scene: &Value, path: &str) -> Option<Value> {
 
 /// Histories that end earlier, and those without one of their steps.
 fn fewer_steps(scene: &Value) -> Vec<Value> {
-    let is_steps = |path: &String| path.starts_with("/loads/") && path.ends_with("/steps");
-    let places: Vec<String> = paths(scene).into_iter().filter(is_steps).collect();
-    let lists = places
+    let paths = histories(scene);
+    let lists = paths
         .iter()
         .filter_map(|path| scene.pointer(path)?.as_array());
     let length = lists.map(Vec::len).max().unwrap_or(0);
-    let changed = |change: &dyn Fn(&mut Vec<Value>)| {
-        let mut smaller = scene.clone();
-        for path in &places {
-            let steps = smaller.pointer_mut(path).and_then(Value::as_array_mut);
-            steps.into_iter().for_each(&change);
-        }
-        smaller
-    };
-    let shorter = (1..length).map(|count| changed(&|steps| steps.truncate(count)));
+    let shorter = (1..length).map(|count| with_histories(scene, |steps| steps.truncate(count)));
     let without = (0..length).filter(|_| length > 1).map(|index| {
-        changed(&|steps| {
+        with_histories(scene, |steps| {
             if index < steps.len() {
                 steps.remove(index);
             }
@@ -225,27 +215,6 @@ fn optional(scene: &Value) -> Vec<String> {
         let (parent, key) = path.rsplit_once('/').unwrap_or(("", path));
         optional.contains(key) && !parent.is_empty() || path == "/plies"
     });
-    found
-}
-
-/// Paths of everything in a value, outer ones first.
-fn paths(value: &Value) -> Vec<String> {
-    fn walk(value: &Value, path: &str, found: &mut Vec<String>) {
-        let mut below = |key: &dyn Display, entry: &Value| {
-            let here = format!("{path}/{key}");
-            found.push(here.clone());
-            walk(entry, &here, found);
-        };
-        match value {
-            Value::Object(map) => map.iter().for_each(|(key, entry)| below(key, entry)),
-            Value::Array(list) => {
-                (list.iter().enumerate()).for_each(|(index, entry)| below(&index, entry))
-            }
-            _ => {}
-        }
-    }
-    let mut found = Vec::new();
-    walk(value, "", &mut found);
     found
 }
 

@@ -6,7 +6,8 @@ use stickslip_hybrid::identify::Bounds;
 
 use super::{PAIRS, Study, candidate, coulomb, drop_candidate, estimate, evaluations, law};
 use crate::publish::Trouble;
-use crate::validate::check::{Checks, Tolerance};
+use crate::validate::check::Checks;
+use crate::validate::check::Tolerance::Relative;
 
 /// How far the coefficient found may be from the truth anywhere along the slip path that was reached, a tenth of what it falls by.
 const NEAR: f64 = 0.02;
@@ -85,7 +86,7 @@ fn parameter(
     let what = format!("slip power law: {name}, median of {count} fits");
     let unit = if name == "slip_scale" { " mm" } else { "" };
     match limit {
-        Some(limit) => checks.near(what, median, truth, unit, Tolerance::Relative(limit)),
+        Some(limit) => checks.near(what, [median, truth], Relative(limit, unit)),
         None => checks.show(what, format!("{truth}{unit}"), format!("{median:.4}{unit}")),
     }
     let held: usize = counts.iter().sum();
