@@ -71,7 +71,7 @@ pub(crate) fn main(options: &Options) -> Result<bool, Trouble> {
         None => results.join("baseline"),
     };
 
-    println!("{}", Row::HEAD);
+    println!("{HEAD}");
     let mut same = true;
     for case in &cases {
         let start = Instant::now();
@@ -87,15 +87,7 @@ pub(crate) fn main(options: &Options) -> Result<bool, Trouble> {
         )?;
         let listed = exceptions.take(&case.file, &mut comparison);
         same &= comparison.differences.is_empty();
-        print!(
-            "{}",
-            Row {
-                name: &name,
-                comparison: &comparison,
-                listed,
-                seconds: start.elapsed().as_secs_f64()
-            }
-        );
+        show(&name, &comparison, listed, start.elapsed().as_secs_f64());
     }
     for exception in exceptions.unused(&cases) {
         same = false;
@@ -125,43 +117,25 @@ fn run(program: &Path, root: &Path, case: &Case, results: &Path) -> Result<(), T
     Ok(())
 }
 
-/// A line of the printed table, and what differs below it.
-struct Row<'a> {
-    name: &'a str,
-    comparison: &'a Comparison,
-    listed: usize,
-    seconds: f64,
-}
+const HEAD: &str =
+    "case                                 values  reworded    new  listed  differences  seconds";
+/// Most differences that are shown of a case.
+const SHOWN: usize = 10;
 
-impl Row<'_> {
-    const HEAD: &'static str = "case                                 values  reworded    new  listed  differences  seconds";
-    /// Most differences that are shown of a case.
-    const SHOWN: usize = 10;
-}
-
-impl std::fmt::Display for Row<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let found = self.comparison;
-        writeln!(
-            f,
-            "{:<32} {:>10} {:>9} {:>6} {:>7} {:>12} {:>8.1}",
-            self.name,
-            found.values,
-            found.reworded,
-            found.added.len(),
-            self.listed,
-            found.differences.len(),
-            self.seconds
-        )?;
-        for place in &found.added {
-            writeln!(f, "    new: {place}")?;
-        }
-        for difference in found.differences.iter().take(Self::SHOWN) {
-            writeln!(f, "    {difference}")?;
-        }
-        match found.differences.len().checked_sub(Self::SHOWN) {
-            None | Some(0) => Ok(()),
-            Some(more) => writeln!(f, "    and {more} more"),
-        }
+/// Prints a line of the table, and what differs below it.
+fn show(name: &str, found: &Comparison, listed: usize, seconds: f64) {
+    let (added, differences) = (found.added.len(), found.differences.len());
+    let (values, reworded) = (found.values, found.reworded);
+    println!(
+        "{name:<32} {values:>10} {reworded:>9} {added:>6} {listed:>7} {differences:>12} {seconds:>8.1}"
+    );
+    for place in &found.added {
+        println!("    new: {place}");
+    }
+    for difference in found.differences.iter().take(SHOWN) {
+        println!("    {difference}");
+    }
+    if differences > SHOWN {
+        println!("    and {} more", differences - SHOWN);
     }
 }

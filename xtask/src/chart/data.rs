@@ -16,8 +16,11 @@ const COLUMNS: [&str; 7] = [
     "outcome",
 ];
 
+/// A number of a solved sample as a cell.
+type Written = fn(&Measured) -> String;
+
 /// Columns of what a solved sample has.
-const NUMBERS: [(&str, fn(&Measured) -> String); 21] = [
+const NUMBERS: [(&str, Written); 21] = [
     ("unknowns", |own| own.unknowns.to_string()),
     ("error_peak_pressure", |own| {
         error(Quantity::PeakPressure, own)

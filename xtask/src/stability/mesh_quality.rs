@@ -32,10 +32,10 @@ const MESHES: [(&str, Defect); 6] = [
     ("mid-side 0.3", Defect::MidSide(0.3)),
 ];
 
-pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
-    let cells = context.sized(20, 40);
-    let nominal = 0.4;
-    let mut jobs: Vec<(&str, f64, ElementKind, Defect)> = Vec::new();
+/// What is moved, by how much, and the mesh with that.
+type Job = (&'static str, f64, ElementKind, Defect);
+
+fn jobs(context: &Context) -> Vec<Job> {
     let aspects: &[f64] = context.sized(
         &[1.0, 1e2, 1e4],
         &[1.0, 3.0, 10.0, 30.0, 1e2, 3e2, 1e3, 3e3, 1e4],
@@ -48,6 +48,7 @@ pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
         &[0.5, 0.3, 0.25],
         &[0.5, 0.45, 0.4, 0.35, 0.3, 0.28, 0.26, 0.251, 0.25],
     );
+    let mut jobs = Vec::new();
     for kind in ELEMENTS {
         let mut vary = |case, values: &[f64], defect: fn(f64) -> Defect| {
             jobs.extend(
@@ -62,13 +63,19 @@ pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
             vary(MID_SIDE, places, Defect::MidSide);
         }
     }
+    jobs
+}
+
+pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
+    let cells = context.sized(20, 40);
+    let nominal = 0.4;
     let fine = Block {
         cells: 4 * cells,
         kind: ElementKind::Q9,
         defect: Defect::None,
     };
     let peak = fine.press(&[Indenter::cylinder(nominal)], 0.0)?[0].peak;
-    let mut rows = context.rows_of(&jobs, |&(case, value, kind, defect)| {
+    let mut rows = context.rows_of(&jobs(context), |&(case, value, kind, defect)| {
         let block = Block {
             cells,
             kind,

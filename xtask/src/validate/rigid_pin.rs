@@ -21,7 +21,8 @@ const END: f64 = 3.0;
 #[serde(deny_unknown_fields)]
 struct Table {
     name: String,
-    table: String,
+    /// Name of its file.
+    data: String,
     scene: String,
     #[serde(default)]
     overrides: Vec<String>,
@@ -40,7 +41,7 @@ fn tables(which: &str) -> Result<Vec<Table>, Trouble> {
 impl Table {
     fn stations(&self) -> Result<Vec<rigid_pin::Station>, Trouble> {
         let folder = root().join("crates/laboratory/data");
-        let text = std::fs::read_to_string(folder.join(format!("{}.csv", self.table)))?;
+        let text = std::fs::read_to_string(folder.join(format!("{}.csv", self.data)))?;
         Ok(rigid_pin::stations(&text)?)
     }
 }

@@ -84,8 +84,10 @@ fn summary(sample: &Sample) -> Option<String> {
     None
 }
 
+type Quantity = fn(&EdgeRow) -> f64;
+
 /// What the tables of edges have, and what the results do.
-const COLUMNS: [(&str, fn(&EdgeRow) -> f64); 4] = [
+const COLUMNS: [(&str, Quantity); 4] = [
     ("CPRESS", |row| row.pressure),
     ("CSHEAR1", |row| row.shear),
     ("COPEN", |row| row.gap),

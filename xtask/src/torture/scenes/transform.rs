@@ -163,7 +163,7 @@ pub(super) fn frictionless(scene: &Value) -> Value {
 /// The last load step alone.
 pub(super) fn last_step(scene: &Value) -> Value {
     with_histories(scene, |steps| {
-        drop(steps.drain(..steps.len().saturating_sub(1)))
+        steps.drain(..steps.len().saturating_sub(1));
     })
 }
 

@@ -213,15 +213,13 @@ impl Draft {
             3 if pin.made.is_some() => {
                 self.hold(&edge);
                 let along = digits(sizes.slip * self.draw.between(-1.0, 1.0), 4);
-                self.supports
-                    .push(json!({ "on": centre, "fix": ["x"], "displacement": mm(along) }));
+                self.displace(&centre, "x", along);
                 let across = if self.draw.chance(0.5) {
                     0.0
                 } else {
                     digits(sizes.slip * self.draw.between(-1.0, 1.0), 4)
                 };
-                self.supports
-                    .push(json!({ "on": centre, "fix": ["y"], "displacement": mm(across) }));
+                self.displace(&centre, "y", across);
                 if !ring && self.draw.chance(0.5) {
                     self.press(&format!("{}.right", plate.name), sizes.stress);
                 }
@@ -254,17 +252,22 @@ impl Draft {
         }
     }
 
+    fn displace(&mut self, on: &str, axis: &str, by: f64) {
+        let support = json!({ "on": on, "fix": [axis], "displacement": mm(by) });
+        self.supports.push(support);
+    }
+
     fn pull(&mut self, edge: &str, direction: [f64; 2], force: f64) {
         let steps = self.history(force, "N");
         self.load(
-            &edge,
+            edge,
             json!({ "force": { "direction": direction, "steps": steps } }),
         );
     }
 
     fn press(&mut self, edge: &str, stress: f64) {
         let steps = self.history(digits(stress, 4), "MPa");
-        self.load(&edge, json!({ "pressure": { "steps": steps } }));
+        self.load(edge, json!({ "pressure": { "steps": steps } }));
     }
 
     fn maybe_heat(&mut self, part: &Part) {

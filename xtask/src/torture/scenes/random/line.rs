@@ -52,7 +52,7 @@ impl Draft {
         } else {
             "lower.bottom"
         };
-        self.fix(&under);
+        self.fix(under);
         self.press_on(digits(share * softest * half * thickness, 4));
         self.line_mesh(half)
     }

@@ -37,7 +37,7 @@ impl Draft {
         } else {
             ("plate.left", "plate.right")
         };
-        self.fix(&held);
+        self.fix(held);
         let stress = digits(made.moduli[0] * self.draw.magnitude(1e-5, 3e-3), 4);
         let force = digits(stress * radius * thickness, 4);
         let direction = self.direction();
