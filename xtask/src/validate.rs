@@ -4,6 +4,8 @@
 //! independently derived tables, or with measured runs of other programs. A bound that is missed fails the task. With
 //! `--mutate` the cases with friction run again with friction wrong in three ways, and each has to notice: a physical quantity
 //! misses its bound, or the load is proved impossible. A run that stops without a proof counts as not noticed.
+//!
+//! A case is an entry of `validate/cases.toml` and a line of [`CHECKERS`].
 
 mod aluminium;
 mod benchmark;
@@ -177,5 +179,17 @@ fn residuals(laboratory: &Laboratory) -> Outcome {
     Outcome {
         title: "Residuals".to_owned(),
         checks: checks.into_list(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_case_has_its_checks() {
+        let cases: Vec<Case> = listed(include_str!("validate/cases.toml"), "cases").unwrap();
+        let names: Vec<&str> = cases.iter().map(|case| case.name.as_str()).collect();
+        assert_eq!(names, CHECKERS.map(|(name, _)| name));
     }
 }
