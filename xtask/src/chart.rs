@@ -16,27 +16,20 @@ mod summary;
 mod text;
 mod yardstick;
 
-use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Args;
-use stickslip::folder::FolderError;
-use stickslip_fem_core::mesh::ElementKind;
-use stickslip_laboratory::LaboratoryError;
 use stickslip_laboratory::problems::Problem;
-use stickslip_report::FigureError;
-use thiserror::Error;
 
 use bench::{Bench, Cost, Quantity};
 use contact_cost::ContactCost;
 use factors::{PathFactor, path_factors};
-use figures::save;
-use methods::Method;
+use methods::{Group, Method};
 use peers::PeerRun;
 use yardstick::Yardstick;
 
-use crate::publish::Published;
+use crate::publish::{Published, Trouble, root};
 
 /// What to chart.
 #[derive(Debug, Args)]
@@ -52,44 +45,6 @@ pub(crate) struct Options {
     output: Option<PathBuf>,
 }
 
-/// Why charts could not be made.
-#[derive(Debug, Error)]
-pub(crate) enum Trouble {
-    /// A problem could not be built.
-    #[error(transparent)]
-    Laboratory(#[from] LaboratoryError),
-    /// A picture could not be drawn.
-    #[error(transparent)]
-    Figure(#[from] FigureError),
-    /// A file could not be read or written.
-    #[error("{}: {cause}", path.display())]
-    File {
-        path: PathBuf,
-        cause: std::io::Error,
-    },
-    /// A picture could not be turned into pixels or written.
-    #[error(transparent)]
-    Picture(Box<dyn std::error::Error + Send + Sync>),
-    /// The folder or a file in it could not be written.
-    #[error(transparent)]
-    Folder(#[from] FolderError),
-    /// A table could not be read or written.
-    #[error("{}: {cause}", path.display())]
-    Csv { path: PathBuf, cause: csv::Error },
-    /// The page could not be made.
-    #[error(transparent)]
-    Page(#[from] minijinja::Error),
-    /// Another program could not be run.
-    #[error("{0}")]
-    Peer(String),
-    /// A thread could not be started.
-    #[error("{0}")]
-    Threads(#[from] rayon::ThreadPoolBuildError),
-    /// The default method does not solve a reference problem.
-    #[error("the default method does not solve {0}")]
-    Unsolved(String),
-}
-
 /// Everything measured.
 struct Charts {
     bench: Bench,
@@ -102,23 +57,8 @@ struct Charts {
 }
 
 /// Runs the task: progress on stderr, a summary on stdout.
-pub(crate) fn main(options: &Options) -> ExitCode {
-    let start = Instant::now();
-    match charts(options) {
-        Ok(summary) => {
-            print!("{summary}");
-            eprintln!("{:.0} s", start.elapsed().as_secs_f64());
-            ExitCode::SUCCESS
-        }
-        Err(trouble) => {
-            eprintln!("{trouble}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-fn charts(options: &Options) -> Result<String, Trouble> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+pub(crate) fn main(options: &Options) -> Result<bool, Trouble> {
+    let root = root();
     let committed = root.join("docs/charts");
     let own = if options.quick {
         root.join("target/charts")
@@ -151,23 +91,19 @@ fn charts(options: &Options) -> Result<String, Trouble> {
     folder.write("README.md", text::page(&charts)?.as_bytes())?;
     unsolved(&charts.bench)?;
     eprintln!("charts, data and page are in {}", folder.path().display());
-    Ok(text::short(&charts))
+    print!("{}", text::short(&charts));
+    Ok(true)
 }
 
 /// Runs every method on every problem, and the yardstick.
 fn measure(quick: bool) -> Result<(Bench, Vec<ContactCost>, Yardstick), Trouble> {
     let mut bench = Bench::new(quick);
-    let groups = [
-        methods::elements(),
-        methods::gaps(),
-        methods::projections(ElementKind::Q8),
-        methods::projections(ElementKind::Q4),
-        methods::direct_solvers(),
-        methods::iterative_solvers(),
-    ];
+    let [gaps, quadratic, linear] = methods::discretisations();
+    let solvers = [methods::direct_solvers(), methods::iterative_solvers()];
+    let groups = [methods::elements(), gaps, quadratic, linear];
     for problem in Problem::ALL {
         eprintln!("{}", problem.title());
-        for group in &groups {
+        for group in groups.iter().chain(&solvers) {
             bench.measure(problem, group);
         }
     }
@@ -183,54 +119,45 @@ fn unsolved(bench: &Bench) -> Result<(), Trouble> {
         .find(|sample| sample.method == Method::DEFAULT && sample.outcome.is_err());
     failed.map_or(Ok(()), |sample| {
         let cause = sample.outcome.as_ref().err().cloned().unwrap_or_default();
-        Err(Trouble::Unsolved(format!(
-            "{} at {} {}: {cause}",
-            sample.problem.name(),
-            sample.spacing,
-            sample.problem.unit()
-        )))
+        let (problem, unit) = (sample.problem.name(), sample.problem.unit());
+        Err(format!(
+            "the default method does not solve {problem} at {} {unit}: {cause}",
+            sample.spacing
+        )
+        .into())
     })
 }
 
 fn draw(folder: &mut Published, charts: &Charts) -> Result<(), Trouble> {
     let bench = &charts.bench;
+    let mut save = |name: &str, picture| folder.write_scaled(name, &picture, 1.5);
     for problem in Problem::ALL {
+        let (name, elements) = (problem.name(), methods::elements());
         for (cost, ending) in [(Cost::Whole, ""), (Cost::Unknowns, "-unknowns")] {
-            let picture = figures::problem_figure(bench, problem, &methods::elements(), cost)?;
-            save(
-                folder,
-                &format!("elements-{}{ending}", problem.name()),
-                &picture,
-            )?;
+            let picture = figures::problem_figure(bench, problem, &elements, cost)?;
+            save(&format!("elements-{name}{ending}"), picture)?;
         }
     }
-    let discretisations = [
-        methods::gaps(),
-        methods::projections(ElementKind::Q8),
-        methods::projections(ElementKind::Q4),
-    ];
-    for group in &discretisations {
-        for (quantity, ending) in [
-            (Quantity::PeakPressure, "peak-pressure"),
-            (Quantity::Extent, "extent"),
-        ] {
-            let picture = figures::overview(bench, group, Cost::Whole, quantity)?;
-            save(folder, &format!("{}-{ending}", group.key), &picture)?;
-        }
+    let overview = |group: &Group, cost, quantity| figures::overview(bench, group, cost, quantity);
+    for group in methods::discretisations() {
+        let peak = overview(&group, Cost::Whole, Quantity::PeakPressure)?;
+        save(&format!("{}-peak-pressure", group.key), peak)?;
+        let extent = overview(&group, Cost::Whole, Quantity::Extent)?;
+        save(&format!("{}-extent", group.key), extent)?;
     }
     // Solvers that end with the same answer differ in cost alone.
     let approaching = methods::iterative_solvers();
-    let picture = figures::overview(bench, &approaching, Cost::Solve, Quantity::PeakPressure)?;
-    save(folder, approaching.key, &picture)?;
-    for group in [methods::direct_solvers(), approaching] {
-        let picture = figures::contact_cost(bench, &group)?;
-        save(folder, &format!("{}-contact", group.key), &picture)?;
-    }
-    save(folder, "paths", &figures::path_factors(&charts.factors)?)?;
-    save(folder, "summary", &summary::seconds(charts)?)?;
     save(
-        folder,
-        "peers-factorisations",
-        &summary::factorisations(charts)?,
-    )
+        approaching.key,
+        overview(&approaching, Cost::Solve, Quantity::PeakPressure)?,
+    )?;
+    for group in [methods::direct_solvers(), approaching] {
+        save(
+            &format!("{}-contact", group.key),
+            figures::contact_cost(bench, &group)?,
+        )?;
+    }
+    save("paths", figures::path_factors(&charts.factors)?)?;
+    save("summary", summary::seconds(charts)?)?;
+    save("peers-factorisations", summary::factorisations(charts)?)
 }

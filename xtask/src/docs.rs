@@ -1,14 +1,12 @@
 //! `cargo xtask docs`: the tables of keys in `docs/scene-format.md`, written from the declarations.
 
 use std::fs;
-use std::path::Path;
-use std::process::ExitCode;
 
 use clap::Args;
 use stickslip::folder::write_atomic;
 use stickslip::scene::keys::document;
 
-use crate::publish::Trouble;
+use crate::publish::{Trouble, root};
 
 /// Whether the document is written.
 #[derive(Debug, Args)]
@@ -18,25 +16,13 @@ pub(crate) struct Options {
     check: bool,
 }
 
-pub(crate) fn main(options: &Options) -> ExitCode {
-    match update(options) {
-        Ok(message) => {
-            println!("{message}");
-            ExitCode::SUCCESS
-        }
-        Err(trouble) => {
-            eprintln!("{trouble}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-fn update(options: &Options) -> Result<String, Trouble> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/scene-format.md");
+pub(crate) fn main(options: &Options) -> Result<bool, Trouble> {
+    let path = root().join("docs/scene-format.md");
     let text = fs::read_to_string(&path)?;
     let written = document(&text).map_err(|cause| format!("docs/scene-format.md: {cause}"))?;
     if written == text {
-        return Ok("docs/scene-format.md has the keys that are declared".to_owned());
+        println!("docs/scene-format.md has the keys that are declared");
+        return Ok(true);
     }
     if options.check {
         return Err(
@@ -44,5 +30,6 @@ fn update(options: &Options) -> Result<String, Trouble> {
         );
     }
     write_atomic(&path, written.as_bytes())?;
-    Ok("wrote docs/scene-format.md".to_owned())
+    println!("wrote docs/scene-format.md");
+    Ok(true)
 }

@@ -36,12 +36,11 @@ fn solve(cases: &[Table]) -> Result<Tables, Trouble> {
 
 /// The row of a case; none where its reduction needs data that are not there.
 fn rows(case: &Table, specimen: &Specimen) -> Result<Vec<Table>, Trouble> {
-    let method = match text(case, "reduction")? {
-        "nodes themselves" => Method::Nodes,
-        "linear on triangles" => Method::Linear,
-        "local quadratics" => Method::Polynomial,
-        "fit, equilibrium alone" => Method::Equilibrium,
-        _ => Method::Smoothed(number(case, "share").unwrap_or(case::SHARE)),
+    let name = text(case, "reduction")?;
+    let own = Method::ALL.into_iter().find(|method| method.name() == name);
+    let method = match number(case, "share") {
+        Some(share) => Method::Smoothed(share),
+        None => own.ok_or_else(|| format!("no reduction '{name}'"))?,
     };
     let own = Case {
         method,

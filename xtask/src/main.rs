@@ -23,6 +23,7 @@ mod validate;
 mod wasm;
 
 use std::process::ExitCode;
+use std::time::Instant;
 
 use clap::{Parser, Subcommand};
 
@@ -75,7 +76,8 @@ fn main() -> ExitCode {
     if std::path::Path::new(&name).ends_with(COMMAND) {
         return stickslip::cli::main();
     }
-    match Arguments::parse().task {
+    let start = Instant::now();
+    let outcome = match Arguments::parse().task {
         Task::Validate(options) => validate::main(&options),
         Task::Chart(options) => chart::main(&options),
         Task::Stability(options) => stability::main(&options),
@@ -90,5 +92,17 @@ fn main() -> ExitCode {
         Task::Torture(options) => torture::main(&options),
         Task::Wasm => wasm::main(),
         Task::TortureReaders(batch) => torture::readers::child(&batch),
+    };
+    let seconds = start.elapsed().as_secs_f64();
+    if seconds > 1.0 {
+        eprintln!("{seconds:.0} s");
+    }
+    match outcome {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(trouble) => {
+            eprintln!("{trouble}");
+            ExitCode::FAILURE
+        }
     }
 }

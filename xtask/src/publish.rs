@@ -1,16 +1,25 @@
 //! What tasks share: options of studies, cases solved side by side, and the files that are written in the end.
 
+use std::collections::BTreeMap;
+use std::io;
 use std::path::{Path, PathBuf};
+use std::process::{Command, ExitStatus};
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
+use serde::de::DeserializeOwned;
 use stickslip::folder::{FolderError, SharedFolder, write_atomic};
 use stickslip_report::raster::{DEFAULT_SCALE, to_png};
 use stickslip_report::svg::Svg;
 
-/// Why a task stopped.
+/// Why a task stopped; a task that ends says whether all was well.
 pub(crate) type Trouble = Box<dyn std::error::Error + Send + Sync>;
+
+/// The folder of the workspace.
+pub(crate) fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
 
 /// How much of a study is wanted, and where.
 #[derive(Debug, Args)]
@@ -21,6 +30,32 @@ pub(crate) struct Options {
     /// Folder for tables and pictures; the study's own below docs for a full run.
     #[arg(long, value_name = "FOLDER")]
     pub(crate) output: Option<PathBuf>,
+}
+
+/// The list under `key` of a TOML text.
+pub(crate) fn listed<T: DeserializeOwned>(text: &str, key: &str) -> Result<Vec<T>, Trouble> {
+    let mut all: BTreeMap<String, Vec<T>> = toml::from_str(text)?;
+    Ok(all.remove(key).unwrap_or_default())
+}
+
+/// Makes this program the command, under its name.
+pub(crate) fn this_command(path: &Path) -> io::Result<()> {
+    let own = std::env::current_exe()?;
+    #[cfg(unix)]
+    return std::os::unix::fs::symlink(own, path);
+    #[cfg(not(unix))]
+    std::fs::copy(own, path).map(drop)
+}
+
+/// Builds the release of what `chosen` names in the workspace `tree`, with build products of its own.
+pub(crate) fn cargo_build(tree: &Path, products: &Path, chosen: &[&str]) -> io::Result<ExitStatus> {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    Command::new(cargo)
+        .current_dir(tree)
+        .env("CARGO_TARGET_DIR", products)
+        .args(["build", "--release", "--locked"])
+        .args(chosen)
+        .status()
 }
 
 /// A folder that a task writes its files into.

@@ -11,14 +11,13 @@ mod exceptions;
 mod numbers;
 
 use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode, Stdio};
+use std::process::{Command, Stdio};
 use std::time::Instant;
 
 use clap::Args;
 
-use crate::publish::Trouble;
+use crate::publish::{Trouble, root, this_command};
 use cases::Case;
 use compare::{Comparison, compare};
 use exceptions::Exceptions;
@@ -44,22 +43,8 @@ pub(crate) struct Options {
 }
 
 /// Runs and compares; fails if something differs that is not listed.
-pub(crate) fn main(options: &Options) -> ExitCode {
-    match compare_all(options) {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::FAILURE,
-        Err(trouble) => {
-            eprintln!("{trouble}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-/// Whether all answers are the same but for listed exceptions.
-fn compare_all(options: &Options) -> Result<bool, Trouble> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("..")
-        .canonicalize()?;
+pub(crate) fn main(options: &Options) -> Result<bool, Trouble> {
+    let root = root().canonicalize()?;
     let work = root.join("target/same-answers");
     fs::create_dir_all(&work)?;
     let mut exceptions = Exceptions::read(&root.join("xtask/same-answers.toml"))?;
@@ -86,7 +71,7 @@ fn compare_all(options: &Options) -> Result<bool, Trouble> {
         None => results.join("baseline"),
     };
 
-    println!("{}", Row::HEAD);
+    println!("{HEAD}");
     let mut same = true;
     for case in &cases {
         let start = Instant::now();
@@ -102,26 +87,13 @@ fn compare_all(options: &Options) -> Result<bool, Trouble> {
         )?;
         let listed = exceptions.take(&case.file, &mut comparison);
         same &= comparison.differences.is_empty();
-        print!(
-            "{}",
-            Row {
-                name: &name,
-                comparison: &comparison,
-                listed,
-                seconds: start.elapsed().as_secs_f64()
-            }
-        );
+        show(&name, &comparison, listed, start.elapsed().as_secs_f64());
     }
     for exception in exceptions.unused(&cases) {
         same = false;
         println!("listed, but the same: {exception}");
     }
     Ok(same)
-}
-
-/// Makes this program the command, under its name.
-fn this_command(path: &Path) -> io::Result<()> {
-    std::os::unix::fs::symlink(std::env::current_exe()?, path)
 }
 
 /// Runs a case into its folder below `results`, and leaves a failure's message there as `error.txt`.
@@ -145,43 +117,25 @@ fn run(program: &Path, root: &Path, case: &Case, results: &Path) -> Result<(), T
     Ok(())
 }
 
-/// A line of the printed table, and what differs below it.
-struct Row<'a> {
-    name: &'a str,
-    comparison: &'a Comparison,
-    listed: usize,
-    seconds: f64,
-}
+const HEAD: &str =
+    "case                                 values  reworded    new  listed  differences  seconds";
+/// Most differences that are shown of a case.
+const SHOWN: usize = 10;
 
-impl Row<'_> {
-    const HEAD: &'static str = "case                                 values  reworded    new  listed  differences  seconds";
-    /// Most differences that are shown of a case.
-    const SHOWN: usize = 10;
-}
-
-impl std::fmt::Display for Row<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let found = self.comparison;
-        writeln!(
-            f,
-            "{:<32} {:>10} {:>9} {:>6} {:>7} {:>12} {:>8.1}",
-            self.name,
-            found.values,
-            found.reworded,
-            found.added.len(),
-            self.listed,
-            found.differences.len(),
-            self.seconds
-        )?;
-        for place in &found.added {
-            writeln!(f, "    new: {place}")?;
-        }
-        for difference in found.differences.iter().take(Self::SHOWN) {
-            writeln!(f, "    {difference}")?;
-        }
-        match found.differences.len().checked_sub(Self::SHOWN) {
-            None | Some(0) => Ok(()),
-            Some(more) => writeln!(f, "    and {more} more"),
-        }
+/// Prints a line of the table, and what differs below it.
+fn show(name: &str, found: &Comparison, listed: usize, seconds: f64) {
+    let (added, differences) = (found.added.len(), found.differences.len());
+    let (values, reworded) = (found.values, found.reworded);
+    println!(
+        "{name:<32} {values:>10} {reworded:>9} {added:>6} {listed:>7} {differences:>12} {seconds:>8.1}"
+    );
+    for place in &found.added {
+        println!("    new: {place}");
+    }
+    for difference in found.differences.iter().take(SHOWN) {
+        println!("    {difference}");
+    }
+    if differences > SHOWN {
+        println!("    and {} more", differences - SHOWN);
     }
 }

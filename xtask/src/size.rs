@@ -8,11 +8,10 @@ mod code;
 use std::fmt::Display;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
 use stickslip_tests::source;
 
-use crate::publish::Trouble;
+use crate::publish::{Trouble, root};
 use code::{Code, measure};
 
 /// Most lines of code of a crate below `crates`.
@@ -33,24 +32,13 @@ struct Crate {
 }
 
 /// Counts, prints a table, and fails if a bound is exceeded.
-pub(crate) fn main() -> ExitCode {
-    match report(&Path::new(env!("CARGO_MANIFEST_DIR")).join("..")) {
-        Ok((text, excesses)) => {
-            println!("{text}");
-            for excess in &excesses {
-                eprintln!("{excess}");
-            }
-            if excesses.is_empty() {
-                ExitCode::SUCCESS
-            } else {
-                ExitCode::FAILURE
-            }
-        }
-        Err(trouble) => {
-            eprintln!("{trouble}");
-            ExitCode::FAILURE
-        }
+pub(crate) fn main() -> Result<bool, Trouble> {
+    let (text, excesses) = report(&root())?;
+    println!("{text}");
+    for excess in &excesses {
+        eprintln!("{excess}");
     }
+    Ok(excesses.is_empty())
 }
 
 /// The table, and a sentence for every bound that is exceeded.

@@ -16,8 +16,6 @@ pub(crate) mod record;
 pub(crate) mod table;
 
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
-use std::time::Instant;
 
 use serde::Deserialize;
 use toml::{Table, Value};
@@ -29,7 +27,7 @@ use quote::Quote;
 use record::expanded;
 use table::Tables;
 
-pub(crate) use crate::publish::{Trouble, side_by_side};
+pub(crate) use crate::publish::{Trouble, root, side_by_side};
 
 /// A study: its folder below `studies` and `docs`, and its code.
 #[derive(Debug)]
@@ -90,32 +88,9 @@ pub(crate) fn solved_side_by_side(
     Ok(tables)
 }
 
-/// The folder of the workspace.
-pub(crate) fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
-}
-
 impl Study {
-    /// Runs it: progress on stderr, findings on stdout.
-    pub(crate) fn main(&self, options: &Options) -> ExitCode {
-        let start = Instant::now();
-        let outcome = self.run(options);
-        eprintln!("{:.0} s", start.elapsed().as_secs_f64());
-        match outcome {
-            Ok(faults) if faults.is_empty() => ExitCode::SUCCESS,
-            Ok(faults) => {
-                eprintln!("{}", faults.join("\n"));
-                ExitCode::FAILURE
-            }
-            Err(trouble) => {
-                eprintln!("{trouble}");
-                ExitCode::FAILURE
-            }
-        }
-    }
-
-    /// Solves and writes; returns what is wrong with the results.
-    fn run(&self, options: &Options) -> Result<Vec<String>, Trouble> {
+    /// Solves and writes: progress and what is wrong with the results on stderr, findings on stdout.
+    pub(crate) fn main(&self, options: &Options) -> Result<bool, Trouble> {
         let description = Description::of(self.name)?;
         let cases = description.cases(options.quick)?;
         let mut tables = (self.solve)(&cases)?;
@@ -126,7 +101,11 @@ impl Study {
         for (name, rows) in tables {
             kept.entry(name).or_insert(rows);
         }
-        description.judge(&kept, !options.quick)
+        let faults = description.judge(&kept, !options.quick)?;
+        for fault in &faults {
+            eprintln!("{fault}");
+        }
+        Ok(faults.is_empty())
     }
 }
 

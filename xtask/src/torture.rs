@@ -16,9 +16,8 @@ mod writers;
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use clap::Args;
@@ -26,7 +25,7 @@ use stickslip::folder::write_atomic;
 
 use crate::publish::{Trouble, bar};
 use record::{Record, Run};
-use trial::{Counts, Failure, Kind};
+use trial::{Counts, Failure, Kind, Trial};
 
 /// What is tried, how often and for how long.
 #[derive(Debug, Args)]
@@ -86,18 +85,7 @@ fn kinds(options: &Options) -> Vec<Box<dyn Kind>> {
 }
 
 /// Runs the trials; fails where a check did.
-pub(crate) fn main(options: &Options) -> ExitCode {
-    match torture(options) {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::FAILURE,
-        Err(trouble) => {
-            eprintln!("{trouble}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-fn torture(options: &Options) -> Result<bool, Trouble> {
+pub(crate) fn main(options: &Options) -> Result<bool, Trouble> {
     if !options.replay.is_empty() {
         return replay(&options.replay);
     }
@@ -111,11 +99,8 @@ fn torture(options: &Options) -> Result<bool, Trouble> {
     let chosen: Vec<&dyn Kind> = all_kinds.filter(wanted).collect();
     if chosen.is_empty() {
         let names: Vec<&str> = all.iter().map(|kind| kind.name()).collect();
-        return Err(format!(
-            "no kind of trial has this name; there are: {}",
-            names.join(", ")
-        )
-        .into());
+        let names = names.join(", ");
+        return Err(format!("no kind of trial has this name; there are: {names}").into());
     }
     let mut clean = true;
     let mut runs = Vec::new();
@@ -159,7 +144,7 @@ fn replay(files: &[PathBuf]) -> Result<bool, Trouble> {
     Ok(clean)
 }
 
-/// Tries the seeds of one kind, several at a time; each trial has one thread for itself.
+/// Tries the seeds of one kind, several at a time.
 fn tried(kind: &dyn Kind, options: &Options, time: Option<Duration>) -> (Run, Vec<Failure>) {
     let seeds = match &options.seeds {
         Some(seeds) => seeds.clone(),
@@ -167,32 +152,21 @@ fn tried(kind: &dyn Kind, options: &Options, time: Option<Duration>) -> (Run, Ve
         None => SEEDS,
     };
     let start = Instant::now();
-    let progress = bar(
-        "{prefix} {wide_bar} {pos}/{len} {elapsed}",
-        seeds.end - seeds.start,
-    )
-    .with_prefix(kind.name());
+    let length = seeds.end - seeds.start;
+    let progress =
+        bar("{prefix} {wide_bar} {pos}/{len} {elapsed}", length).with_prefix(kind.name());
     let next = AtomicU64::new(seeds.start);
     let found = Mutex::new((Counts::default(), Vec::new()));
-    let jobs = options
-        .jobs
-        .unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
+    let cores = || std::thread::available_parallelism().map_or(1, usize::from);
+    // The time first: a seed that is taken is tried, so that the next run goes on after it.
+    let taken = || {
+        let in_time = time.is_none_or(|time| start.elapsed() <= time);
+        let seed = in_time.then(|| next.fetch_add(1, Ordering::Relaxed));
+        seed.filter(|seed| *seed < seeds.end)
+    };
     let work = || {
-        // Without a pool of its own, a trial would wait inside another one's parallel part.
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
-        loop {
-            // The time first: a seed that is taken is tried, so that the next run goes on after it.
-            if time.is_some_and(|time| start.elapsed() > time) {
-                break;
-            }
-            let seed = next.fetch_add(1, Ordering::Relaxed);
-            if seed >= seeds.end {
-                break;
-            }
-            let trial = match &pool {
-                Ok(pool) => pool.install(|| kind.trial(seed)),
-                Err(_) => kind.trial(seed),
-            };
+        while let Some(seed) = taken() {
+            let trial = alone(kind, seed);
             for failure in &trial.failures {
                 // Seen at once also where no terminal shows a bar.
                 progress.suspend(|| {
@@ -200,31 +174,30 @@ fn tried(kind: &dyn Kind, options: &Options, time: Option<Duration>) -> (Run, Ve
                 });
             }
             progress.inc(1);
-            let mut found = found
-                .lock()
-                .unwrap_or_else(std::sync::PoisonError::into_inner);
+            let mut found = found.lock().unwrap_or_else(PoisonError::into_inner);
             found.0.add(&trial.counts);
             found.1.extend(trial.failures);
         }
     };
     std::thread::scope(|scope| {
-        for _ in 0..jobs {
+        for _ in 0..options.jobs.unwrap_or_else(cores) {
             scope.spawn(work);
         }
     });
     progress.finish_and_clear();
-    let (counts, mut failures) = found
-        .into_inner()
-        .unwrap_or_else(std::sync::PoisonError::into_inner);
+    let found = found.into_inner();
+    let (counts, mut failures) = found.unwrap_or_else(PoisonError::into_inner);
     failures.sort_by(|a, b| (a.seed, &a.check).cmp(&(b.seed, &b.check)));
-    let end = next.into_inner().min(seeds.end);
-    (
-        Run {
-            seeds: [seeds.start, end],
-            counts,
-        },
-        failures,
-    )
+    let seeds = [seeds.start, next.into_inner().min(seeds.end)];
+    (Run { seeds, counts }, failures)
+}
+
+/// A trial with one thread for itself: without a pool of its own, it would wait inside another one's parallel part.
+fn alone(kind: &dyn Kind, seed: u64) -> Trial {
+    match rayon::ThreadPoolBuilder::new().num_threads(1).build() {
+        Ok(pool) => pool.install(|| kind.trial(seed)),
+        Err(_) => kind.trial(seed),
+    }
 }
 
 /// Writes the failures of `kind` and names them; whether all of them are known.
@@ -232,20 +205,17 @@ fn keep(kind: &str, failures: &[Failure], folder: &Path) -> Result<bool, Trouble
     let mut clean = true;
     for failure in failures {
         std::fs::create_dir_all(folder)?;
-        let check = failure.check.replace(' ', "-");
-        let file = folder.join(format!(
-            "{kind}-{check}-{}.{}",
-            failure.seed, failure.extension
-        ));
+        let Failure {
+            seed, check, found, ..
+        } = failure;
+        let name = check.replace(' ', "-");
+        let file = folder.join(format!("{kind}-{name}-{seed}.{}", failure.extension));
         write_atomic(&file, &failure.case)?;
         let known = open::is_known(kind, failure);
         clean &= known;
         let word = if known { "known" } else { "FAILED" };
         eprintln!(
-            "{word} {kind} seed {}, {}: {}\n  {}",
-            failure.seed,
-            failure.check,
-            failure.found,
+            "{word} {kind} seed {seed}, {check}: {found}\n  {}",
             file.display()
         );
     }

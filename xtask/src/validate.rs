@@ -4,6 +4,8 @@
 //! independently derived tables, or with measured runs of other programs. A bound that is missed fails the task. With
 //! `--mutate` the cases with friction run again with friction wrong in three ways, and each has to notice: a physical quantity
 //! misses its bound, or the load is proved impossible. A run that stops without a proof counts as not noticed.
+//!
+//! A case is an entry of `validate/cases.toml` and a line of [`CHECKERS`].
 
 mod aluminium;
 mod benchmark;
@@ -31,16 +33,15 @@ mod rigid_pin;
 mod sensitivity;
 mod shear_sign;
 
-use std::path::Path;
-use std::process::ExitCode;
-use std::time::Instant;
-
 use clap::Args;
+use serde::Deserialize;
 use stickslip::folder::write_atomic;
 
 use check::{Check, Checks, Verdict};
-use laboratory::{Laboratory, Size, Trouble};
+use laboratory::{Laboratory, Size};
 use mutation::Mutation;
+
+use crate::publish::{Trouble, listed, root};
 
 /// Largest relative residual of any step.
 const RESIDUAL: f64 = 1e-10;
@@ -62,159 +63,69 @@ pub(crate) struct Options {
     write: bool,
 }
 
-/// Something known, and the scenes that should reproduce it.
-struct Case {
-    name: &'static str,
-    title: &'static str,
-    /// Whether friction decides quantities with a bound, so that a mistake in it must show.
-    friction: bool,
-    checks: Checker,
-}
-
 type Checker = fn(&Laboratory) -> Result<Vec<Check>, Trouble>;
 
-impl Case {
-    const fn new(name: &'static str, title: &'static str, checks: Checker) -> Self {
-        Self {
-            name,
-            title,
-            friction: false,
-            checks,
-        }
-    }
+/// What makes the checks of each case, in the order of `cases.toml`.
+const CHECKERS: [(&str, Checker); 24] = [
+    ("elements", elements::checks),
+    ("open-hole", open_hole::checks),
+    ("cosine-load", cosine_load::checks),
+    ("laminates", laminates::checks),
+    ("criteria", criteria::checks),
+    ("ply-states", ply_states::checks),
+    ("joint-modes", joint_modes::checks),
+    ("hybrid-sensitivity", sensitivity::checks),
+    ("hybrid-errors", hybrid::errors),
+    ("closed-loop", closed_loop::checks),
+    ("hybrid-laws", laws::checks),
+    ("persson", persson::checks),
+    ("hertz", line_contact::hertz),
+    ("cattaneo", line_contact::cattaneo),
+    ("rigid-pin-frictionless", rigid_pin::frictionless),
+    ("rigid-pin-friction", rigid_pin::frictional),
+    ("pin-orthotropic", pins::orthotropic),
+    ("press-fit", press_fit::checks),
+    ("interference", pins::interference),
+    ("aluminium-frictionless", aluminium::frictionless),
+    ("aluminium-friction", aluminium::frictional),
+    ("shear-sign", shear_sign::checks),
+    ("benchmark-frictionless", benchmark::frictionless),
+    ("benchmark-friction", benchmark::frictional),
+];
 
-    const fn of_friction(self) -> Self {
-        Self {
-            friction: true,
-            ..self
-        }
-    }
+/// Something known, and the scenes that should reproduce it.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Case {
+    name: String,
+    title: String,
+    #[serde(default)]
+    friction: bool,
 }
 
-const CASES: [Case; 24] = [
-    Case::new("elements", "Elements", elements::checks),
-    Case::new("open-hole", "Open holes", open_hole::checks),
-    Case::new(
-        "cosine-load",
-        "Holes with an assumed cosine pressure",
-        cosine_load::checks,
-    ),
-    Case::new("laminates", "Laminates", laminates::checks),
-    Case::new("criteria", "Failure criteria", criteria::checks),
-    Case::new(
-        "ply-states",
-        "Residual stress, coupling and yield of plies",
-        ply_states::checks,
-    ),
-    Case::new(
-        "joint-modes",
-        "Laminated joints to their end",
-        joint_modes::checks,
-    ),
-    Case::new(
-        "hybrid-sensitivity",
-        "Measured displacements: what their errors do",
-        sensitivity::checks,
-    ),
-    Case::new(
-        "hybrid-errors",
-        "Measured displacements: covariance, reductions, fringe phase",
-        hybrid::errors,
-    ),
-    Case::new(
-        "closed-loop",
-        "Friction from fringe pictures",
-        closed_loop::checks,
-    ),
-    Case::new(
-        "hybrid-laws",
-        "Friction laws fitted by contact solves",
-        laws::checks,
-    ),
-    Case::new(
-        "persson",
-        "Frictionless pin of the plate's material",
-        persson::checks,
-    ),
-    Case::new("hertz", "Hertz", line_contact::hertz),
-    Case::new("cattaneo", "Cattaneo–Mindlin", line_contact::cattaneo).of_friction(),
-    Case::new(
-        "rigid-pin-frictionless",
-        "Rigid pin, orthotropic plate, frictionless",
-        rigid_pin::frictionless,
-    ),
-    Case::new(
-        "rigid-pin-friction",
-        "Rigid pin, orthotropic plate, friction",
-        rigid_pin::frictional,
-    )
-    .of_friction(),
-    Case::new(
-        "pin-orthotropic",
-        "Steel pin, orthotropic strip",
-        pins::orthotropic,
-    ),
-    Case::new(
-        "press-fit",
-        "Press fits of a pin and two rings",
-        press_fit::checks,
-    ),
-    Case::new("interference", "Pin with interference", pins::interference),
-    Case::new(
-        "aluminium-frictionless",
-        "Aluminium plate, frictionless",
-        aluminium::frictionless,
-    ),
-    Case::new(
-        "aluminium-friction",
-        "Aluminium plate, friction",
-        aluminium::frictional,
-    )
-    .of_friction(),
-    Case::new(
-        "shear-sign",
-        "Pin in a quasi-isotropic laminate: sign of the shear, matrix cracks",
-        shear_sign::checks,
-    )
-    .of_friction(),
-    Case::new(
-        "benchmark-frictionless",
-        "Pin benchmark, frictionless",
-        benchmark::frictionless,
-    ),
-    Case::new(
-        "benchmark-friction",
-        "Pin benchmark, friction",
-        benchmark::frictional,
-    )
-    .of_friction(),
-];
+impl Case {
+    fn checks(&self, laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+        let own = CHECKERS.iter().find(|(name, _)| *name == self.name);
+        let (_, checker) = own.ok_or_else(|| format!("nothing checks {}", self.name))?;
+        checker(laboratory)
+    }
+}
 
 /// A case and what came of it.
 pub(crate) struct Outcome {
-    pub(crate) title: &'static str,
+    pub(crate) title: String,
     pub(crate) checks: Vec<Check>,
 }
 
 /// Runs the task: table on stdout, progress on stderr.
-pub(crate) fn main(options: &Options) -> ExitCode {
-    let start = Instant::now();
-    let chosen: Vec<&Case> = CASES
-        .iter()
-        .filter(|case| {
-            options
-                .only
-                .as_ref()
-                .is_none_or(|name| case.name.contains(name.as_str()))
-        })
-        .collect();
+pub(crate) fn main(options: &Options) -> Result<bool, Trouble> {
+    let only = options.only.as_deref().unwrap_or_default();
+    let all: Vec<Case> = listed(include_str!("validate/cases.toml"), "cases")?;
+    let chosen: Vec<&Case> = all.iter().filter(|case| case.name.contains(only)).collect();
     if chosen.is_empty() {
-        let names: Vec<&str> = CASES.iter().map(|case| case.name).collect();
-        eprintln!(
-            "no case has that in its name; the cases are {}",
-            names.join(", ")
-        );
-        return ExitCode::FAILURE;
+        let names: Vec<&str> = all.iter().map(|case| case.name.as_str()).collect();
+        let names = names.join(", ");
+        return Err(format!("no case has that in its name; the cases are {names}").into());
     }
     let size = if options.quick {
         Size::Quick
@@ -228,32 +139,24 @@ pub(crate) fn main(options: &Options) -> ExitCode {
         outcomes.push(mutants::outcome(&chosen));
     }
     print!("{}", render::text(&outcomes));
-    eprintln!("{:.0} s", start.elapsed().as_secs_f64());
     if options.write {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/validation.md");
-        if let Err(cause) = write_atomic(&path, render::markdown(&outcomes).as_bytes()) {
-            eprintln!("{cause}");
-            return ExitCode::FAILURE;
-        }
+        let path = root().join("docs/validation.md");
+        write_atomic(&path, render::markdown(&outcomes).as_bytes())?;
     }
     let failed = |outcome: &Outcome| outcome.checks.iter().any(|c| c.verdict == Verdict::Fail);
-    if outcomes.iter().any(failed) {
-        ExitCode::FAILURE
-    } else {
-        ExitCode::SUCCESS
-    }
+    Ok(!outcomes.iter().any(failed))
 }
 
 /// The checks of a case; one that cannot be computed has failed.
 fn run(case: &Case, laboratory: &Laboratory) -> Outcome {
     eprintln!("{}", case.title);
-    let checks = (case.checks)(laboratory).unwrap_or_else(|trouble| {
+    let checks = case.checks(laboratory).unwrap_or_else(|trouble| {
         let mut checks = Checks::default();
         checks.completes("all scenes are solved", "", trouble.to_string(), false);
         checks.into_list()
     });
     Outcome {
-        title: case.title,
+        title: case.title.clone(),
         checks,
     }
 }
@@ -270,16 +173,23 @@ fn residuals(laboratory: &Laboratory) -> Outcome {
             ("friction cone violation", worst.cone),
         ];
         for (name, worst) in kinds {
-            checks.rounding_below(
-                format!("{name}, worst of {runs}"),
-                worst.place,
-                worst.value,
-                RESIDUAL,
-            );
+            checks.rounding_below(format!("{name}, worst of {runs}"), worst, RESIDUAL);
         }
     }
     Outcome {
-        title: "Residuals",
+        title: "Residuals".to_owned(),
         checks: checks.into_list(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_case_has_its_checks() {
+        let cases: Vec<Case> = listed(include_str!("validate/cases.toml"), "cases").unwrap();
+        let names: Vec<&str> = cases.iter().map(|case| case.name.as_str()).collect();
+        assert_eq!(names, CHECKERS.map(|(name, _)| name));
     }
 }

@@ -4,12 +4,11 @@
 //! must be the native ones; what may differ is the rounding of functions that every platform computes in its own way, such as sines.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode};
 
 use stickslip_wasm_guest as guest;
 use wasmi::{Engine, Instance, Linker, Module, Store};
 
-use crate::publish::Trouble;
+use crate::publish::{Trouble, cargo_build, root};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
@@ -17,37 +16,16 @@ const TARGET: &str = "wasm32-unknown-unknown";
 const BOUND: f64 = 1e-9;
 
 /// Builds, runs and compares; fails if an answer differs.
-pub(crate) fn main() -> ExitCode {
-    match build().and_then(|module| compared(&module)) {
-        Ok(text) => {
-            println!("{text}");
-            ExitCode::SUCCESS
-        }
-        Err(trouble) => {
-            eprintln!("{trouble}");
-            ExitCode::FAILURE
-        }
-    }
+pub(crate) fn main() -> Result<bool, Trouble> {
+    println!("{}", compared(&build()?)?);
+    Ok(true)
 }
 
 /// Builds the guest, and returns the path of its module.
 fn build() -> Result<PathBuf, Trouble> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let products = root.join("target");
-    let status = Command::new(cargo)
-        .current_dir(&root)
-        .env("CARGO_TARGET_DIR", &products)
-        .args([
-            "build",
-            "--release",
-            "--locked",
-            "--package",
-            "stickslip-wasm-guest",
-        ])
-        .args(["--target", TARGET])
-        .status()?;
-    if !status.success() {
+    let products = root().join("target");
+    let package = ["--package", "stickslip-wasm-guest", "--target", TARGET];
+    if !cargo_build(&root(), &products, &package)?.success() {
         return Err(format!(
             "the guest cannot be built; `rustup target add {TARGET}` adds the target"
         )

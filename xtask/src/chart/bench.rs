@@ -211,6 +211,15 @@ impl Bench {
             .collect()
     }
 
+    /// The errors that are known of `problem`.
+    pub(super) fn known(&self, problem: Problem) -> impl Iterator<Item = Quantity> {
+        let measured = self.curve(problem, Method::DEFAULT);
+        Quantity::ALL.into_iter().filter(move |quantity| {
+            let mut errors = measured.iter().map(|(_, measured)| &measured.errors);
+            errors.any(|errors| quantity.of(errors).is_some())
+        })
+    }
+
     /// An error on the finest mesh of `problem` that `method` solved.
     pub(super) fn finest(
         &self,
@@ -329,12 +338,7 @@ fn measured(problem: Problem, runs: &[Run]) -> Result<Measured, LaboratoryError>
         first_peak: steps
             .first()
             .map_or(f64::NAN, |errors| errors.peak_pressure),
-        wall: summary(
-            &runs
-                .iter()
-                .map(|run| run.seconds.total())
-                .collect::<Vec<f64>>(),
-        ),
+        wall: timing(|run| run.seconds.total()),
         whole: timing(|run| run.processor.total()),
         solve: timing(|run| run.processor.solve()),
         contact: timing(|run| run.processor.contact),

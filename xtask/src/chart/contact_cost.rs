@@ -11,9 +11,9 @@ use stickslip_laboratory::measure::{summary, thread_seconds};
 use stickslip_laboratory::problems::{Pairing, Problem};
 use stickslip_laboratory::run::{Path, Run, run};
 
-use super::Trouble;
 use super::text::seconds;
 use super::yardstick::{factorisation, stiffness};
+use crate::publish::Trouble;
 
 /// Spacings `[deg]`; the last has about 195 000 unknowns.
 const SPACINGS: [f64; 5] = [9.0, 4.5, 2.25, 1.125, 0.9];
@@ -50,9 +50,8 @@ fn measure_at(spacing: f64) -> Result<ContactCost, Trouble> {
     let runs = (0..RUNS)
         .map(|_| run(&scene, Path::Condensed(&newton)))
         .collect::<Result<Vec<Run>, LaboratoryError>>()?;
-    let fail = |cause: &dyn std::fmt::Display| Trouble::Peer(cause.to_string());
-    let model = Model::build(&scene).map_err(|cause| fail(&cause))?;
-    let operators = condense(&model).map_err(|cause| fail(&cause))?;
+    let model = Model::build(&scene)?;
+    let operators = condense(&model)?;
     let steps = &runs[0].results.steps;
     let iterations: Vec<f64> = steps.iter().map(|step| step.work.solves as f64).collect();
     let touching = steps.iter().map(|step| {

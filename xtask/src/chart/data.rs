@@ -2,12 +2,11 @@
 
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use stickslip_laboratory::measure::Timing;
+use super::bench::{Measured, Quantity, Sample};
+use crate::publish::Trouble;
 
-use super::Trouble;
-use super::bench::{Measured, Sample};
-
-const COLUMNS: [&str; 28] = [
+/// Columns that every sample has.
+const COLUMNS: [&str; 7] = [
     "problem",
     "element",
     "discretisation",
@@ -15,87 +14,72 @@ const COLUMNS: [&str; 28] = [
     "spacing",
     "spacing_unit",
     "outcome",
-    "unknowns",
-    "error_peak_pressure",
-    "error_extent",
-    "error_pressure_profile",
-    "error_shear_profile",
-    "error_hoop",
-    "whole_s",
-    "whole_lower_quartile_s",
-    "whole_upper_quartile_s",
-    "wall_s",
-    "solve_s",
-    "solve_lower_quartile_s",
-    "solve_upper_quartile_s",
-    "contact_s",
-    "contact_lower_quartile_s",
-    "contact_upper_quartile_s",
-    "runs",
-    "contact_solves",
-    "pivots_or_sweeps",
-    "factorisations",
-    "operations",
 ];
+
+/// A number of a solved sample as a cell.
+type Written = fn(&Measured) -> String;
+
+/// Columns of what a solved sample has.
+const NUMBERS: [(&str, Written); 21] = [
+    ("unknowns", |own| own.unknowns.to_string()),
+    ("error_peak_pressure", |own| {
+        error(Quantity::PeakPressure, own)
+    }),
+    ("error_extent", |own| error(Quantity::Extent, own)),
+    ("error_pressure_profile", |own| {
+        error(Quantity::Pressure, own)
+    }),
+    ("error_shear_profile", |own| error(Quantity::Shear, own)),
+    ("error_hoop", |own| error(Quantity::Hoop, own)),
+    ("whole_s", |own| short(own.whole.median)),
+    ("whole_lower_quartile_s", |own| short(own.whole.lower)),
+    ("whole_upper_quartile_s", |own| short(own.whole.upper)),
+    ("wall_s", |own| short(own.wall.median)),
+    ("solve_s", |own| short(own.solve.median)),
+    ("solve_lower_quartile_s", |own| short(own.solve.lower)),
+    ("solve_upper_quartile_s", |own| short(own.solve.upper)),
+    ("contact_s", |own| short(own.contact.median)),
+    ("contact_lower_quartile_s", |own| short(own.contact.lower)),
+    ("contact_upper_quartile_s", |own| short(own.contact.upper)),
+    ("runs", |own| own.whole.runs.to_string()),
+    ("contact_solves", |own| own.work.solves.to_string()),
+    ("pivots_or_sweeps", |own| {
+        (own.work.pivots + own.work.sweeps).to_string()
+    }),
+    ("factorisations", |own| own.work.factorisations.to_string()),
+    ("operations", |own| own.work.operations.to_string()),
+];
+
+fn short(number: f64) -> String {
+    format!("{number:.4e}")
+}
+
+fn error(quantity: Quantity, measured: &Measured) -> String {
+    quantity
+        .of(&measured.errors)
+        .map_or_else(String::new, short)
+}
 
 /// Every sample as a table.
 pub(super) fn csv(samples: &[Sample]) -> Result<Vec<u8>, Trouble> {
-    let trouble = |cause| Trouble::Csv {
-        path: "work-precision.csv".into(),
-        cause,
-    };
-    let mut writer = csv::WriterBuilder::new()
-        .flexible(true)
-        .from_writer(Vec::new());
-    writer.write_record(COLUMNS).map_err(trouble)?;
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let numbers = NUMBERS.iter().map(|(name, _)| *name);
+    writer.write_record(COLUMNS.into_iter().chain(numbers))?;
     for sample in samples {
-        writer.write_record(record(sample)).map_err(trouble)?;
-    }
-    writer
-        .into_inner()
-        .map_err(|cause| trouble(cause.into_error().into()))
-}
-
-fn record(sample: &Sample) -> Vec<String> {
-    let mut cells = vec![sample.problem.name().to_owned()];
-    cells.extend(sample.method.columns());
-    cells.push(sample.spacing.to_string());
-    cells.push(sample.problem.unit().to_owned());
-    match &sample.outcome {
-        Ok(measured) => {
-            cells.push("solved".to_owned());
-            cells.extend(numbers(measured));
+        let mut cells = vec![sample.problem.name().to_owned()];
+        cells.extend(sample.method.columns());
+        cells.extend([sample.spacing.to_string(), sample.problem.unit().to_owned()]);
+        match &sample.outcome {
+            Ok(measured) => {
+                cells.push("solved".to_owned());
+                cells.extend(NUMBERS.iter().map(|(_, number)| number(measured)));
+            }
+            Err(cause) => cells.push(cause.clone()),
         }
-        Err(cause) => cells.push(cause.clone()),
+        cells.resize(COLUMNS.len() + NUMBERS.len(), String::new());
+        writer.write_record(cells)?;
     }
-    cells.resize(COLUMNS.len(), String::new());
-    cells
-}
-
-fn numbers(measured: &Measured) -> Vec<String> {
-    let errors = &measured.errors;
-    let mut cells = vec![measured.unknowns.to_string()];
-    let all = [
-        Some(errors.peak_pressure),
-        Some(errors.contact_extent),
-        Some(errors.pressure_profile),
-        errors.shear,
-        errors.hoop,
-    ];
-    cells.extend(all.map(|error| error.map_or_else(String::new, |error| format!("{error:.4e}"))));
-    let seconds = |time: f64| format!("{time:.4e}");
-    let timing = |t: Timing| [t.median, t.lower, t.upper].map(seconds);
-    cells.extend(timing(measured.whole));
-    cells.push(seconds(measured.wall.median));
-    cells.extend(timing(measured.solve));
-    cells.extend(timing(measured.contact));
-    let work = &measured.work;
-    cells.push(measured.whole.runs.to_string());
-    cells.push(work.solves.to_string());
-    cells.push((work.pivots + work.sweeps).to_string());
-    cells.push(work.factorisations.to_string());
-    cells.push(work.operations.to_string());
-    cells
+    Ok(writer.into_inner()?)
 }
 
 /// The date in the form 2026-11-21 (UTC).
@@ -119,39 +103,22 @@ pub(super) fn machine() -> String {
     processor.map_or(system.clone(), |name| format!("{name}, {system}"))
 }
 
-/// Year, month and day of the day `days` after 1970-01-01, in the Gregorian calendar.
-fn date(mut days: u64) -> [u64; 3] {
-    let leap = |year: u64| {
-        (year.is_multiple_of(4) && !year.is_multiple_of(100)) || year.is_multiple_of(400)
-    };
-    let mut year = 1970;
-    while days >= 365 + u64::from(leap(year)) {
-        days -= 365 + u64::from(leap(year));
-        year += 1;
-    }
-    let lengths = [
-        31,
-        28 + u64::from(leap(year)),
-        31,
-        30,
-        31,
-        30,
-        31,
-        31,
-        30,
-        31,
-        30,
-        31,
-    ];
-    let mut month = 1;
-    for length in lengths {
-        if days < length {
-            break;
-        }
-        days -= length;
-        month += 1;
-    }
-    [year, month, days + 1]
+/// Year, month and day of the day `days` after 1970-01-01, in the Gregorian calendar: years begin in March, so that leap days are
+/// their last, and 153 days are five months.
+fn date(days: u64) -> [u64; 3] {
+    const FOUR_CENTURIES: u64 = 146_097;
+    // Days since 0000-03-01.
+    let days = days + 719_468;
+    let (era, day) = (days / FOUR_CENTURIES, days % FOUR_CENTURIES);
+    let year = (day - day / 1460 + day / 36_524 - day / 146_096) / 365;
+    let day = day - (365 * year + year / 4 - year / 100);
+    let month = (5 * day + 2) / 153;
+    let january = u64::from(month >= 10);
+    [
+        400 * era + year + january,
+        month + 3 - 12 * january,
+        day - (153 * month + 2) / 5 + 1,
+    ]
 }
 
 #[cfg(test)]

@@ -7,12 +7,10 @@ use stickslip_report::chart::{Dash, LineChart, Panels, Series, SeriesStyle};
 use stickslip_report::color::Color;
 use stickslip_report::svg::Svg;
 
-use super::Trouble;
 use super::bench::{Bench, Cost, Quantity};
 use super::curve::{Point, front};
 use super::factors::PathFactor;
 use super::methods::{Group, Method};
-use crate::publish::Published;
 
 const WIDTH: f64 = 400.0;
 const ASPECT: f64 = 0.85;
@@ -122,6 +120,23 @@ fn pairs(points: &[Point]) -> Vec<[f64; 2]> {
         .collect()
 }
 
+/// An error over a cost for the methods of a group on a problem.
+fn methods_chart(
+    bench: &Bench,
+    (title, problem): (&str, Problem),
+    group: &Group,
+    cost: Cost,
+    quantity: Quantity,
+) -> LineChart {
+    let methods = group.methods.iter().enumerate();
+    let curves: Vec<Curve> = methods
+        .map(|method| Curve::of(bench, problem, method, cost, quantity))
+        .collect();
+    let error = format!("Relative error of the {}", quantity.name());
+    let known = quantity.of(&problem.known()).unwrap_or(0.0);
+    chart(title, cost.label(), &error, &curves, known)
+}
+
 /// One problem: every error over one cost.
 pub(super) fn problem_figure(
     bench: &Bench,
@@ -129,34 +144,12 @@ pub(super) fn problem_figure(
     group: &Group,
     cost: Cost,
 ) -> Result<Svg, FigureError> {
-    let quantities: Vec<Quantity> = Quantity::ALL
-        .into_iter()
-        .filter(|&quantity| {
-            let measured = bench.curve(problem, Method::DEFAULT);
-            measured
-                .iter()
-                .any(|(_, measured)| quantity.of(&measured.errors).is_some())
-        })
-        .collect();
-    let mut charts = Vec::new();
-    for quantity in quantities {
-        let curves: Vec<Curve> = group
-            .methods
-            .iter()
-            .enumerate()
-            .map(|method| Curve::of(bench, problem, method, cost, quantity))
-            .collect();
-        let known = quantity.of(&problem.known()).unwrap_or(0.0);
-        charts.push(chart(
-            "",
-            cost.label(),
-            &error_label(quantity),
-            &curves,
-            known,
-        ));
-    }
+    let charts = bench
+        .known(problem)
+        .map(|quantity| methods_chart(bench, ("", problem), group, cost, quantity));
     let title = format!("{}: {}", problem.title(), group.title.to_lowercase());
-    Panels::new(title, 3, charts).common_legend().render()
+    let panels = Panels::new(title, 3, charts.collect());
+    panels.common_legend().render()
 }
 
 /// One error over one cost, in a panel for each problem.
@@ -166,88 +159,53 @@ pub(super) fn overview(
     cost: Cost,
     quantity: Quantity,
 ) -> Result<Svg, FigureError> {
-    let charts = Problem::ALL
-        .into_iter()
-        .map(|problem| {
-            let curves: Vec<Curve> = group
-                .methods
-                .iter()
-                .enumerate()
-                .map(|method| Curve::of(bench, problem, method, cost, quantity))
-                .collect();
-            chart(
-                problem.title(),
-                cost.label(),
-                &error_label(quantity),
-                &curves,
-                quantity.of(&problem.known()).unwrap_or(0.0),
-            )
-        })
-        .collect();
-    Panels::new(group.title, 3, charts).common_legend().render()
+    let chart = |own: Problem| methods_chart(bench, (own.title(), own), group, cost, quantity);
+    let panels = Panels::new(group.title, 3, Problem::ALL.map(chart).into());
+    panels.common_legend().render()
 }
 
 /// What contact alone costs over the size of the model, in a panel for each problem.
 pub(super) fn contact_cost(bench: &Bench, group: &Group) -> Result<Svg, FigureError> {
-    let charts = Problem::ALL
-        .into_iter()
-        .map(|problem| {
-            let axes = [
-                Axis::log(Cost::Unknowns.label()),
-                Axis::log(Cost::Contact.label()),
-            ];
-            let [x, y] = axes;
-            let mut chart = LineChart::new(problem.title(), x, y).size(WIDTH, ASPECT);
-            for (index, (label, method)) in group.methods.iter().enumerate() {
-                let points = bench
-                    .curve(problem, *method)
-                    .iter()
-                    .map(|(_, m)| [m.unknowns as f64, m.contact.median])
-                    .collect();
-                chart = chart.with(
-                    Series::new(label.clone(), points)
-                        .style(SeriesStyle::Both)
-                        .color(Color::category(index)),
-                );
-            }
-            chart
+    let chart = |problem: Problem| {
+        let [x, y] = [Cost::Unknowns, Cost::Contact].map(|cost| Axis::log(cost.label()));
+        let chart = LineChart::new(problem.title(), x, y).size(WIDTH, ASPECT);
+        let curves = group.methods.iter().map(|(label, method)| {
+            let meshes = bench.curve(problem, *method).into_iter();
+            let points = meshes.map(|(_, m)| [m.unknowns as f64, m.contact.median]);
+            (label.clone(), points.collect())
+        });
+        with_markers(chart, curves)
+    };
+    let title = format!("{}: cost of contact alone", group.title);
+    let panels = Panels::new(title, 3, Problem::ALL.map(chart).into());
+    panels.common_legend().render()
+}
+
+/// Curves through markers in the colours of their order.
+fn with_markers(
+    chart: LineChart,
+    curves: impl Iterator<Item = (String, Vec<[f64; 2]>)>,
+) -> LineChart {
+    curves
+        .enumerate()
+        .fold(chart, |chart, (index, (label, points))| {
+            let series = Series::new(label, points).style(SeriesStyle::Both);
+            chart.with(series.color(Color::category(index)))
         })
-        .collect();
-    Panels::new(format!("{}: cost of contact alone", group.title), 3, charts)
-        .common_legend()
-        .render()
 }
 
 /// The conventional path's time over the condensed one's on the same meshes, a curve for each problem.
 pub(super) fn path_factors(factors: &[PathFactor]) -> Result<Svg, FigureError> {
-    let mut chart = LineChart::new(
+    let chart = LineChart::new(
         "Conventional path against condensed path, same meshes, same answers",
         Axis::log(Cost::Unknowns.label()),
         Axis::log("Time for matrices and contact, conventional / condensed"),
     )
     .size(720.0, 0.55);
-    for (index, problem) in Problem::ALL.into_iter().enumerate() {
-        let points = factors
-            .iter()
-            .filter(|factor| factor.problem == problem)
-            .map(|factor| [factor.unknowns as f64, factor.factor()])
-            .collect();
-        chart = chart.with(
-            Series::new(problem.title(), points)
-                .style(SeriesStyle::Both)
-                .color(Color::category(index)),
-        );
-    }
-    chart.render()
-}
-
-pub(super) fn error_label(quantity: Quantity) -> String {
-    format!("Relative error of the {}", quantity.name())
-}
-
-/// Writes `picture`.
-pub(super) fn save(folder: &mut Published, name: &str, picture: &Svg) -> Result<(), Trouble> {
-    folder
-        .write_scaled(name, picture, 1.5)
-        .map_err(Trouble::Picture)
+    let curves = Problem::ALL.into_iter().map(|problem| {
+        let own = factors.iter().filter(|factor| factor.problem == problem);
+        let points = own.map(|factor| [factor.unknowns as f64, factor.factor()]);
+        (problem.title().to_owned(), points.collect())
+    });
+    with_markers(chart, curves).render()
 }

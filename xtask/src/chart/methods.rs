@@ -173,6 +173,15 @@ pub(super) fn projections(element: ElementKind) -> Group {
     }
 }
 
+/// All contact discretisations: gaps, and projections on quadratic and on linear edges.
+pub(super) fn discretisations() -> [Group; 3] {
+    [
+        gaps(),
+        projections(ElementKind::Q8),
+        projections(ElementKind::Q4),
+    ]
+}
+
 /// Solvers of the table that end with the exact answer of the discrete problem, beside the default.
 const DIRECT: &[&str] = &[
     "status iteration",

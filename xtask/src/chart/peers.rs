@@ -17,52 +17,29 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use super::Trouble;
 use super::curve::Point;
+use crate::publish::Trouble;
 
 /// A reference for the peak pressure at 1240 lb while loading, and how well it is known `[psi]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Known {
-    value: f64,
-    uncertainty: f64,
-}
+struct Known(f64, f64);
 
 impl Known {
+    /// How well it is known, relative.
+    fn uncertainty(self) -> f64 {
+        self.1 / self.0
+    }
+
     fn error(self, peak: f64) -> f64 {
-        let uncertainty = self.uncertainty / self.value;
-        (peak / self.value - 1.0).abs().max(uncertainty)
+        (peak / self.0 - 1.0).abs().max(self.uncertainty())
     }
 }
 
 /// μ, and the references on the undeformed and on the deformed shape: on the undeformed one a condensed node-to-node code,
 /// Q4 and Q8 agreeing; on the deformed one GetFEM, Kratos and CalculiX on fine meshes.
 const REFERENCES: [(f64, [Known; 2]); 2] = [
-    (
-        0.0,
-        [
-            Known {
-                value: 31501.0,
-                uncertainty: 2.0,
-            },
-            Known {
-                value: 31600.0,
-                uncertainty: 15.0,
-            },
-        ],
-    ),
-    (
-        0.25,
-        [
-            Known {
-                value: 25229.0,
-                uncertainty: 2.0,
-            },
-            Known {
-                value: 25293.0,
-                uncertainty: 15.0,
-            },
-        ],
-    ),
+    (0.0, [Known(31501.0, 2.0), Known(31600.0, 15.0)]),
+    (0.25, [Known(25229.0, 2.0), Known(25293.0, 15.0)]),
 ];
 
 /// A run that claims convergence with an error beyond this is a wrong answer: off the charts, and not held against the other runs
@@ -149,31 +126,27 @@ impl PeerRun {
 
     /// Seconds and error.
     pub(super) fn point(&self) -> Option<Point> {
-        Some(Point {
-            cost: self.seconds(),
-            error: self.error()?,
-        })
+        let (cost, error) = (self.seconds(), self.error()?);
+        Some(Point { cost, error })
     }
 }
 
 /// Holds each contact method of a program, at each friction, against the reference that is nearer to its finest converged run.
 fn refer(runs: &mut [PeerRun]) {
     let family = |a: &PeerRun, b: &PeerRun| a.same_method(b) && a.mu == b.mu;
-    let chosen: Vec<Option<Known>> = runs
-        .iter()
-        .map(|run| {
-            let finest = runs
-                .iter()
-                .filter(|other| family(run, other) && other.steps_converged == LOAD_STEPS)
-                .filter_map(|other| {
-                    let peak = other.peak_pressure_psi?;
-                    let reference = nearer(run.mu, peak)?;
-                    (reference.error(peak) < WRONG).then_some((other.unknowns, reference))
-                })
-                .max_by_key(|(unknowns, _)| *unknowns);
-            finest.map(|(_, reference)| reference)
-        })
-        .collect();
+    let chosen = |run: &PeerRun| {
+        let others = runs
+            .iter()
+            .filter(|other| family(run, other) && other.steps_converged == LOAD_STEPS);
+        let known = others.filter_map(|other| {
+            let peak = other.peak_pressure_psi?;
+            let reference = nearer(run.mu, peak)?;
+            (reference.error(peak) < WRONG).then_some((other.unknowns, reference))
+        });
+        let finest = known.max_by_key(|(unknowns, _)| *unknowns);
+        finest.map(|(_, reference)| reference)
+    };
+    let chosen: Vec<Option<Known>> = runs.iter().map(chosen).collect();
     for (run, reference) in runs.iter_mut().zip(chosen) {
         run.reference = reference;
     }
@@ -191,23 +164,15 @@ fn nearer(mu: f64, peak: f64) -> Option<Known> {
 /// The smallest error that can be resolved with the coefficient of friction `mu`.
 pub(super) fn finest_error(mu: f64) -> f64 {
     let found = REFERENCES.iter().find(|(known, _)| *known == mu);
-    found.map_or(0.0, |(_, [small, _])| small.uncertainty / small.value)
+    found.map_or(0.0, |(_, [small, _])| small.uncertainty())
 }
 
 /// Reads the runs of `path`.
 pub(super) fn read(path: &Path) -> Result<Vec<PeerRun>, Trouble> {
-    let trouble = |cause| Trouble::Csv {
-        path: path.to_owned(),
-        cause,
-    };
     let mut reader = csv::ReaderBuilder::new()
         .comment(Some(b'#'))
-        .from_path(path)
-        .map_err(trouble)?;
-    let mut runs: Vec<PeerRun> = reader
-        .deserialize()
-        .collect::<Result<_, _>>()
-        .map_err(trouble)?;
+        .from_path(path)?;
+    let mut runs: Vec<PeerRun> = reader.deserialize().collect::<Result<_, _>>()?;
     refer(&mut runs);
     Ok(runs)
 }
@@ -219,23 +184,20 @@ pub(super) fn renew(
     machine: &str,
     yardstick: f64,
 ) -> Result<(), Trouble> {
-    let found: [(&str, Option<String>); 2] = [
-        ("CalculiX", calculix::version()),
-        ("GetFEM", getfem::version()),
+    type Runs = fn(&str) -> Result<Vec<PeerRun>, Trouble>;
+    let programs: [(&str, Option<String>, Runs); 2] = [
+        ("CalculiX", calculix::version(), calculix::runs),
+        ("GetFEM", getfem::version(), getfem::runs),
     ];
-    for (name, version) in &found {
+    let mut fresh = Vec::new();
+    for (name, version, runs) in programs {
         match version {
-            Some(version) => eprintln!("  {name}: {version}"),
+            Some(version) => {
+                eprintln!("  {name}: {version}");
+                fresh.extend(runs(&version)?);
+            }
             None => eprintln!("  {name} is not installed; its last measured runs are drawn"),
         }
-    }
-    let [(_, calculix), (_, getfem)] = found;
-    let mut fresh = Vec::new();
-    if let Some(version) = calculix {
-        fresh.extend(calculix::runs(&version)?);
-    }
-    if let Some(version) = getfem {
-        fresh.extend(getfem::runs(&version)?);
     }
     for run in &mut fresh {
         today.clone_into(&mut run.measured);
@@ -250,17 +212,11 @@ pub(super) fn renew(
 
 /// `runs` as a table.
 pub(super) fn csv(runs: &[PeerRun]) -> Result<Vec<u8>, Trouble> {
-    let trouble = |cause| Trouble::Csv {
-        path: "peers.csv".into(),
-        cause,
-    };
     let mut writer = csv::Writer::from_writer(Vec::new());
     for run in runs {
-        writer.serialize(run).map_err(trouble)?;
+        writer.serialize(run)?;
     }
-    writer
-        .into_inner()
-        .map_err(|cause| trouble(cause.into_error().into()))
+    Ok(writer.into_inner()?)
 }
 
 #[cfg(test)]

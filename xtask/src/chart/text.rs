@@ -7,11 +7,12 @@ mod verdict;
 use minijinja::{Environment, context};
 use stickslip_laboratory::problems::Problem;
 
-use super::bench::{Bench, Cost, Measured, Quantity};
+use super::Charts;
+use super::bench::{Bench, Cost, Quantity};
 use super::curve::cost_of;
 use super::data::{machine, today};
 use super::methods::{self, Group, Method};
-use super::{Charts, Trouble};
+use crate::publish::Trouble;
 
 /// Errors at which methods are compared.
 const TARGETS: [f64; 2] = [1e-2, 1e-3];
@@ -118,12 +119,7 @@ fn elements(bench: &Bench) -> Rows {
     let group = methods::elements();
     let mut rows = Rows::new();
     for problem in Problem::ALL {
-        for quantity in Quantity::ALL {
-            let whole = bench.curve(problem, Method::DEFAULT);
-            let is_known = |measured: &Measured| quantity.of(&measured.errors).is_some();
-            if !whole.iter().any(|(_, measured)| is_known(measured)) {
-                continue;
-            }
+        for quantity in bench.known(problem) {
             let mut cells = vec![problem.title().to_owned(), quantity.name().to_owned()];
             let known = quantity.of(&problem.known()).unwrap_or(0.0);
             for target in TARGETS {

@@ -8,7 +8,7 @@ use stickslip_fem_core::mesh::ElementKind;
 use stickslip_laboratory::measure::{summary, thread_seconds};
 use stickslip_laboratory::problems::{Pairing, Problem};
 
-use super::Trouble;
+use crate::publish::Trouble;
 
 /// Spacing `[deg]` at which linear elements on the benchmark have about 41 000 unknowns, the size of the other programs'
 /// yardstick.
@@ -29,7 +29,7 @@ impl Yardstick {
     pub(super) fn measure() -> Result<Self, Trouble> {
         let scene =
             Problem::AluminiumFrictional.build(SPACING, ElementKind::Q4, Pairing::NodePairs)?;
-        let model = Model::build(&scene).map_err(|cause| Trouble::Peer(cause.to_string()))?;
+        let model = Model::build(&scene)?;
         let matrix = stiffness(&model)?;
         Ok(Self {
             unknowns: matrix.order(),
@@ -46,9 +46,7 @@ pub(super) fn stiffness(model: &Model) -> Result<LowerMatrix, Trouble> {
     };
     for body in &model.bodies {
         if let ModelBodyKind::Elastic(elastic) = &body.kind {
-            let structure = elastic
-                .analyse(&body.interface)
-                .map_err(|cause| Trouble::Peer(cause.to_string()))?;
+            let structure = elastic.analyse(&body.interface)?;
             append(&mut matrix, &structure.stiffness(elastic));
         }
     }
@@ -60,7 +58,7 @@ pub(super) fn factorisation(matrix: &LowerMatrix) -> Result<f64, Trouble> {
     let mut samples = Vec::new();
     for _ in 0..RUNS {
         let (wall, before) = (Instant::now(), thread_seconds());
-        reference_factorisation(matrix, 1).map_err(|cause| Trouble::Peer(cause.to_string()))?;
+        reference_factorisation(matrix, 1)?;
         let used = before.zip(thread_seconds()).map(|(start, end)| end - start);
         samples.push(used.unwrap_or_else(|| wall.elapsed().as_secs_f64()));
     }

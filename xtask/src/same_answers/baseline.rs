@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::publish::Trouble;
+use crate::publish::{Trouble, cargo_build};
 
 /// Builds the command of `revision` in a worktree below `work`, with build products of its own, and returns its path.
 pub(super) fn build(root: &Path, work: &Path, revision: &str) -> Result<PathBuf, Trouble> {
@@ -22,18 +22,7 @@ pub(super) fn build(root: &Path, work: &Path, revision: &str) -> Result<PathBuf,
     }
     asked(git(&tree).args(["checkout", "--force", "--detach", commit.trim()]))?;
     let products = work.join("build");
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let status = Command::new(cargo)
-        .current_dir(&tree)
-        .env("CARGO_TARGET_DIR", &products)
-        .args([
-            "build",
-            "--release",
-            "--locked",
-            "--package",
-            crate::COMMAND,
-        ])
-        .status()?;
+    let status = cargo_build(&tree, &products, &["--package", crate::COMMAND])?;
     if !status.success() {
         return Err(format!("the command of {revision} cannot be built: {status}").into());
     }

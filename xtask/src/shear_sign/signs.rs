@@ -6,7 +6,7 @@ use stickslip_contact::Status;
 use stickslip_friction::{FrictionLaw, History, Place};
 use toml::{Table, Value};
 
-use super::curve::{Pattern, Point, Reading, read};
+use super::curve::{Pattern, Point, Reading, Reversal, read};
 use super::{begun, loads, of_report};
 use crate::study::Trouble;
 use crate::study::record::{curve, fields, scene, text};
@@ -126,18 +126,11 @@ fn summary(case: &Table, steps: &[Step]) -> Table {
     }
     let reversals = loading().filter_map(|step| Some((step.reading.reversal?, step)));
     let largest = reversals.max_by(|a, b| a.0.of_peak.total_cmp(&b.0.of_peak));
-    if let Some((reversal, step)) = largest {
-        row.extend(fields([
-            ("largest_of_peak", reversal.of_peak.into()),
-            ("largest_of_limit", reversal.of_limit.into()),
-            (
-                "largest_angle_of_report_deg",
-                of_report(reversal.angle).into(),
-            ),
-            ("largest_load_lbf", step.load.into()),
-            ("largest_sticks", reversal.sticks.into()),
-        ]));
-    }
+    row.extend(
+        largest
+            .into_iter()
+            .flat_map(|(reversal, step)| largest_reversal(reversal, step)),
+    );
     let shown = [
         ("loading", 400.0),
         ("loading", 900.0),
@@ -145,14 +138,29 @@ fn summary(case: &Table, steps: &[Step]) -> Table {
         ("unloading", 700.0),
     ];
     for (phase, load) in shown {
-        let mut own = steps
-            .iter()
-            .filter(|step| step.phase == phase && step.load == load);
-        if let Some(step) = own.next() {
+        let mut own = steps.iter();
+        if let Some(step) = own.find(|step| step.phase == phase && step.load == load) {
             row.insert(format!("{phase}_{load}_lbf_changes_deg"), step.changes());
         }
     }
     row
+}
+
+/// Where and how much the shear is reversed most.
+fn largest_reversal(
+    reversal: Reversal,
+    step: &Step,
+) -> impl IntoIterator<Item = (String, Value)> + use<> {
+    fields([
+        ("largest_of_peak", reversal.of_peak.into()),
+        ("largest_of_limit", reversal.of_limit.into()),
+        (
+            "largest_angle_of_report_deg",
+            of_report(reversal.angle).into(),
+        ),
+        ("largest_load_lbf", step.load.into()),
+        ("largest_sticks", reversal.sticks.into()),
+    ])
 }
 
 fn steps(case: &Table) -> Result<Vec<Step>, Trouble> {

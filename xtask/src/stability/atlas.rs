@@ -2,7 +2,6 @@
 
 use stickslip_report::table::{Column, Table};
 
-use super::Study;
 use super::outcome::Outcome;
 use super::row::Row;
 use crate::study::record::fields;
@@ -28,9 +27,9 @@ fn counts(rows: &[Row]) -> Vec<(&'static str, String)> {
 }
 
 /// The table of outcomes for the terminal.
-pub(super) fn text(study: &Study, rows: &[Row]) -> String {
+pub(super) fn text(title: &str, rows: &[Row]) -> String {
     let columns = ["method", "outcomes"].map(|name| Column::new(name, ""));
-    let mut table = Table::new(study.title, columns.to_vec());
+    let mut table = Table::new(title, columns.to_vec());
     for (method, outcomes) in counts(rows) {
         table.push([method.to_owned(), outcomes]);
     }
@@ -38,10 +37,10 @@ pub(super) fn text(study: &Study, rows: &[Row]) -> String {
 }
 
 /// The same as rows of a table.
-pub(super) fn records(study: &Study, rows: &[Row]) -> impl Iterator<Item = toml::Table> {
+pub(super) fn records(study: &'static str, rows: &[Row]) -> impl Iterator<Item = toml::Table> {
     counts(rows).into_iter().map(|(method, outcomes)| {
         let own = fields([
-            ("study", study.name.into()),
+            ("study", study.into()),
             ("method", method.into()),
             ("outcomes", outcomes.into()),
         ]);

@@ -3,15 +3,9 @@
 use super::history::Stages;
 use super::joint::{Joint, set};
 use super::methods::methods;
-use super::outcome::{Outcome, regularised};
 use super::row::Row;
-use super::{Context, Found, Study, Trouble};
-
-pub(super) const STUDY: Study = Study {
-    name: "03-clearance",
-    title: "Clearance",
-    run,
-};
+use super::{Context, Found};
+use crate::publish::Trouble;
 
 const HOLE_IN: f64 = 0.375;
 const METHODS: &str = "gap of the true circles";
@@ -22,7 +16,7 @@ const KINDS: [(&str, &str); 3] = [
     ("gap between nodes", "faceted"),
 ];
 
-fn run(context: &Context) -> Result<Found, Trouble> {
+pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
     let values: &[f64] = context.sized(
         &[-1e-3, 0.0, 1e-8, 1e-4, 1e-2],
         &[
@@ -39,15 +33,7 @@ fn run(context: &Context) -> Result<Found, Trouble> {
             let error = peaks(clearance, coarse, kind)?
                 .zip(reference)
                 .map(|(own, fine)| (own / fine - 1.0).abs());
-            rows.push(Row {
-                case: GAPS.into(),
-                value: clearance,
-                method: name,
-                outcome: error.map_or(Outcome::Unresolved, |error| regularised(Some(error), error)),
-                solved: usize::from(error.is_some()),
-                error,
-                ..Row::default()
-            });
+            rows.push(Row::of_error(GAPS, clearance, name, error));
         }
         Ok(rows)
     })?;
@@ -57,30 +43,21 @@ fn run(context: &Context) -> Result<Found, Trouble> {
 
 fn joint(clearance: f64, spacing: &str, gap: &str) -> Result<Joint, Trouble> {
     let radius = HOLE_IN * (1.0 - clearance);
-    Joint::of_scene(
-        "pin-benchmark",
-        &set(&[
-            ("mesh.spacing", spacing.into()),
-            (
-                "bodies.pin.shape.disk.radius",
-                format!("\"{radius:.17} in\""),
-            ),
-            ("contacts.0.interference", (clearance < 0.0).to_string()),
-            ("contacts.0.gap", format!("\"{gap}\"")),
-        ]),
-    )
+    let changes = set(&[
+        ("mesh.spacing", spacing.into()),
+        (
+            "bodies.pin.shape.disk.radius",
+            format!("\"{radius:.17} in\""),
+        ),
+        ("contacts.0.interference", (clearance < 0.0).to_string()),
+        ("contacts.0.gap", format!("\"{gap}\"")),
+    ]);
+    Joint::of_scene("pin-benchmark", &changes)
 }
 
 /// Largest pressure at 1240 lbf while loading; `None` if that is not reached.
 fn peaks(clearance: f64, spacing: &str, gap: &str) -> Result<Option<f64>, Trouble> {
     let joint = joint(clearance, spacing, gap)?;
     let problem = joint.problem()?;
-    let stages = Stages::follow(&problem, &joint.loads[..4]);
-    let answer = stages.list.get(3).and_then(|stage| stage.answer.as_ref());
-    Ok(answer.map(|trial| {
-        let pressure = |k: usize| trial.forces[2 * k] / problem.points()[k].area;
-        (0..problem.points().len())
-            .map(pressure)
-            .fold(0.0, f64::max)
-    }))
+    Ok(Stages::follow(&problem, &joint.loads[..4]).peak(3))
 }

@@ -4,24 +4,20 @@ mod starts;
 
 use std::sync::Mutex;
 
+use stickslip_contact::state::TrialState;
 use stickslip_contact::{InterfaceProblem, uniqueness_bound};
 use stickslip_laboratory::discrete::{self, Discrete, Known};
 use toml::Table;
 
-use super::history::Stages;
+use super::history::{Stage, Stages};
 use super::joint::{Joint, coulomb, set};
 use super::methods::{CHAIN, Method, methods};
 use super::outcome::judge;
 use super::row::Row;
-use super::{Context, Found, Study, Trouble};
+use super::{Context, Found};
+use crate::publish::Trouble;
 use crate::study::record::fields;
-use starts::stuck;
-
-pub(super) const STUDY: Study = Study {
-    name: "01-friction",
-    title: "Coefficient of friction",
-    run,
-};
+use starts::{Stuck, stuck};
 
 const PUSHED: &str = "one node, pushed";
 const WEDGED: &str = "one node, load removed";
@@ -54,64 +50,78 @@ struct Fact {
     wedged: usize,
 }
 
+/// What was found of a case at a μ.
+type Studied = (&'static str, Vec<Row>, Fact);
+
 /// A case at a μ.
 type Entry = (&'static str, f64, Fact);
 
-fn run(context: &Context) -> Result<Found, Trouble> {
+/// What is the same at each μ.
+struct Setup {
+    pin: Joint,
+    stuck_pin: Stuck,
+    stuck_punch: Stuck,
+    /// Nodes of the punch that is pushed to and fro.
+    nodes: usize,
+}
+
+impl Setup {
+    fn new(context: &Context) -> Result<Self, Trouble> {
+        let spacing = context.sized("18 deg", "9 deg");
+        let pin = Joint::of_scene("pin-benchmark", &set(&[("mesh.spacing", spacing.into())]))?;
+        Ok(Self {
+            stuck_pin: stuck(&|mu| pin.problem_with(&coulomb(mu)?), &pin.loads[..4])?,
+            stuck_punch: stuck(&coarse_punch, &[vec![1.0, 0.0], vec![1.0, 1.0]])?,
+            nodes: context.sized(5, 13),
+            pin,
+        })
+    }
+
+    /// All cases at a μ.
+    fn found(&self, mu: f64) -> Result<[Studied; 6], Trouble> {
+        let methods = methods();
+        let one = |case, given: &Discrete, bound| {
+            (
+                case,
+                alone(case, mu, given, &methods),
+                facts_of(given, bound),
+            )
+        };
+        let node = discrete::one_node(mu, STIFFNESS, LOAD, 0.0, 0.0)?;
+        let pushed = one(PUSHED, &node, Some(discrete::one_node_bound(STIFFNESS)));
+        let wedged = one(WEDGED, &discrete::wedged(mu)?, Some(WEDGE_BOUND));
+        let bound = |given: &Discrete| uniqueness_bound(&given.problem, &given.committed.status);
+        let given = enumerated(self.stuck_punch.without_load(coarse_punch(mu)?));
+        let stuck_punch = one(STUCK_PUNCH, &given, bound(&given));
+        let punch = discrete::flat_punch(self.nodes, mu)?;
+        let push = punch.multipliers[1];
+        let loads = [[1.0, 0.0], [1.0, push], [1.0, -push], [0.0, 0.0]].map(Vec::from);
+        let punch = history(PUNCH, mu, &Stages::follow(&punch.problem, &loads), &methods);
+        let problem = self.pin.problem_with(&coulomb(mu)?)?;
+        let loads = [
+            self.pin.loads.clone(),
+            vec![vec![0.0; problem.load_cases()]],
+        ]
+        .concat();
+        let pin = history(PIN, mu, &Stages::follow(&problem, &loads), &methods);
+        let given = self.stuck_pin.without_load(problem);
+        let stuck_pin = one(STUCK_PIN, &given, bound(&given));
+        Ok([pushed, wedged, stuck_punch, punch, pin, stuck_pin])
+    }
+}
+
+fn coarse_punch(mu: f64) -> Result<InterfaceProblem, Trouble> {
+    Ok(discrete::flat_punch(COARSE, mu)?.problem)
+}
+
+pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
     let count = context.sized(6, 30);
-    let values: Vec<f64> = (0..=count)
-        .map(|k| 3.0 * f64::from(k) / f64::from(count))
-        .collect();
-    let spacing = context.sized("18 deg", "9 deg");
-    let pin = Joint::of_scene("pin-benchmark", &set(&[("mesh.spacing", spacing.into())]))?;
-    let nodes = context.sized(5, 13);
-    let stuck_pin = stuck(&|mu| pin.problem_with(&coulomb(mu)?), &pin.loads[..4])?;
-    let punch = |mu: f64| -> Result<InterfaceProblem, Trouble> {
-        Ok(discrete::flat_punch(COARSE, mu)?.problem)
-    };
-    let stuck_punch = stuck(&punch, &[vec![1.0, 0.0], vec![1.0, 1.0]])?;
+    let values = (0..=count).map(|k| 3.0 * f64::from(k) / f64::from(count));
+    let values: Vec<f64> = values.collect();
+    let setup = Setup::new(context)?;
     let facts = Mutex::new(Vec::<Entry>::new());
     let mut rows = context.rows_of(&values, |&mu| {
-        let methods = methods();
-        let mut found = Vec::new();
-        let node = discrete::one_node(mu, STIFFNESS, LOAD, 0.0, 0.0)?;
-        let bound = Some(discrete::one_node_bound(STIFFNESS));
-        found.push((
-            PUSHED,
-            alone(PUSHED, mu, &node, &methods),
-            facts_of(&node, bound),
-        ));
-        let node = discrete::wedged(mu)?;
-        let known = facts_of(&node, Some(WEDGE_BOUND));
-        found.push((WEDGED, alone(WEDGED, mu, &node, &methods), known));
-        let given = enumerated(stuck_punch.without_load(punch(mu)?));
-        let bound = uniqueness_bound(&given.problem, &given.committed.status);
-        let rows = alone(STUCK_PUNCH, mu, &given, &methods);
-        found.push((STUCK_PUNCH, rows, facts_of(&given, bound)));
-        let punch = discrete::flat_punch(nodes, mu)?;
-        let push = punch.multipliers[1];
-        let loads: Vec<Vec<f64>> = [0.0, 1.0, -1.0]
-            .map(|share| vec![1.0, share * push])
-            .to_vec();
-        let loads = [loads, vec![vec![0.0, 0.0]]].concat();
-        found.push(history(
-            PUNCH,
-            mu,
-            &Stages::follow(&punch.problem, &loads),
-            &methods,
-        ));
-        let problem = pin.problem_with(&coulomb(mu)?)?;
-        let loads = [pin.loads.clone(), vec![vec![0.0; problem.load_cases()]]].concat();
-        found.push(history(
-            PIN,
-            mu,
-            &Stages::follow(&problem, &loads),
-            &methods,
-        ));
-        let given = stuck_pin.without_load(problem);
-        let bound = uniqueness_bound(&given.problem, &given.committed.status);
-        let rows = alone(STUCK_PIN, mu, &given, &methods);
-        found.push((STUCK_PIN, rows, facts_of(&given, bound)));
+        let found = setup.found(mu)?;
         let mut facts = facts.lock().map_err(|_| "a problem panicked")?;
         facts.extend(found.iter().map(|(case, _, known)| (*case, mu, *known)));
         Ok(found.into_iter().flat_map(|(_, rows, _)| rows).collect())
@@ -125,13 +135,9 @@ fn run(context: &Context) -> Result<Found, Trouble> {
         let own = facts.find(|(case, mu, _)| *case == row.case && *mu == row.value);
         if let Some(bound) = own.and_then(|(_, _, fact)| fact.bound) {
             let is_exact = [PUSHED, WEDGED].contains(&row.case.as_str());
-            row.more.extend(fields([
-                ("bound", bound.into()),
-                (
-                    "kind_of_bound",
-                    if is_exact { EXACT } else { ESTIMATE }.into(),
-                ),
-            ]));
+            let kind = if is_exact { EXACT } else { ESTIMATE };
+            let own = fields([("bound", bound.into()), ("kind_of_bound", kind.into())]);
+            row.more.extend(own);
         }
     }
     let facts = facts.iter().map(|(case, mu, fact)| fact.record(case, *mu));
@@ -186,68 +192,48 @@ fn enumerated(mut given: Discrete) -> Discrete {
 
 fn facts_of(given: &Discrete, bound: Option<f64>) -> Fact {
     let floor = HELD * given.committed.forces.amax();
-    let states = given
-        .solutions
-        .as_ref()
-        .map_or(&[][..], |known| &known.states);
+    let states = given.solutions.iter().flat_map(|known| &known.states);
     let unloaded = given.is_unloaded();
-    let held = states
-        .iter()
-        .filter(|state| unloaded && state.forces.amax() > floor);
+    let held = |state: &&TrialState| unloaded && state.forces.amax() > floor;
     Fact {
         bound,
-        solutions: states.len(),
-        wedged: held.count(),
+        solutions: states.clone().count(),
+        wedged: states.filter(held).count(),
     }
 }
 
 /// One increment, against its known answers: of several the one nearest to the committed state.
 fn alone(case: &str, mu: f64, given: &Discrete, methods: &[Method]) -> Vec<Row> {
-    let taken = methods
-        .iter()
-        .find(|method| method.is_chain())
-        .and_then(|chain| chain.solver.solve(&given.step()).ok())
-        .map(|solution| solution.trial);
+    let chain = methods.iter().find(|method| method.is_chain());
+    let taken = chain.and_then(|chain| chain.solver.solve(&given.step()).ok());
+    let taken = taken.map(|solution| solution.trial);
     let floor = HELD * given.committed.forces.amax();
-    let held = case != PUSHED
-        && taken
-            .as_ref()
-            .is_some_and(|trial| trial.forces.amax() > floor);
+    let left = taken.as_ref().map_or(0.0, |trial| trial.forces.amax());
+    let held = case != PUSHED && left > floor;
     let known = given.solutions.as_ref();
     let nearest = known.and_then(|known| given.nearest(&known.states));
-    methods
-        .iter()
-        .map(|method| {
-            let mut row = judge(method, given, nearest.or(taken.as_ref()));
-            if held && method.is_chain() {
-                row.note = "wedged: contact forces are left without load".into();
-            }
-            Row::of_steps(case, mu, given.coercive, &[row])
-        })
-        .collect()
+    let row = |method: &Method| {
+        let mut row = judge(method, given, nearest.or(taken.as_ref()));
+        if held && method.is_chain() {
+            row.note = "wedged: contact forces are left without load".into();
+        }
+        Row::of_steps(case, mu, given.coercive, &[row])
+    };
+    methods.iter().map(row).collect()
 }
 
 /// A history that ends without load; what still presses there is noted with the default chain.
-fn history(
-    case: &'static str,
-    mu: f64,
-    stages: &Stages,
-    methods: &[Method],
-) -> (&'static str, Vec<Row>, Fact) {
+fn history(case: &'static str, mu: f64, stages: &Stages, methods: &[Method]) -> Studied {
     let mut rows = stages.rows(case, mu, methods);
-    let forces = |trial: &stickslip_contact::state::TrialState| trial.forces.amax();
-    let answers = || stages.list.iter().filter_map(|stage| stage.answer.as_ref());
-    let largest = answers().map(forces).fold(0.0, f64::max);
+    let forces = |stage: &Stage| Some(stage.answer.as_ref()?.forces.amax());
+    let largest = stages.list.iter().filter_map(forces).fold(0.0, f64::max);
     let unloaded = stages.list.last().filter(|stage| stage.given.is_unloaded());
-    let left = unloaded
-        .and_then(|stage| stage.answer.as_ref())
-        .map_or(0.0, forces);
+    let left = unloaded.and_then(forces).unwrap_or(0.0);
     if left > HELD * largest {
+        let share = left / largest;
+        let note = format!("wedged: {share:.2} of the largest contact force is left without load");
         for row in rows.iter_mut().filter(|row| row.method == CHAIN) {
-            row.note = format!(
-                "wedged: {:.2} of the largest contact force is left without load",
-                left / largest
-            );
+            row.note.clone_from(&note);
         }
     }
     let bounds = stages.list.iter().filter_map(|stage| {

@@ -15,6 +15,22 @@ pub(crate) struct Stage {
     pub(crate) answer: Option<TrialState>,
 }
 
+/// The increment of a problem from a state, whose answers are not known.
+pub(crate) fn increment(
+    problem: InterfaceProblem,
+    committed: ContactState,
+    multipliers: Vec<f64>,
+) -> Discrete {
+    Discrete {
+        name: String::new(),
+        coercive: problem.modes().ncols() == 0,
+        problem,
+        committed,
+        multipliers,
+        solutions: None,
+    }
+}
+
 /// The steps of a history.
 #[derive(Debug)]
 pub(crate) struct Stages {
@@ -30,18 +46,9 @@ impl Stages {
         let mut state = ContactState::unloaded(problem);
         let mut list = Vec::with_capacity(loads.len());
         for multipliers in loads {
-            let given = Discrete {
-                name: String::new(),
-                problem: problem.clone(),
-                committed: state.clone(),
-                multipliers: multipliers.clone(),
-                coercive,
-                solutions: None,
-            };
-            let answer = Chain::default()
-                .solve(&given.step())
-                .ok()
-                .map(|solution| solution.trial);
+            let given = increment(problem.clone(), state.clone(), multipliers.clone());
+            let solution = Chain::default().solve(&given.step()).ok();
+            let answer = solution.map(|solution| solution.trial);
             let next = answer
                 .as_ref()
                 .map(|trial| commit(&state, trial, multipliers));
@@ -54,18 +61,23 @@ impl Stages {
         Self { list, coercive }
     }
 
+    /// Largest pressure of the answer of a step.
+    pub(crate) fn peak(&self, step: usize) -> Option<f64> {
+        let Stage { given, answer } = self.list.get(step)?;
+        let forces = &answer.as_ref()?.forces;
+        let points = given.problem.points().iter().enumerate();
+        let pressures = points.map(|(k, point)| forces[2 * k] / point.area);
+        Some(pressures.fold(0.0, f64::max))
+    }
+
     /// What each of `methods` does with these steps, as one row each.
     pub(crate) fn rows(&self, case: &str, value: f64, methods: &[Method]) -> Vec<Row> {
-        methods
-            .iter()
-            .map(|method| {
-                let steps: Vec<Row> = self
-                    .list
-                    .iter()
-                    .map(|stage| judge(method, &stage.given, stage.answer.as_ref()))
-                    .collect();
-                Row::of_steps(case, value, self.coercive, &steps)
-            })
-            .collect()
+        let row = |method: &Method| {
+            let stages = self.list.iter();
+            let steps = stages.map(|stage| judge(method, &stage.given, stage.answer.as_ref()));
+            let steps: Vec<Row> = steps.collect();
+            Row::of_steps(case, value, self.coercive, &steps)
+        };
+        methods.iter().map(row).collect()
     }
 }

@@ -11,7 +11,7 @@ use stickslip_contact::{ContactPair, InterfaceProblem};
 use stickslip_fem_core::InterfaceOperator;
 use stickslip_friction::{Coulomb, FrictionLaw};
 
-use super::Trouble;
+use crate::publish::Trouble;
 
 /// Condensed bodies with their contact pairs.
 #[derive(Debug)]

@@ -11,41 +11,37 @@ use stickslip_friction::{FrictionLaw, SlipPath, SlipPower, StaticDynamic, Transi
 use super::history::Stages;
 use super::joint::{Joint, set};
 use super::methods::{CHAIN, methods};
-use super::{Context, Found, Study, Trouble};
+use super::{Context, Found};
+use crate::publish::Trouble;
 use crate::study::record::fields;
-
-pub(super) const STUDY: Study = Study {
-    name: "08-law",
-    title: "Static and dynamic friction, softening",
-    run,
-};
 
 const DROP: &str = "drop at the onset of slip";
 const LAGGED: &str = "drop from the next step on";
 const SOFTENING: &str = "softening with slip";
+const CASES: [&str; 3] = [DROP, LAGGED, SOFTENING];
 const STATIC: f64 = 0.35;
 const DYNAMIC: f64 = 0.15;
 /// Values of each case.
 const COLUMNS: usize = 11;
 
-fn run(context: &Context) -> Result<Found, Trouble> {
+pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
     let spacing = context.sized("9 deg", "4.5 deg");
     let pin = Joint::of_scene("pin-benchmark", &set(&[("mesh.spacing", spacing.into())]))?;
     let columns: Vec<usize> = (0..COLUMNS).step_by(context.sized(5, 1)).collect();
-    let parts = context.rows_of(&columns, |&column| {
+    let mut rows = context.rows_of(&columns, |&column| {
         let mut rows = Vec::new();
-        for case in [DROP, LAGGED, SOFTENING] {
+        for case in CASES {
             let (value, law) = law(case, column)?;
             let problem = pin.problem_with(&law)?;
             let stages = Stages::follow(&problem, &pin.loads);
             let doubtful = doubtful(&stages);
             for mut row in stages.rows(case, value, &methods()) {
                 if row.method == CHAIN && doubtful > 0 {
-                    let rest = match row.note.as_str() {
-                        "" => String::new(),
-                        note => format!("; {note}"),
-                    };
-                    row.note = format!("at most {doubtful} points may as well slip{rest}");
+                    let first = format!("at most {doubtful} points may as well slip");
+                    let notes = [first, row.note]
+                        .into_iter()
+                        .filter(|note| !note.is_empty());
+                    row.note = notes.collect::<Vec<_>>().join("; ");
                     row.more
                         .extend(fields([("doubtful", (doubtful as i64).into())]));
                 }
@@ -54,15 +50,10 @@ fn run(context: &Context) -> Result<Found, Trouble> {
         }
         Ok(rows)
     })?;
-    let mut rows = parts;
-    rows.sort_by_key(|row| {
-        [DROP, LAGGED, SOFTENING]
-            .iter()
-            .position(|case| *case == row.case)
-    });
+    rows.sort_by_key(|row| CASES.iter().position(|case| *case == row.case));
     let mut shares = enumerated::Shares::default();
     for &column in &columns {
-        for case in [DROP, LAGGED, SOFTENING] {
+        for case in CASES {
             shares.add(&law(case, column)?.1)?;
         }
     }

@@ -5,19 +5,15 @@ use std::sync::Arc;
 use stickslip_contact::state::TrialState;
 use stickslip_contact::{ContactState, InterfaceProblem};
 use stickslip_friction::{FrictionLaw, StaticDynamic, Transition};
-use stickslip_laboratory::discrete::{Discrete, commit};
+use stickslip_laboratory::discrete::commit;
 
+use super::history::increment;
 use super::joint::{Joint, coulomb, set};
 use super::methods::{CHAIN, Method, methods};
 use super::outcome::{distance, judge};
 use super::row::Row;
-use super::{Context, Found, Study, Trouble};
-
-pub(super) const STUDY: Study = Study {
-    name: "02-load-steps",
-    title: "Size of load steps",
-    run,
-};
+use super::{Context, Found};
+use crate::publish::Trouble;
 
 const LIMIT_LBF: f64 = 1240.0;
 const CYCLE_LBF: [f64; 2] = [1980.0, 535.0];
@@ -32,7 +28,7 @@ struct Case {
     corners: Vec<f64>,
 }
 
-fn run(context: &Context) -> Result<Found, Trouble> {
+pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
     let numbers: &[usize] = context.sized(
         &[1, 2, 5, 10, 100],
         &[1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000],
@@ -44,20 +40,13 @@ fn run(context: &Context) -> Result<Found, Trouble> {
     for case in 0..cases.len() {
         for &number in numbers {
             let fast = |method: &Method| number <= MANY || FAST.contains(&method.name);
-            jobs.extend(
-                methods()
-                    .into_iter()
-                    .filter(fast)
-                    .map(|method| (case, number, method)),
-            );
+            let own = methods().into_iter().filter(fast);
+            jobs.extend(own.map(|method| (case, number, method)));
         }
     }
     // The longest first, so that both cores end together.
     jobs.sort_by_key(|(_, number, _)| usize::MAX - number);
-    let unit = pin.loads[3]
-        .iter()
-        .map(|load| load / LIMIT_LBF)
-        .collect::<Vec<_>>();
+    let unit: Vec<f64> = pin.loads[3].iter().map(|load| load / LIMIT_LBF).collect();
     let ends = std::sync::Mutex::new(Vec::new());
     let mut rows = context.rows_of(&jobs, |(case, number, method)| {
         let (row, end) = follow(&cases[*case], *number, &unit, method);
@@ -105,27 +94,21 @@ fn cases(pin: &Joint) -> Result<Vec<Case>, Trouble> {
         ("static and dynamic, loaded", &drop, &once),
         ("static and dynamic, loaded and unloaded", &drop, &cycle),
     ];
-    list.into_iter()
-        .map(|(name, law, corners)| {
-            Ok(Case {
-                name,
-                problem: pin.problem_with(law)?,
-                corners: corners.clone(),
-            })
+    let case = |(name, law, corners): (_, _, &Vec<f64>)| {
+        let (problem, corners) = (pin.problem_with(law)?, corners.clone());
+        Ok(Case {
+            name,
+            problem,
+            corners,
         })
-        .collect()
+    };
+    list.into_iter().map(case).collect()
 }
 
 /// Follows a path in `number` equal steps per leg; the row, and the end if it is reached.
 fn follow(case: &Case, number: usize, unit: &[f64], method: &Method) -> (Row, Option<TrialState>) {
-    let mut given = Discrete {
-        name: String::new(),
-        problem: case.problem.clone(),
-        committed: ContactState::unloaded(&case.problem),
-        multipliers: Vec::new(),
-        coercive: case.problem.modes().ncols() == 0,
-        solutions: None,
-    };
+    let start = ContactState::unloaded(&case.problem);
+    let mut given = increment(case.problem.clone(), start, Vec::new());
     let mut steps = Vec::new();
     let mut end = None;
     let mut from = 0.0;

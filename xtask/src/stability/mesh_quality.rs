@@ -6,17 +6,12 @@ use stickslip_fem_core::mesh::ElementKind;
 
 use super::history::Stages;
 use super::methods::methods;
-use super::outcome::{Outcome, regularised};
+use super::outcome::Outcome;
 use super::row::Row;
-use super::{Context, Found, Study, Trouble};
+use super::{Context, ELEMENTS, Found};
+use crate::publish::Trouble;
 use crate::study::record::fields;
 use block::{Block, Defect, Indenter};
-
-pub(super) const STUDY: Study = Study {
-    name: "06-mesh-quality",
-    title: "Mesh quality",
-    run,
-};
 
 const PLATE: &str = "uniform pressure";
 const CYLINDER: &str = "peak pressure";
@@ -27,13 +22,6 @@ const DISTORTION: &str = "distortion";
 const MID_SIDE: &str = "mid-side position";
 const END: &str = "end of contact";
 const OSCILLATION: &str = "oscillation";
-const ELEMENTS: [ElementKind; 5] = [
-    ElementKind::T3,
-    ElementKind::Q4,
-    ElementKind::T6,
-    ElementKind::Q8,
-    ElementKind::Q9,
-];
 /// Meshes of the map of solvers, with their labels.
 const MESHES: [(&str, Defect); 6] = [
     ("regular", Defect::None),
@@ -44,10 +32,10 @@ const MESHES: [(&str, Defect); 6] = [
     ("mid-side 0.3", Defect::MidSide(0.3)),
 ];
 
-fn run(context: &Context) -> Result<Found, Trouble> {
-    let cells = context.sized(20, 40);
-    let nominal = 0.4;
-    let mut jobs: Vec<(&str, f64, ElementKind, Defect)> = Vec::new();
+/// What is moved, by how much, and the mesh with that.
+type Job = (&'static str, f64, ElementKind, Defect);
+
+fn jobs(context: &Context) -> Vec<Job> {
     let aspects: &[f64] = context.sized(
         &[1.0, 1e2, 1e4],
         &[1.0, 3.0, 10.0, 30.0, 1e2, 3e2, 1e3, 3e3, 1e4],
@@ -60,52 +48,46 @@ fn run(context: &Context) -> Result<Found, Trouble> {
         &[0.5, 0.3, 0.25],
         &[0.5, 0.45, 0.4, 0.35, 0.3, 0.28, 0.26, 0.251, 0.25],
     );
+    let mut jobs = Vec::new();
     for kind in ELEMENTS {
-        jobs.extend(
-            aspects
-                .iter()
-                .map(|&value| (ASPECT, value, kind, Defect::Aspect(value))),
-        );
-        jobs.extend(
-            shares
-                .iter()
-                .map(|&value| (DISTORTION, value, kind, Defect::Distorted(value))),
-        );
-        if kind.order() == 2 {
+        let mut vary = |case, values: &[f64], defect: fn(f64) -> Defect| {
             jobs.extend(
-                places
+                values
                     .iter()
-                    .map(|&value| (MID_SIDE, value, kind, Defect::MidSide(value))),
+                    .map(|&value| (case, value, kind, defect(value))),
             );
+        };
+        vary(ASPECT, aspects, Defect::Aspect);
+        vary(DISTORTION, shares, Defect::Distorted);
+        if kind.order() == 2 {
+            vary(MID_SIDE, places, Defect::MidSide);
         }
     }
+    jobs
+}
+
+pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
+    let cells = context.sized(20, 40);
+    let nominal = 0.4;
     let fine = Block {
         cells: 4 * cells,
         kind: ElementKind::Q9,
         defect: Defect::None,
     };
     let peak = fine.press(&[Indenter::cylinder(nominal)], 0.0)?[0].peak;
-    let mut rows = context.rows_of(&jobs, |&(case, value, kind, defect)| {
+    let mut rows = context.rows_of(&jobs(context), |&(case, value, kind, defect)| {
         let block = Block {
             cells,
             kind,
             defect,
         };
         let plate = block.press(&[Indenter::plate()], 0.0);
+        let plate = plate.map(|found| found[0].deviation);
         let cylinder = block.press(&[Indenter::cylinder(nominal)], 0.0);
+        let cylinder = cylinder.map(|found| (found[0].peak / peak - 1.0).abs());
         Ok(vec![
-            row(
-                format!("{case}: {PLATE}"),
-                value,
-                kind,
-                plate.map(|found| found[0].deviation),
-            ),
-            row(
-                format!("{case}: {CYLINDER}"),
-                value,
-                kind,
-                cylinder.map(|found| (found[0].peak / peak - 1.0).abs()),
-            ),
+            row(format!("{case}: {PLATE}"), value, kind, plate),
+            row(format!("{case}: {CYLINDER}"), value, kind, cylinder),
         ])
     })?;
     rows.extend(ends(context, cells, &fine)?);
@@ -146,12 +128,8 @@ fn ends(context: &Context, cells: usize, fine: &Block) -> Result<Vec<Row>, Troub
             let error = (own.peak / exact.peak - 1.0).abs();
             rows.push(row(format!("{END}: {CYLINDER}"), position, kind, Ok(error)));
             if kind.order() == 2 {
-                rows.push(row(
-                    format!("{OSCILLATION}: {CYLINDER}"),
-                    position,
-                    kind,
-                    Ok(own.oscillation),
-                ));
+                let case = format!("{OSCILLATION}: {CYLINDER}");
+                rows.push(row(case, position, kind, Ok(own.oscillation)));
             }
         }
         Ok(rows)
@@ -160,12 +138,9 @@ fn ends(context: &Context, cells: usize, fine: &Block) -> Result<Vec<Row>, Troub
 
 /// Every contact solver on bad meshes.
 fn solvers(context: &Context, cells: usize) -> Result<Vec<Row>, Trouble> {
-    let numbered: Vec<(usize, Defect)> = MESHES
-        .iter()
-        .map(|(_, defect)| *defect)
-        .enumerate()
-        .collect();
-    context.rows_of(&numbered, |&(index, defect)| {
+    let indices: Vec<usize> = (0..MESHES.len()).collect();
+    context.rows_of(&indices, |&index| {
+        let (name, defect) = MESHES[index];
         let block = Block {
             cells,
             kind: ElementKind::Q8,
@@ -174,28 +149,25 @@ fn solvers(context: &Context, cells: usize) -> Result<Vec<Row>, Trouble> {
         let (problem, loads) = block.problem(&Indenter::cylinder(0.4).pushed(), 0.3)?;
         let mut rows = Stages::follow(&problem, &loads).rows(BAD, index as f64, &methods());
         for row in &mut rows {
-            row.more
-                .extend(fields([("mesh_name", MESHES[index].0.into())]));
+            row.more.extend(fields([("mesh_name", name.into())]));
         }
         Ok(rows)
     })
 }
 
 fn row(case: String, value: f64, kind: ElementKind, found: Result<f64, Trouble>) -> Row {
-    let (outcome, error, note) = match found {
-        Ok(error) if error < 1e-7 => (Outcome::Solved, Some(error), String::new()),
-        Ok(error) => (regularised(Some(error), error), Some(error), String::new()),
-        Err(trouble) => (Outcome::Refused, None, trouble.to_string()),
-    };
-    Row {
-        case,
-        value,
-        method: kind.name(),
-        outcome,
-        solved: usize::from(error.is_some()),
-        error,
-        note,
-        ..Row::default()
+    let row = |error| Row::of_error(case, value, kind.name(), error);
+    match found {
+        Ok(error) if error < 1e-7 => Row {
+            outcome: Outcome::Solved,
+            ..row(Some(error))
+        },
+        Ok(error) => row(Some(error)),
+        Err(trouble) => Row {
+            outcome: Outcome::Refused,
+            note: trouble.to_string(),
+            ..row(None)
+        },
     }
 }
 
@@ -204,10 +176,10 @@ fn mark_refused(rows: &mut [Row]) {
     let errors: Vec<(String, f64)> = (rows.iter())
         .filter_map(|row| Some((row.case.clone(), row.error?)))
         .collect();
-    for row in rows
+    let refused = rows
         .iter_mut()
-        .filter(|row| row.outcome == Outcome::Refused)
-    {
+        .filter(|row| row.outcome == Outcome::Refused);
+    for row in refused {
         let own = errors.iter().filter(|(case, _)| *case == row.case);
         let top = own.fold(f64::MIN_POSITIVE, |top, (_, error)| top.max(*error));
         row.more

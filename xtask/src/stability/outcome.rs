@@ -22,9 +22,10 @@ const DIFFERENT: f64 = 1e-3;
 const USEFUL: f64 = 1e-2;
 
 /// What came of a trial. The order is that of the legend.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Outcome {
     /// An answer that meets all conditions.
+    #[default]
     Solved,
     /// An answer that meets all conditions, and is not the one that it is compared with: the nearest to the last state, or where
     /// not all solutions are known the default chain's.
@@ -120,6 +121,7 @@ fn judge_solution(
     }
     Row {
         method: method.name,
+        steps: 1,
         outcome,
         error,
         violation: Some(violation),
@@ -175,6 +177,7 @@ fn judge_failure(method: &Method, answer: Option<&TrialState>, failure: &StepFai
     };
     Row {
         method: method.name,
+        steps: 1,
         outcome,
         violation: failure.best.as_ref().map(|best| best.residuals.largest()),
         work: failure.work,
@@ -211,6 +214,7 @@ pub(crate) fn accepted(method: &Method, solution: &StepSolution, violation: f64)
     let (outcome, note) = conditions_met(solution.stop, violation);
     Row {
         method: method.name,
+        steps: 1,
         outcome,
         violation: Some(violation),
         work: solution.work,

@@ -7,22 +7,17 @@ use stickslip_contact::{AugmentedLagrangian, InterfaceSolver, Penalty};
 use super::history::Stages;
 use super::joint::{Joint, set};
 use super::methods::Method;
-use super::outcome::{distance, regularised};
+use super::outcome::distance;
 use super::row::Row;
-use super::{Context, Found, Study, Trouble};
-
-pub(super) const STUDY: Study = Study {
-    name: "05-penalty",
-    title: "Penalty stiffness",
-    run,
-};
+use super::{Context, Found};
+use crate::publish::Trouble;
 
 const CASE: &str = "pin in a plate, 14 steps";
 const PENALTY: &str = "penalty";
 const AUGMENTED: &str = "augmented Lagrangian";
 const STIFFNESS_SIDE: &str = "penalty added to the stiffness, statuses given";
 
-fn run(context: &Context) -> Result<Found, Trouble> {
+pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
     let exponents: Vec<i32> = (-3..=12).step_by(context.sized(3, 1)).collect();
     let spacing = context.sized("9 deg", "4.5 deg");
     let pin = Joint::of_scene("pin-benchmark", &set(&[("mesh.spacing", spacing.into())]))?;
@@ -60,13 +55,8 @@ fn stiffness_side(pin: &Joint, stages: &Stages, factor: f64) -> Result<Row, Trou
         }
     }
     Ok(Row {
-        case: CASE.into(),
-        value: factor,
-        method: STIFFNESS_SIDE,
-        outcome: regularised(Some(error), error),
         solved: count,
         steps: stages.list.len(),
-        error: Some(error),
-        ..Row::default()
+        ..Row::of_error(CASE, factor, STIFFNESS_SIDE, Some(error))
     })
 }

@@ -11,14 +11,9 @@ use toml::Table;
 
 use super::methods::{Method, methods};
 use super::outcome::{Outcome, judge};
-use super::{Context, Found, Study, Trouble};
+use super::{Context, Found};
+use crate::publish::Trouble;
 use crate::study::record::fields;
-
-pub(super) const STUDY: Study = Study {
-    name: "09-random",
-    title: "Random small problems",
-    run,
-};
 
 /// Problems that go through the default chain, and each of how many that goes through every method.
 const PROBLEMS: [u64; 2] = [4000, 100_000];
@@ -79,12 +74,14 @@ struct Trial {
     note: String,
 }
 
-fn run(context: &Context) -> Result<Found, Trouble> {
-    let problems = if context.quick {
-        PROBLEMS[0]
-    } else {
-        PROBLEMS[1]
-    };
+impl Trial {
+    fn is_of(&self, class: Class, bin: usize, method: usize) -> bool {
+        self.class == class && self.bin == bin && self.method == method
+    }
+}
+
+pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
+    let problems = context.sized(PROBLEMS[0], PROBLEMS[1]);
     let batches: Vec<u64> = (0..problems / BATCH).collect();
     context.progress.set_length(problems);
     let trials: Vec<Trial> = batches
@@ -137,28 +134,22 @@ fn tried(seed: u64, methods: &[Method]) -> Vec<Trial> {
         states: all.states,
     });
     let bin = ((friction(&given.problem, &given.committed) / BIN) as usize).min(BINS - 1);
-    let chosen = if (seed / MOTIONS).is_multiple_of(EVERY) {
-        methods.len()
-    } else {
-        1
+    let is_for_all = (seed / MOTIONS).is_multiple_of(EVERY);
+    let chosen = if is_for_all { methods.len() } else { 1 };
+    let trial = |(method, solver)| {
+        let row = judge(solver, &given, answer.as_ref());
+        Trial {
+            class,
+            bin,
+            method,
+            outcome: row.outcome,
+            solutions,
+            complete,
+            seed,
+            note: row.note,
+        }
     };
-    methods[..chosen]
-        .iter()
-        .enumerate()
-        .map(|(method, solver)| {
-            let row = judge(solver, &given, answer.as_ref());
-            Trial {
-                class,
-                bin,
-                method,
-                outcome: row.outcome,
-                solutions,
-                complete,
-                seed,
-                note: row.note,
-            }
-        })
-        .collect()
+    methods[..chosen].iter().enumerate().map(trial).collect()
 }
 
 /// μ of a problem with one Coulomb law.
@@ -178,10 +169,10 @@ fn table(trials: &[Trial], names: &[&str]) -> Vec<Table> {
     for class in Class::ALL {
         for bin in 0..BINS {
             for (method, name) in names.iter().enumerate() {
-                let own = |trial: &&Trial| {
-                    trial.class == class && trial.bin == bin && trial.method == method
-                };
-                let own: Vec<&Trial> = trials.iter().filter(own).collect();
+                let own = trials
+                    .iter()
+                    .filter(|trial| trial.is_of(class, bin, method));
+                let own: Vec<&Trial> = own.collect();
                 let mut row = Table::from_iter(fields([
                     ("class", class.name().into()),
                     ("mu_from", (BIN * bin as f64).into()),
@@ -200,8 +191,7 @@ fn table(trials: &[Trial], names: &[&str]) -> Vec<Table> {
 /// How often each outcome occurred.
 fn outcomes(trials: &[&Trial]) -> Table {
     let count = |outcome: Outcome| {
-        let count = trials
-            .iter()
+        let count = (trials.iter())
             .filter(|trial| trial.outcome == outcome)
             .count();
         (outcome.name().to_owned(), (count as i64).into())
@@ -212,10 +202,8 @@ fn outcomes(trials: &[&Trial]) -> Table {
 /// What the default chain does with each class.
 fn classes(trials: &[Trial]) -> Vec<Table> {
     let row = |class: Class| {
-        let own = trials
-            .iter()
-            .filter(|trial| trial.method == 0 && trial.class == class);
-        let own: Vec<&Trial> = own.collect();
+        let own = |trial: &&Trial| trial.method == 0 && trial.class == class;
+        let own: Vec<&Trial> = trials.iter().filter(own).collect();
         let count = |wanted: fn(&Trial) -> bool| {
             let count = own.iter().filter(|trial| wanted(trial)).count();
             (count as i64).into()
@@ -233,25 +221,20 @@ fn classes(trials: &[Trial]) -> Vec<Table> {
 }
 
 fn picture(trials: &[Trial], names: &[&str]) -> Result<Svg, Trouble> {
-    let picture = OutcomeMap {
+    let groups = Class::ALL.map(|class| shares(trials, names, class));
+    let middles = (0..BINS).map(|bin| format!("{:.2}", BIN * (bin as f64 + 0.5)));
+    let map = OutcomeMap {
         title: "Random problems of 1 to 3 points: percentage that is solved or proved impossible"
             .into(),
         subtitle: "Against enumeration of all statuses; percentages are rounded down. Regularised answers count if they are within 1 %."
             .into(),
         x_label: "coefficient of friction μ, middle of the bin [1]".into(),
-        columns: (0..BINS)
-            .map(|bin| format!("{:.2}", BIN * (bin as f64 + 0.5)))
-            .collect(),
-        groups: Class::ALL
-            .iter()
-            .map(|&class| shares(trials, names, class))
-            .filter(|group| !group.rows.is_empty())
-            .collect(),
+        columns: middles.collect(),
+        groups: groups.into_iter().filter(|group| !group.rows.is_empty()).collect(),
         categories: levels(),
         width: 860.0,
-    }
-    .render()?;
-    Ok(picture)
+    };
+    Ok(map.render()?)
 }
 
 /// Cells by the percentage that is answered, from 0 to 100 in their order; the last is for wrong answers.
@@ -283,7 +266,7 @@ fn shares(trials: &[Trial], names: &[&str], class: Class) -> Group {
     let level = |method: usize, bin: usize| {
         let own = trials
             .iter()
-            .filter(|trial| trial.class == class && trial.bin == bin && trial.method == method);
+            .filter(|trial| trial.is_of(class, bin, method));
         let (mut all, mut answered, mut wrong) = (0_usize, 0_usize, false);
         for trial in own {
             let useful = matches!(trial.outcome, Outcome::Approximate | Outcome::Certified);
@@ -309,14 +292,11 @@ fn shares(trials: &[Trial], names: &[&str], class: Class) -> Group {
 /// How often each method's answer is the solution nearest to the last accepted state, where there are several.
 fn nearest(trials: &[Trial], names: &[&str]) -> Vec<Table> {
     let row = |(method, name): (usize, &&str)| {
-        let own = trials
-            .iter()
-            .filter(|trial| trial.method == method && trial.solutions > 1);
+        let own = |trial: &&Trial| trial.method == method && trial.solutions > 1;
+        let own = trials.iter().filter(own);
         let solved: Vec<&Trial> = own.filter(|trial| trial.outcome.is_answer()).collect();
-        let taken = solved
-            .iter()
-            .filter(|trial| trial.outcome == Outcome::Solved)
-            .count();
+        let is_nearest = |trial: &&&Trial| trial.outcome == Outcome::Solved;
+        let taken = solved.iter().filter(is_nearest).count();
         let row = fields([
             ("method", (*name).into()),
             ("nearest_taken", (taken as i64).into()),
@@ -334,29 +314,19 @@ fn failures(trials: &[Trial]) -> Vec<String> {
         trial.outcome == Outcome::Wrong
             || (trial.class == Class::Supported && !trial.outcome.is_answer())
     };
-    let mut failures: Vec<String> = chain
-        .iter()
-        .filter(bad)
-        .map(|trial| {
-            format!(
-                "seed {} ({}): {} {}",
-                trial.seed,
-                trial.class.name(),
-                trial.outcome.name(),
-                trial.note
-            )
-        })
-        .collect();
+    let told = |trial: &&Trial| {
+        let (class, outcome) = (trial.class.name(), trial.outcome.name());
+        format!("seed {} ({class}): {outcome} {}", trial.seed, trial.note)
+    };
+    let mut failures: Vec<String> = chain.iter().filter(bad).map(told).collect();
     let floating = chain.iter().filter(|trial| trial.class != Class::Supported);
-    let unresolved: Vec<u64> = floating
-        .clone()
-        .filter(|trial| trial.outcome == Outcome::Unresolved)
-        .map(|trial| trial.seed)
-        .collect();
+    let is_unresolved = |trial: &&&Trial| trial.outcome == Outcome::Unresolved;
+    let unresolved = floating.clone().filter(is_unresolved);
+    let unresolved: Vec<u64> = unresolved.map(|trial| trial.seed).collect();
     if unresolved.len() as f64 > UNRESOLVED * floating.count() as f64 {
+        let count = unresolved.len();
         failures.push(format!(
-            "{} floating problems unresolved, seeds {unresolved:?}",
-            unresolved.len()
+            "{count} floating problems unresolved, seeds {unresolved:?}"
         ));
     }
     failures

@@ -4,11 +4,11 @@ use stickslip_contact::solver::Work;
 
 use toml::Table;
 
-use super::outcome::Outcome;
+use super::outcome::{Outcome, regularised};
 use crate::study::record::fields;
 
 /// What one method did at one value of what a study varies.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Row {
     /// The problem.
     pub(crate) case: String,
@@ -31,26 +31,26 @@ pub(crate) struct Row {
     pub(crate) more: Table,
 }
 
-impl Default for Row {
-    fn default() -> Self {
+impl Row {
+    /// The row of an answer that is off by `error`, or of none.
+    pub(crate) fn of_error(
+        case: impl Into<String>,
+        value: f64,
+        method: &'static str,
+        error: Option<f64>,
+    ) -> Self {
         Self {
-            case: String::new(),
-            value: 0.0,
-            method: "",
-            outcome: Outcome::Solved,
-            solved: 0,
+            case: case.into(),
+            value,
+            method,
+            outcome: error.map_or(Outcome::Unresolved, |error| regularised(Some(error), error)),
+            solved: usize::from(error.is_some()),
             steps: 1,
-            error: None,
-            violation: None,
-            work: Work::default(),
-            coercive: false,
-            note: String::new(),
-            more: Table::new(),
+            error,
+            ..Self::default()
         }
     }
-}
 
-impl Row {
     /// Solves, pivots, sweeps and updates together.
     pub(crate) fn iterations(&self) -> usize {
         self.work.solves + self.work.pivots + self.work.sweeps + self.work.updates

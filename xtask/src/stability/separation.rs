@@ -5,13 +5,8 @@ use super::joint::{Joint, set};
 use super::methods::{CHAIN, methods};
 use super::outcome::{Outcome, judge};
 use super::row::Row;
-use super::{Context, Found, Study, Trouble};
-
-pub(super) const STUDY: Study = Study {
-    name: "04-separation",
-    title: "Separation and re-contact",
-    run,
-};
+use super::{Context, Found};
+use crate::publish::Trouble;
 
 /// Loads of the plate `[lbf]`: first contact, growth, release, the other side, and back.
 const PULLS: [f64; 12] = [
@@ -20,46 +15,35 @@ const PULLS: [f64; 12] = [
 /// Loads of the cylinder `[N]`.
 const PRESSES: [f64; 8] = [1.0, 50.0, 500.0, 40.0, 0.0, 50.0, 500.0, -1.0];
 
-fn run(context: &Context) -> Result<Found, Trouble> {
+pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
     let spacing = context.sized("18 deg", "9 deg");
+    let steps = |loads: &[f64], unit: &str| {
+        let steps: Vec<String> = loads
+            .iter()
+            .map(|load| format!("\"{load} {unit}\""))
+            .collect();
+        ("loads.0.force.steps", format!("[{}]", steps.join(", ")))
+    };
+    let friction = |mu: f64| ("contacts.0.friction.coulomb.mu", mu.to_string());
     let pin = |model: &str, mu: f64| {
-        let steps: Vec<String> = PULLS.iter().map(|load| format!("\"{load} lbf\"")).collect();
-        Joint::of_scene(
-            "pin-benchmark",
-            &set(&[
-                ("mesh.spacing", spacing.into()),
-                ("analysis.model", model.into()),
-                ("contacts.0.friction.coulomb.mu", mu.to_string()),
-                ("loads.0.force.steps", format!("[{}]", steps.join(", "))),
-            ]),
-        )
+        let (model, spacing) = (
+            ("analysis.model", model.into()),
+            ("mesh.spacing", spacing.into()),
+        );
+        let changes = set(&[spacing, model, friction(mu), steps(&PULLS, "lbf")]);
+        Joint::of_scene("pin-benchmark", &changes)
     };
     let cylinder = |mu: f64| {
-        let steps: Vec<String> = PRESSES.iter().map(|load| format!("\"{load} N\"")).collect();
-        Joint::of_scene(
-            "hertz-cylinder",
-            &set(&[
-                ("mesh.spacing", context.sized("0.4 mm", "0.1 mm").into()),
-                ("contacts.0.friction.coulomb.mu", mu.to_string()),
-                ("loads.0.force.steps", format!("[{}]", steps.join(", "))),
-            ]),
-        )
+        let spacing = ("mesh.spacing", context.sized("0.4 mm", "0.1 mm").into());
+        let changes = set(&[spacing, friction(mu), steps(&PRESSES, "N")]);
+        Joint::of_scene("hertz-cylinder", &changes)
     };
-    let cases: Vec<(String, Joint)> = vec![
-        (
-            "floating plate, whole, frictionless".into(),
-            pin("whole", 0.0)?,
-        ),
-        (
-            "floating plate, whole, friction 0.25".into(),
-            pin("whole", 0.25)?,
-        ),
-        (
-            "floating plate, half, friction 0.25".into(),
-            pin("half", 0.25)?,
-        ),
-        ("floating cylinder, frictionless".into(), cylinder(0.0)?),
-        ("floating cylinder, friction 0.4".into(), cylinder(0.4)?),
+    let cases = [
+        ("floating plate, whole, frictionless", pin("whole", 0.0)?),
+        ("floating plate, whole, friction 0.25", pin("whole", 0.25)?),
+        ("floating plate, half, friction 0.25", pin("half", 0.25)?),
+        ("floating cylinder, frictionless", cylinder(0.0)?),
+        ("floating cylinder, friction 0.4", cylinder(0.4)?),
     ];
     let rows = context.rows_of(&cases, |(name, joint)| {
         let stages = Stages::follow(&joint.problem()?, &joint.loads);
@@ -68,10 +52,8 @@ fn run(context: &Context) -> Result<Found, Trouble> {
         for (index, stage) in stages.list.iter().enumerate() {
             for method in &methods {
                 let row = judge(method, &stage.given, stage.answer.as_ref());
-                rows.push(Row {
-                    steps: 1,
-                    ..Row::of_steps(name, (index + 1) as f64, stages.coercive, &[row])
-                });
+                let step = (index + 1) as f64;
+                rows.push(Row::of_steps(name, step, stages.coercive, &[row]));
             }
         }
         Ok(rows)

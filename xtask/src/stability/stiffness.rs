@@ -7,15 +7,9 @@ use stickslip_fem_core::mesh::ElementKind;
 use super::history::Stages;
 use super::joint::{Joint, set};
 use super::methods::methods;
-use super::outcome::{Outcome, regularised};
 use super::row::Row;
-use super::{Context, Found, Study, Trouble};
-
-pub(super) const STUDY: Study = Study {
-    name: "07-stiffness",
-    title: "Stiffness ratio and incompressibility",
-    run,
-};
+use super::{Context, ELEMENTS, Found};
+use crate::publish::Trouble;
 
 const RATIO: &str = "stiffness ratio, friction 0.3";
 const HERTZ: &str = "stiffness ratio against Hertz, frictionless";
@@ -25,14 +19,6 @@ const POISSON: f64 = 0.33;
 const RADIUS: f64 = 50.0;
 /// Half-width of contact by Hertz `[mm]`.
 const HALF_WIDTH: f64 = 0.88;
-const ELEMENTS: [ElementKind; 5] = [
-    ElementKind::T3,
-    ElementKind::Q4,
-    ElementKind::T6,
-    ElementKind::Q8,
-    ElementKind::Q9,
-];
-
 /// Two materials: Young's moduli `[MPa]` and Poisson's ratios of cylinder and block.
 #[derive(Clone, Copy)]
 struct Materials {
@@ -68,37 +54,28 @@ impl Materials {
                 self.poisson
             )
         };
-        Joint::of_scene(
-            "hertz-cylinder",
-            &set(&[
-                ("materials.aluminium", material(self.young[1])),
-                ("materials.other", material(self.young[0])),
-                ("bodies.upper.material", "other".into()),
-                ("mesh.element", element.name().into()),
-                ("mesh.spacing", spacing.into()),
-                ("contacts.0.friction.coulomb.mu", mu.to_string()),
-                ("loads.0.force.steps", format!("[{}]", steps.join(", "))),
-            ]),
-        )
+        let changes = set(&[
+            ("materials.aluminium", material(self.young[1])),
+            ("materials.other", material(self.young[0])),
+            ("bodies.upper.material", "other".into()),
+            ("mesh.element", element.name().into()),
+            ("mesh.spacing", spacing.into()),
+            ("contacts.0.friction.coulomb.mu", mu.to_string()),
+            ("loads.0.force.steps", format!("[{}]", steps.join(", "))),
+        ]);
+        Joint::of_scene("hertz-cylinder", &changes)
     }
 
     /// Relative error of the peak pressure at the full load.
     fn error(&self, element: ElementKind, spacing: &str) -> Result<Option<f64>, Trouble> {
         let joint = self.joint(element, spacing, 0.0)?;
-        let problem = joint.problem()?;
-        let stages = Stages::follow(&problem, &joint.loads[..3]);
-        let answer = stages.list.get(2).and_then(|stage| stage.answer.as_ref());
-        Ok(answer.map(|trial| {
-            let pressure = |k: usize| trial.forces[2 * k] / problem.points()[k].area;
-            let peak = (0..problem.points().len())
-                .map(pressure)
-                .fold(0.0, f64::max);
-            (peak / self.peak() - 1.0).abs()
-        }))
+        let stages = Stages::follow(&joint.problem()?, &joint.loads[..3]);
+        let peak = stages.peak(2);
+        Ok(peak.map(|peak| (peak / self.peak() - 1.0).abs()))
     }
 }
 
-fn run(context: &Context) -> Result<Found, Trouble> {
+pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
     let spacing = context.sized("0.2 mm", "0.08 mm");
     let exponents: Vec<i32> = (-8..=8).step_by(context.sized(4, 1)).collect();
     let mut rows = context.rows_of(&exponents, |&exponent| {
@@ -111,12 +88,8 @@ fn run(context: &Context) -> Result<Found, Trouble> {
         let mut rows =
             Stages::follow(&joint.problem()?, &joint.loads).rows(RATIO, ratio, &methods());
         for element in [ElementKind::Q4, ElementKind::Q8] {
-            rows.push(row(
-                HERTZ,
-                ratio,
-                element,
-                materials.error(element, spacing)?,
-            ));
+            let error = materials.error(element, spacing)?;
+            rows.push(Row::of_error(HERTZ, ratio, element.name(), error));
         }
         Ok(rows)
     })?;
@@ -124,39 +97,22 @@ fn run(context: &Context) -> Result<Found, Trouble> {
         0.4, 0.2, 0.1, 0.03, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8,
     ];
     let remainders: &[f64] = context.sized(&[0.4, 1e-2, 1e-6], &all);
-    let jobs: Vec<(f64, ElementKind)> = ELEMENTS
-        .iter()
-        .flat_map(|&element| {
-            remainders
-                .iter()
-                .map(move |&remainder| (remainder, element))
-        })
-        .collect();
+    let jobs = ELEMENTS.map(|element| remainders.iter().map(move |&own| (own, element)));
+    let jobs: Vec<(f64, ElementKind)> = jobs.into_iter().flatten().collect();
     let locking = context.rows_of(&jobs, |&(remainder, element)| {
         let materials = Materials {
             young: [YOUNG; 2],
             poisson: 0.5 * (1.0 - remainder),
         };
-        Ok(vec![row(
+        let error = materials.error(element, spacing)?;
+        Ok(vec![Row::of_error(
             LOCKING,
             remainder,
-            element,
-            materials.error(element, spacing)?,
+            element.name(),
+            error,
         )])
     })?;
     rows.sort_by_key(|row| row.case == HERTZ);
     rows.extend(locking);
     Ok(Found::of("value", rows))
-}
-
-fn row(case: &str, value: f64, element: ElementKind, error: Option<f64>) -> Row {
-    Row {
-        case: case.into(),
-        value,
-        method: element.name(),
-        outcome: error.map_or(Outcome::Unresolved, |error| regularised(Some(error), error)),
-        solved: usize::from(error.is_some()),
-        error,
-        ..Row::default()
-    }
 }

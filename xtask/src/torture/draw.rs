@@ -9,9 +9,17 @@ pub(super) struct Draw(StdRng);
 impl Draw {
     /// The source of `seed`, whose choices for different `purpose`s do not depend on each other.
     pub(super) fn new(seed: u64, purpose: u64) -> Self {
-        Self(StdRng::seed_from_u64(
-            seed ^ purpose.wrapping_mul(0x9E37_79B9_7F4A_7C15),
-        ))
+        Self::seeded(seed ^ purpose.wrapping_mul(0x9E37_79B9_7F4A_7C15))
+    }
+
+    /// The source of `seed` alone.
+    pub(super) fn seeded(seed: u64) -> Self {
+        Self(StdRng::seed_from_u64(seed))
+    }
+
+    /// A whole number below `end`.
+    pub(super) fn below(&mut self, end: usize) -> usize {
+        self.0.random_range(0..end.max(1))
     }
 
     /// Whether something of this probability happens.

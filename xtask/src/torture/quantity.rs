@@ -1,5 +1,7 @@
 //! Quantities in scenes as JSON: written in base units, read, and changed everywhere by their unit.
 
+use std::fmt::Display;
+
 use serde_json::Value;
 
 /// `value` in mm.
@@ -85,4 +87,42 @@ pub(super) fn table<'a>(
         .and_then(Value::as_object)
         .into_iter()
         .flatten()
+}
+
+/// Paths of everything in a value, outer ones first.
+pub(super) fn paths(value: &Value) -> Vec<String> {
+    fn walk(value: &Value, path: &str, found: &mut Vec<String>) {
+        let mut below = |key: &dyn Display, entry: &Value| {
+            let here = format!("{path}/{key}");
+            found.push(here.clone());
+            walk(entry, &here, found);
+        };
+        match value {
+            Value::Object(map) => map.iter().for_each(|(key, entry)| below(key, entry)),
+            Value::Array(list) => {
+                (list.iter().enumerate()).for_each(|(index, entry)| below(&index, entry));
+            }
+            _ => {}
+        }
+    }
+    let mut found = Vec::new();
+    walk(value, "", &mut found);
+    found
+}
+
+/// Paths of the histories of loads.
+pub(super) fn histories(scene: &Value) -> Vec<String> {
+    let mut found = paths(scene);
+    found.retain(|path| path.starts_with("/loads/") && path.ends_with("/steps"));
+    found
+}
+
+/// The scene with each history of loads changed.
+pub(super) fn with_histories(scene: &Value, change: impl Fn(&mut Vec<Value>)) -> Value {
+    let mut changed = scene.clone();
+    for path in histories(scene) {
+        let steps = changed.pointer_mut(&path).and_then(Value::as_array_mut);
+        steps.into_iter().for_each(&change);
+    }
+    changed
 }

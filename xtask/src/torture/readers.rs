@@ -12,31 +12,14 @@ use std::process::{Command, Stdio};
 
 pub(crate) use child::{Batch, main as child};
 
-use super::trial::{Counts, Failure, Kind, Trial};
-use corpus::Target;
+use super::trial::{Counts, Demand, Failure, Kind, Trial, demands};
+use corpus::{TARGETS, Target};
 
 /// Mutants of a seed.
 const BATCH: usize = 100;
 /// What a batch may take: address space \[kB\] and processor time \[s\].
 const MEMORY: u64 = 1_000_000;
 const SECONDS: u64 = 300;
-
-/// Every check with what it demands.
-const CHECKS: [(&str, &str); 4] = [
-    ("no panic", "the reader returns, whatever the bytes are"),
-    (
-        "within limits",
-        "the process is not ended by the system, for memory or time",
-    ),
-    (
-        "in time",
-        "a mutant is read, modelled and checked within ten seconds",
-    ),
-    (
-        "says where and what to do",
-        "an error has a message, a remedy, its file and, in a text, its line, and no control characters",
-    ),
-];
 
 /// The kind of trial.
 pub(super) struct Readers;
@@ -47,11 +30,7 @@ impl Kind for Readers {
     }
 
     fn quick(&self) -> Range<u64> {
-        0..2 * Target::ALL.len() as u64
-    }
-
-    fn checks(&self) -> Vec<(&'static str, &'static str)> {
-        CHECKS.to_vec()
+        0..2 * TARGETS.len() as u64
     }
 
     fn trial(&self, seed: u64) -> Trial {
@@ -86,7 +65,7 @@ fn batch(seed: u64, first: usize) -> String {
 }
 
 /// Counts what was said; the first mutant that nothing was said of.
-fn count(said: &str, target: Target, seed: u64, first: usize, trial: &mut Trial) -> usize {
+fn count(said: &str, target: &'static Target, seed: u64, first: usize, trial: &mut Trial) -> usize {
     let mut next = first;
     let mut begun = false;
     for line in said.lines() {
@@ -116,7 +95,14 @@ fn count(said: &str, target: Target, seed: u64, first: usize, trial: &mut Trial)
 }
 
 /// Counts one mutant.
-fn one(target: Target, seed: u64, index: usize, outcome: &str, found: &str, trial: &mut Trial) {
+fn one(
+    target: &'static Target,
+    seed: u64,
+    index: usize,
+    outcome: &str,
+    found: &str,
+    trial: &mut Trial,
+) {
     let check = match outcome {
         "panic" => Some("no panic"),
         "ended" | "lost" => Some("within limits"),
@@ -125,8 +111,8 @@ fn one(target: Target, seed: u64, index: usize, outcome: &str, found: &str, tria
         _ => None,
     };
     let mut counts = Counts::of(outcome);
-    counts.features.insert(target.name().to_owned(), 1);
-    for (name, _) in CHECKS {
+    counts.feature(&target.name);
+    for Demand { name, .. } in demands("readers") {
         let tally = counts.check(name);
         if check == Some(name) {
             tally.failed += 1;
@@ -139,7 +125,7 @@ fn one(target: Target, seed: u64, index: usize, outcome: &str, found: &str, tria
         trial.failures.push(Failure {
             seed,
             check: check.to_owned(),
-            found: format!("{}, mutant {index}: {found}", target.name()),
+            found: format!("{}, mutant {index}: {found}", target.name),
             extension: target.extension(),
             case: mutant::of(target, seed, index),
         });

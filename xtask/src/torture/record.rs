@@ -90,7 +90,7 @@ impl Record {
             page += "None.\n";
         } else {
             page += "| kind | check | seeds | reason |\n| --- | --- | --- | --- |\n";
-            for open in OPEN {
+            for open in &*OPEN {
                 let seeds: Vec<String> = open.seeds.iter().map(u64::to_string).collect();
                 let _ = writeln!(
                     page,

@@ -15,18 +15,19 @@ mod spelling;
 mod sweeps;
 mod transform;
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Duration;
 
 use serde_json::Value;
 
-use super::trial::{Counts, Failure, Kind, Trial};
-use super::{draw, quantity};
+use super::trial::{Failure, Kind, Trial};
+use super::{draw, quantity, trial};
 use checks::{Check, checks};
 use draw::Draw;
 pub(super) use replay::replay;
-use sample::{NoAnswer, Sample, Verdict, solve};
+use sample::{Sample, Verdict, solve};
 
 /// Time and questions that shrinking a failure may take.
 const SHRINKING: (Duration, usize) = (Duration::from_secs(60), 400);
@@ -46,27 +47,28 @@ impl Kind for Scenes {
         0..60
     }
 
-    fn checks(&self) -> Vec<(&'static str, &'static str)> {
-        checks().map(|check| (check.name, check.demands)).collect()
-    }
-
     fn trial(&self, seed: u64) -> Trial {
         let scene = random::scene(seed);
         let solved = catch_unwind(AssertUnwindSafe(|| solve(&scene)));
         let sample = match solved {
             Ok(Ok(sample)) => sample,
-            Ok(Err(NoAnswer::Refused(_))) => return counted("refused"),
-            Ok(Err(NoAnswer::Impossible(_))) => return counted("proved impossible"),
-            Ok(Err(NoAnswer::Unsolved(_))) => return counted("not solved"),
-            Err(_) => return panicked(seed, &scene, "panic"),
+            Ok(Err(none)) => return Trial::of(none.outcome()),
+            Err(_) => {
+                return Trial {
+                    failures: vec![failure(seed, "panic", "panic", &scene)],
+                    ..Trial::of("panic")
+                };
+            }
         };
-        let mut trial = counted("solved");
-        features(&sample, &mut trial.counts);
+        let mut trial = Trial::of("solved");
+        for feature in features(&sample) {
+            trial.counts.feature(feature);
+        }
         let mut draw = Draw::new(seed, 2);
         for check in checks() {
             // Drawn for every check, so that the choice of one does not hang on others.
             if draw.chance(check.share) {
-                self.make(check, seed, &sample, &mut trial);
+                self.make(&check, seed, &sample, &mut trial);
             }
         }
         trial
@@ -95,20 +97,6 @@ impl Scenes {
                     .push(failure(seed, check.name, &found, &scene));
             }
         }
-    }
-}
-
-fn counted(outcome: &str) -> Trial {
-    Trial {
-        counts: Counts::of(outcome),
-        failures: Vec::new(),
-    }
-}
-
-fn panicked(seed: u64, scene: &Value, found: &str) -> Trial {
-    Trial {
-        counts: Counts::of("panic"),
-        failures: vec![failure(seed, "panic", found, scene)],
     }
 }
 
@@ -147,90 +135,51 @@ fn failure(seed: u64, check: &str, found: &str, scene: &Value) -> Failure {
     }
 }
 
-/// Counts what the scene holds.
-fn features(sample: &Sample, counts: &mut Counts) {
-    let mut held = vec![format!(
-        "model {}",
-        if sample.is_half() { "half" } else { "whole" }
-    )];
+/// What the scene holds.
+fn features(sample: &Sample) -> BTreeSet<String> {
     let scene = &sample.value;
-    held.push(format!(
-        "solver {}",
-        scene["analysis"]["solver"].as_str().unwrap_or("auto")
-    ));
-    held.push(format!(
-        "plane {}",
-        scene["analysis"]["plane"].as_str().unwrap_or("stress")
-    ));
-    held.push(format!(
-        "element {}",
-        scene["mesh"]["element"].as_str().unwrap_or("Q8")
-    ));
-    held.push(format!("contacts {}", sample.scene.contacts.len()));
-    for (list, what) in [("contacts", "friction"), ("materials", "material")] {
-        let entries: Vec<&Value> = match &scene[list] {
-            Value::Array(entries) => entries.iter().collect(),
-            Value::Object(entries) => entries.values().collect(),
-            _ => Vec::new(),
-        };
-        for entry in entries {
-            let table = if list == "contacts" {
-                &entry["friction"]
-            } else {
-                entry
-            };
-            held.extend(
-                table
-                    .as_object()
-                    .into_iter()
-                    .flatten()
-                    .map(|(name, _)| format!("{what} {name}")),
-            );
-            for key in ["gap", "projection"] {
-                held.extend(
-                    entry
-                        .get(key)
-                        .and_then(Value::as_str)
-                        .map(|value| format!("{key} {value}")),
-                );
-            }
-            if entry.get("interference").is_some() {
-                held.push("interference".into());
-            }
+    let chosen = |pointer: &str, default: &str| {
+        let own = scene.pointer(pointer).and_then(Value::as_str);
+        own.unwrap_or(default).to_owned()
+    };
+    let mut held = BTreeSet::from([
+        format!("model {}", if sample.is_half() { "half" } else { "whole" }),
+        format!("solver {}", chosen("/analysis/solver", "auto")),
+        format!("plane {}", chosen("/analysis/plane", "stress")),
+        format!("element {}", chosen("/mesh/element", "Q8")),
+        format!("contacts {}", sample.scene.contacts.len()),
+    ]);
+    let named = |what: &str, table: &Value| -> Vec<String> {
+        let keys = table.as_object().into_iter().flatten();
+        keys.map(|(key, _)| format!("{what} {key}")).collect()
+    };
+    for contact in quantity::list(scene, "contacts") {
+        held.extend(named("friction", &contact["friction"]));
+        for key in ["gap", "projection"] {
+            held.extend(contact[key].as_str().map(|value| format!("{key} {value}")));
         }
+        held.extend(contact.get("interference").map(|_| "interference".into()));
+    }
+    for (_, material) in quantity::table(scene, "materials") {
+        held.extend(named("material", material));
     }
     for (_, body) in quantity::table(scene, "bodies") {
-        held.extend(
-            body["shape"]
-                .as_object()
-                .into_iter()
-                .flatten()
-                .map(|(name, _)| format!("shape {name}")),
-        );
-        for key in ["rigid", "mesh"] {
-            if body.get(key).is_some() {
-                held.push(format!("body {key}"));
-            }
-        }
+        held.extend(named("shape", &body["shape"]));
+        let own = ["rigid", "mesh"]
+            .into_iter()
+            .filter(|key| body.get(key).is_some());
+        held.extend(own.map(|key| format!("body {key}")));
     }
     for load in quantity::list(scene, "loads") {
-        let kinds = load
-            .as_object()
-            .into_iter()
-            .flatten()
-            .filter(|(_, part)| part.is_object());
+        let keys = load.as_object().into_iter().flatten();
+        let kinds = keys.filter(|(_, part)| part.is_object());
         held.extend(kinds.map(|(name, _)| format!("load {name}")));
     }
-    for key in ["failure", "platens"] {
-        if scene.get(key).is_some() {
-            held.push(key.into());
-        }
-    }
-    held.sort();
-    held.dedup();
-    for feature in held {
-        *counts.features.entry(feature).or_default() += 1;
-    }
+    let own = ["failure", "platens"]
+        .into_iter()
+        .filter(|key| scene.get(key).is_some());
+    held.extend(own.map(str::to_owned));
+    held
 }
 
 #[cfg(test)]

@@ -3,8 +3,34 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::ops::Range;
+use std::sync::LazyLock;
 
 use serde::{Deserialize, Serialize};
+
+/// A check, as `checks.toml` has it.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Demand {
+    pub(crate) name: String,
+    /// What it demands, for the page.
+    pub(crate) demands: String,
+    /// In what part of the trials it is made.
+    #[serde(default = "always")]
+    pub(crate) share: f64,
+    /// How often a statement is to hold; nothing where nothing is promised.
+    pub(crate) promise: Option<f64>,
+}
+
+fn always() -> f64 {
+    1.0
+}
+
+/// The checks of the kind of trial of that name, in the order of the page.
+pub(crate) fn demands(kind: &str) -> &'static [Demand] {
+    static ALL: LazyLock<BTreeMap<String, Vec<Demand>>> =
+        LazyLock::new(|| toml::from_str(include_str!("checks.toml")).expect("tests read it"));
+    ALL.get(kind).map_or(&[], Vec::as_slice)
+}
 
 /// A kind of trial: draws something from a seed, tries it, and counts.
 pub(crate) trait Kind: Sync {
@@ -13,9 +39,6 @@ pub(crate) trait Kind: Sync {
 
     /// Seeds of a run with `--quick`.
     fn quick(&self) -> Range<u64>;
-
-    /// Each check by its name with what it demands, in the order of the page.
-    fn checks(&self) -> Vec<(&'static str, &'static str)>;
 
     /// What keeps this kind from being tried on this machine.
     fn lacks(&self) -> Option<String> {
@@ -27,8 +50,8 @@ pub(crate) trait Kind: Sync {
         let mut text = "\n| check | demands; tolerance relative to the largest of its kind | held | declared | no second answer | failed |\n"
             .to_owned();
         text += "| --- | --- | --: | --: | --: | --: |\n";
-        for (name, demands) in self.checks() {
-            let tally = counts.checks.get(name).copied().unwrap_or_default();
+        for Demand { name, demands, .. } in demands(self.name()) {
+            let tally = counts.tally(name);
             // Writing into a string does not fail.
             let _ = writeln!(
                 text,
@@ -94,6 +117,16 @@ impl Counts {
         counts
     }
 
+    /// The tally of `check`.
+    pub(crate) fn tally(&self, check: &str) -> Tally {
+        self.checks.get(check).copied().unwrap_or_default()
+    }
+
+    /// Counts trials that hold `feature`.
+    pub(crate) fn feature(&mut self, feature: impl Into<String>) {
+        *self.features.entry(feature.into()).or_default() += 1;
+    }
+
     /// The tally of `check`, to be added to.
     pub(crate) fn check(&mut self, check: &str) -> &mut Tally {
         self.checks.entry(check.to_owned()).or_default()
@@ -138,4 +171,14 @@ pub(crate) struct Trial {
     pub(crate) counts: Counts,
     /// What did not hold.
     pub(crate) failures: Vec<Failure>,
+}
+
+impl Trial {
+    /// A trial that ended as `outcome`.
+    pub(crate) fn of(outcome: impl Into<String>) -> Self {
+        Self {
+            counts: Counts::of(outcome),
+            failures: Vec::new(),
+        }
+    }
 }

@@ -12,31 +12,11 @@ use std::path::Path;
 use std::process::Output;
 use std::sync::OnceLock;
 
-use super::trial::{Counts, Failure, Kind, Trial};
-use command::{WRITERS, Writer, run};
+use super::trial::{Demand, Failure, Kind, Trial, demands};
+use command::{Old, WRITERS, Writer, run};
 use fault::Fault;
 use files::{Contents, contents, write_all};
 use prepared::Prepared;
-
-const CHECKS: [(&str, &str); 5] = [
-    (
-        "old or new",
-        "results are the old ones or the new ones; of a sweep each file is, and its table holds old rows and whole new ones",
-    ),
-    ("others", "every other file is as before"),
-    (
-        "exit code",
-        "0 with all new results, 1 with a message that names a file; never a panic",
-    ),
-    (
-        "afterwards",
-        "the same command succeeds afterwards, with all new results",
-    ),
-    (
-        "leftovers",
-        "no hidden file is left after that but what is kept for the user",
-    ),
-];
 
 /// The kind of trial.
 pub(super) struct Writers;
@@ -48,10 +28,6 @@ impl Kind for Writers {
 
     fn quick(&self) -> std::ops::Range<u64> {
         0..2 * WRITERS.len() as u64
-    }
-
-    fn checks(&self) -> Vec<(&'static str, &'static str)> {
-        CHECKS.to_vec()
     }
 
     fn lacks(&self) -> Option<String> {
@@ -106,13 +82,13 @@ fn tried(writer: &Writer, prepared: &Prepared, fault: &Fault) -> std::io::Result
     if !is_killed {
         check("exit code", exit(prepared, &output, is_new, home.path()));
     }
-    if !writer.replaces {
+    if writer.1 == Old::Nothing {
         for name in prepared.new.keys() {
             // What is not there need not be removed.
             let _ = std::fs::remove_file(home.path().join(name));
         }
     }
-    let again = run(writer.arguments, home.path())?;
+    let again = run(&writer.arguments(), home.path())?;
     let last = contents(home.path())?;
     let is_whole = again.status.success() && prepared.is_new(&last);
     let found = || format!("{:?} {} {:?}", again.status, said(&again), last.keys());
@@ -166,17 +142,14 @@ fn said(output: &Output) -> String {
 }
 
 fn counted(seed: u64, writer: &Writer, fault: &Fault, found: &Found) -> Trial {
-    let mut trial = Trial {
-        counts: Counts::of(found.outcome),
-        failures: Vec::new(),
-    };
-    for feature in [writer.name, &fault.call.name, fault.kind] {
-        trial.counts.features.insert(feature.to_owned(), 1);
+    let mut trial = Trial::of(found.outcome);
+    for feature in [writer.name(), &fault.call.name, fault.kind] {
+        trial.counts.feature(feature);
     }
-    let case = format!("{}, {fault}", writer.name);
-    for (check, _) in CHECKS {
+    let case = format!("{}, {fault}", writer.name());
+    for Demand { name: check, .. } in demands("writers") {
         let tally = trial.counts.check(check);
-        match found.failed.iter().find(|(failed, _)| *failed == check) {
+        match found.failed.iter().find(|(failed, _)| failed == check) {
             None => tally.held += 1,
             Some((_, what)) => {
                 tally.failed += 1;
@@ -191,13 +164,10 @@ fn counted(seed: u64, writer: &Writer, fault: &Fault, found: &Found) -> Trial {
 
 /// A fault that could not be tried is a failure: nothing is known of it.
 fn untried(seed: u64, writer: &Writer, cause: &str) -> Trial {
-    let mut trial = Trial {
-        counts: Counts::of("not tried"),
-        failures: Vec::new(),
-    };
-    let check = CHECKS[0].0;
+    let mut trial = Trial::of("not tried");
+    let check = "old or new";
     trial.counts.check(check).failed += 1;
-    let what = format!("{} was not tried: {cause}", writer.name);
+    let what = format!("{} was not tried: {cause}", writer.name());
     trial.failures.push(failure(seed, check, what));
     trial
 }

@@ -4,7 +4,8 @@
 use stickslip::results::{EdgeGeometry, EdgeResults, Results, StepResults};
 
 use super::check::{Check, Checks, number};
-use super::laboratory::{Laboratory, PSI, Trouble};
+use super::laboratory::{Laboratory, PSI};
+use crate::publish::Trouble;
 
 const SCENES: [&str; 6] = [
     "pin-loaded-aluminium",
@@ -30,12 +31,7 @@ pub(super) fn frictional(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble>
     let mut fine = None;
     for name in SCENES {
         let results = laboratory.run(name, &[])?;
-        checks.completes(
-            format!("{name}: load steps that converge"),
-            LOAD_STEPS.to_string(),
-            results.steps.len().to_string(),
-            results.steps.len() == LOAD_STEPS,
-        );
+        checks.converges(name, &results, LOAD_STEPS);
         iterations(&mut checks, name, &results);
         fine.get_or_insert(results);
     }
@@ -162,17 +158,14 @@ fn shear_range(geometry: &EdgeGeometry, edge: &EdgeResults) -> (f64, f64) {
 /// −σ_r over P/(Dt).
 fn peak_radial(step: &StepResults, geometry: &EdgeGeometry) -> Result<f64, Trouble> {
     let edge = &step.edges[0];
-    let bearing = edge
-        .bearing_stress(geometry)
-        .ok_or_else(|| Trouble::Missing("no bearing stress".into()))?;
+    let bearing = edge.bearing_stress(geometry).ok_or("no bearing stress")?;
     let peak = edge.rows.iter().map(|row| -row.sigma_normal);
     Ok(peak.fold(0.0, f64::max) / bearing)
 }
 
 fn hoop_at_bearing_point(step: &StepResults) -> Result<f64, Trouble> {
-    step.edges[0]
-        .hoop_at_bearing_point
-        .ok_or_else(|| Trouble::Missing("no stress at the bearing point".into()))
+    let hoop = step.edges[0].hoop_at_bearing_point;
+    Ok(hoop.ok_or("no stress at the bearing point")?)
 }
 
 /// Angle `[deg]` from the bearing point at which σ_θ first becomes tensile; 0 if it is so there.

@@ -3,9 +3,11 @@
 use stickslip::results::Results;
 use stickslip_fem_core::mesh::ElementKind;
 
-use super::check::{Check, Checks, Tolerance, number};
-use super::laboratory::{Laboratory, PSI, Trouble};
+use super::check::Tolerance::{Absolute, Relative};
+use super::check::{Check, Checks};
+use super::laboratory::{Laboratory, PSI};
 use super::rigid_pin::stresses;
+use crate::publish::Trouble;
 
 const LOAD_STEPS: usize = 14;
 /// Load steps that are compared: 1240 lb while loading, 1210 lb while unloading.
@@ -62,12 +64,7 @@ fn all(laboratory: &Laboratory, case: &Case) -> Result<Vec<Check>, Trouble> {
             ];
             let results = laboratory.run("pin-benchmark", &overrides)?;
             let what = format!("{kind:?} {spacing}°");
-            checks.completes(
-                format!("{what}: load steps that converge"),
-                LOAD_STEPS.to_string(),
-                results.steps.len().to_string(),
-                results.steps.len() == LOAD_STEPS,
-            );
+            checks.converges(&what, &results, LOAD_STEPS);
             one(&mut checks, &what, case, spacing, &results)?;
             peaks.push(PeakHoop::of(&results)?);
         }
@@ -84,69 +81,31 @@ fn one(
     results: &Results,
 ) -> Result<(), Trouble> {
     let edge = &results.steps[LOADED].edges[0];
-    let (pressure, _) = edge
-        .peak_pressure
-        .ok_or_else(|| Trouble::Missing("the pin does not touch".into()))?;
-    let quantity = format!("{what}: peak pressure, 1240 lb");
-    let limit = match spacing {
-        s if s <= 1.125 => Some(2e-4),
-        s if s <= 2.25 => Some(1e-3),
-        _ => None,
+    let (pressure, _) = edge.peak_pressure.ok_or("the pin does not touch")?;
+    let (limit, is_fine) = if spacing <= 1.125 {
+        (2e-4, true)
+    } else {
+        (1e-3, false)
     };
-    bounded(
-        checks,
-        quantity,
-        pressure / PSI,
-        case.peak_pressure,
-        " psi",
-        limit.map(Tolerance::Relative),
-    );
-    let hoop = stresses(results, LOADED, 90.0)?[1] / PSI;
-    let limit = (spacing <= 1.125).then_some(Tolerance::Relative(3e-3));
-    bounded(
-        checks,
-        format!("{what}: σ_θ at 90°, 1240 lb"),
-        hoop,
-        case.hoop,
-        " psi",
-        limit,
-    );
-    if let Some(ratios) = case.ratios {
-        let steps = [(LOADED, "1240 lb loading"), (UNLOADED, "1210 lb unloading")];
-        for ((step, name), reference) in steps.into_iter().zip(ratios) {
-            let edge = &results.steps[step].edges[0];
-            let ratio = edge.friction_force / (case.friction * edge.normal_force);
-            let limit = (spacing <= 2.25).then_some(Tolerance::Absolute(2e-3));
-            bounded(
-                checks,
-                format!("{what}: T/(μN), {name}"),
-                ratio,
-                reference,
-                "",
-                limit,
-            );
-        }
+    let pressure = [pressure / PSI, case.peak_pressure];
+    let quantity = format!("{what}: peak pressure, 1240 lb");
+    checks.near_if(spacing <= 2.25, quantity, pressure, Relative(limit, " psi"));
+    let hoop = [stresses(results, LOADED, 90.0)?[1] / PSI, case.hoop];
+    let quantity = format!("{what}: σ_θ at 90°, 1240 lb");
+    checks.near_if(is_fine, quantity, hoop, Relative(3e-3, " psi"));
+    let steps = [(LOADED, "1240 lb loading"), (UNLOADED, "1210 lb unloading")];
+    for ((step, name), reference) in steps.into_iter().zip(case.ratios.into_iter().flatten()) {
+        let edge = &results.steps[step].edges[0];
+        let ratio = edge.friction_force / (case.friction * edge.normal_force);
+        let quantity = format!("{what}: T/(μN), {name}");
+        checks.near_if(
+            spacing <= 2.25,
+            quantity,
+            [ratio, reference],
+            Absolute(2e-3, ""),
+        );
     }
     Ok(())
-}
-
-/// A check where a bound is given, else a quantity to look at.
-fn bounded(
-    checks: &mut Checks,
-    quantity: String,
-    computed: f64,
-    reference: f64,
-    unit: &str,
-    limit: Option<Tolerance>,
-) {
-    match limit {
-        Some(tolerance) => checks.near(quantity, computed, reference, unit, tolerance),
-        None => checks.show(
-            quantity,
-            format!("{}{unit}", number(reference)),
-            format!("{}{unit}", number(computed)),
-        ),
-    }
 }
 
 /// Largest σ_θ at 1240 lb, its angle, and the uncertainty that the run itself states.
@@ -162,9 +121,7 @@ struct PeakHoop {
 impl PeakHoop {
     fn of(results: &Results) -> Result<Self, Trouble> {
         let edge = &results.steps[LOADED].edges[0];
-        let (value, angle) = edge
-            .peak_hoop
-            .ok_or_else(|| Trouble::Missing("no stress".into()))?;
+        let (value, angle) = edge.peak_hoop.ok_or("no stress")?;
         Ok(Self {
             value: value / PSI,
             angle: angle.to_degrees(),

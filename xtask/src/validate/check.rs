@@ -1,5 +1,9 @@
 //! One line of the validation table: a quantity, what it should be, what it is, and whether that will do.
 
+use stickslip::results::Results;
+
+use super::laboratory::Worst;
+
 /// Whether a check was met.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Verdict {
@@ -43,10 +47,10 @@ pub(crate) struct Check {
 /// How far a number may be from its reference.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Tolerance {
-    /// Fraction of the reference.
-    Relative(f64),
-    /// In the number's own unit.
-    Absolute(f64),
+    /// Fraction of the reference, and the unit of both numbers.
+    Relative(f64, &'static str),
+    /// In the unit of both numbers.
+    Absolute(f64, &'static str),
 }
 
 /// The checks of a case, in the order of the table.
@@ -75,74 +79,98 @@ impl Checks {
         self.list
     }
 
-    /// `computed` is close enough to `reference`.
+    /// What is computed is close enough to the reference.
     pub(crate) fn near(
         &mut self,
         quantity: impl Into<String>,
-        computed: f64,
-        reference: f64,
-        unit: &str,
+        [computed, reference]: [f64; 2],
         tolerance: Tolerance,
     ) {
         let difference = computed - reference;
+        let (Tolerance::Relative(_, unit) | Tolerance::Absolute(_, unit)) = tolerance;
         let (error, bound, met) = match tolerance {
-            Tolerance::Relative(limit) => {
+            Tolerance::Relative(limit, _) => {
                 let relative = difference / reference;
                 let met = relative.abs() <= limit;
                 (signed_percent(relative), percent(limit), met)
             }
-            Tolerance::Absolute(limit) => (
+            Tolerance::Absolute(limit, _) => (
                 format!("{}{unit}", signed(difference)),
                 format!("{}{unit}", number(limit)),
                 difference.abs() <= limit,
             ),
         };
+        let [reference, computed] =
+            [reference, computed].map(|own| format!("{}{unit}", number(own)));
         self.push(
             quantity.into(),
-            format!("{}{unit}", number(reference)),
-            format!("{}{unit}", number(computed)),
+            reference,
+            computed,
             error,
             bound,
             Verdict::of(met),
         );
     }
 
-    /// `error`, a fraction found at `place`, is below `limit`.
-    pub(crate) fn error_below(
+    /// The same where it `is_bounded`, else both numbers to look at.
+    pub(crate) fn near_if(
         &mut self,
+        is_bounded: bool,
         quantity: impl Into<String>,
-        place: impl Into<String>,
-        error: f64,
-        limit: f64,
+        pair: [f64; 2],
+        tolerance: Tolerance,
     ) {
-        let met = error <= limit;
-        self.push(
-            quantity.into(),
-            String::new(),
-            place.into(),
-            percent(error),
-            percent(limit),
-            Verdict::of(met),
+        self.near(quantity, pair, tolerance);
+        if !is_bounded {
+            self.only_show();
+        }
+    }
+
+    /// A run has all of its load steps.
+    pub(crate) fn converges(&mut self, what: &str, results: &Results, steps: usize) {
+        let found = results.steps.len();
+        let quantity = format!("{what}: load steps that converge");
+        self.completes(
+            quantity,
+            steps.to_string(),
+            found.to_string(),
+            found == steps,
         );
     }
 
-    /// `value`, zero up to rounding, is below `limit`.
+    /// Takes the bound off the last check.
+    fn only_show(&mut self) {
+        if let Some(check) = self.list.last_mut() {
+            check.error.clear();
+            check.bound.clear();
+            check.verdict = Verdict::Shown;
+        }
+    }
+
+    /// The `worst` error, a fraction, is below `limit`.
+    pub(crate) fn error_below(
+        &mut self,
+        quantity: impl Into<String>,
+        worst: impl Into<Worst>,
+        limit: f64,
+    ) {
+        let Worst { value, place } = worst.into();
+        let (error, bound) = (percent(value), percent(limit));
+        let verdict = Verdict::of(value <= limit);
+        self.push(quantity.into(), String::new(), place, error, bound, verdict);
+    }
+
+    /// The `worst` value, zero up to rounding, is below `limit`.
     pub(crate) fn rounding_below(
         &mut self,
         quantity: impl Into<String>,
-        place: impl Into<String>,
-        value: f64,
+        worst: impl Into<Worst>,
         limit: f64,
     ) {
-        let met = value <= limit;
-        self.push(
-            quantity.into(),
-            "0".into(),
-            place.into(),
-            format!("{value:.1e}"),
-            format!("{limit:.0e}"),
-            Verdict::of(met),
-        );
+        let Worst { value, place } = worst.into();
+        let (error, bound) = (format!("{value:.1e}"), format!("{limit:.0e}"));
+        let verdict = Verdict::of(value <= limit);
+        self.push(quantity.into(), "0".into(), place, error, bound, verdict);
     }
 
     /// `computed`, as text, is as `reference` demands.
@@ -153,12 +181,14 @@ impl Checks {
         computed: impl Into<String>,
         met: bool,
     ) {
+        let (reference, computed) = (reference.into(), computed.into());
+        let (error, bound) = (String::new(), "as stated".into());
         self.push(
             quantity.into(),
-            reference.into(),
-            computed.into(),
-            String::new(),
-            "as stated".into(),
+            reference,
+            computed,
+            error,
+            bound,
             Verdict::of(met),
         );
     }
@@ -184,14 +214,8 @@ impl Checks {
         reference: impl Into<String>,
         computed: impl Into<String>,
     ) {
-        self.push(
-            quantity.into(),
-            reference.into(),
-            computed.into(),
-            String::new(),
-            String::new(),
-            Verdict::Shown,
-        );
+        self.holds(quantity, reference, computed, true);
+        self.only_show();
     }
 
     fn push(
@@ -260,6 +284,7 @@ fn decimals(value: f64, digits: i32) -> usize {
 
 #[cfg(test)]
 mod tests {
+    use super::Tolerance::{Absolute, Relative};
     use super::*;
 
     #[test]
@@ -273,10 +298,10 @@ mod tests {
     #[test]
     fn a_number_that_is_none_fails() {
         let mut checks = Checks::default();
-        checks.near("", f64::NAN, 1.0, "", Tolerance::Relative(1.0));
-        checks.error_below("", "", f64::NAN, 1.0);
-        checks.rounding_below("", "", f64::NAN, 1.0);
-        checks.near("", 1.1, 1.0, "", Tolerance::Absolute(0.05));
+        checks.near("", [f64::NAN, 1.0], Relative(1.0, ""));
+        checks.error_below("", ("", f64::NAN), 1.0);
+        checks.rounding_below("", ("", f64::NAN), 1.0);
+        checks.near("", [1.1, 1.0], Absolute(0.05, ""));
         let list = checks.into_list();
         assert!(list.iter().all(|check| check.verdict == Verdict::Fail));
     }

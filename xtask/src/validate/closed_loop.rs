@@ -1,18 +1,19 @@
 //! Friction from synthetic fringe pictures of a scene whose friction is known.
 
-use super::check::{Check, Checks, Tolerance};
-use super::laboratory::{Laboratory, Trouble};
+use super::check::Tolerance::Absolute;
+use super::check::{Check, Checks};
+use super::laboratory::Laboratory;
 use crate::closed_loop::{FIRST, NEAR, Series, WITH_FRICTION, WITHOUT_FRICTION, wanted};
+use crate::publish::Trouble;
 
 pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
-    let stopped = |cause: crate::publish::Trouble| Trouble::Missing(cause.to_string());
     let (seeds, others) = (laboratory.sized(2, 20), laboratory.sized(1, 4));
     let [many, some] = [seeds, others].map(|count| FIRST..=FIRST + count - 1);
-    let rubbing = Series::of(WITH_FRICTION, many).map_err(stopped)?;
-    let smooth = Series::of(WITHOUT_FRICTION, some).map_err(stopped)?;
+    let rubbing = Series::of(WITH_FRICTION, many)?;
+    let smooth = Series::of(WITHOUT_FRICTION, some)?;
     let mut checks = Checks::against("the friction that the scene was solved with");
     with_friction(&mut checks, &rubbing);
-    recorded(&mut checks, [&rubbing, &smooth]).map_err(stopped)?;
+    recorded(&mut checks, [&rubbing, &smooth])?;
     let none = smooth.none_found();
     checks.holds(
         "without friction",
@@ -24,7 +25,7 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
 }
 
 /// The 200 seeds of `cargo xtask closed-loop`, too long for every validation: what it recorded, and whether this run repeats it.
-fn recorded(checks: &mut Checks, series: [&Series; 2]) -> Result<(), crate::publish::Trouble> {
+fn recorded(checks: &mut Checks, series: [&Series; 2]) -> Result<(), Trouble> {
     let [rubbing, smooth] = [
         Series::recorded(WITH_FRICTION)?,
         Series::recorded(WITHOUT_FRICTION)?,
@@ -68,10 +69,8 @@ fn with_friction(checks: &mut Checks, series: &Series) {
     );
     checks.near(
         format!("μd, mean of {seeds} seeds"),
-        series.mean(),
-        truth,
-        "",
-        Tolerance::Absolute(NEAR),
+        [series.mean(), truth],
+        Absolute(NEAR, ""),
     );
     let wanted = wanted(seeds);
     checks.holds(

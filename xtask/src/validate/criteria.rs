@@ -24,149 +24,63 @@
 //!   held and applied (200, 0, 0)   0.002 (1 + r) = 0.01,   r = 4
 //! ```
 
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
 use stickslip_laminate::failure::{TsaiHillSolid, criterion_named};
-use stickslip_laminate::{Assessment, FailureMode, Ply, PlyConstants, PlyLoading, Strengths};
+use stickslip_laminate::{Assessment, Ply, PlyConstants, PlyLoading, Strengths};
 
 use super::check::{Check, Checks};
-use super::laboratory::{Laboratory, Trouble};
+use super::laboratory::Laboratory;
+use crate::publish::Trouble;
 
 /// Relative error of closed forms on both sides.
 const CLOSED: f64 = 1e-10;
 
-/// A plane stress, in the part that stays and the part that grows, with its reserve factor and mode.
-type Plane = ([f64; 3], [f64; 3], f64, FailureMode);
-/// A stress (σ₁, σ₂, σ₃, τ₂₃, τ₁₃, τ₁₂) with its reserve factor and mode.
-type Solid = ([f64; 6], f64, FailureMode);
+/// A stress with its reserve factor and mode.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct State {
+    #[serde(default)]
+    held: [f64; 3],
+    applied: Vec<f64>,
+    factor: f64,
+    mode: String,
+}
 
 pub(super) fn checks(_: &Laboratory) -> Result<Vec<Check>, Trouble> {
+    let states: BTreeMap<String, Vec<State>> = toml::from_str(include_str!("criteria.toml"))?;
     let mut checks = Checks::against("the root of Hashin's (1980) polynomials by hand");
-    for state in &hashin_states() {
-        plane(&mut checks, "hashin", &ply(hashin_strengths())?, state)?;
-    }
-    checks.now_against("the root of Post & Reddy's (1988) form by hand");
-    let hill = ply(hill_strengths())?;
-    for state in &hill_states() {
-        plane(&mut checks, "tsai_hill_3d", &hill, state)?;
-    }
-    for (stress, factor, mode) in &solid_states() {
-        let found = TsaiHillSolid.assess_solid(&hill, &[0.0; 6], stress);
-        let found = found.map_err(missing)?;
-        compare(&mut checks, &format!("{stress:?}"), &found, *factor, *mode);
-    }
-    checks.now_against("strains by Hooke's law and their limits, by hand");
-    let limited = ply(strain_limits())?;
-    for state in &strain_states() {
-        plane(&mut checks, "max_strain", &limited, state)?;
-    }
-    Ok(checks.into_list())
-}
-
-fn hashin_strengths() -> Strengths {
-    Strengths {
+    let hashin = ply(Strengths {
         s23: Some(80.0),
         ..Strengths::in_plane(1500.0, 1000.0, 50.0, 200.0, 100.0)
-    }
-}
-
-fn hashin_states() -> [Plane; 6] {
-    let none = [0.0; 3];
-    let combined = (0.225 + 2.490_625_f64.sqrt()) / 1.22;
-    [
-        (none, [450.0, 0.0, 40.0], 2.0, FailureMode::FibreTension),
-        (none, [-500.0, 0.0, 0.0], 2.0, FailureMode::FibreCompression),
-        (none, [0.0, 15.0, -40.0], 2.0, FailureMode::MatrixTension),
-        (
-            [0.0, 10.0, 0.0],
-            [0.0, 20.0, 40.0],
-            1.5,
-            FailureMode::MatrixTension,
-        ),
-        (
-            none,
-            [0.0, -100.0, 0.0],
-            2.0,
-            FailureMode::MatrixCompression,
-        ),
-        (
-            none,
-            [0.0, -80.0, 60.0],
-            combined,
-            FailureMode::MatrixCompression,
-        ),
-    ]
-}
-
-fn hill_strengths() -> Strengths {
-    Strengths {
+    })?;
+    plane(&mut checks, "hashin", &hashin, &states)?;
+    checks.now_against("the root of Post & Reddy's (1988) form by hand");
+    let hill = ply(Strengths {
         zt: Some(60.0),
         zc: Some(150.0),
         s13: Some(50.0),
         s23: Some(40.0),
         ..Strengths::in_plane(100.0, 120.0, 50.0, 150.0, 50.0)
+    })?;
+    plane(&mut checks, "tsai_hill_3d", &hill, &states)?;
+    for state in &states["solid"] {
+        let stress = state.applied.as_slice().try_into()?;
+        let found = TsaiHillSolid.assess_solid(&hill, &[0.0; 6], stress)?;
+        compare(&mut checks, &format!("{stress:?}"), &found, state);
     }
-}
-
-fn hill_states() -> [Plane; 2] {
-    let none = [0.0; 3];
-    let [first, second] = [5.0 / 8.0_f64.sqrt(), 5.0 / 23.0_f64.sqrt()];
-    [
-        (none, [60.0, 30.0, 0.0], first, FailureMode::FibreTension),
-        (none, [60.0, -60.0, 10.0], second, FailureMode::FibreTension),
-    ]
-}
-
-fn solid_states() -> [Solid; 3] {
-    let shear = [0.0, 0.0, 0.0, 16.0, 15.0, 0.0];
-    [
-        (
-            [0.0, 0.0, 30.0, 0.0, 0.0, 0.0],
-            2.0,
-            FailureMode::ThicknessTension,
-        ),
-        (shear, 2.0, FailureMode::ThicknessShear),
-        (
-            [60.0, 30.0, 30.0, 0.0, 0.0, 0.0],
-            10.0 / 3.0,
-            FailureMode::FibreTension,
-        ),
-    ]
-}
-
-fn strain_limits() -> Strengths {
-    Strengths {
+    checks.now_against("strains by Hooke's law and their limits, by hand");
+    let limited = ply(Strengths {
         strain_1t: Some(0.01),
         strain_1c: Some(0.008),
         strain_2t: Some(0.005),
         strain_2c: Some(0.02),
         strain_12: Some(0.02),
         ..Strengths::default()
-    }
-}
-
-fn strain_states() -> [Plane; 4] {
-    let none = [0.0; 3];
-    let fibres = [200.0, 0.0, 0.0];
-    [
-        (
-            none,
-            [500.0, 20.0, 40.0],
-            200.0 / 99.0,
-            FailureMode::FibreTension,
-        ),
-        (
-            none,
-            [0.0, -100.0, 0.0],
-            2.0,
-            FailureMode::MatrixCompression,
-        ),
-        (
-            none,
-            [-400.0, 60.0, 0.0],
-            5.0 / 7.0,
-            FailureMode::MatrixTension,
-        ),
-        (fibres, fibres, 4.0, FailureMode::FibreTension),
-    ]
+    })?;
+    plane(&mut checks, "max_strain", &limited, &states)?;
+    Ok(checks.into_list())
 }
 
 fn ply(strengths: Strengths) -> Result<Ply, Trouble> {
@@ -179,45 +93,47 @@ fn ply(strengths: Strengths) -> Result<Ply, Trouble> {
         alpha2: 0.0,
         thickness: 1.0,
     };
-    Ply::new("by hand", constants, strengths).map_err(missing)
+    Ok(Ply::new("by hand", constants, strengths)?)
 }
 
-fn missing(cause: impl std::fmt::Display) -> Trouble {
-    Trouble::Missing(cause.to_string())
-}
-
+/// The states of a criterion.
 fn plane(
     checks: &mut Checks,
     criterion: &str,
     ply: &Ply,
-    (held, applied, factor, mode): &Plane,
+    states: &BTreeMap<String, Vec<State>>,
 ) -> Result<(), Trouble> {
-    let chosen = criterion_named(criterion).map_err(missing)?;
-    let loading = PlyLoading {
-        held: *held,
-        applied: *applied,
-    };
-    let found = chosen.assess(ply, &loading).map_err(missing)?;
-    let stress = if *held == [0.0; 3] {
-        format!("{applied:?}")
-    } else {
-        format!("{applied:?} on {held:?}")
-    };
-    compare(checks, &stress, &found, *factor, *mode);
+    let chosen = criterion_named(criterion)?;
+    for state in &states[criterion] {
+        let loading = PlyLoading {
+            held: state.held,
+            applied: state.applied.as_slice().try_into()?,
+        };
+        let PlyLoading { held, applied } = &loading;
+        let stress = if *held == [0.0; 3] {
+            format!("{applied:?}")
+        } else {
+            format!("{applied:?} on {held:?}")
+        };
+        compare(checks, &stress, &chosen.assess(ply, &loading)?, state);
+    }
     Ok(())
 }
 
 /// The reserve factor and the mode; another mode is an error of 1.
-fn compare(checks: &mut Checks, stress: &str, found: &Assessment, factor: f64, mode: FailureMode) {
-    let error = if found.mode == mode {
+fn compare(checks: &mut Checks, stress: &str, found: &Assessment, known: &State) {
+    let factor = known.factor;
+    let error = if found.mode.name() == known.mode {
         (found.reserve_factor / factor - 1.0).abs()
     } else {
         1.0
     };
     checks.rounding_below(
         format!("{} under {stress}: r = {factor:.6}", found.criterion),
-        format!("{:.6}, {}", found.reserve_factor, found.mode),
-        error,
+        (
+            format!("{:.6}, {}", found.reserve_factor, found.mode),
+            error,
+        ),
         CLOSED,
     );
 }

@@ -9,11 +9,13 @@ use stickslip_hybrid::fringe::{
     Carrier, Exposure, FourierOptions, Frame, PixelMap, Plane, fourier, orders_of, picture,
 };
 
-use super::check::{Check, Checks, Tolerance};
-use super::laboratory::{Laboratory, Trouble};
-use super::sensitivity::{Known, stopped};
+use super::check::Tolerance::Absolute;
+use super::check::{Check, Checks};
+use super::laboratory::Laboratory;
+use super::sensitivity::Known;
 use crate::hybrid_noise::case::{Case, Method, SHARE};
 use crate::hybrid_noise::specimen::{self, FREQUENCY, RADIUS, Specimen};
+use crate::publish::Trouble;
 
 /// Cells along the edge `[mm]`.
 const SIZE: f64 = 1.0;
@@ -24,7 +26,7 @@ pub(super) fn errors(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
     let mut checks = Checks::against("Monte Carlo simulation");
     covariance(&mut checks, draws)?;
     super::region_cost::checks(&mut checks)?;
-    let specimen = Specimen::new(cells).map_err(stopped)?;
+    let specimen = Specimen::new(cells)?;
     reductions(&mut checks, &specimen, seeds)?;
     checks.now_against("the orders of which the picture was made");
     phase(&mut checks, &specimen)?;
@@ -35,12 +37,12 @@ pub(super) fn errors(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
 fn covariance(checks: &mut Checks, draws: usize) -> Result<(), Trouble> {
     let known = Known::new(1.0, 5.0)?;
     let (region, rows) = (&known.region, &known.edge.rows);
-    let propagated = region.propagate(rows, &known.measured).map_err(stopped)?;
-    let exact = region.values(&known.measured).map_err(stopped)?;
+    let propagated = region.propagate(rows, &known.measured)?;
+    let exact = region.values(&known.measured)?;
     let measured: Vec<f64> = (0..draws)
         .flat_map(|seed| specimen::shaken(&exact, seed as u64))
         .collect();
-    let sample = region.outputs_of(rows, &measured).map_err(stopped)?;
+    let sample = region.outputs_of(rows, &measured)?;
     let ratios = propagated
         .deviations()
         .into_iter()
@@ -50,16 +52,10 @@ fn covariance(checks: &mut Checks, draws: usize) -> Result<(), Trouble> {
             let squares = own.map(|draw| (draw[k] - propagated.values[k]).powi(2));
             squares.sum::<f64>() / draws as f64 / (deviation * deviation)
         });
-    checks.near(
-        format!(
+    checks.near(format!(
             "variance of {draws} draws of ±1/4 fringe, each solved, over T Σ Tᵀ: mean of {} stresses",
             rows.len()
-        ),
-        ratios.sum::<f64>() / rows.len() as f64,
-        1.0,
-        "",
-        Tolerance::Absolute(0.05),
-    );
+        ), [ratios.sum::<f64>() / rows.len() as f64, 1.0], Absolute(0.05, ""));
     checks.holds(
         "solves that T takes: the fewer of outputs and boundary displacements",
         region.prescribed().len().min(rows.len()).to_string(),
@@ -79,17 +75,15 @@ fn reductions(checks: &mut Checks, specimen: &Specimen, seeds: u64) -> Result<()
             spacing: SIZE / 4.0,
             stand_off: 0.0,
         };
-        let row = case.solve(specimen, seeds).map_err(stopped)?;
-        let row = row.ok_or_else(|| stopped("16 data per cell determine every reduction"))?;
+        let row = case.solve(specimen, seeds)?;
+        let row = row.ok_or("16 data per cell determine every reduction")?;
         checks.near(
             format!(
                 "{}: noise of {seeds} seeds over the propagated one",
                 method.name()
             ),
-            row.drawn / row.noise,
-            1.0,
-            "",
-            Tolerance::Absolute(0.1),
+            [row.drawn / row.noise, 1.0],
+            Absolute(0.1, ""),
         );
         if method == Method::Nodes {
             nodes = row.noise;
@@ -110,20 +104,20 @@ fn reductions(checks: &mut Checks, specimen: &Specimen, seeds: u64) -> Result<()
 fn phase(checks: &mut Checks, specimen: &Specimen) -> Result<(), Trouble> {
     const MARGIN: f64 = 0.3;
     let window = [[10.5, -4.0], [18.0, 4.0]];
-    let frame = Frame::over(window, 0.02).map_err(stopped)?;
+    let frame = Frame::over(window, 0.02)?;
     let places: Vec<Point> = (0..frame.pixels()).map(|k| frame.place(k)).collect();
-    let found = specimen.displacements_at(&places).map_err(stopped)?;
+    let found = specimen.displacements_at(&places)?;
     for (axis, gradient) in [(0, [10.0, 0.0]), (1, [0.0, 10.0])] {
         let field = found.iter().skip(axis).step_by(2).copied().collect();
-        let field = PixelMap::with_gaps(frame, field).map_err(stopped)?;
+        let field = PixelMap::with_gaps(frame, field)?;
         let carrier = Plane {
             gradient,
             constant: 0.0,
         };
-        let orders = orders_of(&field, FREQUENCY, &carrier).map_err(stopped)?;
-        let picture = picture(&orders, &Exposure::default(), 1).map_err(stopped)?;
+        let orders = orders_of(&field, FREQUENCY, &carrier)?;
+        let picture = picture(&orders, &Exposure::default(), 1)?;
         let options = FourierOptions::new(Carrier::Given(gradient));
-        let phase = fourier(&picture, &options).map_err(stopped)?.phase;
+        let phase = fourier(&picture, &options)?.phase;
         let inside = |[x, y]: Point| {
             (window[0][0] + MARGIN..window[1][0] - MARGIN).contains(&x)
                 && (window[0][1] + MARGIN..window[1][1] - MARGIN).contains(&y)
@@ -137,10 +131,8 @@ fn phase(checks: &mut Checks, specimen: &Specimen) -> Result<(), Trouble> {
         let rms = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
         checks.near(
             format!("Fourier phase of the {} field: rms error", ["U", "V"][axis]),
-            rms,
-            0.0,
-            " fringes",
-            Tolerance::Absolute(0.01),
+            [rms, 0.0],
+            Absolute(0.01, " fringes"),
         );
     }
     Ok(())

@@ -1,10 +1,8 @@
 //! Runs scenes, with or without a deliberate mistake, and keeps the worst residuals.
 
 use std::cell::RefCell;
-use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use stickslip::diagnostic::SceneError;
 use stickslip::host::HOST;
 use stickslip::results::Results;
 use stickslip::run::{RunError, run_with};
@@ -13,43 +11,28 @@ use stickslip_contact::ContactError;
 use thiserror::Error;
 
 use super::mutation::Mutation;
+use crate::publish::{Trouble, root};
 
 /// 1 ksi in MPa.
 pub(crate) const KSI: f64 = 6.894757293168361;
 /// 1 psi in MPa.
 pub(crate) const PSI: f64 = 1e-3 * KSI;
 
-/// Why a case could not be computed.
+/// A scene whose run stopped.
 #[derive(Debug, Error)]
-pub(crate) enum Trouble {
-    /// A scene does not read.
-    #[error("{scene}: {}", cause.findings().iter().map(|finding| finding.problem.to_string()).collect::<Vec<_>>().join("; "))]
-    Scene {
-        scene: String,
-        cause: Box<SceneError>,
-    },
-    /// A run stopped.
-    #[error("{scene}: {cause}")]
-    Run { scene: String, cause: Box<RunError> },
-    /// A reference does not read.
-    #[error(transparent)]
-    Reference(#[from] stickslip_laboratory::LaboratoryError),
-    /// Results or data lack something that a check needs.
-    #[error("{0}")]
-    Missing(String),
+#[error("{scene}: {cause}")]
+struct Stopped {
+    scene: String,
+    cause: RunError,
 }
 
-impl Trouble {
-    /// Whether a solver proved that nothing can balance the load.
-    pub(crate) fn is_proved_impossible(&self) -> bool {
-        let Self::Run { cause, .. } = self else {
-            return false;
-        };
-        matches!(
-            &**cause,
-            RunError::Contact(ContactError::StepFailed { cause, .. }) if cause.is_proved_impossible()
-        )
-    }
+/// Whether a solver proved that nothing can balance the load.
+pub(crate) fn is_proved_impossible(trouble: &Trouble) -> bool {
+    let cause = trouble.downcast_ref().map(|Stopped { cause, .. }| cause);
+    matches!(
+        cause,
+        Some(RunError::Contact(ContactError::StepFailed { cause, .. })) if cause.is_proved_impossible()
+    )
 }
 
 /// How much is computed.
@@ -77,6 +60,13 @@ impl Worst {
                 place: place(),
             };
         }
+    }
+}
+
+impl<S: Into<String>> From<(S, f64)> for Worst {
+    fn from((place, value): (S, f64)) -> Self {
+        let place = place.into();
+        Self { value, place }
     }
 }
 
@@ -132,20 +122,17 @@ impl Laboratory {
             .collect::<Vec<_>>()
             .join(" ")
             .replace('"', "");
-        let path = scenes().join(format!("{name}.toml"));
-        let mut scene =
-            Scene::from_file(&path, overrides, HOST).map_err(|cause| Trouble::Scene {
-                scene: label.clone(),
-                cause: Box::new(cause),
-            })?;
+        let path = root().join("scenes").join(format!("{name}.toml"));
+        let mut scene = Scene::from_file(&path, overrides, HOST)?;
         self.mutation.change_laws(&mut scene);
         let solver = self.mutation.solver(&scene);
         let outcome = run_with(&scene, solver.as_ref(), &mut |_| {});
         eprintln!("  {label}  {:.2} s", start.elapsed().as_secs_f64());
-        let results = outcome.map_err(|cause| Trouble::Run {
+        let stopped = |cause| Stopped {
             scene: label.clone(),
-            cause: Box::new(cause),
-        })?;
+            cause,
+        };
+        let results = outcome.map_err(stopped)?;
         self.keep_residuals(&results, &label);
         Ok(results)
     }
@@ -163,9 +150,4 @@ impl Laboratory {
             worst.cone.meet(step.residuals.cone, place);
         }
     }
-}
-
-/// The folder of scenes.
-fn scenes() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes")
 }

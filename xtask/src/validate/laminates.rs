@@ -9,8 +9,10 @@ use stickslip_laminate::{
     Curvature, Deformation, Laminate, LaminateLoad, Ply, PlyConstants, Strengths,
 };
 
-use super::check::{Check, Checks, Tolerance};
-use super::laboratory::{Laboratory, Trouble, Worst};
+use super::check::Tolerance::Absolute;
+use super::check::{Check, Checks};
+use super::laboratory::{Laboratory, Worst};
+use crate::publish::Trouble;
 
 /// The table that the tests of the laminates' crate use too.
 const TABLE: &str = include_str!("../../../crates/laminate/tests/reference/clt.json");
@@ -65,7 +67,7 @@ struct Failure {
 
 pub(super) fn checks(_: &Laboratory) -> Result<Vec<Check>, Trouble> {
     let mut checks = Checks::against("classical lamination theory, programmed anew");
-    let table: Table = serde_json::from_str(TABLE).map_err(missing)?;
+    let table: Table = serde_json::from_str(TABLE)?;
     for entry in &table.laminates {
         let laminate = laminate(entry, &table.strengths_ksi)?;
         let name = laminate_name(&entry.laminate)?;
@@ -76,25 +78,19 @@ pub(super) fn checks(_: &Laboratory) -> Result<Vec<Check>, Trouble> {
     Ok(checks.into_list())
 }
 
-fn missing(cause: impl std::fmt::Display) -> Trouble {
-    Trouble::Missing(cause.to_string())
-}
-
 /// The table's names as lay-ups.
 fn laminate_name(name: &str) -> Result<&'static str, Trouble> {
     match name {
         "QI_0_2/60_2/-60_2_s" => Ok("[0_2/60_2/-60_2]s"),
         "0/45/-45/90_s" => Ok("[0/±45/90]s"),
-        other => Err(missing(format!(
-            "the table's laminate '{other}' is unknown"
-        ))),
+        other => Err(format!("the table's laminate '{other}' is unknown").into()),
     }
 }
 
 fn laminate(entry: &Entry, strengths: &BTreeMap<String, f64>) -> Result<Laminate, Trouble> {
     let strength = |name: &str| {
         let value = strengths.get(name).copied();
-        value.ok_or_else(|| missing(format!("the table has no strength {name}")))
+        value.ok_or_else(|| format!("the table has no strength {name}"))
     };
     let strengths = Strengths::in_plane(
         strength("XT")?,
@@ -126,8 +122,8 @@ fn of_constants(
         alpha2: 0.0,
         thickness,
     };
-    let ply = Ply::new("reference", constants, strengths).map_err(missing)?;
-    Laminate::new(&layup.parse().map_err(missing)?, &ply).map_err(missing)
+    let ply = Ply::new("reference", constants, strengths)?;
+    Ok(Laminate::new(&layup.parse()?, &ply)?)
 }
 
 /// Largest difference over the largest entry of the reference.
@@ -153,7 +149,7 @@ fn stiffness(
         ("D", &found.bending, &entry.bending),
     ] {
         let error = apart(&flat(found), &flat(reference));
-        checks.rounding_below(format!("{name}: {what}"), "9 entries", error, CLOSED);
+        checks.rounding_below(format!("{name}: {what}"), ("9 entries", error), CLOSED);
     }
     let EffectiveModuli {
         ex,
@@ -172,15 +168,10 @@ fn stiffness(
         ("nuyx", nuyx),
     ] {
         let reference = entry.effective_ksi.get(key);
-        let reference = reference.ok_or_else(|| missing(format!("the table has no {key}")))?;
+        let reference = reference.ok_or_else(|| format!("the table has no {key}"))?;
         worst.meet((found / reference - 1.0).abs(), || format!("worst: {key}"));
     }
-    checks.rounding_below(
-        format!("{name}: effective moduli"),
-        worst.place,
-        worst.value,
-        CLOSED,
-    );
+    checks.rounding_below(format!("{name}: effective moduli"), worst, CLOSED);
     Ok(())
 }
 
@@ -197,10 +188,7 @@ fn loads(
             Some("Nx") => ("N_x", [h, 0.0, 0.0]),
             Some("Nxy") => ("N_xy", [0.0, 0.0, h]),
             _ => {
-                return Err(missing(format!(
-                    "the table's load '{}' is unknown",
-                    case.load
-                )));
+                return Err(format!("the table's load '{}' is unknown", case.load).into());
             }
         };
         let load = LaminateLoad::membrane(force);
@@ -209,17 +197,12 @@ fn loads(
         for state in laminate.ply_states(&Deformation::membrane(strain), 0.0) {
             let key = state.angle.to_string();
             let reference = case.ply_stress_ksi_sigma1_sigma2_tau12.get(&key);
-            let reference = reference.ok_or_else(|| missing(format!("no ply at {key}°")))?;
+            let reference = reference.ok_or_else(|| format!("no ply at {key}°"))?;
             worst.meet(apart(&state.stress, reference), || {
                 format!("worst: {key}° ply")
             });
         }
-        checks.rounding_below(
-            format!("{name}, {short}: ply stresses"),
-            worst.place,
-            worst.value,
-            CLOSED,
-        );
+        checks.rounding_below(format!("{name}, {short}: ply stresses"), worst, CLOSED);
         for (criterion, key) in [
             ("max_stress", "maxstress"),
             ("tsai_hill", "tsaihill"),
@@ -227,22 +210,23 @@ fn loads(
             ("tsai_wu", "tsaiwu"),
         ] {
             let reference = case.first_ply_failure.get(key);
-            let reference = reference.ok_or_else(|| missing(format!("no {key}")))?;
-            let chosen = criterion_named(criterion).map_err(missing)?;
-            let first = first_ply_failure(laminate, &load, chosen.as_ref()).map_err(missing)?;
+            let reference = reference.ok_or_else(|| format!("no {key}"))?;
+            let chosen = criterion_named(criterion)?;
+            let first = first_ply_failure(laminate, &load, chosen.as_ref())?;
             let factor = first.assessment.reserve_factor;
             // The table names one of several plies that tie.
-            let plies = assess_plies(laminate, &load, chosen.as_ref()).map_err(missing)?;
+            let plies = assess_plies(laminate, &load, chosen.as_ref())?;
             let named = plies.iter().find(|ply| ply.angle == reference.ply_deg);
-            let named =
-                named.ok_or_else(|| missing(format!("no ply at {}°", reference.ply_deg)))?;
+            let named = named.ok_or_else(|| format!("no ply at {}°", reference.ply_deg))?;
             let expected = reference.factor;
             let error = (factor / expected - 1.0).abs();
             let tied = (named.assessment.reserve_factor / expected - 1.0).abs();
             checks.rounding_below(
                 format!("{name}, {short}: first ply by {criterion}"),
-                format!("{factor:.4} ksi in the {}° ply", first.angle),
-                error.max(tied),
+                (
+                    format!("{factor:.4} ksi in the {}° ply", first.angle),
+                    error.max(tied),
+                ),
                 CLOSED,
             );
         }
@@ -270,8 +254,11 @@ fn report(checks: &mut Checks) -> Result<(), Trouble> {
         ("G", own.gxy, 2.97, "e6 psi"),
         ("ν", own.nuxy, 0.30, ""),
     ] {
-        let tolerance = Tolerance::Absolute(DIGITS);
-        checks.near(format!("{what}: {name}"), found, reference, unit, tolerance);
+        checks.near(
+            format!("{what}: {name}"),
+            [found, reference],
+            Absolute(DIGITS, unit),
+        );
     }
     checks.now_against("Tsai & Hahn 1980, ply constants in GPa");
     let psi = 6.894_757_293_168;
@@ -283,10 +270,8 @@ fn report(checks: &mut Checks) -> Result<(), Trouble> {
     })?;
     checks.near(
         "the same lay-up of a textbook T300/5208 ply, a third stiffer than the report's plate: E",
-        textbook.ex,
-        69.68 / psi,
-        "e6 psi",
-        Tolerance::Absolute(DIGITS),
+        [textbook.ex, 69.68 / psi],
+        Absolute(DIGITS, "e6 psi"),
     );
     Ok(())
 }

@@ -6,7 +6,6 @@
 
 mod passage;
 
-use std::path::PathBuf;
 use std::sync::Arc;
 
 use rand::rngs::StdRng;
@@ -22,8 +21,10 @@ use stickslip_hybrid::calibrate::Settings;
 use stickslip_hybrid::data::Measurement;
 use stickslip_hybrid::identify::Bounds;
 
-use super::check::{Check, Checks, Tolerance};
-use super::laboratory::{Laboratory, Trouble};
+use super::check::Tolerance::Absolute;
+use super::check::{Check, Checks};
+use super::laboratory::Laboratory;
+use crate::publish::{Trouble, root};
 
 /// Lines per millimetre.
 const FREQUENCY: f64 = 2400.0;
@@ -35,10 +36,6 @@ const PAIRS: [[f64; 2]; 2] = [[1.125, 2.25], [2.25, 4.5]];
 const RADIUS: f64 = 9.525;
 const DROP: &str = r#"{ "static_dynamic": { "static": 0.35, "dynamic": 0.25 } }"#;
 const NONE: &str = r#"{ "coulomb": { "mu": 0.0 } }"#;
-
-fn stopped(cause: impl std::fmt::Display) -> Trouble {
-    Trouble::Missing(cause.to_string())
-}
 
 pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
     let [fine, coarse] = PAIRS;
@@ -65,8 +62,11 @@ fn drop_law(checks: &mut Checks, study: &Study) -> Result<usize, Trouble> {
     let found = study.fitted(DROP, &[drop_candidate()?], &[3, 6, 9], 1)?;
     let own = &found.fits[0];
     let (dynamic, _) = estimate(own, "dynamic")?;
-    let near = Tolerance::Absolute(0.002);
-    checks.near("drop: dynamic coefficient", dynamic, 0.25, "", near);
+    checks.near(
+        "drop: dynamic coefficient",
+        [dynamic, 0.25],
+        Absolute(0.002, ""),
+    );
     let (_, bounds) = estimate(own, "static")?;
     let weak = match bounds {
         Bounds::AtMost(high) => high >= 0.35,
@@ -97,11 +97,11 @@ fn no_friction(checks: &mut Checks, study: &Study) -> Result<usize, Trouble> {
 
 /// How far the hole's edge moves.
 fn sensitivities(checks: &mut Checks) -> Result<(), Trouble> {
-    let model = ContactModel::new(&aluminium(1.125)?).map_err(stopped)?;
+    let model = ContactModel::new(&aluminium(1.125)?)?;
     let law = drop_candidate()?;
     let changes = [vec![0.25, 0.30], vec![0.27, 0.37]];
     let found = sensitivity(&model, &law, &[0.25, 0.35], &changes, FREQUENCY);
-    let found = found.map_err(stopped)?;
+    let found = found?;
     let largest = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
     checks.now_against(
         "an independent program on the same plate: at most 0.11 fringe, and 1.2 fringes",
@@ -119,10 +119,8 @@ fn sensitivities(checks: &mut Checks) -> Result<(), Trouble> {
     );
     checks.near(
         "most that the hole's edge deforms: both coefficients up by 0.02",
-        both,
-        1.2,
-        " fringes",
-        Tolerance::Absolute(0.05),
+        [both, 1.2],
+        Absolute(0.05, " fringes"),
     );
     Ok(())
 }
@@ -138,9 +136,9 @@ impl Study {
     fn new(truth: f64, model: f64) -> Result<Self, Trouble> {
         let own = aluminium(model)?;
         Ok(Self {
-            truth: ContactModel::new(&aluminium(truth)?).map_err(stopped)?,
-            model: ContactModel::new(&own).map_err(stopped)?,
-            coarser: ContactModel::new(&coarser(&own)).map_err(stopped)?,
+            truth: ContactModel::new(&aluminium(truth)?)?,
+            model: ContactModel::new(&own)?,
+            coarser: ContactModel::new(&coarser(&own))?,
         })
     }
 
@@ -153,13 +151,14 @@ impl Study {
     ) -> Result<Comparison, Trouble> {
         let data = self.observations(true_law, steps, seed)?;
         let settings = Settings::default();
-        fit_on_two_meshes(&self.model, &self.coarser, laws, &data, &settings).map_err(stopped)
+        let Self { model, coarser, .. } = self;
+        Ok(fit_on_two_meshes(model, coarser, laws, &data, &settings)?)
     }
 
     /// The longest slip path `[mm]` of any contact point of the truth after the load step `last`, counted from 0.
     fn slipped(&self, true_law: &str, last: usize) -> Result<f64, Trouble> {
         let states = self.truth.states(Arc::from(law(true_law)?), last + 1);
-        let states = states.map_err(stopped)?;
+        let states = states?;
         let history = states.last().map_or(&[][..], |state| &state.history);
         let paths = history.iter().map(History::slip_path);
         Ok(paths.fold(0.0, f64::max))
@@ -178,10 +177,10 @@ impl Study {
             .filter(|[x, y]| x.hypot(*y) >= RADIUS + 0.2)
             .collect();
         let mut random = StdRng::seed_from_u64(seed);
-        let view = self.truth.view(&places).map_err(stopped)?;
+        let view = self.truth.view(&places)?;
         let last = steps.iter().max().copied().unwrap_or(0);
         let law = Arc::from(law(true_law)?);
-        let states = self.truth.states(law, last + 1).map_err(stopped)?;
+        let states = self.truth.states(law, last + 1)?;
         let observation = |&step: &usize| {
             let exact = view.displacements(&states[step]);
             let mut noisy = |axis: usize| -> Vec<f64> {
@@ -206,16 +205,12 @@ impl Study {
 
 /// The aluminium plate with corner nodes every `degrees` along the fine part of its edge.
 fn aluminium(degrees: f64) -> Result<SpecimenScene, Trouble> {
-    let path =
-        PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../scenes/pin-loaded-aluminium.toml");
+    let path = root().join("scenes/pin-loaded-aluminium.toml");
     let overrides = [
         format!("mesh.spacing=\"{degrees} deg\""),
         format!("mesh.coarse_spacing=\"{} deg\"", (4.0 * degrees).min(9.0)),
     ];
-    let scene = Scene::from_file(&path, &overrides, HOST).map_err(|cause| Trouble::Scene {
-        scene: path.display().to_string(),
-        cause: Box::new(cause),
-    })?;
+    let scene = Scene::from_file(&path, &overrides, HOST)?;
     Ok(SpecimenScene {
         scene: Arc::new(scene),
         body: "plate".to_owned(),
@@ -224,12 +219,12 @@ fn aluminium(degrees: f64) -> Result<SpecimenScene, Trouble> {
 }
 
 fn law(text: &str) -> Result<Box<dyn FrictionLaw>, Trouble> {
-    serde_json::from_str(text).map_err(stopped)
+    Ok(serde_json::from_str(text)?)
 }
 
 fn candidate(name: &str, text: &str, free: &[(&str, [f64; 2])]) -> Result<Candidate, Trouble> {
     Candidate::of_law(name, law(text)?.as_ref(), free)
-        .map_err(|(parameter, cause)| stopped(format!("{name}.{parameter}: {cause}")))
+        .map_err(|(parameter, cause)| format!("{name}.{parameter}: {cause}").into())
 }
 
 fn coulomb() -> Result<Candidate, Trouble> {
@@ -244,7 +239,7 @@ fn drop_candidate() -> Result<Candidate, Trouble> {
 fn estimate(fit: &Fit, name: &str) -> Result<(f64, Bounds), Trouble> {
     let mut all = fit.calibration.estimates.iter();
     let own = all.find(|own| own.name == name);
-    let own = own.ok_or_else(|| stopped(format!("no parameter '{name}'")))?;
+    let own = own.ok_or_else(|| format!("no parameter '{name}'"))?;
     Ok((own.value, own.bounds))
 }
 

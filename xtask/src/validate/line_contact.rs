@@ -10,8 +10,10 @@ use stickslip_laboratory::references::line_contact::{
     CYCLE, FRICTION, HALF_WIDTH, PEAK, STICK, reversed_stick, shear_loaded, shear_returned,
 };
 
-use super::check::{Check, Checks, Tolerance, percent};
-use super::laboratory::{Laboratory, Trouble, Worst};
+use super::check::Tolerance::{Absolute, Relative};
+use super::check::{Check, Checks, percent};
+use super::laboratory::{Laboratory, Worst};
+use crate::publish::Trouble;
 
 /// Corner spacing of the scene of Cattaneo and Mindlin `[mm]`.
 const SPACING: f64 = 0.011;
@@ -26,9 +28,12 @@ pub(super) fn hertz(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
     )?;
     let edge = &results.steps[0].edges[0];
     let mut checks = Checks::against("Hertz 1882");
-    let bound = Tolerance::Relative(2e-3);
-    checks.near("peak pressure", peak(edge)?, PEAK, " MPa", bound);
-    checks.near("half-width", extent(edge)?, HALF_WIDTH, " mm", bound);
+    checks.near("peak pressure", [peak(edge)?, PEAK], Relative(2e-3, " MPa"));
+    checks.near(
+        "half-width",
+        [extent(edge)?, HALF_WIDTH],
+        Relative(2e-3, " mm"),
+    );
     Ok(checks.into_list())
 }
 
@@ -38,29 +43,20 @@ pub(super) fn cattaneo(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
     let results = laboratory.run("cattaneo-mindlin", &[])?;
     let stuck = results.steps[1].edges[0]
         .stick_half_extent
-        .ok_or_else(|| Trouble::Missing("no stick zone".into()))?;
+        .ok_or("no stick zone")?;
     checks.near(
         "stick half-width at Q = 0.5 μP, bound 1 % of a",
-        stuck,
-        STICK,
-        " mm",
-        Tolerance::Absolute(BOUND * HALF_WIDTH),
+        [stuck, STICK],
+        Absolute(BOUND * HALF_WIDTH, " mm"),
     );
     let lost: f64 = results.steps[2..].iter().map(|step| step.dissipation).sum();
     checks.near(
         "work lost in a cycle",
-        lost,
-        CYCLE,
-        " N mm/mm",
-        Tolerance::Relative(BOUND),
+        [lost, CYCLE],
+        Relative(BOUND, " N mm/mm"),
     );
     for (name, worst) in shear_errors(&results, 0.1 * PEAK) {
-        checks.error_below(
-            format!("shear {name}, {AWAY}"),
-            worst.place,
-            worst.value,
-            BOUND,
-        );
+        checks.error_below(format!("shear {name}, {AWAY}"), worst, BOUND);
     }
     for (substeps, ramp) in [(4, "linear"), (32, "quadratic")] {
         let results = laboratory.run("cattaneo-mindlin", &small_radius(substeps, ramp))?;
@@ -134,14 +130,11 @@ fn shear_error(
 }
 
 fn peak(edge: &EdgeResults) -> Result<f64, Trouble> {
-    let (value, _) = edge.peak_pressure.ok_or_else(open)?;
-    Ok(value)
+    Ok(edge.peak_pressure.ok_or(OPEN)?.0)
 }
 
 fn extent(edge: &EdgeResults) -> Result<f64, Trouble> {
-    edge.contact_half_extent.ok_or_else(open)
+    Ok(edge.contact_half_extent.ok_or(OPEN)?)
 }
 
-fn open() -> Trouble {
-    Trouble::Missing("the cylinder does not touch".into())
-}
+const OPEN: &str = "the cylinder does not touch";

@@ -4,36 +4,20 @@
 //! solver that gives up, and counts of its iterations, catch nothing.
 
 use super::check::{Check, Checks, Verdict};
-use super::laboratory::{Laboratory, Size, Trouble};
+use super::laboratory::{Laboratory, Size, is_proved_impossible};
 use super::mutation::Mutation;
 use super::{Case, Outcome};
+use crate::publish::Trouble;
 
-/// Part of a case that comes out the same with a mistake.
-struct Blind {
-    case: &'static str,
-    mutation: Mutation,
-    /// Beginning of the names of its checks.
-    quantities: &'static str,
-    reason: &'static str,
-}
-
+/// Parts of cases that come out the same with a mistake: the case, and the beginning of the names of its checks.
+const BLIND: [(&str, &str); 2] = [
+    ("rigid-pin-friction", "orthotropic, μ = 0.2:"),
+    ("rigid-pin-friction", "quasi-isotropic, μ = 0.2:"),
+];
+/// The mistake to which they are blind, and why.
+const BLIND_TO: Mutation = Mutation::ForgottenHistory;
 const PROPORTIONAL: &str =
     "zero clearance, one growing load: no slip reverses, and slip zones do not move";
-
-const BLIND: [Blind; 2] = [
-    Blind {
-        case: "rigid-pin-friction",
-        mutation: Mutation::ForgottenHistory,
-        quantities: "orthotropic, μ = 0.2:",
-        reason: PROPORTIONAL,
-    },
-    Blind {
-        case: "rigid-pin-friction",
-        mutation: Mutation::ForgottenHistory,
-        quantities: "quasi-isotropic, μ = 0.2:",
-        reason: PROPORTIONAL,
-    },
-];
 
 /// Whether each of the `chosen` cases notices each mistake, on the quick meshes.
 pub(super) fn outcome(chosen: &[&Case]) -> Outcome {
@@ -41,7 +25,7 @@ pub(super) fn outcome(chosen: &[&Case]) -> Outcome {
     let (mut noticed, mut cases) = ([0_usize; Mutation::MISTAKES.len()], 0);
     for case in chosen.iter().filter(|case| case.friction) {
         eprintln!("{}, {}", case.title, Mutation::None.name());
-        let control = (case.checks)(&Laboratory::new(Size::Quick, Mutation::None));
+        let control = case.checks(&Laboratory::new(Size::Quick, Mutation::None));
         let (found, met) = match &control {
             Ok(list) => {
                 let (missed, of) = (missed(list).count(), bounded(list).count());
@@ -53,7 +37,7 @@ pub(super) fn outcome(chosen: &[&Case]) -> Outcome {
         checks.holds(what, "all physical quantities pass", found, met);
         for (index, mutation) in Mutation::MISTAKES.into_iter().enumerate() {
             eprintln!("{}, {}", case.title, mutation.name());
-            let mutant = (case.checks)(&Laboratory::new(Size::Quick, mutation));
+            let mutant = case.checks(&Laboratory::new(Size::Quick, mutation));
             noticed[index] += usize::from(judge(&mut checks, case, mutation, mutant));
         }
         cases += 1;
@@ -67,7 +51,7 @@ pub(super) fn outcome(chosen: &[&Case]) -> Outcome {
         );
     }
     Outcome {
-        title: "Deliberate mistakes in friction",
+        title: "Deliberate mistakes in friction".to_owned(),
         checks: checks.into_list(),
     }
 }
@@ -82,7 +66,7 @@ fn judge(
     let what = format!("{}: {}", case.title, mutation.name());
     let list = match mutant {
         Ok(list) => list,
-        Err(trouble) if trouble.is_proved_impossible() => {
+        Err(trouble) if is_proved_impossible(&trouble) => {
             checks.holds(
                 what,
                 "impossible: a load without balance, by the solver's proof",
@@ -113,17 +97,13 @@ fn judge(
         format!("{caught} of {} miss{first}", bounded(&list).count()),
         caught > 0,
     );
-    let blind = |blind: &&Blind| blind.case == case.name && blind.mutation == mutation;
-    for Blind {
-        quantities, reason, ..
-    } in BLIND.iter().filter(blind)
-    {
-        let count = missed(&list)
-            .filter(|check| check.quantity.starts_with(quantities))
-            .count();
+    let blind = |own: &&(&str, &str)| own.0 == case.name && mutation == BLIND_TO;
+    for (_, quantities) in BLIND.iter().filter(blind) {
+        let own = missed(&list).filter(|check| check.quantity.starts_with(quantities));
+        let count = own.count();
         checks.holds(
             format!("{what}: {quantities} cannot notice"),
-            *reason,
+            PROPORTIONAL,
             format!("{count} miss"),
             count == 0,
         );

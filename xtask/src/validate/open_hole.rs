@@ -7,9 +7,11 @@
 //!
 //! for an infinite orthotropic plate under tension S along its 1-axis (Lekhnitskii 1968); with E_θ along the edge's tangent.
 
-use super::check::{Check, Checks, Tolerance, percent};
-use super::laboratory::{KSI, Laboratory, Trouble, Worst};
+use super::check::Tolerance::Relative;
+use super::check::{Check, Checks, percent};
+use super::laboratory::{KSI, Laboratory, Worst};
 use super::rigid_pin::stresses;
+use crate::publish::Trouble;
 
 /// Allowed error.
 const BOUND: f64 = 1e-3;
@@ -22,10 +24,8 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
     let (tension, [_, hoop, _]) = (100.0, stresses(&results, 0, 90.0)?);
     checks.near(
         "strip d/W = 0.5: σ_θ/S at 90°",
-        hoop / tension,
-        HOWLAND,
-        "",
-        Tolerance::Relative(BOUND),
+        [hoop / tension, HOWLAND],
+        Relative(BOUND, ""),
     );
 
     checks.now_against("Lekhnitskii 1968, closed form");
@@ -35,10 +35,11 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
     for angle in [0.0, 45.0, 90.0] {
         checks.near(
             format!("orthotropic plate: σ_θ/S at {angle}°"),
-            stresses(&results, 0, angle)?[1] / tension,
-            lekhnitskii(angle.to_radians()),
-            "",
-            Tolerance::Relative(BOUND),
+            [
+                stresses(&results, 0, angle)?[1] / tension,
+                lekhnitskii(angle.to_radians()),
+            ],
+            Relative(BOUND, ""),
         );
     }
     let peak = lekhnitskii(std::f64::consts::FRAC_PI_2);
@@ -54,12 +55,7 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
             )
         });
     }
-    checks.error_below(
-        "orthotropic plate: σ_θ, of its peak",
-        worst.place,
-        worst.value,
-        BOUND,
-    );
+    checks.error_below("orthotropic plate: σ_θ, of its peak", worst, BOUND);
     checks.show(
         "orthotropic plate: force on the idle pin, of S R t",
         "0",

@@ -3,8 +3,10 @@
 use stickslip::results::Results;
 use stickslip_laboratory::references::persson::{STEPS, pressure};
 
-use super::check::{Check, Checks, Tolerance, percent};
-use super::laboratory::{Laboratory, Trouble, Worst};
+use super::check::Tolerance::{Absolute, Relative};
+use super::check::{Check, Checks, percent};
+use super::laboratory::{Laboratory, Worst};
+use crate::publish::Trouble;
 
 /// Allowed errors: of the half-angle `[deg]`, of the pressure.
 const ANGLE: f64 = 0.1;
@@ -64,22 +66,17 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
 fn bounds(checks: &mut Checks, what: &str, errors: &Errors, half_angle: f64) {
     checks.near(
         format!("{what}: half-angle"),
-        errors.half_angle,
-        half_angle,
-        "°",
-        Tolerance::Absolute(ANGLE),
+        [errors.half_angle, half_angle],
+        Absolute(ANGLE, "°"),
     );
     checks.near(
         format!("{what}: peak pressure R t/Q"),
-        errors.peak,
-        pressure(half_angle.to_radians(), 0.0),
-        "",
-        Tolerance::Relative(PRESSURE),
+        [errors.peak, pressure(half_angle.to_radians(), 0.0)],
+        Relative(PRESSURE, ""),
     );
     checks.error_below(
         format!("{what}: pressure more than 2h from the end, of its peak"),
-        &errors.inside.place,
-        errors.inside.value,
+        errors.inside.clone(),
         PRESSURE,
     );
 }
@@ -105,7 +102,7 @@ fn errors(
     spacing: f64,
 ) -> Result<Errors, Trouble> {
     let (geometry, edge) = (&run.edges[0], &run.steps[step].edges[0]);
-    let missing = || Trouble::Missing(format!("no contact in step {}", step + 1));
+    let missing = || format!("no contact in step {}", step + 1);
     let epsilon = half_angle.to_radians();
     let highest = pressure(epsilon, 0.0);
     let (mut inside, mut end) = (Worst::default(), Worst::default());

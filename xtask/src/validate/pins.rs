@@ -14,8 +14,9 @@ use stickslip::results::{EdgeResults, Results};
 use stickslip_contact::Status;
 
 use super::check::{Check, Checks, number};
-use super::laboratory::{Laboratory, PSI, Trouble};
+use super::laboratory::{Laboratory, PSI};
 use super::rigid_pin;
+use crate::publish::Trouble;
 
 /// Young's modulus `[psi]`, interference, radius of the hole, thickness, and distance from its centre to the nearest edge `[in]`.
 const YOUNG: f64 = 10.4e6;
@@ -35,7 +36,7 @@ const POUND: f64 = 4.448_221_615_260_5;
 pub(super) fn interference(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
     let results = laboratory.run("interference-pin", &[])?;
     if results.steps.len() != LOADS.len() {
-        return Err(Trouble::Missing(format!("not {} steps", LOADS.len())));
+        return Err(format!("not {} steps", LOADS.len()).into());
     }
     let mut checks = Checks::against("statics; Lamé 1852");
     press_fit(&mut checks, &results.steps[0].edges[0]);
@@ -45,8 +46,7 @@ pub(super) fn interference(laboratory: &Laboratory) -> Result<Vec<Check>, Troubl
         let (expected, scale) = (load * POUND, normal.max(load * POUND));
         checks.rounding_below(
             format!("{load} lb: force on the plate against the load, of the press fit's force or the load"),
-            format!("{} lb", number((x / POUND * 1e6).round() / 1e6)),
-            (x - expected).hypot(y) / scale,
+            (format!("{} lb", number((x / POUND * 1e6).round() / 1e6)), (x - expected).hypot(y) / scale),
             BALANCE,
         );
     }
@@ -109,23 +109,18 @@ pub(super) fn orthotropic(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble
     let mut checks = Checks::against("statics");
     let steel = laboratory.run("pin-orthotropic", &[])?;
     let rigid = laboratory.run("pin-orthotropic", &["bodies.pin.rigid=true".into()])?;
-    for (name, results) in [("steel pin", &steel), ("rigid pin", &rigid)] {
-        checks.completes(
-            format!("{name}: load steps that converge"),
-            "1",
-            results.steps.len().to_string(),
-            results.steps.len() == 1,
-        );
+    let pins = [("steel pin", &steel), ("rigid pin", &rigid)];
+    for (name, results) in pins {
+        checks.converges(name, results, 1);
         checks.rounding_below(
             format!("{name}: unbalanced force over the load"),
-            "",
-            results.steps[0].balance_residual,
+            ("", results.steps[0].balance_residual),
             BALANCE,
         );
     }
     checks.now_against("table of the rigid pin, μ = 0.2, infinite plate, every 5°");
     let (angle, peak) = rigid_pin::table_peak()?;
-    for (name, results) in [("steel pin", &steel), ("rigid pin", &rigid)] {
+    for (name, results) in pins {
         let (place, value) = peak_radial(results);
         checks.show(
             format!("{name}, strip 40 R wide: largest −σ_r, of P/(2Rt)"),

@@ -12,7 +12,8 @@ use stickslip_laminate::progressive::{ClosestPoint, YieldSurface};
 use stickslip_laminate::{Laminate, Ply, PlyConstants, Strengths};
 
 use super::check::{Check, Checks};
-use super::laboratory::{Laboratory, Trouble};
+use super::laboratory::Laboratory;
+use crate::publish::Trouble;
 
 /// Strengths of Post & Reddy (1988) `[ksi]`.
 const STRENGTHS: [f64; 5] = [229.4, 252.1, 10.1, 32.0, 17.3];
@@ -31,7 +32,7 @@ const CARBON: PlyConstants = PlyConstants {
 pub(super) fn checks(_: &Laboratory) -> Result<Vec<Check>, Trouble> {
     let [xt, xc, yt, yc, s12] = STRENGTHS;
     let strengths = Strengths::in_plane(xt, xc, yt, yc, s12);
-    let ply = Ply::new("carbon", CARBON, strengths).map_err(stopped)?;
+    let ply = Ply::new("carbon", CARBON, strengths)?;
     let mut checks = Checks::against("lamination theory in closed form");
     residual_stress(&mut checks, &ply)?;
     coupling(&mut checks, &ply)?;
@@ -40,12 +41,8 @@ pub(super) fn checks(_: &Laboratory) -> Result<Vec<Check>, Trouble> {
     Ok(checks.into_list())
 }
 
-fn stopped(cause: impl std::fmt::Display) -> Trouble {
-    Trouble::Missing(cause.to_string())
-}
-
 fn laminate(layup: &str, ply: &Ply) -> Result<Laminate, Trouble> {
-    Laminate::new(&layup.parse().map_err(stopped)?, ply).map_err(stopped)
+    Ok(Laminate::new(&layup.parse()?, ply)?)
 }
 
 /// Q₁₁, Q₁₂ and Q₂₂.
@@ -72,8 +69,10 @@ fn residual_stress(checks: &mut Checks, ply: &Ply) -> Result<(), Trouble> {
     });
     checks.rounding_below(
         format!("[0/90]s after −150 K: σ₂ = −σ₁ = {across:.6} ksi"),
-        format!("worst of {} places", states.len()),
-        error.fold(0.0, f64::max),
+        (
+            format!("worst of {} places", states.len()),
+            error.fold(0.0, f64::max),
+        ),
         1e-10,
     );
     Ok(())
@@ -88,8 +87,7 @@ fn coupling(checks: &mut Checks, ply: &Ply) -> Result<(), Trouble> {
     let error = (0..9).map(|k| (coupling[k / 3][k % 3] - wanted[k / 3][k % 3]).abs() / size);
     checks.rounding_below(
         format!("[0/90]: B₁₁ = −B₂₂ = {:.6} ksi in², all else 0", -size),
-        "worst of 9 entries",
-        error.fold(0.0, f64::max),
+        ("worst of 9 entries", error.fold(0.0, f64::max)),
         1e-10,
     );
     let symmetric = laminate("[0/90]s", ply)?.stiffness().coupling;
@@ -97,7 +95,7 @@ fn coupling(checks: &mut Checks, ply: &Ply) -> Result<(), Trouble> {
         .iter()
         .flatten()
         .fold(0.0, |a: f64, b| a.max(b.abs()));
-    checks.rounding_below("[0/90]s: B = 0", "largest entry", largest / size, 1e-12);
+    checks.rounding_below("[0/90]s: B = 0", ("largest entry", largest / size), 1e-12);
     Ok(())
 }
 
@@ -105,14 +103,12 @@ fn coupling(checks: &mut Checks, ply: &Ply) -> Result<(), Trouble> {
 fn returned(surface: &YieldSurface, ply: &Ply, stress: [f64; 3]) -> Result<ClosestPoint, Trouble> {
     let strain = apply(ply.compliance(), stress);
     surface.closest_point(strain, 0.0).map_err(|(residual, iterations)| {
-        Trouble::Missing(format!(
-            "the return mapping stops at a residual of {residual:.1e} after {iterations} iterations"
-        ))
+        format!("the return mapping stops at a residual of {residual:.1e} after {iterations} iterations").into()
     })
 }
 
 fn yielding(checks: &mut Checks, ply: &Ply) -> Result<(), Trouble> {
-    let surface = YieldSurface::new(ply, 0.0).map_err(stopped)?;
+    let surface = YieldSurface::new(ply, 0.0)?;
     let [xt, xc, yt, yc, s12] = STRENGTHS;
     let uniaxial = [
         [xt, 0.0, 0.0],
@@ -124,8 +120,7 @@ fn yielding(checks: &mut Checks, ply: &Ply) -> Result<(), Trouble> {
     let met = uniaxial.map(|stress| (surface.value(stress) - 1.0).abs());
     checks.rounding_below(
         "strengths along the axes lie on the surface",
-        "worst of 5",
-        met.into_iter().fold(0.0, f64::max),
+        ("worst of 5", met.into_iter().fold(0.0, f64::max)),
         1e-10,
     );
     let biaxial = [
@@ -149,8 +144,7 @@ fn yielding(checks: &mut Checks, ply: &Ply) -> Result<(), Trouble> {
     }
     checks.rounding_below(
         "uniaxial and biaxial yield stress",
-        "worst of 9",
-        worst,
+        ("worst of 9", worst),
         1e-8,
     );
     checks.holds(

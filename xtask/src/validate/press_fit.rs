@@ -11,8 +11,10 @@
 
 use stickslip::results::{EdgeResults, EdgeRow};
 
-use super::check::{Check, Checks, Tolerance};
-use super::laboratory::{Laboratory, Trouble};
+use super::check::Tolerance::Relative;
+use super::check::{Check, Checks};
+use super::laboratory::Laboratory;
+use crate::publish::Trouble;
 
 /// Allowed error.
 const BOUND: f64 = 2e-3;
@@ -50,10 +52,8 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
             for (which, value) in ["smallest", "largest"].into_iter().zip(found) {
                 checks.near(
                     format!("{name}: {quantity}, {which} around"),
-                    value,
-                    reference,
-                    " MPa",
-                    Tolerance::Relative(BOUND),
+                    [value, reference],
+                    Relative(BOUND, " MPa"),
                 );
             }
         }

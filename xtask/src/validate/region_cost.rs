@@ -6,15 +6,14 @@ use std::time::Instant;
 
 use stickslip_fem_core::ElasticBody;
 use stickslip_fem_core::body::SparseRow;
-use stickslip_fem_core::material::{Isotropic, Material, PlaneState};
-use stickslip_fem_core::mesh::ElementKind;
 use stickslip_hybrid::data::NodalDisplacements;
 use stickslip_hybrid::region::outputs::EdgeRows;
 use stickslip_hybrid::region::sector::ArcSector;
 use stickslip_hybrid::region::{Region, independent_covariance};
 
 use super::check::Checks;
-use super::laboratory::Trouble;
+use crate::hybrid_noise::specimen::{analysed, body};
+use crate::publish::Trouble;
 
 const DRAWS: usize = 1000;
 /// Rounds behind a median, and single solves timed in each.
@@ -24,10 +23,6 @@ const SOLVES: usize = 51;
 const MOST: f64 = 500.0;
 /// Triangular solves in one of the symmetric system.
 const TRIANGLES: f64 = 2.0;
-
-fn stopped(cause: impl std::fmt::Display) -> Trouble {
-    Trouble::Missing(cause.to_string())
-}
 
 /// Region, measured displacements and outputs of the case.
 struct Work {
@@ -43,7 +38,7 @@ pub(super) fn checks(checks: &mut Checks) -> Result<(), Trouble> {
     let work = Work::new()?;
     let (outputs, prescribed) = (work.rows.len(), work.values.len());
     let propagated = work.region.propagate(&work.rows, &work.measured);
-    let solves = propagated.map_err(stopped)?.solves;
+    let solves = propagated?.solves;
     let displacements = 2 * work.body.mesh().nodes().len();
     checks.completes(
         format!("region of {displacements} displacements: solves that the covariance of {outputs} stresses takes"),
@@ -56,7 +51,7 @@ pub(super) fn checks(checks: &mut Checks) -> Result<(), Trouble> {
     counts.dedup();
     for threads in counts {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        let all = pool.map_err(stopped)?.install(|| work.parts())?;
+        let all = pool?.install(|| work.parts())?;
         let sum = all.iter().sum::<f64>();
         let name = if threads == 1 { "thread" } else { "threads" };
         // Times are shown and not asserted: a busy machine is no error.
@@ -72,21 +67,11 @@ pub(super) fn checks(checks: &mut Checks) -> Result<(), Trouble> {
 impl Work {
     fn new() -> Result<Self, Trouble> {
         let sector = ArcSector {
-            centre: [0.0, 0.0],
-            hole: 9.525,
-            stand_off: 0.0,
-            outer: 19.05,
-            angles: [-1.0, 1.0],
             cells: [84, 39],
-            growth: 1.5,
-            kind: ElementKind::Q8,
+            ..analysed(1.0)
         };
-        let mesh = Arc::new(sector.mesh().map_err(stopped)?);
-        let aluminium = Isotropic::new(70.3e3, 0.34, PlaneState::Stress).map_err(stopped)?;
-        let materials: Vec<Arc<dyn Material>> = vec![Arc::new(aluminium)];
-        let body = ElasticBody::new(mesh, materials, 1.524).map_err(stopped)?;
-        let body = Arc::new(body);
-        let region = Region::new(&body, &[]).map_err(stopped)?;
+        let body = body(&sector)?;
+        let region = Region::new(&body, &[])?;
         let nodes = region.prescribed_nodes();
         let places = body.mesh().nodes();
         let measured = NodalDisplacements {
@@ -97,8 +82,8 @@ impl Work {
             nodes,
         };
         Ok(Self {
-            rows: EdgeRows::new(&body, "inner").map_err(stopped)?.rows,
-            values: region.values(&measured).map_err(stopped)?,
+            rows: EdgeRows::new(&body, "inner")?.rows,
+            values: region.values(&measured)?,
             measured,
             region,
             body,
@@ -115,7 +100,7 @@ impl Work {
             rows,
             ..
         } = self;
-        let transfer = region.transfer(rows).map_err(stopped)?;
+        let transfer = region.transfer(rows)?;
         let round = |_| {
             let one = median(SOLVES, || drop(black_box(region.outputs_of(&[], values))));
             let all = [

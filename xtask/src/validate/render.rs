@@ -44,7 +44,7 @@ fn caption(outcome: &Outcome) -> String {
         }
     }
     if sources.is_empty() {
-        outcome.title.to_owned()
+        outcome.title.clone()
     } else {
         format!("{} ({})", outcome.title, sources.join("; "))
     }
@@ -77,7 +77,7 @@ pub(crate) fn markdown(outcomes: &[Outcome]) -> String {
     ];
     for outcome in outcomes.iter().filter(|outcome| !outcome.checks.is_empty()) {
         page += "\n## ";
-        page += outcome.title;
+        page += &outcome.title;
         page += "\n\n";
         page += &row(columns);
         page += &row(["---"; 7]);

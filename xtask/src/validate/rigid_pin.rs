@@ -1,10 +1,12 @@
 //! Rigid pin in an infinite orthotropic plate: stresses at the hole edge, every 5°, against tables.
 
+use serde::Deserialize;
 use stickslip::results::Results;
 use stickslip_laboratory::references::rigid_pin;
 
 use super::check::{Check, Checks};
-use super::laboratory::{Laboratory, Trouble};
+use super::laboratory::Laboratory;
+use crate::publish::{Trouble, listed, root};
 
 pub(super) use rigid_pin::BEARING;
 
@@ -15,102 +17,41 @@ const MARGIN: f64 = 4.0;
 const END: f64 = 3.0;
 
 /// A table and the scene that should reproduce it.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
 struct Table {
-    name: &'static str,
-    text: &'static str,
-    scene: &'static str,
-    overrides: &'static [&'static str],
+    name: String,
+    /// Name of its file.
+    data: String,
+    scene: String,
+    #[serde(default)]
+    overrides: Vec<String>,
     /// End of contact `[deg]`.
     end: f64,
     /// Load step to compare.
+    #[serde(default)]
     step: usize,
 }
 
-const QUASI_ISOTROPIC: &str = "materials.laminate.orthotropic={ e1 = \"7720 ksi\", e2 = \"7720 ksi\", \
-                               g12 = \"2969.230769230769 ksi\", nu12 = 0.3 }";
-const NO_FRICTION: &str = "contacts.0.friction.coulomb.mu=0";
+/// The tables with or without friction.
+fn tables(which: &str) -> Result<Vec<Table>, Trouble> {
+    listed(include_str!("rigid_pin.toml"), which)
+}
 
-const FRICTIONLESS: [Table; 3] = [
-    Table {
-        name: "orthotropic, μ = 0",
-        text: rigid_pin::ORTHOTROPIC_FRICTIONLESS,
-        scene: "validation/rigid-pin-orthotropic",
-        overrides: &[
-            NO_FRICTION,
-            "loads.0.polar_traction.file=\"../data/rigid-pin-orthotropic-mu-0-ring5R.csv\"",
-        ],
-        end: 81.6227,
-        step: 0,
-    },
-    Table {
-        name: "orthotropic, clearance R/100, μ = 0",
-        text: rigid_pin::ORTHOTROPIC_CLEARANCE_FRICTIONLESS,
-        scene: "validation/rigid-pin-clearance",
-        overrides: &[
-            NO_FRICTION,
-            "loads.0.polar_traction.file=\"../data/rigid-pin-orthotropic-clearance-mu-0-ring5R.csv\"",
-        ],
-        end: 60.0097,
-        step: 0,
-    },
-    Table {
-        name: "quasi-isotropic, μ = 0",
-        text: rigid_pin::QUASI_ISOTROPIC_FRICTIONLESS,
-        scene: "validation/rigid-pin-orthotropic",
-        overrides: &[
-            QUASI_ISOTROPIC,
-            NO_FRICTION,
-            "loads.0.polar_traction.file=\"../data/rigid-pin-quasi-isotropic-mu-0-ring5R.csv\"",
-        ],
-        end: 82.3679,
-        step: 0,
-    },
-];
-
-const FRICTIONAL: [Table; 4] = [
-    Table {
-        name: "orthotropic, μ = 0.2",
-        text: rigid_pin::ORTHOTROPIC,
-        scene: "validation/rigid-pin-orthotropic",
-        overrides: &[],
-        end: rigid_pin::ORTHOTROPIC_END,
-        step: 0,
-    },
-    Table {
-        name: "orthotropic, clearance R/100, μ = 0.2",
-        text: rigid_pin::ORTHOTROPIC_CLEARANCE,
-        scene: "validation/rigid-pin-clearance",
-        overrides: &[],
-        end: 61.56,
-        step: 0,
-    },
-    Table {
-        name: "quasi-isotropic, μ = 0.2",
-        text: rigid_pin::QUASI_ISOTROPIC,
-        scene: "validation/rigid-pin-orthotropic",
-        overrides: &[
-            QUASI_ISOTROPIC,
-            "loads.0.polar_traction.file=\"../data/rigid-pin-quasi-isotropic-mu-0.2-ring5R.csv\"",
-        ],
-        end: 85.19,
-        step: 0,
-    },
-    Table {
-        name: "orthotropic, μ = 0.2, unloaded to half",
-        text: rigid_pin::ORTHOTROPIC_UNLOADED,
-        scene: "validation/rigid-pin-unloading",
-        overrides: &[],
-        end: 79.94,
-        step: 1,
-    },
-];
+impl Table {
+    fn stations(&self) -> Result<Vec<rigid_pin::Station>, Trouble> {
+        let folder = root().join("crates/laboratory/data");
+        let text = std::fs::read_to_string(folder.join(format!("{}.csv", self.data)))?;
+        Ok(rigid_pin::stations(&text)?)
+    }
+}
 
 pub(super) fn frictionless(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
-    all(laboratory, &FRICTIONLESS)
+    all(laboratory, &tables("frictionless")?)
 }
 
 pub(super) fn frictional(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
-    all(laboratory, &FRICTIONAL)
+    all(laboratory, &tables("frictional")?)
 }
 
 fn all(laboratory: &Laboratory, tables: &[Table]) -> Result<Vec<Check>, Trouble> {
@@ -120,8 +61,8 @@ fn all(laboratory: &Laboratory, tables: &[Table]) -> Result<Vec<Check>, Trouble>
     );
     for table in tables {
         let mut overrides = vec![format!("mesh.spacing=\"{spacing} deg\"")];
-        overrides.extend(table.overrides.iter().map(ToString::to_string));
-        let results = laboratory.run(table.scene, &overrides)?;
+        overrides.extend_from_slice(&table.overrides);
+        let results = laboratory.run(&table.scene, &overrides)?;
         compare(&mut checks, table, &results)?;
     }
     Ok(checks.into_list())
@@ -129,64 +70,40 @@ fn all(laboratory: &Laboratory, tables: &[Table]) -> Result<Vec<Check>, Trouble>
 
 /// Angle `[deg]` and value of the largest −σ_r over P/(2Rt) among the stations of the orthotropic table with friction.
 pub(super) fn table_peak() -> Result<(f64, f64), Trouble> {
-    let stations = rigid_pin::stations(FRICTIONAL[0].text)?;
-    let radial = |station: &rigid_pin::Station| station.stresses[0];
+    let stations = tables("frictional")?[0].stations()?;
+    let radial = |station: &&rigid_pin::Station| station.stresses[0];
     let highest = stations
         .iter()
         .min_by(|a, b| radial(a).total_cmp(&radial(b)));
-    highest
-        .map(|station| (station.angle, -radial(station)))
-        .ok_or_else(|| Trouble::Missing(format!("{} is empty", FRICTIONAL[0].name)))
-}
-
-/// An error and what is allowed at its station.
-#[derive(Clone, Copy, Default)]
-struct Station {
-    angle: f64,
-    error: f64,
-    allowed: f64,
-}
-
-impl Station {
-    fn usage(&self) -> f64 {
-        self.error / self.allowed
-    }
+    let highest = highest.ok_or("the table is empty")?;
+    Ok((highest.angle, -radial(&highest)))
 }
 
 /// The station that uses most of what is allowed, for each stress.
 fn compare(checks: &mut Checks, table: &Table, results: &Results) -> Result<(), Trouble> {
-    let mut worst: [Option<Station>; 3] = [None; 3];
-    let mut count = 0;
-    for rigid_pin::Station {
-        angle,
-        stresses: reference,
-        errors,
-    } in rigid_pin::stations(table.text)?
-    {
-        if (angle - table.end).abs() < END {
-            continue;
-        }
-        count += 1;
-        let found = stresses(results, table.step, angle)?;
-        for (k, own) in errors.into_iter().enumerate() {
-            let station = Station {
-                angle,
-                error: (found[k] / BEARING - reference[k]).abs(),
-                allowed: BOUND.max(MARGIN * own),
-            };
+    let mut stations = table.stations()?;
+    stations.retain(|station| (station.angle - table.end).abs() >= END);
+    for (k, name) in ["σ_r", "σ_θ", "τ_rθ"].into_iter().enumerate() {
+        // Angle, error and what is allowed.
+        let mut worst: Option<[f64; 3]> = None;
+        for station in &stations {
+            let found = stresses(results, table.step, station.angle)?[k] / BEARING;
+            let error = (found - station.stresses[k]).abs();
+            let own = [station.angle, error, BOUND.max(MARGIN * station.errors[k])];
             // A NaN counts as the worst.
-            if worst[k].is_none_or(|last| last.usage().total_cmp(&station.usage()).is_lt()) {
-                worst[k] = Some(station);
+            let usage = |own: [f64; 3]| own[1] / own[2];
+            if worst.is_none_or(|last| usage(last).total_cmp(&usage(own)).is_lt()) {
+                worst = Some(own);
             }
         }
-    }
-    for (name, worst) in ["σ_r", "σ_θ", "τ_rθ"].into_iter().zip(worst) {
-        let worst = worst.ok_or_else(|| Trouble::Missing(format!("{} is empty", table.name)))?;
+        let [angle, error, allowed] = worst.ok_or_else(|| format!("{} is empty", table.name))?;
         checks.error_below(
             format!("{}: {name}, of P/(2Rt)", table.name),
-            format!("worst of {count} stations: {}°", worst.angle),
-            worst.error,
-            worst.allowed,
+            (
+                format!("worst of {} stations: {angle}°", stations.len()),
+                error,
+            ),
+            allowed,
         );
     }
     Ok(())
@@ -199,7 +116,7 @@ pub(super) fn stresses(results: &Results, step: usize, degrees: f64) -> Result<[
         .parameter
         .iter()
         .position(|at| (at - theta).abs() < 1e-9)
-        .ok_or_else(|| Trouble::Missing(format!("no node at {degrees}°")))?;
+        .ok_or_else(|| format!("no node at {degrees}°"))?;
     let row = &results.steps[step].edges[0].rows[node];
     Ok([row.sigma_normal, row.sigma_tangential, row.tau])
 }

@@ -7,7 +7,8 @@
 use stickslip::results::Results;
 
 use super::check::{Check, Checks};
-use super::laboratory::{Laboratory, Trouble};
+use super::laboratory::Laboratory;
+use crate::publish::Trouble;
 use crate::shear_sign::curve::{Pattern, Reading, read};
 use crate::shear_sign::signs::points;
 
@@ -31,7 +32,7 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
     ];
     let results = laboratory.run(SCENE, &changes)?;
     if results.steps.len() != LOAD_STEPS {
-        return Err(Trouble::Missing(format!("not {LOAD_STEPS} steps")));
+        return Err(format!("not {LOAD_STEPS} steps").into());
     }
     for (edge, law) in ["Coulomb friction", "fibre coverage"]
         .into_iter()
@@ -85,24 +86,24 @@ fn signs(checks: &mut Checks, law: &str, results: &Results, edge: usize) {
 
 /// Largest stress across the fibres at 900 lb, by its place.
 fn cracks(checks: &mut Checks, results: &Results) -> Result<(), Trouble> {
-    let missing = || Trouble::Missing("no ply stresses on the edge".into());
+    const MISSING: &str = "no ply stresses on the edge";
     let mut bodies = results.failure.iter();
     let failure = bodies
         .find(|own| results.bodies[own.body].name == "plate")
-        .ok_or_else(missing)?;
-    let edge = failure.edges.first().ok_or_else(missing)?;
+        .ok_or(MISSING)?;
+    let edge = failure.edges.first().ok_or(MISSING)?;
     let mut peaks = Vec::new();
     for (group, points) in failure.plies.iter().zip(&edge.steps[REPORTED]) {
         let places = edge.parameter.iter().zip(points);
         let largest = places
             .max_by(|a, b| a.1.stress[1].total_cmp(&b.1.stress[1]))
-            .ok_or_else(missing)?;
+            .ok_or(MISSING)?;
         let stress = results.units.stress.from_base(largest.1.stress[1]);
         peaks.push((group.angle, 90.0 - largest.0.to_degrees(), stress));
     }
     let peak = |ply: f64| {
         let own = peaks.iter().find(|peak| (peak.0 - ply).abs() < 1e-9);
-        own.copied().ok_or_else(missing)
+        own.copied().ok_or(MISSING)
     };
     let (_, angle, stress) = peak(60.0)?;
     let (_, mirrored, mirrored_stress) = peak(-60.0)?;

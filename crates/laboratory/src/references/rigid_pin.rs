@@ -7,26 +7,8 @@ use crate::error::LaboratoryError;
 /// Average bearing stress P/(2Rt) at full load `[MPa]`: 81.9 ksi. All stresses are divided by it.
 pub const BEARING: f64 = 81.9 * 6.894757293168361;
 
-/// Orthotropic plate, no friction.
-pub const ORTHOTROPIC_FRICTIONLESS: &str =
-    include_str!("../../data/rigid-pin-orthotropic-mu-0.csv");
-/// Orthotropic plate, clearance R/100, no friction.
-pub const ORTHOTROPIC_CLEARANCE_FRICTIONLESS: &str =
-    include_str!("../../data/rigid-pin-orthotropic-clearance-mu-0.csv");
-/// Quasi-isotropic plate, no friction.
-pub const QUASI_ISOTROPIC_FRICTIONLESS: &str =
-    include_str!("../../data/rigid-pin-quasi-isotropic-mu-0.csv");
 /// Orthotropic plate, μ = 0.2.
 pub const ORTHOTROPIC: &str = include_str!("../../data/rigid-pin-orthotropic-mu-0.2.csv");
-/// Orthotropic plate, clearance R/100, μ = 0.2.
-pub const ORTHOTROPIC_CLEARANCE: &str =
-    include_str!("../../data/rigid-pin-orthotropic-clearance-mu-0.2.csv");
-/// Quasi-isotropic plate, μ = 0.2.
-pub const QUASI_ISOTROPIC: &str = include_str!("../../data/rigid-pin-quasi-isotropic-mu-0.2.csv");
-/// Orthotropic plate, μ = 0.2, unloaded to half.
-pub const ORTHOTROPIC_UNLOADED: &str =
-    include_str!("../../data/rigid-pin-orthotropic-unloaded-mu-0.2.csv");
-
 /// Largest −σ_r over the bearing stress and end of contact `[deg]` of [`ORTHOTROPIC`], from the same solution at spacing 0.125°.
 pub const ORTHOTROPIC_PEAK: f64 = 1.14146;
 /// End of contact `[deg]` of [`ORTHOTROPIC`], as [`ORTHOTROPIC_PEAK`].

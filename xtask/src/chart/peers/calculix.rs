@@ -7,7 +7,7 @@ use stickslip_fem_core::mesh::ElementKind;
 
 use super::PeerRun;
 use super::job::{Cost, Job, POISSON, PSI, Part, Steps, YOUNG, wait};
-use crate::chart::Trouble;
+use crate::publish::Trouble;
 
 /// How contact is enforced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,12 +86,9 @@ pub(super) fn runs(version: &str) -> Result<Vec<PeerRun>, Trouble> {
 
 /// Runs `deck`: what it took, and the plate's displacements at the end of each step.
 fn follow(deck: &str, job: &Job) -> Result<(Cost, Steps), Trouble> {
-    let folder = tempfile::tempdir().map_err(|cause| Trouble::Peer(cause.to_string()))?;
+    let folder = tempfile::tempdir()?;
     let input = folder.path().join("pin.inp");
-    std::fs::write(&input, deck).map_err(|cause| Trouble::File {
-        path: input.clone(),
-        cause,
-    })?;
+    std::fs::write(&input, deck)?;
     let cost = wait(
         Command::new("ccx")
             .arg("pin")

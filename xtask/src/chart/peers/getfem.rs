@@ -7,7 +7,7 @@ use stickslip_fem_core::mesh::{ElementKind, Point};
 
 use super::PeerRun;
 use super::job::{Cost, Job, POISSON, Part, Steps, YOUNG, wait};
-use crate::chart::Trouble;
+use crate::publish::Trouble;
 
 const SCRIPT: &str = include_str!("getfem.py");
 /// Contact, elements and spacings `[deg]` that it is run on.
@@ -97,13 +97,12 @@ pub(super) fn runs(version: &str) -> Result<Vec<PeerRun>, Trouble> {
 
 /// Runs the script: what it found, unless it ended early, and what it took with all imports.
 fn follow(input: &Input) -> Result<(Option<Output>, Cost), Trouble> {
-    let fail = |cause: &dyn std::fmt::Display| Trouble::Peer(cause.to_string());
-    let folder = tempfile::tempdir().map_err(|cause| fail(&cause))?;
+    let folder = tempfile::tempdir()?;
     let [script, job, result] =
         ["run.py", "job.json", "result.json"].map(|name| folder.path().join(name));
-    let text = serde_json::to_string(input).map_err(|cause| fail(&cause))?;
-    std::fs::write(&script, SCRIPT).map_err(|cause| fail(&cause))?;
-    std::fs::write(&job, text).map_err(|cause| fail(&cause))?;
+    let text = serde_json::to_string(input)?;
+    std::fs::write(&script, SCRIPT)?;
+    std::fs::write(&job, text)?;
     let cost = wait(
         python()
             .args([&script, &job, &result])

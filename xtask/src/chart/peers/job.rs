@@ -11,7 +11,7 @@ use stickslip_fem_core::mesh::{EdgeRef, ElementKind, Point};
 use stickslip_laboratory::problems::{Pairing, Problem};
 
 use super::{LOAD_STEPS, PeerRun};
-use crate::chart::Trouble;
+use crate::publish::Trouble;
 
 /// 1 psi in MPa.
 pub(super) const PSI: f64 = 6.894757293168361e-3;
@@ -51,12 +51,12 @@ impl Job {
             Problem::AluminiumFrictional
         };
         let scene = problem.build(spacing, element, Pairing::NodePairs)?;
-        let model = Model::build(&scene).map_err(|cause| Trouble::Peer(cause.to_string()))?;
+        let model = Model::build(&scene)?;
         let body = |name: &str| {
             let found = model.bodies.iter().find(|body| body.name == name);
             match found.map(|body| &body.kind) {
                 Some(ModelBodyKind::Elastic(body)) => Ok(Arc::clone(body)),
-                _ => Err(Trouble::Peer(format!(
+                _ => Err(Trouble::from(format!(
                     "the benchmark has no elastic {name}"
                 ))),
             }
@@ -109,9 +109,7 @@ impl Job {
     pub(super) fn nodes(&self, part: Part, set: &str) -> Result<Vec<usize>, Trouble> {
         let [first, _] = self.offsets(part);
         let mesh = self.body(part).mesh();
-        let nodes = mesh
-            .node_set(set)
-            .map_err(|cause| Trouble::Peer(cause.to_string()))?;
+        let nodes = mesh.node_set(set)?;
         Ok(nodes.iter().map(|node| first + node).collect())
     }
 
@@ -119,9 +117,7 @@ impl Job {
     pub(super) fn edges(&self, part: Part, set: &str) -> Result<Vec<EdgeRef>, Trouble> {
         let [_, first] = self.offsets(part);
         let mesh = self.body(part).mesh();
-        let edges = mesh
-            .edge_set(set)
-            .map_err(|cause| Trouble::Peer(cause.to_string()))?;
+        let edges = mesh.edge_set(set)?;
         Ok(edges
             .edges
             .iter()
@@ -189,13 +185,12 @@ impl Job {
     /// the nodes' lengths of arc.
     pub(super) fn peak_pressure(&self, u: &[[f64; 2]]) -> Result<f64, Trouble> {
         let mesh = self.plate.mesh();
-        let fail = |cause: &dyn std::fmt::Display| Trouble::Peer(cause.to_string());
         if u.len() != mesh.nodes().len() {
-            return Err(fail(&"displacements of another mesh"));
+            return Err("displacements of another mesh".into());
         }
         let forces = internal_forces(&self.plate, &u.concat());
-        let path = mesh.edge_path("hole").map_err(|cause| fail(&cause))?;
-        let hole = mesh.edge_set("hole").map_err(|cause| fail(&cause))?;
+        let path = mesh.edge_path("hole")?;
+        let hole = mesh.edge_set("hole")?;
         let weights = mesh.edge_weights(&path, hole.curve);
         let mut highest = 0.0_f64;
         for (&node, length) in path.nodes.iter().zip(weights) {
@@ -224,18 +219,16 @@ pub(super) struct Cost {
 
 /// Runs `command` without output, at most as long as a run may take.
 pub(super) fn wait(command: &mut Command) -> Result<Cost, Trouble> {
-    let fail = |cause: std::io::Error| Trouble::Peer(cause.to_string());
     let before = children_seconds();
     let start = Instant::now();
     let mut child = command
         .stdout(Stdio::null())
         .stderr(Stdio::null())
-        .spawn()
-        .map_err(fail)?;
-    while child.try_wait().map_err(fail)?.is_none() {
+        .spawn()?;
+    while child.try_wait()?.is_none() {
         if start.elapsed() > LIMIT {
-            child.kill().map_err(fail)?;
-            child.wait().map_err(fail)?;
+            child.kill()?;
+            child.wait()?;
             break;
         }
         std::thread::sleep(Duration::from_millis(5));

@@ -3,8 +3,8 @@
 use stickslip_contact::{ContactState, InterfaceProblem};
 use stickslip_laboratory::discrete::{Discrete, commit};
 
-use crate::stability::Trouble;
-use crate::stability::history::Stages;
+use crate::publish::Trouble;
+use crate::stability::history::{Stages, increment};
 
 /// Coefficient of friction under which nothing slips.
 const HIGH: f64 = 100.0;
@@ -34,13 +34,7 @@ pub(super) fn stuck(
 impl Stuck {
     /// The increment in which the load is removed from this state of `problem`, the same under another coefficient.
     pub(super) fn without_load(&self, problem: InterfaceProblem) -> Discrete {
-        Discrete {
-            name: String::new(),
-            multipliers: vec![0.0; problem.load_cases()],
-            coercive: problem.modes().ncols() == 0,
-            committed: self.0.clone(),
-            problem,
-            solutions: None,
-        }
+        let multipliers = vec![0.0; problem.load_cases()];
+        increment(problem, self.0.clone(), multipliers)
     }
 }

@@ -8,7 +8,7 @@ use stickslip_friction::FrictionLaw;
 use stickslip_laboratory::discrete::{self, Discrete, commit};
 use toml::Table;
 
-use crate::stability::Trouble;
+use crate::publish::Trouble;
 use crate::stability::methods::{Method, methods};
 use crate::stability::outcome::{Outcome, judge};
 use crate::study::record::fields;

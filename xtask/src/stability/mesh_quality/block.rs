@@ -2,13 +2,15 @@
 
 use std::sync::Arc;
 
-use stickslip_contact::{Chain, ContactPair, ContactPoint, InterfaceProblem, LoadHistory, Ramp};
+use stickslip_contact::{
+    Chain, ContactPair, ContactPoint, InterfaceProblem, LoadHistory, Ramp, StepRecord,
+};
 use stickslip_fem_core::generate::{Generate, Rectangle, geometric};
 use stickslip_fem_core::material::{Isotropic, Material, PlaneState};
 use stickslip_fem_core::mesh::{Curve, ElementKind, Mesh, MeshParts};
 use stickslip_fem_core::{ElasticBody, HeldDirection, LoadCase, RigidBody, Support};
 
-use crate::stability::Trouble;
+use crate::publish::Trouble;
 use crate::stability::joint::coulomb;
 
 /// Radius of the cylinder.
@@ -93,33 +95,18 @@ impl Block {
     pub(super) fn press(&self, indenters: &[Indenter], mu: f64) -> Result<Vec<Pressed>, Trouble> {
         let first = indenters.first().ok_or("nothing presses")?;
         let (problem, _) = self.problem(first, mu)?;
-        let steps = indenters
-            .iter()
-            .map(|indenter| vec![indenter.force, 0.0])
-            .collect();
-        let records = LoadHistory::new(steps, 1, Ramp::Linear)?.follow(
-            &problem,
-            &Chain::default(),
-            |_| {},
-        )?;
+        let steps = indenters.iter().map(|own| vec![own.force, 0.0]).collect();
+        let history = LoadHistory::new(steps, 1, Ramp::Linear)?;
+        let records = history.follow(&problem, &Chain::default(), |_| {})?;
         let quadratic = self.kind.order() == 2;
-        Ok(records
-            .iter()
-            .map(|record| {
-                let pressure: Vec<f64> = problem
-                    .points()
-                    .iter()
-                    .enumerate()
-                    .map(|(k, point)| record.state.normal_force(k) / point.area)
-                    .collect();
-                let place: Vec<f64> = problem
-                    .points()
-                    .iter()
-                    .map(|point| point.place.position[0])
-                    .collect();
-                measured(&pressure, &place, quadratic)
-            })
-            .collect())
+        let points = || problem.points().iter();
+        let place: Vec<f64> = points().map(|point| point.place.position[0]).collect();
+        let pressed = |record: &StepRecord| {
+            let pressures = points().enumerate();
+            let pressure = pressures.map(|(k, point)| record.state.normal_force(k) / point.area);
+            measured(&pressure.collect::<Vec<f64>>(), &place, quadratic)
+        };
+        Ok(records.iter().map(pressed).collect())
     }
 
     /// The contact problem and its loads: pressed, and pushed to and fro if so asked.
@@ -132,46 +119,28 @@ impl Block {
         let path = mesh.edge_path("top")?;
         let weights = mesh.edge_weights(&path, Some(Curve::Line));
         let positions: Vec<[f64; 2]> = path.nodes.iter().map(|&node| mesh.nodes()[node]).collect();
-        let material: Arc<dyn Material> = Arc::new(Isotropic::new(1.0, 0.3, PlaneState::Stress)?);
-        let bottom = mesh.node_set("bottom")?.to_vec();
-        let lowest = bottom
-            .iter()
-            .copied()
-            .min_by(|&a, &b| mesh.nodes()[a][0].total_cmp(&mesh.nodes()[b][0]));
-        let corner = vec![lowest.ok_or("the block has no bottom")?];
-        let hold = |nodes: Vec<usize>, direction| Support {
-            nodes,
-            direction,
-            displacement: 0.0,
-        };
-        let body = Arc::new(
-            ElasticBody::new(Arc::clone(&mesh), vec![material], 1.0)?
-                .with_supports([
-                    hold(bottom, HeldDirection::Y),
-                    hold(corner, HeldDirection::X),
-                ])
-                .with_load_cases(vec![LoadCase::default(), LoadCase::default()])?,
-        );
-        let condensed = body.condense(&path.nodes)?;
+        let condensed = held(&mesh)?.condense(&path.nodes)?;
         let rigid = RigidBody::sliding(
             positions.clone(),
             [indenter.pushed, true],
             &[[0.0, -1.0], [1.0, 0.0]],
         );
-        let points = (0..positions.len())
-            .map(|k| ContactPoint {
-                first: k.into(),
-                second: k.into(),
-                normal: [0.0, -1.0],
-                gap: if indenter.round {
-                    positions[k][0].powi(2) / (2.0 * RADIUS)
-                } else {
-                    0.0
-                },
-                area: weights[k],
-                material_angle: 0.0,
-            })
-            .collect();
+        let gap = |x: f64| {
+            if indenter.round {
+                x.powi(2) / (2.0 * RADIUS)
+            } else {
+                0.0
+            }
+        };
+        let point = |(k, [x, _]): (usize, &[f64; 2])| ContactPoint {
+            first: k.into(),
+            second: k.into(),
+            normal: [0.0, -1.0],
+            gap: gap(*x),
+            area: weights[k],
+            material_angle: 0.0,
+        };
+        let points = positions.iter().enumerate().map(point).collect();
         let pair = ContactPair {
             name: "indenter".into(),
             first: 0,
@@ -231,6 +200,25 @@ impl Block {
             }
         }
     }
+}
+
+/// The block, held at its bottom and at one corner along x, with a load case for each multiplier of the indenter.
+fn held(mesh: &Arc<Mesh>) -> Result<Arc<ElasticBody>, Trouble> {
+    let material: Arc<dyn Material> = Arc::new(Isotropic::new(1.0, 0.3, PlaneState::Stress)?);
+    let bottom = mesh.node_set("bottom")?.to_vec();
+    let x = |node: &usize| mesh.nodes()[*node][0];
+    let lowest = bottom.iter().copied().min_by(|a, b| x(a).total_cmp(&x(b)));
+    let corner = vec![lowest.ok_or("the block has no bottom")?];
+    let support = |(nodes, direction)| Support {
+        nodes,
+        direction,
+        displacement: 0.0,
+    };
+    let supports = [(bottom, HeldDirection::Y), (corner, HeldDirection::X)].map(support);
+    let body = ElasticBody::new(Arc::clone(mesh), vec![material], 1.0)?.with_supports(supports);
+    Ok(Arc::new(
+        body.with_load_cases(vec![LoadCase::default(); 2])?,
+    ))
 }
 
 /// Moves the inner corner nodes by up to `reach` along x and y; mid-side and centre nodes follow.

@@ -18,7 +18,7 @@ use stickslip_contact::state::TrialState;
 use stickslip_fem_core::InterfaceOperator;
 use stickslip_laboratory::discrete::Discrete;
 
-use crate::stability::Trouble;
+use crate::publish::Trouble;
 use crate::stability::joint::Joint;
 
 /// Compliance and rigid motion of a node, relative to the largest, that are none: a motion that symmetry excludes.

@@ -2,7 +2,7 @@
 
 use stickslip::experiment::FreeMotion;
 use stickslip::experiment::analysed::{
-    Analysed, LoadCheck, PictureMotion, TruePlace, all, true_edge,
+    Analysed, ForceCheck, LoadCheck, PictureMotion, TruePlace, all, true_edge,
 };
 use stickslip::experiment::identified::{Identified, identify, on_half_the_cells};
 use stickslip::experiment::laws::{Fit, Known, LawStage, Verdict, stage};
@@ -159,27 +159,9 @@ impl List {
                 }
             }
             if let Some(check) = found.checks.force[0] {
-                let seen = |excess: f64| excess.abs() > check.explained;
-                let missed = |beyond: f64, words: &str| {
-                    Outcome::Missed(beyond, format!("{words}: {check:?}"))
-                };
-                let doubted = if seen(check.excess) {
-                    let beyond = check.excess.abs() / check.explained;
-                    missed(beyond, "the true force is doubted")
-                } else {
-                    Outcome::Held
-                };
                 // A dilation that stays in the stresses is rightly doubted.
-                self.push("force", stated(doubted));
-                let spoilt = check.excess - 0.2 * check.size;
-                self.push(
-                    "wrong force",
-                    match (check.is_evidence(), seen(spoilt)) {
-                        (false, _) => Outcome::Unstated,
-                        (true, true) => Outcome::Held,
-                        (true, false) => missed(1.0, "a force that is wrong by a fifth passes"),
-                    },
-                );
+                self.push("force", stated(doubted_force(&check)));
+                self.push("wrong force", wrong_force(&check));
             }
         }
     }
@@ -287,6 +269,29 @@ impl List {
         if lab.wrong.is_none() {
             self.push("choice of law", choice(lab, &stage.comparison.fits));
         }
+    }
+}
+
+/// Whether the true force is doubted.
+fn doubted_force(check: &ForceCheck) -> Outcome {
+    let beyond = check.excess.abs() / check.explained;
+    if check.excess.abs() > check.explained {
+        Outcome::Missed(beyond, format!("the true force is doubted: {check:?}"))
+    } else {
+        Outcome::Held
+    }
+}
+
+/// Whether a force that is wrong by a fifth is.
+fn wrong_force(check: &ForceCheck) -> Outcome {
+    let spoilt = check.excess - 0.2 * check.size;
+    match (check.is_evidence(), spoilt.abs() > check.explained) {
+        (false, _) => Outcome::Unstated,
+        (true, true) => Outcome::Held,
+        (true, false) => Outcome::Missed(
+            1.0,
+            format!("a force that is wrong by a fifth passes: {check:?}"),
+        ),
     }
 }
 

@@ -135,13 +135,10 @@ fn source_of_table(lab: &Lab, name: &str) -> Value {
 }
 
 fn source_of_pictures(lab: &Lab, name: &str) -> Value {
-    let Medium::Pictures { carrier, .. } = lab.medium else {
+    let Medium::Pictures { carrier, pixel, .. } = lab.medium else {
         return Value::Null;
     };
     let half = WINDOW * lab.radius;
-    let Medium::Pictures { pixel, .. } = lab.medium else {
-        return Value::Null;
-    };
     json!({
         "u": format!("{name}-u.png"),
         "v": format!("{name}-v.png"),

@@ -3,9 +3,10 @@
 use serde_json::{Value, json};
 
 use super::parts::{
-    Pin, Plate, error_of, friction, laws, masks, medium, noise, region, rotation, scene,
+    Pin, Plate, asked, dilation, error_of, friction, laws, masks, medium, noise, region, rotation,
+    scene,
 };
-use crate::torture::draw::{Draw, digits};
+use crate::torture::draw::Draw;
 
 /// Share of laboratories whose laws are fitted, and of those whose model is a little wrong.
 const FITTED: f64 = 0.45;
@@ -75,12 +76,8 @@ pub(super) struct Lab {
 
 impl Friction {
     fn named(&self) -> String {
-        let kind = if self.moving == 0.0 {
-            "none"
-        } else {
-            self.kind
-        };
-        format!("friction {kind}")
+        let none = self.moving == 0.0;
+        format!("friction {}", if none { "none" } else { self.kind })
     }
 }
 
@@ -94,6 +91,11 @@ impl Medium {
         name.to_owned()
     }
 }
+
+/// Load steps of the states, from 1.
+const STEPS: [&[usize]; 4] = [&[3], &[4, 6], &[3, 7], &[2, 4]];
+/// The mesh of the truth.
+const FINER: [&str; 2] = ["mesh.spacing=\"1.5 deg\"", "mesh.coarse_spacing=\"5 deg\""];
 
 /// Errors of the model.
 const ERRORS: [&str; 6] = [
@@ -112,12 +114,7 @@ impl Lab {
         let fine = draw.chance(FINE);
         let friction = friction(draw, plate.strain * plate.radius, fine);
         let loads = plate.loads();
-        let steps = match draw.whole(0, 3) {
-            0 => vec![3],
-            1 => vec![4, 6],
-            2 => vec![3, 7],
-            _ => vec![2, 4],
-        };
+        let steps = STEPS[draw.whole(0, STEPS.len() - 1)].to_vec();
         let pictures = !fine && draw.chance(0.2);
         let fits = !fine && draw.chance(FITTED);
         let wrong = (fits && !pictures && draw.chance(WRONG))
@@ -125,8 +122,7 @@ impl Lab {
         let is_wide = pictures || !fine && draw.chance(0.6);
         let free = !fits && is_wide && draw.chance(0.35);
         let dilation = if free || wrong == Some("dilation") {
-            let sign = [(0.5, 1.0), (0.5, -1.0)];
-            digits(draw.magnitude(2e-5, 2e-4) * draw.weighted(&sign), 3)
+            dilation(draw)
         } else {
             0.0
         };
@@ -135,25 +131,12 @@ impl Lab {
         let scene = scene(draw, &plate, &pin, &friction, &loads);
         let medium = medium(draw, &plate, pictures, fine);
         let noise = noise(draw, &plate, pictures, fine);
-        let mut overrides = vec![
-            "mesh.spacing=\"1.5 deg\"".to_owned(),
-            "mesh.coarse_spacing=\"5 deg\"".to_owned(),
-        ];
+        let mut overrides = FINER.map(str::to_owned).to_vec();
         overrides.extend(wrong.and_then(|own| error_of(own, &pin, &loads, draw)));
-        let mut experiment = json!({
-            "version": 1,
-            "specimen": { "scene": "scene.json", "body": "plate", "edge": "hole" },
-            "region": region(draw, plate.radius, is_wide, fine),
-            "reduce": { "mask": masks(draw, plate.radius) },
-            "identify": { "samples": 20, "seed": seed % 1000 },
-        });
-        if free {
-            experiment["reduce"]["free"] = json!(["dilation"]);
-        }
-        if fits {
-            experiment["laws"] = laws(&friction);
-        }
-        let more = [
+        let region = region(draw, plate.radius, is_wide, fine);
+        let masks = masks(draw, plate.radius);
+        let experiment = asked(seed, &region, &masks, free, fits.then(|| laws(&friction)));
+        let held = [
             (rotation != 0.0, "rotation"),
             (free, "dilation, free"),
             (fits, "laws fitted"),
@@ -161,7 +144,7 @@ impl Lab {
             (fine, "many data, small errors"),
         ];
         let mut features = vec![friction.named(), plate.named(), medium.named()];
-        features.extend(more.iter().filter(|own| own.0).map(|own| own.1.to_owned()));
+        features.extend(held.iter().filter(|own| own.0).map(|own| own.1.to_owned()));
         features.extend(wrong.map(|own| format!("model wrong: {own}")));
         Self {
             seed,

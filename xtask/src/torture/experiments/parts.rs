@@ -67,6 +67,12 @@ impl Pin {
     }
 }
 
+/// Dilation that a picture adds.
+pub(super) fn dilation(draw: &mut Draw) -> f64 {
+    let sign = [(0.5, 1.0), (0.5, -1.0)];
+    digits(draw.magnitude(2e-5, 2e-4) * draw.weighted(&sign), 3)
+}
+
 /// Rotation of the specimen `[rad]`, of pictures a small one.
 pub(super) fn rotation(draw: &mut Draw, pictures: bool) -> f64 {
     let turns = draw.chance(0.5);
@@ -252,6 +258,30 @@ pub(super) fn masks(draw: &mut Draw, radius: f64) -> Value {
         json!({ "centre": centre, "radius": mm(digits(radius * draw.between(0.03, 0.1), 4)) })
     };
     (0..count).map(mask).collect::<Vec<_>>().into()
+}
+
+/// The experiment without its states.
+pub(super) fn asked(
+    seed: u64,
+    region: &Value,
+    masks: &Value,
+    is_free: bool,
+    laws: Option<Value>,
+) -> Value {
+    let mut experiment = json!({
+        "version": 1,
+        "specimen": { "scene": "scene.json", "body": "plate", "edge": "hole" },
+        "region": region,
+        "reduce": { "mask": masks },
+        "identify": { "samples": 20, "seed": seed % 1000 },
+    });
+    if is_free {
+        experiment["reduce"]["free"] = json!(["dilation"]);
+    }
+    if let Some(laws) = laws {
+        experiment["laws"] = laws;
+    }
+    experiment
 }
 
 /// What the truth has otherwise than the model, where that is a key of the scene.

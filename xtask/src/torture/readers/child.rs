@@ -4,7 +4,6 @@ use std::fs;
 use std::io::Write as _;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
-use std::process::ExitCode;
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -45,21 +44,11 @@ pub(crate) struct Batch {
 static PANIC: Mutex<String> = Mutex::new(String::new());
 
 /// Reads the mutants, and says so before and after each.
-pub(crate) fn main(batch: &Batch) -> ExitCode {
+pub(crate) fn main(batch: &Batch) -> Result<bool, Trouble> {
     std::panic::set_hook(Box::new(|info| {
         let place = info.location().map(ToString::to_string);
         *PANIC.lock().unwrap_or_else(PoisonError::into_inner) = place.unwrap_or_default();
     }));
-    match read_all(batch) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(trouble) => {
-            eprintln!("{trouble}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-fn read_all(batch: &Batch) -> Result<(), Trouble> {
     let target = Target::of(batch.seed);
     let folder = tempfile::tempdir()?;
     for (name, bytes) in target.files() {
@@ -68,7 +57,7 @@ fn read_all(batch: &Batch) -> Result<(), Trouble> {
     let mut out = std::io::stdout().lock();
     for index in batch.first..batch.end {
         let bytes = mutant::of(target, batch.seed, index);
-        fs::write(folder.path().join(target.mutated()), &bytes)?;
+        fs::write(folder.path().join(&target.mutated), &bytes)?;
         writeln!(out, "begin {index}")?;
         out.flush()?;
         let start = Instant::now();
@@ -87,7 +76,7 @@ fn read_all(batch: &Batch) -> Result<(), Trouble> {
         writeln!(out, "end {index} {outcome} {}", found.escape_debug())?;
         out.flush()?;
     }
-    Ok(())
+    Ok(true)
 }
 
 /// What became of a mutant.
@@ -99,12 +88,12 @@ enum Read {
 }
 
 /// Reads as the command does, and builds what the command would before it solves.
-fn read(target: Target, folder: &Path) -> Read {
+fn read(target: &Target, folder: &Path) -> Read {
     let of = |outcome: Result<(), SceneError>| match outcome {
         Ok(()) => Read::Whole,
         Err(error) => lacks(target, &error).map_or(Read::Refused, Read::Unclear),
     };
-    match target.reader() {
+    match target.reader {
         Reader::Scene => of(scene(&folder.join(target.main()))),
         Reader::Sweep => of(sweep(&folder.join(target.main()))),
         Reader::Experiment => of(experiment(&folder.join(target.main()))),
@@ -186,7 +175,7 @@ fn has_controls(text: &str) -> bool {
 }
 
 /// What an error should say and does not.
-fn lacks(target: Target, error: &SceneError) -> Option<String> {
+fn lacks(target: &Target, error: &SceneError) -> Option<String> {
     let text = error.render(100, false);
     if has_controls(&text) {
         return Some(format!("control characters: {text}"));
@@ -212,25 +201,24 @@ fn lacks(target: Target, error: &SceneError) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::torture::readers::corpus::TARGETS;
 
     #[test]
     fn what_is_mutated_is_read_itself() {
         // The folder of the list holds files of others, and is refused.
-        let targets = Target::ALL
-            .into_iter()
-            .filter(|target| *target != Target::List);
-        for target in targets {
+        let targets = TARGETS.iter();
+        for target in targets.filter(|target| target.reader != Reader::Owned) {
             for choice in 0..4 {
                 let folder = tempfile::tempdir().unwrap();
                 let mut files = target.files();
-                files.push((target.mutated(), mutant::unchanged(target, choice)));
+                files.push((target.mutated.as_str(), mutant::unchanged(target, choice)));
                 for (name, bytes) in files {
                     fs::write(folder.path().join(name), bytes).unwrap();
                 }
                 let found = read(target, folder.path());
-                assert!(matches!(found, Read::Whole), "{}", target.name());
+                assert!(matches!(found, Read::Whole), "{}", target.name);
                 let path = folder.path().join(target.main());
-                let scene = match target.reader() {
+                let scene = match target.reader {
                     Reader::Scene => Scene::from_file(&path, &NONE, HOST_OF_MUTANTS).unwrap(),
                     Reader::Sweep => {
                         let sweep = Sweep::from_file(&path, &NONE, HOST_OF_MUTANTS);

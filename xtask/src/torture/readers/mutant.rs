@@ -1,87 +1,51 @@
 //! Mutants of bytes, of lines and tokens, of values in a tree, and of the chunks of a PNG.
 
-use rand::rngs::StdRng;
-use rand::{RngExt, SeedableRng};
+use std::sync::LazyLock;
+
+use serde::Deserialize;
 use serde_json::{Map, Value, json};
 
-use super::corpus::Target;
+use super::corpus::{Form, Target};
+use crate::torture::draw::Draw;
 
-/// Texts that readers stumble over.
-const TOKENS: [&str; 28] = [
-    "",
-    "0",
-    "-0",
-    "-1",
-    "1e308",
-    "1e-308",
-    "1e400",
-    "NaN",
-    "inf",
-    "-inf",
-    "0x10",
-    "1_000",
-    "9223372036854775808",
-    "18446744073709551616",
-    "4294967296",
-    "1e18",
-    "\"",
-    "'",
-    "[",
-    "]]",
-    "{",
-    "=",
-    ",",
-    ";",
-    "\r\n",
-    "\t",
-    "#",
-    "\u{feff}",
-];
-const UNITS: [&str; 10] = [
-    "1 mm",
-    "-1 mm",
-    "0 mm",
-    "1e30 mm",
-    "1 K",
-    "1 GPa",
-    "45 deg",
-    "1e-30 deg",
-    "1",
-    "one mm",
-];
+/// What is put into texts.
+#[derive(Deserialize)]
+struct Mutations {
+    tokens: Vec<String>,
+    units: Vec<String>,
+}
+
+static MUTATIONS: LazyLock<Mutations> =
+    LazyLock::new(|| toml::from_str(include_str!("mutations.toml")).expect("tests read it"));
+
 const LONGEST: usize = 200_000;
 
-struct Draw(StdRng);
+/// A text that readers stumble over, or a quantity.
+fn token(draw: &mut Draw) -> &'static str {
+    &MUTATIONS.tokens[draw.below(MUTATIONS.tokens.len())]
+}
 
-impl Draw {
-    fn below(&mut self, end: usize) -> usize {
-        self.0.random_range(0..end.max(1))
-    }
-
-    fn pick<'a>(&mut self, choices: &[&'a str]) -> &'a str {
-        choices[self.below(choices.len())]
-    }
+fn quantity(draw: &mut Draw) -> &'static str {
+    &MUTATIONS.units[draw.below(MUTATIONS.units.len())]
 }
 
 /// Mutant `index` of a seed: the same bytes every time.
-pub(super) fn of(target: Target, seed: u64, index: usize) -> Vec<u8> {
+pub(super) fn of(target: &Target, seed: u64, index: usize) -> Vec<u8> {
     let own = seed
         .wrapping_mul(0x9E37_79B9_7F4A_7C15)
         .wrapping_add(index as u64);
-    let mut draw = Draw(StdRng::seed_from_u64(own));
+    let mut draw = Draw::seeded(own);
     let choice = draw.below(64);
     let original = target.original(choice);
     let turns = 1 + draw.below(3);
-    let mut bytes = if target.is_tree() {
+    let mut bytes = if target.form == Form::Tree {
         tree(&original, turns, &mut draw)
     } else {
         let mut bytes = original;
         for _ in 0..turns {
-            match (target, draw.below(3)) {
-                (Target::Png, 0 | 1) => chunk(&mut bytes, &mut draw),
-                (Target::Png | Target::Tiff | Target::GmshBinary, _) | (_, 0) => {
-                    raw(&mut bytes, &mut draw);
-                }
+            match (target.form, draw.below(3)) {
+                (Form::Png, 0 | 1) => chunk(&mut bytes, &mut draw),
+                (Form::Png | Form::Binary, _) | (_, 0) => raw(&mut bytes, &mut draw),
                 _ => lines(&mut bytes, &mut draw),
             }
         }
@@ -93,10 +57,10 @@ pub(super) fn of(target: Target, seed: u64, index: usize) -> Vec<u8> {
 
 /// What is mutated, in the form of its mutants.
 #[cfg(test)]
-pub(super) fn unchanged(target: Target, choice: usize) -> Vec<u8> {
+pub(super) fn unchanged(target: &Target, choice: usize) -> Vec<u8> {
     let original = target.original(choice);
-    if target.is_tree() {
-        tree(&original, 0, &mut Draw(StdRng::seed_from_u64(0)))
+    if target.form == Form::Tree {
+        tree(&original, 0, &mut Draw::seeded(0))
     } else {
         original
     }
@@ -154,7 +118,7 @@ fn lines(bytes: &mut Vec<u8>, draw: &mut Draw) {
             let copy = vec![lines[here].clone(); 1 + draw.below(2000)];
             lines.splice(here..here, copy);
         }
-        4 => lines[here] += draw.pick(&TOKENS),
+        4 => lines[here] += token(draw),
         _ => lines[here] = with_token(&lines[here], draw),
     }
     *bytes = (lines.join("\n") + "\n").into_bytes();
@@ -176,13 +140,13 @@ fn with_token(line: &str, draw: &mut Draw) -> String {
         }
     }
     if tokens.is_empty() {
-        return line.to_owned() + draw.pick(&TOKENS);
+        return line.to_owned() + token(draw);
     }
     let (begin, end) = tokens[draw.below(tokens.len())];
     let other = match draw.below(3) {
-        0 => draw.pick(&UNITS).to_owned(),
+        0 => quantity(draw).to_owned(),
         1 => "9".repeat(1 + draw.below(400)),
-        _ => draw.pick(&TOKENS).to_owned(),
+        _ => token(draw).to_owned(),
     };
     format!("{}{other}{}", &line[..begin], &line[end..])
 }
@@ -255,7 +219,7 @@ fn renamed(map: &mut Map<String, Value>, key: &str, draw: &mut Draw) {
         0 => drop(map.remove(key)),
         1 => {
             if let Some(value) = map.remove(key) {
-                map.insert(format!("{key}{}", draw.pick(&TOKENS)), value);
+                map.insert(format!("{key}{}", token(draw)), value);
             }
         }
         _ => {
@@ -276,8 +240,8 @@ fn other(value: &Value, draw: &mut Draw) -> Value {
         3 => json!({}),
         4 => json!([value, value]),
         5 => json!({ "a": value }),
-        6 => json!(draw.pick(&UNITS)),
-        7 => json!(draw.pick(&TOKENS)),
+        6 => json!(quantity(draw)),
+        7 => json!(token(draw)),
         8 => json!("x".repeat(draw.below(100_000))),
         9 => json!([0.0, -1.0, 1e308, 1e-308, 5e-324, 1e18, -1e18][draw.below(7)]),
         10 => json!([0, -1, i64::MAX, i64::MIN, 1 << 31, 1 << 53][draw.below(6)]),
@@ -329,12 +293,13 @@ fn check_value(bytes: &[u8]) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::torture::readers::corpus::TARGETS;
 
     #[test]
     fn mutants_are_the_same_every_time_and_differ() {
-        for (seed, target) in (0_u64..).zip(Target::ALL) {
+        for (seed, target) in (0_u64..).zip(&*TARGETS) {
             let first = of(target, seed, 0);
-            assert_eq!(first, of(target, seed, 0), "{}", target.name());
+            assert_eq!(first, of(target, seed, 0), "{}", target.name);
             assert!((1..6).any(|index| of(target, seed, index) != first));
         }
     }

@@ -6,7 +6,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use stickslip::results::{ContactFinding, EdgeKind, Finding, Results};
+use stickslip::results::{ContactFinding, EdgeKind, EdgeRow, Finding, Results};
 
 /// How far apart two places on an edge are still one: radians, or parts of the edge's length.
 const SAME_PLACE: f64 = 1e-7;
@@ -19,6 +19,14 @@ const REST: f64 = 1e-6;
 struct Row {
     place: f64,
     values: [f64; 5],
+}
+
+impl Row {
+    fn of(place: f64, row: &EdgeRow) -> Self {
+        let [p, shear, gap, slip] = [row.pressure, row.shear, row.gap, row.slip];
+        let values = [p, shear, gap, slip, row.sigma_tangential];
+        Self { place, values }
+    }
 }
 
 /// Names of a row's numbers.
@@ -98,18 +106,7 @@ impl Answer {
                 let edge = &step.edges[index];
                 let rows = geometry.parameter.iter().zip(&edge.rows);
                 EdgeStep {
-                    rows: rows
-                        .map(|(&place, row)| Row {
-                            place,
-                            values: [
-                                row.pressure,
-                                row.shear,
-                                row.gap,
-                                row.slip,
-                                row.sigma_tangential,
-                            ],
-                        })
-                        .collect(),
+                    rows: rows.map(|(place, row)| Row::of(*place, row)).collect(),
                     resultant: edge.resultant,
                     normal: edge.normal_force,
                 }
@@ -192,13 +189,8 @@ impl Answer {
                 if !circle {
                     row.place *= length;
                 }
-                for (value, factor) in row
-                    .values
-                    .iter_mut()
-                    .zip([stress, stress, length, length, stress])
-                {
-                    *value *= factor;
-                }
+                let factors = [stress, stress, length, length, stress];
+                row.values = std::array::from_fn(|k| factors[k] * row.values[k]);
             }
         }
         for work in &mut self.dissipation {
@@ -231,16 +223,13 @@ impl Answer {
             found: "nothing".into(),
         };
         if self.edges.len() != other.edges.len() {
-            worst.relative = f64::INFINITY;
-            worst.found = format!("{} edges against {}", self.edges.len(), other.edges.len());
-            return worst;
+            let [own, others] = [self, other].map(|answer| answer.edges.len());
+            return Difference::other(format!("{own} edges against {others}"));
         }
         let mut work = 0.0_f64;
         for own in &self.edges {
             let Some(others) = other.edges.iter().find(|edge| edge.name == own.name) else {
-                worst.relative = f64::INFINITY;
-                worst.found = format!("edge '{}' is missing", own.name);
-                return worst;
+                return Difference::other(format!("edge '{}' is missing", own.name));
             };
             let scales = Scales::of(own, others, give);
             work += scales.force * scales.values[3];
@@ -248,14 +237,9 @@ impl Answer {
                 if firm && self.is_free_in(other, step) {
                     continue;
                 }
-                let places = firm && self.frees(other, &own.name, step);
-                let compared = [
-                    true,
-                    true,
-                    !places,
-                    !places && own.slips && others.slips,
-                    true,
-                ];
+                let gaps = !(firm && self.frees(other, &own.name, step));
+                let slips = gaps && own.slips && others.slips;
+                let compared = [true, true, gaps, slips, true];
                 worst.against(own, [a, b], step, &scales, compared);
             }
         }
@@ -292,24 +276,14 @@ impl Scales {
         let largest =
             |index: usize| rows().fold(0.0, |most: f64, row| most.max(row.values[index].abs()));
         let stress = largest(0).max(largest(1));
-        let slip = if first.slips && second.slips {
-            largest(3)
-        } else {
-            0.0
-        };
+        let slips = first.slips && second.slips;
+        let slip = if slips { largest(3) } else { 0.0 };
         let motion = largest(2).max(slip);
         let length = motion.max(give * stress);
         // Where nothing presses, stresses and forces are the rounding of motions.
-        let rest = if give > 0.0 {
-            REST * motion / give
-        } else {
-            0.0
-        };
-        let lifted = if stress > 0.0 {
-            (rest / stress).max(1.0)
-        } else {
-            1.0
-        };
+        let over = |a: f64, b: f64| if b > 0.0 { a / b } else { 0.0 };
+        let rest = over(REST * motion, give);
+        let lifted = over(rest, stress).max(1.0);
         let stress = stress.max(rest);
         let forces = steps().flat_map(|step| step.resultant.into_iter().chain([step.normal]));
         Self {
@@ -320,19 +294,23 @@ impl Scales {
 }
 
 impl Difference {
+    /// What cannot be compared.
+    fn other(found: String) -> Self {
+        let relative = f64::INFINITY;
+        Self { relative, found }
+    }
+
     fn take(&mut self, a: f64, b: f64, scale: f64, name: impl FnOnce() -> String) {
         let apart = (a - b).abs();
         let relative = if apart == 0.0 { 0.0 } else { apart / scale };
         if relative > self.relative || relative.is_nan() {
+            let values = format!("{a:.9e} against {b:.9e}, {relative:.1e} of {scale:.3e}");
             self.relative = if relative.is_nan() {
                 f64::INFINITY
             } else {
                 relative
             };
-            self.found = format!(
-                "{}: {a:.9e} against {b:.9e}, {relative:.1e} of {scale:.3e}",
-                name()
-            );
+            self.found = format!("{}: {values}", name());
         }
     }
 
@@ -344,10 +322,8 @@ impl Difference {
         scales: &Scales,
         compared: [bool; 5],
     ) {
-        let size = pair[0]
-            .rows
-            .iter()
-            .fold(1e-300, |most: f64, row| most.max(row.place.abs()));
+        let places = pair[0].rows.iter().map(|row| row.place.abs());
+        let size = places.fold(1e-300, f64::max);
         for own in &pair[0].rows {
             let apart = |other: &&Row| {
                 if edge.circle {
@@ -357,33 +333,25 @@ impl Difference {
                     (own.place - other.place).abs() / size
                 }
             };
-            let Some(other) = pair[1]
-                .rows
-                .iter()
-                .min_by(|a, b| apart(a).total_cmp(&apart(b)))
-            else {
+            let others = pair[1].rows.iter();
+            let Some(other) = others.min_by(|a, b| apart(a).total_cmp(&apart(b))) else {
                 continue;
             };
             if apart(&other) > SAME_PLACE {
-                self.relative = f64::INFINITY;
-                self.found = format!("edge '{}': no node at {}", edge.name, own.place);
+                *self = Self::other(format!("edge '{}': no node at {}", edge.name, own.place));
                 return;
             }
-            for (index, name) in NAMES.iter().enumerate() {
-                if !compared[index] {
-                    continue;
-                }
-                let place = if edge.circle {
-                    own.place.to_degrees()
-                } else {
-                    own.place
-                };
-                self.take(
-                    own.values[index],
-                    other.values[index],
-                    scales.values[index],
-                    || format!("{name} of '{}' at {place:.4}, step {}", edge.name, step + 1),
-                );
+            let place = if edge.circle {
+                own.place.to_degrees()
+            } else {
+                own.place
+            };
+            for index in (0..NAMES.len()).filter(|index| compared[*index]) {
+                let [a, b, scale] = [own.values, other.values, scales.values].map(|all| all[index]);
+                let (quantity, name, step) = (NAMES[index], &edge.name, step + 1);
+                self.take(a, b, scale, || {
+                    format!("{quantity} of '{name}' at {place:.4}, step {step}")
+                });
             }
         }
         let forces = [

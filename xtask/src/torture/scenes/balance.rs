@@ -2,9 +2,10 @@
 
 use stickslip::output::sentence;
 use stickslip::results::Finding;
-use stickslip::scene::schema::{Hold, LoadKind, Substance};
+use stickslip::scene::schema::{Hold, LoadKind};
 use stickslip::scene::shape::{Curve, Role};
 
+use super::quantity::{number, table};
 use super::sample::{Sample, Verdict};
 
 /// Sums of some hundred forces, relative to the largest of the history.
@@ -21,51 +22,23 @@ const REPORTED: f64 = 1e-8;
 
 /// Loads, contact resultants and reactions of every body sum to zero; without reactions along axes that nothing holds.
 pub(super) fn bodies(sample: &Sample) -> Verdict {
-    let mut any = false;
     // A body that nothing touches carries the rounding of the others.
     let names = sample.results.bodies.iter().map(|body| &body.name);
     let scale = names
         .filter_map(|name| largest(sample, name))
         .fold(REST * stiffness(sample) * sample.motion(), f64::max)
         .max(HELD * heated(sample));
+    let mut any = false;
     for (index, body) in sample.results.bodies.iter().enumerate() {
-        for step in 0..sample.results.steps.len() {
-            let Some(mut sum) = load(sample, &body.name, step) else {
-                continue;
-            };
-            for (edge, contact) in sample.scene.contacts.iter().enumerate() {
-                let sign = if contact.first.body == body.name {
-                    1.0
-                } else if contact.second.body == body.name {
-                    -1.0
-                } else {
-                    continue;
-                };
-                let resultant = sample.results.steps[step].edges[edge].resultant;
-                (0..2).for_each(|axis| sum[axis] += sign * resultant[axis]);
-            }
-            let free = free_axes(sample, &body.name);
-            let reaction = sample.results.steps[step]
-                .balance
-                .get(index)
-                .copied()
-                .flatten();
-            for axis in 0..2 {
-                let rest = match (free[axis], reaction) {
-                    (true, _) => sum[axis],
-                    (false, Some(balance)) if !sample.is_half() => {
-                        sum[axis] + balance.reaction[axis]
-                    }
-                    _ => continue,
-                };
+        for (step, results) in sample.results.steps.iter().enumerate() {
+            let reaction = results.balance.get(index).copied().flatten();
+            let reaction = reaction.map(|balance| balance.reaction);
+            for (axis, rest) in rests(sample, &body.name, step, reaction) {
                 any = true;
                 if rest.abs() > ROUNDING * scale {
-                    return Verdict::Fails(format!(
-                        "'{}', step {}, {}: {rest:e} N are left of {scale:e} N",
-                        body.name,
-                        step + 1,
-                        ["x", "y"][axis]
-                    ));
+                    let (name, step, axis) = (&body.name, step + 1, ["x", "y"][axis]);
+                    let found = format!("{rest:e} N are left of {scale:e} N");
+                    return Verdict::Fails(format!("'{name}', step {step}, {axis}: {found}"));
                 }
             }
         }
@@ -73,36 +46,66 @@ pub(super) fn bodies(sample: &Sample) -> Verdict {
     if any { Verdict::Holds } else { Verdict::Beside }
 }
 
+/// What is left of the forces on a body along the axes where all of them are known.
+fn rests(
+    sample: &Sample,
+    body: &str,
+    step: usize,
+    reaction: Option<[f64; 2]>,
+) -> impl Iterator<Item = (usize, f64)> {
+    let own = load(sample, body, step).map(|mut sum| {
+        for (edge, sign) in contacts_of(sample, body) {
+            let resultant = sample.results.steps[step].edges[edge].resultant;
+            (0..2).for_each(|axis| sum[axis] += sign * resultant[axis]);
+        }
+        sum
+    });
+    let (free, is_half) = (free_axes(sample, body), sample.is_half());
+    (0..2).filter_map(move |axis| {
+        let rest = match (free[axis], reaction) {
+            (true, _) => own?[axis],
+            (false, Some(reaction)) if !is_half => own?[axis] + reaction[axis],
+            _ => return None,
+        };
+        Some((axis, rest))
+    })
+}
+
+/// Edges of the contacts of a body, with the sign of their resultants on it.
+fn contacts_of<'a>(sample: &'a Sample, body: &'a str) -> impl Iterator<Item = (usize, f64)> + 'a {
+    let contacts = sample.scene.contacts.iter().enumerate();
+    contacts.filter_map(move |(edge, contact)| {
+        if contact.first.body == body {
+            Some((edge, 1.0))
+        } else {
+            (contact.second.body == body).then_some((edge, -1.0))
+        }
+    })
+}
+
 /// Force `[N]` that a motion of 1 mm as strain would take: the largest modulus times the largest thickness.
 fn stiffness(sample: &Sample) -> f64 {
-    let thickness = sample
-        .scene
-        .bodies
-        .values()
-        .filter_map(|body| match body.substance {
-            Substance::Elastic { thickness, .. } => Some(thickness),
-            Substance::Rigid => None,
-        });
+    let names = sample.scene.bodies.keys();
+    let thickness = names.filter_map(|body| sample.thickness(body));
     sample.moduli()[1] * thickness.fold(0.0, f64::max)
 }
 
 /// Force `[N]` that what is held against its thermal strain may take.
 fn heated(sample: &Sample) -> f64 {
-    let warmest = sample.scene.loads.iter().map(|load| match &load.kind {
-        LoadKind::Temperature { steps, .. } => steps
-            .iter()
-            .fold(0.0, |most: f64, step| most.max(step.abs())),
-        _ => 0.0,
-    });
+    let loads = sample.scene.loads.iter();
+    let heats = loads.filter(|load| matches!(load.kind, LoadKind::Temperature { .. }));
+    let warmest = heats
+        .flat_map(|load| load.kind.steps())
+        .copied()
+        .map(f64::abs);
+    let keys = [
+        "/isotropic/expansion",
+        "/orthotropic/expansion1",
+        "/orthotropic/expansion2",
+    ];
+    let materials = table(&sample.value, "materials").map(|(_, material)| material);
     let expansions =
-        super::quantity::table(&sample.value, "materials").flat_map(|(_, material)| {
-            [
-                "/isotropic/expansion",
-                "/orthotropic/expansion1",
-                "/orthotropic/expansion2",
-            ]
-            .map(|key| super::quantity::number(material, key).unwrap_or(0.0).abs())
-        });
+        materials.flat_map(|material| keys.map(|key| number(material, key).unwrap_or(0.0).abs()));
     // A ply's own is that of its resin.
     let largest = expansions.fold(2e-5, f64::max);
     stiffness(sample) * sample.size() * largest * warmest.fold(0.0, f64::max)
@@ -111,35 +114,24 @@ fn heated(sample: &Sample) -> f64 {
 /// The largest force on the body in the history, of one contact or load.
 fn largest(sample: &Sample, body: &str) -> Option<f64> {
     let mut most = 0.0_f64;
-    for step in 0..sample.results.steps.len() {
+    for (step, results) in sample.results.steps.iter().enumerate() {
         let [x, y] = load(sample, body, step)?;
         most = most.max(x.hypot(y)).max(pressed(sample, body, step));
-        for (edge, contact) in sample.scene.contacts.iter().enumerate() {
-            if contact.first.body == body || contact.second.body == body {
-                most = most.max(sample.results.steps[step].edges[edge].normal_force);
-            }
-        }
+        let forces = contacts_of(sample, body).map(|(edge, _)| results.edges[edge].normal_force);
+        most = forces.fold(most, f64::max);
     }
     // What two contacts hold against each other is more than what is applied: heat of a body that both sides hold.
-    let reactions = sample
-        .results
-        .steps
-        .iter()
-        .flat_map(|step| step.balance.iter().flatten());
-    let reaction = reactions.map(|balance| balance.reaction[0].hypot(balance.reaction[1]));
-    Some(reaction.fold(most, f64::max))
+    let steps = sample.results.steps.iter();
+    let reactions = steps.flat_map(|step| step.balance.iter().flatten());
+    let reactions = reactions.map(|balance| balance.reaction[0].hypot(balance.reaction[1]));
+    Some(reactions.fold(most, f64::max))
 }
 
 /// The largest force `[N]` on one side of a body by the pressures on its edges, also of those that balance themselves around a circle.
 fn pressed(sample: &Sample, body: &str, step: usize) -> f64 {
-    let thickness = match sample.scene.bodies.get(body).map(|body| &body.substance) {
-        Some(Substance::Elastic { thickness, .. }) => *thickness,
-        _ => 0.0,
-    };
+    let area = sample.thickness(body).unwrap_or(0.0) * sample.size();
     let forces = sample.scene.loads.iter().map(|load| match &load.kind {
-        LoadKind::Pressure { on, steps } if on.body == body => {
-            steps[step].abs() * thickness * sample.size()
-        }
+        LoadKind::Pressure { on, steps } if on.body == body => steps[step].abs() * area,
         _ => 0.0,
     });
     forces.fold(0.0, f64::max)
@@ -149,39 +141,25 @@ fn pressed(sample: &Sample, body: &str, step: usize) -> f64 {
 fn load(sample: &Sample, body: &str, step: usize) -> Option<[f64; 2]> {
     let mut sum = [0.0; 2];
     for load in &sample.scene.loads {
-        match &load.kind {
-            LoadKind::Force {
-                on,
-                direction,
-                steps,
+        let unit = match &load.kind {
+            LoadKind::Force { on, direction, .. } | LoadKind::Bearing { on, direction, .. }
+                if on.body == body =>
+            {
+                *direction
             }
-            | LoadKind::Bearing {
-                on,
-                direction,
-                steps,
-                ..
-            } if on.body == body => {
-                (0..2).for_each(|axis| sum[axis] += direction[axis] * steps[step]);
-            }
-            LoadKind::Pressure { on, steps } if on.body == body => {
-                let [x, y] = pushed(sample, body, &on.set)?;
-                sum[0] += x * steps[step];
-                sum[1] += y * steps[step];
-            }
+            LoadKind::Pressure { on, .. } if on.body == body => pushed(sample, body, &on.set)?,
             LoadKind::PolarTraction { on, .. } if on.body == body => return None,
-            _ => {}
-        }
+            _ => continue,
+        };
+        (0..2).for_each(|axis| sum[axis] += unit[axis] * load.kind.steps()[step]);
     }
     Some(sum)
 }
 
 /// Force on a body by a pressure of one on its edge.
 fn pushed(sample: &Sample, body: &str, set: &str) -> Option<[f64; 2]> {
-    let body = sample.scene.bodies.get(body)?;
-    let Substance::Elastic { thickness, .. } = &body.substance else {
-        return None;
-    };
-    let shape = body.shape;
+    let thickness = sample.thickness(body)?;
+    let shape = sample.scene.bodies.get(body)?.shape;
     // The resultant of a pressure on a cap depends on its arc, which this check leaves out, with what is under it.
     if shape.edge_with(Role::Cap).is_some() || shape.edge_with(Role::Surface).is_some() {
         return None;
@@ -198,12 +176,8 @@ fn pushed(sample: &Sample, body: &str, set: &str) -> Option<[f64; 2]> {
 /// Axes along which no support or platen holds the body.
 fn free_axes(sample: &Sample, body: &str) -> [bool; 2] {
     let mut free = [true; 2];
-    for support in sample
-        .scene
-        .supports
-        .iter()
-        .filter(|support| support.on.body == body)
-    {
+    let supports = sample.scene.supports.iter();
+    for support in supports.filter(|support| support.on.body == body) {
         match support.hold {
             Hold::Axes(axes) => {
                 free[0] &= !axes.x;
@@ -212,12 +186,8 @@ fn free_axes(sample: &Sample, body: &str) -> [bool; 2] {
             Hold::Direction(_) => free = [false; 2],
         }
     }
-    for platen in sample
-        .scene
-        .platens
-        .iter()
-        .filter(|platen| platen.on.body == body)
-    {
+    let platens = sample.scene.platens.iter();
+    for platen in platens.filter(|platen| platen.on.body == body) {
         free[0] &= platen.free.x;
         free[1] &= platen.free.y;
     }
@@ -230,12 +200,12 @@ fn free_axes(sample: &Sample, body: &str) -> [bool; 2] {
 
 /// A poor residual of balance is a finding.
 pub(super) fn residual(sample: &Sample) -> Verdict {
-    let worst = sample
+    let residuals = sample
         .results
         .steps
         .iter()
-        .map(|step| step.balance_residual)
-        .fold(0.0, f64::max);
+        .map(|step| step.balance_residual);
+    let worst = residuals.fold(0.0, f64::max);
     if worst <= REPORTED {
         return Verdict::Holds;
     }

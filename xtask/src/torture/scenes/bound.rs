@@ -19,16 +19,20 @@ pub(super) struct Bound {
 }
 
 /// The bound of `law` under `pressure` `[MPa]` where the edge's tangent stands at `tangent` `[rad]` from the axis that plies are
-/// counted from; `plies` (angle `[rad]`, fraction) are those of the laminate, for laws that do not name theirs. `None` for a law
-/// that is not known here.
+/// counted from; `plies` (angle `[rad]`, fraction) are those of the laminate, for laws that do not name theirs.
+///
+/// # Errors
+/// In words, for a law or a choice of it that is not known here.
 pub(super) fn bound(
     law: &Value,
     pressure: f64,
     tangent: f64,
     plies: &[(f64, f64)],
-) -> Option<Bound> {
-    let (name, given) = law.as_object()?.iter().next()?;
-    let coefficient = |key: &str| given.get(key)?.as_f64();
+) -> Result<Bound, String> {
+    let parts = law.as_object().and_then(|law| law.iter().next());
+    let (name, given) = parts.ok_or_else(|| format!("no law: {law}"))?;
+    let needed = |key: &str, own: Option<f64>| own.ok_or_else(|| format!("no {key}: {law}"));
+    let coefficient = |key: &str| needed(key, given.get(key).and_then(Value::as_f64));
     let between = |least: f64, most: f64| Bound {
         stick: most * pressure,
         slip: [least * pressure, most * pressure],
@@ -36,41 +40,41 @@ pub(super) fn bound(
     match name.as_str() {
         "coulomb" => {
             let mu = coefficient("mu")?;
-            Some(between(mu, mu))
+            Ok(between(mu, mu))
         }
         "static_dynamic" => {
             let (most, least) = (coefficient("static")?, coefficient("dynamic")?);
-            let lagged = given.get("transition").is_some_and(|way| way == "lagged");
             let mut bound = between(least, most);
-            if !lagged {
-                bound.slip[1] = least * pressure;
+            match given.get("transition").and_then(Value::as_str) {
+                Some("lagged") => {}
+                None | Some("drop") => bound.slip[1] = least * pressure,
+                Some(other) => return Err(format!("the transition '{other}' has no bound here")),
             }
-            Some(bound)
+            Ok(bound)
         }
-        "slip_power" => Some(between(coefficient("dynamic")?, coefficient("static")?)),
+        "slip_power" => Ok(between(coefficient("dynamic")?, coefficient("static")?)),
         "pressure_power" => {
-            let reference = number(given, "/reference_pressure")?;
+            let reference = number(given, "/reference_pressure");
+            let reference = needed("reference_pressure", reference)?;
             let power = (pressure / reference).powf(coefficient("exponent")?);
             let most = coefficient("mu")? * reference * power;
-            Some(Bound {
+            Ok(Bound {
                 stick: most,
                 slip: [most; 2],
             })
         }
         "fibre_coverage" => {
-            let covered = coverage(given, tangent, plies)?;
-            let fibre = bound(given.get("fibre")?, pressure, tangent, plies)?;
-            let matrix = bound(given.get("matrix")?, pressure, tangent, plies)?;
+            let covered = needed("coverage", coverage(given, tangent, plies))?;
+            let [fibre, matrix] =
+                ["fibre", "matrix"].map(|part| bound(&given[part], pressure, tangent, plies));
+            let (fibre, matrix) = (fibre?, matrix?);
             let mix = |a: f64, b: f64| covered * a + (1.0 - covered) * b;
-            Some(Bound {
+            Ok(Bound {
                 stick: mix(fibre.stick, matrix.stick),
-                slip: [
-                    mix(fibre.slip[0], matrix.slip[0]),
-                    mix(fibre.slip[1], matrix.slip[1]),
-                ],
+                slip: [0, 1].map(|end| mix(fibre.slip[end], matrix.slip[end])),
             })
         }
-        _ => None,
+        other => Err(format!("the law '{other}' has no bound here")),
     }
 }
 
@@ -86,17 +90,21 @@ fn coverage(law: &Value, tangent: f64, laminate: &[(f64, f64)]) -> Option<f64> {
         plies.iter().filter_map(ply).collect()
     });
     let plies = own.as_deref().unwrap_or(laminate);
+    let kappa = law.pointer("/kernel/swept/kappa").and_then(Value::as_f64);
+    let width = number(law, "/kernel/tangent/width").map(f64::to_radians);
+    // One of both kernels is given.
+    kappa.or(width)?;
     let sum = plies.iter().map(|(angle, share)| {
         // From the fibre to the tangent, in [0, π/2].
         let turn = (tangent - angle).rem_euclid(PI);
         let apart = FRAC_PI_2 - (turn - FRAC_PI_2).abs();
-        let covered =
-            if let Some(kappa) = law.pointer("/kernel/swept/kappa").and_then(Value::as_f64) {
-                packed.min(fibres * (1.0 + kappa * apart.cos()))
-            } else {
-                let width = number(law, "/kernel/tangent/width").map_or(f64::NAN, f64::to_radians);
+        let covered = match (kappa, width) {
+            (Some(kappa), _) => packed.min(fibres * (1.0 + kappa * apart.cos())),
+            (None, width) => {
+                let width = width.unwrap_or(f64::NAN);
                 fibres + (packed - fibres) * (-(apart / width).powi(2)).exp()
-            };
+            }
+        };
         share * covered
     });
     Some(sum.sum::<f64>().min(1.0))
@@ -149,6 +157,16 @@ mod tests {
     use super::*;
     use serde_json::json;
     use stickslip_friction::{FrictionLaw, History, Place};
+
+    /// A law that scenes may name and this check does not know would go unchecked.
+    #[test]
+    fn every_registered_law_is_known() {
+        for law in stickslip_friction::registry::laws() {
+            let found = bound(&json!({ law.name: {} }), 1.0, 0.0, &[]);
+            let unknown = format!("the law '{}' has no bound here", law.name);
+            assert_ne!(found.err(), Some(unknown));
+        }
+    }
 
     #[test]
     fn bounds_are_those_of_the_laws() {

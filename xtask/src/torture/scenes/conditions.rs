@@ -3,7 +3,7 @@
 //! Tolerances: solvers promise residuals of 1e-10 of the largest force. A node's traction is its force over its area, and areas differ
 //! by up to the ratio of the mesh's spacings, so pressures carry [`ROUNDING`] of the largest pressure of their contact in the history.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use serde_json::Value;
 use stickslip::results::{EdgeGeometry, EdgeKind, EdgeResults, EdgeRow};
@@ -26,24 +26,19 @@ struct Contact<'a> {
 /// The contacts of a sample in the order of its results.
 fn contacts(sample: &Sample) -> impl Iterator<Item = Contact<'_>> {
     let texts = quantity::list(&sample.value, "contacts");
-    texts.enumerate().filter_map(|(index, text)| {
-        let geometry = sample.results.edges.get(index)?;
-        geometry.contact.then_some(Contact {
-            index,
-            text,
-            geometry,
-        })
-    })
+    let edges = texts.enumerate().zip(&sample.results.edges);
+    let contact = |((index, text), geometry)| Contact {
+        index,
+        text,
+        geometry,
+    };
+    edges.map(contact).filter(|own| own.geometry.contact)
 }
 
 impl Contact<'_> {
     fn steps<'a>(&self, sample: &'a Sample) -> impl Iterator<Item = &'a EdgeResults> {
-        let index = self.index;
-        sample
-            .results
-            .steps
-            .iter()
-            .filter_map(move |step| step.edges.get(index))
+        let (index, steps) = (self.index, sample.results.steps.iter());
+        steps.filter_map(move |step| step.edges.get(index))
     }
 
     fn most(&self, sample: &Sample, of: impl Fn(&EdgeRow) -> f64) -> f64 {
@@ -57,20 +52,11 @@ impl Contact<'_> {
         let EdgeKind::Circle { radius, .. } = self.geometry.kind else {
             return None;
         };
-        let areas = areas(
-            self.geometry,
-            radius * thickness(sample, &self.geometry.body)?,
-        )?;
-        let steps = self
-            .geometry
-            .parameter
-            .windows(2)
-            .map(|pair| pair[1] - pair[0]);
-        let corners = if self.geometry.corner.contains(&false) {
-            2.0
-        } else {
-            1.0
-        };
+        let scale = radius * sample.thickness(&self.geometry.body)?;
+        let areas = areas(self.geometry, scale)?;
+        let steps = (self.geometry.parameter.windows(2)).map(|pair| pair[1] - pair[0]);
+        let is_quadratic = self.geometry.corner.contains(&false);
+        let corners = if is_quadratic { 2.0 } else { 1.0 };
         let step = corners * steps.fold(0.0, f64::max);
         Some((areas, step * step / 6.0 + ROUNDING))
     }
@@ -118,31 +104,20 @@ pub(super) fn numbers(sample: &Sample) -> Verdict {
             .iter()
             .flat_map(|edge| &edge.rows)
             .flat_map(|row| {
-                [
-                    row.pressure,
-                    row.shear,
-                    row.gap,
-                    row.slip,
-                    row.sigma_normal,
-                    row.sigma_tangential,
-                    row.tau,
-                ]
+                let contact = [row.pressure, row.shear, row.gap, row.slip];
+                let stresses = [row.sigma_normal, row.sigma_tangential, row.tau];
+                contact.into_iter().chain(stresses)
             });
-        let sums = step
-            .edges
-            .iter()
-            .flat_map(|edge| [edge.resultant[0], edge.resultant[1], edge.normal_force]);
-        let fields = step.fields.iter().flat_map(|field| {
-            field
-                .displacement
-                .iter()
-                .copied()
-                .chain(field.stress.iter().flatten().copied())
+        let sums = (step.edges.iter()).flat_map(|edge| {
+            let [x, y] = edge.resultant;
+            [x, y, edge.normal_force]
         });
-        let mut all = rows
-            .chain(sums)
-            .chain(fields)
-            .chain([step.dissipation, step.balance_residual]);
+        let fields = step.fields.iter().flat_map(|field| {
+            let stresses = field.stress.iter().flatten();
+            field.displacement.iter().chain(stresses).copied()
+        });
+        let whole = [step.dissipation, step.balance_residual];
+        let mut all = rows.chain(sums).chain(fields).chain(whole);
         if let Some(wrong) = all.find(|value| !value.is_finite()) {
             return Verdict::Fails(format!("step {}: {wrong}", index + 1));
         }
@@ -189,12 +164,11 @@ pub(super) fn cone(sample: &Sample) -> Verdict {
                 EdgeKind::Circle { .. } => place + FRAC_PI_2,
                 EdgeKind::Line => 0.0,
             };
-            let allowed = bound(
-                &contact.text["friction"],
-                row.pressure.max(0.0),
-                tangent - axis,
-                &plies,
-            )?;
+            let (law, pressure) = (&contact.text["friction"], row.pressure.max(0.0));
+            let allowed = match bound(law, pressure, tangent - axis, &plies) {
+                Ok(allowed) => allowed,
+                Err(unknown) => return Some(unknown),
+            };
             let shear = row.shear.abs();
             let beyond = match row.status {
                 Status::Open => shear,
@@ -314,13 +288,8 @@ pub(super) fn resultant(sample: &Sample) -> Verdict {
             .fold(0.0, |most: f64, edge| most.max(edge.normal_force));
         contact.steps(sample).enumerate().find_map(|(index, edge)| {
             let mut sum = [0.0; 2];
-            let rows = contact
-                .geometry
-                .parameter
-                .iter()
-                .zip(&edge.rows)
-                .zip(&areas);
-            for ((place, row), area) in rows {
+            let rows = contact.geometry.parameter.iter().zip(&edge.rows);
+            for ((place, row), area) in rows.zip(&areas) {
                 let (s, c) = place.sin_cos();
                 sum[0] += (row.pressure * c - row.shear * s) * area;
                 sum[1] += (row.pressure * s + row.shear * c) * area;
@@ -330,53 +299,36 @@ pub(super) fn resultant(sample: &Sample) -> Verdict {
             }
             let apart = (sum[0] - edge.resultant[0]).hypot(sum[1] - edge.resultant[1]);
             (apart > tolerance * most).then(|| {
-                format!(
-                    "'{}', step {}: {:?} N written, {sum:?} N by the tractions",
-                    contact.geometry.name,
-                    index + 1,
-                    edge.resultant
-                )
+                let (name, step, written) = (&contact.geometry.name, index + 1, edge.resultant);
+                format!("'{name}', step {step}: {written:?} N written, {sum:?} N by the tractions")
             })
         })
     })
 }
 
-/// Areas of the nodes of a circle, times `scale` = radius × thickness.
+/// Areas of the nodes of a circle, times `scale` = radius × thickness: by the trapezoidal rule, by Simpson's on quadratic edges.
 fn areas(geometry: &EdgeGeometry, scale: f64) -> Option<Vec<f64>> {
     let (angles, corners) = (&geometry.parameter, &geometry.corner);
     let count = angles.len();
-    let mut areas = vec![0.0; count];
-    let quadratic = corners.iter().any(|corner| !corner);
-    let stride = if quadratic { 2 } else { 1 };
+    let shares: &[f64] = if corners.contains(&false) {
+        &[1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0]
+    } else {
+        &[0.5, 0.5]
+    };
+    let stride = shares.len() - 1;
     let first = corners.iter().position(|corner| *corner)?;
-    let last = if geometry.half { count - 1 } else { count };
-    let mut start = first;
-    while start < last + first && (!geometry.half || start + stride <= last) {
-        let at = |k: usize| {
-            angles[k % count]
-                + if k >= count {
-                    std::f64::consts::TAU
-                } else {
-                    0.0
-                }
-        };
+    let end = if geometry.half {
+        count - stride
+    } else {
+        first + count
+    };
+    let at = |k: usize| angles[k % count] + TAU * (k / count) as f64;
+    let mut areas = vec![0.0; count];
+    for start in (first..end).step_by(stride) {
         let length = scale * (at(start + stride) - at(start));
-        let shares: &[f64] = if quadratic {
-            &[1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0]
-        } else {
-            &[0.5, 0.5]
-        };
         for (offset, share) in shares.iter().enumerate() {
             areas[(start + offset) % count] += share * length;
         }
-        start += stride;
     }
     Some(areas)
-}
-
-fn thickness(sample: &Sample, body: &str) -> Option<f64> {
-    match &sample.scene.bodies.get(body)?.substance {
-        stickslip::scene::schema::Substance::Elastic { thickness, .. } => Some(*thickness),
-        stickslip::scene::schema::Substance::Rigid => None,
-    }
 }

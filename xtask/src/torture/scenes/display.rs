@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use serde_json::Value;
 use stickslip::folder::{Overwrite, ResultFolder};
+use stickslip::results::{EdgeGeometry, EdgeRow};
 use stickslip::{keep, output};
 
 use super::sample::{Sample, Verdict};
@@ -12,28 +13,22 @@ use super::sample::{Sample, Verdict};
 const DIGITS: f64 = 1e-11;
 
 /// Base units in one of each, mm, N or MPa: 1 in = 25.4 mm and 1 lbf = 4.4482216152605 N exactly (NIST SP 811, 2008).
-const UNITS: [(&str, f64); 14] = [
-    ("mm", 1.0),
-    ("cm", 10.0),
-    ("m", 1000.0),
-    ("in", 25.4),
-    ("mil", 0.0254),
-    ("N", 1.0),
-    ("kN", 1000.0),
-    ("lbf", 4.448_221_615_260_5),
-    ("kip", 4_448.221_615_260_5),
-    ("MPa", 1.0),
-    ("GPa", 1000.0),
-    ("psi", 4.448_221_615_260_5 / (25.4 * 25.4)),
-    ("ksi", 4_448.221_615_260_5 / (25.4 * 25.4)),
-    ("Pa", 1e-6),
-];
-
 fn in_base(unit: &str) -> Option<f64> {
-    UNITS
-        .iter()
-        .find(|(name, _)| *name == unit)
-        .map(|(_, factor)| *factor)
+    const INCH: f64 = 25.4;
+    const POUND: f64 = 4.448_221_615_260_5;
+    Some(match unit {
+        "mm" | "N" | "MPa" => 1.0,
+        "cm" => 10.0,
+        "m" | "kN" | "GPa" => 1000.0,
+        "Pa" => 1e-6,
+        "in" => INCH,
+        "mil" => 1e-3 * INCH,
+        "lbf" => POUND,
+        "kip" => 1e3 * POUND,
+        "psi" => POUND / (INCH * INCH),
+        "ksi" => 1e3 * POUND / (INCH * INCH),
+        _ => return None,
+    })
 }
 
 /// `summary.json` and the tables of the edges against the results.
@@ -54,35 +49,20 @@ fn quantity(value: &Value) -> Option<f64> {
 fn summary(sample: &Sample) -> Option<String> {
     let summary = output::summary_json(&sample.results);
     let steps = summary["steps"].as_array()?;
-    if steps.len() != sample.scene.steps() {
-        return Some(format!(
-            "{} steps written, {} asked for",
-            steps.len(),
-            sample.scene.steps()
-        ));
+    let (count, asked) = (steps.len(), sample.scene.steps());
+    if count != asked {
+        return Some(format!("{count} steps written, {asked} asked for"));
     }
     for (index, (step, written)) in sample.results.steps.iter().zip(steps).enumerate() {
-        for (geometry, edge) in sample
-            .results
-            .edges
-            .iter()
-            .zip(&step.edges)
-            .filter(|(geometry, _)| geometry.contact)
-        {
+        let place = format!("step {}", index + 1);
+        for (edge, EdgeGeometry { name, .. }) in sample.contacts() {
+            let (edge, own) = (&step.edges[edge], &written["edges"][name]);
             let peak = edge.rows.iter().map(|row| row.pressure).fold(0.0, f64::max);
-            let own = &written["edges"][&geometry.name];
-            let normal = (
-                quantity(&own["normal_force"]),
-                edge.normal_force,
-                "normal_force",
-            );
-            let pressure = (quantity(&own["peak_pressure"]), peak, "peak_pressure");
-            for (value, exact, key) in [normal, pressure] {
+            for (key, exact) in [("normal_force", edge.normal_force), ("peak_pressure", peak)] {
+                let value = quantity(&own[key]);
                 if apart(value.unwrap_or(0.0), exact) {
-                    let name = &geometry.name;
                     return Some(format!(
-                        "step {}, '{name}': {key} is {value:?} written and {exact:e}",
-                        index + 1
+                        "{place}, '{name}': {key} is {value:?} written and {exact:e}"
                     ));
                 }
             }
@@ -94,10 +74,9 @@ fn summary(sample: &Sample) -> Option<String> {
             };
             let (value, exact) = (load["value"].as_f64()? * factor, asked.kind.steps()[index]);
             if apart(value, exact) {
+                let name = &asked.name;
                 return Some(format!(
-                    "step {}: load '{}' is {value:e} written and {exact:e}",
-                    index + 1,
-                    asked.name
+                    "{place}: load '{name}' is {value:e} written and {exact:e}"
                 ));
             }
         }
@@ -105,53 +84,42 @@ fn summary(sample: &Sample) -> Option<String> {
     None
 }
 
+type Quantity = fn(&EdgeRow) -> f64;
+
+/// What the tables of edges have, and what the results do.
+const COLUMNS: [(&str, Quantity); 4] = [
+    ("CPRESS", |row| row.pressure),
+    ("CSHEAR1", |row| row.shear),
+    ("COPEN", |row| row.gap),
+    ("CSLIP1", |row| row.slip),
+];
+
 fn tables(sample: &Sample) -> Option<String> {
     let place = tempfile::tempdir().ok()?;
+    let folder = ResultFolder::create(&place.path().join("out"), Overwrite::Refuse);
     let wrong = |error: &dyn std::fmt::Display| Some(format!("not written: {error}"));
-    let folder = match ResultFolder::create(&place.path().join("out"), Overwrite::Refuse) {
-        Ok(folder) => folder,
+    let path = match folder.map(|folder| keep::results(&sample.results, folder, false)) {
+        Ok(Ok(path)) => path,
+        Ok(Err(error)) => return wrong(&error),
         Err(error) => return wrong(&error),
     };
-    let path = match keep::results(&sample.results, folder, false) {
-        Ok(path) => path,
-        Err(error) => return wrong(&error),
-    };
-    for (index, geometry) in sample
-        .results
-        .edges
-        .iter()
-        .enumerate()
-        .filter(|(_, geometry)| geometry.contact)
-    {
+    let width = sample.results.steps.len().to_string().len().max(2);
+    for (index, EdgeGeometry { name, .. }) in sample.contacts() {
         for (step, results) in sample.results.steps.iter().enumerate() {
-            let width = sample.results.steps.len().to_string().len().max(2);
-            let file = path.join(format!(
-                "edge-{}-step-{:0width$}.csv",
-                geometry.name,
-                step + 1
-            ));
+            let file = path.join(format!("edge-{name}-step-{:0width$}.csv", step + 1));
             let Some(columns) = columns(&file) else {
                 return Some(format!("{} cannot be read", file.display()));
             };
-            for (heading, value) in [
-                (
-                    "CPRESS",
-                    (|row| row.pressure) as fn(&stickslip::results::EdgeRow) -> f64,
-                ),
-                ("CSHEAR1", |row| row.shear),
-                ("COPEN", |row| row.gap),
-                ("CSLIP1", |row| row.slip),
-            ] {
+            for (heading, value) in COLUMNS {
                 let Some(column) = columns.get(heading) else {
                     return Some(format!("{}: no column {heading}", file.display()));
                 };
-                for (written, row) in column.iter().zip(&results.edges[index].rows) {
-                    if apart(*written, value(row)) {
-                        return Some(format!(
-                            "{heading}: {written:e} written and {:e}",
-                            value(row)
-                        ));
-                    }
+                let exact = results.edges[index].rows.iter().map(value);
+                let mut pairs = column.iter().zip(exact);
+                if let Some((written, exact)) =
+                    pairs.find(|(written, exact)| apart(**written, *exact))
+                {
+                    return Some(format!("{heading}: {written:e} written and {exact:e}"));
                 }
             }
         }
@@ -162,18 +130,12 @@ fn tables(sample: &Sample) -> Option<String> {
 /// Columns of numbers by the first word of their heading, in base units.
 fn columns(file: &std::path::Path) -> Option<HashMap<String, Vec<f64>>> {
     let mut reader = csv::Reader::from_path(file).ok()?;
-    let headings: Vec<(String, f64)> = reader
-        .headers()
-        .ok()?
-        .iter()
-        .map(|heading| {
-            let (name, unit) = heading.split_once(" [").unwrap_or((heading, ""));
-            (
-                name.to_owned(),
-                in_base(unit.trim_end_matches(']')).unwrap_or(1.0),
-            )
-        })
-        .collect();
+    let heading = |heading: &str| {
+        let (name, unit) = heading.split_once(" [").unwrap_or((heading, ""));
+        let factor = in_base(unit.trim_end_matches(']'));
+        (name.to_owned(), factor.unwrap_or(1.0))
+    };
+    let headings: Vec<(String, f64)> = reader.headers().ok()?.iter().map(heading).collect();
     let mut columns: HashMap<String, Vec<f64>> = HashMap::new();
     for record in reader.records() {
         for ((name, factor), cell) in headings.iter().zip(record.ok()?.iter()) {

@@ -91,6 +91,17 @@ pub(super) fn scene(seed: u64) -> Value {
 }
 
 impl Draft {
+    /// Holds an edge or centre along both axes.
+    fn fix(&mut self, on: &str) {
+        self.supports.push(json!({ "on": on, "fix": ["x", "y"] }));
+    }
+
+    /// Adds a load.
+    fn load(&mut self, on: &str, mut load: Value) {
+        load["on"] = on.into();
+        self.loads.push(load);
+    }
+
     fn element(&mut self) -> &'static str {
         self.draw.weighted(&[
             (0.15, "T3"),

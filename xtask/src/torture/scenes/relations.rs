@@ -5,6 +5,7 @@
 //! is declared and counted as such.
 
 use serde_json::{Value, json};
+use stickslip::results::Results;
 use stickslip::scene::Format;
 
 use super::answer::Answer;
@@ -54,11 +55,8 @@ fn compare(sample: &Sample, other: &Sample, own: &Answer, answer: &Answer) -> Ve
 /// The mirror image of the scene has the mirror image of the answer.
 pub(super) fn mirrored(sample: &Sample) -> Verdict {
     let round = sample.is_round();
-    let flat = sample.value["bodies"].as_object().is_some_and(|bodies| {
-        bodies
-            .values()
-            .any(|body| body["shape"].get("rectangle").is_some())
-    });
+    let mut bodies = super::quantity::table(&sample.value, "bodies");
+    let flat = bodies.any(|(_, body)| body["shape"].get("rectangle").is_some());
     if flat || sample.is_half() {
         return Verdict::Beside;
     }
@@ -266,7 +264,7 @@ pub(super) fn threads(sample: &Sample) -> Verdict {
 }
 
 /// What is written, without times.
-fn bits(results: &stickslip::results::Results) -> String {
+fn bits(results: &Results) -> String {
     let mut results = results.clone();
     results.phases.clear();
     for step in &mut results.steps {
@@ -288,15 +286,10 @@ pub(super) fn another_mesh(sample: &Sample) -> Verdict {
         return Verdict::Beside;
     }
     let coarse = &sample.results;
-    let touching = coarse
-        .steps
-        .iter()
-        .flat_map(|step| &step.edges)
-        .filter(|edge| edge.normal_force > 0.0);
-    let fewest = touching
-        .map(|edge| edge.rows.iter().filter(|row| row.pressure > 0.0).count())
-        .min();
-    if fewest.unwrap_or(0) < RESOLVED {
+    let edges = coarse.steps.iter().flat_map(|step| &step.edges);
+    let touching = edges.filter(|edge| edge.normal_force > 0.0);
+    let touching = touching.map(|edge| edge.rows.iter().filter(|row| row.pressure > 0.0).count());
+    if touching.min().unwrap_or(0) < RESOLVED {
         return Verdict::Beside;
     }
     let fine = match solve(&scene) {
@@ -304,29 +297,20 @@ pub(super) fn another_mesh(sample: &Sample) -> Verdict {
         Err(none) => return Verdict::Unanswered(none.words()),
     };
     let mut worst = (0.0, String::new());
-    for (index, geometry) in coarse
-        .edges
-        .iter()
-        .enumerate()
-        .filter(|(_, geometry)| geometry.contact)
-    {
-        let force = |step: usize, results: &stickslip::results::Results| {
-            results.steps[step].edges[index].normal_force
+    for (index, geometry) in sample.contacts() {
+        let forces = |results: &Results| -> Vec<f64> {
+            let steps = results.steps.iter();
+            steps.map(|step| step.edges[index].normal_force).collect()
         };
-        let most = (0..coarse.steps.len())
-            .map(|step| force(step, coarse))
-            .fold(0.0, f64::max);
-        for step in 0..coarse.steps.len() {
-            let apart = (force(step, coarse) - force(step, &fine.results)).abs() / most;
+        let [coarse, fine] = [coarse, &fine.results].map(forces);
+        let most = coarse.iter().copied().fold(0.0, f64::max);
+        for (step, (coarse, fine)) in coarse.iter().zip(&fine).enumerate() {
+            let apart = (coarse - fine).abs() / most;
             if apart > worst.0 {
+                let (name, step, percent) = (&geometry.name, step + 1, 100.0 * apart);
                 worst = (
                     apart,
-                    format!(
-                        "normal force of '{}', step {}: {:.1} %",
-                        geometry.name,
-                        step + 1,
-                        100.0 * apart
-                    ),
+                    format!("normal force of '{name}', step {step}: {percent:.1} %"),
                 );
             }
         }

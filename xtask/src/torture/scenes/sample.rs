@@ -5,8 +5,9 @@ use std::path::PathBuf;
 use serde_json::Value;
 use stickslip::host::HOST;
 use stickslip::output::sentence;
-use stickslip::results::{ContactFinding, CutBackEffect, Finding, Results};
+use stickslip::results::{ContactFinding, CutBackEffect, EdgeGeometry, Finding, Results};
 use stickslip::run::RunError;
+use stickslip::scene::schema::Substance;
 use stickslip::scene::shape::Edge;
 use stickslip::scene::{Format, Scene};
 use stickslip_contact::ContactError;
@@ -25,13 +26,19 @@ pub(super) enum NoAnswer {
 }
 
 impl NoAnswer {
+    /// What became of the trial.
+    pub(super) fn outcome(&self) -> &'static str {
+        match self {
+            Self::Refused(_) => "refused",
+            Self::Impossible(_) => "proved impossible",
+            Self::Unsolved(_) => "not solved",
+        }
+    }
+
     /// As messages say it.
     pub(super) fn words(&self) -> String {
-        match self {
-            Self::Refused(why) => format!("refused: {why}"),
-            Self::Impossible(why) => format!("proved impossible: {why}"),
-            Self::Unsolved(why) => format!("not solved: {why}"),
-        }
+        let (Self::Refused(why) | Self::Impossible(why) | Self::Unsolved(why)) = self;
+        format!("{}: {why}", self.outcome())
     }
 }
 
@@ -133,11 +140,8 @@ impl Sample {
         let rows = edges
             .flat_map(|edge| &edge.rows)
             .map(|row| row.gap.abs().max(row.slip.abs()));
-        let given = self
-            .scene
-            .supports
-            .iter()
-            .map(|support| support.displacement.abs());
+        let supports = self.scene.supports.iter();
+        let given = supports.map(|support| support.displacement.abs());
         rows.chain(given).fold(0.0, f64::max)
     }
 
@@ -153,14 +157,24 @@ impl Sample {
         sizes.fold(0.0, f64::max)
     }
 
+    /// Thickness of a body `[mm]`; none of a rigid one.
+    pub(super) fn thickness(&self, body: &str) -> Option<f64> {
+        match &self.scene.bodies.get(body)?.substance {
+            Substance::Elastic { thickness, .. } => Some(*thickness),
+            Substance::Rigid => None,
+        }
+    }
+
+    /// Geometry of the contact edges with their indices among all edges.
+    pub(super) fn contacts(&self) -> impl Iterator<Item = (usize, &EdgeGeometry)> {
+        let edges = self.results.edges.iter().enumerate();
+        edges.filter(|(_, geometry)| geometry.contact)
+    }
+
     /// Whether a half is modelled.
     pub(super) fn is_half(&self) -> bool {
-        let model = self
-            .results
-            .choices
-            .iter()
-            .find(|choice| choice.what == "model");
-        model.is_some_and(|choice| choice.value == "half")
+        let mut choices = self.results.choices.iter();
+        choices.any(|choice| choice.what == "model" && choice.value == "half")
     }
 
     /// Whether all bodies are round, or all belong to a line contact.
@@ -171,12 +185,7 @@ impl Sample {
     /// Whether all bodies are rings and disks.
     pub(super) fn is_circular(&self) -> bool {
         let mut bodies = self.scene.bodies.values();
-        bodies.all(|body| {
-            body.shape
-                .edges()
-                .iter()
-                .all(|edge| edge.circle().is_some())
-        })
+        bodies.all(|body| (body.shape.edges().iter()).all(|edge| edge.circle().is_some()))
     }
 }
 

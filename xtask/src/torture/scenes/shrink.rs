@@ -1,11 +1,14 @@
 //! Small scenes of large ones: what is not needed for a failure is deleted, rounded or made coarser as long as the failure stays.
 
+use std::collections::BTreeSet;
 use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
+use stickslip::scene::keys;
+use stickslip_friction::registry;
 
 use super::draw::digits;
-use super::quantity::{split, text};
+use super::quantity::{histories, number, paths, split, text, with_histories};
 
 /// The smallest scene found for which `fails` still says so, within `time` and `tries` questions.
 pub(super) fn shrink(
@@ -38,9 +41,7 @@ pub(super) fn shrink(
 /// Scenes that are simpler than `scene` by one change each, the largest changes first.
 fn candidates(scene: &Value) -> Vec<Value> {
     let mut found = Vec::new();
-    for count in [1, 2] {
-        found.extend(fewer_steps(scene, count));
-    }
+    found.extend(fewer_steps(scene));
     found.extend(without_bushing(scene));
     for key in ["failure", "edges", "output", "title", "analysis", "units"] {
         found.extend(without(scene, &format!("/{key}")));
@@ -82,129 +83,74 @@ fn without(scene: &Value, path: &str) -> Option<Value> {
     .then_some(smaller)
 }
 
-/// Histories without one of their steps (`count` 1), or with one step alone (2).
-fn fewer_steps(scene: &Value, count: usize) -> Vec<Value> {
-    let lists = |scene: &mut Value, change: &dyn Fn(&mut Vec<Value>)| {
-        for load in super::quantity::list_mut(scene, "loads") {
-            let kinds = load
-                .as_object_mut()
-                .into_iter()
-                .flat_map(serde_json::Map::values_mut);
-            for kind in kinds {
-                if let Some(Value::Array(steps)) = kind.get_mut("steps") {
-                    change(steps);
-                }
+/// Histories that end earlier, and those without one of their steps.
+fn fewer_steps(scene: &Value) -> Vec<Value> {
+    let paths = histories(scene);
+    let lists = paths
+        .iter()
+        .filter_map(|path| scene.pointer(path)?.as_array());
+    let length = lists.map(Vec::len).max().unwrap_or(0);
+    let shorter = (1..length).map(|count| with_histories(scene, |steps| steps.truncate(count)));
+    let without = (0..length).filter(|_| length > 1).map(|index| {
+        with_histories(scene, |steps| {
+            if index < steps.len() {
+                steps.remove(index);
             }
-        }
-    };
-    let mut length = 0;
-    for load in super::quantity::list(scene, "loads") {
-        let kinds = load
-            .as_object()
-            .into_iter()
-            .flat_map(serde_json::Map::values);
-        length = kinds
-            .filter_map(|kind| kind.get("steps")?.as_array())
-            .map(Vec::len)
-            .max()
-            .unwrap_or(length);
-    }
-    if length < 2 {
-        return Vec::new();
-    }
-    (0..length)
-        .map(|index| {
-            let mut smaller = scene.clone();
-            lists(&mut smaller, &|steps| {
-                if count == 1 {
-                    steps.truncate(index.max(1));
-                } else if index < steps.len() {
-                    steps.remove(index);
-                }
-            });
-            smaller
         })
-        .collect()
+    });
+    shorter.chain(without).collect()
 }
 
 /// A joint whose pin stands in the plate itself.
 fn without_bushing(scene: &Value) -> Option<Value> {
     let contacts = scene.get("contacts")?.as_array()?;
-    let outer = contacts.iter().position(|contact| {
-        contact["second"]
-            .as_str()
-            .is_some_and(|set| set.split('.').next_back() == Some("outer"))
-    })?;
-    let bush = contacts[outer]["second"]
-        .as_str()?
-        .split('.')
-        .next()?
-        .to_owned();
-    let inner = contacts
-        .iter()
-        .position(|contact| contact["first"].as_str() == Some(&format!("{bush}.hole")))?;
-    let hole = contacts[outer]["first"].clone();
-    let radius = |scene: &Value, set: &Value, key: &str| {
-        let body = set.as_str()?.split('.').next()?.to_owned();
-        Some((
-            format!("/bodies/{body}/shape/{key}"),
-            scene["bodies"][&body]["shape"]
-                .pointer(&format!("/{key}"))?
-                .clone(),
-        ))
+    let set = |index: usize, side: &str| contacts[index][side].as_str()?.split_once('.');
+    let of = |side: &str, wanted: &dyn Fn((&str, &str)) -> bool| {
+        (0..contacts.len()).find(|&index| set(index, side).is_some_and(wanted))
     };
-    let (_, plate) = radius(scene, &hole, "plate_with_hole/hole_radius")?;
-    let (_, own) = radius(
-        scene,
-        &contacts[inner]["first"],
-        "plate_with_hole/hole_radius",
-    )?;
-    let (place, pin) = radius(scene, &contacts[inner]["second"], "disk/radius")?;
-    let [plate, own, pin] = [plate, own, pin]
-        .map(|radius| split(radius.as_str().unwrap_or_default()).map(|(value, _)| value));
+    let outer = of("second", &|(_, edge)| edge == "outer")?;
+    let (bush, _) = set(outer, "second")?;
+    let inner = of("first", &|own| own == (bush, "hole"))?;
+    let (plate, _) = set(outer, "first")?;
+    let (pin, _) = set(inner, "second")?;
+    let hole = |body: &str| {
+        number(
+            scene,
+            &format!("/bodies/{body}/shape/plate_with_hole/hole_radius"),
+        )
+    };
+    let place = format!("/bodies/{pin}/shape/disk/radius");
+    let radius = hole(plate)? * number(scene, &place)? / hole(bush)?;
     let mut smaller = scene.clone();
-    *smaller.pointer_mut(&place)? = text(digits(plate? * pin? / own?, 9), "mm");
-    smaller["contacts"][inner]["first"] = hole;
+    *smaller.pointer_mut(&place)? = text(digits(radius, 9), "mm");
+    smaller["contacts"][inner]["first"] = contacts[outer]["first"].clone();
     smaller["contacts"].as_array_mut()?.remove(outer);
-    smaller["bodies"].as_object_mut()?.remove(&bush);
-    smaller["materials"].as_object_mut()?.remove(&bush);
+    for table in ["bodies", "materials"] {
+        smaller[table].as_object_mut()?.remove(bush);
+    }
     let elsewhere = |load: &Value| {
-        load["on"]
-            .as_str()
-            .is_some_and(|on| on.split('.').next() != Some(&bush))
+        let on = load["on"].as_str().and_then(|on| on.split('.').next());
+        on.is_some_and(|body| body != bush)
     };
     smaller["loads"].as_array_mut()?.retain(elsewhere);
     Some(smaller)
 }
 
+/// Each contact with Coulomb's law, or with a part of its own.
 fn simpler_laws(scene: &Value) -> Vec<Value> {
     let mut found = Vec::new();
-    let count = scene
-        .get("contacts")
-        .and_then(Value::as_array)
-        .map_or(0, Vec::len);
-    for index in 0..count {
-        for law in [
-            json!({ "coulomb": { "mu": 0.0 } }),
-            json!({ "coulomb": { "mu": 0.3 } }),
-        ] {
-            let coulomb = scene["contacts"][index]["friction"]
-                .get("coulomb")
-                .is_some();
-            if coulomb && law["coulomb"]["mu"] != 0.0 {
-                continue;
-            }
+    for (index, contact) in super::quantity::list(scene, "contacts").enumerate() {
+        let own = &contact["friction"];
+        let mut laws = vec![json!({ "coulomb": { "mu": 0.0 } })];
+        if own.get("coulomb").is_none() {
+            laws.push(json!({ "coulomb": { "mu": 0.3 } }));
+        }
+        let parts = ["fibre", "matrix"].map(|part| own["fibre_coverage"].get(part).cloned());
+        laws.extend(parts.into_iter().flatten());
+        for law in laws {
             let mut smaller = scene.clone();
             smaller["contacts"][index]["friction"] = law;
             found.push(smaller);
-        }
-        for part in ["fibre", "matrix"] {
-            let path = format!("/contacts/{index}/friction/fibre_coverage/{part}");
-            if let Some(law) = scene.pointer(&path) {
-                let mut smaller = scene.clone();
-                smaller["contacts"][index]["friction"] = law.clone();
-                found.push(smaller);
-            }
         }
     }
     found
@@ -253,72 +199,27 @@ fn plain_materials(scene: &Value) -> Vec<Value> {
         .collect()
 }
 
-/// Paths of keys that have defaults.
+/// Paths of keys that have defaults, by the declarations of scenes and laws.
 fn optional(scene: &Value) -> Vec<String> {
-    const KEYS: [&str; 22] = [
-        "fine_to",
-        "coarse_spacing",
-        "layers",
-        "mesh",
-        "gap",
-        "projection",
-        "expansion",
-        "expansion1",
-        "expansion2",
-        "cure",
-        "angle",
-        "plane",
-        "model",
-        "solver",
-        "substeps",
-        "ramp",
-        "displacement",
-        "path",
-        "transition",
-        "strengths",
-        "plies",
-        "name",
-    ];
-    fn walk(value: &Value, path: &str, found: &mut Vec<String>) {
-        match value {
-            Value::Object(map) => {
-                for (key, entry) in map {
-                    let here = format!("{path}/{key}");
-                    if KEYS.contains(&key.as_str()) && !path.is_empty() || here == "/plies" {
-                        found.push(here.clone());
-                    }
-                    walk(entry, &here, found);
-                }
-            }
-            Value::Array(list) => {
-                for (index, entry) in list.iter().enumerate() {
-                    walk(entry, &format!("{path}/{index}"), found);
-                }
-            }
-            _ => {}
-        }
-    }
-    let mut found = Vec::new();
-    walk(scene, "", &mut found);
+    let declared = keys::tables().flat_map(|table| table.keys);
+    let own = declared
+        .filter(|key| !key.is_required())
+        .map(|key| key.name);
+    let laws = registry::laws().flat_map(|law| law.parameters);
+    let of_laws = laws
+        .filter(|parameter| parameter.default.is_some())
+        .filter_map(|parameter| parameter.path.split('.').next());
+    let optional: BTreeSet<&str> = own.chain(of_laws).collect();
+    let mut found = paths(scene);
+    found.retain(|path| {
+        let (parent, key) = path.rsplit_once('/').unwrap_or(("", path));
+        optional.contains(key) && !parent.is_empty() || path == "/plies"
+    });
     found
 }
 
 /// Every number of at least one more digit rounded to `places`, all at once and one at a time.
 fn rounded(scene: &Value, places: i32) -> Vec<Value> {
-    fn numbers(value: &Value, path: &str, found: &mut Vec<String>) {
-        match value {
-            Value::Object(map) => map
-                .iter()
-                .for_each(|(key, entry)| numbers(entry, &format!("{path}/{key}"), found)),
-            Value::Array(list) => {
-                list.iter()
-                    .enumerate()
-                    .for_each(|(index, entry)| numbers(entry, &format!("{path}/{index}"), found));
-            }
-            Value::Number(_) | Value::String(_) => found.push(path.to_owned()),
-            _ => {}
-        }
-    }
     let shorter = |value: &Value| match value {
         Value::Number(number) => number
             .as_f64()
@@ -329,10 +230,8 @@ fn rounded(scene: &Value, places: i32) -> Vec<Value> {
         }
         _ => None,
     };
-    let mut paths = Vec::new();
-    numbers(scene, "", &mut paths);
     let (mut all, mut found) = (scene.clone(), Vec::new());
-    for path in &paths {
+    for path in &paths(scene) {
         let Some(new) = scene.pointer(path).and_then(shorter) else {
             continue;
         };

@@ -1,7 +1,6 @@
 //! Sweeps over a drawn joint: interrupted and resumed, and against single runs of their cases.
 
 use std::num::NonZeroUsize;
-use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use serde_json::{Value, json};
@@ -11,6 +10,7 @@ use stickslip::sweep::{Sweep, engine, table};
 
 use super::quantity;
 use super::sample::{Sample, Verdict, declared, run};
+use crate::publish::Trouble;
 
 /// Rounding and the solvers' residuals, as for relations: a sweep condenses a body of another size.
 const EXACT: f64 = 1e-7;
@@ -23,7 +23,7 @@ pub(super) fn resumed(sample: &Sample) -> Verdict {
     };
     match compared(sample, &text) {
         Ok(verdict) => verdict,
-        Err(error) => Verdict::Fails(error),
+        Err(error) => Verdict::Fails(error.to_string()),
     }
 }
 
@@ -52,7 +52,7 @@ fn sweep_text(sample: &Sample) -> Option<Value> {
 
 /// The comparison with single runs, after the peak pressures of the sweep were multiplied by `factor`.
 #[cfg(test)]
-pub(super) fn tampered(sample: &Sample, factor: f64) -> Result<Verdict, String> {
+pub(super) fn tampered(sample: &Sample, factor: f64) -> Result<Verdict, Trouble> {
     let text = sweep_text(sample).ok_or("no sweep")?;
     let (sweep, _folder) = made(sample, &text)?;
     let mut rows = rows(&sweep, &(0..sweep.cases()).collect::<Vec<_>>())?;
@@ -65,28 +65,23 @@ pub(super) fn tampered(sample: &Sample, factor: f64) -> Result<Verdict, String> 
 }
 
 /// The sweep, and the folder in which its scene lies.
-fn made(sample: &Sample, text: &Value) -> Result<(Sweep, tempfile::TempDir), String> {
-    let words = |error: &dyn std::fmt::Display| error.to_string();
-    let folder = tempfile::tempdir().map_err(|error| words(&error))?;
-    let write = |name: &str, value: &Value| {
-        std::fs::write(folder.path().join(name), value.to_string()).map_err(|error| words(&error))
-    };
-    write("scene.json", &sample.value)?;
-    write("sweep.json", text)?;
-    let sweep = sweep(&folder.path().join("sweep.json"))?;
-    Ok((sweep, folder))
+fn made(sample: &Sample, text: &Value) -> Result<(Sweep, tempfile::TempDir), Trouble> {
+    let folder = tempfile::tempdir()?;
+    std::fs::write(folder.path().join("scene.json"), sample.value.to_string())?;
+    let path = folder.path().join("sweep.json");
+    std::fs::write(&path, text.to_string())?;
+    Ok((Sweep::from_file(&path, &[] as &[&str], HOST)?, folder))
 }
 
-fn compared(sample: &Sample, text: &Value) -> Result<Verdict, String> {
-    let words = |error: &dyn std::fmt::Display| error.to_string();
+fn compared(sample: &Sample, text: &Value) -> Result<Verdict, Trouble> {
     let (sweep, _folder) = made(sample, text)?;
     let all: Vec<usize> = (0..sweep.cases()).collect();
     let whole = rows(&sweep, &all)?;
-    let written = table::text(&sweep, &whole).map_err(|error| words(&error))?;
+    let written = table::text(&sweep, &whole)?;
     // Cut where a killed process may have stopped writing: within the last row that it began.
     let cut = written.len() * (2 + sample.results.steps.len() % 5) / 7;
     let part = String::from_utf8_lossy(&written[..cut]);
-    let mut resumed = table::read(&sweep, &part).map_err(|error| words(&error))?;
+    let mut resumed = table::read(&sweep, &part)?;
     let pending: Vec<usize> = all
         .into_iter()
         .filter(|case| resumed.iter().all(|row| row.case != *case))
@@ -104,29 +99,23 @@ fn compared(sample: &Sample, text: &Value) -> Result<Verdict, String> {
     single(&sweep, &whole)
 }
 
-fn sweep(path: &Path) -> Result<Sweep, String> {
-    Sweep::from_file(path, &[] as &[&str], HOST).map_err(|error| error.to_string())
-}
-
 /// The rows of `cases`, by case.
-fn rows(sweep: &Sweep, cases: &[usize]) -> Result<Vec<Row>, String> {
+fn rows(sweep: &Sweep, cases: &[usize]) -> Result<Vec<Row>, Trouble> {
     let mut rows = Vec::new();
     let stop = AtomicBool::new(false);
     let keep = &mut |row: Row| {
         rows.push(row);
         Ok(())
     };
-    engine::run(sweep, cases, NonZeroUsize::MIN, &stop, keep).map_err(|error| error.to_string())?;
+    engine::run(sweep, cases, NonZeroUsize::MIN, &stop, keep)?;
     rows.sort_by_key(|row| row.case);
     Ok(rows)
 }
 
 /// The first case that a single run answers otherwise.
-fn single(sweep: &Sweep, rows: &[Row]) -> Result<Verdict, String> {
+fn single(sweep: &Sweep, rows: &[Row]) -> Result<Verdict, Trouble> {
     for row in rows {
-        let scene = sweep
-            .scene_of(row.case)
-            .map_err(|error| error.to_string())?;
+        let scene = sweep.scene_of(row.case)?;
         let name = sweep.name_of(row.case);
         let (found, results) = match (&row.outcome, run(&scene)) {
             (Outcome::Solved(measures), Ok(results)) => {

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use angles::{materials, mirror_angles, negated_layup};
 
-use super::quantity::{change, deg, list_mut, split, text};
+use super::quantity::{change, deg, list_mut, split, text, with_histories};
 
 /// The mirror image about the x axis of round bodies, about the y axis of a line contact.
 pub(super) fn mirrored(scene: &Value, round: bool) -> Value {
@@ -18,11 +18,7 @@ pub(super) fn mirrored(scene: &Value, round: bool) -> Value {
         ["left", "right"]
     };
     materials(&mut scene, &|angle| -angle, &negated_layup);
-    for table in ["mesh"]
-        .iter()
-        .map(|name| (*name).to_owned())
-        .chain(own_meshes(&scene))
-    {
+    for table in meshes(&scene) {
         let angles = scene.pointer_mut(&format!("/{table}/angles"));
         if let Some(Value::Array(angles)) = angles {
             mirror_angles(angles);
@@ -166,21 +162,9 @@ pub(super) fn frictionless(scene: &Value) -> Value {
 
 /// The last load step alone.
 pub(super) fn last_step(scene: &Value) -> Value {
-    let mut scene = scene.clone();
-    for load in list_mut(&mut scene, "loads") {
-        for kind in [
-            "force",
-            "bearing",
-            "pressure",
-            "polar_traction",
-            "temperature",
-        ] {
-            if let Some(Value::Array(steps)) = load.pointer_mut(&format!("/{kind}/steps")) {
-                steps.drain(..steps.len().saturating_sub(1));
-            }
-        }
-    }
-    scene
+    with_histories(scene, |steps| {
+        steps.drain(..steps.len().saturating_sub(1));
+    })
 }
 
 /// Bodies named so that they come in another order, and lists the other way round.
@@ -196,18 +180,9 @@ pub(super) fn renamed(scene: &Value) -> Value {
         .map(|(index, name)| (name.clone(), format!("z{}-{name}", last - index)))
         .collect();
     let new = |old: &str| {
-        let (body, set) = old.split_once('.').unwrap_or((old, ""));
-        let name = names
-            .iter()
-            .find(|(own, _)| own == body)
-            .map(|(_, name)| name);
-        name.map(|name| {
-            if set.is_empty() {
-                name.clone()
-            } else {
-                format!("{name}.{set}")
-            }
-        })
+        let (body, set) = old.split_at(old.find('.').unwrap_or(old.len()));
+        let (_, name) = names.iter().find(|(own, _)| own == body)?;
+        Some(format!("{name}{set}"))
     };
     scene["bodies"] = bodies
         .into_iter()
@@ -246,8 +221,7 @@ pub(super) fn renamed(scene: &Value) -> Value {
 /// Half the spacing of nodes.
 pub(super) fn refined(scene: &Value) -> Option<Value> {
     let mut scene = scene.clone();
-    let tables = std::iter::once("mesh".to_owned()).chain(own_meshes(&scene));
-    for table in tables.collect::<Vec<_>>() {
+    for table in meshes(&scene) {
         let settings = scene.pointer_mut(&format!("/{table}"))?;
         if settings.get("angles").is_some() {
             return None;
@@ -265,11 +239,12 @@ pub(super) fn refined(scene: &Value) -> Option<Value> {
     Some(scene)
 }
 
-/// Pointers to the meshes of bodies with their own, without the first slash.
-fn own_meshes(scene: &Value) -> Vec<String> {
+/// Pointers to the settings of meshes, those of bodies with their own included, without the first slash.
+fn meshes(scene: &Value) -> Vec<String> {
     let bodies = super::quantity::table(scene, "bodies");
     let own = bodies.filter(|(_, body)| body.get("mesh").is_some());
-    own.map(|(name, _)| format!("bodies/{name}/mesh")).collect()
+    let own = own.map(|(name, _)| format!("bodies/{name}/mesh"));
+    std::iter::once("mesh".to_owned()).chain(own).collect()
 }
 
 fn swap(entry: &mut Value, sides: [&str; 2]) {

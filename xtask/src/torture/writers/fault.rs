@@ -7,10 +7,8 @@ use std::io;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use rand::rngs::StdRng;
-use rand::{RngExt, SeedableRng};
-
 use super::command::{Writer, program, started};
+use crate::torture::draw::Draw;
 
 /// Calls on files and their descriptors at which a fault may be.
 const CALLS: &str = "openat,read,write,fsync,fdatasync,ftruncate,lseek,mkdir,rename,renameat,renameat2,link,linkat,unlink,unlinkat,\
@@ -68,13 +66,13 @@ pub(super) fn calls(writer: &Writer, folder: &Path, log: &Path) -> io::Result<Ve
             .arg(log)
             .args(["-e", &format!("trace={CALLS}")])
             .arg(program()?)
-            .args(writer.arguments),
+            .args(writer.arguments()),
         folder,
     )?;
     if !output.status.success() {
         return Err(io::Error::other(super::said(&output)));
     }
-    Ok(listed(&fs::read_to_string(log)?, writer.reads))
+    Ok(listed(&fs::read_to_string(log)?, writer.reads()))
 }
 
 /// The calls in what `strace -f` wrote, from the first on that names `file`.
@@ -115,15 +113,15 @@ fn listed(log: &str, file: &str) -> Vec<Call> {
 impl Fault {
     /// The fault of a seed: names of calls are equally likely, and then the calls of that name.
     pub(super) fn of(seed: u64, calls: &[Call]) -> Self {
-        let mut draw = StdRng::seed_from_u64(seed);
+        let mut draw = Draw::seeded(seed);
         let mut names: Vec<&str> = calls.iter().map(|call| call.name.as_str()).collect();
         names.sort_unstable();
         names.dedup();
-        let name = names[draw.random_range(0..names.len())];
+        let name = names[draw.below(names.len())];
         let own: Vec<&Call> = calls.iter().filter(|call| call.name == name).collect();
         Self {
-            call: own[draw.random_range(0..own.len())].clone(),
-            kind: FAULTS[draw.random_range(0..FAULTS.len())],
+            call: own[draw.below(own.len())].clone(),
+            kind: FAULTS[draw.below(FAULTS.len())],
         }
     }
 
@@ -139,7 +137,7 @@ impl Fault {
                 .args(["-f", "-o", "/dev/null", "-e", &format!("trace={name}")])
                 .args(["-e", &format!("inject={name}:{}:when={number}", self.kind)])
                 .arg(program()?)
-                .args(writer.arguments),
+                .args(writer.arguments()),
             folder,
         )
     }

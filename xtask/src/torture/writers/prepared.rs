@@ -7,10 +7,11 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use super::command::{Old, Writer, inputs, run};
+use super::command::{Old, Writer, run};
 use super::fault::{self, Call};
 use super::files::{Contents, contents, write_all};
 use super::said;
+use crate::publish::root;
 
 /// The table of a sweep, which grows row by row.
 const TABLE: &str = "out/cases.csv";
@@ -34,7 +35,7 @@ impl Prepared {
         let made = || {
             let home = tempfile::tempdir()?;
             write_all(home.path(), &before)?;
-            let output = run(writer.arguments, home.path())?;
+            let output = run(&writer.arguments(), home.path())?;
             if !output.status.success() {
                 return Err(io::Error::other(said(&output)));
             }
@@ -91,7 +92,7 @@ impl Prepared {
             return Ok(());
         }
         // Files that are written one by one are whole, each for itself.
-        let one_by_one = writer.old == Old::Rows || (writer.old == Old::Nothing && is_killed);
+        let one_by_one = writer.1 == Old::Rows || (writer.1 == Old::Nothing && is_killed);
         let is_whole = |(name, bytes): &(&PathBuf, &Vec<u8>)| {
             old.get(*name) == Some(*bytes)
                 || self.made(name, bytes)
@@ -99,7 +100,7 @@ impl Prepared {
         };
         let kept = old.keys().all(|name| now.contains_key(name));
         match now.iter().find(|file| !is_whole(file)) {
-            None if one_by_one && (kept || writer.old == Old::Nothing) => Ok(()),
+            None if one_by_one && (kept || writer.1 == Old::Nothing) => Ok(()),
             None => Err(format!("some of the files: {:?}", now.keys())),
             Some((name, bytes)) => Err(format!("{} has {} bytes", name.display(), bytes.len())),
         }
@@ -170,14 +171,13 @@ fn results(mut all: Contents) -> Contents {
 fn before(writer: &Writer) -> io::Result<Contents> {
     let home = tempfile::tempdir()?;
     let path = home.path();
-    for (name, text) in inputs() {
-        fs::write(path.join(name), text)?;
-    }
-    let mut first = writer.arguments.to_vec();
-    if writer.old == Old::Results {
+    let inputs = root().join("xtask/src/torture/writers/inputs");
+    write_all(path, &contents(&inputs)?)?;
+    let mut first = writer.arguments();
+    if writer.1 == Old::Results {
         first.extend(["--set", "title=\"old\""]);
     }
-    if writer.old == Old::Nothing {
+    if writer.1 == Old::Nothing {
         fs::create_dir(path.join("out"))?;
     } else {
         let output = run(&first, path)?;
@@ -185,7 +185,7 @@ fn before(writer: &Writer) -> io::Result<Contents> {
             return Err(io::Error::other(said(&output)));
         }
     }
-    if writer.old == Old::Rows {
+    if writer.1 == Old::Rows {
         let table = path.join(TABLE);
         let text = fs::read_to_string(&table)?;
         let rows: Vec<&str> = text.split_inclusive('\n').take(2).collect();

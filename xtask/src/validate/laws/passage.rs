@@ -4,11 +4,10 @@ use rayon::prelude::*;
 use stickslip::experiment::laws::{Candidate, Comparison, Fit, coefficient};
 use stickslip_hybrid::identify::Bounds;
 
-use super::{
-    PAIRS, Study, candidate, coulomb, drop_candidate, estimate, evaluations, law, stopped,
-};
-use crate::validate::check::{Checks, Tolerance};
-use crate::validate::laboratory::Trouble;
+use super::{PAIRS, Study, candidate, coulomb, drop_candidate, estimate, evaluations, law};
+use crate::publish::Trouble;
+use crate::validate::check::Checks;
+use crate::validate::check::Tolerance::Relative;
 
 /// How far the coefficient found may be from the truth anywhere along the slip path that was reached, a tenth of what it falls by.
 const NEAR: f64 = 0.02;
@@ -87,7 +86,7 @@ fn parameter(
     let what = format!("slip power law: {name}, median of {count} fits");
     let unit = if name == "slip_scale" { " mm" } else { "" };
     match limit {
-        Some(limit) => checks.near(what, median, truth, unit, Tolerance::Relative(limit)),
+        Some(limit) => checks.near(what, [median, truth], Relative(limit, unit)),
         None => checks.show(what, format!("{truth}{unit}"), format!("{median:.4}{unit}")),
     }
     let held: usize = counts.iter().sum();
@@ -115,11 +114,11 @@ fn curve(checks: &mut Checks, studies: &[Study], fits: &[Vec<Fit>]) -> Result<()
             .collect();
         let mut apart = 0.0_f64;
         for fit in own {
-            let found = fit.law.law(&fit.calibration.values()).map_err(stopped)?;
+            let found = fit.law.law(&fit.calibration.values())?;
             for &slip in &slips {
                 let pair = [found.as_ref(), truth.as_ref()].map(|law| coefficient(law, slip));
                 let [Some(a), Some(b)] = pair else {
-                    return Err(stopped("a law of the slip path alone has a coefficient"));
+                    return Err("a law of the slip path alone has a coefficient".into());
                 };
                 apart = apart.max((a - b).abs());
             }

@@ -41,12 +41,10 @@ impl Draft {
         } else {
             self.part(prefix, "pin", thickness)
         };
-        let soft = [Some(&plate), bush.as_ref(), Some(&pin)]
+        let parts = [Some(&plate), bush.as_ref(), Some(&pin)]
             .into_iter()
             .flatten();
-        let moduli = soft
-            .filter_map(|part| part.made.as_ref())
-            .map(|made| made.moduli[0]);
+        let moduli = parts.filter_map(|part| Some(part.made.as_ref()?.moduli[0]));
         let softest = moduli.fold(f64::INFINITY, f64::min);
         let share = self.draw.magnitude(1e-6, 4e-3);
         let sizes = Sizes {
@@ -195,14 +193,12 @@ impl Draft {
             // The pin is held and the plate pulled, free to turn: along the line of the pin, or nothing balances it.
             0 if !ring => {
                 let edge = format!("{}.left", plate.name);
-                self.supports
-                    .push(json!({ "on": centre, "fix": ["x", "y"] }));
+                self.fix(&centre);
                 self.pull(&edge, [-1.0, 0.0], sizes.force);
             }
             // The same with a plate that cannot turn.
             0 | 1 => {
-                self.supports
-                    .push(json!({ "on": centre, "fix": ["x", "y"] }));
+                self.fix(&centre);
                 self.platens.push(json!({ "on": edge, "free": ["x", "y"] }));
                 let direction = self.direction();
                 self.pull(&edge, direction, sizes.force);
@@ -217,23 +213,20 @@ impl Draft {
             3 if pin.made.is_some() => {
                 self.hold(&edge);
                 let along = digits(sizes.slip * self.draw.between(-1.0, 1.0), 4);
-                self.supports
-                    .push(json!({ "on": centre, "fix": ["x"], "displacement": mm(along) }));
+                self.displace(&centre, "x", along);
                 let across = if self.draw.chance(0.5) {
                     0.0
                 } else {
                     digits(sizes.slip * self.draw.between(-1.0, 1.0), 4)
                 };
-                self.supports
-                    .push(json!({ "on": centre, "fix": ["y"], "displacement": mm(across) }));
+                self.displace(&centre, "y", across);
                 if !ring && self.draw.chance(0.5) {
                     self.press(&format!("{}.right", plate.name), sizes.stress);
                 }
             }
             // Both are held: pressure on the plate, heat or interference.
             _ => {
-                self.supports
-                    .push(json!({ "on": centre, "fix": ["x", "y"] }));
+                self.fix(&centre);
                 self.hold(&edge);
                 if ring {
                     self.pull(&format!("{}.rim", pin.name), [1.0, 0.0], sizes.force);
@@ -247,7 +240,7 @@ impl Draft {
 
     fn hold(&mut self, edge: &str) {
         match self.draw.weighted(&[(0.7, 0), (0.15, 1), (0.15, 2)]) {
-            0 => self.supports.push(json!({ "on": edge, "fix": ["x", "y"] })),
+            0 => self.fix(edge),
             1 => self.platens.push(json!({ "on": edge, "free": [] })),
             _ => {
                 let normal = self.draw.between(-80.0, 80.0).round();
@@ -259,23 +252,28 @@ impl Draft {
         }
     }
 
+    fn displace(&mut self, on: &str, axis: &str, by: f64) {
+        let support = json!({ "on": on, "fix": [axis], "displacement": mm(by) });
+        self.supports.push(support);
+    }
+
     fn pull(&mut self, edge: &str, direction: [f64; 2], force: f64) {
         let steps = self.history(force, "N");
-        self.loads
-            .push(json!({ "on": edge, "force": { "direction": direction, "steps": steps } }));
+        self.load(
+            edge,
+            json!({ "force": { "direction": direction, "steps": steps } }),
+        );
     }
 
     fn press(&mut self, edge: &str, stress: f64) {
         let steps = self.history(digits(stress, 4), "MPa");
-        self.loads
-            .push(json!({ "on": edge, "pressure": { "steps": steps } }));
+        self.load(edge, json!({ "pressure": { "steps": steps } }));
     }
 
     fn maybe_heat(&mut self, part: &Part) {
         if part.made.is_some() && self.draw.chance(0.5) {
             let steps = self.heat();
-            self.loads
-                .push(json!({ "on": part.name, "temperature": { "steps": steps } }));
+            self.load(&part.name, json!({ "temperature": { "steps": steps } }));
         }
     }
 }

@@ -52,8 +52,7 @@ impl Draft {
         } else {
             "lower.bottom"
         };
-        self.supports
-            .push(json!({ "on": under, "fix": ["x", "y"] }));
+        self.fix(under);
         self.press_on(digits(share * softest * half * thickness, 4));
         self.line_mesh(half)
     }
@@ -79,8 +78,7 @@ impl Draft {
         }
         if self.hot && self.draw.chance(0.5) {
             let steps = self.heat();
-            self.loads
-                .push(json!({ "on": "upper", "temperature": { "steps": steps } }));
+            self.load("upper", json!({ "temperature": { "steps": steps } }));
         }
         if self.is_laminate("upper") {
             self.laminates.clear();

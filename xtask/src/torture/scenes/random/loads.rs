@@ -23,21 +23,13 @@ impl Draft {
                 _ => self.draw.between(-0.3, 1.0),
             }
         });
-        let shares: Vec<f64> = values.collect();
-        let list = shares
-            .into_iter()
-            .map(|share| text(digits(most * share, 4), unit));
-        Value::Array(list.collect())
+        scaled(&values.collect::<Vec<f64>>(), most, unit)
     }
 
     /// The same, but never below nothing.
     pub(super) fn one_sided(&mut self, most: f64, unit: &str) -> Value {
-        let steps = 0..self.steps;
-        let shares: Vec<f64> = steps.map(|_| self.draw.between(0.1, 1.0)).collect();
-        let list = shares
-            .into_iter()
-            .map(|share| text(digits(most * share, 4), unit));
-        Value::Array(list.collect())
+        let shares = (0..self.steps).map(|_| self.draw.between(0.1, 1.0));
+        scaled(&shares.collect::<Vec<f64>>(), most, unit)
     }
 
     /// Changes of temperature.
@@ -59,4 +51,12 @@ impl Draft {
             (0.25, any),
         ])
     }
+}
+
+/// Parts of the largest value.
+fn scaled(shares: &[f64], most: f64, unit: &str) -> Value {
+    let steps = shares
+        .iter()
+        .map(|share| text(digits(most * share, 4), unit));
+    Value::Array(steps.collect())
 }

@@ -37,7 +37,7 @@ impl Draft {
         } else {
             ("plate.left", "plate.right")
         };
-        self.supports.push(json!({ "on": held, "fix": ["x", "y"] }));
+        self.fix(held);
         let stress = digits(made.moduli[0] * self.draw.magnitude(1e-5, 3e-3), 4);
         let force = digits(stress * radius * thickness, 4);
         let direction = self.direction();
@@ -80,12 +80,12 @@ impl Draft {
             body["thickness"] = mm(thickness);
         }
         self.bodies.insert("beam".into(), body);
-        self.supports
-            .push(json!({ "on": "beam.left", "fix": ["x", "y"] }));
+        self.fix("beam.left");
         let force = digits(made.moduli[0] * 1e-4 * height * thickness, 4);
         let (steps, direction) = (self.history(force, "N"), self.direction());
-        self.loads.push(
-            json!({ "on": "beam.right", "force": { "direction": direction, "steps": steps } }),
+        self.load(
+            "beam.right",
+            json!({ "force": { "direction": direction, "steps": steps } }),
         );
         self.edges.push(json!({ "on": "beam.top" }));
         let spacing = digits(height / self.draw.whole(2, 5) as f64, 4);
