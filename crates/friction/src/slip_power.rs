@@ -25,7 +25,7 @@ use serde::{Deserialize, Serialize};
 use crate::error::{FrictionError, Interval, check_strengthening};
 use crate::history::History;
 use crate::law::{Bound, FrictionLaw, Mirror, Place, compression};
-use crate::registry::{Dimension, LawInfo, ParameterInfo};
+use crate::registry::{LawInfo, ParameterInfo};
 
 const NAME: &str = "slip_power";
 
@@ -189,42 +189,15 @@ inventory::submit! {
         name: NAME,
         summary: "coefficient that passes from static to dynamic along the slip path",
         parameters: &[
-            ParameterInfo {
-                path: "static",
-                dimension: Dimension::Dimensionless,
-                default: None,
-                meaning: "coefficient of a point that has never slipped, ≥ 0",
-            },
-            ParameterInfo {
-                path: "dynamic",
-                dimension: Dimension::Dimensionless,
-                default: None,
-                meaning: "coefficient after a long slip path, ≥ 0 and ≤ static",
-            },
-            ParameterInfo {
-                path: "slip_scale",
-                dimension: Dimension::Length,
-                default: None,
-                meaning: "slip path over which the coefficient falls, > 0",
-            },
-            ParameterInfo {
-                path: "exponent",
-                dimension: Dimension::Dimensionless,
-                default: None,
-                meaning: "exponent of the fall, > 0",
-            },
-            ParameterInfo {
-                path: "path",
-                dimension: Dimension::Text,
-                default: Some("\"committed\""),
-                meaning: "\"committed\": slip counts once its step is accepted; \"current\": at once",
-            },
-            ParameterInfo {
-                path: "allow_strengthening",
-                dimension: Dimension::Flag,
-                default: Some("false"),
-                meaning: "accept dynamic > static",
-            },
+            ParameterInfo::number("static", "coefficient of a point that has never slipped, ≥ 0"),
+            ParameterInfo::number("dynamic", "coefficient after a long slip path, ≥ 0 and ≤ static"),
+            ParameterInfo::length("slip_scale", "slip path over which the coefficient falls, > 0"),
+            ParameterInfo::number("exponent", "exponent of the fall, > 0"),
+            ParameterInfo::text(
+                "path",
+                "\"committed\": slip counts once its step is accepted; \"current\": at once",
+            ).or("\"committed\""),
+            ParameterInfo::flag("allow_strengthening", "accept dynamic > static").or("false"),
         ],
     }
 }

@@ -21,7 +21,7 @@ use serde::{Deserialize, Serialize};
 use crate::error::{FrictionError, Interval, check_strengthening};
 use crate::history::{History, PointStatus};
 use crate::law::{Bound, FrictionLaw, Mirror, Place};
-use crate::registry::{Dimension, LawInfo, ParameterInfo};
+use crate::registry::{LawInfo, ParameterInfo};
 
 const NAME: &str = "static_dynamic";
 
@@ -168,30 +168,13 @@ inventory::submit! {
         name: NAME,
         summary: "static coefficient before slip, dynamic coefficient during it",
         parameters: &[
-            ParameterInfo {
-                path: "static",
-                dimension: Dimension::Dimensionless,
-                default: None,
-                meaning: "coefficient of a point that was open or stuck in the last step, ≥ 0",
-            },
-            ParameterInfo {
-                path: "dynamic",
-                dimension: Dimension::Dimensionless,
-                default: None,
-                meaning: "coefficient of a slipping point, ≥ 0 and ≤ static",
-            },
-            ParameterInfo {
-                path: "transition",
-                dimension: Dimension::Text,
-                default: Some("\"drop\""),
-                meaning: "\"drop\": the traction falls as soon as slip begins; \"lagged\": from the next step on",
-            },
-            ParameterInfo {
-                path: "allow_strengthening",
-                dimension: Dimension::Flag,
-                default: Some("false"),
-                meaning: "accept dynamic > static",
-            },
+            ParameterInfo::number("static", "coefficient of a point that was open or stuck in the last step, ≥ 0"),
+            ParameterInfo::number("dynamic", "coefficient of a slipping point, ≥ 0 and ≤ static"),
+            ParameterInfo::text(
+                "transition",
+                "\"drop\": the traction falls as soon as slip begins; \"lagged\": from the next step on",
+            ).or("\"drop\""),
+            ParameterInfo::flag("allow_strengthening", "accept dynamic > static").or("false"),
         ],
     }
 }

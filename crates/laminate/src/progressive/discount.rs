@@ -19,7 +19,7 @@ use stickslip_fem_core::material::{PlaneStiffness, apply};
 
 use super::error::ProgressiveError;
 use super::model::{PointModel, check_step};
-use super::registry::{Dimension, ParameterInfo, PointModelInfo, PointModelParameters};
+use super::registry::{ParameterInfo, PointModelInfo, PointModelParameters};
 use super::state::{Assembly, LayerResponse, PointResponse, PointState, elastic_strain, energy};
 use crate::degradation::Degradation;
 use crate::failure::{FailureCriterion, FailureError, PlyLoading, fibre_assessment};
@@ -220,24 +220,12 @@ inventory::submit! {
         name: "ply_discount",
         summary: "plies lose stiffness at once when their failure criterion is met",
         parameters: &[
-            ParameterInfo {
-                path: "criterion",
-                dimension: Dimension::Text,
-                default: Some("the first criterion"),
-                meaning: "the criterion by which plies fail",
-            },
-            ParameterInfo {
-                path: "fibre",
-                dimension: Dimension::Dimensionless,
-                default: None,
-                meaning: "factor on E1 after fibre failure, from 1e-9 to 1; on E2 and G12 the smaller of both",
-            },
-            ParameterInfo {
-                path: "matrix",
-                dimension: Dimension::Dimensionless,
-                default: None,
-                meaning: "factor on E2 and G12 after failure of the matrix, from 1e-9 to 1",
-            },
+            ParameterInfo::text("criterion", "the criterion by which plies fail").or("the first criterion"),
+            ParameterInfo::number(
+                "fibre",
+                "factor on E1 after fibre failure, from 1e-9 to 1; on E2 and G12 the smaller of both",
+            ),
+            ParameterInfo::number("matrix", "factor on E2 and G12 after failure of the matrix, from 1e-9 to 1"),
         ],
     }
 }

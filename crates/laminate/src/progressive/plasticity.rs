@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 use super::closest_point::YieldSurface;
 use super::error::ProgressiveError;
 use super::model::{PointModel, check_step};
-use super::registry::{Dimension, ParameterInfo, PointModelInfo, PointModelParameters};
+use super::registry::{ParameterInfo, PointModelInfo, PointModelParameters};
 use super::state::{
     Assembly, LayerResponse, LayerState, PointResponse, PointState, elastic_strain,
 };
@@ -187,11 +187,9 @@ inventory::submit! {
     PointModelInfo {
         name: "plasticity",
         summary: "plies flow from the Tsai–Hill surface on",
-        parameters: &[ParameterInfo {
-            path: "hardening",
-            dimension: Dimension::Stress,
-            default: None,
-            meaning: "plastic shear modulus of a ply, by the shear strength of the first ply, ≥ 0; 0 is perfect plasticity",
-        }],
+        parameters: &[ParameterInfo::stress(
+            "hardening",
+            "plastic shear modulus of a ply, by the shear strength of the first ply, ≥ 0; 0 is perfect plasticity",
+        )],
     }
 }
