@@ -22,7 +22,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::error::{FrictionError, Interval, check_strengthening};
+use crate::error::{FrictionError, Interval, check_coefficients};
 use crate::history::History;
 use crate::law::{Bound, FrictionLaw, Mirror, Place, compression};
 use crate::registry::{LawInfo, ParameterInfo};
@@ -132,17 +132,11 @@ impl TryFrom<RawSlipPower> for SlipPower {
     type Error = FrictionError;
 
     fn try_from(raw: RawSlipPower) -> Result<Self, FrictionError> {
-        let static_coefficient = Interval::NON_NEGATIVE.check(NAME, "static", raw.r#static)?;
-        let dynamic_coefficient = Interval::NON_NEGATIVE.check(NAME, "dynamic", raw.dynamic)?;
-        check_strengthening(
-            NAME,
-            static_coefficient,
-            dynamic_coefficient,
-            raw.allow_strengthening,
-        )?;
+        let coefficients = [raw.r#static, raw.dynamic];
+        check_coefficients(NAME, coefficients, raw.allow_strengthening)?;
         Ok(Self {
-            static_coefficient,
-            dynamic_coefficient,
+            static_coefficient: raw.r#static,
+            dynamic_coefficient: raw.dynamic,
             slip_scale: Interval::POSITIVE.check(NAME, "slip_scale", raw.slip_scale)?,
             exponent: Interval::POSITIVE.check(NAME, "exponent", raw.exponent)?,
             path: raw.path,

@@ -18,7 +18,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::error::{FrictionError, Interval, check_strengthening};
+use crate::error::{FrictionError, check_coefficients};
 use crate::history::{History, PointStatus};
 use crate::law::{Bound, FrictionLaw, Mirror, Place};
 use crate::registry::{LawInfo, ParameterInfo};
@@ -115,17 +115,11 @@ impl TryFrom<RawStaticDynamic> for StaticDynamic {
     type Error = FrictionError;
 
     fn try_from(raw: RawStaticDynamic) -> Result<Self, FrictionError> {
-        let static_coefficient = Interval::NON_NEGATIVE.check(NAME, "static", raw.r#static)?;
-        let dynamic_coefficient = Interval::NON_NEGATIVE.check(NAME, "dynamic", raw.dynamic)?;
-        check_strengthening(
-            NAME,
-            static_coefficient,
-            dynamic_coefficient,
-            raw.allow_strengthening,
-        )?;
+        let coefficients = [raw.r#static, raw.dynamic];
+        check_coefficients(NAME, coefficients, raw.allow_strengthening)?;
         Ok(Self {
-            static_coefficient,
-            dynamic_coefficient,
+            static_coefficient: raw.r#static,
+            dynamic_coefficient: raw.dynamic,
             transition: raw.transition,
             allow_strengthening: raw.allow_strengthening,
         })

@@ -121,7 +121,7 @@ impl<'a> Plan<'a> {
     }
 }
 
-impl<'a, T> Placed<'a, T> {
+impl<T> Placed<'_, T> {
     /// Radius of the closed circle that it is on.
     pub(super) fn circle(&self) -> Option<f64> {
         self.edge?.circle()

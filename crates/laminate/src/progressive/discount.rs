@@ -20,7 +20,7 @@ use stickslip_fem_core::material::{PlaneStiffness, apply};
 use super::error::ProgressiveError;
 use super::model::{PointModel, check_step};
 use super::registry::{ParameterInfo, PointModelInfo, PointModelParameters};
-use super::state::{Assembly, LayerResponse, PointResponse, PointState, elastic_strain, energy};
+use super::state::{LayerResponse, PointResponse, PointState, by_layers, elastic_strain, energy};
 use crate::degradation::Degradation;
 use crate::failure::{FailureCriterion, FailureError, PlyLoading, fibre_assessment};
 use crate::laminate::{Laminate, Layer};
@@ -62,7 +62,8 @@ impl PlyDiscount {
     /// The layer with index `index` on the way from `committed` to `strain`.
     fn layer(
         &self,
-        (index, layer): (usize, &Layer),
+        index: usize,
+        layer: &Layer,
         committed: &PointState,
         strain: [f64; 3],
         temperature: f64,
@@ -117,12 +118,15 @@ impl PointModel for PlyDiscount {
         temperature: f64,
     ) -> Result<PointResponse, ProgressiveError> {
         check_step(&self.laminate, committed, strain, temperature)?;
-        let mut assembly = Assembly::new(&self.laminate, strain, temperature, committed.dissipated);
-        for layer in self.laminate.layers().iter().enumerate() {
-            let share = self.layer(layer, committed, strain, temperature)?;
-            assembly.add(layer.1, &share);
-        }
-        Ok(assembly.finish())
+        let layer =
+            |index: usize, layer: &Layer| self.layer(index, layer, committed, strain, temperature);
+        Ok(by_layers(
+            &self.laminate,
+            committed,
+            strain,
+            temperature,
+            layer,
+        )?)
     }
 
     fn weakened_stiffness(&self, state: &PointState, part: f64) -> Option<PlaneStiffness> {

@@ -19,7 +19,7 @@ use super::error::ProgressiveError;
 use super::model::{PointModel, check_step};
 use super::registry::{ParameterInfo, PointModelInfo, PointModelParameters};
 use super::state::{
-    Assembly, LayerResponse, LayerState, PointResponse, PointState, elastic_strain,
+    LayerResponse, LayerState, PointResponse, PointState, by_layers, elastic_strain,
 };
 use crate::failure::FailureCriterion;
 use crate::laminate::{Laminate, Layer};
@@ -117,12 +117,10 @@ impl PointModel for TsaiHillPlasticity {
         temperature: f64,
     ) -> Result<PointResponse, ProgressiveError> {
         check_step(&self.laminate, committed, strain, temperature)?;
-        let mut assembly = Assembly::new(&self.laminate, strain, temperature, committed.dissipated);
-        for (index, layer) in self.laminate.layers().iter().enumerate() {
-            let share = self.layer(index, layer, &committed.layers[index], strain, temperature)?;
-            assembly.add(layer, &share);
-        }
-        Ok(assembly.finish())
+        let layer = |index: usize, layer: &Layer| {
+            self.layer(index, layer, &committed.layers[index], strain, temperature)
+        };
+        by_layers(&self.laminate, committed, strain, temperature, layer)
     }
 }
 
