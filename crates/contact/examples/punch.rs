@@ -6,13 +6,13 @@ use std::error::Error;
 use std::sync::Arc;
 
 use stickslip_contact::{
-    Chain, ContactPair, ContactPoint, InterfaceProblem, LoadHistory, Ramp, Status,
+    Chain, ContactPair, ContactPoint, ContactState, InterfaceProblem, LoadHistory, Ramp, Status,
 };
 use stickslip_fem_core::generate::{Generate, Rectangle};
 use stickslip_fem_core::material::{Isotropic, PlaneState};
-use stickslip_fem_core::mesh::ElementKind;
+use stickslip_fem_core::mesh::{ElementKind, Point};
 use stickslip_fem_core::{
-    ElasticBody, HeldDirection, InterfaceOperator, LoadCase, RigidBody, Support,
+    CondensedBody, ElasticBody, HeldDirection, InterfaceOperator, LoadCase, RigidBody, Support,
 };
 use stickslip_friction::Coulomb;
 
@@ -23,7 +23,27 @@ const CELL: f64 = 0.125;
 const LOADS: [[f64; 2]; 2] = [[0.0, -100.0], [10.0, 0.0]];
 
 fn main() -> Result<(), Box<dyn Error>> {
-    // First operator: an elastic block, clamped below, condensed to its nodes under the punch.
+    let block = block()?;
+    // The second operator: a rigid punch, free to move along x and y.
+    let punch = RigidBody::sliding(block.points().to_vec(), [true, true], &LOADS);
+    let pair = ContactPair {
+        name: "punch".into(),
+        first: 0,
+        second: 1,
+        points: node_pairs(block.points()),
+        law: Arc::new(Coulomb::new(0.2)?),
+    };
+    let problem = InterfaceProblem::new(&[&block, &punch], vec![pair])?;
+
+    // Pressed first, then pushed.
+    let history = LoadHistory::new(vec![vec![1.0, 0.0], vec![1.0, 1.0]], 4, Ramp::Linear)?;
+    let records = history.follow(&problem, &Chain::default(), |_| {})?;
+    print(&problem, &records[1].state);
+    Ok(())
+}
+
+/// The first operator: an elastic block, clamped below, condensed to its nodes under the punch.
+fn block() -> Result<CondensedBody, Box<dyn Error>> {
     let mesh = Rectangle::uniform([-4.0, 4.0], [-4.0, 0.0], [64, 32], ElementKind::Q4)?;
     let mesh = Arc::new(mesh.generate()?);
     let clamp = |direction| Support {
@@ -41,14 +61,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let block = ElasticBody::new(Arc::clone(&mesh), vec![steel], THICKNESS)?
         .with_supports([clamp(HeldDirection::X), clamp(HeldDirection::Y)])
         .with_load_cases(vec![LoadCase::default(), LoadCase::default()])?;
-    let block = Arc::new(block).condense(&under_punch)?;
+    Ok(Arc::new(block).condense(&under_punch)?)
+}
 
-    // Second operator: the rigid punch, free to move along x and y.
-    let places = block.points().to_vec();
-    let punch = RigidBody::sliding(places.clone(), [true, true], &LOADS);
-
-    // Nodes touch nodes; a node stands for a cell's width, at both ends for half of it.
-    let points = places.iter().enumerate().map(|(k, [x, _])| {
+/// Nodes touch nodes; a node stands for a cell's width, at both ends for half of it.
+fn node_pairs(places: &[Point]) -> Vec<ContactPoint> {
+    let point = |(k, [x, _]): (usize, &Point)| {
         let at_end = x.abs() > HALF_WIDTH - 0.5 * CELL;
         let width = if at_end { 0.5 * CELL } else { CELL };
         ContactPoint {
@@ -59,20 +77,11 @@ fn main() -> Result<(), Box<dyn Error>> {
             area: width * THICKNESS,
             material_angle: 0.0,
         }
-    });
-    let pair = ContactPair {
-        name: "punch".into(),
-        first: 0,
-        second: 1,
-        points: points.collect(),
-        law: Arc::new(Coulomb::new(0.2)?),
     };
-    let problem = InterfaceProblem::new(&[&block, &punch], vec![pair])?;
+    places.iter().enumerate().map(point).collect()
+}
 
-    // Pressed first, then pushed.
-    let history = LoadHistory::new(vec![vec![1.0, 0.0], vec![1.0, 1.0]], 4, Ramp::Linear)?;
-    let records = history.follow(&problem, &Chain::default(), |_| {})?;
-    let end = &records[1].state;
+fn print(problem: &InterfaceProblem, end: &ContactState) {
     println!("{:>8} {:>10} {:>10}  status", "x", "CPRESS", "CSHEAR1");
     for (k, point) in problem.points().iter().enumerate() {
         let (pressure, shear) = (
@@ -87,7 +96,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let x = point.place.position[0];
         println!("{x:8.3} {pressure:10.3} {shear:10.3}  {status}");
     }
-    let pressed: f64 = (0..places.len()).map(|k| end.normal_force(k)).sum();
+    let count = problem.points().len();
+    let pressed: f64 = (0..count).map(|k| end.normal_force(k)).sum();
     println!("normal force {pressed:.6} N");
-    Ok(())
 }

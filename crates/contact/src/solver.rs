@@ -94,7 +94,8 @@ pub struct StepSolution {
     pub work: Work,
     /// Name of the solver that found it.
     pub solver: &'static str,
-    /// Why it stopped. Solvers that are members of a [`Chain`] return verified solutions only.
+    /// Why it stopped. Only solvers that are declared [`experimental`](SolverInfo::experimental) return other than verified solutions, and
+    /// a [`Chain`] takes no such solution of a member.
     pub stop: Stop,
     /// Number of distinct solutions of the step, where the statuses of the points that touch in it were enumerated (of all
     /// points, where these are few enough); this one is the nearest to the last accepted state.
@@ -143,7 +144,8 @@ pub struct SolverInfo {
     pub method: &'static str,
     /// What it is, in one line.
     pub summary: &'static str,
-    /// Whether its answers may be regularised, of a looser tolerance, or limited to few points: for studies of methods.
+    /// Whether its answers may be regularised, of a looser tolerance, or limited to few points: for studies of methods. Answers of others
+    /// are verified, as [`contract::check_listed`] tests.
     pub experimental: bool,
     /// Makes it with its default options.
     pub make: fn() -> Box<dyn InterfaceSolver>,

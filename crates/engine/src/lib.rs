@@ -15,7 +15,6 @@
 
 pub mod failure;
 mod load_scale;
-mod loads;
 pub mod model;
 pub mod results;
 pub mod run;

@@ -5,9 +5,8 @@
 
 use std::collections::BTreeSet;
 
-use crate::loads::{at_step, linked_by};
+use crate::model::LoadTable;
 use crate::results::{LoadValue, ResultPart, Results};
-use stickslip_scene::Scene;
 use stickslip_text::short;
 
 /// One number per load step that says how much load there is.
@@ -53,22 +52,19 @@ impl LoadScale {
         peaks.into_iter().collect()
     }
 
-    /// Unit of the measure for the contact with the index `contact`, before anything is solved; `None` where steps have a number only.
-    pub fn unit_of_contact(scene: &Scene, contact: usize) -> Option<String> {
-        let steps: Vec<Vec<LoadValue>> = (0..scene.steps())
-            .map(|step| at_step(scene, step))
-            .collect();
-        let linked = linked_by(scene, contact);
-        let acts = |index: &usize| linked.contains(scene.loads[*index].kind.body());
+    /// Unit of the measure for what `loads` act on, before anything is solved; `None` where steps have a number only.
+    pub fn unit_of(loads: &LoadTable) -> Option<String> {
+        let steps: Vec<Vec<LoadValue>> =
+            (0..loads.steps()).map(|step| loads.at_step(step)).collect();
         let steps: Vec<&[LoadValue]> = steps.iter().map(Vec::as_slice).collect();
         let force = || {
             Some(Self {
                 name: CONTACT_FORCE.into(),
-                unit: scene.display.force.name.into(),
+                unit: loads.units().force.name.into(),
                 values: Vec::new(),
             })
         };
-        Self::chosen(&histories(&steps, acts), force).map(|load| load.unit)
+        Self::chosen(&histories(&steps, |_| true), force).map(|load| load.unit)
     }
 
     fn of_part(results: &Results, part: Option<&ResultPart>) -> Self {

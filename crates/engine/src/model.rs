@@ -4,10 +4,13 @@ mod bearing;
 mod contacts;
 mod extent;
 mod limits;
+mod load_table;
 mod loads;
 mod meshes;
+mod plan;
 mod polar_table;
 mod remarks;
+mod request;
 mod resultant;
 mod room;
 
@@ -18,20 +21,22 @@ use stickslip_contact::{ContactError, ContactPair, LoadHistory};
 use stickslip_fem_core::body::BodyError;
 use stickslip_fem_core::generate::GenerateError;
 use stickslip_fem_core::material::{Material, MaterialError};
-use stickslip_fem_core::mesh::{Mesh, MeshError};
+use stickslip_fem_core::mesh::{Mesh, MeshError, Point};
 use stickslip_fem_core::{ElasticBody, RigidBody};
+use stickslip_friction::Mirror;
 use thiserror::Error;
 
 use crate::results::{Choice, EdgeGeometry, Finding};
 use stickslip_scene::Scene;
 use stickslip_scene::host::Host;
+use stickslip_scene::placement::offset;
 
-pub use extent::{mirror, obstacle as obstacle_to_half};
-pub(crate) use loads::frame as frame_of_loads;
-pub use meshes::BYTES_PER_NODE;
-pub use meshes::NODE_LIMIT;
-pub(crate) use remarks::beyond_fine_zone;
+pub use load_table::LoadTable;
+pub use meshes::{BYTES_PER_NODE, NODE_LIMIT};
+pub use request::{FailingBody, FailureRequest, FollowedJoint, Request};
 pub(crate) use room::parts;
+
+use plan::Plan;
 
 /// Why a scene that reads well cannot be modelled.
 #[derive(Debug, Error)]
@@ -198,8 +203,21 @@ pub struct ModelEdge {
     pub normals: Vec<[f64; 2]>,
     /// Index of the contact pair.
     pub pair: Option<usize>,
+    /// Up to where from the bearing point θ = 0 or x = 0 the mesh along it is fine `[rad or mm]`; `None` for all of it.
+    pub fine_to: Option<f64>,
     /// Tractions of the loads on an edge without contact: load case, and (σ_nn, τ_nt) per node for a multiplier of one.
     pub tractions: Vec<(usize, Vec<[f64; 2]>)>,
+}
+
+/// What is known of a contact beside its points.
+#[derive(Clone, Copy, Debug)]
+pub struct ModelContact {
+    /// The line about which a half model mirrors the first body; `None` where the whole is modelled.
+    pub mirror: Option<Mirror>,
+    /// Difference of the radii of two circles `[mm]`; 0 for an interference and without circles.
+    pub clearance: f64,
+    /// Whether an initial overlap is meant.
+    pub interference: bool,
 }
 
 /// A scene turned into bodies, pairs and a load history.
@@ -211,6 +229,8 @@ pub struct Model {
     pub bodies: Vec<ModelBody>,
     /// Contact pairs.
     pub pairs: Vec<ContactPair>,
+    /// What else is known of each contact.
+    pub contacts: Vec<ModelContact>,
     /// Contact edges first, then further edges.
     pub edges: Vec<ModelEdge>,
     /// Load multipliers per step.
@@ -221,66 +241,57 @@ pub struct Model {
     pub choices: Vec<Choice>,
     /// What the reader must know.
     pub findings: Vec<Finding>,
+    /// What the scene asks of a run.
+    pub request: Request,
 }
 
 impl Model {
-    /// Builds the model of `scene`.
+    /// Builds the model of `scene`. Its names are resolved here; what follows knows indices.
     ///
     /// # Errors
     /// [`ModelError`]; nothing large is allocated before the size of the meshes is known.
     pub fn build(scene: &Scene) -> Result<Self, ModelError> {
-        limits::check(scene)?;
+        let plan = Plan::of(scene);
+        limits::check(&plan)?;
         let mut choices = Vec::new();
-        let half = extent::choose(scene, &mut choices)?;
-        let meshes = meshes::build(scene, half, &mut choices)?;
+        let half = extent::choose(&plan, &mut choices)?;
+        let meshes = meshes::build(&plan, scene.limits(), half, &mut choices)?;
         let materials = materials(scene)?;
-        let names: Vec<String> = scene.bodies.keys().cloned().collect();
-        let contacts = contacts::build(scene, &meshes, &names, half, &mut choices)?;
-        let mut bodies = Vec::with_capacity(names.len());
-        for (index, name) in names.iter().enumerate() {
-            let kind = loads::body(
-                scene,
-                name,
-                &meshes,
-                &materials,
-                half,
-                &contacts.rigid_points[index],
-            )?;
-            bodies.push(ModelBody {
-                name: name.clone(),
-                kind,
-                interface: contacts.interfaces[index].clone(),
-            });
-        }
-        choices.push(Choice {
-            what: "kinematics".into(),
-            value: "small displacement".into(),
-            reason: "contact is found on the undeformed geometry; on the deformed one a conforming pin's peak pressure differs by \
-                     a few tenths of a percent"
-                .into(),
-        });
+        let contacts = contacts::build(&plan, scene.display, &meshes, half, &mut choices)?;
+        let ends = contacts.interfaces.into_iter().zip(contacts.rigid_points);
+        let body = |(index, (interface, points)): (usize, (Vec<usize>, Vec<Point>))| {
+            Ok(ModelBody {
+                name: plan.bodies[index].name.to_owned(),
+                kind: loads::body(&plan, index, &meshes, &materials, half, &points)?,
+                interface,
+            })
+        };
+        let bodies = ends.enumerate().map(body);
+        let bodies = bodies.collect::<Result<Vec<_>, ModelError>>()?;
+        choices.push(kinematics());
         let model = Self {
             host: scene.host(),
-            bodies,
             pairs: contacts.pairs,
+            contacts: known_of_contacts(&plan, half),
             edges: contacts.edges,
-            history: loads::history(scene)?,
+            history: loads::history(&plan)?,
             half,
             choices,
-            findings: remarks::of_scene(scene),
+            findings: remarks::of_scene(&plan),
+            request: Request::of(scene, &plan, &bodies, half)?,
+            bodies,
         };
-        room::check(scene, &model)?;
+        room::check(scene.limits(), &model)?;
         Ok(model)
     }
-}
 
-impl Model {
-    /// The same bodies and pairs with the friction laws and the load history of `scene`, which differs from the model's own scene in
-    /// nothing else that a model depends on.
+    /// The same bodies and pairs with the friction laws, the load history and the request of `scene`, which differs from the model's own
+    /// scene in nothing else that a model depends on.
     ///
     /// # Errors
     /// As [`Model::build`].
     pub fn with_laws_and_history(&self, scene: &Scene) -> Result<Self, ModelError> {
+        let plan = Plan::of(scene);
         let mut model = self.clone();
         for (contact, pair) in scene.contacts.iter().zip(&mut model.pairs) {
             pair.law = Arc::from(contact.law.clone());
@@ -290,13 +301,45 @@ impl Model {
                 contact.law.name().clone_into(&mut edge.geometry.law);
             }
         }
-        model.history = loads::history(scene)?;
+        model.history = loads::history(&plan)?;
+        model.contacts = known_of_contacts(&plan, model.half);
+        model.request = Request::of(scene, &plan, &model.bodies, model.half)?;
         Ok(model)
+    }
+
+    /// Whether the failure of the body with the index `body` is asked about.
+    pub fn is_asked_for_failure(&self, body: usize) -> bool {
+        let failure = self.request.failure.as_ref();
+        failure.is_some_and(|failure| failure.bodies.iter().any(|own| own.body == body))
     }
 }
 
-/// Each body's mesh by name; rigid bodies have none.
-type Meshes = BTreeMap<String, Arc<Mesh>>;
+/// What breaks the symmetry of `scene`, so that no half of it is modelled; `None` if nothing does.
+pub fn obstacle_to_half(scene: &Scene) -> Option<String> {
+    extent::obstacle(&Plan::of(scene))
+}
+
+fn known_of_contacts(plan: &Plan<'_>, half: bool) -> Vec<ModelContact> {
+    let known = |contact: &plan::ContactPlan<'_>| ModelContact {
+        mirror: half.then(|| extent::mirror(plan, contact)).flatten(),
+        clearance: contact.radii().map_or(0.0, |radii| offset(radii)[0]),
+        interference: contact.of.interference,
+    };
+    plan.contacts.iter().map(known).collect()
+}
+
+fn kinematics() -> Choice {
+    Choice {
+        what: "kinematics".into(),
+        value: "small displacement".into(),
+        reason: "contact is found on the undeformed geometry; on the deformed one a conforming pin's peak pressure differs by \
+                 a few tenths of a percent"
+            .into(),
+    }
+}
+
+/// Each elastic body's mesh by the index of the body.
+type Meshes = BTreeMap<usize, Arc<Mesh>>;
 
 fn materials(scene: &Scene) -> Result<BTreeMap<String, Arc<dyn Material>>, ModelError> {
     scene

@@ -12,6 +12,7 @@ mod reported;
 use std::sync::Arc;
 
 use stickslip_contact::history::Otherwise;
+use stickslip_contact::interface::Group;
 use stickslip_contact::{ContactError, Contacts, Interface, InterfaceSolver, StepRecord};
 use stickslip_fem_core::body::BodyError;
 use stickslip_fem_core::parallel;
@@ -20,13 +21,14 @@ use stickslip_fem_core::{CondensedBody, InterfaceOperator};
 use stickslip_laminate::FailureError;
 use thiserror::Error;
 
-use crate::loads;
-pub use crate::loads::loads_reached;
 pub use progressive::ProgressiveRunError;
 
 use crate::load_scale::LoadScale;
-use crate::model::{Model, ModelBodyKind, ModelError};
-use crate::results::{BodySummary, Choice, Results, StepNotes, StepResults};
+use crate::model::{self, Model, ModelBodyKind, ModelError};
+use crate::results::{
+    BodySummary, Choice, EdgeGeometry, EdgeResults, Finding, ResultPart, Results, StepNotes,
+    StepResults,
+};
 use stickslip_scene::Scene;
 use stickslip_scene::schema::{FieldOutput, SolverChoice};
 
@@ -152,7 +154,7 @@ pub fn run_with(
     let mut solved = solve(&model, solver, progress)?;
     solved.phases.insert(0, ("mesh", mesh_seconds));
     progress(Progress::Phase("stresses"));
-    results(scene, &model, solver, solved)
+    results(&model, solver, solved)
 }
 
 /// Condenses the bodies of `model` and follows its history with `solver`.
@@ -238,33 +240,24 @@ pub fn condense(model: &Model) -> Result<Vec<Operator>, RunError> {
     operators.into_iter().collect()
 }
 
-/// What is reported of the history `solved` of `scene`: edges, balances and, where requested, fields.
+/// What is reported of the history `solved` of `model`: edges, balances and, where requested, fields.
 ///
 /// # Errors
 /// [`RunError::Stress`], [`RunError::Failure`], [`RunError::Progressive`], and [`RunError::Model`] if characteristic distances lead out of
 /// their body.
 pub fn results(
-    scene: &Scene,
     model: &Model,
     solver: &dyn InterfaceSolver,
     mut solved: Solved,
 ) -> Result<Results, RunError> {
     let start = model.host.seconds();
-    let mut recovered = fields::recover(scene, model, &solved);
+    let recovered = fields::recover(model, &solved);
     let otherwise = (model.history).walked_otherwise(&solved.interface, solver, &solved.records);
     solved
         .records
         .iter_mut()
         .for_each(|record| record.parts.clear());
-    reported(
-        scene,
-        model,
-        solver,
-        solved,
-        &mut recovered,
-        &otherwise,
-        start,
-    )
+    reported(model, solver, solved, recovered, &otherwise, start)
 }
 
 /// As [`results`], but displacements are recovered of `bodies` alone and no balance is audited but that of the interface problem:
@@ -273,7 +266,6 @@ pub fn results(
 /// # Errors
 /// As [`results`].
 pub fn results_without_audit(
-    scene: &Scene,
     model: &Model,
     solver: &dyn InterfaceSolver,
     mut solved: Solved,
@@ -283,8 +275,8 @@ pub fn results_without_audit(
     for record in &mut solved.records {
         record.parts.clear();
     }
-    let mut recovered = fields::recover_some(model, &solved, bodies);
-    reported(scene, model, solver, solved, &mut recovered, &[], start)
+    let recovered = fields::recover_some(model, &solved, bodies);
+    reported(model, solver, solved, recovered, &[], start)
 }
 
 /// Displacements of the body `index` at the end of every load step, x and y of each node in turn; empty for a rigid body.
@@ -295,60 +287,33 @@ pub fn displacements_of(model: &Model, solved: &Solved, index: usize) -> Vec<Vec
 }
 
 fn reported(
-    scene: &Scene,
     model: &Model,
     solver: &dyn InterfaceSolver,
     mut solved: Solved,
-    recovered: &mut [fields::Recovered],
+    mut recovered: Vec<fields::Recovered>,
     otherwise: &[Otherwise],
     start: f64,
 ) -> Result<Results, RunError> {
-    let (geometries, edges) = edges::all(model, &solved, recovered)?;
-    let mut steps = Vec::with_capacity(solved.records.len());
-    for (index, (record, edges)) in solved.records.iter().zip(edges).enumerate() {
-        steps.push(StepResults {
-            unloading: false,
-            loads: loads::at_step(scene, index),
-            edges,
-            work: record.work,
-            solvers: record.solvers.clone(),
-            increments: record.increments,
-            cutbacks: record.cutbacks,
-            doubtful: record.doubtful,
-            notes: StepNotes {
-                otherwise: otherwise.get(index).copied().unwrap_or_default(),
-                ..step_notes(record, solved.interface.contacts())
-            },
-            residuals: record.residuals,
-            balance_residual: record.audit.balance().max(recovered[index].imbalance()),
-            balance: recovered[index].balance.clone(),
-            dissipation: record.dissipation * if model.half { 2.0 } else { 1.0 },
-            fields: Vec::new(),
-            seconds: solved.step_seconds[index],
-        });
+    let (geometries, edges) = edges::all(model, &solved, &recovered)?;
+    let mut steps = steps(model, &solved, &recovered, edges);
+    for (step, otherwise) in steps.iter_mut().zip(otherwise) {
+        step.notes.otherwise = *otherwise;
     }
-    let mut findings = model.findings.clone();
-    findings.extend(remarks::of_steps(scene, &geometries, &steps));
-    findings.extend(doubts::of_steps(model, &steps));
-    findings.extend(remarks::of_freedom(model, &solved.interface));
-    findings.extend(remarks::of_reserve(scene));
-    findings.extend(doubts::of_looseness(model, &solved.records));
-    findings.extend(doubts::of_parting(&solved.records));
-    findings.extend(doubts::of_ripples(model, &solved));
+    let request = &model.request;
     let mut choices = model.choices.clone();
-    choices.push(solver_choice(scene.analysis.solver));
+    choices.push(solver_choice(request.analysis.solver));
     let operators = solved.operators.iter();
     let mut results = Results {
-        title: scene.title.clone(),
-        source: scene.source_name.clone(),
-        scene_hash: scene.hash.clone(),
-        units: scene.display,
+        title: request.title.clone(),
+        source: request.source.clone(),
+        scene_hash: request.scene_hash.clone(),
+        units: request.units,
         choices,
-        findings,
+        findings: findings(model, &solved, &geometries, &steps),
         bodies: bodies(model, &solved),
         factorisations: operators.filter_map(Operator::elastic).count(),
         edges: geometries,
-        parts: loads::parts(scene, model),
+        parts: parts(model),
         steps,
         failure: Vec::new(),
         phases: Vec::new(),
@@ -357,18 +322,82 @@ fn reported(
     for (step, unloading) in results.steps.iter_mut().zip(scale.unloading()) {
         step.unloading = unloading;
     }
-    let with_fields = steps_with_fields(scene.output.fields, &results);
-    results.failure = failure::all(scene, model, solver, recovered, &results, &with_fields)?;
+    let with_fields = steps_with_fields(request.fields, &results);
+    results.failure = failure::all(model, solver, &recovered, &results, &with_fields)?;
     for index in with_fields {
         fields::complete(&solved, &mut recovered[index], index);
         results.steps[index].fields =
-            fields::with_stresses(scene, model, &solved.operators, &recovered[index])?;
+            fields::with_stresses(model, &solved.operators, &recovered[index])?;
     }
     solved
         .phases
         .push(("stresses", model.host.seconds() - start));
     results.phases = solved.phases;
     Ok(results)
+}
+
+/// The load steps with the results `edges` of their edges.
+fn steps(
+    model: &Model,
+    solved: &Solved,
+    recovered: &[fields::Recovered],
+    edges: Vec<Vec<EdgeResults>>,
+) -> Vec<StepResults> {
+    let step = |(index, edges): (usize, Vec<EdgeResults>)| {
+        let record = &solved.records[index];
+        StepResults {
+            unloading: false,
+            loads: model.request.loads.at_step(index),
+            edges,
+            work: record.work,
+            solvers: record.solvers.clone(),
+            increments: record.increments,
+            cutbacks: record.cutbacks,
+            doubtful: record.doubtful,
+            notes: step_notes(record, solved.interface.contacts()),
+            residuals: record.residuals,
+            balance_residual: record.audit.balance().max(recovered[index].imbalance()),
+            balance: recovered[index].balance.clone(),
+            dissipation: record.dissipation * if model.half { 2.0 } else { 1.0 },
+            fields: Vec::new(),
+            seconds: solved.step_seconds[index],
+        }
+    };
+    edges.into_iter().enumerate().map(step).collect()
+}
+
+fn findings(
+    model: &Model,
+    solved: &Solved,
+    edges: &[EdgeGeometry],
+    steps: &[StepResults],
+) -> Vec<Finding> {
+    let mut findings = model.findings.clone();
+    findings.extend(remarks::of_steps(model, edges, steps));
+    findings.extend(doubts::of_steps(model, steps));
+    findings.extend(remarks::of_freedom(model, &solved.interface));
+    findings.extend(remarks::of_reserve(model));
+    findings.extend(doubts::of_looseness(model, &solved.records));
+    findings.extend(doubts::of_parting(&solved.records));
+    findings.extend(doubts::of_ripples(model, solved));
+    findings
+}
+
+/// The independent parts of `model`, with the loads that act on each.
+fn parts(model: &Model) -> Vec<ResultPart> {
+    let part = |group: Group| {
+        let edges = model.edges.iter().enumerate();
+        let own_edges = edges.filter(|(_, edge)| match edge.pair {
+            Some(pair) => group.pairs.contains(&pair),
+            None => group.bodies.contains(&edge.body),
+        });
+        ResultPart {
+            edges: own_edges.map(|(index, _)| index).collect(),
+            loads: model.request.loads.acting_on(&group.bodies),
+            bodies: group.bodies,
+        }
+    };
+    model::parts(model).into_iter().map(part).collect()
 }
 
 fn step_notes(record: &StepRecord, contacts: &Contacts) -> StepNotes {

@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 use crate::error::{FrictionError, Interval};
 use crate::history::History;
 use crate::law::{Bound, FrictionLaw, Mirror, Place};
-use crate::registry::{Dimension, LawInfo, ParameterInfo};
+use crate::registry::{LawInfo, ParameterInfo};
 
 const NAME: &str = "coulomb";
 
@@ -79,11 +79,6 @@ inventory::submit! {
     LawInfo {
         name: NAME,
         summary: "constant coefficient of friction",
-        parameters: &[ParameterInfo {
-            path: "mu",
-            dimension: Dimension::Dimensionless,
-            default: None,
-            meaning: "coefficient of friction, ≥ 0",
-        }],
+        parameters: &[ParameterInfo::number("mu", "coefficient of friction, ≥ 0")],
     }
 }

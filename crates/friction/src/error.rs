@@ -150,13 +150,14 @@ fn write_end(formatter: &mut fmt::Formatter<'_>, end: f64) -> fmt::Result {
     }
 }
 
-/// Refuses `dynamic > static` unless it is allowed; both must already be finite.
-pub(crate) fn check_strengthening(
+/// Refuses coefficients that are negative or not finite, and `dynamic > static` unless it is allowed.
+pub(crate) fn check_coefficients(
     law: &'static str,
-    static_coefficient: f64,
-    dynamic_coefficient: f64,
+    [static_coefficient, dynamic_coefficient]: [f64; 2],
     allowed: bool,
 ) -> Result<(), FrictionError> {
+    Interval::NON_NEGATIVE.check(law, "static", static_coefficient)?;
+    Interval::NON_NEGATIVE.check(law, "dynamic", dynamic_coefficient)?;
     if dynamic_coefficient > static_coefficient && !allowed {
         return Err(FrictionError::Strengthening {
             law,

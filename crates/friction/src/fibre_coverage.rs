@@ -39,7 +39,7 @@ use serde::{Deserialize, Serialize};
 use crate::error::{FrictionError, Interval};
 use crate::history::History;
 use crate::law::{Bound, FrictionLaw, Mirror, Place};
-use crate::registry::{Dimension, LawInfo, ParameterInfo};
+use crate::registry::{LawInfo, ParameterInfo};
 
 const NAME: &str = "fibre_coverage";
 const SQRT_3: f64 = 1.732_050_807_568_877_2;
@@ -281,48 +281,22 @@ inventory::submit! {
         name: NAME,
         summary: "two laws mixed by the fibres that the edge of a laminate exposes",
         parameters: &[
-            ParameterInfo {
-                path: "plies[].angle",
-                dimension: Dimension::Angle,
-                default: None,
-                meaning: "fibre angle of the ply from the body's 1-axis, counter-clockwise",
-            },
-            ParameterInfo {
-                path: "plies[].fraction",
-                dimension: Dimension::Dimensionless,
-                default: None,
-                meaning: "fraction of the laminate's thickness, in [0, 1]; all of them sum to 1",
-            },
-            ParameterInfo {
-                path: "fibre_fraction",
-                dimension: Dimension::Dimensionless,
-                default: None,
-                meaning: "volume fraction of fibres, in [0, π/(2√3)]",
-            },
-            ParameterInfo {
-                path: "kernel.swept.kappa",
-                dimension: Dimension::Dimensionless,
-                default: None,
-                meaning: "4δ/(π d) ≥ 0: depth δ of worn surface, fibre diameter d (one kernel must be given)",
-            },
-            ParameterInfo {
-                path: "kernel.tangent.width",
-                dimension: Dimension::Angle,
-                default: None,
-                meaning: "angle to the edge within which fibres lie bare, > 0 (one kernel must be given)",
-            },
-            ParameterInfo {
-                path: "fibre",
-                dimension: Dimension::Law,
-                default: None,
-                meaning: "friction law of the fibres",
-            },
-            ParameterInfo {
-                path: "matrix",
-                dimension: Dimension::Law,
-                default: None,
-                meaning: "friction law of the matrix",
-            },
+            ParameterInfo::angle("plies[].angle", "fibre angle of the ply from the body's 1-axis, counter-clockwise"),
+            ParameterInfo::number(
+                "plies[].fraction",
+                "fraction of the laminate's thickness, in [0, 1]; all of them sum to 1",
+            ),
+            ParameterInfo::number("fibre_fraction", "volume fraction of fibres, in [0, π/(2√3)]"),
+            ParameterInfo::number(
+                "kernel.swept.kappa",
+                "4δ/(π d) ≥ 0: depth δ of worn surface, fibre diameter d (one kernel must be given)",
+            ),
+            ParameterInfo::angle(
+                "kernel.tangent.width",
+                "angle to the edge within which fibres lie bare, > 0 (one kernel must be given)",
+            ),
+            ParameterInfo::law("fibre", "friction law of the fibres"),
+            ParameterInfo::law("matrix", "friction law of the matrix"),
         ],
     }
 }

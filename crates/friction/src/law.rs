@@ -18,7 +18,7 @@
 //! ```
 //! use serde::{Deserialize, Serialize};
 //! use stickslip_friction::{
-//!     Bound, Dimension, FrictionError, FrictionLaw, History, Interval, LawInfo, Mirror, ParameterInfo, Place, contract,
+//!     Bound, FrictionError, FrictionLaw, History, Interval, LawInfo, Mirror, ParameterInfo, Place, contract,
 //! };
 //!
 //! #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -67,18 +67,8 @@
 //!         name: "soft_film",
 //!         summary: "shear limited by the strength of a surface film",
 //!         parameters: &[
-//!             ParameterInfo {
-//!                 path: "mu",
-//!                 dimension: Dimension::Dimensionless,
-//!                 default: None,
-//!                 meaning: "coefficient of friction at low pressure, ≥ 0",
-//!             },
-//!             ParameterInfo {
-//!                 path: "shear_strength",
-//!                 dimension: Dimension::Stress,
-//!                 default: None,
-//!                 meaning: "shear strength of the film, > 0",
-//!             },
+//!             ParameterInfo::number("mu", "coefficient of friction at low pressure, ≥ 0"),
+//!             ParameterInfo::stress("shear_strength", "shear strength of the film, > 0"),
 //!         ],
 //!     }
 //! }

@@ -23,7 +23,7 @@ use serde::{Deserialize, Serialize};
 use crate::error::{FrictionError, Interval};
 use crate::history::History;
 use crate::law::{Bound, FrictionLaw, Mirror, Place, compression};
-use crate::registry::{Dimension, LawInfo, ParameterInfo};
+use crate::registry::{LawInfo, ParameterInfo};
 
 const NAME: &str = "pressure_power";
 
@@ -103,24 +103,9 @@ inventory::submit! {
         name: NAME,
         summary: "coefficient that falls with pressure as a power",
         parameters: &[
-            ParameterInfo {
-                path: "mu",
-                dimension: Dimension::Dimensionless,
-                default: None,
-                meaning: "coefficient of friction at the reference pressure, ≥ 0",
-            },
-            ParameterInfo {
-                path: "reference_pressure",
-                dimension: Dimension::Stress,
-                default: None,
-                meaning: "pressure at which mu holds, > 0",
-            },
-            ParameterInfo {
-                path: "exponent",
-                dimension: Dimension::Dimensionless,
-                default: None,
-                meaning: "shear grows as this power of the pressure, in (0, 1]; 1 is Coulomb's law",
-            },
+            ParameterInfo::number("mu", "coefficient of friction at the reference pressure, ≥ 0"),
+            ParameterInfo::stress("reference_pressure", "pressure at which mu holds, > 0"),
+            ParameterInfo::number("exponent", "shear grows as this power of the pressure, in (0, 1]; 1 is Coulomb's law"),
         ],
     }
 }

@@ -65,6 +65,62 @@ pub struct ParameterInfo {
     pub meaning: &'static str,
 }
 
+/// The constructor is the dimension; a parameter must be given unless [`or`](Self::or) says what stands for it.
+impl ParameterInfo {
+    const fn new(dimension: Dimension, path: &'static str, meaning: &'static str) -> Self {
+        Self {
+            path,
+            dimension,
+            default: None,
+            meaning,
+        }
+    }
+
+    /// A bare number.
+    pub const fn number(path: &'static str, meaning: &'static str) -> Self {
+        Self::new(Dimension::Dimensionless, path, meaning)
+    }
+
+    /// A length.
+    pub const fn length(path: &'static str, meaning: &'static str) -> Self {
+        Self::new(Dimension::Length, path, meaning)
+    }
+
+    /// A pressure or a stress.
+    pub const fn stress(path: &'static str, meaning: &'static str) -> Self {
+        Self::new(Dimension::Stress, path, meaning)
+    }
+
+    /// An angle.
+    pub const fn angle(path: &'static str, meaning: &'static str) -> Self {
+        Self::new(Dimension::Angle, path, meaning)
+    }
+
+    /// A word.
+    pub const fn text(path: &'static str, meaning: &'static str) -> Self {
+        Self::new(Dimension::Text, path, meaning)
+    }
+
+    /// `true` or `false`.
+    pub const fn flag(path: &'static str, meaning: &'static str) -> Self {
+        Self::new(Dimension::Flag, path, meaning)
+    }
+
+    /// Another friction law.
+    pub const fn law(path: &'static str, meaning: &'static str) -> Self {
+        Self::new(Dimension::Law, path, meaning)
+    }
+
+    /// The same parameter with the value taken when none is given, as a file would write it.
+    #[must_use]
+    pub const fn or(self, default: &'static str) -> Self {
+        Self {
+            default: Some(default),
+            ..self
+        }
+    }
+}
+
 /// What a user must know of a law in order to name it in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LawInfo {

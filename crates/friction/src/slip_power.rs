@@ -22,10 +22,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::error::{FrictionError, Interval, check_strengthening};
+use crate::error::{FrictionError, Interval, check_coefficients};
 use crate::history::History;
 use crate::law::{Bound, FrictionLaw, Mirror, Place, compression};
-use crate::registry::{Dimension, LawInfo, ParameterInfo};
+use crate::registry::{LawInfo, ParameterInfo};
 
 const NAME: &str = "slip_power";
 
@@ -132,17 +132,11 @@ impl TryFrom<RawSlipPower> for SlipPower {
     type Error = FrictionError;
 
     fn try_from(raw: RawSlipPower) -> Result<Self, FrictionError> {
-        let static_coefficient = Interval::NON_NEGATIVE.check(NAME, "static", raw.r#static)?;
-        let dynamic_coefficient = Interval::NON_NEGATIVE.check(NAME, "dynamic", raw.dynamic)?;
-        check_strengthening(
-            NAME,
-            static_coefficient,
-            dynamic_coefficient,
-            raw.allow_strengthening,
-        )?;
+        let coefficients = [raw.r#static, raw.dynamic];
+        check_coefficients(NAME, coefficients, raw.allow_strengthening)?;
         Ok(Self {
-            static_coefficient,
-            dynamic_coefficient,
+            static_coefficient: raw.r#static,
+            dynamic_coefficient: raw.dynamic,
             slip_scale: Interval::POSITIVE.check(NAME, "slip_scale", raw.slip_scale)?,
             exponent: Interval::POSITIVE.check(NAME, "exponent", raw.exponent)?,
             path: raw.path,
@@ -189,42 +183,15 @@ inventory::submit! {
         name: NAME,
         summary: "coefficient that passes from static to dynamic along the slip path",
         parameters: &[
-            ParameterInfo {
-                path: "static",
-                dimension: Dimension::Dimensionless,
-                default: None,
-                meaning: "coefficient of a point that has never slipped, ≥ 0",
-            },
-            ParameterInfo {
-                path: "dynamic",
-                dimension: Dimension::Dimensionless,
-                default: None,
-                meaning: "coefficient after a long slip path, ≥ 0 and ≤ static",
-            },
-            ParameterInfo {
-                path: "slip_scale",
-                dimension: Dimension::Length,
-                default: None,
-                meaning: "slip path over which the coefficient falls, > 0",
-            },
-            ParameterInfo {
-                path: "exponent",
-                dimension: Dimension::Dimensionless,
-                default: None,
-                meaning: "exponent of the fall, > 0",
-            },
-            ParameterInfo {
-                path: "path",
-                dimension: Dimension::Text,
-                default: Some("\"committed\""),
-                meaning: "\"committed\": slip counts once its step is accepted; \"current\": at once",
-            },
-            ParameterInfo {
-                path: "allow_strengthening",
-                dimension: Dimension::Flag,
-                default: Some("false"),
-                meaning: "accept dynamic > static",
-            },
+            ParameterInfo::number("static", "coefficient of a point that has never slipped, ≥ 0"),
+            ParameterInfo::number("dynamic", "coefficient after a long slip path, ≥ 0 and ≤ static"),
+            ParameterInfo::length("slip_scale", "slip path over which the coefficient falls, > 0"),
+            ParameterInfo::number("exponent", "exponent of the fall, > 0"),
+            ParameterInfo::text(
+                "path",
+                "\"committed\": slip counts once its step is accepted; \"current\": at once",
+            ).or("\"committed\""),
+            ParameterInfo::flag("allow_strengthening", "accept dynamic > static").or("false"),
         ],
     }
 }

@@ -18,10 +18,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::error::{FrictionError, Interval, check_strengthening};
+use crate::error::{FrictionError, check_coefficients};
 use crate::history::{History, PointStatus};
 use crate::law::{Bound, FrictionLaw, Mirror, Place};
-use crate::registry::{Dimension, LawInfo, ParameterInfo};
+use crate::registry::{LawInfo, ParameterInfo};
 
 const NAME: &str = "static_dynamic";
 
@@ -115,17 +115,11 @@ impl TryFrom<RawStaticDynamic> for StaticDynamic {
     type Error = FrictionError;
 
     fn try_from(raw: RawStaticDynamic) -> Result<Self, FrictionError> {
-        let static_coefficient = Interval::NON_NEGATIVE.check(NAME, "static", raw.r#static)?;
-        let dynamic_coefficient = Interval::NON_NEGATIVE.check(NAME, "dynamic", raw.dynamic)?;
-        check_strengthening(
-            NAME,
-            static_coefficient,
-            dynamic_coefficient,
-            raw.allow_strengthening,
-        )?;
+        let coefficients = [raw.r#static, raw.dynamic];
+        check_coefficients(NAME, coefficients, raw.allow_strengthening)?;
         Ok(Self {
-            static_coefficient,
-            dynamic_coefficient,
+            static_coefficient: raw.r#static,
+            dynamic_coefficient: raw.dynamic,
             transition: raw.transition,
             allow_strengthening: raw.allow_strengthening,
         })
@@ -168,30 +162,13 @@ inventory::submit! {
         name: NAME,
         summary: "static coefficient before slip, dynamic coefficient during it",
         parameters: &[
-            ParameterInfo {
-                path: "static",
-                dimension: Dimension::Dimensionless,
-                default: None,
-                meaning: "coefficient of a point that was open or stuck in the last step, ≥ 0",
-            },
-            ParameterInfo {
-                path: "dynamic",
-                dimension: Dimension::Dimensionless,
-                default: None,
-                meaning: "coefficient of a slipping point, ≥ 0 and ≤ static",
-            },
-            ParameterInfo {
-                path: "transition",
-                dimension: Dimension::Text,
-                default: Some("\"drop\""),
-                meaning: "\"drop\": the traction falls as soon as slip begins; \"lagged\": from the next step on",
-            },
-            ParameterInfo {
-                path: "allow_strengthening",
-                dimension: Dimension::Flag,
-                default: Some("false"),
-                meaning: "accept dynamic > static",
-            },
+            ParameterInfo::number("static", "coefficient of a point that was open or stuck in the last step, ≥ 0"),
+            ParameterInfo::number("dynamic", "coefficient of a slipping point, ≥ 0 and ≤ static"),
+            ParameterInfo::text(
+                "transition",
+                "\"drop\": the traction falls as soon as slip begins; \"lagged\": from the next step on",
+            ).or("\"drop\""),
+            ParameterInfo::flag("allow_strengthening", "accept dynamic > static").or("false"),
         ],
     }
 }

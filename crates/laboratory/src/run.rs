@@ -92,7 +92,7 @@ pub fn run(scene: &Scene, path: Path<'_>) -> Result<Run, LaboratoryError> {
     let solved = follow(&model, operators, problem.into(), solver, &mut |_| {})?;
     [seconds.contact, processor.contact] = clock.lap();
     let unknowns = unknowns(&solved.operators);
-    let results = results(scene, &model, solver, solved)?;
+    let results = results(&model, solver, solved)?;
     [seconds.stresses, processor.stresses] = clock.lap();
     Ok(Run {
         results,

@@ -51,7 +51,7 @@ impl Truth {
         let elastic = solved.operators[index].elastic().ok_or_else(missing)?;
         let mesh = elastic.body().mesh().clone();
         let displacements = displacements_of(&model, &solved, index);
-        let results = results_without_audit(&scene, &model, chain.as_ref(), solved, &[index])?;
+        let results = results_without_audit(&model, chain.as_ref(), solved, &[index])?;
         Ok(Self {
             results,
             mesh,

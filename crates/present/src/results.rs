@@ -15,6 +15,7 @@
 
 mod attempt;
 mod cells;
+mod consistency;
 mod csv_files;
 mod display;
 mod failure;
@@ -41,6 +42,7 @@ use thiserror::Error;
 
 use crate::PutFile;
 
+use consistency::check;
 use figures::Drawing;
 use stickslip_engine::results::Results;
 
@@ -60,6 +62,16 @@ pub enum OutputError {
         found: usize,
         /// Entries needed.
         expected: usize,
+    },
+    /// An index that leads out of the list that it belongs to.
+    #[error("the results do not fit together: {what} names entry {index} of {entries}")]
+    NoEntry {
+        /// Which part.
+        what: String,
+        /// The index, from 0.
+        index: usize,
+        /// Entries that there are.
+        entries: usize,
     },
     /// Fields of a body that does not exist or is rigid.
     #[error("step {step} has fields of body {body}, which is not an elastic body of the results")]
@@ -133,8 +145,8 @@ impl FileNote {
 /// are drawn if `figures` says so; one that cannot be drawn is named in the summary's notes and on the page.
 ///
 /// # Errors
-/// [`OutputError::Inconsistent`] and [`OutputError::NoBody`] for results that do not fit together, [`OutputError::Put`] if a file is
-/// refused; the other variants name the file that could not be made.
+/// [`OutputError::Inconsistent`], [`OutputError::NoEntry`] and [`OutputError::NoBody`] for results that do not fit together,
+/// [`OutputError::Put`] if a file is refused; the other variants name the file that could not be made.
 pub fn write(results: &Results, figures: bool, put: &PutFile<'_>) -> Result<String, OutputError> {
     check(results)?;
     let (tables, pictures) = parallel::join(
@@ -189,20 +201,20 @@ fn write_pictures(
     Ok((drawings, failures))
 }
 
-/// The content of `summary.json`, described in `docs/summary-format.md`; null where the results do not fit together.
-pub fn summary_json(results: &Results) -> serde_json::Value {
-    if check(results).is_err() {
-        return serde_json::Value::Null;
-    }
-    // All keys are strings and all numbers are plain, so there is nothing that JSON cannot hold.
-    serde_json::to_value(summary::summary(results)).unwrap_or_default()
+/// The content of `summary.json`, described in `docs/summary-format.md`.
+///
+/// # Errors
+/// [`OutputError::Inconsistent`], [`OutputError::NoEntry`] and [`OutputError::NoBody`] for results that do not fit together.
+pub fn summary_json(results: &Results) -> Result<serde_json::Value, OutputError> {
+    check(results)?;
+    Ok(serde_json::to_value(summary::summary(results))?)
 }
 
 /// The load steps as a table for a terminal of `width` columns, which leaves columns out, the least needed first, rather than break
 /// numbers.
 ///
 /// # Errors
-/// [`OutputError::Inconsistent`] and [`OutputError::NoBody`] for results that do not fit together.
+/// As [`summary_json`].
 pub fn summary_table(results: &Results, width: usize) -> Result<String, OutputError> {
     check(results)?;
     Ok(tables::terminal(results, width))
@@ -211,56 +223,4 @@ pub fn summary_table(results: &Results, width: usize) -> Result<String, OutputEr
 /// What every quantity's sign means, as a table for the terminal.
 pub fn signs_table() -> String {
     tables::signs().to_text(Some(120))
-}
-
-/// Whether all parts of the results have the lengths that the rest of this module counts on.
-fn check(results: &Results) -> Result<(), OutputError> {
-    let same = |found: usize, expected: usize, what: &dyn Fn() -> String| {
-        let fail = || OutputError::Inconsistent {
-            what: what(),
-            found,
-            expected,
-        };
-        if found == expected {
-            Ok(())
-        } else {
-            Err(fail())
-        }
-    };
-    for edge in &results.edges {
-        same(edge.corner.len(), edge.parameter.len(), &|| {
-            format!("edge '{}': corner", edge.name)
-        })?;
-    }
-    for (index, step) in results.steps.iter().enumerate() {
-        let number = index + 1;
-        same(step.edges.len(), results.edges.len(), &|| {
-            format!("step {number}: edges")
-        })?;
-        let loads = results.steps[0].loads.len();
-        same(step.loads.len(), loads, &|| format!("step {number}: loads"))?;
-        for (edge, geometry) in step.edges.iter().zip(&results.edges) {
-            let nodes = geometry.parameter.len();
-            same(edge.rows.len(), nodes, &|| {
-                format!("step {number}, edge '{}': rows", geometry.name)
-            })?;
-        }
-        for fields in &step.fields {
-            let body = results.bodies.get(fields.body);
-            let Some(mesh) = body.and_then(|body| body.mesh.as_ref()) else {
-                return Err(OutputError::NoBody {
-                    step: number,
-                    body: fields.body,
-                });
-            };
-            let nodes = mesh.nodes().len();
-            let of = |what: &str| format!("step {number}, body {}: {what}", fields.body);
-            same(fields.displacement.len(), 2 * nodes, &|| of("displacement"))?;
-            same(fields.stress.len(), nodes, &|| of("stress"))?;
-            same(fields.thickness_stress.len(), nodes, &|| {
-                of("thickness_stress")
-            })?;
-        }
-    }
-    Ok(())
 }

@@ -31,14 +31,6 @@ pub fn offset([first, second]: [f64; 2]) -> Point {
     [(first - second).max(0.0), 0.0]
 }
 
-/// What the second body of the contact with the index `contact` moves along the unit vector `direction`, from where it starts to where a
-/// clearance c lets it touch there `[mm]`: (c direction − (c, 0)) · direction = c (1 − cos θ_b). Zero without clearance or circles.
-pub fn free_travel(scene: &Scene, contact: usize, direction: [f64; 2]) -> f64 {
-    let contact = scene.contacts.get(contact);
-    let radii = contact.and_then(|contact| radii(scene, contact));
-    radii.map_or(0.0, |radii| offset(radii)[0] * (1.0 - direction[0]))
-}
-
 /// Centre of `body` `[mm]`.
 pub fn centre(scene: &Scene, body: &str) -> Point {
     let (mut sum, mut inner) = (0.0, body);

@@ -13,8 +13,7 @@
 
 use serde::{Deserialize, Serialize};
 use stickslip_friction::{
-    Bound, Dimension, FrictionError, FrictionLaw, History, Interval, LawInfo, Mirror,
-    ParameterInfo, Place,
+    Bound, FrictionError, FrictionLaw, History, Interval, LawInfo, Mirror, ParameterInfo, Place,
 };
 
 pub mod criterion;
@@ -78,24 +77,9 @@ stickslip_friction::inventory::submit! {
         name: NAME,
         summary: "coefficient that passes from a fresh coating's to a worn surface's along the slip path",
         parameters: &[
-            ParameterInfo {
-                path: "fresh",
-                dimension: Dimension::Dimensionless,
-                default: None,
-                meaning: "coefficient of the fresh coating, ≥ 0",
-            },
-            ParameterInfo {
-                path: "worn",
-                dimension: Dimension::Dimensionless,
-                default: None,
-                meaning: "coefficient of the worn surface, ≥ 0",
-            },
-            ParameterInfo {
-                path: "slip_scale",
-                dimension: Dimension::Length,
-                default: None,
-                meaning: "slip path over which most of the passage happens, > 0",
-            },
+            ParameterInfo::number("fresh", "coefficient of the fresh coating, ≥ 0"),
+            ParameterInfo::number("worn", "coefficient of the worn surface, ≥ 0"),
+            ParameterInfo::length("slip_scale", "slip path over which most of the passage happens, > 0"),
         ],
     }
 }

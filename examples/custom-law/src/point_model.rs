@@ -11,8 +11,8 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 use stickslip_laminate::progressive::{
-    Dimension, ParameterInfo, PointModelInfo, PointModelParameters, PointResponse,
-    ProgressiveError, check_step,
+    ParameterInfo, PointModelInfo, PointModelParameters, PointResponse, ProgressiveError,
+    check_step,
 };
 use stickslip_laminate::{
     FailureCriterion, Laminate, LaminateMembrane, Material, PointModel, PointState,
@@ -111,11 +111,6 @@ stickslip_laminate::inventory::submit! {
     PointModelInfo {
         name: "soft_shear",
         summary: "no damage, shear that levels off",
-        parameters: &[ParameterInfo {
-            path: "limit",
-            dimension: Dimension::Stress,
-            default: None,
-            meaning: "largest shear stress of the laminate, > 0",
-        }],
+        parameters: &[ParameterInfo::stress("limit", "largest shear stress of the laminate, > 0")],
     }
 }

@@ -103,6 +103,32 @@ const PATHS: &[Absence] = &[
         except: &[],
     },
     Absence {
+        what: "scenes behind the model, which resolves their names",
+        marks: &[
+            "stickslip_scene::Scene",
+            "stickslip_scene::schema::SetRef",
+            "stickslip_scene::placement",
+        ],
+        below: &["crates/engine/src"],
+        // The entry points: a test below names them.
+        except: &["crates/engine/src/model", "crates/engine/src/run.rs"],
+    },
+    Absence {
+        what: "bodies, edges and contacts looked up by name behind the model",
+        marks: &[
+            "body.name ==",
+            "edge.name ==",
+            "geometry.name ==",
+            "pair.name ==",
+            "contact.name ==",
+            "load.name ==",
+            "node_set",
+            "edge_path",
+        ],
+        below: &["crates/engine/src"],
+        except: &["crates/engine/src/model"],
+    },
+    Absence {
         what: "contact in the finite elements",
         marks: &["stickslip_contact", "stickslip_friction"],
         below: &["crates/fem-core"],
@@ -277,6 +303,29 @@ fn what_must_be_absent_is_absent() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Behind the model nothing of `engine` takes a scene but these.
+const ENTRY_POINTS: &[&str] = &["run", "run_with"];
+
+#[test]
+fn only_the_entry_points_of_runs_take_a_scene() {
+    let mut found = Vec::new();
+    let files = files("crates/engine/src", ".rs").into_iter();
+    for name in files.filter(|name| !name.starts_with("crates/engine/src/model")) {
+        let code = code(&read(&root().join(&name)));
+        for (start, _) in code.match_indices("fn ") {
+            let signature = code[start + 3..]
+                .split(['{', ';'])
+                .next()
+                .unwrap_or_default();
+            if mentions(signature, "Scene") {
+                let function = signature.split(['(', '<']).next().unwrap_or_default();
+                found.push(function.to_owned());
+            }
+        }
+    }
+    assert_eq!(found, ENTRY_POINTS);
 }
 
 /// An exception that is used no more, or a mark that is misspelt, would hide the next offence.

@@ -219,7 +219,23 @@ fn documents_refer_to_files_that_exist() {
     assert!(missing.is_empty(), "{}", missing.join("\n"));
 }
 
-/// That linked pictures exist is part of the test above.
+/// Every path of the map leads to a file or folder from the root or from `crates`, so that a reader need not guess the crate.
+#[test]
+fn paths_of_the_map_are_complete() {
+    let text = read(&root().join("ARCHITECTURE.md"));
+    let quoted = text.split('`').skip(1).step_by(2);
+    let named = quoted.filter(|word| word.contains('/') && !word.contains([' ', '\n', '*']));
+    let mut count = 0;
+    for path in named.filter(|word| !word.contains("NAME")) {
+        let bases = [root(), root().join("crates")];
+        let resolves = bases.iter().any(|base| base.join(path).exists());
+        assert!(resolves, "ARCHITECTURE.md names {path}, which is not there");
+        count += 1;
+    }
+    assert!(count > 20, "{count} paths");
+}
+
+/// That linked pictures exist is part of `documents_refer_to_files_that_exist`.
 #[test]
 fn every_picture_in_docs_is_shown_by_a_document() {
     let root = root();

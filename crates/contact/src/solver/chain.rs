@@ -6,7 +6,7 @@ use super::attempt::Attempt;
 use super::balance::{clear, impossible};
 use super::{
     Continuation, Enumeration, FailureCause, InterfaceSolver, Pivoting, SemismoothNewton,
-    StatusIteration, Step, StepFailure, StepSolution, Work,
+    StatusIteration, Step, StepFailure, StepSolution, Stop, Unresolved, Work,
 };
 
 use crate::state::Status;
@@ -14,7 +14,8 @@ use crate::uniqueness::{NEAR_BOUND, uniqueness_bound};
 
 /// Tries its members in order until one solves the step, or until the step is proved to have no solution. On ordinary steps it
 /// costs what its first member costs. Where at most six points touch, under friction near or beyond the estimated bound of
-/// uniqueness, the statuses of these are enumerated, and the solution nearest to the last accepted state is taken.
+/// uniqueness, the statuses of these are enumerated, and the solution nearest to the last accepted state is taken. All its answers
+/// are verified: what a member returns unverified counts as a failure.
 #[derive(Debug)]
 pub struct Chain {
     members: Vec<Box<dyn InterfaceSolver>>,
@@ -99,7 +100,7 @@ impl Chain {
         }
         let forceless = step.committed.forces.amax() == 0.0;
         for (index, member) in members.iter().enumerate() {
-            match member.solve(step) {
+            match verified(member.as_ref(), step) {
                 Ok(solution) => {
                     return Ok(among_several(step, after(failure, solution)));
                 }
@@ -127,6 +128,24 @@ impl Chain {
             None => Err(failure),
         }
     }
+}
+
+/// The answer of `member`, a failure where it is not verified.
+fn verified(member: &dyn InterfaceSolver, step: &Step<'_>) -> Result<StepSolution, StepFailure> {
+    let solution = member.solve(step)?;
+    if solution.stop == Stop::Verified {
+        return Ok(solution);
+    }
+    let StepSolution {
+        solver,
+        work,
+        trial,
+        residuals,
+        ..
+    } = solution;
+    let violation = residuals.largest();
+    let failure = StepFailure::new(solver, FailureCause::Inaccurate { violation }, work);
+    Err(failure.with_best(Some(Box::new(Unresolved { trial, residuals }))))
 }
 
 /// The solution nearest to the last accepted state where there may be several and few points touch; `solution` elsewhere, at

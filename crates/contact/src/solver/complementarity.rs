@@ -52,6 +52,46 @@ pub(super) struct Complementarity {
     compliance_unit: f64,
 }
 
+/// Matrix and constant of the complementarity conditions `pairs`, whose last `frictional` are those of reverse slip.
+fn conditions(
+    step: &Step<'_>,
+    pairs: &[(Kind, usize)],
+    frictional: usize,
+    coefficients: &[f64],
+    sprung: &Sprung,
+) -> (DMatrix<f64>, DVector<f64>) {
+    let (points, size) = (step.problem.points(), pairs.len());
+    let (compliance, motion) = (&sprung.compliance, &sprung.motion);
+    let row_of = |kind, k| {
+        if kind == Kind::Normal {
+            2 * k
+        } else {
+            2 * k + 1
+        }
+    };
+    let mut matrix = DMatrix::zeros(size, size);
+    let mut constant = DVector::zeros(size);
+    for (i, &(kind, k)) in pairs.iter().enumerate() {
+        if kind == Kind::Reverse {
+            matrix[(i, k)] = 2.0 * coefficients[k];
+            matrix[(i, i - frictional)] = -1.0;
+            continue;
+        }
+        let row = row_of(kind, k);
+        constant[i] = motion[row];
+        for (j, &(other, l)) in pairs[..size - frictional].iter().enumerate() {
+            matrix[(i, j)] = compliance[(row, row_of(other, l))];
+            if other == Kind::Normal && points[l].slides {
+                matrix[(i, j)] -= coefficients[l] * compliance[(row, 2 * l + 1)];
+            }
+        }
+        if kind == Kind::Tangent {
+            matrix[(i, i + frictional)] = 1.0;
+        }
+    }
+    (matrix, constant)
+}
+
 impl Complementarity {
     /// The problem of `step` with friction coefficients `coefficients` of all points. Springs are `softness` times as
     /// compliant as the bodies, and at rest at the rigid motions `rest`.
@@ -73,35 +113,8 @@ impl Complementarity {
             .collect();
         let compliance_unit = positive(step.problem.compliance().diagonal().max());
         let sprung = Sprung::new(step, compliance_unit, softness, rest);
-        let (compliance, motion) = (&sprung.compliance, &sprung.motion);
-        let row_of = |kind, k| {
-            if kind == Kind::Normal {
-                2 * k
-            } else {
-                2 * k + 1
-            }
-        };
-        let (size, shift) = (pairs.len(), frictional.len());
-        let mut matrix = DMatrix::zeros(size, size);
-        let mut constant = DVector::zeros(size);
-        for (i, &(kind, k)) in pairs.iter().enumerate() {
-            if kind == Kind::Reverse {
-                matrix[(i, k)] = 2.0 * coefficients[k];
-                matrix[(i, i - shift)] = -1.0;
-                continue;
-            }
-            let row = row_of(kind, k);
-            constant[i] = motion[row];
-            for (j, &(other, l)) in pairs[..size - shift].iter().enumerate() {
-                matrix[(i, j)] = compliance[(row, row_of(other, l))];
-                if other == Kind::Normal && points[l].slides {
-                    matrix[(i, j)] -= coefficients[l] * compliance[(row, 2 * l + 1)];
-                }
-            }
-            if kind == Kind::Tangent {
-                matrix[(i, i + shift)] = 1.0;
-            }
-        }
+        let (matrix, mut constant) =
+            conditions(step, &pairs, frictional.len(), &coefficients, &sprung);
         let force_unit = positive(constant.amax());
         constant /= force_unit;
         let slides = points.iter().map(|point| point.slides).collect();

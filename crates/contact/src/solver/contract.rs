@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! a solution    meets complementarity, friction cones and balance as well as it says, in the state that it returns
+//! its stop      is Verified, unless the solver is declared experimental
 //! a refusal     names the solver and its reason
 //! either way    the last accepted state is untouched, the same step gives the same bits, and other units the same answer
 //! ```
@@ -19,7 +20,7 @@ use thiserror::Error;
 use crate::error::ContactError;
 use crate::history::Increment;
 use crate::problem::{ContactPair, ContactPoint, InterfaceProblem};
-use crate::solver::{InterfaceSolver, Residuals, Step, StepSolution, Stop};
+use crate::solver::{InterfaceSolver, Residuals, SolverInfo, Step, StepSolution, Stop};
 use crate::state::ContactState;
 
 /// Largest residual of a verified solution, relative to the scales of its step.
@@ -47,6 +48,16 @@ pub enum Breach {
         found: f64,
         /// What the solution may have, or says to have.
         said: f64,
+    },
+    /// A solver that is not declared experimental returns an answer that is not verified.
+    #[error(
+        "{sample}: the answer is not verified ({stop:?}); a solver of such answers must be declared experimental"
+    )]
+    Unverified {
+        /// The sample step.
+        sample: &'static str,
+        /// Why the solver stopped.
+        stop: Stop,
     },
     /// A step without solution was solved.
     #[error("{sample}: a load that nothing can balance was balanced")]
@@ -131,7 +142,20 @@ const SAMPLES: [Sample; 3] = [
     },
 ];
 
-/// Tests `solver` on all sample steps.
+/// Tests a line of the list of solvers: by [`check_experimental`] if it is declared experimental, otherwise by [`check`].
+///
+/// # Errors
+/// The first [`Breach`].
+pub fn check_listed(solver: &SolverInfo) -> Result<(), Breach> {
+    let made = (solver.make)();
+    if solver.experimental {
+        check_experimental(made.as_ref())
+    } else {
+        check(made.as_ref())
+    }
+}
+
+/// Tests `solver`, whose answers are verified, on all sample steps.
 ///
 /// ```
 /// use stickslip_contact::solver::{SolverKind, contract::check};
@@ -142,13 +166,34 @@ const SAMPLES: [Sample; 3] = [
 /// # Errors
 /// The first [`Breach`].
 pub fn check(solver: &dyn InterfaceSolver) -> Result<(), Breach> {
+    check_all(solver, |sample, stop| match stop {
+        Stop::Verified => Ok(()),
+        stop => Err(Breach::Unverified { sample, stop }),
+    })
+}
+
+/// As [`check`], for a solver whose answers may be regularised or of a looser tolerance.
+///
+/// # Errors
+/// The first [`Breach`].
+pub fn check_experimental(solver: &dyn InterfaceSolver) -> Result<(), Breach> {
+    check_all(solver, |_, _| Ok(()))
+}
+
+/// Whether a solver may stop so on a sample.
+type Allowed<'a> = dyn Fn(&'static str, Stop) -> Result<(), Breach> + 'a;
+
+fn check_all(
+    solver: &dyn InterfaceSolver,
+    allowed: impl Fn(&'static str, Stop) -> Result<(), Breach>,
+) -> Result<(), Breach> {
     for sample in &SAMPLES {
         // Powers of two, so that scaling itself changes no digit.
         let units = [[1.0, 1.0], [1.0 / 1024.0, 1.0], [32.0, 1.0 / 65536.0]];
         let [one, others @ ..] = units;
-        let forces = follow(solver, sample, one)?;
+        let forces = follow(solver, sample, one, &allowed)?;
         for unit in others {
-            let scaled = follow(solver, sample, unit)?;
+            let scaled = follow(solver, sample, unit, &allowed)?;
             for (one, other) in forces.iter().zip(&scaled) {
                 let largest = one.amax().max(f64::MIN_POSITIVE);
                 let difference = (other / unit[1] - one).amax() / largest;
@@ -169,6 +214,7 @@ fn follow(
     solver: &dyn InterfaceSolver,
     sample: &Sample,
     units: [f64; 2],
+    allowed: &Allowed<'_>,
 ) -> Result<Vec<DVector<f64>>, Breach> {
     let name = sample.name;
     let problem = problem(sample.floating, units)?;
@@ -186,6 +232,7 @@ fn follow(
                     return Err(Breach::NotRepeatable { sample: name });
                 }
                 check_solution(name, &step, &solution)?;
+                allowed(name, solution.stop)?;
                 let end = Increment::accept(&step, solution.trial).state;
                 forces.push(end.forces.clone());
                 state = end;

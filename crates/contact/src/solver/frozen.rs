@@ -186,7 +186,7 @@ fn reduced_system(
     let (compliance, modes) = (step.problem.compliance(), step.problem.modes());
     let unit = step.problem.compliance_unit();
     let rows = layout.rows();
-    let (touching, contact, rigid) = (layout.normal.len(), rows.len(), modes.ncols());
+    let (contact, rigid) = (rows.len(), modes.ncols());
     let size = contact + rigid;
     let mut matrix = DMatrix::zeros(size, size);
     let mut side = DVector::zeros(size);
@@ -199,7 +199,6 @@ fn reduced_system(
     for mode in 0..rigid {
         side[contact + mode] = -unit * step.mode_load[mode];
     }
-    let full_column = |column: usize| compliance.column(column);
     for (j, &k) in layout.normal.iter().enumerate() {
         let sign = if step.problem.points()[k].slides {
             status[k].slip_sign()
@@ -207,7 +206,7 @@ fn reduced_system(
             0.0
         };
         let eliminated = sign != 0.0 && lines[k].slip == 0.0;
-        let (normal, tangential) = (full_column(2 * k), full_column(2 * k + 1));
+        let (normal, tangential) = (compliance.column(2 * k), compliance.column(2 * k + 1));
         let (slope, constant) = if eliminated {
             (-sign * lines[k].normal, -sign * lines[k].constant * unit)
         } else {
@@ -224,19 +223,30 @@ fn reduced_system(
             side[contact + mode] -= constant * along_tangent;
         }
     }
-    for (j, &k) in layout.tangential.iter().enumerate() {
-        let column = full_column(2 * k + 1);
-        for (i, &row) in rows.iter().enumerate() {
-            matrix[(i, touching + j)] = column[row] / unit;
-        }
-        matrix[(touching + j, touching + j)] += step.softness / unit;
-        for mode in 0..rigid {
-            matrix[(contact + mode, touching + j)] = modes[(2 * k + 1, mode)];
-        }
-    }
+    add_tangential_columns(&mut matrix, step, &rows, layout);
     soften_slip_rows(&mut matrix, &mut side, status, lines, layout, unit);
     let free = hold_free_motions(step, &rows, &mut matrix, &mut side);
     (matrix, side, free)
+}
+
+/// What the tangential forces that are unknown do to the `rows` and to the balance of the rigid motions.
+fn add_tangential_columns(
+    matrix: &mut DMatrix<f64>,
+    step: &Step<'_>,
+    rows: &[usize],
+    layout: &Layout,
+) {
+    let (unit, modes) = (step.problem.compliance_unit(), step.problem.modes());
+    for (j, &k) in (layout.normal.len()..).zip(&layout.tangential) {
+        let column = step.problem.compliance().column(2 * k + 1);
+        for (i, &row) in rows.iter().enumerate() {
+            matrix[(i, j)] = column[row] / unit;
+        }
+        matrix[(j, j)] += step.softness / unit;
+        for mode in 0..modes.ncols() {
+            matrix[(rows.len() + mode, j)] = modes[(2 * k + 1, mode)];
+        }
+    }
 }
 
 /// Turns the row Δs = 0 of a slipping point with f₂ ≠ 0 into λ_t + σ f₁ λ_n + f₂ Δs = −σ f₀.

@@ -1,7 +1,9 @@
 //! The contract of all solvers that are chosen by name, and of those that chains are made of.
 
-use stickslip_contact::solver::contract::{Breach, check};
-use stickslip_contact::solver::{FailureCause, SOLVERS, Step, StepFailure, StepSolution, Work};
+use stickslip_contact::solver::contract::{Breach, check, check_experimental, check_listed};
+use stickslip_contact::solver::{
+    FailureCause, SOLVERS, SolverInfo, SolverKind, Step, StepFailure, StepSolution, Stop, Work,
+};
 use stickslip_contact::{
     Chain, GaussSeidel, InterfaceSolver, Penalty, Pivoting, PrincipalPivoting, SemismoothNewton,
     StatusIteration,
@@ -10,7 +12,7 @@ use stickslip_contact::{
 #[test]
 fn every_solver_of_the_list_keeps_the_contract() {
     for solver in &SOLVERS {
-        let kept = check((solver.make)().as_ref());
+        let kept = check_listed(solver);
         assert!(kept.is_ok(), "{}: {}", solver.name, kept.unwrap_err());
     }
 }
@@ -61,6 +63,36 @@ impl InterfaceSolver for Lazy {
         let cause = FailureCause::Limit(0);
         Err(StepFailure::new(self.name(), cause, Work::default()))
     }
+}
+
+/// The penalty method, without a declaration that its answers are not verified.
+#[test]
+fn a_solver_of_unverified_answers_must_be_declared_experimental() {
+    let penalty = SolverKind::Penalty.info();
+    assert!(penalty.experimental && check_listed(penalty).is_ok());
+    let undeclared = SolverInfo {
+        experimental: false,
+        ..*penalty
+    };
+    let found = check_listed(&undeclared);
+    let stop = Stop::Regularised;
+    assert!(matches!(found, Err(Breach::Unverified { stop: own, .. }) if own == stop));
+    assert!(check_experimental(&Penalty::default()).is_ok());
+}
+
+/// As a chain's member it is asked in vain, so nothing that the chain returns is unverified.
+#[test]
+fn a_chain_takes_no_unverified_answer() {
+    let chain = Chain::alone(Box::new(Penalty::default()));
+    assert!(matches!(
+        check(&chain),
+        Err(Breach::Refused { reason, .. }) if reason.contains("penalty")
+    ));
+    let rescued = Chain::new(vec![
+        Box::new(Penalty::default()),
+        Box::new(SemismoothNewton::default()),
+    ]);
+    assert!(check(&rescued).is_ok());
 }
 
 #[test]

@@ -6,16 +6,16 @@ mod projection;
 
 use std::sync::Arc;
 
-use stickslip_contact::ContactPair;
+use stickslip_contact::{ContactPair, ContactPoint};
 use stickslip_fem_core::mesh::Point;
 
-use self::edge::edge_nodes;
+use self::edge::{EdgeNodes, edge_nodes};
 use self::geometry::Geometry;
 use self::projection::{Side, Tied};
+use super::plan::{ContactPlan, Plan};
 use super::{Meshes, ModelEdge, ModelError, loads};
 use crate::results::Choice;
-use stickslip_scene::Scene;
-use stickslip_scene::schema::{self, Contact, Substance};
+use stickslip_scene::schema::{Contact, DisplayUnits};
 
 /// Pairs, edges, and each body's contact points.
 #[derive(Debug, Default)]
@@ -29,44 +29,37 @@ pub(super) struct Contacts {
 }
 
 pub(super) fn build(
-    scene: &Scene,
+    plan: &Plan<'_>,
+    units: DisplayUnits,
     meshes: &Meshes,
-    names: &[String],
     half: bool,
     choices: &mut Vec<Choice>,
 ) -> Result<Contacts, ModelError> {
     let mut contacts = Contacts {
-        interfaces: vec![Vec::new(); names.len()],
-        rigid_points: vec![Vec::new(); names.len()],
+        interfaces: vec![Vec::new(); plan.bodies.len()],
+        rigid_points: vec![Vec::new(); plan.bodies.len()],
         ..Contacts::default()
     };
-    // The scene was checked: every contact names two bodies of it.
-    let index = |body: &str| names.iter().position(|name| name == body).unwrap_or(0);
     let mut chosen = Vec::new();
-    for contact in &scene.contacts {
-        let (first, second) = (index(&contact.first.body), index(&contact.second.body));
-        chosen.push(contacts.add(scene, contact, meshes, [first, second], half)?);
+    for contact in &plan.contacts {
+        chosen.push(contacts.add(plan, contact, units, meshes, half)?);
     }
-    for reported in &scene.edges {
-        let known = contacts
-            .edges
-            .iter()
-            .any(|edge| edge.geometry.name == reported.to_string());
-        if known
-            || scene
-                .contacts
-                .iter()
-                .any(|contact| contact.first == *reported)
-        {
+    for reported in &plan.edges {
+        let name = reported.of.to_string();
+        let known = (contacts.edges.iter()).any(|edge| edge.geometry.name == name);
+        let mut firsts = plan.contacts.iter().map(|contact| &contact.of.first);
+        if known || firsts.any(|first| first == reported.of) {
             continue;
         }
-        let edge = edge_nodes(scene, reported, meshes, half)?;
-        let mut edge = edge.into_model_edge(scene, reported, index(&reported.body), half, None);
-        edge.tractions = loads::edge_tractions(scene, reported, &edge);
-        edge.geometry.frame = loads::frame(scene, reported, half);
+        let body = &plan.bodies[reported.body];
+        let edge = edge_nodes(reported, meshes, half)?;
+        let mut edge = edge.into_model_edge(reported, body, half, None);
+        edge.tractions = loads::edge_tractions(plan, reported, &edge);
+        edge.geometry.frame = loads::frame(plan, reported.of, half);
         contacts.edges.push(edge);
     }
-    choices.extend(projection::choices(scene, &chosen));
+    let own = plan.contacts.iter().map(|contact| contact.of);
+    choices.extend(projection::choices(own, &chosen));
     Ok(contacts)
 }
 
@@ -74,89 +67,96 @@ impl Contacts {
     /// Adds a contact, and says how its edges are tied and why.
     fn add(
         &mut self,
-        scene: &Scene,
-        contact: &Contact,
+        plan: &Plan<'_>,
+        planned: &ContactPlan<'_>,
+        units: DisplayUnits,
         meshes: &Meshes,
-        [first, second]: [usize; 2],
         half: bool,
     ) -> Result<[String; 2], ModelError> {
-        let refuse = |what: String| ModelError::Pairing {
-            contact: contact.name.clone(),
-            what,
-        };
-        let rigid = |body: &str| scene.bodies[body].substance == Substance::Rigid;
-        if rigid(&contact.first.body) {
-            return Err(refuse(format!(
+        let ContactPlan {
+            of: contact,
+            sides: [first, second],
+        } = planned;
+        if plan.is_rigid(first.body) {
+            let what = format!(
                 "the first body '{}' is rigid, which only the second may be: give it a material",
                 contact.first.body
-            )));
+            );
+            return Err(refused(contact, what));
         }
-        let upper = edge_nodes(scene, &contact.first, meshes, half)?;
-        let geometry = Geometry::of(scene, contact).ok_or_else(|| {
-            refuse(format!(
+        let upper = edge_nodes(first, meshes, half)?;
+        let geometry = Geometry::of(planned).ok_or_else(|| {
+            let what = format!(
                 "{} and {} cannot touch; a hole takes a disk's rim or a ring's outer edge, a cylinder a block",
                 contact.first, contact.second
-            ))
+            );
+            refused(contact, what)
         })?;
-        let lower = if rigid(&contact.second.body) {
+        let lower = if plan.is_rigid(second.body) {
             None
         } else {
-            Some(edge_nodes(scene, &contact.second, meshes, half)?)
+            Some(edge_nodes(second, meshes, half)?)
         };
-        let mesh = &meshes[&contact.first.body];
-        let above = Side::new(&mut self.interfaces[first], mesh, &upper);
-        let below = match &lower {
-            Some(lower) => Side::new(
-                &mut self.interfaces[second],
-                &meshes[&contact.second.body],
-                lower,
-            ),
-            // A rigid body takes the places of the first edge's nodes for its own.
-            None => Side::rigid(&mut self.rigid_points[second], &above, &upper),
-        };
-        let (thickness, material_angle) = substance(scene, &contact.first.body);
+        let bodies = [first.body, second.body];
+        let [above, below] = self.sides(meshes, bodies, &upper, lower.as_ref());
+        let body = &plan.bodies[first.body];
         let tied = Tied {
-            scene,
+            length: units.length,
             contact,
             geometry: &geometry,
             half,
-            thickness,
-            material_angle,
+            thickness: body.thickness(),
+            material_angle: body.material_angle(),
         };
         let (points, chosen) = tied.tie(&above, &below)?;
-        let pair = self.pairs.len();
-        let areas = points.iter().map(|point| point.area).collect();
         let local = above.local.clone().collect();
+        let edge = upper.into_model_edge(first, body, half, Some(self.pairs.len()));
+        self.edges.push(in_contact(edge, contact, local, &points));
         self.pairs.push(ContactPair {
             name: contact.name.clone(),
-            first,
-            second,
+            first: first.body,
+            second: second.body,
             points,
             law: Arc::from(contact.law.clone()),
         });
-        let mut edge = upper.into_model_edge(scene, &contact.first, first, half, Some(pair));
-        edge.geometry.name.clone_from(&contact.name);
-        contact.law.name().clone_into(&mut edge.geometry.law);
-        edge.local = local;
-        edge.areas = areas;
-        self.edges.push(edge);
         Ok(chosen)
+    }
+
+    /// Adds the nodes of the edges `upper` and `lower` to the contact points of their bodies.
+    fn sides<'e>(
+        &mut self,
+        meshes: &Meshes,
+        [first, second]: [usize; 2],
+        upper: &'e EdgeNodes,
+        lower: Option<&'e EdgeNodes>,
+    ) -> [Side<'e>; 2] {
+        let above = Side::new(&mut self.interfaces[first], &meshes[&first], upper);
+        let below = match lower {
+            Some(lower) => Side::new(&mut self.interfaces[second], &meshes[&second], lower),
+            // A rigid body takes the places of the first edge's nodes for its own.
+            None => Side::rigid(&mut self.rigid_points[second], &above, upper),
+        };
+        [above, below]
     }
 }
 
-/// Thickness `[mm]` and material angle `[rad]` of an elastic body.
-pub(super) fn substance(scene: &Scene, body: &str) -> (f64, f64) {
-    match &scene.bodies[body].substance {
-        Substance::Elastic {
-            material,
-            thickness,
-        } => (
-            *thickness,
-            scene
-                .materials
-                .get(material)
-                .map_or(0.0, schema::Material::angle),
-        ),
-        Substance::Rigid => (1.0, 0.0),
+fn refused(contact: &Contact, what: String) -> ModelError {
+    ModelError::Pairing {
+        contact: contact.name.clone(),
+        what,
     }
+}
+
+/// `edge` as the first of `contact`, with the contact points `points` at its nodes `local`.
+fn in_contact(
+    mut edge: ModelEdge,
+    contact: &Contact,
+    local: Vec<usize>,
+    points: &[ContactPoint],
+) -> ModelEdge {
+    edge.geometry.name.clone_from(&contact.name);
+    contact.law.name().clone_into(&mut edge.geometry.law);
+    edge.local = local;
+    edge.areas = points.iter().map(|point| point.area).collect();
+    edge
 }

@@ -5,15 +5,14 @@ use std::f64::consts::FRAC_PI_2;
 use stickslip_fem_core::material::Material as _;
 use stickslip_friction::Mirror;
 
-use super::{ModelError, contacts};
+use super::ModelError;
+use super::plan::{ContactPlan, Placed, Plan};
 use crate::results::Choice;
-use stickslip_scene::Scene;
-use stickslip_scene::schema::{Contact, Hold, LoadKind, Material, ModelChoice, SetRef, Substance};
+use stickslip_scene::schema::{Hold, Load, LoadKind, Material, ModelChoice};
 
 /// Whether half of the scene is modelled: y ≥ 0 for round shapes, x ≥ 0 for line contacts.
-pub(super) fn choose(scene: &Scene, choices: &mut Vec<Choice>) -> Result<bool, ModelError> {
-    let obstacle = obstacle(scene);
-    let (half, reason) = match (scene.analysis.model, obstacle) {
+pub(super) fn choose(plan: &Plan<'_>, choices: &mut Vec<Choice>) -> Result<bool, ModelError> {
+    let (half, reason) = match (plan.analysis.model, obstacle(plan)) {
         (ModelChoice::Whole, _) => (false, "the scene says so".to_owned()),
         (ModelChoice::Half, None) => (true, "the scene says so".to_owned()),
         (ModelChoice::Half, Some(why)) => return Err(ModelError::NotSymmetric(why)),
@@ -33,116 +32,106 @@ pub(super) fn choose(scene: &Scene, choices: &mut Vec<Choice>) -> Result<bool, M
 }
 
 /// Direction across the line of symmetry of the scene's shapes: y for round ones, x for line contacts.
-fn across(scene: &Scene) -> Option<usize> {
-    let mut axes = scene.bodies.values().map(|body| body.shape.mirror());
+fn across(plan: &Plan<'_>) -> Option<usize> {
+    let mut axes = plan.bodies.iter().map(|body| body.shape.mirror());
     let first = axes.next()??;
     axes.all(|other| other == Some(first)).then_some(first)
 }
 
-/// The line about which a half model of `scene` mirrors the first body of `contact`; `None` where the shapes have no such line.
-pub fn mirror(scene: &Scene, contact: &Contact) -> Option<Mirror> {
-    let (_, material_angle) = contacts::substance(scene, &contact.first.body);
-    let line = if across(scene)? == 1 { 0.0 } else { FRAC_PI_2 };
+/// The line about which a half model mirrors the first body of `contact`; `None` where the shapes have no such line.
+pub(super) fn mirror(plan: &Plan<'_>, contact: &ContactPlan<'_>) -> Option<Mirror> {
+    let line = if across(plan)? == 1 { 0.0 } else { FRAC_PI_2 };
+    let [first, _] = &contact.sides;
     Some(Mirror {
         line,
-        material_angle,
+        material_angle: plan.bodies[first.body].material_angle(),
     })
 }
 
 /// What breaks the symmetry, if anything does.
-pub fn obstacle(scene: &Scene) -> Option<String> {
-    let Some(across) = across(scene) else {
+pub(super) fn obstacle(plan: &Plan<'_>) -> Option<String> {
+    let Some(across) = across(plan) else {
         return Some("the shapes have no common line of symmetry".into());
     };
-    for (name, body) in &scene.bodies {
-        if let Substance::Elastic { material, .. } = &body.substance
-            && scene
-                .materials
-                .get(material)
-                .is_some_and(|material| !mirrors(material))
-        {
-            return Some(format!(
-                "the material axes of body '{name}' are skew to the load axis"
-            ));
-        }
-    }
-    for support in &scene.supports {
-        if matches!(support.hold, Hold::Direction(_)) {
+    of_materials(plan)
+        .or_else(|| of_supports(plan, across))
+        .or_else(|| of_edges(plan, across))
+        .or_else(|| plan.loads.iter().find_map(|load| of_load(load, across)))
+        .or_else(|| plan.contacts.iter().find_map(|own| of_law(plan, own)))
+}
+
+fn of_materials(plan: &Plan<'_>) -> Option<String> {
+    let mut bodies = plan.bodies.iter();
+    let skew = bodies.find(|body| body.elastic.is_some_and(|own| !mirrors(own.material)))?;
+    Some(format!(
+        "the material axes of body '{}' are skew to the load axis",
+        skew.name
+    ))
+}
+
+fn of_supports(plan: &Plan<'_>, across: usize) -> Option<String> {
+    for placed in &plan.supports {
+        let support = placed.of;
+        let Hold::Axes(axes) = support.hold else {
             return Some(format!("the support on {} is skew", support.on));
-        }
-        let moves_across = match support.hold {
-            Hold::Axes(axes) => [axes.x, axes.y][across],
-            Hold::Direction(_) => false,
         };
-        if support.displacement != 0.0 && moves_across {
+        if support.displacement != 0.0 && [axes.x, axes.y][across] {
             return Some(format!(
                 "the support on {} moves across the line of symmetry",
                 support.on
             ));
         }
-        if lateral(scene, &support.on, across).is_some() {
+        if lateral(placed, across).is_some() {
             return Some(format!("the support on {} has no mirror image", support.on));
         }
     }
-    for platen in &scene.platens {
-        if lateral(scene, &platen.on, across).is_some() {
-            return Some(format!("the platen on {} has no mirror image", platen.on));
+    let mut platens = plan.platens.iter();
+    let aside = platens.find(|platen| lateral(platen, across).is_some())?;
+    Some(format!("the platen on {} has no mirror image", aside.of.on))
+}
+
+fn of_edges(plan: &Plan<'_>, across: usize) -> Option<String> {
+    let mut edges = plan.edges.iter();
+    let below = edges.find(|edge| lateral(edge, across).is_some_and(|at| at < 0.0))?;
+    let half = if across == 1 { "y ≥ 0" } else { "x ≥ 0" };
+    Some(format!(
+        "{} is to be reported, and the half {half} does not have it",
+        below.of
+    ))
+}
+
+fn of_load(load: &Placed<'_, Load>, across: usize) -> Option<String> {
+    let is_aside = || lateral(load, across).is_some();
+    let what = match &load.of.kind {
+        LoadKind::Force { direction, .. } | LoadKind::Bearing { direction, .. }
+            if direction[across].abs() > 1e-12 =>
+        {
+            "acts across the line of symmetry"
         }
-    }
-    for edge in &scene.edges {
-        if lateral(scene, edge, across).is_some_and(|at| at < 0.0) {
-            let half = if across == 1 { "y ≥ 0" } else { "x ≥ 0" };
-            return Some(format!(
-                "{edge} is to be reported, and the half {half} does not have it"
-            ));
-        }
-    }
-    let of_loads = scene.loads.iter().find_map(|load| {
-        let why = |what: &str| Some(format!("load '{}' {what}", load.name));
-        match &load.kind {
-            LoadKind::Force { direction, .. } | LoadKind::Bearing { direction, .. }
-                if direction[across].abs() > 1e-12 =>
-            {
-                why("acts across the line of symmetry")
-            }
-            LoadKind::Force { on, .. } | LoadKind::Pressure { on, .. } => {
-                if lateral(scene, on, across).is_some() {
-                    why("acts on one side only")
-                } else {
-                    None
-                }
-            }
-            LoadKind::PolarTraction { table, .. } if !table.is_half() => why("is not symmetric"),
-            LoadKind::Bearing { .. }
-            | LoadKind::PolarTraction { .. }
-            | LoadKind::Temperature { .. } => None,
-        }
-    });
-    of_loads.or_else(|| scene.contacts.iter().find_map(|own| of_law(scene, own)))
+        LoadKind::Force { .. } | LoadKind::Pressure { .. } if is_aside() => "acts on one side only",
+        LoadKind::PolarTraction { table, .. } if !table.is_half() => "is not symmetric",
+        _ => return None,
+    };
+    Some(format!("load '{}' {what}", load.of.name))
 }
 
 /// A law that does not claim to mirror breaks the symmetry.
-fn of_law(scene: &Scene, contact: &Contact) -> Option<String> {
-    let mirror = mirror(scene, contact)?;
+fn of_law(plan: &Plan<'_>, contact: &ContactPlan<'_>) -> Option<String> {
+    let mirror = mirror(plan, contact)?;
+    let law = &contact.of.law;
     let axis = if mirror.line == 0.0 { "x" } else { "y" };
-    let why = || {
+    (!law.is_symmetric(&mirror)).then(|| {
         format!(
             "the friction law '{}' of contact '{}' claims no symmetry about the {axis} axis",
-            contact.law.name(),
-            contact.name
+            law.name(),
+            contact.of.name
         )
-    };
-    (!contact.law.is_symmetric(&mirror)).then(why)
+    })
 }
 
 /// Where a straight edge that lies wholly on one side of the line of symmetry does so; a half model leaves out the negative side.
-fn lateral(scene: &Scene, edge: &SetRef, across: usize) -> Option<f64> {
-    scene
-        .bodies
-        .get(&edge.body)?
-        .shape
-        .edge(&edge.set)?
-        .level(across)
+fn lateral<T>(placed: &Placed<'_, T>, across: usize) -> Option<f64> {
+    placed.edge?.level(across)
 }
 
 fn mirrors(material: &Material) -> bool {
@@ -150,7 +139,7 @@ fn mirrors(material: &Material) -> bool {
         let [x, y, shear] = sheet.membrane.thermal_strain(1.0);
         return sheet.membrane.symmetric_about_x() && shear.abs() <= 1e-12 * x.abs().max(y.abs());
     }
-    let quarter_turns = material.angle() / std::f64::consts::FRAC_PI_2;
+    let quarter_turns = material.angle() / FRAC_PI_2;
     matches!(material, Material::Isotropic { .. })
         || (quarter_turns - quarter_turns.round()).abs() < 1e-12
 }

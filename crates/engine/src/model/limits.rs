@@ -1,63 +1,46 @@
 //! What a scene can say and this model cannot do: refused by name rather than left out.
 
 use super::ModelError;
-use stickslip_scene::Scene;
-use stickslip_scene::schema::{Hold, LoadKind, SetRef, Substance};
+use super::plan::{Placed, Plan};
+use stickslip_scene::schema::{Hold, LoadKind, SetRef};
 
 /// Refuses what the model would otherwise ignore.
-pub(super) fn check(scene: &Scene) -> Result<(), ModelError> {
-    rigid_bodies(scene)?;
-    held_holes(scene)?;
-    scene
-        .edges
-        .iter()
-        .enumerate()
-        .try_for_each(|(index, edge)| reported(scene, index, edge))
+pub(super) fn check(plan: &Plan<'_>) -> Result<(), ModelError> {
+    rigid_bodies(plan)?;
+    held_holes(plan)?;
+    let mut edges = plan.edges.iter().enumerate();
+    edges.try_for_each(|(index, edge)| reported(plan, index, edge))
 }
 
 fn refuse(key: String, what: String) -> Result<(), ModelError> {
     Err(ModelError::Unsupported { key, what })
 }
 
-fn is_rigid(scene: &Scene, body: &str) -> bool {
-    scene
-        .bodies
-        .get(body)
-        .is_some_and(|body| body.substance == Substance::Rigid)
-}
-
-fn rigid_bodies(scene: &Scene) -> Result<(), ModelError> {
-    for (index, support) in scene.supports.iter().enumerate() {
-        let skew = matches!(support.hold, Hold::Direction(_));
-        if is_rigid(scene, &support.on.body) && (skew || support.displacement != 0.0) {
+fn rigid_bodies(plan: &Plan<'_>) -> Result<(), ModelError> {
+    let name = |body: usize| plan.bodies[body].name;
+    for (index, support) in plan.supports.iter().enumerate() {
+        let skew = matches!(support.of.hold, Hold::Direction(_));
+        if plan.is_rigid(support.body) && (skew || support.of.displacement != 0.0) {
             let what = format!(
                 "the rigid body '{}' can be held along x and y only, without displacement; give it an elastic material, or load it by a force",
-                support.on.body
+                name(support.body)
             );
             return refuse(format!("supports.{index}"), what);
         }
     }
-    for (index, load) in scene.loads.iter().enumerate() {
-        let body = match &load.kind {
-            LoadKind::Force { .. } => continue,
-            LoadKind::Bearing { on, .. }
-            | LoadKind::Pressure { on, .. }
-            | LoadKind::PolarTraction { on, .. } => &on.body,
-            LoadKind::Temperature { body, .. } => body,
-        };
-        if is_rigid(scene, body) {
+    for (index, load) in plan.loads.iter().enumerate() {
+        let is_force = matches!(load.of.kind, LoadKind::Force { .. });
+        if !is_force && plan.is_rigid(load.body) {
             let what = format!(
-                "the rigid body '{body}' takes forces only, not load '{}'",
-                load.name
+                "the rigid body '{}' takes forces only, not load '{}'",
+                name(load.body),
+                load.of.name
             );
             return refuse(format!("loads.{index}"), what);
         }
     }
-    let platen = scene
-        .platens
-        .iter()
-        .position(|platen| is_rigid(scene, &platen.on.body));
-    match platen {
+    let mut platens = plan.platens.iter();
+    match platens.position(|platen| plan.is_rigid(platen.body)) {
         Some(index) => refuse(
             format!("platens.{index}"),
             "a rigid body needs no platen".into(),
@@ -67,16 +50,16 @@ fn rigid_bodies(scene: &Scene) -> Result<(), ModelError> {
 }
 
 /// An assumed pressure and a pin do not share a hole.
-fn held_holes(scene: &Scene) -> Result<(), ModelError> {
-    for (index, load) in scene.loads.iter().enumerate() {
-        let LoadKind::Bearing { on, .. } = &load.kind else {
+fn held_holes(plan: &Plan<'_>) -> Result<(), ModelError> {
+    for (index, load) in plan.loads.iter().enumerate() {
+        let LoadKind::Bearing { on, .. } = &load.of.kind else {
             continue;
         };
-        let mut contacts = scene.contacts.iter();
+        let mut contacts = plan.contacts.iter().map(|contact| contact.of);
         if let Some(contact) = contacts.find(|contact| contact.first == *on) {
             let what = format!(
                 "{on} is held by {} in contact '{}', and the bearing load '{}' stands for a pin; keep one of the two",
-                contact.second, contact.name, load.name
+                contact.second, contact.name, load.of.name
             );
             return refuse(format!("loads.{index}"), what);
         }
@@ -84,32 +67,23 @@ fn held_holes(scene: &Scene) -> Result<(), ModelError> {
     Ok(())
 }
 
-fn reported(scene: &Scene, index: usize, edge: &SetRef) -> Result<(), ModelError> {
-    let key = format!("edges.{index}");
-    if let Some(contact) = scene
-        .contacts
-        .iter()
-        .find(|contact| contact.second == *edge)
-    {
+fn reported(plan: &Plan<'_>, index: usize, edge: &Placed<'_, SetRef>) -> Result<(), ModelError> {
+    let (key, on) = (format!("edges.{index}"), edge.of);
+    let mut contacts = plan.contacts.iter().map(|contact| contact.of);
+    if let Some(contact) = contacts.find(|contact| contact.second == *on) {
         let what = format!(
-            "{edge} is the second edge of contact '{}', whose tractions are reported on {}",
+            "{on} is the second edge of contact '{}', whose tractions are reported on {}",
             contact.name, contact.first
         );
         return refuse(key, what);
     }
-    if is_rigid(scene, &edge.body) {
-        return refuse(
-            key,
-            format!("{edge} belongs to a rigid body, which has no stresses"),
-        );
+    if plan.is_rigid(edge.body) {
+        let what = format!("{on} belongs to a rigid body, which has no stresses");
+        return refuse(key, what);
     }
-    let shape = scene.bodies.get(&edge.body).map(|body| body.shape);
-    let own = shape.and_then(|shape| shape.edge(&edge.set));
-    if own.is_some_and(|own| own.level(0).is_some()) {
-        return refuse(
-            key,
-            format!("{edge} runs along y; only circles and edges along x are reported"),
-        );
+    if edge.edge.is_some_and(|own| own.level(0).is_some()) {
+        let what = format!("{on} runs along y; only circles and edges along x are reported");
+        return refuse(key, what);
     }
     Ok(())
 }

@@ -6,215 +6,224 @@ use std::sync::Arc;
 use stickslip_contact::{LoadHistory, Ramp};
 use stickslip_fem_core::load::edge_load;
 use stickslip_fem_core::material::Material;
-use stickslip_fem_core::mesh::{Mesh, Point};
+use stickslip_fem_core::mesh::{EdgeSet, Mesh, MeshError, Point};
 use stickslip_fem_core::{ElasticBody, HeldDirection, LoadCase, Platen, RigidBody, Support};
 
 use super::bearing::unit_forces;
+use super::plan::{Placed, Plan};
 use super::polar_table::PolarField;
 use super::resultant::{centre_of, matched};
 use super::{Meshes, ModelBodyKind, ModelEdge, ModelError};
 use crate::results::{BearingSource, ContactFrame};
-use stickslip_scene::Scene;
-use stickslip_scene::schema::{self, Hold, LoadKind, SetRef, Shape, Substance};
+use stickslip_scene::schema::{self, Hold, Load, LoadKind, SetRef};
 
 /// Multipliers of all load cases per step: one case per load, and one that holds the displacements of supports.
-pub(super) fn history(scene: &Scene) -> Result<LoadHistory, ModelError> {
-    let count = scene
-        .loads
-        .iter()
-        .map(|load| load.kind.steps().len())
-        .max()
-        .unwrap_or(1);
-    let steps = (0..count)
-        .map(|step| {
-            let loads = scene
-                .loads
-                .iter()
-                .map(|load| load.kind.steps().get(step).copied().unwrap_or(0.0));
-            loads.chain(std::iter::once(1.0)).collect()
-        })
-        .collect();
-    let ramp = match scene.analysis.ramp {
+pub(super) fn history(plan: &Plan<'_>) -> Result<LoadHistory, ModelError> {
+    let histories = || plan.loads.iter().map(|load| load.of.kind.steps());
+    let count = histories().map(<[f64]>::len).max().unwrap_or(1);
+    let at = |step: usize| histories().map(move |own| own.get(step).copied().unwrap_or(0.0));
+    let steps = (0..count).map(|step| at(step).chain(std::iter::once(1.0)).collect());
+    let ramp = match plan.analysis.ramp {
         schema::Ramp::Linear => Ramp::Linear,
         schema::Ramp::Quadratic => Ramp::Quadratic,
     };
-    Ok(LoadHistory::new(steps, scene.analysis.substeps, ramp)?)
+    let substeps = plan.analysis.substeps;
+    Ok(LoadHistory::new(steps.collect(), substeps, ramp)?)
 }
 
-/// The body `name` with its supports and unit loads.
+/// The body with the index `index`, with its supports and unit loads.
 pub(super) fn body(
-    scene: &Scene,
-    name: &str,
+    plan: &Plan<'_>,
+    index: usize,
     meshes: &Meshes,
     materials: &BTreeMap<String, Arc<dyn Material>>,
     half: bool,
     rigid_points: &[Point],
 ) -> Result<ModelBodyKind, ModelError> {
-    // The scene was checked: every name in it refers to something.
-    let description = &scene.bodies[name];
-    let Substance::Elastic {
-        material,
-        thickness,
-    } = &description.substance
-    else {
-        return Ok(ModelBodyKind::Rigid(rigid(scene, name, half, rigid_points)));
+    let Some(substance) = plan.bodies[index].elastic else {
+        return Ok(ModelBodyKind::Rigid(rigid(plan, index, half, rigid_points)));
     };
-    let mesh = &meshes[name];
-    let material = &materials[material];
-    let body_error = |cause| ModelError::Body {
-        body: name.to_owned(),
-        cause,
+    let loaded = Loaded {
+        plan,
+        index,
+        mesh: &meshes[&index],
+        material: &materials[substance.name],
+        thickness: substance.thickness,
+        half,
     };
-    let mesh_error = |cause| ModelError::Mesh {
-        body: name.to_owned(),
-        cause,
-    };
-
-    let mut supports = Vec::new();
-    for support in scene
-        .supports
-        .iter()
-        .filter(|support| support.on.body == name)
-    {
-        let nodes = mesh.node_set(&support.on.set).map_err(mesh_error)?;
-        let directions: Vec<HeldDirection> = match support.hold {
-            Hold::Direction(angle) => vec![HeldDirection::Angle(angle)],
-            Hold::Axes(axes) => [(axes.x, HeldDirection::X), (axes.y, HeldDirection::Y)]
-                .into_iter()
-                .filter_map(|(held, direction)| held.then_some(direction))
-                .collect(),
-        };
-        supports.extend(directions.into_iter().map(|direction| Support {
-            nodes: nodes.to_vec(),
-            direction,
-            displacement: support.displacement,
-        }));
-    }
-    let across = description.shape.mirror().filter(|_| half);
-    if let Some(across) = across {
-        let direction = [HeldDirection::X, HeldDirection::Y][across];
-        let nodes = mesh.node_set("symmetry").map_err(mesh_error)?.to_vec();
-        supports.push(Support {
-            nodes,
-            direction,
-            displacement: 0.0,
-        });
-    }
-    let blocks = vec![Arc::clone(material); mesh.blocks().len()];
-    let mut body = ElasticBody::new(Arc::clone(mesh), blocks, *thickness)
-        .map_err(body_error)?
-        .with_supports(supports);
-    if let Some(platen) = scene.platens.iter().find(|platen| platen.on.body == name) {
-        let nodes = mesh.node_set(&platen.on.set).map_err(mesh_error)?.to_vec();
-        let mut free = [platen.free.x, platen.free.y];
-        if let Some(across) = across {
-            free[across] = false;
-        }
-        body = body.with_platen(Platen { nodes, free });
-    }
-    let mut cases = Vec::with_capacity(scene.loads.len() + 1);
-    for load in &scene.loads {
-        cases.push(
-            unit_load(
-                &load.kind,
-                name,
-                mesh,
-                material,
-                *thickness,
-                &description.shape,
-                half,
-            )
-            .map_err(mesh_error)?,
-        );
-    }
-    cases.push(LoadCase {
-        moves_supports: true,
-        ..LoadCase::default()
-    });
-    Ok(ModelBodyKind::Elastic(Arc::new(
-        body.with_load_cases(cases).map_err(body_error)?,
-    )))
+    Ok(ModelBodyKind::Elastic(Arc::new(loaded.build()?)))
 }
 
-/// Load `kind` for a multiplier of one, as far as it acts on body `name`.
-fn unit_load(
-    kind: &LoadKind,
-    name: &str,
-    mesh: &Mesh,
-    material: &Arc<dyn Material>,
+/// An elastic body whose supports and loads are to be put on its mesh.
+struct Loaded<'a> {
+    plan: &'a Plan<'a>,
+    index: usize,
+    mesh: &'a Arc<Mesh>,
+    material: &'a Arc<dyn Material>,
     thickness: f64,
-    shape: &Shape,
     half: bool,
-) -> Result<LoadCase, stickslip_fem_core::mesh::MeshError> {
-    let forces = match kind {
-        LoadKind::Force { on, direction, .. } if on.body == name => {
-            let edge = mesh.edge_set(&on.set)?;
-            let edges = &edge.edges;
-            let unit = edge_load(mesh, edges, thickness, |_| [1.0, 0.0]);
-            // Force of a unit traction on the whole edge; a half model has half of an edge that crosses the symmetry line.
-            let whole = unit.iter().sum::<f64>() * if half { 2.0 } else { 1.0 };
-            let forces = edge_load(mesh, edges, thickness, |_| {
-                direction.map(|component| component / whole)
+}
+
+impl Loaded<'_> {
+    fn build(&self) -> Result<ElasticBody, ModelError> {
+        let name = self.plan.bodies[self.index].name;
+        let body_error = |cause| ModelError::Body {
+            body: name.to_owned(),
+            cause,
+        };
+        let mesh_error = |cause| ModelError::Mesh {
+            body: name.to_owned(),
+            cause,
+        };
+        let blocks = vec![Arc::clone(self.material); self.mesh.blocks().len()];
+        let supports = self.supports().map_err(mesh_error)?;
+        let mut body = ElasticBody::new(Arc::clone(self.mesh), blocks, self.thickness)
+            .map_err(body_error)?
+            .with_supports(supports);
+        if let Some(platen) = self.platen().map_err(mesh_error)? {
+            body = body.with_platen(platen);
+        }
+        let cases = self.load_cases().map_err(mesh_error)?;
+        body.with_load_cases(cases).map_err(body_error)
+    }
+
+    /// Coordinate that is held on the line of symmetry of a half.
+    fn across(&self) -> Option<usize> {
+        let across = self.plan.bodies[self.index].shape.mirror();
+        across.filter(|_| self.half)
+    }
+
+    fn supports(&self) -> Result<Vec<Support>, MeshError> {
+        let mut supports = Vec::new();
+        for support in self.plan.supports_of(self.index) {
+            let nodes = self.mesh.node_set(&support.on.set)?;
+            let directions: Vec<HeldDirection> = match support.hold {
+                Hold::Direction(angle) => vec![HeldDirection::Angle(angle)],
+                Hold::Axes(axes) => [(axes.x, HeldDirection::X), (axes.y, HeldDirection::Y)]
+                    .into_iter()
+                    .filter_map(|(held, direction)| held.then_some(direction))
+                    .collect(),
+            };
+            supports.extend(directions.into_iter().map(|direction| Support {
+                nodes: nodes.to_vec(),
+                direction,
+                displacement: support.displacement,
+            }));
+        }
+        if let Some(across) = self.across() {
+            supports.push(Support {
+                nodes: self.mesh.node_set("symmetry")?.to_vec(),
+                direction: [HeldDirection::X, HeldDirection::Y][across],
+                displacement: 0.0,
             });
-            // Spread evenly over a circle it acts through its centre.
-            if !half && shape.circle(&on.set).is_some() {
-                let [x, y] = *direction;
-                matched(mesh, edge, forces, [x, y, 0.0], half)
-            } else {
-                forces
-            }
         }
-        LoadKind::Bearing {
-            on, direction, law, ..
-        } if on.body == name => unit_forces(mesh, mesh.edge_set(&on.set)?, *law, *direction, half),
-        LoadKind::Pressure { on, .. } if on.body == name => {
-            edge_load(mesh, &mesh.edge_set(&on.set)?.edges, thickness, |at| {
-                at.normal.map(|component| -component)
-            })
+        Ok(supports)
+    }
+
+    fn platen(&self) -> Result<Option<Platen>, MeshError> {
+        let Some(platen) = self.plan.platens_of(self.index).next() else {
+            return Ok(None);
+        };
+        let nodes = self.mesh.node_set(&platen.on.set)?.to_vec();
+        let mut free = [platen.free.x, platen.free.y];
+        if let Some(across) = self.across() {
+            free[across] = false;
         }
-        LoadKind::PolarTraction { on, table, .. } if on.body == name => {
-            let field = PolarField::new(table);
-            // On the hole's side the outward normal is −e_r, and so are the tractions of the same stresses.
-            let sign = sign(shape, on);
-            let edge = mesh.edge_set(&on.set)?;
-            let centre = centre_of(edge);
-            let forces = edge_load(mesh, &edge.edges, thickness, |at| {
-                let theta = (at.position[1] - centre[1]).atan2(at.position[0] - centre[0]);
-                let [radial, shear] = field.at(theta);
-                let (s, c) = theta.sin_cos();
-                [
-                    sign * (radial * c - shear * s),
-                    sign * (radial * s + shear * c),
-                ]
-            });
-            match shape.circle(&on.set) {
-                Some(radius) => {
-                    let [x, y, turn] = field.resultant();
-                    let scale = sign * thickness * radius;
-                    let wanted = [scale * x, scale * y, scale * radius * turn];
-                    matched(mesh, edge, forces, wanted, half)
-                }
-                None => forces,
-            }
-        }
-        LoadKind::Temperature { body, .. } if body == name => {
-            let strain = material.thermal_strain(1.0);
-            return Ok(LoadCase {
-                initial_strain: vec![strain; mesh.blocks().len()],
+        Ok(Some(Platen { nodes, free }))
+    }
+
+    /// One case per load of the scene for a multiplier of one, and the displacements of supports.
+    fn load_cases(&self) -> Result<Vec<LoadCase>, MeshError> {
+        let loads = self.plan.loads.iter();
+        let unit = |load: &Placed<'_, Load>| match &load.of.kind {
+            _ if load.body != self.index => Ok(LoadCase::default()),
+            LoadKind::Temperature { .. } => Ok(LoadCase {
+                initial_strain: vec![self.material.thermal_strain(1.0); self.mesh.blocks().len()],
                 ..LoadCase::default()
-            });
+            }),
+            kind => Ok(LoadCase {
+                forces: self.forces(load, kind)?,
+                ..LoadCase::default()
+            }),
+        };
+        let moved = LoadCase {
+            moves_supports: true,
+            ..LoadCase::default()
+        };
+        loads.map(unit).chain(std::iter::once(Ok(moved))).collect()
+    }
+
+    /// Nodal forces of a load on an edge of the body.
+    fn forces(&self, load: &Placed<'_, Load>, kind: &LoadKind) -> Result<Vec<f64>, MeshError> {
+        let edge = |on: &SetRef| self.mesh.edge_set(&on.set);
+        Ok(match kind {
+            LoadKind::Force { on, direction, .. } => {
+                self.force(edge(on)?, *direction, load.circle().is_some())
+            }
+            LoadKind::Bearing {
+                on, direction, law, ..
+            } => unit_forces(self.mesh, edge(on)?, *law, *direction, self.half),
+            LoadKind::Pressure { on, .. } => {
+                edge_load(self.mesh, &edge(on)?.edges, self.thickness, |at| {
+                    at.normal.map(|component| -component)
+                })
+            }
+            LoadKind::PolarTraction { on, table, .. } => {
+                self.polar_traction(edge(on)?, load, &PolarField::new(table))
+            }
+            LoadKind::Temperature { .. } => Vec::new(),
+        })
+    }
+
+    /// A unit force along `direction`, spread evenly.
+    fn force(&self, edge: &EdgeSet, direction: [f64; 2], on_circle: bool) -> Vec<f64> {
+        let spread =
+            |traction: [f64; 2]| edge_load(self.mesh, &edge.edges, self.thickness, |_| traction);
+        // Force of a unit traction on the whole edge; a half model has half of an edge that crosses the symmetry line.
+        let whole = spread([1.0, 0.0]).iter().sum::<f64>() * if self.half { 2.0 } else { 1.0 };
+        let forces = spread(direction.map(|component| component / whole));
+        // Spread evenly over a circle it acts through its centre.
+        if !self.half && on_circle {
+            let [x, y] = direction;
+            matched(self.mesh, edge, forces, [x, y, 0.0], self.half)
+        } else {
+            forces
         }
-        _ => Vec::new(),
-    };
-    Ok(LoadCase {
-        forces,
-        ..LoadCase::default()
-    })
+    }
+
+    fn polar_traction(
+        &self,
+        edge: &EdgeSet,
+        load: &Placed<'_, Load>,
+        field: &PolarField,
+    ) -> Vec<f64> {
+        // On the hole's side the outward normal is −e_r, and so are the tractions of the same stresses.
+        let sign = sign(load);
+        let centre = centre_of(edge);
+        let forces = edge_load(self.mesh, &edge.edges, self.thickness, |at| {
+            let theta = (at.position[1] - centre[1]).atan2(at.position[0] - centre[0]);
+            let [radial, shear] = field.at(theta);
+            let (s, c) = theta.sin_cos();
+            [
+                sign * (radial * c - shear * s),
+                sign * (radial * s + shear * c),
+            ]
+        });
+        match load.circle() {
+            Some(radius) => {
+                let [x, y, turn] = field.resultant();
+                let scale = sign * self.thickness * radius;
+                let wanted = [scale * x, scale * y, scale * radius * turn];
+                matched(self.mesh, edge, forces, wanted, self.half)
+            }
+            None => forces,
+        }
+    }
 }
 
 /// The frame of an edge under an assumed bearing load, of several under the first; +x without one.
-pub(crate) fn frame(scene: &Scene, on: &SetRef, half: bool) -> ContactFrame {
-    let direction = scene.loads.iter().find_map(|load| match &load.kind {
+pub(super) fn frame(plan: &Plan<'_>, on: &SetRef, half: bool) -> ContactFrame {
+    let direction = plan.loads.iter().find_map(|load| match &load.of.kind {
         LoadKind::Bearing {
             on: loaded,
             direction,
@@ -230,9 +239,8 @@ pub(crate) fn frame(scene: &Scene, on: &SetRef, half: bool) -> ContactFrame {
 }
 
 /// −1 where the normal of results on the edge points into the body, otherwise 1.
-fn sign(shape: &Shape, on: &SetRef) -> f64 {
-    let edge = shape.edge(&on.set);
-    if edge.is_some_and(|edge| edge.has_inward_normal()) {
+fn sign<T>(on: &Placed<'_, T>) -> f64 {
+    if on.edge.is_some_and(|edge| edge.has_inward_normal()) {
         -1.0
     } else {
         1.0
@@ -241,16 +249,17 @@ fn sign(shape: &Shape, on: &SetRef) -> f64 {
 
 /// Tractions (σ_nn, τ_nt) of unit loads on a reported edge, in the edge's frame (n, t), t being n turned by +90°.
 pub(super) fn edge_tractions(
-    scene: &Scene,
-    on: &SetRef,
+    plan: &Plan<'_>,
+    placed: &Placed<'_, SetRef>,
     edge: &ModelEdge,
 ) -> Vec<(usize, Vec<[f64; 2]>)> {
+    let on = placed.of;
     // n is e_r or +y, which points into a hole's body and out of the body above a lower side.
-    let outward = sign(&scene.bodies[&on.body].shape, on);
+    let outward = sign(placed);
     let area: f64 = edge.areas.iter().sum::<f64>() * if edge.geometry.half { 2.0 } else { 1.0 };
     let mut all = Vec::new();
-    for (case, load) in scene.loads.iter().enumerate() {
-        let at_node: Box<dyn Fn(usize) -> [f64; 2]> = match &load.kind {
+    for (case, load) in plan.loads.iter().enumerate() {
+        let at_node: Box<dyn Fn(usize) -> [f64; 2]> = match &load.of.kind {
             LoadKind::Pressure { on: loaded, .. } if loaded == on => Box::new(|_| [-1.0, 0.0]),
             LoadKind::Bearing {
                 on: loaded,
@@ -290,32 +299,19 @@ pub(super) fn edge_tractions(
 }
 
 /// A rigid body slides along the axes in which nothing holds it, and never turns.
-fn rigid(scene: &Scene, name: &str, half: bool, points: &[Point]) -> RigidBody {
-    let mut free = [true; 2];
-    for support in scene
-        .supports
-        .iter()
-        .filter(|support| support.on.body == name)
-    {
-        match support.hold {
-            Hold::Axes(axes) => free = [free[0] && !axes.x, free[1] && !axes.y],
-            Hold::Direction(_) => free = [false; 2],
-        }
-    }
+fn rigid(plan: &Plan<'_>, index: usize, half: bool, points: &[Point]) -> RigidBody {
+    let mut free = plan.free_axes(index);
     let share = if half { 0.5 } else { 1.0 };
-    if let Some(across) = scene.bodies[name].shape.mirror().filter(|_| half) {
+    if let Some(across) = plan.bodies[index].shape.mirror().filter(|_| half) {
         free[across] = false;
     }
-    let mut forces: Vec<[f64; 2]> = scene
-        .loads
-        .iter()
-        .map(|load| match &load.kind {
-            LoadKind::Force { on, direction, .. } if on.body == name => {
-                direction.map(|component| share * component)
-            }
-            _ => [0.0; 2],
-        })
-        .collect();
+    let force = |load: &Placed<'_, Load>| match &load.of.kind {
+        LoadKind::Force { direction, .. } if load.body == index => {
+            direction.map(|component| share * component)
+        }
+        _ => [0.0; 2],
+    };
+    let mut forces: Vec<[f64; 2]> = plan.loads.iter().map(force).collect();
     forces.push([0.0; 2]);
     if free == [false; 2] {
         RigidBody::held(points.to_vec(), forces.len())

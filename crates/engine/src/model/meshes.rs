@@ -7,12 +7,12 @@ use std::sync::Arc;
 
 use stickslip_fem_core::generate::{Extent, GenerateError};
 
+use super::plan::{BodyPlan, Plan};
 use super::{Meshes, ModelError};
 use crate::results::Choice;
-use stickslip_scene::Scene;
-use stickslip_scene::placement;
-use stickslip_scene::schema::{Division, Substance};
-use stickslip_scene::shape::{Divided, DivisionError};
+use stickslip_scene::limits::Limits;
+use stickslip_scene::schema::Division;
+use stickslip_scene::shape::{Divided, DivisionError, Meshing};
 
 /// Largest number of nodes of one body.
 pub const NODE_LIMIT: usize = 4_000_000;
@@ -20,76 +20,87 @@ pub const NODE_LIMIT: usize = 4_000_000;
 /// plane mesh holds about 8 n log₂ n numbers.
 pub const BYTES_PER_NODE: f64 = 2.0 * 8.0 * 8.0 * 24.0;
 
+/// Each elastic body's mesh by the index of the body; none of them has more nodes, nor all together, than `limits` allow.
 pub(super) fn build(
-    scene: &Scene,
+    plan: &Plan<'_>,
+    limits: Limits,
     half: bool,
     choices: &mut Vec<Choice>,
 ) -> Result<Meshes, ModelError> {
-    let most = most_nodes(scene);
-    let partners = partners::of(scene)?;
+    let partners = partners::of(plan)?;
     let mut meshes = Meshes::new();
     let mut layers = Vec::new();
     let mut counts = Vec::new();
-    for (name, body) in &scene.bodies {
-        if body.substance == Substance::Rigid {
+    for (index, body) in plan.bodies.iter().enumerate() {
+        if body.elastic.is_none() {
             continue;
         }
         let angles = if body.shape.is_round() {
-            angles::on_circles(scene, name, half)?
+            angles::on_circles(body, half)?
         } else {
             Vec::new()
         };
-        let settings = scene.mesh_of(name);
-        let grading = match settings.division {
-            Division::Linear(grading) => Some(grading),
-            Division::AngleList(_) | Division::Angular(_) => None,
-        };
-        let partner = partners.get(name.as_str());
-        let partner = partner.and_then(|partner| scene.bodies.get(*partner));
-        let divided = Divided {
-            kind: settings.element,
-            angles: &angles,
-            spacing: grading.map(|grading| grading.spacing),
-            fine_to: grading.and_then(|grading| grading.fine_to),
-            layers: settings.layers,
-            extent: if half { Extent::Half } else { Extent::Whole },
-            centre: placement::centre(scene, name),
-            partner: partner.map(|partner| &*partner.shape),
-            most: NODE_LIMIT,
-        };
-        let meshing = body.shape.meshing(&divided);
-        let meshing = meshing.map_err(|cause| refuse(scene, name, cause))?;
-        if let (None, Some(count)) = (settings.layers, meshing.layers) {
-            layers.push(format!("{count} in '{name}'"));
+        let partner = partners.get(&index).map(|&partner| &plan.bodies[partner]);
+        let meshing = meshing(body, partner, &angles, half);
+        let meshing = meshing.map_err(|cause| refuse(limits, body.name, cause))?;
+        if let (None, Some(count)) = (body.mesh.layers, meshing.layers) {
+            layers.push(format!("{count} in '{}'", body.name));
             counts.push(angles.len());
         }
-        let mesh = meshing.generator.generate_within(most);
-        let mesh = mesh.map_err(|cause| refuse(scene, name, cause.into()))?;
-        meshes.insert(name.clone(), Arc::new(mesh));
+        let mesh = meshing.generator.generate_within(most_nodes(limits));
+        let mesh = mesh.map_err(|cause| refuse(limits, body.name, cause.into()))?;
+        meshes.insert(index, Arc::new(mesh));
     }
-    if !layers.is_empty() {
-        counts.dedup();
-        let counts: Vec<String> = counts.iter().map(usize::to_string).collect();
-        choices.push(Choice {
-            what: "radial layers".into(),
-            value: layers.join(", "),
-            reason: format!(
-                "cells about as deep as wide, with {} angles on the contact circles",
-                counts.join(" and ")
-            ),
-        });
-    }
-    check_together(scene, &meshes)?;
+    choices.extend(layers_chosen(&layers, counts));
+    check_together(plan, limits, &meshes)?;
     Ok(meshes)
 }
 
+/// How `body` is divided, together with its partner if it has one.
+fn meshing(
+    body: &BodyPlan<'_>,
+    partner: Option<&BodyPlan<'_>>,
+    angles: &[f64],
+    half: bool,
+) -> Result<Meshing, DivisionError> {
+    let grading = match body.mesh.division {
+        Division::Linear(grading) => Some(grading),
+        Division::AngleList(_) | Division::Angular(_) => None,
+    };
+    body.shape.meshing(&Divided {
+        kind: body.mesh.element,
+        angles,
+        spacing: grading.map(|grading| grading.spacing),
+        fine_to: grading.and_then(|grading| grading.fine_to),
+        layers: body.mesh.layers,
+        extent: if half { Extent::Half } else { Extent::Whole },
+        centre: body.centre,
+        partner: partner.map(|partner| &**partner.shape),
+        most: NODE_LIMIT,
+    })
+}
+
+/// The choice of radial layers, where any were chosen.
+fn layers_chosen(layers: &[String], mut counts: Vec<usize>) -> Option<Choice> {
+    counts.dedup();
+    let counts: Vec<String> = counts.iter().map(usize::to_string).collect();
+    (!layers.is_empty()).then(|| Choice {
+        what: "radial layers".into(),
+        value: layers.join(", "),
+        reason: format!(
+            "cells about as deep as wide, with {} angles on the contact circles",
+            counts.join(" and ")
+        ),
+    })
+}
+
 /// Most nodes of one body: a fixed number, or what there is memory for.
-fn most_nodes(scene: &Scene) -> usize {
-    let room = scene.limits().memory as f64 / BYTES_PER_NODE;
+fn most_nodes(limits: Limits) -> usize {
+    let room = limits.memory as f64 / BYTES_PER_NODE;
     (room as usize).min(NODE_LIMIT)
 }
 
-fn refuse(scene: &Scene, body: &str, cause: DivisionError) -> ModelError {
+fn refuse(limits: Limits, body: &str, cause: DivisionError) -> ModelError {
     match cause {
         DivisionError::TooManyNodes { nodes } => too_many(body, nodes),
         DivisionError::Generate(GenerateError::TooLarge { nodes, .. }) if nodes > NODE_LIMIT => {
@@ -97,7 +108,7 @@ fn refuse(scene: &Scene, body: &str, cause: DivisionError) -> ModelError {
         }
         DivisionError::Generate(GenerateError::TooLarge { nodes, .. }) => {
             // The generator has found that this is more than the memory holds.
-            let words = scene.limits().check(nodes as f64 * BYTES_PER_NODE);
+            let words = limits.check(nodes as f64 * BYTES_PER_NODE);
             too_large(body, nodes, words.err().unwrap_or_default())
         }
         DivisionError::Generate(cause) => ModelError::Generate {
@@ -120,16 +131,15 @@ fn too_large(body: &str, nodes: usize, words: String) -> ModelError {
 }
 
 /// Refuses meshes that fit into the memory one by one and not together.
-fn check_together(scene: &Scene, meshes: &Meshes) -> Result<(), ModelError> {
+fn check_together(plan: &Plan<'_>, limits: Limits, meshes: &Meshes) -> Result<(), ModelError> {
     let nodes: usize = meshes.values().map(|mesh| mesh.nodes().len()).sum();
     let largest = meshes.iter().max_by_key(|(_, mesh)| mesh.nodes().len());
-    let (Err(words), Some((body, mesh))) =
-        (scene.limits().check(nodes as f64 * BYTES_PER_NODE), largest)
+    let (Err(words), Some((&body, mesh))) = (limits.check(nodes as f64 * BYTES_PER_NODE), largest)
     else {
         return Ok(());
     };
     let words = format!("with the other bodies {words}");
-    Err(too_large(body, mesh.nodes().len(), words))
+    Err(too_large(plan.bodies[body].name, mesh.nodes().len(), words))
 }
 
 fn too_many(body: &str, nodes: f64) -> ModelError {

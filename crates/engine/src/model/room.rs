@@ -6,7 +6,7 @@ use stickslip_contact::interface::{Group, groups};
 use stickslip_fem_core::InterfaceOperator;
 
 use super::{Model, ModelBodyKind, ModelError};
-use stickslip_scene::Scene;
+use stickslip_scene::limits::Limits;
 
 /// Bytes of a number.
 const NUMBER: f64 = 8.0;
@@ -20,9 +20,8 @@ const BYTES_PER_PLACE: f64 = 600.0;
 /// Bytes of what else a load step leaves, on its way to the files.
 const BYTES_PER_STEP: f64 = 12_000.0;
 
-/// Refuses what does not fit into the limits of `scene`.
-pub(super) fn check(scene: &Scene, model: &Model) -> Result<(), ModelError> {
-    let limits = scene.limits();
+/// Refuses what does not fit into `limits`.
+pub(super) fn check(limits: Limits, model: &Model) -> Result<(), ModelError> {
     let parts = parts(model);
     let points = |part: &Group| -> usize {
         let own = part

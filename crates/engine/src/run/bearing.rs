@@ -41,6 +41,12 @@ pub(super) fn find(edge: &ModelEdge, steps: &mut [EdgeResults]) -> ContactFrame 
     };
     for step in steps {
         let at = step.bearing.or(frame.bearing);
+        let is_stressed = step.rows.iter().any(|row| row.sigma_tangential != 0.0);
+        let peak = |value: fn(&EdgeRow) -> f64| largest(&geometry, &step.rows, value);
+        step.peak_pressure = (step.contact_half_extent).and_then(|_| peak(|row| row.pressure));
+        step.peak_hoop = is_stressed
+            .then(|| peak(|row| row.sigma_tangential))
+            .flatten();
         step.stick_half_extent = step
             .stick_half_extent
             .and_then(|_| stick_around(&geometry, &step.zones, at));
@@ -52,12 +58,6 @@ pub(super) fn find(edge: &ModelEdge, steps: &mut [EdgeResults]) -> ContactFrame 
             interpolated(&geometry, &step.rows, at.unwrap_or(0.0), |row| {
                 row.sigma_tangential
             });
-        step.peak_pressure = step
-            .peak_pressure
-            .and_then(|_| largest(&geometry, &step.rows, |row| row.pressure));
-        step.peak_hoop = step
-            .peak_hoop
-            .and_then(|_| largest(&geometry, &step.rows, |row| row.sigma_tangential));
     }
     frame
 }

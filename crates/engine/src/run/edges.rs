@@ -160,38 +160,7 @@ fn add_stresses(
     let ModelBodyKind::Elastic(body) = &model.bodies[edge.body].kind else {
         return Ok(());
     };
-    let geometry = &edge.geometry;
-    let (parameter, ends): (Vec<f64>, PathEnds) = match geometry.kind {
-        EdgeKind::Circle { radius, .. } => {
-            let along = geometry
-                .parameter
-                .iter()
-                .map(|theta| radius * theta)
-                .collect();
-            let mirror = PathEnd::Mirror { axis: [1.0, 0.0] };
-            let closed = PathEnds::Closed {
-                length: std::f64::consts::TAU * radius,
-            };
-            (
-                along,
-                if geometry.half {
-                    PathEnds::Open([mirror; 2])
-                } else {
-                    closed
-                },
-            )
-        }
-        EdgeKind::Line => {
-            // e_t = −e_x for a normal along +y.
-            let along = geometry.parameter.iter().map(|x| -x).collect();
-            let start = if geometry.half {
-                PathEnd::Mirror { axis: [0.0, 1.0] }
-            } else {
-                PathEnd::Free
-            };
-            (along, PathEnds::Open([start, PathEnd::Free]))
-        }
-    };
+    let (parameter, ends) = path(&edge.geometry);
     let normal_stress: Vec<f64> = rows.iter().map(|row| -row.pressure).collect();
     let shear_stress: Vec<f64> = rows.iter().map(|row| -row.shear).collect();
     let data = EdgeData {
@@ -208,7 +177,7 @@ fn add_stresses(
     };
     let stresses = edge_stresses(&data, material.as_ref(), initial_strain)?;
     // (n, t) = (e_r, e_θ) on a circle; on a line (e_y, −e_x), which turns the sign of the shear.
-    let sign = if matches!(geometry.kind, EdgeKind::Line) {
+    let sign = if matches!(edge.geometry.kind, EdgeKind::Line) {
         -1.0
     } else {
         1.0
@@ -219,6 +188,35 @@ fn add_stresses(
         row.tau = sign * stress.shear;
     }
     Ok(())
+}
+
+/// Arc length of each node along e_t, and how the edge continues at its ends.
+fn path(geometry: &EdgeGeometry) -> (Vec<f64>, PathEnds) {
+    let places = geometry.parameter.iter();
+    match geometry.kind {
+        EdgeKind::Circle { radius, .. } => {
+            let mirror = PathEnd::Mirror { axis: [1.0, 0.0] };
+            let closed = PathEnds::Closed {
+                length: std::f64::consts::TAU * radius,
+            };
+            let ends = if geometry.half {
+                PathEnds::Open([mirror; 2])
+            } else {
+                closed
+            };
+            (places.map(|theta| radius * theta).collect(), ends)
+        }
+        EdgeKind::Line => {
+            let start = if geometry.half {
+                PathEnd::Mirror { axis: [0.0, 1.0] }
+            } else {
+                PathEnd::Free
+            };
+            // e_t = −e_x for a normal along +y.
+            let ends = PathEnds::Open([start, PathEnd::Free]);
+            (places.map(|x| -x).collect(), ends)
+        }
+    }
 }
 
 /// Uncertainty of the largest tangential stress if it lies within four nodes of an end of contact.
@@ -295,29 +293,18 @@ fn summarise(
         };
         (whole, reported.sums[pair].normal)
     });
-    // Values without their places.
-    let most = |value: fn(&EdgeRow) -> f64| rows.iter().map(value).reduce(f64::max);
-    let stressed = rows.iter().any(|row| row.sigma_tangential != 0.0);
     EdgeResults {
-        bearing: None,
         contact_half_extent: extent,
         stick_half_extent: extent.filter(|_| rubs),
-        peak_pressure: most(|row| row.pressure)
-            .filter(|_| extent.is_some())
-            .map(|most| (most, 0.0)),
-        peak_hoop: most(|row| row.sigma_tangential)
-            .filter(|_| stressed)
-            .map(|most| (most, 0.0)),
         peak_hoop_uncertainty: cusp_uncertainty(
             &rows,
             &ends_of_contact(&zones, closed),
             &edge.geometry,
         ),
-        hoop_at_bearing_point: None,
         resultant,
-        friction_force: 0.0,
         normal_force: if half { 2.0 } else { 1.0 } * normal,
         rows,
         zones,
+        ..EdgeResults::default()
     }
 }

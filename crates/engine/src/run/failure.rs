@@ -14,42 +14,37 @@ use stickslip_fem_core::parallel;
 use stickslip_fem_core::stress::{ElasticField, StressError, cartesian};
 use stickslip_laminate::{FailureCriterion, FailureError};
 
-use super::fields::{Recovered, heating};
+use super::fields::Recovered;
 use super::{RunError, progressive};
 use crate::failure::{PlyStresses, Region, Sites, Tracker};
 use crate::load_scale::LoadScale;
-use crate::model::{Model, ModelBodyKind, frame_of_loads};
+use crate::model::{FailingBody, Model, ModelBodyKind};
 use crate::results::{
     BodyFailure, ContactFrame, EdgeKind, EdgePlies, EdgePly, EdgeResults, FailurePoint, FirstPly,
     PlyMap, Results,
 };
-use stickslip_scene::Scene;
-use stickslip_scene::schema::{Failure, LaminateSheet, SetRef, Substance};
+use stickslip_scene::schema::{Failure, LaminateSheet};
 
 /// What the scene asks about the failure of its laminates; `fields` are the steps that have fields.
 pub(super) fn all(
-    scene: &Scene,
     model: &Model,
     solver: &dyn InterfaceSolver,
     recovered: &[Recovered],
     results: &Results,
     fields: &[usize],
 ) -> Result<Vec<BodyFailure>, RunError> {
-    let Some(failure) = &scene.failure else {
+    let Some(failure) = &model.request.failure else {
         return Ok(Vec::new());
     };
-    let bodies = model.bodies.iter().enumerate();
-    let asked = bodies.filter(|(_, body)| failure.bodies.contains(&body.name));
-    asked
-        .filter_map(|(index, _)| Subject::new(scene, model, failure, index))
+    let subjects = failure.bodies.iter();
+    subjects
+        .filter_map(|own| Subject::new(model, &failure.settings, own))
         .map(|subject| {
             let mut found = subject.assess(recovered, results, fields)?;
             name_loads(&mut found, &LoadScale::of_body(results, subject.index));
-            if let Some(asked) = &failure.progressive
-                && asked.body == subject.name
-            {
-                let joint = progressive::Subject::new(subject.sheet, asked, &found);
-                found.progressive = Some(joint.follow(scene, model, solver)?);
+            if let Some(followed) = &subject.own.progressive {
+                let joint = progressive::Subject::new(subject.sheet, followed, &found);
+                found.progressive = Some(joint.follow(model, solver)?);
             }
             Ok(found)
         })
@@ -61,9 +56,9 @@ type Followed = (Vec<FailurePoint>, Option<FirstPly>);
 
 /// A laminated body about which the scene asks.
 struct Subject<'a> {
-    scene: &'a Scene,
     model: &'a Model,
     failure: &'a Failure,
+    own: &'a FailingBody,
     index: usize,
     name: &'a str,
     mesh: &'a Mesh,
@@ -75,27 +70,22 @@ struct Subject<'a> {
 }
 
 impl<'a> Subject<'a> {
-    fn new(scene: &'a Scene, model: &'a Model, failure: &'a Failure, index: usize) -> Option<Self> {
-        let name = &model.bodies[index].name;
-        let body = scene.bodies.get(name)?;
-        let Substance::Elastic { material, .. } = &body.substance else {
-            return None;
-        };
-        let sheet = scene.materials.get(material)?.laminate()?;
-        let ModelBodyKind::Elastic(elastic) = &model.bodies[index].kind else {
+    fn new(model: &'a Model, failure: &'a Failure, own: &'a FailingBody) -> Option<Self> {
+        let body = &model.bodies[own.body];
+        let ModelBodyKind::Elastic(elastic) = &body.kind else {
             return None;
         };
         Some(Self {
-            scene,
             model,
             failure,
-            index,
-            name,
+            own,
+            index: own.body,
+            name: &body.name,
             mesh: elastic.mesh(),
             material: elastic.materials().first()?.as_ref(),
-            sheet,
-            plies: PlyStresses::new(sheet),
-            across: body.shape.mirror().unwrap_or(0),
+            sheet: &own.sheet,
+            plies: PlyStresses::new(&own.sheet),
+            across: own.across,
         })
     }
 
@@ -145,7 +135,8 @@ impl<'a> Subject<'a> {
 
     /// Mean stress at every node: recovered from patches, and on reported edges from the edge's own strain.
     fn stresses(&self, recovered: &Recovered, edges: &[EdgeResults]) -> Result<Sites, StressError> {
-        let heating = heating(self.scene, self.name, &recovered.multipliers);
+        let loads = &self.model.request.loads;
+        let heating = loads.heating(self.index, &recovered.multipliers);
         let strain = self.material.thermal_strain(heating);
         let initial = vec![strain; self.mesh.blocks().len()];
         let materials = vec![self.material; self.mesh.blocks().len()];
@@ -327,14 +318,9 @@ impl<'a> Subject<'a> {
         let own = edges.filter(|(edge, geometry)| edge.body == self.index && same(geometry.kind));
         let found = own.map(|(_, geometry)| geometry.frame);
         let found = found.filter(|frame| frame.bearing.is_some());
-        let on = SetRef {
-            body: self.name.to_owned(),
-            set: "hole".to_owned(),
-        };
-        let asked = || frame_of_loads(self.scene, &on, self.model.half);
         ContactFrame {
             clockwise: false,
-            ..found.into_iter().next().unwrap_or_else(asked)
+            ..found.into_iter().next().unwrap_or(self.own.frame)
         }
     }
 

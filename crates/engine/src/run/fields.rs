@@ -9,8 +9,6 @@ use stickslip_fem_core::stress::{ElasticField, StressError};
 use super::{Operator, Solved};
 use crate::model::Model;
 use crate::results::BodyFields;
-use stickslip_scene::Scene;
-use stickslip_scene::schema::LoadKind;
 
 /// Displacements of one body, in numbers, that are held at once while its balance is audited.
 const HELD: usize = 1 << 21;
@@ -49,18 +47,14 @@ impl Recovered {
 /// Recovers the displacements of all bodies at the end of every load step, and audits their balance: one pass over each
 /// body's factor and one over its cells, for as many steps together as [`HELD`] allows. What is kept does not grow with long histories:
 /// displacements on edges without contact, and those of bodies that the scene asks for failure.
-pub(super) fn recover(scene: &Scene, model: &Model, solved: &Solved) -> Vec<Recovered> {
+pub(super) fn recover(model: &Model, solved: &Solved) -> Vec<Recovered> {
     let elastic = solved.operators.iter().filter_map(Operator::elastic);
     let values: usize = elastic.map(values_of).sum();
     let steps = solved.records.len();
     let keeps_all = steps <= TOGETHER || values * steps <= KEPT;
-    let failure = scene.failure.as_ref();
-    let fails = |body: usize| {
-        failure.is_some_and(|failure| failure.bodies.contains(&model.bodies[body].name))
-    };
     let all: Vec<usize> = (0..solved.operators.len()).collect();
     pass(model, solved, &all, true, HELD, |body| {
-        keeps_all || fails(body)
+        keeps_all || model.is_asked_for_failure(body)
     })
 }
 
@@ -187,7 +181,6 @@ pub(super) fn moved(operators: &[Operator], recovered: &Recovered, index: usize)
 
 /// Fields of all bodies that were recovered, with stresses by patch recovery.
 pub(super) fn with_stresses(
-    scene: &Scene,
     model: &Model,
     operators: &[Operator],
     recovered: &Recovered,
@@ -205,7 +198,7 @@ pub(super) fn with_stresses(
         let strained = &recovered.displacement[index];
         let nodal =
             ElasticField::new(elastic.mesh(), &materials, strained, initial)?.patch_recovery();
-        let heating = heating(scene, &body.name, &recovered.multipliers);
+        let heating = model.request.loads.heating(index, &recovered.multipliers);
         fields.push(BodyFields {
             body: index,
             stress: nodal.averaged(),
@@ -217,26 +210,17 @@ pub(super) fn with_stresses(
     Ok(fields)
 }
 
-/// Temperature rise `[K]` of body `name`; the first load cases are the scene's loads.
-pub(super) fn heating(scene: &Scene, name: &str, multipliers: &[f64]) -> f64 {
-    let loads = scene.loads.iter().zip(multipliers);
-    let heats = loads.filter(
-        |(load, _)| matches!(&load.kind, LoadKind::Temperature { body, .. } if body == name),
-    );
-    heats.map(|(_, degrees)| degrees).sum()
-}
-
 #[cfg(test)]
 mod tests {
     use std::path::Path;
 
     use super::*;
     use crate::run::{solve, solver};
-    use stickslip_scene::Format;
     use stickslip_scene::schema::SolverChoice;
+    use stickslip_scene::{Format, Scene};
 
     /// A history of more steps than are recovered at once.
-    fn solved() -> (Scene, Model, Solved) {
+    fn solved() -> (Model, Solved) {
         let text = stickslip_scene::templates::TEMPLATES[0].text;
         let loads: Vec<String> = (1..=3 * TOGETHER / 2)
             .map(|k| format!("\"{k}00 N\""))
@@ -253,12 +237,12 @@ mod tests {
         let model = Model::build(&scene).unwrap();
         let chain = solver(SolverChoice::Auto);
         let solved = solve(&model, chain.as_ref(), &mut |_| {}).unwrap();
-        (scene, model, solved)
+        (model, solved)
     }
 
     #[test]
     fn what_is_not_kept_is_recovered_again() {
-        let (_, model, solved) = solved();
+        let (model, solved) = solved();
         let bodies = [0, 1];
         let kept = pass(&model, &solved, &bodies, true, usize::MAX, |_| true);
         let mut dropped = pass(&model, &solved, &bodies, true, 0, |_| false);

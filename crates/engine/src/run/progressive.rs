@@ -9,11 +9,10 @@ mod edge;
 mod findings;
 mod words;
 
-use std::borrow::Cow;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
-use stickslip_contact::InterfaceSolver;
+use stickslip_contact::{ContactPair, InterfaceSolver};
 use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_fem_core::{ElasticBody, QuadraturePoints};
 use stickslip_joint::{
@@ -25,14 +24,12 @@ use stickslip_laminate::progressive::{PointModel, ProgressiveError};
 use thiserror::Error;
 
 use super::RunError;
-use crate::model::{Model, ModelBodyKind};
+use crate::model::{FollowedJoint, Model, ModelBodyKind};
 use crate::results::{
-    BearingSource, BodyFailure, ContactFrame, CurvePoint, PlyLoss, ProgressiveEnd,
+    BearingSource, BodyFailure, ContactFrame, CurvePoint, LinearJoint, PlyLoss, ProgressiveEnd,
     ProgressiveFailure,
 };
-use stickslip_scene::Scene;
-use stickslip_scene::placement::free_travel;
-use stickslip_scene::schema::{Axes, Axis, Control, Hold, LaminateSheet, Progressive, Support};
+use stickslip_scene::schema::{Axis, Control, LaminateSheet, Progressive};
 
 /// Why a joint could not be followed beyond the failure of its plies.
 #[derive(Debug, Error)]
@@ -88,6 +85,7 @@ pub enum ProgressiveRunError {
 /// A body whose failure is followed.
 pub(super) struct Subject<'a> {
     sheet: &'a LaminateSheet,
+    followed: &'a FollowedJoint,
     asked: &'a Progressive,
     found: &'a BodyFailure,
 }
@@ -98,66 +96,45 @@ struct Reading {
     hole: Hole,
 }
 
+/// The largest load on the way `[N]`, and the displacements of the body under it.
+#[derive(Default)]
+struct Peak {
+    load: f64,
+    displacements: Vec<f64>,
+}
+
 impl<'a> Subject<'a> {
     pub(super) fn new(
         sheet: &'a LaminateSheet,
-        asked: &'a Progressive,
+        followed: &'a FollowedJoint,
         found: &'a BodyFailure,
     ) -> Self {
         Self {
             sheet,
-            asked,
+            followed,
+            asked: &followed.asked,
             found,
         }
     }
 
-    /// Follows the joint of `scene`, whose model under its own loads is `model`.
+    /// Follows the joint whose model under the scene's own loads is `model`.
     pub(super) fn follow(
         &self,
-        scene: &Scene,
         model: &Model,
         solver: &dyn InterfaceSolver,
     ) -> Result<ProgressiveFailure, RunError> {
-        let model = match &self.asked.control {
-            Control::Loads { .. } => Cow::Borrowed(model),
-            Control::Displacement { on, axis, end, .. } => {
-                let mut driven = scene.clone();
-                driven.loads.clear();
-                drive(&mut driven, on, *axis, *end);
-                Cow::Owned(Model::build(&driven)?)
-            }
-        };
-        let bodies = self.bodies(&model, true)?;
-        let refused = |cause: ProgressiveRunError| RunError::Progressive {
-            body: self.asked.body.clone(),
-            cause: Box::new(cause),
-        };
+        let driven = self.followed.driven()?;
+        let followed = driven.as_ref().unwrap_or(model);
+        let bodies = self.bodies(followed, true)?;
         let body = || self.asked.body.clone();
-        let frame = (self.frame(model.half))
-            .ok_or_else(|| refused(ProgressiveRunError::NoBearing { body: body() }))?;
+        let frame = (self.frame(followed.half))
+            .ok_or_else(|| self.refused(ProgressiveRunError::NoBearing { body: body() }))?;
         let bearing = frame.bearing.unwrap_or_default();
-        let reading = (self.reading(scene, &model, direction(bearing)))
-            .ok_or_else(|| refused(ProgressiveRunError::NoPin { body: body() }))?;
-        let joint = |bodies| {
-            Joint::new(bodies, model.pairs.clone(), reading.gauge)
-                .and_then(|joint| joint.with_options(self.options(model.half)))
-        };
-        let steps = model.history.steps();
-        let mut most = (0.0, Vec::new());
-        let history = joint(bodies)
-            .and_then(|joint| {
-                joint.follow(steps, solver, |record, state| {
-                    if record.load > most.0 {
-                        most = (
-                            record.load,
-                            state.bodies[self.found.body].displacements.clone(),
-                        );
-                    }
-                })
-            })
-            .map_err(|cause| refused(cause.into()))?;
-        if most.1.is_empty() {
-            return Err(refused(match history.ending {
+        let reading = (self.reading(followed, direction(bearing)))
+            .ok_or_else(|| self.refused(ProgressiveRunError::NoPin { body: body() }))?;
+        let (history, peak) = self.until_failure(followed, bodies, &reading, solver)?;
+        if peak.displacements.is_empty() {
+            return Err(self.refused(match history.ending {
                 Ending::NoEquilibrium {
                     step,
                     reached,
@@ -174,30 +151,73 @@ impl<'a> Subject<'a> {
                 },
             }));
         }
-        let sound = self.bodies(&model, false)?;
-        let linear = joint(sound)
-            .and_then(|joint| {
-                edge::linear(
-                    &joint,
-                    &reading.gauge,
-                    self.found.body,
-                    steps,
-                    solver,
-                    most.0,
-                )
-            })
-            .map_err(|cause| refused(cause.into()))?;
-        let mut told = self.told(scene, &model, &history, &reading.hole);
-        told.frame = frame;
-        told.free_travel = reading.gauge.free_travel;
-        if let (Some((linear, displacements)), ModelBodyKind::Elastic(plate)) =
-            (linear, &model.bodies[self.found.body].kind)
-        {
-            let points = edge::EdgePoints::new(plate.mesh(), &reading.hole);
-            told.edge = points.beside(&most.1, &displacements);
-            told.linear = Some(linear);
+        let mut reported = self.reported(model, followed, &history, &reading.hole);
+        reported.frame = frame;
+        reported.free_travel = reading.gauge.free_travel;
+        let linear = self.without_failure(followed, &reading, solver, peak.load)?;
+        if let (Some((linear, displacements)), Some(mesh)) = (linear, self.mesh(followed)) {
+            let points = edge::EdgePoints::new(mesh, &reading.hole);
+            reported.edge = points.beside(&peak.displacements, &displacements);
+            reported.linear = Some(linear);
         }
-        Ok(told)
+        Ok(reported)
+    }
+
+    fn refused(&self, cause: ProgressiveRunError) -> RunError {
+        RunError::Progressive {
+            body: self.asked.body.clone(),
+            cause: Box::new(cause),
+        }
+    }
+
+    fn joint(
+        &self,
+        model: &Model,
+        bodies: Vec<JointBody>,
+        reading: &Reading,
+    ) -> Result<Joint, JointError> {
+        Joint::new(bodies, model.pairs.clone(), reading.gauge)?
+            .with_options(self.options(model.half))
+    }
+
+    /// The history of the joint of `bodies`, some of which fail.
+    fn until_failure(
+        &self,
+        model: &Model,
+        bodies: Vec<JointBody>,
+        reading: &Reading,
+        solver: &dyn InterfaceSolver,
+    ) -> Result<(JointHistory, Peak), RunError> {
+        let mut peak = Peak::default();
+        let history = self.joint(model, bodies, reading).and_then(|joint| {
+            joint.follow(model.history.steps(), solver, |record, state| {
+                if record.load > peak.load {
+                    let own = &state.bodies[self.found.body];
+                    peak = Peak {
+                        load: record.load,
+                        displacements: own.displacements.clone(),
+                    };
+                }
+            })
+        });
+        let history = history.map_err(|cause| self.refused(cause.into()))?;
+        Ok((history, peak))
+    }
+
+    /// The joint whose plies do not fail, followed to the load `target` `[N]`, and the displacements of the body there.
+    fn without_failure(
+        &self,
+        model: &Model,
+        reading: &Reading,
+        solver: &dyn InterfaceSolver,
+        target: f64,
+    ) -> Result<Option<(LinearJoint, Vec<f64>)>, RunError> {
+        let bodies = self.bodies(model, false)?;
+        let steps = model.history.steps();
+        let (body, gauge) = (self.found.body, &reading.gauge);
+        self.joint(model, bodies, reading)
+            .and_then(|joint| edge::linear(&joint, gauge, body, steps, solver, target))
+            .map_err(|cause| self.refused(cause.into()))
     }
 
     fn options(&self, half: bool) -> Options {
@@ -273,14 +293,10 @@ impl<'a> Subject<'a> {
                 ..frame
             });
         }
-        let Control::Displacement { on, axis, end, .. } = &self.asked.control else {
+        let Control::Displacement { axis, end, .. } = &self.asked.control else {
             return None;
         };
-        let own = if *on.body == self.asked.body {
-            -1.0
-        } else {
-            1.0
-        };
+        let own = if self.followed.drives_body { -1.0 } else { 1.0 };
         let towards = own * end.signum();
         let bearing = match (axis, towards > 0.0) {
             (Axis::X, true) => 0.0,
@@ -295,30 +311,20 @@ impl<'a> Subject<'a> {
     }
 
     /// What is read along `direction`, in which the pin bears; `None` if no pin touches the hole.
-    fn reading(&self, scene: &Scene, model: &Model, direction: [f64; 2]) -> Option<Reading> {
+    fn reading(&self, model: &Model, direction: [f64; 2]) -> Option<Reading> {
         let centre = self.found.centre?;
         let own = self.found.body;
-        let ModelBodyKind::Elastic(plate) = &model.bodies[own].kind else {
-            return None;
-        };
-        let mesh = plate.mesh();
-        let touches =
-            |pair: &&stickslip_contact::ContactPair| pair.first == own || pair.second == own;
+        let mesh = self.mesh(model)?;
+        let touches = |pair: &ContactPair| pair.first == own || pair.second == own;
         let pair = (model.edges.iter())
             .filter(|edge| edge.body == own)
             .find_map(|edge| edge.pair)
-            .or_else(|| {
-                let found = model.pairs.iter().find(touches)?;
-                model
-                    .pairs
-                    .iter()
-                    .position(|pair| std::ptr::eq(pair, found))
-            })?;
-        let first = model.pairs[pair].first == own;
-        let pin = if first {
-            model.pairs[pair].second
+            .or_else(|| model.pairs.iter().position(touches))?;
+        let ContactPair { first, second, .. } = model.pairs[pair];
+        let (pin, onto_own) = if first == own {
+            (second, direction)
         } else {
-            model.pairs[pair].first
+            (first, direction.map(|component| -component))
         };
         let nodes = mesh.nodes();
         let arm = |node: &Point| [node[0] - centre[0], node[1] - centre[1]];
@@ -339,7 +345,7 @@ impl<'a> Subject<'a> {
             gauge: Gauge {
                 pull: Pull::Contact {
                     pair,
-                    direction: if first { direction } else { [-x, -y] },
+                    direction: onto_own,
                 },
                 multiple: if model.half { 2.0 } else { 1.0 },
                 direction,
@@ -348,7 +354,8 @@ impl<'a> Subject<'a> {
                     body: own,
                     node: nearest(mesh, [centre[0] - far * x, centre[1] - far * y]),
                 },
-                free_travel: free_travel(scene, pair, direction),
+                // From where it starts, the pin travels c (1 − cos θ_b) to where a clearance c lets it touch.
+                free_travel: model.contacts[pair].clearance * (1.0 - direction[0]),
             },
             hole: Hole {
                 centre,
@@ -360,15 +367,16 @@ impl<'a> Subject<'a> {
         })
     }
 
-    fn told(
+    /// What is reported of the joint that was followed on `followed`, instead of the scene's own `model`.
+    fn reported(
         &self,
-        scene: &Scene,
         model: &Model,
+        followed: &Model,
         history: &JointHistory,
         hole: &Hole,
     ) -> ProgressiveFailure {
         // Energies are those of the modelled part.
-        let both = if model.half { 2.0 } else { 1.0 };
+        let both = if followed.half { 2.0 } else { 1.0 };
         let curve = history.records.iter().map(|record| CurvePoint {
             step: record.step,
             reached: record.reached,
@@ -377,10 +385,10 @@ impl<'a> Subject<'a> {
             work: both * record.energy.external,
             dissipated: both * (record.energy.dissipated + record.energy.released),
         });
-        let cells = self.mesh(model).map_or(0, Mesh::element_count);
+        let cells = self.mesh(followed).map_or(0, Mesh::element_count);
         ProgressiveFailure {
-            model: words::model(self, scene),
-            control: words::control(self.asked, scene),
+            model: words::model(self, &model.request),
+            control: words::control(self, &model.request),
             curve: curve.collect(),
             peak: history.peak(),
             strength: history.strength(),
@@ -397,10 +405,10 @@ impl<'a> Subject<'a> {
             linear: None,
             edge: Vec::new(),
             cells,
-            half: model.half,
+            half: followed.half,
             frame: ContactFrame::NONE,
             free_travel: 0.0,
-            findings: findings::of(self, scene, model),
+            findings: findings::of(self, model, followed),
         }
     }
 
@@ -451,40 +459,6 @@ fn crack_band(
 ) -> Result<CrackBand, CrackBandError> {
     let order = mesh.blocks().iter().map(|block| block.kind.order()).max();
     CrackBand::new(energies, degradation)?.with_width(1.0 / order.unwrap_or(1) as f64)
-}
-
-/// Holds `on` along `axis` at the displacement `end`, instead of whatever held or loaded it there.
-fn drive(scene: &mut Scene, on: &stickslip_scene::schema::SetRef, axis: Axis, end: f64) {
-    let along = Axes {
-        x: axis == Axis::X,
-        y: axis == Axis::Y,
-    };
-    let across = Axes {
-        x: along.y,
-        y: along.x,
-    };
-    let mut held_across = scene.platens.iter().any(|platen| platen.on == *on);
-    scene.platens.retain(|platen| platen.on != *on);
-    let mut kept = Vec::new();
-    for support in scene.supports.drain(..) {
-        if support.on != *on {
-            kept.push(support);
-        } else if let Hold::Axes(axes) = support.hold {
-            held_across |= (axes.x && across.x) || (axes.y && across.y);
-        }
-    }
-    scene.supports = kept;
-    let mut hold = |axes, displacement| {
-        scene.supports.push(Support {
-            on: on.clone(),
-            hold: Hold::Axes(axes),
-            displacement,
-        });
-    };
-    hold(along, end);
-    if held_across {
-        hold(across, 0.0);
-    }
 }
 
 /// Unit vector at the angle `bearing` `[rad]`, exact along the axes.

@@ -4,15 +4,14 @@ use stickslip_contact::Interface;
 use stickslip_contact::freedom::{self, free_bodies};
 use stickslip_contact::interface::Part;
 use stickslip_contact::uniqueness::NEAR_BOUND;
-use stickslip_contact::zones::Zone;
+use stickslip_contact::zones::{Zone, ends_of_contact};
 
-use crate::model::{Model, beyond_fine_zone};
+use crate::model::Model;
 use crate::results::{
     BearingSource, ContactFinding, EdgeGeometry, EdgeKind, EdgeResults, FailedSolver, Finding,
     FreeBody, FreeMotion, FurtherSolvers, Quantity, StatusCycle, StepResults, UniquenessBound,
     wrapped,
 };
-use stickslip_scene::Scene;
 
 /// Angle `[rad]` by which the bearing point of a round contact may move in a history before it is reported.
 const WANDERS: f64 = 5.0 * std::f64::consts::PI / 180.0;
@@ -21,7 +20,7 @@ const WANDERS_PART: f64 = 0.1;
 
 /// Findings on the load steps.
 pub(super) fn of_steps(
-    scene: &Scene,
+    model: &Model,
     edges: &[EdgeGeometry],
     steps: &[StepResults],
 ) -> Vec<Finding> {
@@ -35,7 +34,7 @@ pub(super) fn of_steps(
         if edge.contact {
             let own: Vec<&EdgeResults> = steps.iter().map(|step| &step.edges[index]).collect();
             let zones: Vec<&[Zone]> = own.iter().map(|step| &*step.zones).collect();
-            findings.extend(beyond_fine_zone(scene, edge, &zones));
+            findings.extend(beyond_fine_zone(model.edges[index].fine_to, edge, &zones));
             findings.extend(wanders(edge, &own));
         }
     }
@@ -138,11 +137,50 @@ fn wanders(edge: &EdgeGeometry, steps: &[&EdgeResults]) -> Option<Finding> {
     })
 }
 
+/// The farthest end of contact on `edge` in any load step, if it lies beyond the `limit` of the mesh's fine zone; `steps` holds the
+/// contact's zones for each step. Contact all around has no end, and a mesh of equal spacing no limit.
+fn beyond_fine_zone(limit: Option<f64>, edge: &EdgeGeometry, steps: &[&[Zone]]) -> Option<Finding> {
+    let limit = limit?;
+    let place = |end: f64| match edge.kind {
+        EdgeKind::Circle { .. } => wrapped(end),
+        EdgeKind::Line => end,
+    };
+    let ends = |zones: &[Zone]| -> Vec<f64> {
+        let ends = ends_of_contact(zones, edge.closed());
+        ends.into_iter().map(place).collect()
+    };
+    let farther = |a: &f64, b: &f64| a.abs().total_cmp(&b.abs());
+    let farthest = |zones: &&[Zone]| ends(zones).into_iter().max_by(farther);
+    let by_step = steps.iter().map(farthest).enumerate();
+    let (step, end) = by_step
+        .filter_map(|(step, end)| Some((step, end?)))
+        .max_by(|a, b| farther(&a.1, &b.1).then(b.0.cmp(&a.0)))?;
+    // An end on the limit to rounding is not beyond it.
+    if end.abs() <= limit * (1.0 + 1e-9) {
+        return None;
+    }
+    let both_ends = ends(steps[step])
+        .iter()
+        .any(|other| (other + end).abs() <= 1e-6 * end.abs());
+    let quantity = match edge.kind {
+        EdgeKind::Circle { .. } => Quantity::Angle,
+        EdgeKind::Line => Quantity::Length,
+    };
+    let found = ContactFinding::BeyondFineMesh {
+        step: step + 1,
+        end: quantity(end),
+        both_ends,
+        limit: quantity(limit),
+    };
+    Some(Finding::about(&edge.name, found))
+}
+
 /// Whether reserve factors multiply interference too.
-pub(super) fn of_reserve(scene: &Scene) -> Option<Finding> {
-    let pressed = scene.contacts.iter().filter(|contact| contact.interference);
-    let contacts: Vec<String> = pressed.map(|contact| contact.name.clone()).collect();
-    let concerned = scene.failure.is_some() && !contacts.is_empty();
+pub(super) fn of_reserve(model: &Model) -> Option<Finding> {
+    let contacts = model.pairs.iter().zip(&model.contacts);
+    let pressed = contacts.filter(|(_, contact)| contact.interference);
+    let contacts: Vec<String> = pressed.map(|(pair, _)| pair.name.clone()).collect();
+    let concerned = model.request.failure.is_some() && !contacts.is_empty();
     concerned.then_some(Finding::ReserveWithInterference { contacts })
 }
 

@@ -175,11 +175,6 @@ impl CondensedBody {
         &self.structure.interface
     }
 
-    /// Bytes held by the factor.
-    pub fn factor_bytes(&self) -> usize {
-        self.factor.bytes()
-    }
-
     /// Displacements of all nodes `[length]`, interleaved, under interface forces `forces` (2n) `[force]`, load cases times
     /// `multipliers`, and rigid motions `motions` (f): one pair of sparse triangular solves.
     pub fn displacements(&self, forces: &[f64], multipliers: &[f64], motions: &[f64]) -> Vec<f64> {

@@ -21,6 +21,7 @@ pub(super) struct Without {
     pub(super) its_ways: bool,
 }
 
+/// What was seen, what it is called for and what limits the trust in it, in the order in which a reader wants it.
 pub(super) fn of(
     call: &ModeCall,
     basis: Basis,
@@ -28,7 +29,26 @@ pub(super) fn of(
     reserve: &Reserve,
     retained: Option<f64>,
 ) -> Vec<String> {
-    let percent = |part: f64| 100.0 * part;
+    let mut reasons = vec![seen(call, basis)];
+    if call.collapse > 0.0 {
+        let collapse = percent(call.collapse);
+        reasons.push(format!(
+            "{collapse:.0} % of it failed in the collapse, the increment beyond the last equilibrium; files and figures of damage end at that \
+             equilibrium"
+        ));
+    }
+    reasons.push(ground(call, why));
+    reasons.push(reserve.sentence());
+    reasons.extend(retained.map(|retained| load_kept(call, retained)));
+    reasons
+}
+
+fn percent(part: f64) -> f64 {
+    100.0 * part
+}
+
+/// What damage there is, and where.
+fn seen(call: &ModeCall, basis: Basis) -> String {
     let what = if basis.fibre {
         "broken fibres"
     } else {
@@ -46,65 +66,63 @@ pub(super) fn of(
     } else {
         String::new()
     };
-    let mut reasons = vec![format!(
+    format!(
         "{what} {when}: {bearing:.0} % ahead of the pin (0–35°), {shear:.0} % where a plug shears out (45–80°), {tension:.0} % at the \
          net section (about 90°){elsewhere}"
-    )];
-    if call.collapse > 0.0 {
-        let collapse = percent(call.collapse);
-        reasons.push(format!(
-            "{collapse:.0} % of it failed in the collapse, the increment beyond the last equilibrium; files and figures of damage end at that \
-             equilibrium"
-        ));
-    }
+    )
+}
+
+/// What the mode is called for.
+fn ground(call: &ModeCall, why: Why) -> String {
     let [ahead, plug, ligament] = call.reach.map(percent);
-    let parted = percent(SEVERED);
-    let before = |mode: usize| {
+    let (parted, governs) = (percent(SEVERED), percent(GOVERNS));
+    let before = |way: usize| {
         if call.collapse > 0.0 {
-            let followed = percent(call.followed_reach[mode]);
+            let followed = percent(call.followed_reach[way]);
             format!("{followed:.0} % at the last equilibrium; ")
         } else {
             String::new()
         }
     };
-    reasons.push(match (why, call.mode) {
+    match (why, call.mode) {
         (Why::Severed, JointMode::NetTension) => format!(
             "broken material covers {ligament:.0} % of the way from the hole to the side ({}{parted:.0} % part the net section), and {plug:.0} % of \
-             that to the end", before(2)
+             that to the end",
+            before(2)
         ),
         (Why::Severed, _) => format!(
             "broken material covers {plug:.0} % of the way from the hole to the end ({}{parted:.0} % free the plug), and {ligament:.0} % of that to \
-             the side", before(1)
+             the side",
+            before(1)
         ),
         (Why::Split, _) => format!(
             "the end is split ahead of the pin, over {ahead:.0} % of the way to it ({}{parted:.0} % part it), and {ligament:.0} % of the way to the \
-             side are broken", before(0)
+             side are broken",
+            before(0)
         ),
         (Why::Share, mode) => format!(
-            "most of it lies where {mode} begins ({:.0} % decide); neither path to side or end is alone severed",
-            percent(GOVERNS)
+            "most of it lies where {mode} begins ({governs:.0} % decide); neither path to side or end is alone severed"
         ),
         (Why::Confined, _) => format!(
             "it stays at the hole's edge, over {ligament:.0} % of the way to the side and {plug:.0} % of that to the end, and the largest part lies \
              ahead of the pin"
         ),
-        (Why::NoShare, _) => {
-            let governs = percent(GOVERNS);
-            format!("no mode has {governs:.0} % of it, and neither path to side or end is alone severed")
-        }
-    });
-    reasons.push(reserve.sentence());
-    if let Some(retained) = retained {
-        let kept = percent(retained);
-        reasons.push(if retained < 0.7 {
-            format!("the load falls to {kept:.0} % of its peak: the path that bore it is lost")
-        } else if call.mode == JointMode::Bearing {
-            format!("the load stays at {kept:.0} % of its peak: the pin goes on crushing material")
-        } else {
-            format!("the load stays at {kept:.0} % of its peak as far as the history goes")
-        });
+        (Why::NoShare, _) => format!(
+            "no mode has {governs:.0} % of it, and neither path to side or end is alone severed"
+        ),
     }
-    reasons
+}
+
+/// What is left of the load behind its peak.
+fn load_kept(call: &ModeCall, retained: f64) -> String {
+    let kept = percent(retained);
+    if retained < 0.7 {
+        format!("the load falls to {kept:.0} % of its peak: the path that bore it is lost")
+    } else if call.mode == JointMode::Bearing {
+        format!("the load stays at {kept:.0} % of its peak: the pin goes on crushing material")
+    } else {
+        format!("the load stays at {kept:.0} % of its peak as far as the history goes")
+    }
 }
 
 impl Reserve {

@@ -19,8 +19,8 @@ use stickslip_fem_core::material::{PlaneStiffness, apply};
 
 use super::error::ProgressiveError;
 use super::model::{PointModel, check_step};
-use super::registry::{Dimension, ParameterInfo, PointModelInfo, PointModelParameters};
-use super::state::{Assembly, LayerResponse, PointResponse, PointState, elastic_strain, energy};
+use super::registry::{ParameterInfo, PointModelInfo, PointModelParameters};
+use super::state::{LayerResponse, PointResponse, PointState, by_layers, elastic_strain, energy};
 use crate::degradation::Degradation;
 use crate::failure::{FailureCriterion, FailureError, PlyLoading, fibre_assessment};
 use crate::laminate::{Laminate, Layer};
@@ -62,7 +62,8 @@ impl PlyDiscount {
     /// The layer with index `index` on the way from `committed` to `strain`.
     fn layer(
         &self,
-        (index, layer): (usize, &Layer),
+        index: usize,
+        layer: &Layer,
         committed: &PointState,
         strain: [f64; 3],
         temperature: f64,
@@ -117,12 +118,15 @@ impl PointModel for PlyDiscount {
         temperature: f64,
     ) -> Result<PointResponse, ProgressiveError> {
         check_step(&self.laminate, committed, strain, temperature)?;
-        let mut assembly = Assembly::new(&self.laminate, strain, temperature, committed.dissipated);
-        for layer in self.laminate.layers().iter().enumerate() {
-            let share = self.layer(layer, committed, strain, temperature)?;
-            assembly.add(layer.1, &share);
-        }
-        Ok(assembly.finish())
+        let layer =
+            |index: usize, layer: &Layer| self.layer(index, layer, committed, strain, temperature);
+        Ok(by_layers(
+            &self.laminate,
+            committed,
+            strain,
+            temperature,
+            layer,
+        )?)
     }
 
     fn weakened_stiffness(&self, state: &PointState, part: f64) -> Option<PlaneStiffness> {
@@ -220,24 +224,12 @@ inventory::submit! {
         name: "ply_discount",
         summary: "plies lose stiffness at once when their failure criterion is met",
         parameters: &[
-            ParameterInfo {
-                path: "criterion",
-                dimension: Dimension::Text,
-                default: Some("the first criterion"),
-                meaning: "the criterion by which plies fail",
-            },
-            ParameterInfo {
-                path: "fibre",
-                dimension: Dimension::Dimensionless,
-                default: None,
-                meaning: "factor on E1 after fibre failure, from 1e-9 to 1; on E2 and G12 the smaller of both",
-            },
-            ParameterInfo {
-                path: "matrix",
-                dimension: Dimension::Dimensionless,
-                default: None,
-                meaning: "factor on E2 and G12 after failure of the matrix, from 1e-9 to 1",
-            },
+            ParameterInfo::text("criterion", "the criterion by which plies fail").or("the first criterion"),
+            ParameterInfo::number(
+                "fibre",
+                "factor on E1 after fibre failure, from 1e-9 to 1; on E2 and G12 the smaller of both",
+            ),
+            ParameterInfo::number("matrix", "factor on E2 and G12 after failure of the matrix, from 1e-9 to 1"),
         ],
     }
 }

@@ -17,9 +17,9 @@ use serde::{Deserialize, Serialize};
 use super::closest_point::YieldSurface;
 use super::error::ProgressiveError;
 use super::model::{PointModel, check_step};
-use super::registry::{Dimension, ParameterInfo, PointModelInfo, PointModelParameters};
+use super::registry::{ParameterInfo, PointModelInfo, PointModelParameters};
 use super::state::{
-    Assembly, LayerResponse, LayerState, PointResponse, PointState, elastic_strain,
+    LayerResponse, LayerState, PointResponse, PointState, by_layers, elastic_strain,
 };
 use crate::failure::FailureCriterion;
 use crate::laminate::{Laminate, Layer};
@@ -117,12 +117,10 @@ impl PointModel for TsaiHillPlasticity {
         temperature: f64,
     ) -> Result<PointResponse, ProgressiveError> {
         check_step(&self.laminate, committed, strain, temperature)?;
-        let mut assembly = Assembly::new(&self.laminate, strain, temperature, committed.dissipated);
-        for (index, layer) in self.laminate.layers().iter().enumerate() {
-            let share = self.layer(index, layer, &committed.layers[index], strain, temperature)?;
-            assembly.add(layer, &share);
-        }
-        Ok(assembly.finish())
+        let layer = |index: usize, layer: &Layer| {
+            self.layer(index, layer, &committed.layers[index], strain, temperature)
+        };
+        by_layers(&self.laminate, committed, strain, temperature, layer)
     }
 }
 
@@ -187,11 +185,9 @@ inventory::submit! {
     PointModelInfo {
         name: "plasticity",
         summary: "plies flow from the Tsai–Hill surface on",
-        parameters: &[ParameterInfo {
-            path: "hardening",
-            dimension: Dimension::Stress,
-            default: None,
-            meaning: "plastic shear modulus of a ply, by the shear strength of the first ply, ≥ 0; 0 is perfect plasticity",
-        }],
+        parameters: &[ParameterInfo::stress(
+            "hardening",
+            "plastic shear modulus of a ply, by the shear strength of the first ply, ≥ 0; 0 is perfect plasticity",
+        )],
     }
 }

@@ -89,41 +89,30 @@ pub(super) struct LayerResponse {
     pub dissipated: f64,
 }
 
-/// Means over the thickness.
-pub(super) struct Assembly<'l> {
-    laminate: &'l Laminate,
-    response: PointResponse,
-}
-
-impl<'l> Assembly<'l> {
-    pub(super) fn new(
-        laminate: &'l Laminate,
-        strain: [f64; 3],
-        temperature: f64,
-        dissipated: f64,
-    ) -> Self {
-        let trial = PointState {
+/// The response of `laminate` in a step from `committed`: means over the thickness of what `respond` says of the layers by index.
+pub(super) fn by_layers<E>(
+    laminate: &Laminate,
+    committed: &PointState,
+    strain: [f64; 3],
+    temperature: f64,
+    respond: impl Fn(usize, &Layer) -> Result<LayerResponse, E>,
+) -> Result<PointResponse, E> {
+    let mut sum = PointResponse {
+        stress: [0.0; 3],
+        tangent: [[0.0; 3]; 3],
+        trial: PointState {
             strain,
             temperature,
             layers: Vec::with_capacity(laminate.layers().len()),
             stored: 0.0,
-            dissipated,
-        };
-        Self {
-            laminate,
-            response: PointResponse {
-                stress: [0.0; 3],
-                tangent: [[0.0; 3]; 3],
-                trial,
-            },
-        }
-    }
-
-    pub(super) fn add(&mut self, layer: &Layer, share: &LayerResponse) {
-        let fraction = layer.ply().thickness() / self.laminate.thickness();
+            dissipated: committed.dissipated,
+        },
+    };
+    for (index, layer) in laminate.layers().iter().enumerate() {
+        let share = respond(index, layer)?;
+        let fraction = layer.ply().thickness() / laminate.thickness();
         let stress = layer.laminate_stress(share.state.stress);
         let tangent = layer.laminate_stiffness(&share.tangent);
-        let sum = &mut self.response;
         for i in 0..3 {
             sum.stress[i] += fraction * stress[i];
             sum.trial.stored += 0.5 * fraction * share.state.stress[i] * share.elastic_strain[i];
@@ -134,10 +123,7 @@ impl<'l> Assembly<'l> {
         sum.trial.dissipated += fraction * share.dissipated;
         sum.trial.layers.push(share.state);
     }
-
-    pub(super) fn finish(self) -> PointResponse {
-        self.response
-    }
+    Ok(sum)
 }
 
 /// Strain of a layer in material axes less its thermal and plastic parts.

@@ -11,7 +11,7 @@ use stickslip_laminate::contract::{
 use stickslip_laminate::failure::{criteria, criterion_named};
 use stickslip_laminate::laminate::Laminate;
 use stickslip_laminate::progressive::{
-    Dimension, ParameterInfo, PlyDiscount, PointModelInfo, PointModelParameters, PointResponse,
+    ParameterInfo, PlyDiscount, PointModelInfo, PointModelParameters, PointResponse,
     ProgressiveError, TsaiHillPlasticity, point_models,
 };
 use stickslip_laminate::{Degradation, FailureCriterion, PointModel, PointState};
@@ -351,12 +351,7 @@ stickslip_laminate::inventory::submit! {
     PointModelInfo {
         name: "sloppy",
         summary: "a model of this test",
-        parameters: &[ParameterInfo {
-            path: "hardening",
-            dimension: Dimension::Stress,
-            default: None,
-            meaning: "plastic shear modulus",
-        }],
+        parameters: &[ParameterInfo::stress("hardening", "plastic shear modulus")],
     }
 }
 

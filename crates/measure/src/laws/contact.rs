@@ -18,7 +18,7 @@ use stickslip_friction::{FrictionLaw, Mirror};
 use stickslip_hybrid::region::locate::Locator;
 
 use super::{Candidate, LawsError};
-use stickslip_engine::model::{Model, mirror};
+use stickslip_engine::model::Model;
 use stickslip_engine::run::{Operator, RunError, condense, solver};
 use stickslip_scene::experiment::SpecimenScene;
 use stickslip_scene::host::Host;
@@ -82,11 +82,11 @@ impl ContactModel {
             specimen: Arc::clone(specimen),
             problem,
             solver: solver(scene.analysis.solver),
-            history: model.history,
             host: scene.host(),
             pair,
             body,
-            mirror: (model.half.then(|| mirror(scene, &scene.contacts[pair]))).flatten(),
+            mirror: model.contacts[pair].mirror,
+            history: model.history,
         })
     }
 

@@ -1,9 +1,9 @@
 //! Errors of models and runs, at the line of the scene that causes them.
 
 use stickslip_contact::ContactError;
-use stickslip_engine::model::ModelError;
+use stickslip_engine::model::{LoadTable, ModelError};
 use stickslip_engine::results::LoadValue;
-use stickslip_engine::run::{RunError, loads_reached};
+use stickslip_engine::run::RunError;
 use stickslip_present::results::quoted;
 use stickslip_scene::Scene;
 use stickslip_scene::diagnostic::{SceneError, SceneProblem};
@@ -148,7 +148,7 @@ fn message(scene: &Scene, error: &RunError) -> String {
     else {
         return error.to_string();
     };
-    let reached_loads = loads_reached(scene, *step, *reached);
+    let reached_loads = LoadTable::of(scene).reached(*step, *reached);
     let acting = loads_on(scene, bodies);
     let loads: Vec<&LoadValue> = acting.iter().map(|&index| &reached_loads[index]).collect();
     if loads.is_empty() {

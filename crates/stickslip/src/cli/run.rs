@@ -84,6 +84,7 @@ pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Fail
         .map_err(|error| KeepError::Output(error.into()))?;
     // As large as the results of a long history: made for those who read it only.
     let summary = console.json.then(|| output::summary_json(&results));
+    let summary = (summary.transpose()).map_err(|error| KeepError::Output(error.into()))?;
     console.result(
         || format!("{table}\nresults in {}\n", path.display()),
         &summary,

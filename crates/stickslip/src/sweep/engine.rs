@@ -195,8 +195,8 @@ impl<'a> Shop<'a> {
         let solver = solver(scene.analysis.solver);
         let solved = follow(&model, operators, interface, solver.as_ref(), &mut |_| {})
             .map_err(|error| error.to_string())?;
-        let wanted = needed(scene, &model);
-        results_without_audit(scene, &model, solver.as_ref(), solved, &wanted)
+        let wanted = needed(&model);
+        results_without_audit(&model, solver.as_ref(), solved, &wanted)
             .map_err(|error| error.to_string())
     }
 
@@ -259,17 +259,14 @@ fn modelled(scene: &Scene, last: &mut LastModel) -> Result<Model, ModelError> {
 }
 
 /// Bodies whose inner displacements are needed.
-fn needed(scene: &Scene, model: &Model) -> Vec<usize> {
-    let fails = |index: usize| {
-        let failure = scene.failure.as_ref();
-        failure.is_some_and(|failure| failure.bodies.contains(&model.bodies[index].name))
-    };
+fn needed(model: &Model) -> Vec<usize> {
     let shows = |index: usize| {
         let mut free = model.edges.iter().filter(|edge| edge.pair.is_none());
         free.any(|edge| edge.body == index)
     };
     let all = 0..model.bodies.len();
-    all.filter(|&index| fails(index) || shows(index)).collect()
+    all.filter(|&index| model.is_asked_for_failure(index) || shows(index))
+        .collect()
 }
 
 #[cfg(test)]

@@ -229,7 +229,7 @@ fn a_rigid_pin_may_be_in_a_bushing_and_a_bushing_in_a_bushing() {
 
 #[test]
 fn the_summary_has_one_entry_for_each_contact() {
-    let summary = summary_json(&results(&scene(BUSHING, &[])));
+    let summary = summary_json(&results(&scene(BUSHING, &[]))).unwrap();
     let edges = summary["steps"][1]["edges"].as_object().unwrap();
     assert_eq!(edges.keys().collect::<Vec<_>>(), ["bushing", "pin"]);
     // Contacts are named by their second bodies, and a note on one does not apply to the other.

@@ -305,11 +305,11 @@ fn compare(changes: &[&str], motions: &[Motion]) {
         mirror: false,
     };
     let own = moved(changes, still);
-    let summary = summary_json(&own);
+    let summary = summary_json(&own).unwrap();
     for &motion in motions {
         let image = moved(changes, motion);
         let what = format!("{changes:?} {motion:?}");
-        let other = summary_json(&image);
+        let other = summary_json(&image).unwrap();
         for part in ["edges", "steps"] {
             is_image(
                 &summary[part],
@@ -354,7 +354,7 @@ fn a_half_that_bears_behind_reads_as_its_mirror_image() {
         &[&pulls[..], &["loads.0.force.direction=[-1, 0]"]].concat(),
     );
     assert!(ahead.edges[0].half && behind.edges[0].half);
-    let [one, other] = [&ahead, &behind].map(summary_json);
+    let [one, other] = [&ahead, &behind].map(|results| summary_json(results).unwrap());
     for part in ["edges", "steps"] {
         is_image(&one[part], &other[part], motion, part);
     }
@@ -370,7 +370,7 @@ fn a_load_along_y_is_measured_from_there() {
         "loads.1.force.direction=[-1, 0]",
     ];
     let results = solved(RING, &pulls);
-    let summary = summary_json(&results);
+    let summary = summary_json(&results).unwrap();
     let step = &summary["steps"][1];
     assert_eq!(summary["edges"][0]["bearing_angle_deg"], 90.0);
     let [start, end] = ends(&step["contact_zones_deg"][0]);
@@ -445,8 +445,9 @@ figures = false
 
 #[test]
 fn a_mirrored_line_contact_has_the_mirrored_numbers() {
-    let [one, other] = ["[1, 0]", "[-1, 0]"]
-        .map(|way| summary_json(&solved(LINE, &[&format!("loads.1.force.direction={way}")])));
+    let [one, other] = ["[1, 0]", "[-1, 0]"].map(|way| {
+        summary_json(&solved(LINE, &[&format!("loads.1.force.direction={way}")])).unwrap()
+    });
     for step in 0..3 {
         let [one, other] = [&one, &other].map(|summary| &summary["steps"][step]);
         let value = |step: &Value, key: &str| number(&step[key]["value"]);

@@ -290,7 +290,7 @@ fn agree(one: &Value, other: &Value, path: &str, tolerance: f64, floor: f64) {
 fn halves_agree(scene: &str, changes: &[&str]) {
     let [half, whole] = ["half", "whole"].map(|extent| {
         let extent = format!("analysis.model={extent}");
-        summary_json(&solved(scene, &[changes, &[&extent]].concat()))
+        summary_json(&solved(scene, &[changes, &[&extent]].concat())).unwrap()
     });
     // Ends of zones between nodes follow from p², the difference of two solutions from their rounding; forces of some N and
     // angles of some degrees.

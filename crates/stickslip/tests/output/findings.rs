@@ -178,7 +178,7 @@ fn sentences_hold_steps_parts_and_display_units() {
 fn the_summary_has_their_numbers_in_display_units() {
     let mut results = results();
     results.findings = [of_the_run(), of_a_contact()].concat();
-    let summary = summary_json(&results);
+    let summary = summary_json(&results).unwrap();
     let findings = summary["findings"].as_array().unwrap();
     assert_eq!(findings.len(), summary["notes"].as_array().unwrap().len());
     let of_kind = |kind: &str| findings.iter().find(|finding| finding["kind"] == kind);

@@ -47,7 +47,10 @@ fn quantity(value: &Value) -> Option<f64> {
 }
 
 fn summary(sample: &Sample) -> Option<String> {
-    let summary = output::summary_json(&sample.results);
+    let summary = match output::summary_json(&sample.results) {
+        Ok(summary) => summary,
+        Err(error) => return Some(error.to_string()),
+    };
     let steps = summary["steps"].as_array()?;
     let (count, asked) = (steps.len(), sample.scene.steps());
     if count != asked {

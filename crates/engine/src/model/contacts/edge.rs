@@ -4,10 +4,9 @@ use std::f64::consts::{PI, TAU};
 
 use stickslip_fem_core::mesh::Curve;
 
-use super::substance;
+use crate::model::plan::{BodyPlan, Placed};
 use crate::model::{Meshes, ModelEdge, ModelError};
 use crate::results::{ContactFrame, EdgeGeometry, EdgeKind};
-use stickslip_scene::Scene;
 use stickslip_scene::schema::SetRef;
 
 /// The nodes of an edge by ascending parameter.
@@ -21,20 +20,18 @@ pub(super) struct EdgeNodes {
 }
 
 pub(super) fn edge_nodes(
-    scene: &Scene,
-    edge: &SetRef,
+    edge: &Placed<'_, SetRef>,
     meshes: &Meshes,
     half: bool,
 ) -> Result<EdgeNodes, ModelError> {
     let mesh_error = |cause| ModelError::Mesh {
-        body: edge.body.clone(),
+        body: edge.of.body.clone(),
         cause,
     };
     let mesh = &meshes[&edge.body];
-    let path = mesh.edge_path(&edge.set).map_err(mesh_error)?;
-    let curve = mesh.edge_set(&edge.set).map_err(mesh_error)?.curve;
-    let shape = &scene.bodies[&edge.body].shape;
-    if let (Some(radius), Some(Curve::Arc { centre, .. })) = (shape.circle(&edge.set), curve) {
+    let path = mesh.edge_path(&edge.of.set).map_err(mesh_error)?;
+    let curve = mesh.edge_set(&edge.of.set).map_err(mesh_error)?.curve;
+    if let (Some(radius), Some(Curve::Arc { centre, .. })) = (edge.circle(), curve) {
         let walk = mesh.counter_clockwise(&path, centre);
         let weights = mesh.edge_weights(&walk, curve);
         let parameter = mesh.angles(&walk, centre);
@@ -97,18 +94,16 @@ impl EdgeNodes {
 
     pub(super) fn into_model_edge(
         self,
-        scene: &Scene,
-        edge: &SetRef,
-        body: usize,
+        edge: &Placed<'_, SetRef>,
+        body: &BodyPlan<'_>,
         half: bool,
         pair: Option<usize>,
     ) -> ModelEdge {
         let normals = self.parameter.iter().map(|&at| self.normal(at)).collect();
-        let (thickness, _) = substance(scene, &edge.body);
+        let thickness = body.thickness();
         // A side along the line of symmetry lies wholly in the half or wholly out of it.
-        let shape = scene.bodies[&edge.body].shape;
-        let (own, across) = (shape.edge(&edge.set), shape.mirror());
-        let aside = own.zip(across).and_then(|(own, across)| own.level(across));
+        let own = edge.edge.zip(body.shape.mirror());
+        let aside = own.and_then(|(own, across)| own.level(across));
         let half = half && aside.is_none();
         let bearing_area = match self.kind {
             EdgeKind::Circle { radius, .. } => Some(2.0 * radius * thickness),
@@ -116,9 +111,9 @@ impl EdgeNodes {
         };
         ModelEdge {
             geometry: EdgeGeometry {
-                name: edge.to_string(),
+                name: edge.of.to_string(),
                 contact: pair.is_some(),
-                body: edge.body.clone(),
+                body: edge.of.body.clone(),
                 kind: self.kind,
                 parameter: self.parameter,
                 corner: self.corner,
@@ -127,7 +122,7 @@ impl EdgeNodes {
                 law: String::new(),
                 frame: ContactFrame::NONE,
             },
-            body,
+            body: edge.body,
             nodes: self.nodes,
             local: Vec::new(),
             areas: self
@@ -138,6 +133,7 @@ impl EdgeNodes {
             order: self.order,
             normals,
             pair,
+            fine_to: body.fine_to(),
             tractions: Vec::new(),
         }
     }

@@ -3,9 +3,9 @@
 use stickslip_contact::gap;
 use stickslip_fem_core::mesh::Point;
 
-use stickslip_scene::Scene;
+use crate::model::plan::ContactPlan;
 use stickslip_scene::placement;
-use stickslip_scene::schema::{Contact, GapKind, SetRef};
+use stickslip_scene::schema::GapKind;
 use stickslip_scene::shape::Touch;
 
 /// The two curves that face each other.
@@ -21,9 +21,9 @@ pub(super) enum Geometry {
 }
 
 impl Geometry {
-    pub(super) fn of(scene: &Scene, contact: &Contact) -> Option<Self> {
-        let edge = |set: &SetRef| scene.bodies.get(&set.body)?.shape.edge(&set.set);
-        let touch = edge(&contact.first)?.touches(&edge(&contact.second)?)?;
+    pub(super) fn of(contact: &ContactPlan<'_>) -> Option<Self> {
+        let [first, second] = &contact.sides;
+        let touch = first.edge?.touches(&second.edge?)?;
         Some(match touch {
             Touch::Circles {
                 radii: radii @ [radius, inner],

@@ -22,8 +22,8 @@ use super::edge::EdgeNodes;
 use super::geometry::Geometry;
 use crate::model::ModelError;
 use crate::results::{Choice, EdgeKind};
-use stickslip_scene::Scene;
 use stickslip_scene::schema::{Contact, ProjectionChoice};
+use stickslip_scene::units::Unit;
 
 /// Places along an edge that differ by less than this part of its extent are the same.
 const SAME_PLACE: f64 = 1e-9;
@@ -117,7 +117,8 @@ impl<'a> Side<'a> {
 
 /// What the two sides of a contact have in common.
 pub(super) struct Tied<'a> {
-    pub(super) scene: &'a Scene,
+    /// The unit of lengths in messages.
+    pub(super) length: &'static Unit,
     pub(super) contact: &'a Contact,
     pub(super) geometry: &'a Geometry,
     pub(super) half: bool,
@@ -208,7 +209,7 @@ impl Tied<'_> {
         (apart > SAME_PLACE * extent).then(|| {
             let shown = match first.kind {
                 EdgeKind::Circle { .. } => format!("{:.3}°", apart.to_degrees()),
-                EdgeKind::Line => self.scene.display.length.show(apart),
+                EdgeKind::Line => self.length.show(apart),
             };
             format!("nodes of {upper} and {lower} lie up to {shown} apart")
         })
@@ -287,9 +288,12 @@ impl Tied<'_> {
 }
 
 /// One choice for all contacts where they are tied alike, otherwise one for each: `chosen` holds value and reason of each contact.
-pub(super) fn choices(scene: &Scene, chosen: &[[String; 2]]) -> Vec<Choice> {
+pub(super) fn choices<'a>(
+    contacts: impl Iterator<Item = &'a Contact>,
+    chosen: &[[String; 2]],
+) -> Vec<Choice> {
     let alike = chosen.windows(2).all(|pair| pair[0] == pair[1]);
-    let contacts = scene.contacts.iter().zip(chosen);
+    let contacts = contacts.zip(chosen);
     let choice = |(contact, [value, reason]): (&Contact, &[String; 2])| Choice {
         what: if alike {
             "contact discretisation".to_owned()

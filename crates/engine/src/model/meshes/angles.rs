@@ -4,21 +4,21 @@ use std::f64::consts::{PI, TAU};
 
 use super::{NODE_LIMIT, too_many};
 use crate::model::ModelError;
-use stickslip_scene::Scene;
+use crate::model::plan::BodyPlan;
 use stickslip_scene::schema::{Division, Grading};
 
 /// Growth of the angular spacing from one interval to the next.
 const ANGLE_GROWTH: f64 = 1.15;
 
 /// Angles of the corner nodes on the contact circle, from 0 to π (half) or to below 2π (whole).
-pub(super) fn on_circles(scene: &Scene, body: &str, half: bool) -> Result<Vec<f64>, ModelError> {
+pub(super) fn on_circles(body: &BodyPlan<'_>, half: bool) -> Result<Vec<f64>, ModelError> {
     let refuse = |what: String| ModelError::MeshSettings {
-        body: body.to_owned(),
+        body: body.name.to_owned(),
         what,
     };
-    let upper = match &scene.mesh_of(body).division {
+    let upper = match &body.mesh.division {
         Division::AngleList(angles) => angles.clone(),
-        Division::Angular(grading) => graded_angles(body, *grading)?,
+        Division::Angular(grading) => graded_angles(body.name, *grading)?,
         Division::Linear(_) => {
             return Err(refuse(
                 "a round contact is divided by an angle, such as spacing = \"1 deg\"".into(),

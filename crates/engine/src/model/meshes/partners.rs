@@ -3,44 +3,40 @@
 use std::collections::BTreeMap;
 
 use crate::model::ModelError;
-use stickslip_scene::Scene;
+use crate::model::plan::Plan;
 use stickslip_scene::shape::Role;
 
-/// The partner of every body with a cap or a surface, by name: those in contact, or the only cap with the only surface.
-pub(super) fn of(scene: &Scene) -> Result<BTreeMap<&str, &str>, ModelError> {
-    let with = |role: Role| -> Vec<&str> {
-        let bodies = scene.bodies.iter();
+/// The partner of every body with a cap or a surface, by index: those in contact, or the only cap with the only surface.
+pub(super) fn of(plan: &Plan<'_>) -> Result<BTreeMap<usize, usize>, ModelError> {
+    let with = |role: Role| -> Vec<usize> {
+        let bodies = plan.bodies.iter().enumerate();
         let fit = bodies.filter(|(_, body)| body.shape.edge_with(role).is_some());
-        fit.map(|(name, _)| name.as_str()).collect()
+        fit.map(|(index, _)| index).collect()
     };
     let (mut caps, mut surfaces) = (with(Role::Cap), with(Role::Surface));
     let mut partners = BTreeMap::new();
     let mut join = |[cap, surface]: [_; 2]| partners.extend([(cap, surface), (surface, cap)]);
-    for contact in &scene.contacts {
-        let pair = [contact.first.body.as_str(), contact.second.body.as_str()];
+    for pair in plan.pairs() {
         if caps.contains(&pair[0]) && surfaces.contains(&pair[1]) {
-            caps.retain(|name| *name != pair[0]);
-            surfaces.retain(|name| *name != pair[1]);
+            caps.retain(|body| *body != pair[0]);
+            surfaces.retain(|body| *body != pair[1]);
             join(pair);
         }
     }
-    let alone = |body: &str, what: String| {
+    let alone = |body: usize, kind: &str, needs: &str| {
+        let body = plan.bodies[body].name;
         Err(ModelError::MeshSettings {
             body: body.to_owned(),
-            what,
+            what: format!("the {kind} '{body}' needs a {needs}"),
         })
     };
     match (caps.as_slice(), surfaces.as_slice()) {
-        ([], []) => {}
-        (&[cap], &[surface]) => join([cap, surface]),
-        (&[cap, ..], _) => {
-            let what = format!("the cylinder '{cap}' needs a block that it touches");
-            return alone(cap, what);
+        ([], []) => Ok(partners),
+        (&[cap], &[surface]) => {
+            join([cap, surface]);
+            Ok(partners)
         }
-        ([], &[surface, ..]) => {
-            let what = format!("the block '{surface}' needs a cylinder to touch it");
-            return alone(surface, what);
-        }
+        (&[cap, ..], _) => alone(cap, "cylinder", "block that it touches"),
+        ([], &[surface, ..]) => alone(surface, "block", "cylinder to touch it"),
     }
-    Ok(partners)
 }

@@ -29,7 +29,7 @@ impl Subject<'_> {
         let samples = locate(self.mesh, &places);
         let found: Option<Vec<&Sample>> = samples.iter().map(Option::as_ref).collect();
         let samples = found.ok_or_else(|| {
-            let show = |value: f64| self.scene.display.length.show(value);
+            let show = |value: f64| self.model.request.units.length.show(value);
             outside(format!(
                 "the characteristic curve, {} from the hole's edge at the net section and {} at the bearing point, leaves body '{}'",
                 show(distances.tension),
@@ -62,12 +62,7 @@ impl Subject<'_> {
             angles: self.whole_curve(&angles),
             places: self.whole_places(&places),
         };
-        // The modelled half of a hole that bears at −x lies at negative angles.
-        if found.angles.first() > found.angles.last() {
-            found.angles.reverse();
-            found.places.reverse();
-            found.index.iter_mut().for_each(|index| index.reverse());
-        }
+        ascend(&mut found);
         Ok(found)
     }
 
@@ -130,5 +125,14 @@ impl Subject<'_> {
         let mirrored = places.iter().skip(1).rev().map(|&[x, y]| [x, -y]);
         let below: Vec<Point> = mirrored.filter(|_| self.model.half).collect();
         below.into_iter().chain(places.iter().copied()).collect()
+    }
+}
+
+/// Orders the curve by ascending angles: the modelled half of a hole that bears at −x lies at negative ones.
+fn ascend(found: &mut CharacteristicFailure) {
+    if found.angles.first() > found.angles.last() {
+        found.angles.reverse();
+        found.places.reverse();
+        found.index.iter_mut().for_each(|index| index.reverse());
     }
 }

@@ -7,7 +7,7 @@
 //! There the stress grows without bound as the mesh is refined (Williams 1952), so the first ply would fail at a clamp, at a load
 //! that depends on the mesh. Plies are not evaluated within a stated distance of such places; a note reports what would fail there first.
 
-use stickslip_fem_core::mesh::{MeshError, Point};
+use stickslip_fem_core::mesh::Point;
 
 use super::{RunError, Subject};
 use crate::failure::Sites;
@@ -33,10 +33,7 @@ impl Subject<'_> {
     /// # Errors
     /// [`ModelError::Unsupported`] if none is left.
     pub(super) fn search(&self) -> Result<Search, RunError> {
-        let places = self.singular_places().map_err(|cause| ModelError::Mesh {
-            body: self.name.to_owned(),
-            cause,
-        })?;
+        let places = self.singular_places();
         let distance = self.failure.clear_of_supports;
         let distance = distance.unwrap_or_else(|| CLEAR * self.smaller_dimension());
         let reach = distance * (1.0 + ROUNDING);
@@ -48,7 +45,7 @@ impl Subject<'_> {
         };
         let (beside, kept): (Vec<usize>, Vec<usize>) = (0..nodes.len()).partition(near);
         if kept.is_empty() {
-            let length = self.scene.display.length.show(distance);
+            let length = self.model.request.units.length.show(distance);
             return Err(RunError::Model(ModelError::Unsupported {
                 key: "failure.clear_of_supports".to_owned(),
                 what: format!(
@@ -65,24 +62,12 @@ impl Subject<'_> {
     }
 
     /// Ends of supported edges and platens, and points that are held. An end on the line of symmetry is none.
-    fn singular_places(&self) -> Result<Vec<Point>, MeshError> {
-        let supports = self.scene.supports.iter().map(|support| &support.on);
-        let platens = self.scene.platens.iter().map(|platen| &platen.on);
-        let mut nodes = Vec::new();
-        for on in supports.chain(platens).filter(|on| on.body == self.name) {
-            if self.mesh.edge_set(&on.set).is_err() {
-                nodes.extend_from_slice(self.mesh.node_set(&on.set)?);
-                continue;
-            }
-            let path = self.mesh.edge_path(&on.set)?;
-            if !path.closed {
-                nodes.extend(path.nodes.first().into_iter().chain(path.nodes.last()));
-            }
-        }
+    fn singular_places(&self) -> Vec<Point> {
         let line = ROUNDING * self.smaller_dimension();
         let inner = |place: &Point| self.model.half && place[self.across].abs() <= line;
-        let places = nodes.into_iter().map(|node| self.mesh.nodes()[node]);
-        Ok(places.filter(|place| !inner(place)).collect())
+        let places = self.own.singular.iter();
+        let places = places.map(|&node| self.mesh.nodes()[node]);
+        places.filter(|place| !inner(place)).collect()
     }
 
     /// The smaller side of the box around the whole body `[mm]`.

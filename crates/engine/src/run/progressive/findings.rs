@@ -5,24 +5,24 @@ use stickslip_fem_core::QuadraturePoints;
 use super::{Subject, crack_band};
 use crate::model::Model;
 use crate::results::{JointFinding, Quantity};
-use stickslip_scene::Scene;
 use stickslip_scene::schema::Ramp;
 
-pub(super) fn of(subject: &Subject<'_>, scene: &Scene, model: &Model) -> Vec<JointFinding> {
-    let mut findings = bands(subject, model).unwrap_or_default();
-    let contact = &scene.analysis;
+/// Findings on the joint that is followed on `followed`, instead of the scene's own `model`.
+pub(super) fn of(subject: &Subject<'_>, model: &Model, followed: &Model) -> Vec<JointFinding> {
+    let mut findings = bands(subject, followed).unwrap_or_default();
+    let contact = &model.request.analysis;
     if contact.substeps != 1 || contact.ramp != Ramp::Linear {
         findings.push(JointFinding::SubstepsIgnored);
     }
-    let Some(failure) = &scene.failure else {
+    let Some(failure) = &model.request.failure else {
         return findings;
     };
-    if failure.clear_of_supports.is_some() {
+    if failure.settings.clear_of_supports.is_some() {
         findings.push(JointFinding::ClearOfSupportsIgnored);
     }
-    let others = failure.bodies.iter();
-    let others = others.filter(|name| **name != subject.asked.body);
-    let bodies: Vec<String> = others.cloned().collect();
+    let others = failure.bodies.iter().map(|own| own.body);
+    let others = others.filter(|body| *body != subject.found.body);
+    let bodies: Vec<String> = others.map(|body| model.bodies[body].name.clone()).collect();
     if !bodies.is_empty() {
         findings.push(JointFinding::OtherBodiesIntact { bodies });
     }

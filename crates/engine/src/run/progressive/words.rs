@@ -1,13 +1,13 @@
 //! How a joint was followed, as text.
 
 use super::Subject;
-use stickslip_scene::Scene;
-use stickslip_scene::schema::{Control, Progressive};
+use crate::model::Request;
+use stickslip_scene::schema::Control;
 
 /// How plies lose stiffness.
-pub(super) fn model(subject: &Subject<'_>, scene: &Scene) -> String {
+pub(super) fn model(subject: &Subject<'_>, request: &Request) -> String {
     let model = &subject.asked.model;
-    let stress = |value: f64| scene.display.stress.show(value);
+    let stress = |value: f64| request.units.stress.show(value);
     let described = (model.parameters).describe(model.criterion.name(), &stress);
     match subject.asked.crack_band {
         Some(_) => format!("{described}, strengths by fracture energies"),
@@ -16,13 +16,12 @@ pub(super) fn model(subject: &Subject<'_>, scene: &Scene) -> String {
 }
 
 /// What is raised.
-pub(super) fn control(asked: &Progressive, scene: &Scene) -> String {
-    match &asked.control {
+pub(super) fn control(subject: &Subject<'_>, request: &Request) -> String {
+    match &subject.asked.control {
         Control::Loads { .. } => "the scene's loads".to_owned(),
         Control::Displacement { on, axis, end, .. } => {
-            let replaced: Vec<String> = (scene.loads.iter())
-                .map(|load| format!("'{}'", load.name))
-                .collect();
+            let names = request.loads.names();
+            let replaced: Vec<String> = names.map(|name| format!("'{name}'")).collect();
             let replaced = if replaced.is_empty() {
                 String::new()
             } else {
@@ -31,7 +30,7 @@ pub(super) fn control(asked: &Progressive, scene: &Scene) -> String {
             format!(
                 "{on} driven along {} to {}{replaced}",
                 axis.name(),
-                scene.display.length.show(*end)
+                request.units.length.show(*end)
             )
         }
     }

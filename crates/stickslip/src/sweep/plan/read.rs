@@ -12,6 +12,7 @@ use super::{Base, Sweep, VERSION, joint};
 use crate::sweep::axis::{Axis, AxisKey, between};
 use crate::sweep::format::{AxisFormat, MapFormat, SweepFormat};
 use stickslip_engine::LoadScale;
+use stickslip_engine::model::LoadTable;
 use stickslip_scene::Format;
 use stickslip_scene::diagnostic::{SceneError, SceneProblem, SourceText, nearest};
 use stickslip_scene::document::{Document, Part};
@@ -47,7 +48,7 @@ pub(super) fn sweep(
     let contact = joint::contact(&scene, &read.joint, &document)?;
     let criterion = joint::criterion(&scene, &read.joint, &document)?;
     let pair = &scene.contacts[contact];
-    let unit = LoadScale::unit_of_contact(&scene, contact);
+    let unit = LoadScale::unit_of(&LoadTable::of_contact(&scene, contact));
     let stem = Path::new(&source_name).file_stem();
     let sweep = Sweep {
         title: read

@@ -1,0 +1,216 @@
+//! What a scene asks of a run beside the solution of its model, with its names resolved.
+
+use std::sync::Arc;
+
+use stickslip_fem_core::mesh::{Mesh, MeshError};
+use stickslip_scene::Scene;
+use stickslip_scene::schema::{
+    Analysis, Axes, Axis, Control, DisplayUnits, Failure, FieldOutput, Hold, LaminateSheet,
+    Progressive, SetRef, Support,
+};
+
+use super::load_table::LoadTable;
+use super::plan::Plan;
+use super::{Model, ModelBody, ModelBodyKind, ModelError, loads};
+use crate::results::ContactFrame;
+
+/// What is to be reported, and how.
+#[derive(Clone, Debug)]
+pub struct Request {
+    /// Title of the scene.
+    pub title: String,
+    /// Name of the scene's file.
+    pub source: String,
+    /// SHA-256 of the resolved scene.
+    pub scene_hash: String,
+    /// Units to show results in.
+    pub units: DisplayUnits,
+    /// How the scene asks to be solved.
+    pub analysis: Analysis,
+    /// For which steps fields are computed.
+    pub fields: FieldOutput,
+    /// Values of the loads.
+    pub loads: LoadTable,
+    /// Failure of laminated bodies.
+    pub failure: Option<FailureRequest>,
+}
+
+/// What is asked about the failure of laminates.
+#[derive(Clone, Debug)]
+pub struct FailureRequest {
+    /// Criteria, distances and envelopes.
+    pub settings: Failure,
+    /// The bodies that are asked about, ascending.
+    pub bodies: Vec<FailingBody>,
+}
+
+/// A laminated body whose failure is asked about.
+#[derive(Clone, Debug)]
+pub struct FailingBody {
+    /// Index of the body.
+    pub body: usize,
+    /// Its laminate.
+    pub sheet: Arc<LaminateSheet>,
+    /// Coordinate that the halves of a half model differ in.
+    pub across: usize,
+    /// Nodes where stresses have no bound: the ends of supported edges and of platens, and points that are held.
+    pub singular: Vec<usize>,
+    /// Frame of the assumed bearing load on its hole; +x without one.
+    pub frame: ContactFrame,
+    /// How its failure is followed until the load path is lost.
+    pub progressive: Option<FollowedJoint>,
+}
+
+/// A joint that is followed beyond the failure of its plies.
+#[derive(Clone, Debug)]
+pub struct FollowedJoint {
+    /// What is asked.
+    pub asked: Progressive,
+    /// Whether the body itself is driven, and not what it is joined to.
+    pub drives_body: bool,
+    /// The scene under the drive, which replaces its loads.
+    driven: Option<Arc<Scene>>,
+}
+
+impl Request {
+    pub(super) fn of(
+        scene: &Scene,
+        plan: &Plan<'_>,
+        bodies: &[ModelBody],
+        half: bool,
+    ) -> Result<Self, ModelError> {
+        let failure = scene.failure.as_ref();
+        Ok(Self {
+            title: scene.title.clone(),
+            source: scene.source_name.clone(),
+            scene_hash: scene.hash.clone(),
+            units: scene.display,
+            analysis: scene.analysis,
+            fields: scene.output.fields,
+            loads: LoadTable::of_plan(plan, scene.display),
+            failure: failure
+                .map(|settings| FailureRequest::of(scene, plan, settings, bodies, half))
+                .transpose()?,
+        })
+    }
+}
+
+impl FailureRequest {
+    fn of(
+        scene: &Scene,
+        plan: &Plan<'_>,
+        settings: &Failure,
+        bodies: &[ModelBody],
+        half: bool,
+    ) -> Result<Self, ModelError> {
+        let mut failing = Vec::new();
+        for (index, body) in bodies.iter().enumerate() {
+            let (planned, asked) = (&plan.bodies[index], settings.bodies.contains(&body.name));
+            let sheet = planned.elastic.and_then(|own| own.material.laminate());
+            let (ModelBodyKind::Elastic(elastic), Some(sheet), true) = (&body.kind, sheet, asked)
+            else {
+                continue;
+            };
+            let singular = singular(plan, index, elastic.mesh());
+            let singular = singular.map_err(|cause| ModelError::Mesh {
+                body: body.name.clone(),
+                cause,
+            })?;
+            let hole = SetRef {
+                body: body.name.clone(),
+                set: "hole".to_owned(),
+            };
+            let progressive = settings.progressive.as_ref();
+            let own = progressive.filter(|asked| asked.body == body.name);
+            failing.push(FailingBody {
+                body: index,
+                sheet: Arc::clone(sheet),
+                across: planned.shape.mirror().unwrap_or(0),
+                singular,
+                frame: loads::frame(plan, &hole, half),
+                progressive: own.map(|asked| FollowedJoint::of(scene, asked)),
+            });
+        }
+        Ok(Self {
+            settings: settings.clone(),
+            bodies: failing,
+        })
+    }
+}
+
+/// Ends of supported edges and platens of a body, and points that are held.
+fn singular(plan: &Plan<'_>, body: usize, mesh: &Mesh) -> Result<Vec<usize>, MeshError> {
+    let supports = plan.supports_of(body).map(|support| &support.on);
+    let platens = plan.platens_of(body).map(|platen| &platen.on);
+    let mut nodes = Vec::new();
+    for on in supports.chain(platens) {
+        if mesh.edge_set(&on.set).is_err() {
+            nodes.extend_from_slice(mesh.node_set(&on.set)?);
+            continue;
+        }
+        let path = mesh.edge_path(&on.set)?;
+        if !path.closed {
+            nodes.extend(path.nodes.first().into_iter().chain(path.nodes.last()));
+        }
+    }
+    Ok(nodes)
+}
+
+impl FollowedJoint {
+    fn of(scene: &Scene, asked: &Progressive) -> Self {
+        let (drives_body, driven) = match &asked.control {
+            Control::Loads { .. } => (false, None),
+            Control::Displacement { on, axis, end, .. } => {
+                let mut driven = scene.clone();
+                driven.loads.clear();
+                driven.failure = None;
+                drive(&mut driven, on, *axis, *end);
+                (on.body == asked.body, Some(Arc::new(driven)))
+            }
+        };
+        Self {
+            asked: asked.clone(),
+            drives_body,
+            driven,
+        }
+    }
+
+    /// Builds the model under the drive; `None` where the scene's own loads are raised.
+    pub(crate) fn driven(&self) -> Result<Option<Model>, ModelError> {
+        self.driven.as_deref().map(Model::build).transpose()
+    }
+}
+
+/// Holds `on` along `axis` at the displacement `end`, instead of whatever held or loaded it there.
+fn drive(scene: &mut Scene, on: &SetRef, axis: Axis, end: f64) {
+    let along = Axes {
+        x: axis == Axis::X,
+        y: axis == Axis::Y,
+    };
+    let across = Axes {
+        x: along.y,
+        y: along.x,
+    };
+    let mut held_across = scene.platens.iter().any(|platen| platen.on == *on);
+    scene.platens.retain(|platen| platen.on != *on);
+    let mut kept = Vec::new();
+    for support in scene.supports.drain(..) {
+        if support.on != *on {
+            kept.push(support);
+        } else if let Hold::Axes(axes) = support.hold {
+            held_across |= (axes.x && across.x) || (axes.y && across.y);
+        }
+    }
+    scene.supports = kept;
+    let mut hold = |axes, displacement| {
+        scene.supports.push(Support {
+            on: on.clone(),
+            hold: Hold::Axes(axes),
+            displacement,
+        });
+    };
+    hold(along, end);
+    if held_across {
+        hold(across, 0.0);
+    }
+}
