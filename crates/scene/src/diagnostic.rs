@@ -5,6 +5,7 @@
 //! one scene.
 
 mod laminate;
+mod made;
 mod nearest;
 mod problem;
 mod remedy;
@@ -199,6 +200,14 @@ impl SceneError {
         let mut findings = vec![first];
         findings.extend(others);
         Self { findings }
+    }
+
+    /// Nothing where there are no findings, otherwise an error of all of them.
+    pub(crate) fn of_all(findings: Vec<Finding>) -> Result<(), Self> {
+        if findings.is_empty() {
+            return Ok(());
+        }
+        Err(Self { findings })
     }
 
     /// The findings in the order in which they were met.

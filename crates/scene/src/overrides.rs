@@ -21,14 +21,6 @@ pub(super) use mistyped::mistyped;
 /// Name of the source that errors in an override are shown in.
 const SOURCE: &str = "--set";
 
-/// Tables that hold exactly one entry, named after the choice.
-const CHOICES: [&str; 4] = [
-    "materials.*",
-    "bodies.*.shape",
-    "bodies.*.shape.plate_with_hole.outline",
-    "contacts.*.friction",
-];
-
 /// Applies one argument `key=value`.
 pub(crate) fn apply(document: &mut Document, argument: &str) -> Result<(), SceneError> {
     let source = Arc::new(SourceText {
@@ -204,10 +196,11 @@ fn set(root: &mut Value, key: &str, value: Value) -> Result<Changed, Box<ScenePr
 /// Entries of the table at `path` that cannot stand beside `name`.
 fn rivals(path: &str, name: &str, map: &Map<String, Value>) -> Vec<String> {
     let others = map.keys().filter(|other| *other != name);
-    if CHOICES.iter().any(|pattern| matches(path, pattern)) || is_choice(path) {
+    let table = table_at(path);
+    if table.is_some_and(|table| table.is_choice) || is_choice(path) {
         return others.cloned().collect();
     }
-    let exclusive = table_at(path).and_then(|table| table.exclusive);
+    let exclusive = table.and_then(|table| table.exclusive);
     let groups = exclusive.map_or(&[][..], |exclusive| exclusive.groups);
     let Some(own) = groups.iter().find(|group| group.contains(&name)) else {
         return Vec::new();
@@ -218,15 +211,6 @@ fn rivals(path: &str, name: &str, map: &Map<String, Value>) -> Vec<String> {
             .any(|group| group != own && group.contains(&other.as_str()))
     };
     others.filter(excluded).cloned().collect()
-}
-
-/// Whether `path` fits `pattern`, in which `*` stands for one segment.
-fn matches(path: &str, pattern: &str) -> bool {
-    path.split('.').count() == pattern.split('.').count()
-        && path
-            .split('.')
-            .zip(pattern.split('.'))
-            .all(|(own, wanted)| wanted == "*" || own == wanted)
 }
 
 #[cfg(test)]

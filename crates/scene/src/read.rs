@@ -39,8 +39,7 @@ impl<'a> Reader<'a> {
             Value::Number(number) => number.to_string(),
             other => {
                 let expected = format!("{expected} with its unit in quotes");
-                let found = described(other);
-                let problem = SceneProblem::WrongKind { expected, found };
+                let problem = SceneProblem::wrong_kind(expected, described(other));
                 return Err(ReadError::new(problem, Part::Value).at(self.key));
             }
         };
@@ -158,10 +157,7 @@ impl<'de> Deserializer<'de> for Reader<'_> {
             Value::Object(map) => Err(not_one(self.key, map.keys(), variants)),
             other => {
                 let expected = format!("one of {}", variants.join(", "));
-                let problem = SceneProblem::WrongKind {
-                    expected,
-                    found: described(other),
-                };
+                let problem = SceneProblem::wrong_kind(expected, described(other));
                 Err(ReadError::new(problem, Part::Value))
             }
         };
@@ -203,16 +199,8 @@ impl<'de> Deserializer<'de> for Reader<'_> {
 }
 
 fn not_one<'a>(key: &str, found: impl Iterator<Item = &'a String>, variants: &[&str]) -> ReadError {
-    let found: Vec<_> = found.cloned().collect();
-    let problem = SceneProblem::OneOf {
-        table: key.to_owned(),
-        choices: variants.join(", "),
-        found: if found.is_empty() {
-            "none".to_owned()
-        } else {
-            found.join(", ")
-        },
-    };
+    let found = found.map(String::as_str);
+    let problem = SceneProblem::one_of(key, variants.join(", "), found);
     ReadError::new(problem, Part::Key)
 }
 
@@ -322,10 +310,7 @@ impl<'de> VariantAccess<'de> for Content<'_> {
         match self.value {
             None | Some(Value::Null) => Ok(()),
             Some(value) => {
-                let problem = SceneProblem::WrongKind {
-                    expected: "a bare name".to_owned(),
-                    found: described(value),
-                };
+                let problem = SceneProblem::wrong_kind("a bare name", described(value));
                 Err(ReadError::new(problem, Part::Value).at(&self.key))
             }
         }

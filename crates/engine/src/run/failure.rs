@@ -25,6 +25,7 @@ use crate::results::{
 };
 use stickslip_scene::Scene;
 use stickslip_scene::schema::{Failure, LaminateSheet, SetRef, Substance};
+use stickslip_scene::shape::Role;
 
 /// What the scene asks about the failure of its laminates; `fields` are the steps that have fields.
 pub(super) fn all(
@@ -72,6 +73,8 @@ struct Subject<'a> {
     plies: PlyStresses,
     /// Coordinate that the halves of a half model differ in.
     across: usize,
+    /// Name of its hole's edge.
+    hole_set: Option<&'static str>,
 }
 
 impl<'a> Subject<'a> {
@@ -96,6 +99,7 @@ impl<'a> Subject<'a> {
             sheet,
             plies: PlyStresses::new(sheet),
             across: body.shape.mirror().unwrap_or(0),
+            hole_set: body.shape.edge_with(Role::Hole).map(|edge| edge.name),
         })
     }
 
@@ -314,7 +318,7 @@ impl<'a> Subject<'a> {
     /// From where angles about the hole are measured: the bearing point of the contact that loads it, or of its bearing load. Counter-
     /// clockwise also for a half, because plies are no mirror images of each other.
     fn frame(&self, results: &Results) -> ContactFrame {
-        let Some(hole) = self.hole() else {
+        let (Some(hole), Some(set)) = (self.hole(), self.hole_set) else {
             return ContactFrame::NONE;
         };
         let same = |kind: EdgeKind| match kind {
@@ -329,7 +333,7 @@ impl<'a> Subject<'a> {
         let found = found.filter(|frame| frame.bearing.is_some());
         let on = SetRef {
             body: self.name.to_owned(),
-            set: "hole".to_owned(),
+            set: set.to_owned(),
         };
         let asked = || frame_of_loads(self.scene, &on, self.model.half);
         ContactFrame {
@@ -339,7 +343,7 @@ impl<'a> Subject<'a> {
     }
 
     fn hole(&self) -> Option<Region> {
-        let edge = self.mesh.edge_set("hole").ok()?;
+        let edge = self.mesh.edge_set(self.hole_set?).ok()?;
         match edge.curve {
             Some(Curve::Arc { centre, radius }) => Some(Region { centre, radius }),
             _ => None,

@@ -112,6 +112,8 @@ impl de::Error for ReadError {
     }
 }
 
+const TABLE: &str = "a table, such as { key = value }";
+
 /// Serde's names of what it wants, as a person would say them.
 fn wanted(expected: &str) -> String {
     match expected {
@@ -120,7 +122,8 @@ fn wanted(expected: &str) -> String {
         "a string" => "a text in quotes",
         "a boolean" => "true or false",
         "a sequence" => "a list",
-        "a map" => "a table, such as { key = value }",
+        "a map" => TABLE,
+        other if other.starts_with("struct ") => TABLE,
         other => {
             let length = other.strip_prefix("an array of length ");
             return length.map_or_else(
