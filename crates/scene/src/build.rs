@@ -24,9 +24,7 @@ use super::format::SceneFormat;
 use super::open::stem;
 use super::overrides::mistyped;
 use super::scene::Scene;
-use super::schema::{
-    Analysis, Body, Contact, Failure, Load, Material, Output, Platen, SetRef, Support,
-};
+use super::schema::{Analysis, Body, Contact, Failure, Load, Material, Platen, SetRef, Support};
 use crate::diagnostic::{Finding, SceneError, SceneProblem, nearest, one_of};
 
 /// Most letters of a name, which is a part of file names.
@@ -93,10 +91,7 @@ pub(super) fn build(
         loads,
         edges,
         failure,
-        output: Output {
-            fields: format.output.fields,
-            figures: format.output.figures,
-        },
+        output: format.output,
         source_name,
         base_dir: base.to_owned(),
         resolved: written::resolved(&document, &format)?,

@@ -202,6 +202,21 @@ impl SceneError {
         Self { findings }
     }
 
+    /// A problem of a text that has no key.
+    pub(crate) fn in_text(
+        problem: SceneProblem,
+        source: &Arc<SourceText>,
+        span: Option<Span>,
+    ) -> Self {
+        let finding = Finding {
+            problem,
+            key: String::new(),
+            source: Arc::clone(source),
+            span,
+        };
+        Self::new(finding, [])
+    }
+
     /// Nothing where there are no findings, otherwise an error of all of them.
     pub(crate) fn of_all(findings: Vec<Finding>) -> Result<(), Self> {
         if findings.is_empty() {

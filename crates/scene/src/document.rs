@@ -208,13 +208,7 @@ impl Document {
         cause: String,
         span: Option<Range<usize>>,
     ) -> SceneError {
-        let finding = Finding {
-            problem: SceneProblem::Syntax { format, cause },
-            key: String::new(),
-            source: Arc::clone(&self.source),
-            span,
-        };
-        SceneError::new(finding, [])
+        SceneError::in_text(SceneProblem::Syntax { format, cause }, &self.source, span)
     }
 
     fn not_finite(&self, key: &str, value: &str) -> SceneError {

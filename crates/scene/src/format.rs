@@ -15,7 +15,7 @@ use stickslip_fem_core::material::PlaneState;
 use stickslip_fem_core::mesh::ElementKind;
 
 use super::schema::{
-    Axis, DisplayUnits, FieldOutput, GapKind, ModelChoice, ProjectionChoice, Ramp, SolverChoice,
+    Axis, DisplayUnits, GapKind, ModelChoice, Output, ProjectionChoice, Ramp, SolverChoice,
 };
 use crate::shape::ShapeFormat;
 use crate::units::{
@@ -55,7 +55,7 @@ pub(super) struct SceneFormat {
     pub(super) edges: Vec<EdgeFormat>,
     pub(super) failure: Option<FailureFormat>,
     #[serde(default)]
-    pub(super) output: OutputFormat,
+    pub(super) output: Output,
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
@@ -261,20 +261,4 @@ pub(super) struct PlatenFormat {
 #[serde(deny_unknown_fields)]
 pub(super) struct EdgeFormat {
     pub(super) on: String,
-}
-
-#[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(default, deny_unknown_fields)]
-pub(super) struct OutputFormat {
-    pub(super) fields: FieldOutput,
-    pub(super) figures: bool,
-}
-
-impl Default for OutputFormat {
-    fn default() -> Self {
-        Self {
-            fields: FieldOutput::Peak,
-            figures: true,
-        }
-    }
 }

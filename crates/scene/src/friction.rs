@@ -16,9 +16,9 @@ pub(super) use choice::Choice;
 use registered::{below, has_parameter, holds_one, names_below};
 
 use super::document::{Document, Part, child};
-use super::read::described;
+use super::read::{described, quantity};
 use crate::diagnostic::{Finding, SceneProblem};
-use crate::units::{Dimension, Expected, UnitError, parse};
+use crate::units::{Dimension, Expected};
 
 /// A law, and its table with all defaults filled in.
 pub(super) struct ReadLaw {
@@ -278,24 +278,9 @@ impl LawReader<'_> {
         key: &str,
         value: &Value,
     ) -> Result<Value, Box<Finding>> {
-        let expected = Expected::one(dimension);
-        let read = match value {
-            Value::String(text) => parse(text, &expected),
-            Value::Number(number) => Err(UnitError::MissingUnit {
-                value: number.to_string(),
-                expected,
-            }),
-            other => {
-                return Err(self.wrong_kind(
-                    key,
-                    &format!("{expected} with its unit in quotes"),
-                    other,
-                ));
-            }
-        };
-        match read {
-            Ok((number, _)) => Ok(number.into()),
-            Err(error) => Err(self.finding(key, Part::Value, error.into())),
+        match quantity(value, &Expected::one(dimension)) {
+            Ok(number) => Ok(number.into()),
+            Err(problem) => Err(self.finding(key, Part::Value, *problem)),
         }
     }
 }

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use serde::de::DeserializeOwned;
 use sha2::{Digest as _, Sha256};
 
-use crate::diagnostic::{Finding, SceneError, SceneProblem, SourceText};
+use crate::diagnostic::{SceneError, SceneProblem, SourceText};
 use crate::document::{Document, Format, Part};
 use crate::host::Host;
 use crate::limits::Content;
@@ -29,13 +29,9 @@ pub fn text_of(
         Ok(text) => return Ok(SourceText { name, text }),
         Err(error) => (String::new(), error),
     };
-    let finding = Finding {
-        problem: problem(name.clone(), &error),
-        key: String::new(),
-        source: Arc::new(SourceText { name, text }),
-        span: None,
-    };
-    Err(SceneError::new(finding, []))
+    let problem = problem(name.clone(), &error);
+    let source = Arc::new(SourceText { name, text });
+    Err(SceneError::in_text(problem, &source, None))
 }
 
 /// Reads a document with the overrides `key=value` applied in turn. The files that it names are those of `host`.

@@ -14,7 +14,7 @@ use super::document::{Document, Format, Place, child};
 use super::friction::is_choice;
 use super::keys::table_at;
 use super::read::described;
-use crate::diagnostic::{Finding, SceneError, SceneProblem, SourceText};
+use crate::diagnostic::{SceneError, SceneProblem, SourceText};
 
 pub(super) use mistyped::mistyped;
 
@@ -27,18 +27,7 @@ pub(crate) fn apply(document: &mut Document, argument: &str) -> Result<(), Scene
         name: SOURCE.to_owned(),
         text: argument.to_owned(),
     });
-    let refuse = |problem| {
-        let span = Some(0..argument.len());
-        SceneError::new(
-            Finding {
-                problem,
-                key: String::new(),
-                source: Arc::clone(&source),
-                span,
-            },
-            [],
-        )
-    };
+    let refuse = |problem| SceneError::in_text(problem, &source, Some(0..argument.len()));
     let form = || {
         refuse(SceneProblem::OverrideForm {
             argument: argument.to_owned(),
@@ -101,8 +90,7 @@ fn read_value(text: &str, source: &Arc<SourceText>, offset: usize) -> Result<Val
         .map(|finding| finding.problem.clone());
     match problem {
         // A list, a table or a quoted text that is broken is no plain text.
-        Some(problem @ SceneProblem::Syntax { .. }) if !text.starts_with(['[', '{', '"', '\'']) => {
-            drop(problem);
+        Some(SceneProblem::Syntax { .. }) if !text.starts_with(['[', '{', '"', '\'']) => {
             Ok(Value::String(text.to_owned()))
         }
         // A date is a text that happens to look like one.
@@ -111,13 +99,7 @@ fn read_value(text: &str, source: &Arc<SourceText>, offset: usize) -> Result<Val
         }
         Some(problem) => {
             let span = Some(offset..source.text.len());
-            let finding = Finding {
-                problem,
-                key: String::new(),
-                source: Arc::clone(source),
-                span,
-            };
-            Err(SceneError::new(finding, []))
+            Err(SceneError::in_text(problem, source, span))
         }
         None => Err(failed),
     }
@@ -158,20 +140,8 @@ fn set(root: &mut Value, key: &str, value: Value) -> Result<Changed, Box<ScenePr
                 map.entry(*segment).or_insert_with(empty)
             }
             Value::Array(list) => {
-                let length = list.len();
-                let index = segment
-                    .parse::<usize>()
-                    .ok()
-                    .filter(|index| *index <= length);
-                let index = index.ok_or_else(|| {
-                    Box::new(SceneProblem::OverrideIndex {
-                        key: key.to_owned(),
-                        list: path.clone(),
-                        length,
-                        index: (*segment).to_owned(),
-                    })
-                })?;
-                if index == length {
+                let index = index_of(list, &path, segment, key)?;
+                if index == list.len() {
                     changed.made.push(here.clone());
                     list.push(empty());
                 }
@@ -191,6 +161,25 @@ fn set(root: &mut Value, key: &str, value: Value) -> Result<Changed, Box<ScenePr
     changed.replaced.push(key.to_owned());
     changed.made.push(key.to_owned());
     Ok(changed)
+}
+
+/// The index `segment` of the list at `path`, of an entry or of one behind the last.
+fn index_of(
+    list: &[Value],
+    path: &str,
+    segment: &str,
+    key: &str,
+) -> Result<usize, Box<SceneProblem>> {
+    let length = list.len();
+    let index = segment.parse().ok().filter(|index| *index <= length);
+    index.ok_or_else(|| {
+        Box::new(SceneProblem::OverrideIndex {
+            key: key.to_owned(),
+            list: path.to_owned(),
+            length,
+            index: segment.to_owned(),
+        })
+    })
 }
 
 /// Entries of the table at `path` that cannot stand beside `name`.

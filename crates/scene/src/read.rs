@@ -14,10 +14,10 @@ use serde_json::Value;
 
 use super::document::{Part, child};
 use crate::diagnostic::SceneProblem;
-use crate::units::{QUANTITY_TAG, UNIT_TAG, Unit, dimensions_of_tag, parse};
+use crate::units::{QUANTITY_TAG, UNIT_TAG, Unit, dimensions_of_tag};
 
 pub(crate) use error::ReadError;
-pub(super) use error::described;
+pub(super) use error::{described, quantity};
 
 /// A value and the key under which it stands.
 #[derive(Clone, Copy, Debug)]
@@ -33,20 +33,9 @@ impl<'a> Reader<'a> {
     }
 
     fn quantity(self, tags: &str) -> Result<(), ReadError> {
-        let expected = dimensions_of_tag(tags);
-        let text = match self.value {
-            Value::String(text) => text.clone(),
-            Value::Number(number) => number.to_string(),
-            other => {
-                let expected = format!("{expected} with its unit in quotes");
-                let problem = SceneProblem::wrong_kind(expected, described(other));
-                return Err(ReadError::new(problem, Part::Value).at(self.key));
-            }
-        };
-        match parse(&text, &expected) {
-            Ok(_) => Ok(()),
-            Err(error) => Err(ReadError::new(error.into(), Part::Value).at(self.key)),
-        }
+        let read = quantity(self.value, &dimensions_of_tag(tags));
+        let refused = |problem: Box<_>| ReadError::new(*problem, Part::Value).at(self.key);
+        read.map(|_| ()).map_err(refused)
     }
 
     /// Refuses a list where a table is wanted: serde's own visitors would take its values for the table's, in the order of the keys.

@@ -401,12 +401,22 @@ impl PolarTable {
 }
 
 /// What is written beside tables.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct Output {
     /// For which steps fields are written as VTU.
     pub fields: FieldOutput,
     /// Whether figures are drawn.
     pub figures: bool,
+}
+
+impl Default for Output {
+    fn default() -> Self {
+        Self {
+            fields: FieldOutput::Peak,
+            figures: true,
+        }
+    }
 }
 
 /// For which load steps fields are computed.

@@ -7,7 +7,8 @@ use thiserror::Error;
 
 use crate::diagnostic::SceneProblem;
 use crate::experiment::LawPlan;
-use crate::units::{self, Expected, UnitError, parse};
+use crate::read::quantity;
+use crate::units::{self, Expected};
 
 /// Ranges with ends so far apart are divided evenly in the logarithm.
 const DECADES: f64 = 20.0;
@@ -118,21 +119,7 @@ impl Candidate {
                 return Err(Box::new(SceneProblem::wrong_kind(wanted, end.to_string())));
             }
         };
-        let problem = match end {
-            Value::String(text) => match parse(text, &expected) {
-                Ok(_) => return Ok(()),
-                Err(error) => error.into(),
-            },
-            Value::Number(number) => {
-                let value = number.to_string();
-                UnitError::MissingUnit { value, expected }.into()
-            }
-            other => {
-                let expected = format!("{expected} with its unit in quotes");
-                SceneProblem::wrong_kind(expected, other.to_string())
-            }
-        };
-        Err(Box::new(problem))
+        quantity(end, &expected).map(|_| ())
     }
 
     /// The law with these values of the free parameters, in base units.

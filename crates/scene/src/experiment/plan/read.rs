@@ -69,11 +69,9 @@ fn experiment(
     let refuse = Refuse(&document);
     let mut specimen = specimen::read(refuse, &read, folder)?;
     let display = shown_in(read.units.as_ref(), &mut specimen);
-    let grating = read.grating.as_ref();
-    let grating = grating.map(|given| self::grating(refuse, given));
+    let grating = read.grating.as_ref().map(|given| grating(refuse, given));
     let grating = grating.transpose()?;
-    let fringes = read.fringes.as_ref();
-    let fringes = fringes.map(|given| self::fringes(refuse, given));
+    let fringes = read.fringes.as_ref().map(|given| fringes(refuse, given));
     let fringes = fringes.transpose()?;
     let scope = states::Scope {
         refuse,
@@ -83,11 +81,9 @@ fn experiment(
         folder,
     };
     let states = scope.states(&read.states)?;
-    let region = read
-        .region
-        .as_ref()
-        .map(|given| settings::region(refuse, given, &specimen.hole, folder))
-        .transpose()?;
+    let region = read.region.as_ref();
+    let region = region.map(|given| settings::region(refuse, given, &specimen.hole, folder));
+    let region = region.transpose()?;
     let reduce = settings::reduce(refuse, &read.reduce)?;
     check_symmetry(refuse, &reduce, &states)?;
     let scene = specimen.scene.as_ref().map(|own| own.scene.hash.as_str());
