@@ -349,7 +349,7 @@ fn mesh_keys_that_no_shape_uses() {
         "bodies.pin.mesh.layers has no effect: nothing in the mesh of a disk depends on it"
     );
     assert_eq!(help, "remove layers");
-    assert_eq!((line, shown.as_str()), (17, "4"));
+    assert_eq!((line, shown.as_str()), (16, "4"));
     let press = |shapes: [&str; 2], setting: &str| {
         let [first, second] = shapes;
         let text = format!(
