@@ -47,7 +47,7 @@ fn of_scene(
     given: &SpecimenFormat,
     path: &Path,
 ) -> Result<Specimen, SceneError> {
-    if !path.is_file() {
+    if refuse.0.host.system.length(path).is_err() {
         let message = format!("there is no scene file '{}'", path.display());
         let remedy = "the path is relative to the folder of the experiment file";
         return Err(refuse.conflict("specimen.scene", message, remedy));
