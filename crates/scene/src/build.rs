@@ -12,20 +12,19 @@ mod laminates;
 mod loads;
 mod mesh;
 mod progressive;
+mod written;
 
 use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde_json::Value;
 
-use self::progressive::Surroundings;
 use super::document::{Document, Part, child};
 use super::format::SceneFormat;
+use super::open::stem;
 use super::overrides::mistyped;
-use super::schema::{
-    Analysis, Body, Contact, DisplayUnits, Failure, Load, Material, MeshSettings, Output, Platen,
-    SetRef, Support,
-};
+use super::scene::Scene;
+use super::schema::{Analysis, Body, Contact, Failure, Load, Material, Platen, SetRef, Support};
 use crate::diagnostic::{Finding, SceneError, SceneProblem, nearest, one_of};
 
 /// Most letters of a name, which is a part of file names.
@@ -38,48 +37,30 @@ enum Fits {
     EdgesAndPoints,
 }
 
-/// The parts of a scene that come from its file.
-pub(super) struct Parts {
-    pub(super) title: Option<String>,
-    pub(super) description: Option<String>,
-    pub(super) display: DisplayUnits,
-    pub(super) analysis: Analysis,
-    pub(super) materials: BTreeMap<String, Material>,
-    pub(super) bodies: BTreeMap<String, Body>,
-    pub(super) mesh: MeshSettings,
-    pub(super) contacts: Vec<Contact>,
-    pub(super) supports: Vec<Support>,
-    pub(super) platens: Vec<Platen>,
-    pub(super) loads: Vec<Load>,
-    pub(super) edges: Vec<SetRef>,
-    pub(super) failure: Option<Failure>,
-    pub(super) output: Output,
-}
-
 /// Checks the scene. On the way the laws in `format` get their defaults.
 pub(super) fn build(
-    document: &Document,
-    format: &mut SceneFormat,
+    document: Document,
+    mut format: SceneFormat,
     base: &Path,
-) -> Result<Parts, SceneError> {
+) -> Result<Scene, SceneError> {
     let mut builder = Builder {
-        document,
+        document: &document,
         findings: Vec::new(),
         bodies: BTreeMap::new(),
     };
     builder.declared();
-    let analysis = builder.analysis(format);
-    let plies = builder.plies(format);
-    let materials = builder.materials(format, &plies, analysis.plane);
-    builder.bodies(format, &materials);
-    let mesh = builder.mesh(format);
-    builder.body_meshes(format, &mesh);
-    let contacts = builder.contacts(format, &materials);
-    let supports = builder.supports(format);
-    let platens = builder.platens(format, &contacts);
-    let (numbers, loads): (Vec<_>, Vec<_>) =
-        builder.loads(format, &materials, base).into_iter().unzip();
-    let edges = builder.edges(format);
+    let analysis = builder.analysis(&format);
+    let plies = builder.plies(&format);
+    let materials = builder.materials(&format, &plies, analysis.plane);
+    builder.bodies(&format, &materials);
+    let mesh = builder.mesh(&mut format);
+    builder.body_meshes(&format, &mesh);
+    let contacts = builder.contacts(&mut format, &materials);
+    let supports = builder.supports(&format);
+    let platens = builder.platens(&format, &contacts);
+    let loads = builder.loads(&format, &materials, base);
+    let (numbers, loads): (Vec<_>, Vec<_>) = loads.into_iter().unzip();
+    let edges = builder.edges(&format);
     let surroundings = Surroundings {
         contacts: &contacts,
         supports: &supports,
@@ -87,24 +68,18 @@ pub(super) fn build(
         loads: &loads,
         numbers: &numbers,
     };
-    let failure = builder.failure(format, &materials, &surroundings);
+    let failure = builder.failure(&format, &materials, &surroundings);
     builder.everything_is_held(&contacts, &supports, &platens);
-    let driven = failure.as_ref().is_some_and(Failure::is_driven);
-    if !driven {
+    if !failure.as_ref().is_some_and(Failure::is_driven) {
         builder.something_happens(&contacts, &supports, &loads);
     }
-    let Builder {
-        findings, bodies, ..
-    } = builder;
-    let mut findings = findings.into_iter();
-    if let Some(first) = findings.next() {
-        return Err(SceneError::new(first, findings));
-    }
-    let units = &format.units;
-    Ok(Parts {
-        title: format.title.clone(),
+    let bodies = builder.finished()?;
+    let source_name = document.source.name.clone();
+    let title = format.title.clone();
+    Ok(Scene {
+        title: title.unwrap_or_else(|| stem(&source_name)),
         description: format.description.clone(),
-        display: units.display(),
+        display: format.units.display(),
         analysis,
         materials,
         bodies,
@@ -112,24 +87,20 @@ pub(super) fn build(
         contacts,
         supports,
         platens,
+        hash: written::hash(&format, &loads),
         loads,
         edges,
         failure,
-        output: Output {
-            fields: format.output.fields,
-            figures: format.output.figures,
-        },
+        output: format.output,
+        source_name,
+        base_dir: base.to_owned(),
+        resolved: written::resolved(&document, &format)?,
+        document,
     })
 }
 
-/// The last name of a key, with the index of a list entry: `angles[2]`.
-fn short(key: &str) -> String {
-    let (rest, last) = key.rsplit_once('.').unwrap_or(("", key));
-    match last.parse::<usize>() {
-        Ok(index) if !rest.is_empty() => format!("{}[{index}]", short(rest)),
-        _ => last.to_owned(),
-    }
-}
+/// What a scene's materials are, by their names.
+type Materials = BTreeMap<String, Material>;
 
 /// What has been built and found so far.
 struct Builder<'a> {
@@ -138,22 +109,31 @@ struct Builder<'a> {
     bodies: BTreeMap<String, Body>,
 }
 
+/// What surrounds the body whose plies fail.
+struct Surroundings<'a> {
+    contacts: &'a [Contact],
+    supports: &'a [Support],
+    platens: &'a [Platen],
+    loads: &'a [Load],
+    /// Their numbers in the scene.
+    numbers: &'a [usize],
+}
+
 impl Builder<'_> {
+    /// The bodies, or everything that was found wrong.
+    fn finished(self) -> Result<BTreeMap<String, Body>, SceneError> {
+        SceneError::of_all(self.findings)?;
+        Ok(self.bodies)
+    }
+
     fn report(&mut self, key: &str, part: Part, problem: SceneProblem) {
         let problem = mistyped(self.document, key, problem);
         self.findings
             .push(self.document.finding(key, part, problem));
     }
 
-    fn conflict(&mut self, key: &str, message: String, remedy: impl Into<String>) {
-        self.report(
-            key,
-            Part::Value,
-            SceneProblem::Conflict {
-                message,
-                remedy: remedy.into(),
-            },
-        );
+    fn conflict(&mut self, key: &str, message: impl Into<String>, remedy: impl Into<String>) {
+        self.report(key, Part::Value, SceneProblem::conflict(message, remedy));
     }
 
     fn missing(&mut self, table: &str, name: &str) {
@@ -176,11 +156,7 @@ impl Builder<'_> {
     }
 
     fn out_of_range(&mut self, key: &str, value: &str, allowed: impl Into<String>) {
-        let problem = SceneProblem::OutOfRange {
-            key: short(key),
-            value: value.to_owned(),
-            allowed: allowed.into(),
-        };
+        let problem = SceneProblem::out_of_range(key, value, allowed);
         self.report(key, Part::Value, problem);
     }
 
@@ -219,12 +195,7 @@ impl Builder<'_> {
     }
 
     fn undefined(&mut self, key: &str, what: &'static str, name: &str, known: Vec<String>) {
-        let problem = SceneProblem::Undefined {
-            what,
-            name: name.to_owned(),
-            nearest: nearest(name, known.iter().map(String::as_str)).map(str::to_owned),
-            known,
-        };
+        let problem = SceneProblem::undefined(what, name, known);
         self.report(key, Part::Value, problem);
     }
 
@@ -304,11 +275,10 @@ impl Builder<'_> {
         let was_meant =
             matches!(self.document.get("loads"), Some(Value::Array(list)) if !list.is_empty());
         if !happens && !was_meant {
-            self.conflict(
-                "",
-                "nothing happens in this scene: no load, no interference, no given displacement".to_owned(),
-                "add a load, for example [[loads]] on = \"plate.left\", force = { direction = [-1, 0], steps = [\"1 kN\"] }",
-            );
+            let message =
+                "nothing happens in this scene: no load, no interference, no given displacement";
+            let remedy = "add a load, for example [[loads]] on = \"plate.left\", force = { direction = [-1, 0], steps = [\"1 kN\"] }";
+            self.conflict("", message, remedy);
         }
     }
 }

@@ -32,7 +32,7 @@ pub struct Key {
     pub meaning: &'static str,
     example: &'static str,
     noted: &'static str,
-    pub(crate) range: Option<Range>,
+    range: Option<Range>,
 }
 
 impl Key {
@@ -64,6 +64,11 @@ impl Key {
         format!("{}{range}{}", self.kind, self.noted)
     }
 
+    /// Its name with its range, if it has one.
+    pub(crate) fn ranged(&self) -> Option<(&'static str, Range)> {
+        Some((self.name, self.range?))
+    }
+
     /// Whether it must be there, at least under some condition.
     pub fn is_required(&self) -> bool {
         self.default.starts_with(REQUIRED)
@@ -78,6 +83,8 @@ pub struct Table {
     /// Its keys.
     pub keys: &'static [Key],
     pub(crate) exclusive: Option<Exclusive>,
+    /// Whether it holds exactly one entry, named after the choice, which an override replaces.
+    pub(crate) is_choice: bool,
 }
 
 /// Keys of a table of which exactly one is given.
@@ -105,7 +112,14 @@ impl Table {
             path,
             keys,
             exclusive: None,
+            is_choice: false,
         }
+    }
+
+    /// The same table, which holds exactly one entry.
+    pub(crate) const fn choice(mut self) -> Self {
+        self.is_choice = true;
+        self
     }
 
     /// The same table, in which exactly one of the first keys of `groups` is given, as messages list their `choices`.
@@ -135,17 +149,6 @@ impl Table {
         own
     }
 
-    /// The tables of this kind that a scene has, with their keys.
-    pub(crate) fn written<'v>(&self, root: &'v Value) -> Vec<(String, &'v Value)> {
-        let mut found = vec![(String::new(), root)];
-        for segment in self.path.split('.').filter(|segment| !segment.is_empty()) {
-            let below = |(key, value): (String, &'v Value)| entries(&key, value, segment);
-            found = found.into_iter().flat_map(below).collect();
-        }
-        found.retain(|(_, value)| value.is_object());
-        found
-    }
-
     /// Whether this is the table at `path`, in which entries of lists have their index.
     pub(crate) fn stands_at(&self, path: &str) -> bool {
         let is_index = |name: &&str| name.parse::<usize>().is_ok();
@@ -161,6 +164,68 @@ impl Table {
     }
 }
 
+/// The same keys with another default.
+pub(crate) const fn with_default<const N: usize>(
+    mut keys: [Key; N],
+    default: &'static str,
+) -> [Key; N] {
+    let mut index = 0;
+    while index < N {
+        keys[index].default = default;
+        index += 1;
+    }
+    keys
+}
+
+/// The default of a table that is one of `count` choices.
+pub(crate) const fn one_of_the(count: usize) -> &'static str {
+    const CHOICES: [&str; 10] = [
+        "",
+        "the only one",
+        "one of the two",
+        "one of the three",
+        "one of the four",
+        "one of the five",
+        "one of the six",
+        "one of the seven",
+        "one of the eight",
+        "one of the nine",
+    ];
+    CHOICES[count]
+}
+
+/// The tables at `path` below `root`, with their keys.
+pub(crate) fn tables_at<'v>(path: &str, root: &'v Value) -> Vec<(String, &'v Value)> {
+    let mut found = vec![(String::new(), root)];
+    for segment in path.split('.').filter(|segment| !segment.is_empty()) {
+        let below = |(key, value): (String, &'v Value)| entries(&key, value, segment);
+        found = found.into_iter().flat_map(below).collect();
+    }
+    found.retain(|(_, value)| value.is_object());
+    found
+}
+
+/// The values of the table `given` at `place` that are outside of their ranges: key, value as written, what is allowed.
+pub(crate) fn outside(
+    place: &str,
+    given: &Value,
+    ranges: impl Iterator<Item = (&'static str, Range)>,
+) -> Vec<[String; 3]> {
+    let of_key = |(name, range): (&str, Range)| {
+        let values = match given.get(name) {
+            Some(value) if range.is_of_lists() => vec![(child(place, name), value)],
+            Some(value) => each(child(place, name), value),
+            None => Vec::new(),
+        };
+        let refused = values.into_iter().filter_map(move |(key, value)| {
+            let (value, allowed) = range.refusal(value)?;
+            Some([key, value, allowed])
+        });
+        refused.collect::<Vec<_>>()
+    };
+    ranges.flat_map(of_key).collect()
+}
+
 /// What `value` has at `segment`: any entry at `NAME`, and of a list each entry.
 fn entries<'v>(key: &str, value: &'v Value, segment: &str) -> Vec<(String, &'v Value)> {
     let Value::Object(map) = value else {
@@ -174,7 +239,7 @@ fn entries<'v>(key: &str, value: &'v Value, segment: &str) -> Vec<(String, &'v V
 }
 
 /// The value, or the entries of a list.
-pub(crate) fn each(key: String, value: &Value) -> Vec<(String, &Value)> {
+fn each(key: String, value: &Value) -> Vec<(String, &Value)> {
     match value {
         Value::Array(list) => {
             let entry = |(index, value)| (child(&key, index), value);

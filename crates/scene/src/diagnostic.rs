@@ -5,6 +5,7 @@
 //! one scene.
 
 mod laminate;
+mod made;
 mod nearest;
 mod problem;
 mod remedy;
@@ -199,6 +200,29 @@ impl SceneError {
         let mut findings = vec![first];
         findings.extend(others);
         Self { findings }
+    }
+
+    /// A problem of a text that has no key.
+    pub(crate) fn in_text(
+        problem: SceneProblem,
+        source: &Arc<SourceText>,
+        span: Option<Span>,
+    ) -> Self {
+        let finding = Finding {
+            problem,
+            key: String::new(),
+            source: Arc::clone(source),
+            span,
+        };
+        Self::new(finding, [])
+    }
+
+    /// Nothing where there are no findings, otherwise an error of all of them.
+    pub(crate) fn of_all(findings: Vec<Finding>) -> Result<(), Self> {
+        if findings.is_empty() {
+            return Ok(());
+        }
+        Err(Self { findings })
     }
 
     /// The findings in the order in which they were met.

@@ -141,12 +141,9 @@ impl Document {
             },
             DeValue::Datetime(date) => {
                 let found = format!("the date {date}");
-                let expected = "a text, a number, a list or a table".to_owned();
-                return Err(self.error(
-                    key,
-                    Part::Value,
-                    SceneProblem::WrongKind { expected, found },
-                ));
+                let expected = "a text, a number, a list or a table";
+                let problem = SceneProblem::wrong_kind(expected, found);
+                return Err(self.error(key, Part::Value, problem));
             }
             DeValue::Array(values) => {
                 let mut list = Vec::with_capacity(values.len());
@@ -211,13 +208,7 @@ impl Document {
         cause: String,
         span: Option<Range<usize>>,
     ) -> SceneError {
-        let finding = Finding {
-            problem: SceneProblem::Syntax { format, cause },
-            key: String::new(),
-            source: Arc::clone(&self.source),
-            span,
-        };
-        SceneError::new(finding, [])
+        SceneError::in_text(SceneProblem::Syntax { format, cause }, &self.source, span)
     }
 
     fn not_finite(&self, key: &str, value: &str) -> SceneError {

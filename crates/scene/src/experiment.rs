@@ -4,6 +4,15 @@ mod candidate;
 mod format;
 pub mod history;
 mod plan;
+mod settings;
+mod specimen;
+mod state;
 
 pub use candidate::{Candidate, RefusedLaw};
-pub use plan::*;
+pub use plan::{Experiment, Unheeded, VERSION};
+pub use settings::{
+    FreeMotion, FreeParameter, Identify, LawPlan, MeshPlan, Method, Reduce, RegionPlan,
+    RegionShape, SectorPlan, SymmetryPlan, ZonePlan,
+};
+pub use specimen::{Area, Fringes, Hole, Specimen, SpecimenScene};
+pub use state::{Direction, LineSource, PictureSource, Source, State, TableSource};

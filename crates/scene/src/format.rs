@@ -15,7 +15,7 @@ use stickslip_fem_core::material::PlaneState;
 use stickslip_fem_core::mesh::ElementKind;
 
 use super::schema::{
-    Axis, DisplayUnits, FieldOutput, GapKind, ModelChoice, ProjectionChoice, Ramp, SolverChoice,
+    Axis, DisplayUnits, GapKind, ModelChoice, Output, ProjectionChoice, Ramp, SolverChoice,
 };
 use crate::shape::ShapeFormat;
 use crate::units::{
@@ -28,12 +28,10 @@ pub(super) use progressive::{
 };
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(super) struct SceneFormat {
     pub(super) version: u64,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) title: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) description: Option<String>,
     #[serde(default)]
     pub(super) units: UnitsFormat,
@@ -55,18 +53,13 @@ pub(super) struct SceneFormat {
     pub(super) loads: Vec<LoadFormat>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) edges: Vec<EdgeFormat>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) failure: Option<FailureFormat>,
     #[serde(default)]
-    pub(super) output: OutputFormat,
+    pub(super) output: Output,
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(
-    default,
-    deny_unknown_fields,
-    expecting = "a table, such as { key = value }"
-)]
+#[serde(default, deny_unknown_fields)]
 pub(crate) struct UnitsFormat {
     pub(crate) length: UnitName<Length>,
     pub(crate) force: UnitName<Force>,
@@ -95,11 +88,7 @@ impl Default for UnitsFormat {
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(
-    default,
-    deny_unknown_fields,
-    expecting = "a table, such as { key = value }"
-)]
+#[serde(default, deny_unknown_fields)]
 pub(super) struct AnalysisFormat {
     pub(super) plane: PlaneState,
     pub(super) model: ModelChoice,
@@ -191,73 +180,55 @@ pub(super) enum MaterialFormat {
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(super) struct IsotropicFormat {
     pub(super) young: Quantity<Stress>,
     pub(super) poisson: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) expansion: Option<Quantity<PerTemperature>>,
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(super) struct OrthotropicFormat {
     pub(super) e1: Quantity<Stress>,
     pub(super) e2: Quantity<Stress>,
     pub(super) g12: Quantity<Stress>,
     pub(super) nu12: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) angle: Option<Quantity<Angle>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) expansion1: Option<Quantity<PerTemperature>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) expansion2: Option<Quantity<PerTemperature>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) e3: Option<Quantity<Stress>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) nu13: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) nu23: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) expansion3: Option<Quantity<PerTemperature>>,
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(super) struct BodyFormat {
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) material: Option<String>,
-    #[serde(default, skip_serializing_if = "is_false")]
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub(super) rigid: bool,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) thickness: Option<Quantity<Length>>,
     pub(super) shape: ShapeFormat,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) mesh: Option<MeshFormat>,
 }
 
 /// `[mesh]`, or what differs from it in `[bodies.NAME.mesh]`.
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(super) struct MeshFormat {
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) element: Option<ElementKind>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) spacing: Option<Quantity<AngleOrLength>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) angles: Option<Vec<Quantity<Angle>>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) fine_to: Option<Quantity<AngleOrLength>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) coarse_spacing: Option<Quantity<AngleOrLength>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) layers: Option<usize>,
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(super) struct ContactFormat {
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) name: Option<String>,
     pub(super) first: String,
     pub(super) second: String,
@@ -267,57 +238,27 @@ pub(super) struct ContactFormat {
     pub(super) projection: ProjectionChoice,
     #[serde(default)]
     pub(super) interference: bool,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) friction: Option<Value>,
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(super) struct SupportFormat {
     pub(super) on: String,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) fix: Option<Vec<Axis>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) normal: Option<Quantity<Angle>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) displacement: Option<Quantity<Length>>,
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(super) struct PlatenFormat {
     pub(super) on: String,
     pub(super) free: Vec<Axis>,
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(super) struct EdgeFormat {
     pub(super) on: String,
-}
-
-#[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(
-    default,
-    deny_unknown_fields,
-    expecting = "a table, such as { key = value }"
-)]
-pub(super) struct OutputFormat {
-    pub(super) fields: FieldOutput,
-    pub(super) figures: bool,
-}
-
-impl Default for OutputFormat {
-    fn default() -> Self {
-        Self {
-            fields: FieldOutput::Peak,
-            figures: true,
-        }
-    }
-}
-
-// Serde hands over a reference.
-#[allow(clippy::trivially_copy_pass_by_ref)]
-fn is_false(flag: &bool) -> bool {
-    !flag
 }

@@ -4,6 +4,7 @@
 //! checked against the registry, its quantity becomes a number in base units, and the law reads the rest. A law of another
 //! crate needs nothing else to be used in a scene.
 
+mod choice;
 mod registered;
 
 use serde_json::{Map, Value};
@@ -11,12 +12,13 @@ use stickslip_friction::{
     Dimension as Kind, FrictionLaw, LawInfo, ParameterInfo, PlyFraction, laws,
 };
 
+pub(super) use choice::Choice;
 use registered::{below, has_parameter, holds_one, names_below};
 
 use super::document::{Document, Part, child};
-use super::read::described;
-use crate::diagnostic::{Finding, SceneProblem, nearest};
-use crate::units::{Dimension, Expected, UnitError, parse};
+use super::read::{described, quantity};
+use crate::diagnostic::{Finding, SceneProblem};
+use crate::units::{Dimension, Expected};
 
 /// A law, and its table with all defaults filled in.
 pub(super) struct ReadLaw {
@@ -93,10 +95,7 @@ impl LawReader<'_> {
     }
 
     fn wrong_kind(&self, key: &str, expected: &str, found: &Value) -> Box<Finding> {
-        let problem = SceneProblem::WrongKind {
-            expected: expected.to_owned(),
-            found: described(found),
-        };
+        let problem = SceneProblem::wrong_kind(expected, described(found));
         self.finding(key, Part::Value, problem)
     }
 
@@ -115,53 +114,19 @@ impl LawReader<'_> {
     }
 
     fn law(&self, key: &str, value: &Value) -> Result<Converted, Box<Finding>> {
-        let Value::Object(map) = value else {
-            return Err(self.wrong_kind(
-                key,
-                "a friction law, for example { coulomb = { mu = 0.3 } }",
-                value,
-            ));
+        let choice = Choice {
+            what: "friction law",
+            owner: "law",
+            example: "{ coulomb = { mu = 0.3 } }",
+            known: laws().map(|law| (law.name, law)).collect(),
         };
-        let mut entries = map.iter();
-        let (Some((name, parameters)), None) = (entries.next(), entries.next()) else {
-            let names: Vec<_> = laws().map(|law| law.name).collect();
-            return Err(self.one_of(key, names.join(", "), map));
-        };
-        let key = child(key, name);
-        let Some(info) = find(name) else {
-            let names: Vec<_> = laws().map(|law| law.name).collect();
-            let problem = SceneProblem::UnknownName {
-                what: "a friction law".to_owned(),
-                found: name.clone(),
-                nearest: nearest(name, names.iter().copied()).map(str::to_owned),
-                known: names.into_iter().map(str::to_owned).collect(),
-            };
-            return Err(self.finding(&key, Part::Key, problem));
-        };
-        let Value::Object(parameters) = parameters else {
-            return Err(self.wrong_kind(&key, "a table of the law's parameters", parameters));
-        };
-        let converted = self.group(info, "", &key, parameters)?;
-        let tagged = |value| Value::Object(Map::from_iter([(name.clone(), value)]));
+        let (info, parameters) = choice.of(self.document, key, value)?;
+        let converted = self.group(info, "", &child(key, info.name), parameters)?;
+        let tagged = |value| Value::Object(Map::from_iter([(info.name.to_owned(), value)]));
         Ok(Converted {
             plain: tagged(converted.plain),
             shown: tagged(converted.shown),
         })
-    }
-
-    fn one_of(&self, key: &str, choices: String, map: &Map<String, Value>) -> Box<Finding> {
-        let found: Vec<_> = map.keys().cloned().collect();
-        let found = if found.is_empty() {
-            "none".to_owned()
-        } else {
-            found.join(", ")
-        };
-        let problem = SceneProblem::OneOf {
-            table: key.to_owned(),
-            choices,
-            found,
-        };
-        self.finding(key, Part::Key, problem)
     }
 
     /// The table of `info` whose registered path is `prefix`.
@@ -177,11 +142,7 @@ impl LawReader<'_> {
         for (name, value) in map {
             let key = child(key, name);
             if !names.contains(&name.as_str()) {
-                let problem = SceneProblem::UnknownKey {
-                    key: name.clone(),
-                    nearest: nearest(name, names.iter().copied()).map(str::to_owned),
-                    known: names.iter().map(|name| (*name).to_owned()).collect(),
-                };
+                let problem = SceneProblem::unknown_key(name, names);
                 return Err(self.finding(&key, Part::Key, problem));
             }
             let converted = self.entry(info, &child(prefix, name), &key, value)?;
@@ -190,7 +151,9 @@ impl LawReader<'_> {
         }
         if holds_one(info, prefix) {
             if map.len() != 1 {
-                return Err(self.one_of(key, names.join(", "), map));
+                let found = map.keys().map(String::as_str);
+                let problem = SceneProblem::one_of(key, names.join(", "), found);
+                return Err(self.finding(key, Part::Key, problem));
             }
         } else {
             for name in names.iter().filter(|name| !map.contains_key(**name)) {
@@ -315,24 +278,9 @@ impl LawReader<'_> {
         key: &str,
         value: &Value,
     ) -> Result<Value, Box<Finding>> {
-        let expected = Expected::one(dimension);
-        let read = match value {
-            Value::String(text) => parse(text, &expected),
-            Value::Number(number) => Err(UnitError::MissingUnit {
-                value: number.to_string(),
-                expected,
-            }),
-            other => {
-                return Err(self.wrong_kind(
-                    key,
-                    &format!("{expected} with its unit in quotes"),
-                    other,
-                ));
-            }
-        };
-        match read {
-            Ok((number, _)) => Ok(number.into()),
-            Err(error) => Err(self.finding(key, Part::Value, error.into())),
+        match quantity(value, &Expected::one(dimension)) {
+            Ok(number) => Ok(number.into()),
+            Err(problem) => Err(self.finding(key, Part::Value, *problem)),
         }
     }
 }

@@ -8,6 +8,10 @@
 //! | checks of ranges and choices  | `build/declared.rs`                             |
 //!
 //! A new key is a field of a table in `format.rs` and a row in a file below `keys`. Shapes bring their own rows.
+//!
+//! A key of meshes is one row for `mesh` and `bodies.NAME.mesh`. Beside its field and its row it needs what makes it part of a mesh: the
+//! compiler asks for it where a body's settings are made of its own and the scene's (`build/mesh.rs`) and where a mesh is made coarser
+//! (`schema.rs`), and the shapes that use it name it in [`mesh_keys`](crate::shape::Outline::mesh_keys); of others it is refused.
 
 mod bodies;
 mod document;

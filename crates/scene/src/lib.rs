@@ -45,6 +45,7 @@ mod json;
 pub mod keys;
 pub mod limits;
 mod material;
+pub mod open;
 mod overrides;
 pub mod placement;
 mod point_model;

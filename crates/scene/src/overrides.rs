@@ -14,20 +14,12 @@ use super::document::{Document, Format, Place, child};
 use super::friction::is_choice;
 use super::keys::table_at;
 use super::read::described;
-use crate::diagnostic::{Finding, SceneError, SceneProblem, SourceText};
+use crate::diagnostic::{SceneError, SceneProblem, SourceText};
 
 pub(super) use mistyped::mistyped;
 
 /// Name of the source that errors in an override are shown in.
 const SOURCE: &str = "--set";
-
-/// Tables that hold exactly one entry, named after the choice.
-const CHOICES: [&str; 4] = [
-    "materials.*",
-    "bodies.*.shape",
-    "bodies.*.shape.plate_with_hole.outline",
-    "contacts.*.friction",
-];
 
 /// Applies one argument `key=value`.
 pub(crate) fn apply(document: &mut Document, argument: &str) -> Result<(), SceneError> {
@@ -35,18 +27,7 @@ pub(crate) fn apply(document: &mut Document, argument: &str) -> Result<(), Scene
         name: SOURCE.to_owned(),
         text: argument.to_owned(),
     });
-    let refuse = |problem| {
-        let span = Some(0..argument.len());
-        SceneError::new(
-            Finding {
-                problem,
-                key: String::new(),
-                source: Arc::clone(&source),
-                span,
-            },
-            [],
-        )
-    };
+    let refuse = |problem| SceneError::in_text(problem, &source, Some(0..argument.len()));
     let form = || {
         refuse(SceneProblem::OverrideForm {
             argument: argument.to_owned(),
@@ -109,8 +90,7 @@ fn read_value(text: &str, source: &Arc<SourceText>, offset: usize) -> Result<Val
         .map(|finding| finding.problem.clone());
     match problem {
         // A list, a table or a quoted text that is broken is no plain text.
-        Some(problem @ SceneProblem::Syntax { .. }) if !text.starts_with(['[', '{', '"', '\'']) => {
-            drop(problem);
+        Some(SceneProblem::Syntax { .. }) if !text.starts_with(['[', '{', '"', '\'']) => {
             Ok(Value::String(text.to_owned()))
         }
         // A date is a text that happens to look like one.
@@ -119,13 +99,7 @@ fn read_value(text: &str, source: &Arc<SourceText>, offset: usize) -> Result<Val
         }
         Some(problem) => {
             let span = Some(offset..source.text.len());
-            let finding = Finding {
-                problem,
-                key: String::new(),
-                source: Arc::clone(source),
-                span,
-            };
-            Err(SceneError::new(finding, []))
+            Err(SceneError::in_text(problem, source, span))
         }
         None => Err(failed),
     }
@@ -166,20 +140,8 @@ fn set(root: &mut Value, key: &str, value: Value) -> Result<Changed, Box<ScenePr
                 map.entry(*segment).or_insert_with(empty)
             }
             Value::Array(list) => {
-                let length = list.len();
-                let index = segment
-                    .parse::<usize>()
-                    .ok()
-                    .filter(|index| *index <= length);
-                let index = index.ok_or_else(|| {
-                    Box::new(SceneProblem::OverrideIndex {
-                        key: key.to_owned(),
-                        list: path.clone(),
-                        length,
-                        index: (*segment).to_owned(),
-                    })
-                })?;
-                if index == length {
+                let index = index_of(list, &path, segment, key)?;
+                if index == list.len() {
                     changed.made.push(here.clone());
                     list.push(empty());
                 }
@@ -201,13 +163,33 @@ fn set(root: &mut Value, key: &str, value: Value) -> Result<Changed, Box<ScenePr
     Ok(changed)
 }
 
+/// The index `segment` of the list at `path`, of an entry or of one behind the last.
+fn index_of(
+    list: &[Value],
+    path: &str,
+    segment: &str,
+    key: &str,
+) -> Result<usize, Box<SceneProblem>> {
+    let length = list.len();
+    let index = segment.parse().ok().filter(|index| *index <= length);
+    index.ok_or_else(|| {
+        Box::new(SceneProblem::OverrideIndex {
+            key: key.to_owned(),
+            list: path.to_owned(),
+            length,
+            index: segment.to_owned(),
+        })
+    })
+}
+
 /// Entries of the table at `path` that cannot stand beside `name`.
 fn rivals(path: &str, name: &str, map: &Map<String, Value>) -> Vec<String> {
     let others = map.keys().filter(|other| *other != name);
-    if CHOICES.iter().any(|pattern| matches(path, pattern)) || is_choice(path) {
+    let table = table_at(path);
+    if table.is_some_and(|table| table.is_choice) || is_choice(path) {
         return others.cloned().collect();
     }
-    let exclusive = table_at(path).and_then(|table| table.exclusive);
+    let exclusive = table.and_then(|table| table.exclusive);
     let groups = exclusive.map_or(&[][..], |exclusive| exclusive.groups);
     let Some(own) = groups.iter().find(|group| group.contains(&name)) else {
         return Vec::new();
@@ -218,15 +200,6 @@ fn rivals(path: &str, name: &str, map: &Map<String, Value>) -> Vec<String> {
             .any(|group| group != own && group.contains(&other.as_str()))
     };
     others.filter(excluded).cloned().collect()
-}
-
-/// Whether `path` fits `pattern`, in which `*` stands for one segment.
-fn matches(path: &str, pattern: &str) -> bool {
-    path.split('.').count() == pattern.split('.').count()
-        && path
-            .split('.')
-            .zip(pattern.split('.'))
-            .all(|(own, wanted)| wanted == "*" || own == wanted)
 }
 
 #[cfg(test)]

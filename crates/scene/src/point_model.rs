@@ -10,9 +10,8 @@ use stickslip_friction::LawInfo;
 use stickslip_laminate::progressive::{PointModelParameters, point_models};
 
 use super::document::{Document, Part, child};
-use super::friction;
-use super::read::described;
-use crate::diagnostic::{Finding, LaminateProblem, SceneProblem, nearest};
+use super::friction::{self, Choice};
+use crate::diagnostic::{Finding, LaminateProblem};
 
 /// Reads the table `table` that stands at `key`: the name of a model with its parameters.
 pub(super) fn read(
@@ -20,54 +19,21 @@ pub(super) fn read(
     key: &str,
     table: &Value,
 ) -> Result<Arc<dyn PointModelParameters>, Box<Finding>> {
-    let refused = |key: &str, part, problem| Box::new(document.finding(key, part, problem));
-    let names = || point_models().map(|info| info.name);
-    let wrong_kind = |key: &str, expected: &str, found: &Value| {
-        let problem = SceneProblem::WrongKind {
-            expected: expected.to_owned(),
-            found: described(found),
-        };
-        refused(key, Part::Value, problem)
+    let choice = Choice {
+        what: "point model",
+        owner: "model",
+        example: "{ ply_discount = { fibre = 0.01, matrix = 0.1 } }",
+        known: point_models().map(|info| (info.name, info)).collect(),
     };
-    let Value::Object(map) = table else {
-        let example =
-            "a point model, for example { ply_discount = { fibre = 0.01, matrix = 0.1 } }";
-        return Err(wrong_kind(key, example, table));
-    };
-    let mut entries = map.iter();
-    let (Some((name, given)), None) = (entries.next(), entries.next()) else {
-        let found: Vec<_> = map.keys().cloned().collect();
-        let problem = SceneProblem::OneOf {
-            table: key.to_owned(),
-            choices: names().collect::<Vec<_>>().join(", "),
-            found: if found.is_empty() {
-                "none".to_owned()
-            } else {
-                found.join(", ")
-            },
-        };
-        return Err(refused(key, Part::Key, problem));
-    };
-    let key = child(key, name);
-    let Some(info) = point_models().find(|info| info.name == name) else {
-        let problem = SceneProblem::UnknownName {
-            what: "a point model".to_owned(),
-            found: name.clone(),
-            nearest: nearest(name, names()).map(str::to_owned),
-            known: names().map(str::to_owned).collect(),
-        };
-        return Err(refused(&key, Part::Key, problem));
-    };
-    let Value::Object(given) = given else {
-        return Err(wrong_kind(&key, "a table of the model's parameters", given));
-    };
+    let (info, given) = choice.of(document, key, table)?;
+    let key = child(key, info.name);
     let described_as = LawInfo {
         name: info.name,
         summary: info.summary,
         parameters: info.parameters,
     };
     let plain = friction::parameters(document, &key, &described_as, given)?;
-    let tagged = Value::Object(Map::from_iter([(name.clone(), plain)]));
+    let tagged = Value::Object(Map::from_iter([(info.name.to_owned(), plain)]));
     let read: Result<Box<dyn PointModelParameters>, _> = serde_json::from_value(tagged);
     read.map(Arc::from).map_err(|error| {
         let message = error.to_string();
@@ -76,8 +42,8 @@ pub(super) fn read(
             .keys()
             .find(|name| message.contains(&format!("{name} = ")));
         let place = named.map_or_else(|| key.clone(), |name| child(&key, name));
-        let model = name.clone();
+        let model = info.name.to_owned();
         let problem = LaminateProblem::PointModel { model, message };
-        refused(&place, Part::Value, problem.into())
+        Box::new(document.finding(&place, Part::Value, problem.into()))
     })
 }

@@ -14,10 +14,10 @@ use serde_json::Value;
 
 use super::document::{Part, child};
 use crate::diagnostic::SceneProblem;
-use crate::units::{QUANTITY_TAG, UNIT_TAG, Unit, dimensions_of_tag, parse};
+use crate::units::{QUANTITY_TAG, UNIT_TAG, Unit, dimensions_of_tag};
 
 pub(crate) use error::ReadError;
-pub(super) use error::described;
+pub(super) use error::{described, quantity};
 
 /// A value and the key under which it stands.
 #[derive(Clone, Copy, Debug)]
@@ -33,21 +33,9 @@ impl<'a> Reader<'a> {
     }
 
     fn quantity(self, tags: &str) -> Result<(), ReadError> {
-        let expected = dimensions_of_tag(tags);
-        let text = match self.value {
-            Value::String(text) => text.clone(),
-            Value::Number(number) => number.to_string(),
-            other => {
-                let expected = format!("{expected} with its unit in quotes");
-                let found = described(other);
-                let problem = SceneProblem::WrongKind { expected, found };
-                return Err(ReadError::new(problem, Part::Value).at(self.key));
-            }
-        };
-        match parse(&text, &expected) {
-            Ok(_) => Ok(()),
-            Err(error) => Err(ReadError::new(error.into(), Part::Value).at(self.key)),
-        }
+        let read = quantity(self.value, &dimensions_of_tag(tags));
+        let refused = |problem: Box<_>| ReadError::new(*problem, Part::Value).at(self.key);
+        read.map(|_| ()).map_err(refused)
     }
 
     /// Refuses a list where a table is wanted: serde's own visitors would take its values for the table's, in the order of the keys.
@@ -158,10 +146,7 @@ impl<'de> Deserializer<'de> for Reader<'_> {
             Value::Object(map) => Err(not_one(self.key, map.keys(), variants)),
             other => {
                 let expected = format!("one of {}", variants.join(", "));
-                let problem = SceneProblem::WrongKind {
-                    expected,
-                    found: described(other),
-                };
+                let problem = SceneProblem::wrong_kind(expected, described(other));
                 Err(ReadError::new(problem, Part::Value))
             }
         };
@@ -203,16 +188,8 @@ impl<'de> Deserializer<'de> for Reader<'_> {
 }
 
 fn not_one<'a>(key: &str, found: impl Iterator<Item = &'a String>, variants: &[&str]) -> ReadError {
-    let found: Vec<_> = found.cloned().collect();
-    let problem = SceneProblem::OneOf {
-        table: key.to_owned(),
-        choices: variants.join(", "),
-        found: if found.is_empty() {
-            "none".to_owned()
-        } else {
-            found.join(", ")
-        },
-    };
+    let found = found.map(String::as_str);
+    let problem = SceneProblem::one_of(key, variants.join(", "), found);
     ReadError::new(problem, Part::Key)
 }
 
@@ -322,10 +299,7 @@ impl<'de> VariantAccess<'de> for Content<'_> {
         match self.value {
             None | Some(Value::Null) => Ok(()),
             Some(value) => {
-                let problem = SceneProblem::WrongKind {
-                    expected: "a bare name".to_owned(),
-                    found: described(value),
-                };
+                let problem = SceneProblem::wrong_kind("a bare name", described(value));
                 Err(ReadError::new(problem, Part::Value).at(&self.key))
             }
         }

@@ -123,6 +123,23 @@ pub struct MeshSettings {
     pub layers: Option<usize>,
 }
 
+impl MeshSettings {
+    /// The settings with corner nodes twice as far apart.
+    #[must_use]
+    pub fn coarser(&self) -> Self {
+        let Self {
+            element,
+            division,
+            layers,
+        } = self;
+        Self {
+            element: *element,
+            division: division.coarser(),
+            layers: layers.map(|layers| layers.div_ceil(2)),
+        }
+    }
+}
+
 /// Where the corner nodes of a contact edge lie.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Division {
@@ -134,6 +151,21 @@ pub enum Division {
     Linear(Grading),
 }
 
+impl Division {
+    fn coarser(&self) -> Self {
+        match self {
+            Self::AngleList(angles) => {
+                let last = angles.len().saturating_sub(1);
+                let kept = angles.iter().enumerate();
+                let kept = kept.filter(|(k, _)| k % 2 == 0 || *k == last);
+                Self::AngleList(kept.map(|(_, angle)| *angle).collect())
+            }
+            Self::Angular(grading) => Self::Angular(grading.coarser()),
+            Self::Linear(grading) => Self::Linear(grading.coarser()),
+        }
+    }
+}
+
 /// Equal spacing, and optionally coarser beyond some distance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Grading {
@@ -143,6 +175,21 @@ pub struct Grading {
     pub fine_to: Option<f64>,
     /// Spacing that it grows to beyond; chosen by the generator if `None`.
     pub coarse_spacing: Option<f64>,
+}
+
+impl Grading {
+    fn coarser(self) -> Self {
+        let Self {
+            spacing,
+            fine_to,
+            coarse_spacing,
+        } = self;
+        Self {
+            spacing: 2.0 * spacing,
+            fine_to,
+            coarse_spacing: coarse_spacing.map(|spacing| 2.0 * spacing),
+        }
+    }
 }
 
 /// Two edges that may touch.
@@ -354,12 +401,22 @@ impl PolarTable {
 }
 
 /// What is written beside tables.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct Output {
     /// For which steps fields are written as VTU.
     pub fields: FieldOutput,
     /// Whether figures are drawn.
     pub figures: bool,
+}
+
+impl Default for Output {
+    fn default() -> Self {
+        Self {
+            fields: FieldOutput::Peak,
+            figures: true,
+        }
+    }
 }
 
 /// For which load steps fields are computed.

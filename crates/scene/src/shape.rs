@@ -29,7 +29,7 @@ use std::ops::Deref;
 use serde::{Deserialize, Serialize};
 
 use self::hole::Hole;
-use crate::declaration::{Key, Table, table};
+use crate::declaration::{Key, Table, one_of_the, table};
 use crate::document::child;
 use crate::units::{Length, Quantity};
 
@@ -99,17 +99,20 @@ macro_rules! shapes {
             }
         }
 
+        const SHAPE: &str = one_of_the(1 + [$($key),*].len());
+        const OUTLINE: &str = one_of_the([$($hole_key),*].len());
+
         const SHAPES: &[Key] = &[
-            table("plate_with_hole", "one of the five", hole::MEANING),
-            $(table($key, "one of the five", $file::MEANING),)*
+            table(hole::NAME, SHAPE, hole::MEANING),
+            $(table($key, SHAPE, $file::MEANING),)*
         ];
 
-        const OUTLINES: &[Key] = &[$(table($hole_key, "one of the two", $hole_file::MEANING),)*];
+        const OUTLINES: &[Key] = &[$(table($hole_key, OUTLINE, $hole_file::MEANING),)*];
 
         const TABLES: &[Table] = &[
-            Table::new("bodies.NAME.shape", SHAPES),
+            Table::new("bodies.NAME.shape", SHAPES).choice(),
             Table::new("bodies.NAME.shape.plate_with_hole", hole::ROWS),
-            Table::new("bodies.NAME.shape.plate_with_hole.outline", OUTLINES),
+            Table::new("bodies.NAME.shape.plate_with_hole.outline", OUTLINES).choice(),
             $(Table::new(concat!("bodies.NAME.shape.plate_with_hole.outline.", $hole_key), $hole_file::ROWS),)*
             $(Table::new(concat!("bodies.NAME.shape.", $key), $file::ROWS),)*
         ];
@@ -139,7 +142,7 @@ pub(crate) fn tables() -> impl Iterator<Item = Table> {
 
 /// `shape.plate_with_hole = { … }`: a hole and what surrounds it.
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct PlateWithHoleFormat {
     hole_radius: Quantity<Length>,
     outline: OutlineFormat,

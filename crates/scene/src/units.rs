@@ -86,17 +86,14 @@ impl Dimension {
     }
 
     /// Name of the base unit.
-    pub const fn base_unit(self) -> &'static str {
-        match self {
-            Self::Length => "mm",
-            Self::Force => "N",
-            Self::Stress => "MPa",
-            Self::Angle => "rad",
-            Self::Temperature => "K",
-            Self::PerTemperature => "1/K",
-            Self::FractureEnergy => "N/mm",
-            Self::PerLength => "1/mm",
-        }
+    pub fn base_unit(self) -> &'static str {
+        self.base().name
+    }
+
+    fn base(self) -> &'static Unit {
+        let mut own = UNITS.iter().filter(|unit| unit.dimension == self);
+        // Every dimension has units, and its first one is the base unit: a test of the table holds this.
+        own.next().unwrap_or(&UNITS[0])
     }
 
     const fn tag(self) -> &'static str {
@@ -187,7 +184,7 @@ const fn unit(name: &'static str, dimension: Dimension, in_base: f64) -> Unit {
 }
 
 /// Every unit that a scene may use. Within a dimension the first is the base unit.
-pub const UNITS: [Unit; 51] = [
+pub static UNITS: [Unit; 51] = [
     unit("mm", Dimension::Length, 1.0),
     unit("cm", Dimension::Length, 10.0),
     unit("m", Dimension::Length, 1000.0),

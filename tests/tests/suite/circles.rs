@@ -8,11 +8,6 @@ use stickslip_tests::imports::{Counted, Imports};
 
 /// Circles between subjects: the crate, why the circle stays ("open": it is to go), and its files below the crate's `src`.
 const CIRCLES: &str = "
-scene: open
-    build/failure.rs build/progressive.rs
-scene: open
-    experiment/candidate.rs experiment/history.rs experiment/plan.rs experiment/plan/laws.rs experiment/plan/read.rs
-    experiment/plan/settings.rs experiment/plan/specimen.rs experiment/plan/states.rs
 measure: open
     analysed.rs analysed/boundary.rs analysed/imported.rs analysed/picture.rs analysed/region.rs error.rs error/words.rs measured.rs
     measured/combine.rs measured/coverage.rs measured/elsewhere.rs measured/lines.rs measured/pictures.rs measured/symmetry.rs

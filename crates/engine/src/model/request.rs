@@ -8,6 +8,7 @@ use stickslip_scene::schema::{
     Analysis, Axes, Axis, Control, DisplayUnits, Failure, FieldOutput, Hold, LaminateSheet,
     Progressive, SetRef, Support,
 };
+use stickslip_scene::shape::Role;
 
 use super::load_table::LoadTable;
 use super::plan::Plan;
@@ -55,6 +56,8 @@ pub struct FailingBody {
     pub across: usize,
     /// Nodes where stresses have no bound: the ends of supported edges and of platens, and points that are held.
     pub singular: Vec<usize>,
+    /// Name of its hole's edge.
+    pub hole: Option<&'static str>,
     /// Frame of the assumed bearing load on its hole; +x without one.
     pub frame: ContactFrame,
     /// How its failure is followed until the load path is lost.
@@ -116,10 +119,11 @@ impl FailureRequest {
                 body: body.name.clone(),
                 cause,
             })?;
-            let hole = SetRef {
-                body: body.name.clone(),
-                set: "hole".to_owned(),
-            };
+            let hole = planned.shape.edge_with(Role::Hole).map(|edge| edge.name);
+            let frame = hole.map_or(ContactFrame::NONE, |set| {
+                let (body, set) = (body.name.clone(), set.to_owned());
+                loads::frame(plan, &SetRef { body, set }, half)
+            });
             let progressive = settings.progressive.as_ref();
             let own = progressive.filter(|asked| asked.body == body.name);
             failing.push(FailingBody {
@@ -127,7 +131,8 @@ impl FailureRequest {
                 sheet: Arc::clone(sheet),
                 across: planned.shape.mirror().unwrap_or(0),
                 singular,
-                frame: loads::frame(plan, &hole, half),
+                hole,
+                frame,
                 progressive: own.map(|asked| FollowedJoint::of(scene, asked)),
             });
         }

@@ -325,7 +325,7 @@ impl<'a> Subject<'a> {
     }
 
     fn hole(&self) -> Option<Region> {
-        let edge = self.mesh.edge_set("hole").ok()?;
+        let edge = self.mesh.edge_set(self.own.hole?).ok()?;
         match edge.curve {
             Some(Curve::Arc { centre, radius }) => Some(Region { centre, radius }),
             _ => None,

@@ -17,7 +17,7 @@ use stickslip_hybrid::calibrate::{Amount, Block, Data, Noise};
 
 use super::{ContactModel, LawsError, Observation, View};
 use stickslip_scene::experiment::SpecimenScene;
-use stickslip_scene::schema::{Division, Grading, MeshSettings};
+use stickslip_scene::schema::MeshSettings;
 
 /// The error of the model's mesh in all states.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,34 +67,12 @@ impl MeshError {
 /// The scene with corner nodes twice as far apart in every body.
 pub fn coarser(own: &SpecimenScene) -> SpecimenScene {
     let mut scene = own.scene.as_ref().clone();
-    scene.mesh = doubled(&scene.mesh);
+    scene.mesh = scene.mesh.coarser();
     for body in scene.bodies.values_mut() {
-        body.mesh = body.mesh.as_ref().map(doubled);
+        body.mesh = body.mesh.as_ref().map(MeshSettings::coarser);
     }
     SpecimenScene {
         scene: Arc::new(scene),
-        ..own.clone()
-    }
-}
-
-fn doubled(own: &MeshSettings) -> MeshSettings {
-    let twice = |own: &Grading| Grading {
-        spacing: 2.0 * own.spacing,
-        coarse_spacing: own.coarse_spacing.map(|spacing| 2.0 * spacing),
-        ..*own
-    };
-    MeshSettings {
-        division: match &own.division {
-            Division::AngleList(angles) => {
-                let last = angles.len().saturating_sub(1);
-                let kept = angles.iter().enumerate();
-                let kept = kept.filter(|(k, _)| k % 2 == 0 || *k == last);
-                Division::AngleList(kept.map(|(_, angle)| *angle).collect())
-            }
-            Division::Angular(grading) => Division::Angular(twice(grading)),
-            Division::Linear(grading) => Division::Linear(twice(grading)),
-        },
-        layers: own.layers.map(|layers| layers.div_ceil(2)),
         ..own.clone()
     }
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use stickslip_fem_core::material::{MaterialError, OrthotropicConstants, OutOfPlane, PlaneState};
 use stickslip_laminate::Ply;
 
-use super::Builder;
+use super::{Builder, Materials};
 use crate::diagnostic::SceneProblem;
 use crate::document::{Part, child};
 use crate::format::{BodyFormat, IsotropicFormat, MaterialFormat, OrthotropicFormat, SceneFormat};
@@ -32,8 +32,8 @@ impl Builder<'_> {
         format: &SceneFormat,
         plies: &BTreeMap<String, Ply>,
         plane: PlaneState,
-    ) -> BTreeMap<String, Material> {
-        let mut materials = BTreeMap::new();
+    ) -> Materials {
+        let mut materials = Materials::new();
         for (name, material) in &format.materials {
             self.name("materials", name);
             let table = child("materials", name);
@@ -121,7 +121,7 @@ impl Builder<'_> {
         );
     }
 
-    pub(super) fn bodies(&mut self, format: &SceneFormat, materials: &BTreeMap<String, Material>) {
+    pub(super) fn bodies(&mut self, format: &SceneFormat, materials: &Materials) {
         if format.bodies.is_empty() {
             self.missing("", "bodies");
         }
@@ -140,12 +140,7 @@ impl Builder<'_> {
         }
     }
 
-    fn substance(
-        &mut self,
-        table: &str,
-        body: &BodyFormat,
-        materials: &BTreeMap<String, Material>,
-    ) -> Substance {
+    fn substance(&mut self, table: &str, body: &BodyFormat, materials: &Materials) -> Substance {
         let thickness = body.thickness.as_ref().map(Quantity::value);
         // Both or none has been reported.
         let (Some(material), false) = (&body.material, body.rigid) else {

@@ -1,15 +1,13 @@
 //! Pairs of edges in contact.
 
-use std::collections::BTreeMap;
-
 use stickslip_friction::PlyFraction;
 
-use super::{Builder, Fits, LONGEST_NAME};
+use super::{Builder, Fits, LONGEST_NAME, Materials};
 use crate::diagnostic::SceneProblem;
 use crate::document::Part;
 use crate::format::{ContactFormat, SceneFormat};
 use crate::friction;
-use crate::schema::{Contact, Material, SetRef, Substance};
+use crate::schema::{Contact, SetRef, Substance};
 use crate::shape::{Edge, Role, Touch};
 
 /// Largest overlap of two circles, as a part of the hole's radius: small displacements hold far below it.
@@ -21,7 +19,7 @@ impl Builder<'_> {
     pub(super) fn contacts(
         &mut self,
         format: &mut SceneFormat,
-        materials: &BTreeMap<String, Material>,
+        materials: &Materials,
     ) -> Vec<Contact> {
         let mut contacts: Vec<Contact> = Vec::new();
         for (index, given) in format.contacts.iter_mut().enumerate() {
@@ -37,11 +35,8 @@ impl Builder<'_> {
             self.contact_name(&key, &name);
             if contacts.iter().any(|other| other.name == name) {
                 let message = format!("two contacts are called '{name}'");
-                self.conflict(
-                    &format!("{key}.name"),
-                    message,
-                    "give each contact a name of its own",
-                );
+                let remedy = "give each contact a name of its own";
+                self.conflict(&format!("{key}.name"), message, remedy);
             }
             if let Some(contact) = self.contact(&key, name, given, materials) {
                 self.edges_are_free(&key, &contacts, &contact);
@@ -71,11 +66,8 @@ impl Builder<'_> {
                 .find(|other| [&other.first, &other.second].contains(&edge));
             if let Some(other) = taken {
                 let message = format!("{edge} is in contact '{}' already", other.name);
-                self.conflict(
-                    &format!("{key}.{place}"),
-                    message,
-                    "an edge takes part in one contact; a bushing touches with its hole and its outer edge",
-                );
+                let remedy = "an edge takes part in one contact; a bushing touches with its hole and its outer edge";
+                self.conflict(&format!("{key}.{place}"), message, remedy);
             }
         }
     }
@@ -88,11 +80,8 @@ impl Builder<'_> {
                 chain.join(", ")
             ),
         };
-        self.conflict(
-            key,
-            message,
-            "a hole holds another, smaller body: change or remove a contact",
-        );
+        let remedy = "a hole holds another, smaller body: change or remove a contact";
+        self.conflict(key, message, remedy);
     }
 
     fn contact(
@@ -100,7 +89,7 @@ impl Builder<'_> {
         key: &str,
         name: String,
         given: &mut ContactFormat,
-        materials: &BTreeMap<String, Material>,
+        materials: &Materials,
     ) -> Option<Contact> {
         let first = self.set(&format!("{key}.first"), &given.first, Fits::Edges);
         let second = self.set(&format!("{key}.second"), &given.second, Fits::Edges);
@@ -152,11 +141,7 @@ impl Builder<'_> {
     }
 
     /// What the plies of the first body's laminate have of its thickness.
-    fn ply_fractions(
-        &self,
-        first: &SetRef,
-        materials: &BTreeMap<String, Material>,
-    ) -> Option<Vec<PlyFraction>> {
+    fn ply_fractions(&self, first: &SetRef, materials: &Materials) -> Option<Vec<PlyFraction>> {
         let Substance::Elastic { material, .. } = &self.bodies.get(&first.body)?.substance else {
             return None;
         };
@@ -172,7 +157,7 @@ impl Builder<'_> {
         }
     }
 
-    fn edge_of(&self, set: &SetRef) -> Option<Edge> {
+    pub(super) fn edge_of(&self, set: &SetRef) -> Option<Edge> {
         self.bodies.get(&set.body)?.shape.edge(&set.set)
     }
 
@@ -245,22 +230,16 @@ impl Builder<'_> {
                 100.0 * (inner / hole - 1.0)
             );
             let most = show(hole * (1.0 + LARGEST_OVERLAP));
-            self.conflict(
-                &inner_key,
-                message,
-                format!("give a radius of at most {most}"),
-            );
+            let remedy = format!("give a radius of at most {most}");
+            self.conflict(&inner_key, message, remedy);
         } else if inner < SMALLEST_INNER * hole {
             let message = format!(
                 "the {part} (radius {inner_text}) is too small for the hole (radius {hole_text}): gaps are found along the hole's \
                  radii, and some of them miss a {part} of less than half its radius"
             );
             let least = show(SMALLEST_INNER * hole);
-            self.conflict(
-                &inner_key,
-                message,
-                format!("give a radius of at least {least}, close to the hole's"),
-            );
+            let remedy = format!("give a radius of at least {least}, close to the hole's");
+            self.conflict(&inner_key, message, remedy);
         }
     }
 

@@ -3,9 +3,9 @@
 use serde_json::Value;
 
 use super::Builder;
-use crate::declaration::{Exclusive, each};
+use crate::declaration::{Exclusive, Key, outside, tables_at};
 use crate::diagnostic::SceneProblem;
-use crate::document::{Part, child};
+use crate::document::Part;
 use crate::keys::tables;
 
 impl Builder<'_> {
@@ -13,25 +13,13 @@ impl Builder<'_> {
     pub(super) fn declared(&mut self) {
         let document = self.document;
         for table in tables() {
-            for (place, given) in table.written(&document.root) {
+            for (place, given) in tables_at(table.path, &document.root) {
                 if let Some(exclusive) = table.exclusive {
                     self.one_of(&place, given, exclusive);
                 }
-                for key in table.keys {
-                    let (Some(range), Some(value)) = (key.range, given.get(key.name)) else {
-                        continue;
-                    };
-                    let place = child(&place, key.name);
-                    let values = if range.is_of_lists() {
-                        vec![(place, value)]
-                    } else {
-                        each(place, value)
-                    };
-                    for (place, value) in values {
-                        if let Some((text, allowed)) = range.refusal(value) {
-                            self.out_of_range(&place, &text, allowed);
-                        }
-                    }
+                let ranges = table.keys.iter().filter_map(Key::ranged);
+                for [key, value, allowed] in outside(&place, given, ranges) {
+                    self.out_of_range(&key, &value, allowed);
                 }
             }
         }
@@ -51,15 +39,10 @@ impl Builder<'_> {
         let found = match found.as_slice() {
             [_] => return,
             [] if exclusive.optional => return,
-            [] => "none".to_owned(),
-            [_, _] if names.len() == 2 => "both".to_owned(),
-            several => several.join(", "),
+            [_, _] if names.len() == 2 => vec!["both"],
+            _ => found,
         };
-        let problem = SceneProblem::OneOf {
-            table: place.to_owned(),
-            choices: exclusive.choices.to_owned(),
-            found,
-        };
+        let problem = SceneProblem::one_of(place, exclusive.choices, found);
         self.report(place, Part::Key, problem);
     }
 }

@@ -1,21 +1,17 @@
 //! Settings of the failure analysis of laminates.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use stickslip_laminate::failure::{Hashin, Interaction, PlyLoading, TsaiWu, criterion_named};
 use stickslip_laminate::{Degradation, FailureCriterion, FailureError};
 
-use super::Builder;
-use super::progressive::Surroundings;
-use crate::diagnostic::{LaminateProblem, SceneProblem, nearest};
+use super::{Builder, Materials, Surroundings};
+use crate::diagnostic::{LaminateProblem, SceneProblem};
 use crate::document::{Part, child};
 use crate::format::{FailureFormat, SceneFormat};
-use crate::schema::{Body, Characteristic, Envelopes, Failure, LaminateSheet, Material, Substance};
+use crate::schema::{Body, Characteristic, Envelopes, Failure, LaminateSheet, Substance};
 use crate::shape::Role;
 use crate::units::Quantity;
-
-pub(super) type Materials = BTreeMap<String, Material>;
 
 impl Builder<'_> {
     pub(super) fn failure(
@@ -57,21 +53,12 @@ impl Builder<'_> {
                     self.conflict(&key, message, "name each criterion once");
                 }
                 Ok(criterion) => criteria.push(criterion),
-                Err(FailureError::UnknownCriterion { name, known }) => {
-                    let problem = SceneProblem::UnknownName {
-                        what: "a failure criterion".to_owned(),
-                        nearest: nearest(&name, known.iter().copied()).map(str::to_owned),
-                        found: name,
-                        known: known.into_iter().map(str::to_owned).collect(),
-                    };
-                    self.report(&key, Part::Value, problem);
-                }
                 Err(cause) => {
                     let key = match cause {
                         FailureError::ShearWeight { .. } => "failure.hashin_shear_weight",
                         _ => &key,
                     };
-                    self.report(key, Part::Value, LaminateProblem::Failure { cause }.into());
+                    self.report(key, Part::Value, no_criterion(cause));
                 }
             }
         }
@@ -212,6 +199,16 @@ impl Builder<'_> {
             directions: envelopes.directions,
             last_ply,
         })
+    }
+}
+
+/// Why there is no criterion.
+pub(super) fn no_criterion(cause: FailureError) -> SceneProblem {
+    match cause {
+        FailureError::UnknownCriterion { name, known } => {
+            SceneProblem::unknown_name("a failure criterion", &name, known)
+        }
+        cause => LaminateProblem::Failure { cause }.into(),
     }
 }
 

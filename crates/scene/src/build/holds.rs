@@ -34,11 +34,9 @@ impl Builder<'_> {
             let hold = hold(given);
             let displacement = given.displacement.as_ref().map_or(0.0, Quantity::value);
             if displacement != 0.0 && matches!(hold, Some(Hold::Axes(Axes { x: true, y: true }))) {
-                self.conflict(
-                    &format!("{key}.displacement"),
-                    "one displacement is given, but two directions are fixed".to_owned(),
-                    "write one support for x and one for y, each with its displacement",
-                );
+                let message = "one displacement is given, but two directions are fixed";
+                let remedy = "write one support for x and one for y, each with its displacement";
+                self.conflict(&format!("{key}.displacement"), message, remedy);
             }
             if let (Some(on), Some(hold)) = (on, hold) {
                 supports.push(Support {

@@ -1,13 +1,12 @@
 //! Loads and their histories.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::{Builder, Fits};
+use super::{Builder, Fits, Materials};
 use crate::diagnostic::SceneProblem;
 use crate::document::{Part, child};
 use crate::format::{BearingFormat, ForceFormat, LoadFormat, PolarTractionFormat, SceneFormat};
-use crate::schema::{Load, LoadKind, Material, PolarTable, SetRef, Substance};
+use crate::schema::{Load, LoadKind, PolarTable, SetRef, Substance};
 use crate::shape::Role;
 use crate::table;
 use crate::units::{Measure, Quantity};
@@ -21,7 +20,7 @@ impl Builder<'_> {
     pub(super) fn loads(
         &mut self,
         format: &SceneFormat,
-        materials: &BTreeMap<String, Material>,
+        materials: &Materials,
         base: &Path,
     ) -> Vec<(usize, Load)> {
         let mut loads: Vec<(usize, Load)> = Vec::new();
@@ -63,7 +62,7 @@ impl Builder<'_> {
         &mut self,
         key: &str,
         given: &LoadFormat,
-        materials: &BTreeMap<String, Material>,
+        materials: &Materials,
         base: &Path,
     ) -> Option<LoadKind> {
         // Several kinds or none have been reported.
@@ -122,11 +121,7 @@ impl Builder<'_> {
     }
 
     fn bearing(&mut self, key: &str, on: SetRef, bearing: &BearingFormat) -> Option<LoadKind> {
-        let edge = self
-            .bodies
-            .get(&on.body)
-            .and_then(|body| body.shape.edge(&on.set));
-        if edge.is_none_or(|edge| edge.role != Role::Hole) {
+        if self.edge_of(&on).is_none_or(|edge| edge.role != Role::Hole) {
             let message = format!("'{on}' is no hole, and a bearing load stands for a pin in one");
             let remedy = "put it on the hole of a plate_with_hole, such as plate.hole; other edges take a force or a pressure";
             self.conflict(&child(key, "on"), message, remedy);
@@ -142,12 +137,7 @@ impl Builder<'_> {
         })
     }
 
-    fn heated(
-        &mut self,
-        key: &str,
-        name: &str,
-        materials: &BTreeMap<String, Material>,
-    ) -> Option<String> {
+    fn heated(&mut self, key: &str, name: &str, materials: &Materials) -> Option<String> {
         let key = child(key, "on");
         let known = self.bodies.keys().cloned().collect();
         let Some(body) = self.bodies.get(name) else {
@@ -173,11 +163,8 @@ impl Builder<'_> {
             }
             None => {
                 let message = format!("a temperature does nothing to '{name}', which is rigid");
-                self.conflict(
-                    &key,
-                    message,
-                    "give the body a material, or remove the load",
-                );
+                let remedy = "give the body a material, or remove the load";
+                self.conflict(&key, message, remedy);
             }
         }
         Some(name.to_owned())
@@ -198,11 +185,8 @@ impl Builder<'_> {
                 .map(|edge| format!("{}.{}", on.body, edge.name))
                 .collect::<Vec<_>>();
             let message = format!("'{on}' is no circle, and polar_traction needs one");
-            self.conflict(
-                &child(key, "on"),
-                message,
-                format!("circles of this body: {}", remedy.join(", ")),
-            );
+            let remedy = format!("circles of this body: {}", remedy.join(", "));
+            self.conflict(&child(key, "on"), message, remedy);
             return None;
         }
         let key = child(key, "polar_traction");

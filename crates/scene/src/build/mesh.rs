@@ -2,12 +2,14 @@
 
 use std::f64::consts::TAU;
 
+use serde_json::Value;
 use stickslip_fem_core::mesh::ElementKind;
 
 use super::Builder;
 use crate::document::{Part, child};
 use crate::format::{MeshFormat, SceneFormat};
 use crate::schema::{Body, Division, Grading, MeshSettings, Substance};
+use crate::shape::Shape;
 use crate::units::{AngleOrLength, Dimension, Expected, Quantity, UnitError};
 
 const DEFAULT_ELEMENT: ElementKind = ElementKind::Q8;
@@ -37,7 +39,9 @@ impl Builder<'_> {
             table: "mesh",
             bodies: &bodies,
         };
-        self.settings(&scope, &format.mesh, None)
+        let settings = self.settings(&scope, &format.mesh, None);
+        self.unused("mesh", |_| true);
+        settings
     }
 
     /// The settings of bodies that have their own.
@@ -49,24 +53,19 @@ impl Builder<'_> {
             let table = child(&child("bodies", name), "mesh");
             let rigid = |body: &Body| body.substance == Substance::Rigid;
             if self.bodies.get(name).is_some_and(rigid) {
-                self.conflict(
-                    &table,
-                    format!("the rigid body '{name}' is not divided"),
-                    "remove its mesh, or give the body a material",
-                );
+                let message = format!("the rigid body '{name}' is not divided");
+                let remedy = "remove its mesh, or give the body a material";
+                self.conflict(&table, message, remedy);
                 continue;
             }
             let scope = Scope {
                 table: &table,
                 bodies: &[name],
             };
-            let divides = own.spacing.is_some()
-                || own.angles.is_some()
-                || own.fine_to.is_some()
-                || own.coarse_spacing.is_some();
             let given = merged(own, &format.mesh);
-            let inherited = (!divides).then(|| whole.division.clone());
+            let inherited = (!own.divides()).then(|| whole.division.clone());
             let settings = self.settings(&scope, &given, inherited);
+            self.unused(&table, |other| other == name);
             if let Some(body) = self.bodies.get_mut(name) {
                 body.mesh = Some(settings);
             }
@@ -79,10 +78,46 @@ impl Builder<'_> {
         given: &MeshFormat,
         inherited: Option<Division>,
     ) -> MeshSettings {
+        // The keys that are not named here make the division.
+        let MeshFormat {
+            element,
+            layers,
+            spacing: _,
+            angles: _,
+            fine_to: _,
+            coarse_spacing: _,
+        } = *given;
         MeshSettings {
-            element: given.element.unwrap_or(DEFAULT_ELEMENT),
+            element: element.unwrap_or(DEFAULT_ELEMENT),
             division: inherited.unwrap_or_else(|| self.division(scope, given)),
-            layers: given.layers,
+            layers,
+        }
+    }
+
+    /// Refuses the keys written in a table of mesh settings that the shape of none of its bodies uses.
+    fn unused(&mut self, table: &str, holds_for: impl Fn(&str) -> bool) {
+        let bodies = self.bodies.iter().filter(|(name, _)| holds_for(name));
+        let shapes: Vec<Shape> = bodies
+            .filter(|(_, body)| body.substance != Substance::Rigid)
+            .map(|(_, body)| body.shape)
+            .collect();
+        let Some(Value::Object(written)) = self.document.get(table) else {
+            return;
+        };
+        let used = |key: &str| shapes.iter().any(|own| own.mesh_keys().contains(&key));
+        for name in written.keys().filter(|name| *name != "element") {
+            let key = child(table, name);
+            if used(name) || shapes.is_empty() || self.is_refused(&key) {
+                continue;
+            }
+            let mut names: Vec<&str> = shapes.iter().map(|shape| shape.name()).collect();
+            names.sort_unstable();
+            names.dedup();
+            let message = format!(
+                "{key} has no effect: nothing in the mesh of a {} depends on it",
+                names.join(" or a ")
+            );
+            self.conflict(&key, message, format!("remove {name}"));
         }
     }
 
@@ -98,11 +133,8 @@ impl Builder<'_> {
                 for (name, _) in others.iter().filter(|(_, value)| value.is_some()) {
                     let (key, angles) = (scope.key(name), scope.key("angles"));
                     let message = format!("{key} has no meaning beside {angles}");
-                    self.conflict(
-                        &key,
-                        message,
-                        "give the angles themselves, or spacing instead",
-                    );
+                    let remedy = "give the angles themselves, or spacing instead";
+                    self.conflict(&key, message, remedy);
                 }
                 self.fits_shapes(scope, "angles", "a list of angles", Dimension::Angle);
                 Division::AngleList(angles)
@@ -117,11 +149,8 @@ impl Builder<'_> {
         let texts: Vec<_> = given.angles.iter().flatten().map(Quantity::text).collect();
         if angles.len() < 2 {
             let found = format!("{} angles", angles.len());
-            self.out_of_range(
-                &scope.key("angles"),
-                &found,
-                "at least two, from 0 deg to 180 deg for a half model",
-            );
+            let allowed = "at least two, from 0 deg to 180 deg for a half model";
+            self.out_of_range(&scope.key("angles"), &found, allowed);
             return;
         }
         for (index, pair) in angles.windows(2).enumerate() {
@@ -140,11 +169,8 @@ impl Builder<'_> {
         let last = angles.len() - 1;
         // Half an ulp of 2π more than the sum of a table in degrees can miss.
         if angles[last] > TAU * (1.0 + f64::EPSILON) {
-            self.out_of_range(
-                &scope.key(&format!("angles.{last}")),
-                texts[last],
-                "at most 360 deg",
-            );
+            let allowed = "at most 360 deg";
+            self.out_of_range(&scope.key(&format!("angles.{last}")), texts[last], allowed);
         }
     }
 
@@ -177,11 +203,9 @@ impl Builder<'_> {
         });
         if coarse_spacing.is_some() && fine_to.is_none() {
             let (key, fine_to) = (scope.key("coarse_spacing"), scope.key("fine_to"));
-            self.conflict(
-                &key,
-                format!("{key} needs {fine_to}, which says from where it holds"),
-                format!("add {fine_to}, for example fine_to = \"100 deg\""),
-            );
+            let message = format!("{key} needs {fine_to}, which says from where it holds");
+            let remedy = format!("add {fine_to}, for example fine_to = \"100 deg\"");
+            self.conflict(&key, message, remedy);
         }
         let grading = Grading {
             spacing: fine,
@@ -218,8 +242,8 @@ impl Builder<'_> {
 
     /// Round shapes are divided by angles, the others by lengths.
     fn fits_shapes(&mut self, scope: &Scope<'_>, name: &str, text: &str, dimension: Dimension) {
-        let wanted = |round: bool| {
-            if round {
+        let wanted = |shape: &Shape| {
+            if shape.is_round() {
                 Dimension::Angle
             } else {
                 Dimension::Length
@@ -229,35 +253,46 @@ impl Builder<'_> {
             let shape = self.bodies.get(body)?.shape;
             Some((body, shape))
         });
-        let mut misfits = shapes.filter(|(_, shape)| wanted(shape.is_round()) != dimension);
+        let mut misfits = shapes.filter(|(_, shape)| wanted(shape) != dimension);
         let Some((body, shape)) = misfits.next() else {
             return;
         };
         let key = scope.key(name);
-        let expected = wanted(shape.is_round());
-        let shape = shape.name();
-        let remedy = match expected {
-            Dimension::Angle => {
-                "give the spacing of corner nodes on the circle, for example spacing = \"2 deg\""
-            }
-            _ => {
-                "give the spacing of corner nodes on the contact edge, for example spacing = \"0.05 mm\""
-            }
+        let (divided, remedy) = if shape.is_round() {
+            (
+                "angles",
+                "give the spacing of corner nodes on the circle, for example spacing = \"2 deg\"",
+            )
+        } else {
+            (
+                "lengths",
+                "give the spacing of corner nodes on the contact edge, for example spacing = \"0.05 mm\"",
+            )
         };
+        let found = match name {
+            "angles" => "angles",
+            _ => dimension.with_article(),
+        };
+        let shape = shape.name();
         let message = format!(
-            "body '{body}' ({shape}) is divided by {}, but {key} = {text} is {}",
-            if expected == Dimension::Angle {
-                "angles"
-            } else {
-                "lengths"
-            },
-            if name == "angles" {
-                "angles"
-            } else {
-                dimension.with_article()
-            },
+            "body '{body}' ({shape}) is divided by {divided}, but {key} = {text} is {found}"
         );
         self.conflict(&key, message, remedy);
+    }
+}
+
+impl MeshFormat {
+    /// Whether it has a key of the division.
+    fn divides(&self) -> bool {
+        let Self {
+            element: _,
+            spacing,
+            angles,
+            fine_to,
+            coarse_spacing,
+            layers: _,
+        } = self;
+        spacing.is_some() || angles.is_some() || fine_to.is_some() || coarse_spacing.is_some()
     }
 }
 
@@ -265,27 +300,29 @@ impl Builder<'_> {
 /// that is possible; a list of angles says everything.
 fn merged(own: &MeshFormat, whole: &MeshFormat) -> MeshFormat {
     let divides = own.spacing.is_some() || own.angles.is_some();
-    let fits = |fine_to: &&Quantity<AngleOrLength>| match (&own.spacing, &own.angles) {
+    let fits = |fine_to: &Quantity<AngleOrLength>| match (&own.spacing, &own.angles) {
         (Some(spacing), None) => {
             fine_to.dimension() == spacing.dimension() && fine_to.value() >= spacing.value()
         }
         (None, None) => true,
         (_, Some(_)) => false,
     };
-    let kept = || whole.fine_to.as_ref().filter(fits).cloned();
-    let coarse = || whole.coarse_spacing.clone().filter(|_| !divides);
+    // Without `..` on either side, so that a new key is neither lost here nor kept by chance.
+    let MeshFormat {
+        element,
+        spacing,
+        angles,
+        fine_to,
+        coarse_spacing,
+        layers,
+    } = whole.clone();
+    let own = own.clone();
     MeshFormat {
-        element: own.element.or(whole.element),
-        spacing: own
-            .spacing
-            .clone()
-            .or_else(|| whole.spacing.clone().filter(|_| !divides)),
-        angles: own
-            .angles
-            .clone()
-            .or_else(|| whole.angles.clone().filter(|_| !divides)),
-        fine_to: own.fine_to.clone().or_else(kept),
-        coarse_spacing: own.coarse_spacing.clone().or_else(coarse),
-        layers: own.layers.or(whole.layers),
+        element: own.element.or(element),
+        spacing: own.spacing.or(spacing.filter(|_| !divides)),
+        angles: own.angles.or(angles.filter(|_| !divides)),
+        fine_to: own.fine_to.or(fine_to.filter(fits)),
+        coarse_spacing: own.coarse_spacing.or(coarse_spacing.filter(|_| !divides)),
+        layers: own.layers.or(layers),
     }
 }

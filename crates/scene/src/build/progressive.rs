@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use stickslip_joint::FractureEnergies;
+use stickslip_laminate::FailureCriterion;
 use stickslip_laminate::laminate::Layer;
 use stickslip_laminate::progressive::{PointModelParameters, ProgressiveError};
-use stickslip_laminate::{FailureCriterion, FailureError};
 
-use super::failure::{Materials, criterion};
-use super::{Builder, Fits};
-use crate::diagnostic::{LaminateProblem, SceneProblem, nearest};
+use super::failure::{criterion, no_criterion};
+use super::{Builder, Fits, Materials, Surroundings};
+use crate::diagnostic::{LaminateProblem, SceneProblem};
 use crate::document::{Part, child};
 use crate::format::{
     ControlFormat, CrackBandFormat, DisplacementFormat, FailureFormat, ProgressiveFormat,
@@ -19,19 +19,10 @@ use crate::schema::{
     Axis, Contact, Control, Hold, LaminateSheet, Load, LoadKind, Platen, Progressive,
     ProgressiveModel, SetRef, Substance, Support,
 };
+use crate::shape::{Edge, Role};
 use crate::units::Quantity;
 
 const TABLE: &str = "failure.progressive";
-
-/// What surrounds the body that fails.
-pub(super) struct Surroundings<'a> {
-    pub(super) contacts: &'a [Contact],
-    pub(super) supports: &'a [Support],
-    pub(super) platens: &'a [Platen],
-    pub(super) loads: &'a [Load],
-    /// Their numbers in the scene.
-    pub(super) numbers: &'a [usize],
-}
 
 impl Builder<'_> {
     pub(super) fn progressive(
@@ -89,7 +80,8 @@ impl Builder<'_> {
 
     /// Load and place of failure are read at a pin.
     fn one_pin(&mut self, body: &str, around: &Surroundings<'_>) {
-        let hole = |set: &SetRef| set.body == body && set.set == "hole";
+        let has_role = |edge: Edge| edge.role == Role::Hole;
+        let hole = |set: &SetRef| set.body == body && self.edge_of(set).is_some_and(has_role);
         let mut contacts = around.contacts.iter();
         let touched = contacts.any(|pair| hole(&pair.first) || hole(&pair.second));
         // A contact that could not be read may be the pin's, and several at one hole are refused as such.
@@ -170,21 +162,14 @@ impl Builder<'_> {
             // What is wrong with the first criterion has been reported.
             return criterion(failure.criteria.first()?, failure).ok();
         };
-        let cause = match criterion(name, failure) {
-            Ok(criterion) => return Some(criterion),
-            Err(cause) => cause,
-        };
-        let problem = match cause {
-            FailureError::UnknownCriterion { name, known } => SceneProblem::UnknownName {
-                what: "a failure criterion".to_owned(),
-                nearest: nearest(&name, known.iter().copied()).map(str::to_owned),
-                found: name,
-                known: known.into_iter().map(str::to_owned).collect(),
-            },
-            cause => LaminateProblem::Failure { cause }.into(),
-        };
-        self.report(&child(own, "criterion"), Part::Value, problem);
-        None
+        match criterion(name, failure) {
+            Ok(criterion) => Some(criterion),
+            Err(cause) => {
+                let key = child(own, "criterion");
+                self.report(&key, Part::Value, no_criterion(cause));
+                None
+            }
+        }
     }
 
     /// The fracture energies, which the model with `parameters` can use if they are known.
@@ -216,11 +201,8 @@ impl Builder<'_> {
             let quantity = quantity.as_ref()?;
             if kept >= 1.0 {
                 let message = format!("{name} takes energy, but its failure keeps all stiffness");
-                self.conflict(
-                    &child(&table, name),
-                    message,
-                    "0.01 to 0.1 are usual for what failed plies keep",
-                );
+                let remedy = "0.01 to 0.1 are usual for what failed plies keep";
+                self.conflict(&child(&table, name), message, remedy);
             }
             Some(quantity.value())
         };
@@ -314,11 +296,8 @@ impl Builder<'_> {
         let substance = self.bodies.get(&on.body).map(|body| &body.substance);
         if matches!(substance, Some(Substance::Rigid)) {
             let message = format!("'{}' is rigid, and rigid bodies are not driven", on.body);
-            self.conflict(
-                key,
-                message,
-                "drive an edge of the other body, as plate.left",
-            );
+            let remedy = "drive an edge of the other body, as plate.left";
+            self.conflict(key, message, remedy);
         }
         let touches = |contact: &&Contact| contact.first == *on || contact.second == *on;
         if let Some(contact) = around.contacts.iter().find(touches) {

@@ -5,9 +5,10 @@ use stickslip_friction::{Dimension, FrictionLaw, Mirror, registry};
 use stickslip_hybrid::calibrate::Parameter;
 use thiserror::Error;
 
-use crate::diagnostic::{SceneProblem, nearest};
-use crate::experiment::plan::LawPlan;
-use crate::units::{self, Expected, UnitError, parse};
+use crate::diagnostic::SceneProblem;
+use crate::experiment::LawPlan;
+use crate::read::quantity;
+use crate::units::{self, Expected};
 
 /// Ranges with ends so far apart are divided evenly in the logarithm.
 const DECADES: f64 = 20.0;
@@ -70,11 +71,7 @@ impl Candidate {
         let mut dimensions = Vec::new();
         for &(path, range) in free {
             if !known.iter().any(|own| own == path) {
-                let problem = SceneProblem::UnknownKey {
-                    key: path.to_owned(),
-                    nearest: nearest(path, known.iter().map(String::as_str)).map(str::to_owned),
-                    known: known.clone(),
-                };
+                let problem = SceneProblem::unknown_key(path, known.iter().map(String::as_str));
                 return Err((path.to_owned(), Box::new(problem)));
             }
             pointers.push(format!("/{}/{}", law.name(), path.replace('.', "/")));
@@ -116,32 +113,13 @@ impl Candidate {
             Dimension::Length => Expected::one(units::Dimension::Length),
             Dimension::Stress => Expected::one(units::Dimension::Stress),
             Dimension::Angle => Expected::one(units::Dimension::Angle),
-            Dimension::Dimensionless | Dimension::Text | Dimension::Flag | Dimension::Law => {
-                return match end {
-                    Value::Number(_) => Ok(()),
-                    other => Err(Box::new(SceneProblem::WrongKind {
-                        expected: "a number without unit or quotes".to_owned(),
-                        found: other.to_string(),
-                    })),
-                };
+            _ if end.is_number() => return Ok(()),
+            _ => {
+                let wanted = "a number without unit or quotes";
+                return Err(Box::new(SceneProblem::wrong_kind(wanted, end.to_string())));
             }
         };
-        match end {
-            Value::String(text) => parse(text, &expected)
-                .map(|_| ())
-                .map_err(|error| Box::new(error.into())),
-            Value::Number(number) => Err(Box::new(
-                UnitError::MissingUnit {
-                    value: number.to_string(),
-                    expected,
-                }
-                .into(),
-            )),
-            other => Err(Box::new(SceneProblem::WrongKind {
-                expected: format!("{expected} with its unit in quotes"),
-                found: other.to_string(),
-            })),
-        }
+        quantity(end, &expected).map(|_| ())
     }
 
     /// The law with these values of the free parameters, in base units.

@@ -12,11 +12,11 @@ use crate::units::{Angle, Length, PerLength, Quantity};
 
 pub(super) use settings::{
     FreeFormat, IdentifyFormat, LawFormat, MaskFormat, MethodFormat, OutliersFormat, ReduceFormat,
-    RegionFormat, SymmetryFormat,
+    RegionFormat, SectorFormat, SmoothingFormat, SymmetryFormat,
 };
 pub(super) use states::{
-    AxisFormat, ColumnsFormat, DirectionFormat, FilesFormat, ForceFormat, LinesFormat,
-    PicturesFormat, PresetFormat, SourceFormat, StateFormat, TableFormat, TrackFormat,
+    AxisFormat, ColumnsFormat, FilesFormat, ForceFormat, LinesFormat, PicturesFormat, PresetFormat,
+    SourceFormat, StateFormat, TableFormat, TrackFormat,
 };
 
 /// A place.
@@ -24,7 +24,7 @@ pub(super) type PlaceFormat = [Quantity<Length>; 2];
 
 /// The whole file.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(super) struct ExperimentFormat {
     /// Checked before the rest is read.
     #[serde(rename = "version")]
@@ -51,7 +51,7 @@ pub(super) struct ExperimentFormat {
 
 /// `[specimen]`: a body of a scene, or what the analysis needs of one.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(super) struct SpecimenFormat {
     pub(super) scene: Option<String>,
     pub(super) body: Option<String>,
@@ -68,7 +68,7 @@ pub(super) struct SpecimenFormat {
 
 /// `specimen.hole`.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(super) struct HoleFormat {
     pub(super) centre: PlaceFormat,
     pub(super) radius: Quantity<Length>,
@@ -76,7 +76,7 @@ pub(super) struct HoleFormat {
 
 /// `[grating]`: a frequency, or the light and its angle.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(super) struct GratingFormat {
     pub(super) frequency: Option<Quantity<PerLength>>,
     pub(super) wavelength: Option<Quantity<Length>>,
@@ -85,7 +85,7 @@ pub(super) struct GratingFormat {
 
 /// Carriers of the two fields.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(super) struct CarriersFormat {
     pub(super) u: [Quantity<PerLength>; 2],
     pub(super) v: [Quantity<PerLength>; 2],
@@ -93,7 +93,7 @@ pub(super) struct CarriersFormat {
 
 /// `[fringes]`: how synthetic pictures are taken.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(super) struct FringesFormat {
     pub(super) window: [PlaceFormat; 2],
     pub(super) pixel: Quantity<Length>,
@@ -103,10 +103,8 @@ pub(super) struct FringesFormat {
     pub(super) speckle: Option<u32>,
     #[serde(default)]
     pub(super) camera_noise: f64,
-    #[serde(default = "background")]
-    pub(super) background: f64,
-    #[serde(default = "modulation")]
-    pub(super) modulation: f64,
+    pub(super) background: Option<f64>,
+    pub(super) modulation: Option<f64>,
     #[serde(default)]
     pub(super) missing: Vec<MaskFormat>,
     #[serde(default)]
@@ -114,20 +112,7 @@ pub(super) struct FringesFormat {
     #[serde(default)]
     pub(super) format: FileKindFormat,
     pub(super) bits: Option<u32>,
-    #[serde(default = "seed")]
-    pub(super) seed: u64,
-}
-
-fn background() -> f64 {
-    0.5
-}
-
-fn modulation() -> f64 {
-    0.4
-}
-
-pub(super) fn seed() -> u64 {
-    1
+    pub(super) seed: Option<u64>,
 }
 
 /// How many pictures a field has.

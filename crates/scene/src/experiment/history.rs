@@ -3,7 +3,7 @@
 use serde::Serialize;
 use thiserror::Error;
 
-use super::plan::{Direction, Source, State};
+use super::{Direction, Source, State};
 use crate::Scene;
 use crate::schema::{Load, LoadKind};
 use crate::units::Unit;

@@ -2,102 +2,77 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{ProgressiveFormat, is_false};
+use super::ProgressiveFormat;
 use crate::schema::EnvelopePlane;
 use crate::units::{Angle, Length, PerTemperature, Quantity, Stress, Temperature};
 
 /// `[plies.NAME]`.
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct PlyFormat {
     pub(crate) e1: Quantity<Stress>,
     pub(crate) e2: Quantity<Stress>,
     pub(crate) g12: Quantity<Stress>,
     pub(crate) nu12: f64,
     pub(crate) thickness: Quantity<Length>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) expansion1: Option<Quantity<PerTemperature>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) expansion2: Option<Quantity<PerTemperature>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) strengths: Option<StrengthsFormat>,
 }
 
 /// `[plies.NAME.strengths]`: magnitudes, each where it is known.
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct StrengthsFormat {
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) xt: Option<Quantity<Stress>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) xc: Option<Quantity<Stress>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) yt: Option<Quantity<Stress>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) yc: Option<Quantity<Stress>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) s12: Option<Quantity<Stress>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) zt: Option<Quantity<Stress>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) zc: Option<Quantity<Stress>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) s13: Option<Quantity<Stress>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) s23: Option<Quantity<Stress>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) strain_1t: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) strain_1c: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) strain_2t: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) strain_2c: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) strain_12: Option<f64>,
-    #[serde(default, skip_serializing_if = "is_false")]
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub(crate) linear_strain_limits: bool,
 }
 
 /// `[materials.NAME.laminate]`.
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct LaminateFormat {
     pub(crate) layup: String,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) ply: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) angle: Option<Quantity<Angle>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) cure: Option<Quantity<Temperature>>,
-    #[serde(default, skip_serializing_if = "is_false")]
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub(crate) held_flat: bool,
 }
 
 /// `[failure]`.
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct FailureFormat {
     pub(crate) criteria: Vec<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) bodies: Option<Vec<String>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) clear_of_supports: Option<Quantity<Length>>,
     #[serde(default = "default_interaction")]
     pub(crate) tsai_wu_interaction: f64,
     #[serde(default = "default_shear_weight")]
     pub(crate) hashin_shear_weight: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) characteristic: Option<CharacteristicFormat>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) envelopes: Option<EnvelopesFormat>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) progressive: Option<ProgressiveFormat>,
 }
 
 /// `[failure.characteristic]`.
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct CharacteristicFormat {
     pub(crate) tension: Quantity<Length>,
     pub(crate) compression: Quantity<Length>,
@@ -105,21 +80,16 @@ pub(crate) struct CharacteristicFormat {
 
 /// `[failure.envelopes]`.
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(
-    default,
-    deny_unknown_fields,
-    expecting = "a table, such as { key = value }"
-)]
+#[serde(default, deny_unknown_fields)]
 pub(crate) struct EnvelopesFormat {
     pub(crate) planes: Vec<EnvelopePlane>,
     pub(crate) directions: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) last_ply: Option<DiscountFormat>,
 }
 
 /// `[failure.envelopes.last_ply]`.
 #[derive(Debug, Clone, Copy, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct DiscountFormat {
     pub(crate) fibre: f64,
     pub(crate) matrix: f64,

@@ -6,32 +6,26 @@ use crate::schema::BearingLaw;
 use crate::units::{Force, Quantity, Stress, Temperature, UnitName};
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct LoadFormat {
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) name: Option<String>,
     pub(crate) on: String,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) force: Option<ForceFormat>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) bearing: Option<BearingFormat>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) pressure: Option<PressureFormat>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) polar_traction: Option<PolarTractionFormat>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) temperature: Option<TemperatureFormat>,
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct ForceFormat {
     pub(crate) direction: Vec<f64>,
     pub(crate) steps: Vec<Quantity<Force>>,
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct BearingFormat {
     pub(crate) direction: Vec<f64>,
     pub(crate) law: BearingLaw,
@@ -39,13 +33,13 @@ pub(crate) struct BearingFormat {
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct PressureFormat {
     pub(crate) steps: Vec<Quantity<Stress>>,
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct PolarTractionFormat {
     pub(crate) file: String,
     pub(crate) stress: UnitName<Stress>,
@@ -59,7 +53,7 @@ pub(crate) struct PolarTractionFormat {
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct TemperatureFormat {
     pub(crate) steps: Vec<Quantity<Temperature>>,
 }

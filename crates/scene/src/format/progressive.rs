@@ -8,13 +8,11 @@ use crate::units::{FractureEnergy, Length, Quantity};
 
 /// `[failure.progressive]`.
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct ProgressiveFormat {
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) body: Option<String>,
     /// `model.NAME = { … }`, read by the registry of point models.
     pub(crate) model: Value,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) crack_band: Option<CrackBandFormat>,
     #[serde(default)]
     pub(crate) control: ControlFormat,
@@ -22,17 +20,12 @@ pub(crate) struct ProgressiveFormat {
 
 /// `[failure.progressive.crack_band]`.
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct CrackBandFormat {
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) fibre_tension: Option<Quantity<FractureEnergy>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) fibre_compression: Option<Quantity<FractureEnergy>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) matrix_tension: Option<Quantity<FractureEnergy>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) matrix_compression: Option<Quantity<FractureEnergy>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) shear: Option<Quantity<FractureEnergy>>,
 }
 
@@ -51,7 +44,7 @@ impl Default for ControlFormat {
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct LoadsFormat {
     #[serde(default = "default_load_increments")]
     pub(crate) increments: usize,
@@ -66,7 +59,7 @@ impl Default for LoadsFormat {
 }
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct DisplacementFormat {
     pub(crate) on: String,
     #[serde(default = "default_axis")]

@@ -5,13 +5,13 @@ use stickslip_fem_core::mesh::ElementKind;
 use super::quoted;
 use crate::declaration::{
     Key, NONE, POSITIVE, REQUIRED, Range, Table, angles, flag, integer, length, names, numbers,
-    spacing, table, table_as, words,
+    spacing, table, table_as, with_default, words,
 };
 
 /// `[mesh]`.
 #[rustfmt::skip]
-const MESH: &[Key] = &[
-    names("element", elements, r#"`"Q8"`"#, r#""Q4""#, "element of the bodies"),
+const MESH: [Key; 6] = [
+    names("element", elements, r#"`"Q8"`"#, r#""Q4""#, "element of the cells"),
     spacing("spacing", "required, or `angles`", r#""2 deg""#,
         "spacing of nodes: round shapes, an angle on the contact circle at θ = 0; cylinder and block, a length at the contact \
         point; rectangle, a length everywhere; an angle is at most 45 deg").range(POSITIVE),
@@ -20,25 +20,15 @@ const MESH: &[Key] = &[
         to below 360 deg, for whole models only; a strip needs nodes near the directions of its corners"),
     spacing("fine_to", "everywhere; line contact: half_length/8", r#""100 deg""#,
         "distance from θ = 0 or from the contact point, to both sides, up to which `spacing` holds; beyond it the spacing \
-        grows from cell to cell by 15 % on circles and 12 % in line contacts; without effect on rectangles").range(POSITIVE),
+        grows from cell to cell by 15 % on circles and 12 % in line contacts; not of rectangles").range(POSITIVE),
     spacing("coarse_spacing", "4 × `spacing`", r#""4.5 deg""#,
         "on circles the spacing that it grows to; needs `fine_to`").range(POSITIVE),
     integer("layers", "by the number of angles and the width of a ring, for cells about as deep as wide", "24",
-        "layers of cells around the hole of each plate or ring; other shapes choose their own").range(FROM_ONE),
+        "layers of cells around the hole of a plate or ring; other shapes choose their own").range(FROM_ONE),
 ];
 
 /// `[bodies.NAME.mesh]`: what differs from there.
-#[rustfmt::skip]
-const OWN_MESH: &[Key] = &[
-    names("element", elements, "of the scene", r#""Q4""#, "element of the body"),
-    spacing("spacing", "of the scene", r#""2 deg""#, "spacing of nodes, an angle at most 45 deg").range(POSITIVE),
-    angles("angles", "of the scene", r#"["0 deg", "30 deg", "60 deg", "90 deg", "120 deg", "150 deg", "180 deg"]"#,
-        "the nodes of the contact circle themselves"),
-    spacing("fine_to", "of the scene", r#""100 deg""#, "distance up to which `spacing` holds").range(POSITIVE),
-    spacing("coarse_spacing", "of the scene; 4 × an own `spacing`", r#""6 deg""#,
-        "the spacing that it grows to").range(POSITIVE),
-    integer("layers", "of the scene", "24", "layers of cells around the hole").range(FROM_ONE),
-];
+const OWN_MESH: &[Key] = &with_default(MESH, "of the scene");
 
 const DIVISIONS: &[&[&str]] = &[&["spacing", "fine_to", "coarse_spacing"], &["angles"]];
 const DIVISION_CHOICES: &str = r#"spacing = "2 deg", angles = ["0 deg", …]"#;
@@ -56,7 +46,7 @@ pub(super) const TABLES: &[Table] = &[
         table("mesh", "that of the [scene](#mesh)", "how finely this body is divided; not of a rigid one"),
     ]).one_of(&[&["material"], &["rigid"]], r#"material = "…", rigid = true"#),
     Table::new("bodies.NAME.mesh", OWN_MESH).at_most_one_of(DIVISIONS, DIVISION_CHOICES),
-    Table::new("mesh", MESH).one_of(DIVISIONS, DIVISION_CHOICES),
+    Table::new("mesh", &MESH).one_of(DIVISIONS, DIVISION_CHOICES),
 ];
 
 /// The names of the elements.

@@ -38,7 +38,7 @@ pub(super) const TABLES: &[Table] = &[
         table("isotropic", "one of the three", "the same in all directions"),
         table("orthotropic", "one of the three", "three planes of symmetry, such as a ply, or a laminate as a whole"),
         table("laminate", "one of the three", "a stack of plies"),
-    ]),
+    ]).choice(),
     Table::new("materials.NAME.isotropic", &[
         stress("young", REQUIRED, r#""70 GPa""#, "Young's modulus E").range(POSITIVE),
         number("poisson", REQUIRED, "0.3", "Poisson's ratio ν, −1 < ν ≤ 0.5, in plane strain < 0.5"),

@@ -77,7 +77,7 @@ fn scenes_have_the_declared_keys() {
     let scenes = scenes();
     assert!(!scenes.is_empty());
     for table in tables() {
-        let written = scenes.iter().flat_map(|scene| table.written(scene));
+        let written = scenes.iter().flat_map(|scene| tables_at(table.path, scene));
         for (place, value) in written {
             let own: BTreeSet<_> = value.as_object().unwrap().keys().cloned().collect();
             assert!(own.is_subset(&names(&table)), "{place}: {own:?}");

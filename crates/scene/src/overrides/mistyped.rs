@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::diagnostic::{SceneProblem, nearest};
+use crate::diagnostic::SceneProblem;
 use crate::document::{Document, child};
 
 /// Tables of named things, and what each of their entries is.
@@ -38,10 +38,5 @@ pub(crate) fn mistyped(document: &Document, key: &str, problem: SceneProblem) ->
     if known.is_empty() {
         return problem;
     }
-    SceneProblem::Undefined {
-        what,
-        name: name.to_owned(),
-        nearest: nearest(name, known.iter().map(String::as_str)).map(str::to_owned),
-        known,
-    }
+    SceneProblem::undefined(what, name, known)
 }

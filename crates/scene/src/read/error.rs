@@ -8,6 +8,7 @@ use serde_json::Value;
 use crate::diagnostic::{SceneProblem, nearest};
 use crate::document::{Part, child};
 use crate::examples::example;
+use crate::units::{Expected, parse};
 
 /// A problem, and its key, which an enclosing table adds.
 #[derive(Debug)]
@@ -112,6 +113,8 @@ impl de::Error for ReadError {
     }
 }
 
+const TABLE: &str = "a table, such as { key = value }";
+
 /// Serde's names of what it wants, as a person would say them.
 fn wanted(expected: &str) -> String {
     match expected {
@@ -120,7 +123,8 @@ fn wanted(expected: &str) -> String {
         "a string" => "a text in quotes",
         "a boolean" => "true or false",
         "a sequence" => "a list",
-        "a map" => "a table, such as { key = value }",
+        "a map" => TABLE,
+        other if other.starts_with("struct ") => TABLE,
         other => {
             let length = other.strip_prefix("an array of length ");
             return length.map_or_else(
@@ -143,6 +147,23 @@ fn in_words(found: Unexpected<'_>) -> String {
         Unexpected::Map => "a table".to_owned(),
         Unexpected::Unit | Unexpected::Option => "nothing".to_owned(),
         other => other.to_string(),
+    }
+}
+
+/// The quantity `value` in base units.
+pub(crate) fn quantity(value: &Value, expected: &Expected) -> Result<f64, Box<SceneProblem>> {
+    let text = match value {
+        Value::String(text) => text.clone(),
+        Value::Number(number) => number.to_string(),
+        other => {
+            let expected = format!("{expected} with its unit in quotes");
+            let problem = SceneProblem::wrong_kind(expected, described(other));
+            return Err(Box::new(problem));
+        }
+    };
+    match parse(&text, expected) {
+        Ok((number, _)) => Ok(number),
+        Err(error) => Err(Box::new(error.into())),
     }
 }
 

@@ -18,7 +18,7 @@ pub(super) const ROWS: &[Key] = &[
 ];
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct Keys {
     half_length: Quantity<Length>,
     depth: Quantity<Length>,
@@ -52,12 +52,8 @@ impl Outline for Block {
 
     fn edges(&self) -> Vec<Edge> {
         let [[left, bottom], [right, top]] = self.bounds();
-        let contact = Edge::straight("contact", [[right, top], [left, top]]);
         vec![
-            Edge {
-                role: Role::Surface,
-                ..contact
-            },
+            Edge::straight("contact", [[right, top], [left, top]]).with_role(Role::Surface),
             Edge::straight("bottom", [[left, bottom], [right, bottom]]),
             Edge::straight("left", [[left, top], [left, bottom]]),
             Edge::straight("right", [[right, bottom], [right, top]]),
@@ -72,8 +68,8 @@ impl Outline for Block {
         Some(0)
     }
 
-    fn is_round(&self) -> bool {
-        false
+    fn mesh_keys(&self) -> &'static [&'static str] {
+        line_contact::MESH_KEYS
     }
 
     fn fine_to(&self, given: Option<f64>) -> Option<f64> {

@@ -21,7 +21,7 @@ pub(super) const ROWS: &[Key] = &[
 ];
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct Keys {
     radius: Quantity<Length>,
     half_length: Quantity<Length>,
@@ -98,8 +98,8 @@ impl Outline for Cylinder {
         Some(0)
     }
 
-    fn is_round(&self) -> bool {
-        false
+    fn mesh_keys(&self) -> &'static [&'static str] {
+        line_contact::MESH_KEYS
     }
 
     fn fine_to(&self, given: Option<f64>) -> Option<f64> {

@@ -5,7 +5,7 @@ use stickslip_fem_core::generate;
 use stickslip_fem_core::mesh::Point;
 
 use super::hole::SQUARE;
-use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
+use super::outline::{CIRCLE_KEYS, Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
 use crate::declaration::{Key, POSITIVE, REQUIRED, length};
 use crate::units::{Length, Quantity};
 
@@ -16,7 +16,7 @@ pub(super) const ROWS: &[Key] =
     &[length("radius", REQUIRED, r#""5 mm""#, "radius").range(POSITIVE)];
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct Keys {
     radius: Quantity<Length>,
 }
@@ -60,8 +60,8 @@ impl Outline for Disk {
         Some(1)
     }
 
-    fn is_round(&self) -> bool {
-        true
+    fn mesh_keys(&self) -> &'static [&'static str] {
+        CIRCLE_KEYS
     }
 
     fn is_similar(&self) -> bool {

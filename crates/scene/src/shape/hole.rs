@@ -11,14 +11,17 @@ use crate::declaration::{Key, POSITIVE, REQUIRED, length, table_as};
 /// Name in scenes of all plates with a hole.
 pub(super) const NAME: &str = "plate_with_hole";
 
-pub(super) const MEANING: &str = "a plate around a circular hole at the origin; a ring also in the hole that holds it; \
-    edges `hole`; of a strip also `left`, `right`, `top`, `bottom`; of a ring also `outer`";
+pub(super) const MEANING: &str =
+    "a plate around a circular hole at the origin; edges `hole` and those of its outline";
 
 #[rustfmt::skip]
 pub(super) const ROWS: &[Key] = &[
     length("hole_radius", REQUIRED, r#""5 mm""#, "radius of the hole").range(POSITIVE),
     table_as("outline", REQUIRED, r#".strip = { half_width = "40 mm", left = "180 mm", right = "40 mm" }"#, "outer edge"),
 ];
+
+/// The keys that divide the plate.
+pub(super) const MESH_KEYS: &[&str] = &["spacing", "angles", "fine_to", "coarse_spacing", "layers"];
 
 /// Layers that start with square cells.
 pub(super) const SQUARE: Growth = Growth::Geometric { aspect: 1.0 };

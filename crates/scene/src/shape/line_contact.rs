@@ -5,6 +5,8 @@ use stickslip_fem_core::mesh::Mesh;
 
 use super::outline::{Curve, Divided, DivisionError, Meshing, Outline, Role};
 
+/// The keys that divide a cap and its surface.
+pub(super) const MESH_KEYS: &[&str] = &["spacing", "fine_to"];
 /// Growth of cells from one to the next.
 const GROWTH: f64 = 1.12;
 /// Half of the fine zone where the scene does not say, as a part of the half length.

@@ -29,8 +29,13 @@ pub trait Outline: fmt::Debug {
     /// the positive side is meshed.
     fn mirror(&self) -> Option<usize>;
 
+    /// The keys of mesh settings that divide it, beside `element`; others are refused.
+    fn mesh_keys(&self) -> &'static [&'static str];
+
     /// Whether its mesh is divided by angles about its centre, and otherwise by lengths.
-    fn is_round(&self) -> bool;
+    fn is_round(&self) -> bool {
+        self.mesh_keys().contains(&"angles")
+    }
 
     /// Whether one length says all of its size, so that its plane compliance is that of any other size.
     fn is_similar(&self) -> bool {
@@ -66,6 +71,9 @@ pub trait Outline: fmt::Debug {
         self.edge(name)?.circle()
     }
 }
+
+/// The keys that divide circles.
+pub(super) const CIRCLE_KEYS: &[&str] = &["spacing", "angles", "fine_to", "coarse_spacing"];
 
 /// A named edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -104,7 +112,8 @@ pub enum Curve {
     },
 }
 
-/// The part of an edge in contacts. A hole takes a rim; a cap takes a surface, and the two bodies are divided together.
+/// The part of an edge in contacts, or in the size of a plate around a hole. A hole takes a rim; a cap takes a surface, and the two bodies
+/// are divided together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
     /// None.
@@ -117,6 +126,10 @@ pub enum Role {
     Cap,
     /// The line y = 0 with the body below.
     Surface,
+    /// The straight edge at +x, where a plate's end distance is measured from the hole.
+    End,
+    /// A straight edge along x, half of a plate's width from the hole.
+    Side,
 }
 
 /// Two edges that can touch.
@@ -150,7 +163,7 @@ impl Edge {
         }
     }
 
-    /// A straight edge without a part in contacts.
+    /// A straight edge without a part in contacts or sizes.
     pub(super) fn straight(name: &'static str, ends: [Point; 2]) -> Self {
         Self {
             name,
@@ -160,12 +173,15 @@ impl Edge {
         }
     }
 
+    /// The same edge with a part in contacts or sizes.
+    pub(super) fn with_role(self, role: Role) -> Self {
+        Self { role, ..self }
+    }
+
     /// The same edge with the key of its distance from the centre.
     pub(super) fn placed_by(self, size: &'static str) -> Self {
-        Self {
-            size: Some(size),
-            ..self
-        }
+        let size = Some(size);
+        Self { size, ..self }
     }
 
     /// Radius of a closed circle.

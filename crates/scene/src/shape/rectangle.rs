@@ -17,7 +17,7 @@ pub(super) const ROWS: &[Key] = &[
 ];
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct Keys {
     width: Quantity<Length>,
     height: Quantity<Length>,
@@ -67,8 +67,8 @@ impl Outline for Rectangle {
         None
     }
 
-    fn is_round(&self) -> bool {
-        false
+    fn mesh_keys(&self) -> &'static [&'static str] {
+        &["spacing"]
     }
 
     /// Equal cells of the scene's spacing, or 20 across the shorter side.

@@ -12,7 +12,8 @@ use crate::declaration::{Key, POSITIVE, REQUIRED, length};
 use crate::document::child;
 use crate::units::{Length, Quantity};
 
-pub(super) const MEANING: &str = "a circle around the hole";
+pub(super) const MEANING: &str =
+    "a circle around the hole; also in the hole that holds it; edges `outer`";
 
 #[rustfmt::skip]
 pub(super) const ROWS: &[Key] = &[
@@ -20,7 +21,7 @@ pub(super) const ROWS: &[Key] = &[
 ];
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct Keys {
     radius: Quantity<Length>,
 }
@@ -71,8 +72,8 @@ impl Outline for Ring {
         Some(1)
     }
 
-    fn is_round(&self) -> bool {
-        true
+    fn mesh_keys(&self) -> &'static [&'static str] {
+        hole::MESH_KEYS
     }
 
     /// A thin ring needs no more layers than square cells all through it do: ln(R/r) / Δθ, and a tenth more.

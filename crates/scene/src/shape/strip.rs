@@ -14,12 +14,13 @@ use stickslip_fem_core::generate;
 use stickslip_fem_core::mesh::Point;
 
 use super::hole::{self, Hole};
-use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Sizes};
+use super::outline::{Divided, DivisionError, Edge, Meshing, Outline, Role, Sizes};
 use crate::declaration::{Key, POSITIVE, REQUIRED, length};
 use crate::document::child;
 use crate::units::{Length, Quantity};
 
-pub(super) const MEANING: &str = "−left ≤ x ≤ right, |y| ≤ half_width";
+pub(super) const MEANING: &str =
+    "−left ≤ x ≤ right, |y| ≤ half_width; edges `left`, `right`, `top`, `bottom`";
 
 #[rustfmt::skip]
 pub(super) const ROWS: &[Key] = &[
@@ -29,7 +30,7 @@ pub(super) const ROWS: &[Key] = &[
 ];
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct Keys {
     half_width: Quantity<Length>,
     left: Quantity<Length>,
@@ -78,17 +79,19 @@ impl Outline for Strip {
 
     fn edges(&self) -> Vec<Edge> {
         let [[left, bottom], [right, top]] = self.bounds();
-        let side = |name, from, to| Edge::straight(name, [from, to]);
+        let side = |name, ends| {
+            let edge = Edge::straight(name, ends).with_role(Role::Side);
+            edge.placed_by("plate_with_hole.outline.strip.half_width")
+        };
         vec![
             hole::edge(self.hole_radius),
-            side("left", [left, top], [left, bottom])
+            Edge::straight("left", [[left, top], [left, bottom]])
                 .placed_by("plate_with_hole.outline.strip.left"),
-            side("right", [right, bottom], [right, top])
+            Edge::straight("right", [[right, bottom], [right, top]])
+                .with_role(Role::End)
                 .placed_by("plate_with_hole.outline.strip.right"),
-            side("top", [right, top], [left, top])
-                .placed_by("plate_with_hole.outline.strip.half_width"),
-            side("bottom", [left, bottom], [right, bottom])
-                .placed_by("plate_with_hole.outline.strip.half_width"),
+            side("top", [[right, top], [left, top]]),
+            side("bottom", [[left, bottom], [right, bottom]]),
         ]
     }
 
@@ -103,8 +106,8 @@ impl Outline for Strip {
         Some(1)
     }
 
-    fn is_round(&self) -> bool {
-        true
+    fn mesh_keys(&self) -> &'static [&'static str] {
+        hole::MESH_KEYS
     }
 
     fn meshing(&self, divided: &Divided<'_>) -> Result<Meshing, DivisionError> {

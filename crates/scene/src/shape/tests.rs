@@ -3,7 +3,10 @@
 use stickslip_fem_core::generate::{Extent, uniform_angles};
 use stickslip_fem_core::mesh::{ElementKind, Mesh, Point};
 
+use super::outline::CIRCLE_KEYS;
 use super::{Curve, Divided, EXAMPLES, Edge, Role, Shape, ShapeFormat, Sizes};
+use crate::document::child;
+use crate::keys::declared;
 use crate::units::{Length, Quantity};
 
 /// Rounding of coordinates of some 100 mm, with room for a dozen operations.
@@ -32,30 +35,43 @@ fn partner(own: &Shape) -> Option<Shape> {
     let wanted = match own.edges().first()?.role {
         Role::Cap => Role::Surface,
         Role::Surface => Role::Cap,
-        Role::Free | Role::Hole | Role::Rim => return None,
+        _ => return None,
     };
     let mut others = shapes().into_iter();
     others.find(|other| other.edge_with(wanted).is_some())
 }
 
 fn mesh(shape: &Shape, kind: ElementKind, extent: Extent, centre: Point) -> Mesh {
+    let own = |given: &Divided<'_>| {
+        let meshing = shape.meshing(given).unwrap();
+        assert_eq!(meshing.layers.is_some(), shape.is_round(), "{shape:?}");
+        meshing.generator.generate().unwrap()
+    };
+    divided(shape, extent, |given| {
+        own(&Divided {
+            kind,
+            centre,
+            ..*given
+        })
+    })
+}
+
+/// Calls `then` with a division of `shape` into Q8.
+fn divided<T>(shape: &Shape, extent: Extent, then: impl Fn(&Divided<'_>) -> T) -> T {
     let partner = partner(shape);
     let count = if extent == Extent::Half { 24 } else { 48 };
     let angles = uniform_angles(extent, count);
-    let divided = Divided {
-        kind,
+    then(&Divided {
+        kind: ElementKind::Q8,
         angles: if shape.is_round() { &angles } else { &[] },
         spacing: (!shape.is_round()).then_some(0.75),
         fine_to: None,
         layers: None,
         extent,
-        centre,
+        centre: [0.0; 2],
         partner: partner.as_deref(),
         most: 1_000_000,
-    };
-    let meshing = shape.meshing(&divided).unwrap();
-    assert_eq!(meshing.layers.is_some(), shape.is_round(), "{shape:?}");
-    meshing.generator.generate().unwrap()
+    })
 }
 
 /// How far `at` lies from the curve `[mm]`.
@@ -313,6 +329,53 @@ fn a_hole_takes_a_rim_and_a_cap_takes_a_surface() {
                 fits,
                 "{first:?} {second:?}"
             );
+        }
+    }
+}
+
+#[test]
+fn mesh_keys_are_those_that_change_the_mesh() {
+    for shape in shapes() {
+        let keys = shape.mesh_keys();
+        assert!(keys.contains(&"spacing"), "{shape:?}");
+        for key in keys {
+            assert!(declared(&child("mesh", key)).is_some(), "{key}");
+        }
+        divided(&shape, Extent::Whole, |given| {
+            let nodes = |given: &Divided<'_>| {
+                let meshing = shape.meshing(given).unwrap();
+                meshing.generator.generate().unwrap().nodes().to_vec()
+            };
+            let layers = Some(3);
+            let changed = nodes(&Divided { layers, ..*given }) != nodes(given);
+            assert_eq!(changed, keys.contains(&"layers"), "{shape:?}");
+            // What round shapes are given has been divided by all keys of angles.
+            if shape.is_round() {
+                assert!(
+                    CIRCLE_KEYS.iter().all(|key| keys.contains(key)),
+                    "{shape:?}"
+                );
+                return;
+            }
+            let fine_to = Some(7.5);
+            let changed = nodes(&Divided { fine_to, ..*given }) != nodes(given);
+            assert_eq!(changed, keys.contains(&"fine_to"), "{shape:?}");
+            assert!(!keys.contains(&"coarse_spacing"), "{shape:?}");
+        });
+    }
+}
+
+#[test]
+fn plates_have_the_roles_by_which_they_are_measured() {
+    for shape in shapes() {
+        for (role, axis) in [(Role::End, 0), (Role::Side, 1)] {
+            if let Some(edge) = shape.edge_with(role) {
+                assert!(
+                    edge.level(axis) > Some(0.0) && edge.size.is_some(),
+                    "{edge:?}"
+                );
+                assert!(shape.edge_with(Role::Hole).is_some(), "{shape:?}");
+            }
         }
     }
 }

@@ -338,6 +338,53 @@ fn meshes() {
 }
 
 #[test]
+fn mesh_keys_that_no_shape_uses() {
+    let own = |setting: &str| {
+        let disk = "shape.disk = { radius = \"4.99 mm\" }";
+        refused(disk, &format!("{disk}\nmesh = {{ {setting} }}"))
+    };
+    let (message, help, line, shown) = own("layers = 4");
+    assert_eq!(
+        message,
+        "bodies.pin.mesh.layers has no effect: nothing in the mesh of a disk depends on it"
+    );
+    assert_eq!(help, "remove layers");
+    assert_eq!((line, shown.as_str()), (16, "4"));
+    let press = |shapes: [&str; 2], setting: &str| {
+        let [first, second] = shapes;
+        let text = format!(
+            "version = 1\nmaterials.steel.isotropic = {{ young = \"210 GPa\", poisson = 0.3 }}\n\
+             [bodies.first]\nmaterial = \"steel\"\nthickness = \"2 mm\"\nshape.{first}\n\
+             [bodies.second]\nmaterial = \"steel\"\nthickness = \"2 mm\"\nshape.{second}\n\
+             [mesh]\nspacing = \"1 mm\"\n{setting}\n\
+             [[platens]]\non = \"first.top\"\nfree = []\n[[platens]]\non = \"second.bottom\"\nfree = []\n\
+             [[loads]]\non = \"first.top\"\npressure.steps = [\"1 MPa\"]\n"
+        );
+        let error = read(&text).err();
+        error.map(|error| error.findings()[0].summary().message)
+    };
+    let coupon = r#"rectangle = { width = "60 mm", height = "20 mm" }"#;
+    let cap = r#"cylinder = { radius = "100 mm", half_length = "20 mm", depth = "18 mm" }"#;
+    let block = r#"block = { half_length = "20 mm", depth = "18 mm" }"#;
+    assert_eq!(press([coupon, coupon], "element = \"Q4\""), None);
+    assert_eq!(
+        press([coupon, coupon], "fine_to = \"5 mm\"").as_deref(),
+        Some("mesh.fine_to has no effect: nothing in the mesh of a rectangle depends on it")
+    );
+    assert_eq!(press([coupon, block], "fine_to = \"5 mm\""), None);
+    assert_eq!(
+        press(
+            [cap, block],
+            "fine_to = \"5 mm\"\ncoarse_spacing = \"2 mm\""
+        )
+        .as_deref(),
+        Some(
+            "mesh.coarse_spacing has no effect: nothing in the mesh of a block or a cylinder depends on it"
+        )
+    );
+}
+
+#[test]
 fn versions() {
     let (message, help, line, _) = refused("version = 1", "version = 2");
     assert_eq!(message, "version 2 of the scene format is not supported");

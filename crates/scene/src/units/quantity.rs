@@ -162,14 +162,8 @@ impl<M: Measure> UnitName<M> {
 
     /// The base unit.
     pub fn base() -> Self {
-        let is_base = |unit: &&Unit| unit.dimension == M::DIMENSIONS[0];
-        // Every dimension has units, and its first one is the base unit: a test of the table holds this.
-        let unit = super::UNITS
-            .iter()
-            .find(is_base)
-            .unwrap_or(&super::UNITS[0]);
         Self {
-            unit,
+            unit: M::DIMENSIONS[0].base(),
             measure: PhantomData,
         }
     }

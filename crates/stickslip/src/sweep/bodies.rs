@@ -2,10 +2,9 @@
 
 use std::fmt::Write as _;
 
-use sha2::{Digest as _, Sha256};
-
 use stickslip_engine::model::obstacle_to_half;
 use stickslip_scene::Scene;
+use stickslip_scene::open::sha256;
 use stickslip_scene::schema::{Body, LoadKind, Material, Substance};
 
 /// The key of the elastic body `name`; `None` for a rigid one, and for one whose material cannot be modelled.
@@ -55,7 +54,7 @@ pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
             }
         }
     }
-    Some(digest(&text))
+    Some(sha256(&text))
 }
 
 /// What a model depends on beside friction laws and the sizes of loads; of the laws, whether they mirror.
@@ -85,16 +84,7 @@ pub(super) fn model_key(scene: &Scene) -> String {
             contact.name, contact.first, contact.second, contact.gap, contact.projection
         );
     }
-    digest(&text)
-}
-
-fn digest(text: &str) -> String {
-    let bytes = Sha256::digest(text.as_bytes());
-    bytes.iter().fold(String::new(), |mut text, byte| {
-        // Writing into a string does not fail.
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
+    sha256(&text)
 }
 
 /// Nothing but contact forces acts on the body, and nothing moves its supports: then its compliance is that of any size.

@@ -5,7 +5,7 @@ use serde_json::Value;
 
 /// The whole file.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(super) struct SweepFormat {
     /// Checked before the rest is read.
     #[serde(rename = "version")]
@@ -23,11 +23,7 @@ pub(super) struct SweepFormat {
 
 /// `[joint]`: what the named axes mean in this scene.
 #[derive(Debug, Default, Deserialize)]
-#[serde(
-    default,
-    deny_unknown_fields,
-    expecting = "a table, such as { key = value }"
-)]
+#[serde(default, deny_unknown_fields)]
 pub(super) struct JointFormat {
     pub(super) contact: Option<String>,
     pub(super) criterion: Option<String>,
@@ -35,7 +31,7 @@ pub(super) struct JointFormat {
 
 /// `[[axes]]`.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(super) struct AxisFormat {
     pub(super) key: String,
     pub(super) label: Option<String>,
@@ -47,11 +43,7 @@ pub(super) struct AxisFormat {
 
 /// `[map]`: the axes that pictures are drawn over.
 #[derive(Debug, Default, Deserialize)]
-#[serde(
-    default,
-    deny_unknown_fields,
-    expecting = "a table, such as { key = value }"
-)]
+#[serde(default, deny_unknown_fields)]
 pub(super) struct MapFormat {
     pub(super) x: Option<String>,
     pub(super) y: Option<String>,

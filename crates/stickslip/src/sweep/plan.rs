@@ -4,18 +4,16 @@ mod joint;
 mod read;
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use serde_json::Value;
 
 use super::axis::{Axis, AxisKey, tidy};
-use stickslip_scene::diagnostic::{Finding, SceneError, SceneProblem, SourceText};
+use stickslip_scene::diagnostic::{SceneError, SceneProblem};
 use stickslip_scene::document::{Document, Part};
 use stickslip_scene::host::Host;
-use stickslip_scene::limits::Content;
 use stickslip_scene::schema::Substance;
 use stickslip_scene::shape::Role;
-use stickslip_scene::{Format, Scene};
+use stickslip_scene::{Format, Scene, open};
 
 /// Version of the sweep format that this program reads.
 const VERSION: u64 = 1;
@@ -99,27 +97,9 @@ impl Sweep {
         overrides: &[impl AsRef<str>],
         host: Host,
     ) -> Result<Self, SceneError> {
-        let name = path.display().to_string();
-        let text = host.read_text(path, Content::Document).map_err(|error| {
-            let problem = SceneProblem::Unreadable {
-                path: name.clone(),
-                cause: error.to_string(),
-            };
-            let source = Arc::new(SourceText {
-                name: name.clone(),
-                text: String::new(),
-            });
-            let finding = Finding {
-                problem,
-                key: String::new(),
-                source,
-                span: None,
-            };
-            SceneError::new(finding, [])
-        })?;
+        let source = open::text_of(path, host, SceneProblem::unreadable)?;
         let folder = path.parent().unwrap_or(Path::new(""));
         let overrides = overrides.iter().map(|one| one.as_ref().to_owned());
-        let source = SourceText { name, text };
         let overrides = overrides.collect();
         read::sweep(source, Format::of_path(path), folder, overrides, host)
     }
@@ -211,8 +191,8 @@ impl Sweep {
             return Err(self.needs(axis, "a plate with a hole"));
         };
         // The key of the distance from the hole to a side of the plate.
-        let side = |name: &str| {
-            let size = body.and_then(|body| body.shape.edge(name)?.size);
+        let side = |role: Role| {
+            let size = body.and_then(|body| body.shape.edge_with(role)?.size);
             let key = size.map(|size| format!("bodies.{}.shape.{size}", self.plate));
             key.ok_or_else(|| self.needs(axis, "a plate with outline.strip"))
         };
@@ -220,9 +200,9 @@ impl Sweep {
         let length = |key: String, value: f64| format!("{key}={} mm", tidy(value));
         match (&own.key, number) {
             (AxisKey::EndDistance, Some(ratio)) => {
-                Ok(length(side("right")?, 2.0 * ratio * hole_radius))
+                Ok(length(side(Role::End)?, 2.0 * ratio * hole_radius))
             }
-            (AxisKey::Width, Some(ratio)) => Ok(length(side("top")?, ratio * hole_radius)),
+            (AxisKey::Width, Some(ratio)) => Ok(length(side(Role::Side)?, ratio * hole_radius)),
             (AxisKey::Clearance, Some(clearance)) => {
                 let clearance = own.unit.map_or(*clearance, |unit| clearance * unit.in_base);
                 let pin = scene.bodies.get(&self.pin);

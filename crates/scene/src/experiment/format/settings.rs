@@ -11,7 +11,7 @@ use crate::units::{Angle, Length, Quantity};
 
 /// A part of the plane: a disc, or an upright rectangle.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct MaskFormat {
     pub(crate) centre: Option<PlaceFormat>,
     pub(crate) radius: Option<Quantity<Length>>,
@@ -31,11 +31,7 @@ pub(crate) enum MethodFormat {
 
 /// `[reduce]`.
 #[derive(Debug, Default, Deserialize)]
-#[serde(
-    default,
-    deny_unknown_fields,
-    expecting = "a table, such as { key = value }"
-)]
+#[serde(default, deny_unknown_fields)]
 pub(crate) struct ReduceFormat {
     pub(crate) method: MethodFormat,
     pub(crate) longest_side: Option<Quantity<Length>>,
@@ -72,27 +68,17 @@ pub(crate) enum OutliersFormat {
 
 /// `reduce.symmetry`: a line along which front and back are compared.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct SymmetryFormat {
     pub(crate) from: PlaceFormat,
     pub(crate) to: PlaceFormat,
-    #[serde(default = "quarter")]
-    pub(crate) tolerance: f64,
-    #[serde(default = "places")]
-    pub(crate) places: usize,
-}
-
-fn quarter() -> f64 {
-    0.25
-}
-
-fn places() -> usize {
-    41
+    pub(crate) tolerance: Option<f64>,
+    pub(crate) places: Option<usize>,
 }
 
 /// `[region]`: a sector of arcs around the hole, or a mesh; and what is done with it.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct RegionFormat {
     pub(crate) sector: Option<SectorFormat>,
     pub(crate) mesh: Option<MeshFormat>,
@@ -105,7 +91,7 @@ pub(crate) struct RegionFormat {
 
 /// `region.mesh`.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct MeshFormat {
     pub(crate) file: String,
     pub(crate) scale: Quantity<Length>,
@@ -113,47 +99,28 @@ pub(crate) struct MeshFormat {
 
 /// `region.sector`.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct SectorFormat {
     pub(crate) angles: [Quantity<Angle>; 2],
     pub(crate) outer: Quantity<Length>,
     pub(crate) cells: [usize; 2],
     pub(crate) stand_off: Option<Quantity<Length>>,
-    #[serde(default = "one")]
-    pub(crate) growth: f64,
-    #[serde(default = "quadratic")]
-    pub(crate) element: ElementKind,
-}
-
-fn one() -> f64 {
-    1.0
-}
-
-fn quadratic() -> ElementKind {
-    ElementKind::Q8
+    pub(crate) growth: Option<f64>,
+    pub(crate) element: Option<ElementKind>,
 }
 
 /// `region.smoothing`.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct SmoothingFormat {
-    #[serde(default = "second")]
-    pub(crate) order: usize,
+    pub(crate) order: Option<usize>,
     pub(crate) amount: Option<f64>,
     pub(crate) share: Option<f64>,
 }
 
-fn second() -> usize {
-    2
-}
-
 /// `[identify]`.
 #[derive(Debug, Default, Deserialize)]
-#[serde(
-    default,
-    deny_unknown_fields,
-    expecting = "a table, such as { key = value }"
-)]
+#[serde(default, deny_unknown_fields)]
 pub(crate) struct IdentifyFormat {
     pub(crate) confidence: Option<f64>,
     pub(crate) samples: Option<usize>,
@@ -164,7 +131,7 @@ pub(crate) struct IdentifyFormat {
 
 /// `[[identify.zones]]`: a zone given by hand.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct ZoneFormat {
     pub(crate) state: String,
     pub(crate) from: Quantity<Angle>,
@@ -173,7 +140,7 @@ pub(crate) struct ZoneFormat {
 
 /// `[[laws]]`.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct LawFormat {
     pub(crate) name: Option<String>,
     pub(crate) friction: Value,

@@ -7,14 +7,15 @@ use serde::de::{self, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use super::{CarriersFormat, PlaceFormat};
+use crate::experiment::Direction;
 use crate::units::{Force, Length, Quantity};
 
 /// One state of the experiment.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct StateFormat {
     pub(crate) name: String,
-    pub(crate) direction: Option<DirectionFormat>,
+    pub(crate) direction: Option<Direction>,
     pub(crate) load: Option<Quantity<Force>>,
     pub(crate) edge_force: Option<ForceFormat>,
     pub(crate) step: Option<usize>,
@@ -39,20 +40,12 @@ pub(crate) struct ForceFormat {
 
 /// Data that a state, its null field or its back is read from: exactly one of these.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct SourceFormat {
     pub(crate) step: Option<usize>,
     pub(crate) table: Option<TableFormat>,
     pub(crate) pictures: Option<PicturesFormat>,
     pub(crate) lines: Option<LinesFormat>,
-}
-
-/// Whether the load was growing or falling.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
-#[serde(rename_all = "snake_case")]
-pub(crate) enum DirectionFormat {
-    Loading,
-    Unloading,
 }
 
 /// Where an axis y points.
@@ -75,11 +68,7 @@ pub(crate) enum PresetFormat {
 
 /// Column names that differ from those of the preset.
 #[derive(Debug, Default, Deserialize)]
-#[serde(
-    default,
-    deny_unknown_fields,
-    expecting = "a table, such as { key = value }"
-)]
+#[serde(default, deny_unknown_fields)]
 pub(crate) struct ColumnsFormat {
     pub(crate) x: Option<String>,
     pub(crate) y: Option<String>,
@@ -92,7 +81,7 @@ pub(crate) struct ColumnsFormat {
 
 /// Displacements at scattered places.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct TableFormat {
     pub(crate) file: String,
     #[serde(default)]
@@ -153,7 +142,7 @@ impl<'de> Visitor<'de> for FilesVisitor {
 
 /// Directions in which fringe orders rise.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct RisingFormat {
     pub(crate) u: [f64; 2],
     pub(crate) v: [f64; 2],
@@ -161,7 +150,7 @@ pub(crate) struct RisingFormat {
 
 /// Fringe pictures.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct PicturesFormat {
     pub(crate) u: Option<FilesFormat>,
     pub(crate) v: Option<FilesFormat>,
@@ -185,7 +174,7 @@ pub(crate) enum TrackFormat {
 
 /// `track.circle`.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct CircleFormat {
     pub(crate) centre: PlaceFormat,
     #[serde(default)]
@@ -206,7 +195,7 @@ pub(crate) struct TracksFormat {
 
 /// Fringe centres along lines.
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table, such as { key = value }")]
+#[serde(deny_unknown_fields)]
 pub(crate) struct LinesFormat {
     pub(crate) u: String,
     pub(crate) v: String,

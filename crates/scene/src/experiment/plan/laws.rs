@@ -2,12 +2,11 @@
 
 use serde_json::Value;
 
-use super::read::Refuse;
-use super::{FreeParameter, LawPlan, Specimen};
+use super::refuse::Refuse;
 use crate::diagnostic::SceneError;
 use crate::document::child;
-use crate::experiment::Candidate;
 use crate::experiment::format::LawFormat;
+use crate::experiment::{Candidate, FreeParameter, LawPlan, Specimen};
 use crate::friction::law as read_law;
 use crate::schema::Material;
 use crate::units::{Dimension, Expected, parse};
@@ -34,11 +33,9 @@ pub(super) fn read(
             .or_else(|| kind.cloned())
             .unwrap_or_default();
         if laws.iter().any(|other| other.name == name) {
-            return Err(refuse.conflict(
-                &table,
-                format!("there are two laws '{name}'"),
-                "give each a name of its own: name = \"…\"",
-            ));
+            let message = format!("there are two laws '{name}'");
+            let remedy = "give each a name of its own: name = \"…\"";
+            return Err(refuse.conflict(&table, message, remedy));
         }
         let mut free = Vec::new();
         for (parameter, bounds) in &law.free {
@@ -54,11 +51,9 @@ pub(super) fn read(
                     bounds: [low, high],
                 }),
                 _ => {
-                    return Err(refuse.conflict(
-                        &place,
-                        format!("'{parameter}' is free between no two values"),
-                        "give the least and the greatest value, with units where the parameter has one: [0.0, 1.0]",
-                    ));
+                    let message = format!("'{parameter}' is free between no two values");
+                    let remedy = "give the least and the greatest value, with units where the parameter has one: [0.0, 1.0]";
+                    return Err(refuse.conflict(&place, message, remedy));
                 }
             }
         }

@@ -1,30 +1,60 @@
 //! From the text of an experiment file to a checked experiment.
 
-use std::fmt::Write as _;
 use std::path::Path;
 use std::sync::Arc;
 
-use serde::Deserialize as _;
-use sha2::{Digest as _, Sha256};
 use stickslip_hybrid::fringe::{Depth, Exposure, Format as FileFormat};
 use stickslip_hybrid::moire::Grating;
 
-use super::{
-    Area, DisplayUnits, Experiment, Fringes, Reduce, Specimen, State, VERSION, laws, settings,
-    specimen, states, unused,
-};
+use super::refuse::{Refuse, gradient};
+use super::{Experiment, VERSION, laws, ranges, settings, specimen, states, unused};
 use crate::diagnostic::{SceneError, SceneProblem, SourceText};
-use crate::document::{Document, Part};
 use crate::experiment::format::{
-    ExperimentFormat, FileKindFormat, FringesFormat, GratingFormat, MaskFormat, PlaceFormat,
-    SeriesFormat,
+    ExperimentFormat, FileKindFormat, FringesFormat, GratingFormat, SeriesFormat,
 };
+use crate::experiment::{Fringes, Reduce, Specimen, State};
+use crate::format::UnitsFormat;
 use crate::host::Host;
-use crate::read::Reader;
-use crate::units::{Length, PerLength, Quantity};
-use crate::{Format, format::UnitsFormat, overrides::apply as apply_override};
+use crate::schema::DisplayUnits;
+use crate::{Format, open};
 
-pub(super) fn experiment(
+impl Experiment {
+    /// Reads and checks a file of `host`, JSON if its name ends in `.json` and otherwise TOML, with the overrides `key=value` applied in
+    /// turn. The files with data are not read yet; they and the models may take no more than the host's limits.
+    ///
+    /// # Errors
+    /// [`SceneError`] with what is wrong at its line, in the experiment or in its scene; a file that is too large.
+    pub fn from_file(
+        path: &Path,
+        overrides: &[impl AsRef<str>],
+        host: Host,
+    ) -> Result<Self, SceneError> {
+        let source = open::text_of(path, host, SceneProblem::unreadable)?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        experiment(source, Format::of_path(path), folder, overrides, host)
+    }
+
+    /// Reads and checks an experiment. `name` stands for the text in errors, and files of `host` are looked for in `folder`.
+    ///
+    /// # Errors
+    /// As [`Experiment::from_file`].
+    pub fn from_text(
+        text: &str,
+        format: Format,
+        name: &str,
+        folder: &Path,
+        overrides: &[impl AsRef<str>],
+        host: Host,
+    ) -> Result<Self, SceneError> {
+        let source = SourceText {
+            name: name.to_owned(),
+            text: text.to_owned(),
+        };
+        experiment(source, format, folder, overrides, host)
+    }
+}
+
+fn experiment(
     source: SourceText,
     format: Format,
     folder: &Path,
@@ -32,15 +62,16 @@ pub(super) fn experiment(
     host: Host,
 ) -> Result<Experiment, SceneError> {
     let source_name = source.name.clone();
-    let (document, read) = keys(source, format, overrides, host)?;
+    let document = open::document(source, format, overrides, host)?;
+    open::check_version(&document, "experiment", VERSION)?;
+    let read: ExperimentFormat = open::keys(&document)?;
+    ranges::check(&document)?;
     let refuse = Refuse(&document);
     let mut specimen = specimen::read(refuse, &read, folder)?;
     let display = shown_in(read.units.as_ref(), &mut specimen);
-    let grating = read.grating.as_ref();
-    let grating = grating.map(|given| self::grating(refuse, given));
+    let grating = read.grating.as_ref().map(|given| grating(refuse, given));
     let grating = grating.transpose()?;
-    let fringes = read.fringes.as_ref();
-    let fringes = fringes.map(|given| self::fringes(refuse, given));
+    let fringes = read.fringes.as_ref().map(|given| fringes(refuse, given));
     let fringes = fringes.transpose()?;
     let scope = states::Scope {
         refuse,
@@ -50,27 +81,19 @@ pub(super) fn experiment(
         folder,
     };
     let states = scope.states(&read.states)?;
-    let region = read
-        .region
-        .as_ref()
-        .map(|given| settings::region(refuse, given, &specimen.hole, folder))
-        .transpose()?;
+    let region = read.region.as_ref();
+    let region = region.map(|given| settings::region(refuse, given, &specimen.hole, folder));
+    let region = region.transpose()?;
     let reduce = settings::reduce(refuse, &read.reduce)?;
     check_symmetry(refuse, &reduce, &states)?;
-    let stem = Path::new(&source_name).file_stem();
+    let scene = specimen.scene.as_ref().map(|own| own.scene.hash.as_str());
     Ok(Experiment {
-        title: read
-            .title
-            .or_else(|| stem.map(|stem| stem.to_string_lossy().into_owned()))
-            .unwrap_or_default(),
+        title: read.title.unwrap_or_else(|| open::stem(&source_name)),
         description: read.description,
         display,
         identify: settings::identify(refuse, &read.identify, &states)?,
         laws: laws::read(refuse, &read.laws, &specimen)?,
-        hash: hash(
-            &document,
-            specimen.scene.as_ref().map(|own| own.scene.hash.as_str()),
-        ),
+        hash: open::sha256(format!("{}\n{}", document.root, scene.unwrap_or_default())),
         without_effect: unused::without_effect(
             &document,
             &reduce,
@@ -90,28 +113,6 @@ pub(super) fn experiment(
     })
 }
 
-/// The document with its overrides, and what its keys say.
-fn keys(
-    source: SourceText,
-    format: Format,
-    overrides: &[impl AsRef<str>],
-    host: Host,
-) -> Result<(Document, ExperimentFormat), SceneError> {
-    let mut document = Document::parse(source, format)?;
-    document.host = host;
-    for argument in overrides {
-        apply_override(&mut document, argument.as_ref())?;
-    }
-    document.check_texts()?;
-    check_version(&document)?;
-    let read = ExperimentFormat::deserialize(Reader::new(&document.root, ""));
-    let read = read.map_err(|error| {
-        let key = error.key.as_deref().unwrap_or_default();
-        document.error(key, error.part, *error.problem)
-    })?;
-    Ok((document, read))
-}
-
 /// Units of results. What is said of the scene is said in them too.
 fn shown_in(given: Option<&UnitsFormat>, specimen: &mut Specimen) -> DisplayUnits {
     let display = match (given, &specimen.scene) {
@@ -124,22 +125,6 @@ fn shown_in(given: Option<&UnitsFormat>, specimen: &mut Specimen) -> DisplayUnit
         }
     }
     display
-}
-
-fn check_version(document: &Document) -> Result<(), SceneError> {
-    let problem = match document.get("version") {
-        Some(version) if version.as_u64() == Some(VERSION) => return Ok(()),
-        Some(version) => SceneProblem::Conflict {
-            message: format!("version {version} of the experiment format is not supported"),
-            remedy: format!("this program reads version = {VERSION}"),
-        },
-        None => SceneProblem::MissingKey {
-            key: "version".to_owned(),
-            table: "the experiment".to_owned(),
-            example: format!("version = {VERSION}"),
-        },
-    };
-    Err(document.error("version", Part::Value, problem))
 }
 
 /// A back without a line to compare it along, and a line without any back.
@@ -160,150 +145,6 @@ fn check_symmetry(refuse: Refuse<'_>, reduce: &Reduce, states: &[State]) -> Resu
     }
 }
 
-fn hash(document: &Document, scene: Option<&str>) -> String {
-    let mut digest = Sha256::new();
-    digest.update(format!("{}\n{}", document.root, scene.unwrap_or_default()));
-    digest
-        .finalize()
-        .iter()
-        .fold(String::new(), |mut text, byte| {
-            // Writing into a string does not fail.
-            let _ = write!(text, "{byte:02x}");
-            text
-        })
-}
-
-/// Makes errors at keys of the file.
-#[derive(Clone, Copy)]
-pub(super) struct Refuse<'a>(pub(super) &'a Document);
-
-impl Refuse<'_> {
-    pub(super) fn at(self, key: &str, problem: SceneProblem) -> SceneError {
-        self.0.error(key, Part::Value, problem)
-    }
-
-    pub(super) fn conflict(
-        self,
-        key: &str,
-        message: impl Into<String>,
-        remedy: impl Into<String>,
-    ) -> SceneError {
-        let problem = SceneProblem::Conflict {
-            message: message.into(),
-            remedy: remedy.into(),
-        };
-        self.at(key, problem)
-    }
-
-    pub(super) fn missing(self, table: &str, key: &str, example: &str) -> SceneError {
-        let problem = SceneProblem::MissingKey {
-            key: key.to_owned(),
-            table: if table.is_empty() {
-                "the experiment".to_owned()
-            } else {
-                table.to_owned()
-            },
-            example: example.to_owned(),
-        };
-        self.0.error(table, Part::Key, problem)
-    }
-
-    /// A number within its range, or an error that says what that is.
-    pub(super) fn within<T: std::fmt::Display>(
-        self,
-        key: &str,
-        value: T,
-        fits: bool,
-        allowed: &str,
-    ) -> Result<T, SceneError> {
-        if fits {
-            Ok(value)
-        } else {
-            Err(self.out_of_range(key, &value, allowed))
-        }
-    }
-
-    pub(super) fn out_of_range(
-        self,
-        key: &str,
-        value: &dyn std::fmt::Display,
-        allowed: &str,
-    ) -> SceneError {
-        let problem = SceneProblem::OutOfRange {
-            key: key.rsplit('.').next().unwrap_or(key).to_owned(),
-            value: value.to_string(),
-            allowed: allowed.to_owned(),
-        };
-        self.at(key, problem)
-    }
-
-    pub(super) fn positive(self, key: &str, length: &Quantity<Length>) -> Result<f64, SceneError> {
-        let value = length.value();
-        self.within(key, length.text(), value > 0.0, "greater than 0")?;
-        Ok(value)
-    }
-
-    pub(super) fn not_negative(
-        self,
-        key: &str,
-        length: &Quantity<Length>,
-    ) -> Result<f64, SceneError> {
-        let value = length.value();
-        self.within(key, length.text(), value >= 0.0, "at least 0")?;
-        Ok(value)
-    }
-
-    /// Lower left and upper right corner.
-    pub(super) fn window(
-        self,
-        key: &str,
-        given: &[PlaceFormat; 2],
-    ) -> Result<[[f64; 2]; 2], SceneError> {
-        let [low, high] = [place(&given[0]), place(&given[1])];
-        if low[0] < high[0] && low[1] < high[1] {
-            return Ok([low, high]);
-        }
-        Err(self.conflict(
-            key,
-            "the window's first corner is not to the lower left of its second",
-            "give the lower left and then the upper right corner",
-        ))
-    }
-
-    pub(super) fn areas(self, key: &str, given: &[MaskFormat]) -> Result<Vec<Area>, SceneError> {
-        let each = given.iter().enumerate();
-        each.map(|(index, area)| self.area(&format!("{key}.{index}"), area))
-            .collect()
-    }
-
-    fn area(self, key: &str, given: &MaskFormat) -> Result<Area, SceneError> {
-        match (&given.centre, &given.radius, &given.window) {
-            (Some(centre), Some(radius), None) => Ok(Area::Disc {
-                centre: place(centre),
-                radius: self.positive(&format!("{key}.radius"), radius)?,
-            }),
-            (None, None, Some(window)) => {
-                Ok(Area::Window(self.window(&format!("{key}.window"), window)?))
-            }
-            _ => Err(self.conflict(
-                key,
-                "this is neither a disc nor a window",
-                "give { centre = [\"0 mm\", \"0 mm\"], radius = \"1 mm\" } or { window = [[\"0 mm\", \"0 mm\"], [\"1 mm\", \"1 mm\"]] }",
-            )),
-        }
-    }
-}
-
-/// A place in base units.
-pub(super) fn place(given: &PlaceFormat) -> [f64; 2] {
-    [given[0].value(), given[1].value()]
-}
-
-/// A gradient of orders in base units.
-pub(super) fn gradient(given: &[Quantity<PerLength>; 2]) -> [f64; 2] {
-    [given[0].value(), given[1].value()]
-}
-
 fn grating(refuse: Refuse<'_>, given: &GratingFormat) -> Result<Grating, SceneError> {
     let made = match (&given.frequency, &given.wavelength, &given.angle) {
         (Some(frequency), None, None) => Grating::new(frequency.value()),
@@ -311,11 +152,9 @@ fn grating(refuse: Refuse<'_>, given: &GratingFormat) -> Result<Grating, SceneEr
             Grating::from_beams(wavelength.value(), angle.value())
         }
         _ => {
-            return Err(refuse.conflict(
-                "grating",
-                "a grating is given by its frequency, or by wavelength and angle",
-                "write frequency = \"2400 1/mm\", or wavelength = \"514.5e-6 mm\" and angle = \"38.1 deg\"",
-            ));
+            let message = "a grating is given by its frequency, or by wavelength and angle";
+            let remedy = "write frequency = \"2400 1/mm\", or wavelength = \"514.5e-6 mm\" and angle = \"38.1 deg\"";
+            return Err(refuse.conflict("grating", message, remedy));
         }
     };
     made.map_err(|cause| {
@@ -328,49 +167,28 @@ fn grating(refuse: Refuse<'_>, given: &GratingFormat) -> Result<Grating, SceneEr
 }
 
 fn fringes(refuse: Refuse<'_>, given: &FringesFormat) -> Result<Fringes, SceneError> {
+    let background = given.background.unwrap_or(0.5);
+    let modulation = given.modulation.unwrap_or(0.4);
+    if modulation > background {
+        let allowed = "greater than 0 and at most the background";
+        return Err(refuse.out_of_range("fringes.modulation", &modulation, allowed));
+    }
     let depth = match given.bits {
-        None | Some(8) => Depth::Eight,
         Some(16) => Depth::Sixteen,
-        Some(bits) => return Err(refuse.out_of_range("fringes.bits", &bits, "8 or 16")),
-    };
-    let number = |name: &str, value: f64, fits: bool, allowed: &str| {
-        refuse.within(&format!("fringes.{name}"), value, fits, allowed)
+        _ => Depth::Eight,
     };
     let exposure = Exposure {
-        background: number(
-            "background",
-            given.background,
-            given.background > 0.0,
-            "greater than 0",
-        )?,
-        modulation: number(
-            "modulation",
-            given.modulation,
-            given.modulation > 0.0 && given.modulation <= given.background,
-            "greater than 0 and at most the background",
-        )?,
-        order_error: number(
-            "order_error",
-            given.order_error,
-            given.order_error >= 0.0,
-            "at least 0",
-        )?,
-        noise: number(
-            "camera_noise",
-            given.camera_noise,
-            given.camera_noise >= 0.0,
-            "at least 0",
-        )?,
-        speckle_patterns: given
-            .speckle
-            .map(|count| refuse.within("fringes.speckle", count, count > 0, "at least 1"))
-            .transpose()?,
+        background,
+        modulation,
+        order_error: given.order_error,
+        noise: given.camera_noise,
+        speckle_patterns: given.speckle,
         depth: Some(depth),
     };
     let none = [[0.0; 2]; 2];
     Ok(Fringes {
         window: refuse.window("fringes.window", &given.window)?,
-        pixel: refuse.positive("fringes.pixel", &given.pixel)?,
+        pixel: given.pixel.value(),
         carrier: given
             .carrier
             .as_ref()
@@ -383,6 +201,6 @@ fn fringes(refuse: Refuse<'_>, given: &FringesFormat) -> Result<Fringes, SceneEr
             FileKindFormat::Tiff => FileFormat::Tiff,
         },
         depth,
-        seed: given.seed,
+        seed: given.seed.unwrap_or(1),
     })
 }

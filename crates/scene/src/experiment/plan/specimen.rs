@@ -6,11 +6,11 @@ use std::sync::Arc;
 use serde_json::{Map, Value, json};
 use stickslip_fem_core::material::PlaneState;
 
-use super::read::{Refuse, place};
-use super::{Hole, Specimen, SpecimenScene};
-use crate::diagnostic::{SceneError, SceneProblem, nearest, one_of};
+use super::refuse::{Refuse, place};
+use crate::diagnostic::{SceneError, SceneProblem, one_of};
 use crate::document::Part;
-use crate::experiment::format::{ExperimentFormat, SpecimenFormat};
+use crate::experiment::format::{ExperimentFormat, HoleFormat, SpecimenFormat};
+use crate::experiment::{Hole, Specimen, SpecimenScene};
 use crate::placement::centre as centre_of;
 use crate::schema::Substance;
 use crate::shape::Role;
@@ -35,11 +35,9 @@ pub(super) fn read(
         return alone(refuse, specimen, &given.plies);
     };
     if let Some((name, _)) = own.iter().find(|(_, given)| *given) {
-        return Err(refuse.conflict(
-            &format!("specimen.{name}"),
-            format!("the specimen's {name} is that of its scene"),
-            "leave it out, or change it by overrides = [\"key=value\"]",
-        ));
+        let message = format!("the specimen's {name} is that of its scene");
+        let remedy = "leave it out, or change it by overrides = [\"key=value\"]";
+        return Err(refuse.conflict(&format!("specimen.{name}"), message, remedy));
     }
     of_scene(refuse, specimen, &folder.join(scene))
 }
@@ -49,42 +47,38 @@ fn of_scene(
     given: &SpecimenFormat,
     path: &Path,
 ) -> Result<Specimen, SceneError> {
-    if !path.is_file() {
-        return Err(refuse.conflict(
-            "specimen.scene",
-            format!("there is no scene file '{}'", path.display()),
-            "the path is relative to the folder of the experiment file",
-        ));
+    if refuse.0.host.system.length(path).is_err() {
+        let message = format!("there is no scene file '{}'", path.display());
+        let remedy = "the path is relative to the folder of the experiment file";
+        return Err(refuse.conflict("specimen.scene", message, remedy));
     }
     let scene = Scene::from_file(path, &given.overrides, refuse.0.host)?;
     let body = body_of(refuse, given, &scene)?;
     let Some(found) = scene.bodies.get(&body) else {
-        let known = scene.bodies.keys().cloned().collect();
-        return Err(undefined(refuse, "body", "specimen.body", &body, known));
+        let known = scene.bodies.keys().cloned();
+        return Err(refuse.undefined("body", "specimen.body", &body, known));
     };
-    let edge = given.edge.clone().unwrap_or_else(|| "hole".to_owned());
+    let hole = || found.shape.edge_with(Role::Hole);
+    let edge = given.edge.clone();
+    let edge = edge.unwrap_or_else(|| hole().map_or("hole", |edge| edge.name).to_owned());
     let Some(radius) = found.shape.circle(&edge) else {
         let edges = found.shape.edges().into_iter();
         let round = edges.filter(|edge| edge.circle().is_some());
-        let known = round.map(|edge| edge.name.to_owned()).collect();
-        let what = "circular edge";
-        return Err(undefined(refuse, what, "specimen.edge", &edge, known));
+        let known = round.map(|edge| edge.name.to_owned());
+        return Err(refuse.undefined("circular edge", "specimen.edge", &edge, known));
     };
     let Substance::Elastic {
         material,
         thickness,
     } = &found.substance
     else {
-        return Err(refuse.conflict(
-            "specimen.body",
-            format!("body '{body}' is rigid and shows no displacements"),
-            "name an elastic body",
-        ));
+        let message = format!("body '{body}' is rigid and shows no displacements");
+        let remedy = "name an elastic body";
+        return Err(refuse.conflict("specimen.body", message, remedy));
     };
     let Some(material) = scene.materials.get(material).cloned() else {
-        let known = scene.materials.keys().cloned().collect();
-        let what = "material";
-        return Err(undefined(refuse, what, "specimen.body", material, known));
+        let known = scene.materials.keys().cloned();
+        return Err(refuse.undefined("material", "specimen.body", material, known));
     };
     let (plane, thickness) = (scene.analysis.plane, *thickness);
     let own = SpecimenScene {
@@ -124,23 +118,6 @@ fn body_of(
     }
 }
 
-/// A name of something that the scene does not have.
-fn undefined(
-    refuse: Refuse<'_>,
-    what: &'static str,
-    key: &str,
-    name: &str,
-    known: Vec<String>,
-) -> SceneError {
-    let problem = SceneProblem::Undefined {
-        what,
-        name: name.to_owned(),
-        nearest: nearest(name, known.iter().map(String::as_str)).map(str::to_owned),
-        known,
-    };
-    refuse.at(key, problem)
-}
-
 /// The scene as it is fitted: with `model_overrides` on top of the others. Its hole and its loads are those of the experiment.
 fn model_of(
     refuse: Refuse<'_>,
@@ -168,11 +145,11 @@ fn model_of(
         ));
     }
     if let Some(difference) = other_load(&scene, &own.scene) {
-        return Err(refuse.conflict(
-            "specimen.model_overrides",
-            format!("the model is not loaded as the scene: {difference}; states would be fitted under loads that they were not made with"),
-            "override the model's mesh or constants, and leave its loads alone; overrides = [\"key=value\"] changes the loads of both",
-        ));
+        let message = format!(
+            "the model is not loaded as the scene: {difference}; states would be fitted under loads that they were not made with"
+        );
+        let remedy = "override the model's mesh or constants, and leave its loads alone; overrides = [\"key=value\"] changes the loads of both";
+        return Err(refuse.conflict("specimen.model_overrides", message, remedy));
     }
     Ok(SpecimenScene {
         scene: Arc::new(scene),
@@ -216,20 +193,7 @@ fn alone(
     given: &SpecimenFormat,
     plies: &Map<String, Value>,
 ) -> Result<Specimen, SceneError> {
-    for (name, unfit) in [
-        ("body", given.body.is_some()),
-        ("edge", given.edge.is_some()),
-        ("overrides", !given.overrides.is_empty()),
-        ("model_overrides", !given.model_overrides.is_empty()),
-    ] {
-        if unfit {
-            return Err(refuse.conflict(
-                &format!("specimen.{name}"),
-                format!("'{name}' belongs to a scene, and none is given"),
-                "add scene = \"scene.toml\", or leave it out",
-            ));
-        }
-    }
+    needs_no_scene(refuse, given)?;
     let Some(material) = &given.material else {
         let example = "material.isotropic = { young = \"70 GPa\", poisson = 0.33 }, or a scene = \"scene.toml\"";
         return Err(refuse.missing("specimen", "material", example));
@@ -238,25 +202,7 @@ fn alone(
         let example = "hole = { centre = [\"0 mm\", \"0 mm\"], radius = \"9.5 mm\" }";
         return Err(refuse.missing("specimen", "hole", example));
     };
-    let radius = refuse.positive("specimen.hole.radius", &hole.radius)?;
-    let mut body = json!({
-        "material": OWN,
-        "shape": { "disk": { "radius": hole.radius.text() } },
-    });
-    if let Some(thickness) = &given.thickness {
-        refuse.positive("specimen.thickness", thickness)?;
-        body["thickness"] = thickness.text().into();
-    }
-    let text = json!({
-        "version": crate::VERSION,
-        "analysis": { "plane": given.plane.unwrap_or(PlaneState::Stress) },
-        "plies": plies,
-        "materials": { OWN: material },
-        "bodies": { OWN: body },
-        "mesh": { "spacing": "30 deg" },
-        "supports": [{ "on": format!("{OWN}.centre"), "fix": ["x", "y"] }],
-        "loads": [{ "on": format!("{OWN}.rim"), "pressure": { "steps": ["1 MPa"] } }],
-    });
+    let text = small_scene(given, material, hole, plies);
     let none: [&str; 0] = [];
     let scene = Scene::from_text(&text.to_string(), Format::Json, OWN, Path::new(""), &none)
         .map_err(|error| relocated(refuse, &error))?;
@@ -272,10 +218,53 @@ fn alone(
         thickness: *thickness,
         hole: Hole {
             centre: place(&hole.centre),
-            radius,
+            radius: hole.radius.value(),
         },
         scene: None,
         model: None,
+    })
+}
+
+/// Refuses keys that belong to a scene.
+fn needs_no_scene(refuse: Refuse<'_>, given: &SpecimenFormat) -> Result<(), SceneError> {
+    for (name, unfit) in [
+        ("body", given.body.is_some()),
+        ("edge", given.edge.is_some()),
+        ("overrides", !given.overrides.is_empty()),
+        ("model_overrides", !given.model_overrides.is_empty()),
+    ] {
+        if unfit {
+            let message = format!("'{name}' belongs to a scene, and none is given");
+            let remedy = "add scene = \"scene.toml\", or leave it out";
+            return Err(refuse.conflict(&format!("specimen.{name}"), message, remedy));
+        }
+    }
+    Ok(())
+}
+
+/// A scene of a disk of this material and thickness.
+fn small_scene(
+    given: &SpecimenFormat,
+    material: &Value,
+    hole: &HoleFormat,
+    plies: &Map<String, Value>,
+) -> Value {
+    let mut body = json!({
+        "material": OWN,
+        "shape": { "disk": { "radius": hole.radius.text() } },
+    });
+    if let Some(thickness) = &given.thickness {
+        body["thickness"] = thickness.text().into();
+    }
+    json!({
+        "version": crate::VERSION,
+        "analysis": { "plane": given.plane.unwrap_or(PlaneState::Stress) },
+        "plies": plies,
+        "materials": { OWN: material },
+        "bodies": { OWN: body },
+        "mesh": { "spacing": "30 deg" },
+        "supports": [{ "on": format!("{OWN}.centre"), "fix": ["x", "y"] }],
+        "loads": [{ "on": format!("{OWN}.rim"), "pressure": { "steps": ["1 MPa"] } }],
     })
 }
 

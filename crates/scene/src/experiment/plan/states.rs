@@ -6,14 +6,13 @@ use std::path::Path;
 
 use stickslip_hybrid::moire::Grating;
 
-use super::read::Refuse;
-use super::{Direction, Fringes, Source, Specimen, State};
+use super::refuse::Refuse;
 use crate::diagnostic::SceneError;
 use crate::experiment::format::{
-    DirectionFormat, ForceFormat, LinesFormat, PicturesFormat, SourceFormat, StateFormat,
-    TableFormat,
+    ForceFormat, LinesFormat, PicturesFormat, SourceFormat, StateFormat, TableFormat,
 };
 use crate::experiment::history::History;
+use crate::experiment::{Direction, Fringes, Source, Specimen, State};
 use crate::units::Quantity;
 
 /// Longest name of a state, which is a part of file names.
@@ -152,10 +151,7 @@ impl Scope<'_> {
         state: &StateFormat,
         own_step: Option<(usize, &History<'_>)>,
     ) -> Result<Option<Direction>, SceneError> {
-        let given = state.direction.map(|given| match given {
-            DirectionFormat::Loading => Direction::Loading,
-            DirectionFormat::Unloading => Direction::Unloading,
-        });
+        let given = state.direction;
         let Some((step, own)) = own_step.map(|(step, history)| (step, history.direction(step)))
         else {
             return Ok(given);
@@ -185,11 +181,11 @@ impl Scope<'_> {
             [&given.x, &given.y].map(|force| force.as_ref().map(Quantity::value))
         });
         if given.is_some() && force == [None; 2] {
-            return Err(self.refuse.conflict(
-                &format!("{key}.edge_force"),
-                "edge_force names no component",
-                "write edge_force = { x = \"5516 N\" }, y in place of x or beside it; or leave edge_force out",
-            ));
+            let message = "edge_force names no component";
+            let remedy = "write edge_force = { x = \"5516 N\" }, y in place of x or beside it; or leave edge_force out";
+            return Err(self
+                .refuse
+                .conflict(&format!("{key}.edge_force"), message, remedy));
         }
         Ok(force)
     }
@@ -198,18 +194,15 @@ impl Scope<'_> {
         let plain = |c: char| c.is_alphanumeric() || "-_.+".contains(c);
         let place = format!("{key}.name");
         if name.is_empty() || name.len() > LONGEST_NAME || !name.chars().all(plain) {
-            return Err(self.refuse.conflict(
-                &place,
-                format!("'{name}' is no name of a state, which is a part of file names"),
-                format!("take letters, digits, '-', '_', '+' and '.', {LONGEST_NAME} at most"),
-            ));
+            let message = format!("'{name}' is no name of a state, which is a part of file names");
+            let remedy =
+                format!("take letters, digits, '-', '_', '+' and '.', {LONGEST_NAME} at most");
+            return Err(self.refuse.conflict(&place, message, remedy));
         }
         if before.iter().any(|state| state.name == name) {
-            return Err(self.refuse.conflict(
-                &place,
-                format!("there are two states '{name}'"),
-                "give each state a name of its own",
-            ));
+            let message = format!("there are two states '{name}'");
+            let remedy = "give each state a name of its own";
+            return Err(self.refuse.conflict(&place, message, remedy));
         }
         Ok(())
     }
@@ -239,19 +232,20 @@ impl Scope<'_> {
     ) -> Result<(), SceneError> {
         let is_lines = |source: &Source| matches!(source, Source::Lines(_));
         if null.is_some_and(|null| is_lines(null) != is_lines(source)) {
-            return Err(self.refuse.conflict(
-                &format!("{key}.null"),
-                "fringe lines and full fields cannot be subtracted from each other",
-                "give the null field in the same form as the state",
-            ));
+            let message = "fringe lines and full fields cannot be subtracted from each other";
+            let remedy = "give the null field in the same form as the state";
+            return Err(self
+                .refuse
+                .conflict(&format!("{key}.null"), message, remedy));
         }
         // Synthetic pictures of one step have different noise.
         if !source.is_synthetic() && null == Some(source) {
-            return Err(self.refuse.conflict(
-                &format!("{key}.null"),
-                "the null field has the data of the state itself, and would leave nothing of it",
-                "name the files of the initial load, or remove null",
-            ));
+            let message =
+                "the null field has the data of the state itself, and would leave nothing of it";
+            let remedy = "name the files of the initial load, or remove null";
+            return Err(self
+                .refuse
+                .conflict(&format!("{key}.null"), message, remedy));
         }
         Ok(())
     }

@@ -1,9 +1,9 @@
 //! Keys that are stated and have no effect with what else is stated. They are reported and not refused, so that one file serves several
 //! methods: `--set reduce.method=polynomial`.
 
-use super::{Fringes, Method, Reduce, RegionPlan, Source, State};
 use crate::diagnostic::SceneProblem;
 use crate::document::{Document, Part};
+use crate::experiment::{Fringes, Method, Reduce, RegionPlan, Source, State};
 
 /// A key, whether anything uses it, and a sentence on what would.
 type Entry = (&'static str, bool, &'static str);
@@ -40,10 +40,7 @@ pub(super) fn without_effect(
 }
 
 fn placed(document: &Document, key: &'static str, why: &'static str) -> Unheeded {
-    let problem = SceneProblem::Conflict {
-        message: why.to_owned(),
-        remedy: String::new(),
-    };
+    let problem = SceneProblem::conflict(why, "");
     let finding = document.finding(key, Part::Key, problem);
     let line = finding.position().map(|(line, _)| line);
     Unheeded {

@@ -4,22 +4,19 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use miette::Diagnostic as _;
-use serde::Deserialize as _;
 use serde_json::Value;
-use sha2::{Digest as _, Sha256};
 
 use super::{Base, Sweep, VERSION, joint};
 use crate::sweep::axis::{Axis, AxisKey, between};
 use crate::sweep::format::{AxisFormat, MapFormat, SweepFormat};
 use stickslip_engine::LoadScale;
 use stickslip_engine::model::LoadTable;
-use stickslip_scene::Format;
 use stickslip_scene::diagnostic::{SceneError, SceneProblem, SourceText, nearest};
 use stickslip_scene::document::{Document, Part};
 use stickslip_scene::host::Host;
 use stickslip_scene::limits::Content;
-use stickslip_scene::read::Reader;
 use stickslip_scene::units::Dimension;
+use stickslip_scene::{Format, open};
 
 /// Most values of an axis given by its ends, and most cases.
 const LONGEST_AXIS: usize = 10_000;
@@ -33,14 +30,10 @@ pub(super) fn sweep(
     host: Host,
 ) -> Result<Sweep, SceneError> {
     let source_name = source.name.clone();
-    let mut document = Document::parse(source, format)?;
-    document.host = host;
-    document.check_texts()?;
-    check_version(&document)?;
-    let read = SweepFormat::deserialize(Reader::new(&document.root, "")).map_err(|error| {
-        let key = error.key.as_deref().unwrap_or_default();
-        document.error(key, error.part, *error.problem)
-    })?;
+    let none: [&str; 0] = [];
+    let document = open::document(source, format, &none, host)?;
+    open::check_version(&document, "sweep", VERSION)?;
+    let read: SweepFormat = open::keys(&document)?;
     let base = base(&document, &read.scene, folder, overrides)?;
     let scene = base.scene(&[])?;
     joint::follows_nothing(&scene, &document, "scene")?;
@@ -49,12 +42,8 @@ pub(super) fn sweep(
     let criterion = joint::criterion(&scene, &read.joint, &document)?;
     let pair = &scene.contacts[contact];
     let unit = LoadScale::unit_of(&LoadTable::of_contact(&scene, contact));
-    let stem = Path::new(&source_name).file_stem();
     let sweep = Sweep {
-        title: read
-            .title
-            .or_else(|| stem.map(|stem| stem.to_string_lossy().into_owned()))
-            .unwrap_or_default(),
+        title: read.title.unwrap_or_else(|| open::stem(&source_name)),
         description: read.description,
         map: map(&document, &read.map, &axes)?,
         hash: hash(&scene.hash, &axes, contact, criterion.as_deref()),
@@ -71,22 +60,6 @@ pub(super) fn sweep(
     };
     check(&sweep)?;
     Ok(sweep)
-}
-
-fn check_version(document: &Document) -> Result<(), SceneError> {
-    let problem = match document.get("version") {
-        Some(version) if version.as_u64() == Some(VERSION) => return Ok(()),
-        Some(version) => SceneProblem::Conflict {
-            message: format!("version {version} of the sweep format is not supported"),
-            remedy: format!("this program reads version = {VERSION}"),
-        },
-        None => SceneProblem::MissingKey {
-            key: "version".to_owned(),
-            table: "the sweep".to_owned(),
-            example: format!("version = {VERSION}"),
-        },
-    };
-    Err(document.error("version", Part::Value, problem))
 }
 
 fn base(
@@ -375,19 +348,11 @@ fn refused(sweep: &Sweep, axis: usize, value: usize, error: &SceneError) -> Scen
 }
 
 fn hash(scene: &str, axes: &[Axis], contact: usize, criterion: Option<&str>) -> String {
-    let mut digest = Sha256::new();
-    digest.update(format!("{scene}\n{contact}\n{criterion:?}\n"));
+    let mut text = format!("{scene}\n{contact}\n{criterion:?}\n");
     for axis in axes {
-        digest.update(format!(
-            "{}\n{}\n",
-            axis.key.name(),
-            Value::Array(axis.values.clone())
-        ));
-    }
-    let bytes = digest.finalize();
-    bytes.iter().fold(String::new(), |mut text, byte| {
+        let values = Value::Array(axis.values.clone());
         // Writing into a string does not fail.
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
+        let _ = write!(text, "{}\n{values}\n", axis.key.name());
+    }
+    open::sha256(text)
 }

@@ -5,14 +5,15 @@ use std::path::PathBuf;
 
 use stickslip_hybrid::data::{self, LineReading, Reading, Track, YAxis};
 
-use super::super::read::{gradient, place};
-use super::super::{LineSource, PictureSource, Source, TableSource};
+use super::super::refuse::{gradient, place};
 use super::Scope;
 use crate::diagnostic::SceneError;
 use crate::experiment::format::{
     AxisFormat, ColumnsFormat, FilesFormat, LinesFormat, PicturesFormat, PresetFormat, TableFormat,
     TrackFormat,
 };
+use crate::experiment::{LineSource, PictureSource, Source, TableSource};
+use crate::units::{Length, Quantity};
 
 /// Standard deviation of fringe orders that are read to a quarter of a fringe: uniform in ±¼, ¼/√3.
 const QUARTER_FRINGE: f64 = 0.144_337_567_297_406_44;
@@ -29,9 +30,10 @@ impl Scope<'_> {
         }
         self.needs_grating()?;
         let steps = own.scene.steps();
-        let allowed = format!("from 1 to {steps}, the load steps of the scene");
-        self.refuse
-            .within(key, step, (1..=steps).contains(&step), &allowed)?;
+        if !(1..=steps).contains(&step) {
+            let allowed = format!("from 1 to {steps}, the load steps of the scene");
+            return Err(self.refuse.out_of_range(key, &step, &allowed));
+        }
         Ok(Source::Step(step - 1))
     }
 
@@ -50,42 +52,27 @@ impl Scope<'_> {
         }
         let [line, order] = [&given.columns.line, &given.columns.order];
         if line.is_some() || order.is_some() {
-            return Err(self.refuse.conflict(
-                &format!("{key}.columns"),
-                "'line' and 'order' are columns of fringe lines, not of displacements",
-                "name x, y, u, v or flag",
-            ));
+            let message = "'line' and 'order' are columns of fringe lines, not of displacements";
+            let remedy = "name x, y, u, v or flag";
+            return Err(self
+                .refuse
+                .conflict(&format!("{key}.columns"), message, remedy));
         }
         let format = renamed(preset, &given.columns);
         self.check_columns(key, &format)?;
-        let scale = self
-            .refuse
-            .positive(&format!("{key}.scale"), &given.scale)?;
-        let displacement_scale = given
-            .displacement_scale
-            .as_ref()
-            .map(|scale| {
-                self.refuse
-                    .positive(&format!("{key}.displacement_scale"), scale)
-            })
-            .transpose()?;
-        let deviation = given
-            .deviation
-            .as_ref()
-            .map(|deviation| self.refuse.positive(&format!("{key}.deviation"), deviation))
-            .transpose()?;
+        let length = |given: &Option<Quantity<Length>>| given.as_ref().map(Quantity::value);
         Ok(Source::Table(TableSource {
             file: self.folder.join(&given.file),
             format,
             reading: Reading {
-                scale: Some(scale),
-                displacement_scale,
+                scale: Some(given.scale.value()),
+                displacement_scale: length(&given.displacement_scale),
                 y_axis: y_axis(given.y_axis),
                 reversed: given.reversed,
                 deviation: [0.0; 2],
             },
             origin: given.origin.unwrap_or_default(),
-            deviation,
+            deviation: length(&given.deviation),
         }))
     }
 
@@ -108,21 +95,9 @@ impl Scope<'_> {
                 return Err(self.refuse.out_of_range(&place, &"[0, 0]", allowed));
             }
         }
-        if let Some(dark) = given.dark {
-            let place = format!("{key}.dark");
-            let fits = (0.0..1.0).contains(&dark);
-            self.refuse.within(
-                &place,
-                dark,
-                fits,
-                "at least 0 and less than 1, a part of full scale",
-            )?;
-        }
         Ok(Source::Pictures(PictureSource {
             files,
-            pixel: self
-                .refuse
-                .positive(&format!("{key}.pixel"), &given.pixel)?,
+            pixel: given.pixel.value(),
             top_left: place(&given.top_left),
             upright: given.y_axis == AxisFormat::Up,
             carrier: given
@@ -148,28 +123,13 @@ impl Scope<'_> {
         self.needs_grating()?;
         let names = &given.columns;
         if names.u.is_some() || names.v.is_some() || names.flag.is_some() {
-            return Err(self.refuse.conflict(
-                &format!("{key}.columns"),
-                "'u', 'v' and 'flag' are columns of displacements, not of fringe lines",
-                "name line, x, y or order",
-            ));
-        }
-        let scale = self
-            .refuse
-            .positive(&format!("{key}.scale"), &given.scale)?;
-        let tolerance = match &given.tolerance {
-            Some(tolerance) => self
+            let message = "'u', 'v' and 'flag' are columns of displacements, not of fringe lines";
+            let remedy = "name line, x, y or order";
+            return Err(self
                 .refuse
-                .not_negative(&format!("{key}.tolerance"), tolerance)?,
-            None => f64::INFINITY,
-        };
-        let deviation = given.deviation.unwrap_or(QUARTER_FRINGE);
-        self.refuse.within(
-            &format!("{key}.deviation"),
-            deviation,
-            deviation > 0.0,
-            "greater than 0, in fringes",
-        )?;
+                .conflict(&format!("{key}.columns"), message, remedy));
+        }
+        let tolerance = given.tolerance.as_ref();
         let column = |name: &Option<String>, default: &str| {
             name.clone().unwrap_or_else(|| default.to_owned())
         };
@@ -180,10 +140,10 @@ impl Scope<'_> {
                 column(&names.y, "y"),
                 column(&names.order, "order"),
             ],
-            scale,
+            scale: given.scale.value(),
             y_axis: y_axis(given.y_axis),
             reversed,
-            tolerance,
+            tolerance: tolerance.map_or(f64::INFINITY, Quantity::value),
             track: track(&given.track),
             tracks: tracks
                 .iter()
@@ -196,7 +156,7 @@ impl Scope<'_> {
                 reading(given.reversed[0], &given.tracks.u),
                 reading(given.reversed[1], &given.tracks.v),
             ],
-            deviation,
+            deviation: given.deviation.unwrap_or(QUARTER_FRINGE),
         }))
     }
 

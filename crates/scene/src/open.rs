@@ -1,0 +1,102 @@
+//! Opens documents: the text of a file, its overrides, and what its keys say.
+
+use std::fmt::Write as _;
+use std::io;
+use std::path::Path;
+use std::sync::Arc;
+
+use serde::de::DeserializeOwned;
+use sha2::{Digest as _, Sha256};
+
+use crate::diagnostic::{SceneError, SceneProblem, SourceText};
+use crate::document::{Document, Format, Part};
+use crate::host::Host;
+use crate::limits::Content;
+use crate::overrides;
+use crate::read::Reader;
+
+/// Reads the text of a file of `host`. What it says of one that cannot be read comes from `problem`, by its path.
+///
+/// # Errors
+/// [`SceneError`]: no such file, one that is too large or not text.
+pub fn text_of(
+    path: &Path,
+    host: Host,
+    problem: fn(String, &io::Error) -> SceneProblem,
+) -> Result<SourceText, SceneError> {
+    let name = path.display().to_string();
+    let (text, error) = match host.read_text(path, Content::Document) {
+        Ok(text) => return Ok(SourceText { name, text }),
+        Err(error) => (String::new(), error),
+    };
+    let problem = problem(name.clone(), &error);
+    let source = Arc::new(SourceText { name, text });
+    Err(SceneError::in_text(problem, &source, None))
+}
+
+/// Reads a document with the overrides `key=value` applied in turn. The files that it names are those of `host`.
+///
+/// # Errors
+/// [`SceneError`] at the first place that is neither TOML nor JSON, at an override that cannot be applied, at a text with a control character.
+pub fn document(
+    source: SourceText,
+    format: Format,
+    overrides: &[impl AsRef<str>],
+    host: Host,
+) -> Result<Document, SceneError> {
+    let mut document = Document::parse(source, format)?;
+    document.host = host;
+    for argument in overrides {
+        overrides::apply(&mut document, argument.as_ref())?;
+    }
+    document.check_texts()?;
+    Ok(document)
+}
+
+/// Checks the version of a document that is no scene; `what` names its kind.
+///
+/// # Errors
+/// [`SceneError`] at a missing version, or one that is not `supported`.
+pub fn check_version(document: &Document, what: &str, supported: u64) -> Result<(), SceneError> {
+    let problem = match document.get("version") {
+        Some(version) if version.as_u64() == Some(supported) => return Ok(()),
+        Some(version) => SceneProblem::conflict(
+            format!("version {version} of the {what} format is not supported"),
+            format!("this program reads version = {supported}"),
+        ),
+        None => SceneProblem::MissingKey {
+            key: "version".to_owned(),
+            table: format!("the {what}"),
+            example: format!("version = {supported}"),
+        },
+    };
+    Err(document.error("version", Part::Value, problem))
+}
+
+/// Reads the keys of a document.
+///
+/// # Errors
+/// [`SceneError`] at the first key that is unknown, missing or of another kind.
+pub fn keys<T: DeserializeOwned>(document: &Document) -> Result<T, SceneError> {
+    T::deserialize(Reader::new(&document.root, "")).map_err(|error| {
+        let key = error.key.as_deref().unwrap_or_default();
+        let problem = overrides::mistyped(document, key, *error.problem);
+        document.error(key, error.part, problem)
+    })
+}
+
+/// The stem of a path's last name, the title of a document without one.
+pub fn stem(name: &str) -> String {
+    let stem = Path::new(name).file_stem();
+    stem.unwrap_or_default().to_string_lossy().into_owned()
+}
+
+/// Computes the SHA-256 of `bytes`, in hexadecimal digits.
+pub fn sha256(bytes: impl AsRef<[u8]>) -> String {
+    let digest = Sha256::digest(bytes);
+    digest.iter().fold(String::new(), |mut text, byte| {
+        // Writing into a string does not fail.
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
+}
