@@ -277,6 +277,24 @@ impl Tractions {
         Ok(false)
     }
 
+    /// Standard deviation `[stress]` of the pressure (`part` 0) or of the shear (`part` 1) at `place`.
+    pub fn deviation(&self, part: usize, place: usize) -> f64 {
+        let count = self.pressure.len();
+        let row = part * count + place;
+        self.covariance[row * 2 * count + row].max(0.0).sqrt()
+    }
+
+    /// τ/p `[1]` at `place` and its standard deviation, to first order.
+    pub fn ratio(&self, place: usize) -> (f64, f64) {
+        let (n, all) = (self.pressure.len(), 2 * self.pressure.len());
+        let (pressure, shear) = (self.pressure[place], self.shear[place]);
+        let ratio = shear / pressure;
+        let entry = |i: usize, j: usize| self.covariance[i * all + j];
+        let variance = entry(n + place, n + place) - 2.0 * ratio * entry(place, n + place)
+            + ratio * ratio * entry(place, place);
+        (ratio, variance.max(0.0).sqrt() / pressure.abs())
+    }
+
     fn check(&self, zone: &Range<usize>) -> Result<(), IdentifyError> {
         let [pressures, shears] = [&self.pressure, &self.shear].map(Vec::len);
         if pressures != shears || self.covariance.len() != 4 * pressures * pressures {
@@ -331,21 +349,20 @@ struct Misfit {
 
 impl Misfit {
     fn new(data: &Tractions, zone: Range<usize>, positive: bool) -> Result<Self, IdentifyError> {
-        data.check(&zone)?;
-        let sign = if positive { 1.0 } else { -1.0 };
-        let (all, first, count) = (data.pressure.len(), zone.start, zone.len());
-        let entry = |i: usize, j: usize| data.covariance[i * 2 * all + j];
-        let block = |value: &dyn Fn(usize, usize) -> f64| {
-            Matrix::from_fn(count, count, |i, j| value(first + i, first + j))
-        };
+        let own = data.of_zones(&[(zone, positive)])?;
+        let count = own.pressure.len();
+        let entry = |i: usize, j: usize| own.covariance[i * 2 * count + j];
+        let blocks = [
+            Matrix::from_fn(count, count, entry),
+            Matrix::from_fn(count, count, |i, j| {
+                entry(i, count + j) + entry(count + i, j)
+            }),
+            Matrix::from_fn(count, count, |i, j| entry(count + i, count + j)),
+        ];
         Ok(Self {
-            pressure: data.pressure[zone.clone()].to_vec(),
-            shear: data.shear[zone].iter().map(|shear| sign * shear).collect(),
-            blocks: [
-                block(&|i, j| entry(i, j)),
-                block(&|i, j| sign * (entry(i, all + j) + entry(all + i, j))),
-                block(&|i, j| entry(all + i, all + j)),
-            ],
+            blocks,
+            pressure: own.pressure,
+            shear: own.shear,
         })
     }
 

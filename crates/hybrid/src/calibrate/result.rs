@@ -83,7 +83,7 @@ impl Calibration {
         (self.estimates.len() + self.nuisances) as f64
     }
 
-    /// Degrees of freedom of χ²: data less parameters less nuisances.
+    /// Counts the degrees of freedom of χ²: data less parameters less nuisances.
     pub fn degrees(&self) -> usize {
         // `calibrate` refuses fewer data.
         self.data
@@ -135,7 +135,7 @@ impl Calibration {
         (self.reduced().cbrt() - (1.0 - spread)) / spread.sqrt()
     }
 
-    /// Values of the parameters.
+    /// Lists the fitted values of the parameters, in their order and units.
     pub fn values(&self) -> Vec<f64> {
         self.estimates.iter().map(|own| own.value).collect()
     }

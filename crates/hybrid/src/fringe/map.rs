@@ -93,7 +93,7 @@ impl Frame {
         self.step
     }
 
-    /// Centre of a pixel `[length]`.
+    /// Centre `[length]` of a pixel, whose index counts row by row.
     pub fn place(&self, pixel: usize) -> Point {
         let (column, row) = (pixel % self.columns, pixel / self.columns);
         [
