@@ -15,7 +15,6 @@ mod boundary;
 mod edge;
 mod findings;
 mod held_out;
-mod imported;
 mod known_force;
 mod load;
 mod picture;
@@ -39,14 +38,13 @@ pub use known_force::ForceCheck;
 pub use load::LoadCheck;
 pub use picture::PictureMotion;
 pub use region::Workbench;
-pub(super) use region::meshed;
 pub use truth::{TruePlace, true_edge};
 
 /// One of so many places is kept out of a fit, to check it; evenly over the plane.
 pub const UNUSED: usize = 16;
 
 /// Edge stresses of one state.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Analysed {
     /// Index of the state in the experiment.
     pub state: usize,
@@ -147,13 +145,13 @@ pub struct MisfitAt {
 impl Analysed {
     /// Standard deviations of the pressures, then of the shears `[MPa]`.
     pub fn deviations(&self) -> [Vec<f64>; 2] {
-        let (places, all) = (self.angle.len(), 2 * self.angle.len());
-        [0, 1].map(|part| {
-            (0..places)
-                .map(|k| part * places + k)
-                .map(|k| self.tractions.covariance[k * all + k].max(0.0).sqrt())
-                .collect()
-        })
+        let places = 0..self.angle.len();
+        let of = |part: usize| {
+            places
+                .clone()
+                .map(move |k| self.tractions.deviation(part, k))
+        };
+        [0, 1].map(|part| of(part).collect())
     }
 
     /// Places that are at least twice the [resolution](Self::resolution) from the region's ends, where displacements of two edges meet and

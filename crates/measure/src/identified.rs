@@ -258,18 +258,7 @@ fn summarised(mut draws: Vec<f64>, confidence: f64) -> Option<Simulation> {
 
 /// τ/p at a place and its standard deviation, to first order.
 pub fn ratio(found: &Analysed, place: usize) -> (f64, f64) {
-    ratio_of(&found.tractions, place)
-}
-
-/// τ/p of `data` at a place and its standard deviation, to first order.
-pub fn ratio_of(data: &Tractions, place: usize) -> (f64, f64) {
-    let (n, all) = (data.pressure.len(), 2 * data.pressure.len());
-    let (pressure, shear) = (data.pressure[place], data.shear[place]);
-    let ratio = shear / pressure;
-    let entry = |i: usize, j: usize| data.covariance[i * all + j];
-    let variance = entry(n + place, n + place) - 2.0 * ratio * entry(place, n + place)
-        + ratio * ratio * entry(place, place);
-    (ratio, variance.max(0.0).sqrt() / pressure.abs())
+    found.tractions.ratio(place)
 }
 
 /// Bounds as text.

@@ -25,6 +25,7 @@ use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::data::{Field, FringeLines, Measurement, Symmetry};
 use stickslip_hybrid::fringe::PixelMap;
 
+use super::ends::span;
 use super::error::ExperimentError;
 use super::finding::{FieldFinding, Finding, Located, Part};
 use super::synthesis::{Shot, Shots};
@@ -218,24 +219,21 @@ pub fn repeated(experiment: &Experiment, fields: &[Measured]) -> Vec<Located> {
 /// Displacements that differ by more than small strains allow: the mark of a wrong scale.
 fn large(measurement: &Measurement) -> Option<Finding> {
     const STRAIN: f64 = 0.02;
-    let spread = |values: &mut dyn Iterator<Item = f64>| {
-        let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
-            [low.min(value), high.max(value)]
-        });
-        (high - low).max(0.0)
-    };
-    let places = &measurement.places;
-    let extent = [0, 1].map(|axis| spread(&mut places.iter().map(|place| place[axis])));
-    let range = [0, 1].map(|c| {
-        let values = measurement.displacements[c].iter().copied();
-        let valid = values
-            .zip(&measurement.valid[c])
-            .filter(|(_, valid)| **valid);
-        spread(&mut valid.map(|(value, _)| value))
-    });
+    let places = measurement.places.iter();
+    let extent = [0, 1].map(|axis| span(places.clone().map(|place| place[axis])));
+    let range = Field::BOTH.map(|field| range(measurement, field));
     let of_extent = range[0].max(range[1]) / extent[0].hypot(extent[1]);
     let found = FieldFinding::LargeDisplacements { of_extent };
     (of_extent > STRAIN).then_some(Finding::Field(found))
+}
+
+/// Greatest less least valid displacement `[mm]`.
+fn range(measurement: &Measurement, field: Field) -> f64 {
+    let c = field.component();
+    let both = measurement.displacements[c]
+        .iter()
+        .zip(&measurement.valid[c]);
+    span(both.filter(|(_, valid)| **valid).map(|(&value, _)| value))
 }
 
 /// What a source is read for.
@@ -265,14 +263,7 @@ impl Scope<'_> {
         field: &'static str,
         cause: stickslip_hybrid::fringe::FringeError,
     ) -> ExperimentError {
-        ExperimentError::Fringes {
-            state: self.name(),
-            field,
-            file: String::new(),
-            hint: String::new(),
-            key: self.key.clone(),
-            cause: Box::new(cause),
-        }
+        ExperimentError::fringes(&self.name(), field, &self.key, cause)
     }
 
     fn bytes(&self, path: &std::path::Path, content: Content) -> Result<Vec<u8>, ExperimentError> {
@@ -304,7 +295,7 @@ impl Scope<'_> {
 #[derive(Clone, Debug)]
 enum Reading {
     /// Displacements at places of a table.
-    Scattered(table::Scattered),
+    Scattered(Box<Measured>),
     /// Orders at the pixels of the U and the V field.
     Pictures(Box<[Option<phase::Unwound>; 2]>),
     /// Fringe lines of the U and the V field.

@@ -13,14 +13,6 @@ scene: open
 scene: open
     experiment/candidate.rs experiment/history.rs experiment/plan.rs experiment/plan/laws.rs experiment/plan/read.rs
     experiment/plan/settings.rs experiment/plan/specimen.rs experiment/plan/states.rs
-measure: open
-    analysed.rs analysed/boundary.rs analysed/imported.rs analysed/picture.rs analysed/region.rs error.rs error/words.rs measured.rs
-    measured/combine.rs measured/coverage.rs measured/elsewhere.rs measured/lines.rs measured/pictures.rs measured/symmetry.rs
-    measured/table.rs synthesis.rs truth.rs whole.rs
-measure: open
-    laws/compare.rs laws/resolved.rs laws/verdict.rs
-measure: open
-    laws/scale.rs laws/stage.rs
 ";
 
 /// Circles within families, of a module and its children that use each other, in each crate; others have none.

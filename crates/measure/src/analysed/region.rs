@@ -17,16 +17,12 @@ use stickslip_hybrid::region::{Region, RegionError};
 use super::boundary::Boundary;
 use super::edge::Edge;
 use super::held_out::split;
-use super::imported;
 use super::picture::field_of;
 use super::{Analysed, Checked, MisfitAt, NodalForce};
 use crate::error::{ExperimentError, of_reduction, of_region};
 use crate::measured::Measured;
-use stickslip_scene::experiment::{Area, Experiment, Hole, RegionPlan, RegionShape};
-use stickslip_scene::host::Host;
-
-/// The edge set on which stresses are asked for.
-const EDGE: &str = "inner";
+use crate::region_mesh::{EDGE, meshed};
+use stickslip_scene::experiment::{Area, Experiment, RegionPlan, RegionShape};
 
 /// A factorised region with the rows of its edge.
 #[derive(Debug)]
@@ -39,37 +35,6 @@ pub struct Workbench<'a> {
     interior: Vec<usize>,
 }
 
-fn missing(key: &str, what: &str, remedy: &str) -> ExperimentError {
-    ExperimentError::Missing {
-        key: key.to_owned(),
-        what: what.to_owned(),
-        remedy: remedy.to_owned(),
-    }
-}
-
-fn unusable(cause: RegionError) -> ExperimentError {
-    ExperimentError::Region {
-        state: "all".to_owned(),
-        key: "region".to_owned(),
-        cause: Box::new(cause),
-    }
-}
-
-/// The mesh of a region, and the radius of its edge `[mm]`.
-pub(crate) fn meshed(
-    plan: &RegionPlan,
-    hole: &Hole,
-    host: Host,
-) -> Result<(Mesh, f64), ExperimentError> {
-    match &plan.shape {
-        RegionShape::Sector(sector) => {
-            let sector = sector.around(hole);
-            Ok((sector.mesh().map_err(unusable)?, sector.inner()))
-        }
-        RegionShape::Mesh(mesh) => Ok((imported::mesh(mesh, hole, EDGE, host)?, hole.radius)),
-    }
-}
-
 /// Nodes inside of the mesh that lie in one of the areas, ascending.
 fn interior(mesh: &Mesh, areas: &[Area]) -> Result<Vec<usize>, ExperimentError> {
     let boundary = boundary_nodes(mesh);
@@ -80,9 +45,9 @@ fn interior(mesh: &Mesh, areas: &[Area]) -> Result<Vec<usize>, ExperimentError> 
         .collect();
     for (index, area) in areas.iter().enumerate() {
         if !inside.iter().any(|(_, place)| area.contains(*place)) {
-            return Err(missing(
-                &format!("region.interior.{index}"),
-                &format!(
+            return Err(ExperimentError::missing(
+                format!("region.interior.{index}"),
+                format!(
                     "area {} of region.interior holds no node inside of the region",
                     index + 1
                 ),
@@ -102,30 +67,29 @@ impl<'a> Workbench<'a> {
     /// analysed.
     pub fn new(experiment: &'a Experiment) -> Result<Self, ExperimentError> {
         const SECTOR: &str = "write [region] sector = { angles = [\"-10 deg\", \"110 deg\"], outer = \"13 mm\", cells = [40, 10] }";
-        let plan = experiment
-            .region
-            .as_ref()
-            .ok_or_else(|| missing("region", "edge stresses need a [region]", SECTOR))?;
+        let plan = experiment.region.as_ref().ok_or_else(|| {
+            ExperimentError::missing("region", "edge stresses need a [region]", SECTOR)
+        })?;
         let specimen = &experiment.specimen;
         let (mesh, radius) = meshed(plan, &specimen.hole, experiment.host())?;
         let mesh = Arc::new(mesh);
         let material = (specimen.material.in_plane(specimen.plane)).map_err(|cause| {
             let what = format!("the specimen's material is none: {cause}");
-            missing("specimen.material", &what, "correct its constants")
+            ExperimentError::missing("specimen.material", what, "correct its constants")
         })?;
         let material: Arc<dyn Material> = Arc::from(material);
         let blocks = mesh.blocks().iter();
         let materials = blocks.map(|_| Arc::clone(&material)).collect();
         let body = ElasticBody::new(mesh, materials, specimen.thickness);
-        let body = Arc::new(body.map_err(|cause| unusable(cause.into()))?);
+        let body = Arc::new(body.map_err(|cause| ExperimentError::of_the_region(cause))?);
         let interior = interior(body.mesh(), &plan.interior)?;
-        let region = Region::new(&body, &interior).map_err(unusable)?;
+        let region = Region::new(&body, &interior).map_err(ExperimentError::of_the_region)?;
         let cut = match &plan.shape {
             RegionShape::Sector(sector) => sector.angles[0],
             // Opposite of where scenes bear.
             RegionShape::Mesh(_) => std::f64::consts::PI,
         };
-        let edge = Edge::new(&body, EDGE, radius, cut).map_err(unusable)?;
+        let edge = Edge::new(&body, EDGE, radius, cut).map_err(ExperimentError::of_the_region)?;
         Ok(Self {
             experiment,
             plan,
@@ -200,25 +164,17 @@ impl<'a> Workbench<'a> {
             hoop_deviation: self.edge.hoop_deviation(&stresses, &bias),
             tractions,
             bias,
-            direct: None,
-            without_direct: None,
             fit: boundary.fit,
             scale: boundary.scale,
             scale_assumed: boundary.assumed.clone(),
-            picture: Vec::new(),
             residuals: boundary.residuals.clone(),
-            checks: Checked::default(),
             forces: self.forces(boundary).map_err(refuse)?,
-            nodal_forces: Vec::new(),
+            ..Analysed::default()
         })
     }
 
     pub(super) fn refuse(&self, measured: &Measured, cause: RegionError) -> ExperimentError {
-        ExperimentError::Region {
-            state: self.experiment.states[measured.state].name.clone(),
-            key: "region".to_owned(),
-            cause: Box::new(cause),
-        }
+        ExperimentError::region(&self.experiment.states[measured.state].name, cause)
     }
 
     /// Bias of pressure, shear and hoop stress at each place.

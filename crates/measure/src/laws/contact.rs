@@ -17,7 +17,7 @@ use stickslip_fem_core::{CondensedBody, InterfaceOperator};
 use stickslip_friction::{FrictionLaw, Mirror};
 use stickslip_hybrid::region::locate::Locator;
 
-use super::{Candidate, LawsError};
+use super::{Candidate, LawsError, Observation};
 use stickslip_engine::model::{Model, mirror};
 use stickslip_engine::run::{Operator, RunError, condense, solver};
 use stickslip_scene::experiment::SpecimenScene;
@@ -233,7 +233,7 @@ pub struct View<'a> {
 }
 
 impl View<'_> {
-    /// Displacements `[mm]` in a state, x and y of each place in turn.
+    /// Computes the displacements P (λ; m; α) `[mm]` in a contact state, x and y of each place in turn.
     pub fn displacements(&self, state: &ContactState) -> DVector<f64> {
         let (model, problem) = (self.model, &self.model.problem);
         let count = model.specimen.interface_nodes().len();
@@ -241,5 +241,28 @@ impl View<'_> {
         action.extend(&state.multipliers);
         action.extend(problem.motions_of_body(model.body, &state.rigid));
         &self.rows * DVector::from_vec(action)
+    }
+
+    /// Displacements `[mm]` as `own` measures them: at its load step of the history `states`, less those of its null field.
+    ///
+    /// # Errors
+    /// [`LawsError::Step`] for a load step beyond the last of `states`.
+    pub(super) fn observed(
+        &self,
+        own: &Observation,
+        states: &[ContactState],
+    ) -> Result<DVector<f64>, LawsError> {
+        let at = |step: usize| {
+            let state = states.get(step).map(|state| self.displacements(state));
+            state.ok_or(LawsError::Step {
+                step: step + 1,
+                steps: states.len(),
+            })
+        };
+        let seen = at(own.step)?;
+        Ok(match own.null {
+            Some(null) => seen - at(null)?,
+            None => seen,
+        })
     }
 }

@@ -7,7 +7,6 @@ use super::combine::{grating, longest_side};
 use super::{Measured, Reading, Scope};
 use crate::error::ExperimentError;
 use crate::finding::{BackFinding, Finding};
-use crate::synthesis::field_name;
 use stickslip_scene::experiment::SymmetryPlan;
 
 /// What a comparison found.
@@ -32,7 +31,7 @@ pub(super) fn compared(
             common_lines(scope, plan, [&own[c], &other[c]], &mut comparison)?;
             continue;
         }
-        let name = field_name(field);
+        let name = field.name();
         match [front, back].map(|side| side.measurement.count(field) > 0) {
             [true, true] => {
                 let found = along_line(scope, plan, field, [front, back])?;
@@ -95,7 +94,7 @@ fn common_lines(
     [front, back]: [&FringeLines; 2],
     comparison: &mut Comparison,
 ) -> Result<(), ExperimentError> {
-    let name = field_name(front.field);
+    let name = front.field.name();
     let names = |lines: &FringeLines| -> String {
         let all: Vec<&str> = lines.lines.iter().map(FringeLine::name).collect();
         all.join(", ")

@@ -72,15 +72,17 @@ pub(super) fn mesh(
             words,
         })?;
     if parts.blocks.is_empty() {
-        return Err(missing(
-            "the mesh has no triangles and no quadrilaterals of one or two orders".to_owned(),
+        return Err(ExperimentError::missing(
+            "region.mesh",
+            "the mesh has no triangles and no quadrilaterals of one or two orders",
             "mesh the surface, and save it with its elements",
         ));
     }
     let plain = Mesh::new(parts).map_err(|cause| unreadable(cause.to_string()))?;
     let edges = on_hole(&plain, hole);
     if edges.is_empty() {
-        return Err(missing(
+        return Err(ExperimentError::missing(
+            "region.mesh",
             format!(
                 "no edge of the mesh lies on the hole; the nearest node is {:.6} mm off its edge",
                 nearest(&plain, hole)
@@ -97,14 +99,6 @@ pub(super) fn mesh(
         .edge_sets
         .insert(edge.to_owned(), EdgeSet { edges, curve });
     Mesh::new(parts).map_err(|cause| unreadable(cause.to_string()))
-}
-
-fn missing(what: String, remedy: &str) -> ExperimentError {
-    ExperimentError::Missing {
-        key: "region.mesh".to_owned(),
-        what,
-        remedy: remedy.to_owned(),
-    }
 }
 
 fn kind_of(kind: ElementType) -> Option<ElementKind> {
