@@ -23,6 +23,7 @@ use stickslip_fem_core::linalg::{DenseCholesky, Matrix};
 use thiserror::Error;
 
 use confidence::CHI_SQUARED_95;
+pub(crate) use confidence::excess;
 pub use confidence::{chi_squared_of_one, normal_quantile};
 pub use simultaneous::simultaneous_quantile;
 
@@ -103,31 +104,40 @@ pub enum Bounds {
 }
 
 impl Bounds {
+    /// Bounds with these ends, lower and upper; `None` where there is none.
+    pub fn of(ends: [Option<f64>; 2]) -> Self {
+        match ends {
+            [Some(low), Some(high)] => Self::Between(low, high),
+            [None, Some(high)] => Self::AtMost(high),
+            [Some(low), None] => Self::AtLeast(low),
+            [None, None] => Self::Nothing,
+        }
+    }
+
+    /// The lower and the upper end; `None` where there is none.
+    pub fn ends(self) -> [Option<f64>; 2] {
+        match self {
+            Self::Between(low, high) => [Some(low), Some(high)],
+            Self::AtMost(high) => [None, Some(high)],
+            Self::AtLeast(low) => [Some(low), None],
+            Self::Nothing => [None; 2],
+        }
+    }
+
     /// Whether `mu` lies within.
     pub fn contain(self, mu: f64) -> bool {
-        match self {
-            Self::Between(low, high) => (low..=high).contains(&mu),
-            Self::AtMost(high) => mu <= high,
-            Self::AtLeast(low) => mu >= low,
-            Self::Nothing => true,
-        }
+        let [low, high] = self.ends();
+        low.is_none_or(|low| mu >= low) && high.is_none_or(|high| mu <= high)
     }
 
     /// The same with ends whose distances from `best` hold a further error `by` of the value, squares added. An end at or below `least`, the
     /// least value that there is, is none.
     #[must_use]
     pub fn widened(self, best: f64, by: f64, least: f64) -> Self {
-        let below = |low: f64| Some(best - (best - low).hypot(by)).filter(|low| *low > least);
-        let above = |high: f64| best + (high - best).hypot(by);
-        match self {
-            Self::Between(low, high) => match below(low) {
-                Some(low) => Self::Between(low, above(high)),
-                None => Self::AtMost(above(high)),
-            },
-            Self::AtMost(high) => Self::AtMost(above(high)),
-            Self::AtLeast(low) => below(low).map_or(Self::Nothing, Self::AtLeast),
-            Self::Nothing => Self::Nothing,
-        }
+        let [low, high] = self.ends();
+        let low = low.map(|low| best - (best - low).hypot(by));
+        let high = high.map(|high| best + (high - best).hypot(by));
+        Self::of([low.filter(|low| *low > least), high])
     }
 }
 
@@ -146,14 +156,10 @@ pub struct SlipFit {
 
 impl SlipFit {
     /// Whether one coefficient for the whole zone explains the data: χ² within `deviations` standard deviations of what it should be,
-    /// by the cube root that makes it nearly normal (Wilson & Hilferty 1931).
+    /// by the cube root that makes it nearly normal.
     pub fn is_consistent(&self, deviations: f64) -> bool {
         let n = self.degrees as f64;
-        if self.degrees == 0 {
-            return true;
-        }
-        let spread = 2.0 / (9.0 * n);
-        (self.chi_squared / n).cbrt() <= 1.0 - spread + deviations * spread.sqrt()
+        self.degrees == 0 || excess(self.chi_squared / n, n) <= deviations
     }
 }
 
@@ -212,12 +218,7 @@ impl Tractions {
             .transpose()?;
         Ok(SlipFit {
             mu,
-            bounds: match (low, high) {
-                (Some(low), Some(high)) => Bounds::Between(low, high),
-                (None, Some(high)) => Bounds::AtMost(high),
-                (Some(low), None) => Bounds::AtLeast(low),
-                (None, None) => Bounds::Nothing,
-            },
+            bounds: Bounds::of([low, high]),
             chi_squared,
             degrees: misfit.places() - 1,
         })
@@ -293,6 +294,34 @@ impl Tractions {
         let variance = entry(n + place, n + place) - 2.0 * ratio * entry(place, n + place)
             + ratio * ratio * entry(place, place);
         (ratio, variance.max(0.0).sqrt() / pressure.abs())
+    }
+
+    /// The tractions at `places`, indices below their number, each with the factor of its shear, ±1; covariances go with them.
+    #[must_use]
+    pub fn at(&self, places: &[(usize, f64)]) -> Self {
+        let (own, all) = (places.len(), self.pressure.len());
+        let entry = |k: usize| {
+            let (place, sign) = places[k % own];
+            if k < own {
+                (place, 1.0)
+            } else {
+                (all + place, sign)
+            }
+        };
+        let mut covariance = vec![0.0; 4 * own * own];
+        for i in 0..2 * own {
+            for j in 0..2 * own {
+                let ((row, a), (column, b)) = (entry(i), entry(j));
+                covariance[i * 2 * own + j] = a * b * self.covariance[row * 2 * all + column];
+            }
+        }
+        let pressure = places.iter().map(|(place, _)| self.pressure[*place]);
+        let shear = (places.iter()).map(|(place, sign)| sign * self.shear[*place]);
+        Self {
+            pressure: pressure.collect(),
+            shear: shear.collect(),
+            covariance,
+        }
     }
 
     fn check(&self, zone: &Range<usize>) -> Result<(), IdentifyError> {

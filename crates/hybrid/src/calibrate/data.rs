@@ -221,15 +221,7 @@ impl Block {
         let scale = match self.noise {
             Noise::Independent(deviations) => {
                 length("deviation", count, &deviations)?;
-                if let Some(index) = deviations.iter().position(|own| *own <= 0.0) {
-                    let (what, value) = ("deviation", deviations[index]);
-                    return Err(CalibrateError::Value {
-                        what,
-                        block,
-                        index,
-                        value,
-                    });
-                }
+                all("deviation", block, &deviations, |own| own > 0.0)?;
                 Scale::Deviations(deviations)
             }
             Noise::Correlated(covariance) => {
@@ -277,16 +269,23 @@ fn length(
 }
 
 fn finite(what: &'static str, block: usize, values: &[f64]) -> Result<(), CalibrateError> {
-    match values.iter().position(|value| !value.is_finite()) {
-        Some(index) => {
-            let value = values[index];
-            Err(CalibrateError::Value {
-                what,
-                block,
-                index,
-                value,
-            })
-        }
+    all(what, block, values, f64::is_finite)
+}
+
+/// Whether all `values` fit.
+fn all(
+    what: &'static str,
+    block: usize,
+    values: &[f64],
+    fits: impl Fn(f64) -> bool,
+) -> Result<(), CalibrateError> {
+    match values.iter().position(|&value| !fits(value)) {
+        Some(index) => Err(CalibrateError::Value {
+            what,
+            block,
+            index,
+            value: values[index],
+        }),
         None => Ok(()),
     }
 }

@@ -1,7 +1,7 @@
 //! What a fit says: parameters with their intervals, and the criteria by which models are compared.
 
 use super::Correlation;
-use crate::identify::Bounds;
+use crate::identify::{Bounds, excess};
 
 /// What the data say of one parameter.
 #[derive(Clone, Debug, PartialEq)]
@@ -131,8 +131,7 @@ impl Calibration {
     /// their standard deviations are too small.
     pub fn excess(&self) -> f64 {
         let degrees = self.degrees().max(1) as f64 / self.correlation.squares.max(1.0);
-        let spread = 2.0 / (9.0 * degrees);
-        (self.reduced().cbrt() - (1.0 - spread)) / spread.sqrt()
+        excess(self.reduced(), degrees)
     }
 
     /// Lists the fitted values of the parameters, in their order and units.

@@ -102,6 +102,24 @@ impl Frame {
         ]
     }
 
+    /// The error that a list has not one entry for each pixel but `found`.
+    pub(super) fn unlike(&self, found: usize) -> FringeError {
+        FringeError::Size {
+            columns: self.columns,
+            rows: self.rows,
+            found,
+        }
+    }
+
+    /// The error that `value` of a pixel is not finite.
+    pub(super) fn not_finite(&self, pixel: usize, value: f64) -> FringeError {
+        FringeError::NotFinite {
+            column: pixel % self.columns,
+            row: pixel / self.columns,
+            value,
+        }
+    }
+
     /// Columns and rows, as real numbers, from the first pixel's centre to a place.
     pub(super) fn position(&self, place: Point) -> [f64; 2] {
         [
@@ -146,22 +164,14 @@ impl PixelMap {
         let pixels = frame.pixels();
         for found in [values.len(), valid.len()] {
             if found != pixels {
-                return Err(FringeError::Size {
-                    columns: frame.columns,
-                    rows: frame.rows,
-                    found,
-                });
+                return Err(frame.unlike(found));
             }
         }
         for (pixel, (value, &valid)) in values.iter_mut().zip(&valid).enumerate() {
             if !valid {
                 *value = f64::NAN;
             } else if !value.is_finite() {
-                return Err(FringeError::NotFinite {
-                    column: pixel % frame.columns,
-                    row: pixel / frame.columns,
-                    value: *value,
-                });
+                return Err(frame.not_finite(pixel, *value));
             }
         }
         if valid.contains(&true) {

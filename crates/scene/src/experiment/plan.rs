@@ -23,7 +23,7 @@ use crate::diagnostic::{Finding, SceneError, SceneProblem, SourceText};
 use crate::document::{Document, Part};
 use crate::host::Host;
 use crate::limits::{Content, Limits};
-use crate::schema::{DisplayUnits, Material};
+use crate::schema::{DisplayUnits, Material, SetRef};
 use crate::{Format, Scene};
 
 pub use unused::Unheeded;
@@ -128,6 +128,13 @@ pub struct Hole {
     pub radius: f64,
 }
 
+impl Hole {
+    /// Distance `[mm]` of `place` `[mm]` from the centre.
+    pub fn from_centre(&self, [x, y]: Point) -> f64 {
+        (x - self.centre[0]).hypot(y - self.centre[1])
+    }
+}
+
 /// The scene of a specimen.
 #[derive(Clone, Debug)]
 pub struct SpecimenScene {
@@ -137,6 +144,15 @@ pub struct SpecimenScene {
     pub body: String,
     /// Name of the hole's edge, without that of the body.
     pub edge: String,
+}
+
+impl SpecimenScene {
+    /// Index of the contact of the scene at the hole's edge; `None` where nothing touches it.
+    pub fn contact(&self) -> Option<usize> {
+        let at_edge = |set: &SetRef| set.body == self.body && set.set == self.edge;
+        let mut contacts = self.scene.contacts.iter();
+        contacts.position(|contact| at_edge(&contact.first) || at_edge(&contact.second))
+    }
 }
 
 /// How synthetic pictures are taken.
