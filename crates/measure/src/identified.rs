@@ -132,7 +132,7 @@ impl Identified {
                 FrictionFinding::ZonesDisagree
             });
         }
-        let has_friction = matches!(fit.bounds, Bounds::Between(..) | Bounds::AtLeast(_));
+        let [has_friction, _] = fit.bounds.ends().map(|end| end.is_some());
         if has_friction && self.zones.iter().any(SlipZone::has_no_end) {
             found.push(FrictionFinding::ZoneWithoutEnd);
         }
@@ -143,10 +143,8 @@ impl Identified {
     /// The stretch that bounds static friction from below; `None` where no bound lies above what slipping places leave of the dynamic
     /// coefficient, or where that is rejected.
     pub fn static_bound(&self) -> Option<&Grip> {
-        let highest = match self.dynamic_bounds()? {
-            Bounds::Between(_, high) | Bounds::AtMost(high) => high,
-            Bounds::AtLeast(_) | Bounds::Nothing => f64::INFINITY,
-        };
+        let [_, high] = self.dynamic_bounds()?.ends();
+        let highest = high.unwrap_or(f64::INFINITY);
         self.grip.as_ref().filter(|grip| grip.at_least > highest)
     }
 }

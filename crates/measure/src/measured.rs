@@ -278,16 +278,14 @@ impl Scope<'_> {
     /// Whether a place is on the specimen and under no mask.
     fn shows(&self, place: Point) -> bool {
         let hole = self.experiment.specimen.hole;
-        let from_centre = (place[0] - hole.centre[0]).hypot(place[1] - hole.centre[1]);
-        from_centre > hole.radius
+        hole.from_centre(place) > hole.radius
             && !(self.experiment.reduce.mask.iter()).any(|area| area.contains(place))
     }
 
     /// Whether a place of data that resolve `resolved` \[mm\] is as far from the hole's edge as asked.
     fn is_away(&self, place: Point, resolved: f64) -> bool {
         let hole = self.experiment.specimen.hole;
-        let from_centre = (place[0] - hole.centre[0]).hypot(place[1] - hole.centre[1]);
-        from_centre >= hole.radius + self.experiment.reduce.margin.unwrap_or(resolved)
+        hole.from_centre(place) >= hole.radius + self.experiment.reduce.margin.unwrap_or(resolved)
     }
 }
 

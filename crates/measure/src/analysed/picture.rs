@@ -114,7 +114,9 @@ impl Workbench<'_> {
             return None;
         }
         let places: Vec<usize> = beyond_contact(found).into_iter().flatten().collect();
-        let (count, all) = (found.angle.len(), 2 * found.angle.len());
+        let count = found.angle.len();
+        let free: Vec<(usize, f64)> = places.iter().map(|&place| (place, 1.0)).collect();
+        let free = found.tractions.at(&free);
         // Pressure, then shear, as in the covariance.
         let rows: Vec<usize> = (0..2)
             .flat_map(|part| places.iter().map(move |k| part * count + k))
@@ -124,13 +126,8 @@ impl Workbench<'_> {
             if row < count { -value } else { value }
         };
         let y = DMatrix::from_fn(rows.len(), motions.len(), |i, k| own(rows[i], k));
-        let entry = |i: usize, j: usize| found.tractions.covariance[rows[i] * all + rows[j]];
-        let covariance = DMatrix::from_fn(rows.len(), rows.len(), entry);
-        let tractions = rows.iter().map(|&row| match row.checked_sub(count) {
-            None => found.tractions.pressure[row],
-            Some(place) => found.tractions.shear[place],
-        });
-        let tractions = DVector::from_iterator(rows.len(), tractions);
+        let covariance = DMatrix::from_row_slice(rows.len(), rows.len(), &free.covariance);
+        let tractions = DVector::from_vec([free.pressure, free.shear].concat());
         let bias = rows.iter().map(|&row| found.bias[row % count][row / count]);
         let bias = DVector::from_iterator(rows.len(), bias);
         let weighted = DMatrix::from_fn(rows.len(), motions.len(), |i, k| {

@@ -81,7 +81,7 @@ impl<'a> Workbench<'a> {
         let blocks = mesh.blocks().iter();
         let materials = blocks.map(|_| Arc::clone(&material)).collect();
         let body = ElasticBody::new(mesh, materials, specimen.thickness);
-        let body = Arc::new(body.map_err(|cause| ExperimentError::of_the_region(cause))?);
+        let body = Arc::new(body.map_err(ExperimentError::of_the_region)?);
         let interior = interior(body.mesh(), &plan.interior)?;
         let region = Region::new(&body, &interior).map_err(ExperimentError::of_the_region)?;
         let cut = match &plan.shape {
@@ -287,27 +287,11 @@ impl<'a> Workbench<'a> {
         if self.stands_off() || ranges.is_empty() {
             return Ok(None);
         }
-        let places = found.angle.len();
-        let own: Vec<usize> = (0..2)
-            .flat_map(|part| {
-                ranges
-                    .iter()
-                    .cloned()
-                    .flatten()
-                    .map(move |k| part * places + k)
-            })
+        let places: Vec<(usize, f64)> = (ranges.into_iter().flatten())
+            .map(|place| (place, 1.0))
             .collect();
-        let tractions = &found.tractions;
-        let value = |k: &usize| match k.checked_sub(places) {
-            None => tractions.pressure[*k],
-            Some(place) => tractions.shear[place],
-        };
-        let values: Vec<f64> = own.iter().map(value).collect();
-        let entry = |i: usize| own.iter().map(move |&j| (i, j));
-        let covariance: Vec<f64> = (own.iter())
-            .flat_map(|&i| entry(i))
-            .map(|(i, j)| tractions.covariance[i * 2 * places + j])
-            .collect();
-        ChiSquared::of(&values, &covariance).map(Some)
+        let own = found.tractions.at(&places);
+        let values = [own.pressure, own.shear].concat();
+        ChiSquared::of(&values, &own.covariance).map(Some)
     }
 }

@@ -50,13 +50,9 @@ impl ContactModel {
     /// [`LawsError::Rigid`] where the specimen does not deform.
     pub fn new(own: &SpecimenScene) -> Result<Self, LawsError> {
         let scene = own.scene.as_ref();
-        let touches =
-            |set: &stickslip_scene::schema::SetRef| set.body == own.body && set.set == own.edge;
-        let pair = (scene.contacts.iter())
-            .position(|contact| touches(&contact.first) || touches(&contact.second))
-            .ok_or_else(|| LawsError::NoContact {
-                edge: format!("{}.{}", own.body, own.edge),
-            })?;
+        let pair = own.contact().ok_or_else(|| LawsError::NoContact {
+            edge: format!("{}.{}", own.body, own.edge),
+        })?;
         let model = Model::build(scene).map_err(RunError::from)?;
         let operators = condense(&model)?;
         let faces: Vec<&dyn InterfaceOperator> =

@@ -66,11 +66,8 @@ pub fn half_width(fit: &Fit, slip: f64, confidence: f64) -> Option<f64> {
 
 /// The law of the scene at the edge of `own`.
 pub fn law_of(own: &SpecimenScene) -> Option<&dyn FrictionLaw> {
-    let mut contacts = own.scene.contacts.iter();
-    let at_edge =
-        |set: &stickslip_scene::schema::SetRef| set.body == own.body && set.set == own.edge;
-    let contact = contacts.find(|own| at_edge(&own.first) || at_edge(&own.second))?;
-    Some(contact.law.as_ref())
+    let contact = own.contact()?;
+    Some(own.scene.contacts[contact].law.as_ref())
 }
 
 #[cfg(test)]

@@ -152,10 +152,7 @@ fn inside_hole(scope: &Scope<'_>, name: &str, data: &Measurement) -> Option<Find
     let valid = (0..data.places.len()).filter(|&k| data.valid[0][k] || data.valid[1][k]);
     let depths: Vec<(f64, Point)> = valid
         .map(|k| data.places[k])
-        .map(|place| {
-            let from_centre = (place[0] - hole.centre[0]).hypot(place[1] - hole.centre[1]);
-            (hole.radius - from_centre, place)
-        })
+        .map(|place| (hole.radius - hole.from_centre(place), place))
         .collect();
     let inside = depths
         .iter()

@@ -242,8 +242,8 @@ fn reverse(cell: &mut [usize], kind: ElementKind) {
     }
 }
 
-fn off(hole: &Hole, [x, y]: Point) -> f64 {
-    ((x - hole.centre[0]).hypot(y - hole.centre[1]) - hole.radius).abs()
+fn off(hole: &Hole, place: Point) -> f64 {
+    (hole.from_centre(place) - hole.radius).abs()
 }
 
 /// Boundary edges with both ends on the hole.
