@@ -21,15 +21,12 @@ mod picture;
 mod region;
 pub(super) mod scale;
 mod truth;
+mod workbench;
 
 use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::identify::Tractions;
 use stickslip_hybrid::region::checks::ChiSquared;
 use stickslip_hybrid::region::transfer::Propagated;
-
-use super::error::ExperimentError;
-use super::measured::Measured;
-use stickslip_scene::experiment::Experiment;
 
 pub use bearing::BearingCheck;
 pub(super) use edge::smoothing_reach;
@@ -37,8 +34,9 @@ pub use findings::free_in_region_only;
 pub use known_force::ForceCheck;
 pub use load::LoadCheck;
 pub use picture::PictureMotion;
-pub use region::Workbench;
+pub use region::all;
 pub use truth::{TruePlace, true_edge};
+pub use workbench::Workbench;
 
 /// One of so many places is kept out of a fit, to check it; evenly over the plane.
 pub const UNUSED: usize = 16;
@@ -165,13 +163,4 @@ impl Analysed {
         let end = self.angle.partition_point(|angle| *angle <= last - reach);
         start..end.max(start)
     }
-}
-
-/// Edge stresses of all states.
-///
-/// # Errors
-/// [`ExperimentError`]: no `[region]`, a region that cannot be analysed, data that do not determine it.
-pub fn all(experiment: &Experiment, fields: &[Measured]) -> Result<Vec<Analysed>, ExperimentError> {
-    let bench = Workbench::new(experiment)?;
-    fields.iter().map(|field| bench.analyse(field)).collect()
 }

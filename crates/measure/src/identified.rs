@@ -11,9 +11,8 @@
 mod coarser;
 mod grip;
 pub mod static_friction;
+mod zone;
 mod zones;
-
-use std::ops::Range;
 
 use stickslip_hybrid::identify::{Bounds, SlipFit, Tractions, chi_squared_of_one};
 
@@ -26,30 +25,7 @@ use stickslip_text::short;
 pub use coarser::{Coarser, on_half_the_cells};
 pub use grip::Grip;
 pub use static_friction::moves;
-
-/// A zone that slips.
-#[derive(Clone, Debug)]
-pub struct SlipZone {
-    /// Index of the state in the experiment.
-    pub state: usize,
-    /// Places of the edge.
-    pub places: Range<usize>,
-    /// Whether friction acts along +τ_rθ.
-    pub positive: bool,
-    /// Whether it was given by hand.
-    pub given: bool,
-    /// What remains towards the bearing point, where it may stick.
-    pub inside: Range<usize>,
-    /// The coefficient of this zone alone.
-    pub fit: SlipFit,
-}
-
-impl SlipZone {
-    /// Whether it was recognised up to the bearing point, so that nothing shows where it ends.
-    pub fn has_no_end(&self) -> bool {
-        !self.given && self.inside.is_empty()
-    }
-}
+pub use zone::SlipZone;
 
 /// Draws of the coefficient of all zones.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -43,7 +43,6 @@ use stickslip_hybrid::calibrate::CalibrateError;
 use stickslip_scene::experiment::RefusedLaw;
 use thiserror::Error;
 
-use compare::fit_with_progress;
 pub use compare::{fit, fit_on_two_meshes};
 pub use comparison::{Comparison, Fit, StateFit};
 pub use contact::{ContactModel, View};

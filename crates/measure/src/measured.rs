@@ -24,6 +24,7 @@ use std::collections::BTreeMap;
 use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::data::{Field, FringeLines, Measurement, Symmetry};
 use stickslip_hybrid::fringe::PixelMap;
+use stickslip_hybrid::moire::Grating;
 
 use super::ends::span;
 use super::error::ExperimentError;
@@ -273,6 +274,23 @@ impl Scope<'_> {
             path: path.display().to_string(),
             cause: cause.to_string(),
         })
+    }
+
+    /// The longest side of triangles in which data are interpolated `[mm]`; infinite where none is stated.
+    fn longest_side(&self) -> f64 {
+        let stated = self.experiment.reduce.longest_side;
+        stated.unwrap_or(f64::INFINITY)
+    }
+
+    fn grating(&self) -> Result<Grating, ExperimentError> {
+        let missing = || {
+            ExperimentError::missing(
+                "",
+                "fringe orders are displacements only with the frequency of their grating",
+                "add [grating] frequency = \"2400 1/mm\"",
+            )
+        };
+        self.experiment.grating.ok_or_else(missing)
     }
 
     /// Whether a place is on the specimen and under no mask.

@@ -4,10 +4,7 @@ use std::fmt;
 
 use stickslip_fem_core::mesh::Point;
 
-use super::FringeError;
-
-/// Most pixels of a picture, so that a slip of the pen is an error and no exhausted memory.
-pub(super) const MOST_PIXELS: usize = 1 << 28;
+use super::{FringeError, MOST_PIXELS};
 
 /// Where the pixels of a picture lie in the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]

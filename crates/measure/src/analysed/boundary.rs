@@ -6,12 +6,11 @@ use stickslip_hybrid::region::RegionError;
 use stickslip_hybrid::region::fit::Fitter;
 
 use super::FitFacts;
-use super::picture::field_of;
-use super::region::Workbench;
 use super::scale::{Residual, least_scale, residuals, scale};
+use super::workbench::Workbench;
 use crate::error::{ExperimentError, of_region};
 use crate::measured::Measured;
-use stickslip_scene::experiment::{FreeMotion, Method, Source};
+use stickslip_scene::experiment::{FreeMotion, Hole, Method, Source};
 
 /// Displacements of the region's boundary, and how they were found.
 #[derive(Default)]
@@ -31,6 +30,16 @@ pub(super) struct Boundary {
     pub(super) single: f64,
     /// Residuals of the fit over the stated standard deviations; none where nothing was fitted.
     pub(super) residuals: Vec<Residual>,
+}
+
+/// Displacements of both components at the places of a measurement by a unit of `motion`.
+pub(super) fn field_of(motion: FreeMotion, data: &Measurement, hole: &Hole) -> [Vec<f64>; 2] {
+    let each = data
+        .places
+        .iter()
+        .map(|&place| motion.displacement(place, hole));
+    let each: Vec<[f64; 2]> = each.collect();
+    [0, 1].map(|axis| each.iter().map(|own| own[axis]).collect())
 }
 
 impl Workbench<'_> {

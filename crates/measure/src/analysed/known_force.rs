@@ -14,7 +14,7 @@ use stickslip_hybrid::region::RegionError;
 
 use super::Analysed;
 use super::boundary::Boundary;
-use super::region::Workbench;
+use super::workbench::Workbench;
 
 /// Standard deviations, and part of the known force, by which the force may miss it beside what shows in the region.
 const ALLOWED: [f64; 2] = [3.0, 0.02];

@@ -14,14 +14,14 @@
 
 use nalgebra::{DMatrix, DVector};
 use stickslip_fem_core::body::SparseRow;
-use stickslip_hybrid::data::{Measurement, NodalDisplacements};
+use stickslip_hybrid::data::NodalDisplacements;
 use stickslip_hybrid::region::RegionError;
 
 use super::Analysed;
 use super::boundary::Boundary;
 use super::edge::beyond_contact;
-use super::region::Workbench;
-use stickslip_scene::experiment::{FreeMotion, Hole};
+use super::workbench::Workbench;
+use stickslip_scene::experiment::FreeMotion;
 
 /// Pressures on the free edge by the error of the mesh, part of the hoop stress there.
 const MESH: f64 = 0.01;
@@ -40,16 +40,6 @@ pub struct PictureMotion {
     pub taken_off: bool,
     /// Largest change of the pressure on the edge by a unit of it `[MPa]`.
     pub pressure: f64,
-}
-
-/// Displacements of both components at the places of a measurement by a unit of `motion`.
-pub(super) fn field_of(motion: FreeMotion, data: &Measurement, hole: &Hole) -> [Vec<f64>; 2] {
-    let each = data
-        .places
-        .iter()
-        .map(|&place| motion.displacement(place, hole));
-    let each: Vec<[f64; 2]> = each.collect();
-    [0, 1].map(|axis| each.iter().map(|own| own[axis]).collect())
 }
 
 /// The amounts that the tractions of a free edge ask for, as they follow from these.

@@ -16,7 +16,7 @@ use std::ops::Range;
 
 use stickslip_hybrid::identify::{IdentifyError, Tractions, simultaneous_quantile};
 
-use super::SlipZone;
+use super::zone::SlipZone;
 use crate::analysed::Analysed;
 use stickslip_scene::experiment::Identify;
 

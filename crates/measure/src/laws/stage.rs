@@ -5,12 +5,12 @@ use std::sync::Arc;
 use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::calibrate::{Correlation, Parameter, Settings};
 
+use super::compare::fit_with_progress;
 use super::scale::squares;
 use super::shared_null::shared_nulls;
 use super::{
     Candidate, Comparison, ContactModel, Discrepancy, Fit, Known, LawsError, Nuisance, Observation,
-    Scale, Sensitivity, SharedNull, coarser, decimated, discrepancies, fit, fit_with_progress,
-    sensitivity,
+    Scale, Sensitivity, SharedNull, coarser, decimated, discrepancies, fit, sensitivity,
 };
 use crate::error::ExperimentError;
 use crate::finding::{Finding, LeftOut, LeftOutReason, Located, ModelFinding};

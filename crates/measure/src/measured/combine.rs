@@ -2,7 +2,6 @@
 
 use stickslip_hybrid::data::{DataError, Field, Measurement, NullField};
 use stickslip_hybrid::fringe::{FringeError, PixelMap, Plane, measurement};
-use stickslip_hybrid::moire::Grating;
 
 use super::elsewhere::elsewhere;
 use super::lines::{fringe_lines, less_null};
@@ -96,7 +95,7 @@ fn minus(
     let how = match scope.experiment.reduce.common_places {
         Some(tolerance) => NullField::SamePlaces { tolerance },
         None => NullField::Interpolated {
-            longest_side: longest_side(scope),
+            longest_side: scope.longest_side(),
         },
     };
     for field in Field::BOTH {
@@ -144,23 +143,6 @@ fn lacking(scope: &Scope<'_>, field: Field, where_: &str) -> ExperimentError {
     }
 }
 
-pub(super) fn longest_side(scope: &Scope<'_>) -> f64 {
-    let stated = scope.experiment.reduce.longest_side;
-    stated.unwrap_or(f64::INFINITY)
-}
-
-pub(super) fn grating(scope: &Scope<'_>) -> Result<Grating, ExperimentError> {
-    scope
-        .experiment
-        .grating
-        .ok_or_else(|| ExperimentError::Missing {
-            key: String::new(),
-            what: "fringe orders are displacements only with the frequency of their grating"
-                .to_owned(),
-            remedy: "add [grating] frequency = \"2400 1/mm\"".to_owned(),
-        })
-}
-
 fn pictures(
     scope: &Scope<'_>,
     measured: &mut Measured,
@@ -187,7 +169,7 @@ fn pictures(
     let maps = measured.pictures.each_ref();
     let orders = maps.map(|field| field.as_ref().map(|field| &field.orders));
     let deviations = maps.map(|field| field.as_ref().map_or(0.0, |field| field.deviation));
-    let frequency = grating(scope)?.frequency();
+    let frequency = scope.grating()?.frequency();
     let data = measurement(orders, frequency, deviations, stride)
         .map_err(|cause| scope.fringes("U or V", cause))?;
     let (data, taken) = rotation::of_picture(scope, data);

@@ -2,7 +2,6 @@
 
 use stickslip_hybrid::data::{DataError, Field, FringeLines, OffTrack};
 
-use super::combine::grating;
 use super::rotation::of_lines;
 use super::{Measured, Reading, Scope};
 use crate::error::ExperimentError;
@@ -78,7 +77,7 @@ pub(super) fn fringe_lines(
     lines: [FringeLines; 2],
     deviation: f64,
 ) -> Result<(), ExperimentError> {
-    let grating = grating(scope)?;
+    let grating = scope.grating()?;
     measured.floor = [grating.displacement(deviation); 2];
     let field = &mut measured.measurement;
     field.deviation = measured.floor;

@@ -3,7 +3,6 @@
 use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::data::{DataError, Field, FringeLine, FringeLines, Symmetry};
 
-use super::combine::{grating, longest_side};
 use super::{Measured, Reading, Scope};
 use crate::error::ExperimentError;
 use crate::finding::{BackFinding, Finding};
@@ -135,14 +134,14 @@ fn along_line(
     field: Field,
     [front, back]: [&Measured; 2],
 ) -> Result<Symmetry, ExperimentError> {
-    let grating = grating(scope)?;
+    let grating = scope.grating()?;
     let places: Vec<Point> = (0..plan.places)
         .map(|k| {
             let t = k as f64 / (plan.places - 1) as f64;
             [0, 1].map(|axis| (1.0 - t) * plan.ends[0][axis] + t * plan.ends[1][axis])
         })
         .collect();
-    let side = longest_side(scope);
+    let side = scope.longest_side();
     let along = |measured: &Measured, name: &str| {
         measured
             .measurement
