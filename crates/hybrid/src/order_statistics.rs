@@ -8,7 +8,7 @@ pub(crate) fn median(values: Vec<f64>) -> Option<f64> {
     above(values, 0.5)
 }
 
-/// The least value that a `part`, below 1, of all are not greater than; `None` of nothing.
+/// The value that a `part`, below 1, of all are less than; `None` of nothing.
 pub(crate) fn above(mut values: Vec<f64>, part: f64) -> Option<f64> {
     // Less than the length, as `part` is below 1.
     let index = (part * values.len() as f64) as usize;

@@ -15,8 +15,8 @@ pub(crate) const EDGE: &str = "inner";
 /// radius `[mm]`.
 ///
 /// # Errors
-/// [`ExperimentError::Region`] for a sector that cannot be meshed, [`ExperimentError::File`] and [`ExperimentError::Missing`] for a file that
-/// holds no mesh of the hole.
+/// [`ExperimentError::Region`] for a sector that cannot be meshed, [`ExperimentError::File`] and [`ExperimentError::Missing`] for a
+/// file that holds no mesh of the hole.
 pub(crate) fn meshed(
     plan: &RegionPlan,
     hole: &Hole,
