@@ -57,7 +57,7 @@ pub use parameter::{MOST_PARAMETERS, Parameter};
 pub use result::{Calibration, Estimate, Least};
 
 use crate::identify::chi_squared_of_one;
-use search::Search;
+use search::{Point, Search};
 
 /// A profile that finds something better starts the search anew from there, at most so often.
 const ROUNDS: usize = 6;
@@ -101,11 +101,9 @@ pub fn calibrate<E: std::fmt::Display>(
     data: &Data,
     settings: &Settings,
 ) -> Result<Calibration, CalibrateError> {
-    check(parameters, data, settings)?;
     let predict = |at: &[f64]| model(at).map_err(|error| error.to_string());
     let mut search = Search::new(&predict, parameters, data);
-    let grid = search.grid(settings.grid[parameters.len() - 1].max(2))?;
-    let mut best = search.best_of(&grid, settings.starts.max(1))?;
+    let (mut best, grid) = search.first(settings)?;
     let inflation = settings.correlation.inflation.max(1.0);
     let limit = inflation * chi_squared_of_one(settings.confidence);
     let mut estimates = Vec::new();
@@ -152,11 +150,9 @@ pub fn least<E: std::fmt::Display>(
     data: &Data,
     settings: &Settings,
 ) -> Result<Least, CalibrateError> {
-    check(parameters, data, settings)?;
     let predict = |at: &[f64]| model(at).map_err(|error| error.to_string());
     let mut search = Search::new(&predict, parameters, data);
-    let grid = search.grid(settings.grid[parameters.len() - 1].max(2))?;
-    let best = search.best_of(&grid, settings.starts.max(1))?;
+    let (best, _) = search.first(settings)?;
     let unknowns = parameters.len() + data.nuisances();
     Ok(Least {
         values: search.values(&best.parts),
@@ -169,14 +165,23 @@ pub fn least<E: std::fmt::Display>(
 /// Estimates of all parameters, or a point that a profile found better.
 enum Profiles {
     All(Vec<Estimate>),
-    Better(search::Point),
+    Better(Point),
 }
 
 impl Search<'_> {
+    /// The best point without a profile, and the grid that it was found from, of parameters, data and settings that can be searched.
+    fn first(&mut self, settings: &Settings) -> Result<(Point, Vec<Point>), CalibrateError> {
+        check(self.parameters(), self.data(), settings)?;
+        let count = settings.grid[self.parameters().len() - 1].max(2);
+        let grid = self.grid(count)?;
+        let best = self.best_of(&grid, settings.starts.max(1))?;
+        Ok((best, grid))
+    }
+
     fn estimates(
         &mut self,
-        best: &search::Point,
-        grid: &[search::Point],
+        best: &Point,
+        grid: &[Point],
         limit: f64,
         last: bool,
     ) -> Result<Profiles, CalibrateError> {

@@ -66,6 +66,9 @@ pub use raster::{Format, Raster, decode, encode, size};
 pub use synthesis::{Depth, Exposure, four_pictures, orders, orders_of, picture};
 pub use unwrap::{Region, Residue, Unwrapped, unwrap};
 
+/// Most pixels of a picture, so that a slip of the pen is an error and no exhausted memory.
+const MOST_PIXELS: usize = 1 << 28;
+
 /// Why a fringe picture cannot be made or read.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
@@ -74,7 +77,7 @@ pub enum FringeError {
     #[error(
         "no picture has {columns} x {rows} pixels with steps ({}, {}); \
          1 to {} pixels and finite steps that are not zero make one",
-        step[0], step[1], map::MOST_PIXELS
+        step[0], step[1], MOST_PIXELS
     )]
     Frame {
         /// Requested columns.

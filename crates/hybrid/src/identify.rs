@@ -23,6 +23,7 @@ use stickslip_fem_core::linalg::{DenseCholesky, Matrix};
 use thiserror::Error;
 
 use confidence::CHI_SQUARED_95;
+pub(crate) use confidence::excess;
 pub use confidence::{chi_squared_of_one, normal_quantile};
 pub use simultaneous::simultaneous_quantile;
 
@@ -103,31 +104,40 @@ pub enum Bounds {
 }
 
 impl Bounds {
+    /// Bounds with these ends, lower and upper; `None` where there is none.
+    pub fn of(ends: [Option<f64>; 2]) -> Self {
+        match ends {
+            [Some(low), Some(high)] => Self::Between(low, high),
+            [None, Some(high)] => Self::AtMost(high),
+            [Some(low), None] => Self::AtLeast(low),
+            [None, None] => Self::Nothing,
+        }
+    }
+
+    /// The lower and the upper end; `None` where there is none.
+    pub fn ends(self) -> [Option<f64>; 2] {
+        match self {
+            Self::Between(low, high) => [Some(low), Some(high)],
+            Self::AtMost(high) => [None, Some(high)],
+            Self::AtLeast(low) => [Some(low), None],
+            Self::Nothing => [None; 2],
+        }
+    }
+
     /// Whether `mu` lies within.
     pub fn contain(self, mu: f64) -> bool {
-        match self {
-            Self::Between(low, high) => (low..=high).contains(&mu),
-            Self::AtMost(high) => mu <= high,
-            Self::AtLeast(low) => mu >= low,
-            Self::Nothing => true,
-        }
+        let [low, high] = self.ends();
+        low.is_none_or(|low| mu >= low) && high.is_none_or(|high| mu <= high)
     }
 
     /// The same with ends whose distances from `best` hold a further error `by` of the value, squares added. An end at or below `least`, the
     /// least value that there is, is none.
     #[must_use]
     pub fn widened(self, best: f64, by: f64, least: f64) -> Self {
-        let below = |low: f64| Some(best - (best - low).hypot(by)).filter(|low| *low > least);
-        let above = |high: f64| best + (high - best).hypot(by);
-        match self {
-            Self::Between(low, high) => match below(low) {
-                Some(low) => Self::Between(low, above(high)),
-                None => Self::AtMost(above(high)),
-            },
-            Self::AtMost(high) => Self::AtMost(above(high)),
-            Self::AtLeast(low) => below(low).map_or(Self::Nothing, Self::AtLeast),
-            Self::Nothing => Self::Nothing,
-        }
+        let [low, high] = self.ends();
+        let low = low.map(|low| best - (best - low).hypot(by));
+        let high = high.map(|high| best + (high - best).hypot(by));
+        Self::of([low.filter(|low| *low > least), high])
     }
 }
 
@@ -146,14 +156,10 @@ pub struct SlipFit {
 
 impl SlipFit {
     /// Whether one coefficient for the whole zone explains the data: χ² within `deviations` standard deviations of what it should be,
-    /// by the cube root that makes it nearly normal (Wilson & Hilferty 1931).
+    /// by the cube root that makes it nearly normal.
     pub fn is_consistent(&self, deviations: f64) -> bool {
         let n = self.degrees as f64;
-        if self.degrees == 0 {
-            return true;
-        }
-        let spread = 2.0 / (9.0 * n);
-        (self.chi_squared / n).cbrt() <= 1.0 - spread + deviations * spread.sqrt()
+        self.degrees == 0 || excess(self.chi_squared / n, n) <= deviations
     }
 }
 
@@ -212,12 +218,7 @@ impl Tractions {
             .transpose()?;
         Ok(SlipFit {
             mu,
-            bounds: match (low, high) {
-                (Some(low), Some(high)) => Bounds::Between(low, high),
-                (None, Some(high)) => Bounds::AtMost(high),
-                (Some(low), None) => Bounds::AtLeast(low),
-                (None, None) => Bounds::Nothing,
-            },
+            bounds: Bounds::of([low, high]),
             chi_squared,
             degrees: misfit.places() - 1,
         })
@@ -277,6 +278,52 @@ impl Tractions {
         Ok(false)
     }
 
+    /// Standard deviation `[stress]` of the pressure (`part` 0) or of the shear (`part` 1) at `place`.
+    pub fn deviation(&self, part: usize, place: usize) -> f64 {
+        let count = self.pressure.len();
+        let row = part * count + place;
+        self.covariance[row * 2 * count + row].max(0.0).sqrt()
+    }
+
+    /// τ/p `[1]` at `place` and its standard deviation, to first order.
+    pub fn ratio(&self, place: usize) -> (f64, f64) {
+        let (n, all) = (self.pressure.len(), 2 * self.pressure.len());
+        let (pressure, shear) = (self.pressure[place], self.shear[place]);
+        let ratio = shear / pressure;
+        let entry = |i: usize, j: usize| self.covariance[i * all + j];
+        let variance = entry(n + place, n + place) - 2.0 * ratio * entry(place, n + place)
+            + ratio * ratio * entry(place, place);
+        (ratio, variance.max(0.0).sqrt() / pressure.abs())
+    }
+
+    /// The tractions at `places`, indices below their number, each with the factor of its shear, ±1; covariances go with them.
+    #[must_use]
+    pub fn at(&self, places: &[(usize, f64)]) -> Self {
+        let (own, all) = (places.len(), self.pressure.len());
+        let entry = |k: usize| {
+            let (place, sign) = places[k % own];
+            if k < own {
+                (place, 1.0)
+            } else {
+                (all + place, sign)
+            }
+        };
+        let mut covariance = vec![0.0; 4 * own * own];
+        for i in 0..2 * own {
+            for j in 0..2 * own {
+                let ((row, a), (column, b)) = (entry(i), entry(j));
+                covariance[i * 2 * own + j] = a * b * self.covariance[row * 2 * all + column];
+            }
+        }
+        let pressure = places.iter().map(|(place, _)| self.pressure[*place]);
+        let shear = (places.iter()).map(|(place, sign)| sign * self.shear[*place]);
+        Self {
+            pressure: pressure.collect(),
+            shear: shear.collect(),
+            covariance,
+        }
+    }
+
     fn check(&self, zone: &Range<usize>) -> Result<(), IdentifyError> {
         let [pressures, shears] = [&self.pressure, &self.shear].map(Vec::len);
         if pressures != shears || self.covariance.len() != 4 * pressures * pressures {
@@ -331,21 +378,20 @@ struct Misfit {
 
 impl Misfit {
     fn new(data: &Tractions, zone: Range<usize>, positive: bool) -> Result<Self, IdentifyError> {
-        data.check(&zone)?;
-        let sign = if positive { 1.0 } else { -1.0 };
-        let (all, first, count) = (data.pressure.len(), zone.start, zone.len());
-        let entry = |i: usize, j: usize| data.covariance[i * 2 * all + j];
-        let block = |value: &dyn Fn(usize, usize) -> f64| {
-            Matrix::from_fn(count, count, |i, j| value(first + i, first + j))
-        };
+        let own = data.of_zones(&[(zone, positive)])?;
+        let count = own.pressure.len();
+        let entry = |i: usize, j: usize| own.covariance[i * 2 * count + j];
+        let blocks = [
+            Matrix::from_fn(count, count, entry),
+            Matrix::from_fn(count, count, |i, j| {
+                entry(i, count + j) + entry(count + i, j)
+            }),
+            Matrix::from_fn(count, count, |i, j| entry(count + i, count + j)),
+        ];
         Ok(Self {
-            pressure: data.pressure[zone.clone()].to_vec(),
-            shear: data.shear[zone].iter().map(|shear| sign * shear).collect(),
-            blocks: [
-                block(&|i, j| entry(i, j)),
-                block(&|i, j| sign * (entry(i, all + j) + entry(all + i, j))),
-                block(&|i, j| entry(all + i, all + j)),
-            ],
+            blocks,
+            pressure: own.pressure,
+            shear: own.shear,
         })
     }
 

@@ -119,7 +119,8 @@ impl Grating {
         [xx, yy, xy + yx].map(|gradient| gradient / self.frequency)
     }
 
-    /// Slope of the displacement along a line, (1/f) ΔN/Δs, one value per step between neighbouring fringe centres.
+    /// Computes the slope `[1]` of the displacement along a line, (1/f) ΔN/Δs (Post & Reddy 1988, part I, Eqs 3–5), one value per step
+    /// between neighbouring fringe centres.
     ///
     /// Along a line in x the slope of the U field is ε_x, along one in y that of the V field is ε_y; the other two slopes sum to
     /// γ_xy. The distance Δs is that along the line (an arc on a circle), and the value is second-order accurate at its place.

@@ -194,17 +194,17 @@ impl Region {
         Ok(Self { stiffness })
     }
 
-    /// The body.
+    /// The body of the region, with its mesh, materials and thickness.
     pub fn body(&self) -> &Arc<ElasticBody> {
         self.stiffness.body()
     }
 
-    /// The mesh.
+    /// The mesh of [`body`](Self::body).
     pub fn mesh(&self) -> &Mesh {
         self.body().mesh()
     }
 
-    /// Prescribed degrees of freedom (2·node + axis).
+    /// Prescribed degrees of freedom (2·node + axis), in the order of all lists of prescribed displacements.
     pub fn prescribed(&self) -> &[usize] {
         self.stiffness.prescribed()
     }

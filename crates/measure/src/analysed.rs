@@ -15,22 +15,18 @@ mod boundary;
 mod edge;
 mod findings;
 mod held_out;
-mod imported;
 mod known_force;
 mod load;
 mod picture;
 mod region;
 pub(super) mod scale;
 mod truth;
+mod workbench;
 
 use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::identify::Tractions;
 use stickslip_hybrid::region::checks::ChiSquared;
 use stickslip_hybrid::region::transfer::Propagated;
-
-use super::error::ExperimentError;
-use super::measured::Measured;
-use stickslip_scene::experiment::Experiment;
 
 pub use bearing::BearingCheck;
 pub(super) use edge::smoothing_reach;
@@ -38,15 +34,15 @@ pub use findings::free_in_region_only;
 pub use known_force::ForceCheck;
 pub use load::LoadCheck;
 pub use picture::PictureMotion;
-pub use region::Workbench;
-pub(super) use region::meshed;
+pub use region::all;
 pub use truth::{TruePlace, true_edge};
+pub use workbench::Workbench;
 
 /// One of so many places is kept out of a fit, to check it; evenly over the plane.
 pub const UNUSED: usize = 16;
 
 /// Edge stresses of one state.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Analysed {
     /// Index of the state in the experiment.
     pub state: usize,
@@ -147,13 +143,13 @@ pub struct MisfitAt {
 impl Analysed {
     /// Standard deviations of the pressures, then of the shears `[MPa]`.
     pub fn deviations(&self) -> [Vec<f64>; 2] {
-        let (places, all) = (self.angle.len(), 2 * self.angle.len());
-        [0, 1].map(|part| {
-            (0..places)
-                .map(|k| part * places + k)
-                .map(|k| self.tractions.covariance[k * all + k].max(0.0).sqrt())
-                .collect()
-        })
+        let places = 0..self.angle.len();
+        let of = |part: usize| {
+            places
+                .clone()
+                .map(move |k| self.tractions.deviation(part, k))
+        };
+        [0, 1].map(|part| of(part).collect())
     }
 
     /// Places that are at least twice the [resolution](Self::resolution) from the region's ends, where displacements of two edges meet and
@@ -167,13 +163,4 @@ impl Analysed {
         let end = self.angle.partition_point(|angle| *angle <= last - reach);
         start..end.max(start)
     }
-}
-
-/// Edge stresses of all states.
-///
-/// # Errors
-/// [`ExperimentError`]: no `[region]`, a region that cannot be analysed, data that do not determine it.
-pub fn all(experiment: &Experiment, fields: &[Measured]) -> Result<Vec<Analysed>, ExperimentError> {
-    let bench = Workbench::new(experiment)?;
-    fields.iter().map(|field| bench.analyse(field)).collect()
 }

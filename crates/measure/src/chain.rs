@@ -150,11 +150,9 @@ fn truth(
     experiment: &Experiment,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Option<Truth>, ExperimentError> {
-    let is_synthetic = |source: &Source| matches!(source, Source::Step(_));
     let asked = experiment.states.iter().any(|state| {
-        is_synthetic(&state.source)
-            || state.null.as_ref().is_some_and(is_synthetic)
-            || state.back.as_ref().is_some_and(is_synthetic)
+        let others = state.null.iter().chain(&state.back);
+        others.chain([&state.source]).any(Source::is_synthetic)
     });
     match &experiment.specimen.scene {
         Some(own) if asked => Truth::solve(own, progress).map(Some),

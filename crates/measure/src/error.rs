@@ -1,5 +1,6 @@
 //! Why a stage of an experiment fails.
 
+mod whole;
 mod words;
 
 use stickslip_hybrid::data::DataError;
@@ -11,12 +12,12 @@ use stickslip_hybrid::region::RegionError;
 use thiserror::Error;
 
 use super::laws::LawsError;
-use super::whole::WholeError;
 use stickslip_engine::run::RunError;
 use stickslip_scene::diagnostic::{SceneError, SceneProblem};
 use stickslip_scene::experiment::Experiment;
 
-pub(super) use words::{of_reduction, of_region};
+pub use whole::WholeError;
+pub(super) use words::{at, of_reduction, of_region};
 
 /// Why a stage of an experiment fails. Every variant knows the key of the experiment file that it is about.
 #[derive(Debug, Error)]
@@ -146,6 +147,59 @@ impl From<RunError> for ExperimentError {
 }
 
 impl ExperimentError {
+    /// A part that a stage needs and the table `key` lacks: `what` is needed and why, and a line that would do.
+    pub(crate) fn missing(
+        key: impl Into<String>,
+        what: impl Into<String>,
+        remedy: impl Into<String>,
+    ) -> Self {
+        Self::Missing {
+            key: key.into(),
+            what: what.into(),
+            remedy: remedy.into(),
+        }
+    }
+
+    /// Synthetic pictures of the state `state` that cannot be made, by what `key` asks for.
+    pub(crate) fn fringes(
+        state: &str,
+        field: &'static str,
+        key: impl Into<String>,
+        cause: FringeError,
+    ) -> Self {
+        Self::Fringes {
+            state: state.to_owned(),
+            field,
+            file: String::new(),
+            hint: String::new(),
+            key: key.into(),
+            cause: Box::new(cause),
+        }
+    }
+
+    /// A region that cannot be analysed whatever the state.
+    pub(crate) fn of_the_region(cause: impl Into<RegionError>) -> Self {
+        Self::region("all", cause.into())
+    }
+
+    /// A region that cannot be analysed with the data of `state`.
+    pub(crate) fn region(state: &str, cause: RegionError) -> Self {
+        Self::Region {
+            state: state.to_owned(),
+            key: "region".to_owned(),
+            cause: Box::new(cause),
+        }
+    }
+
+    /// Data of `state` that do not cover the region's nodes.
+    pub(crate) fn reduction(state: &str, cause: ReduceError) -> Self {
+        Self::Reduction {
+            state: state.to_owned(),
+            key: "reduce".to_owned(),
+            cause: Box::new(cause),
+        }
+    }
+
     /// The key of the experiment file that the error is about.
     pub fn key(&self) -> &str {
         match self {

@@ -11,9 +11,8 @@
 mod coarser;
 mod grip;
 pub mod static_friction;
+mod zone;
 mod zones;
-
-use std::ops::Range;
 
 use stickslip_hybrid::identify::{Bounds, SlipFit, Tractions, chi_squared_of_one};
 
@@ -26,30 +25,7 @@ use stickslip_text::short;
 pub use coarser::{Coarser, on_half_the_cells};
 pub use grip::Grip;
 pub use static_friction::moves;
-
-/// A zone that slips.
-#[derive(Clone, Debug)]
-pub struct SlipZone {
-    /// Index of the state in the experiment.
-    pub state: usize,
-    /// Places of the edge.
-    pub places: Range<usize>,
-    /// Whether friction acts along +τ_rθ.
-    pub positive: bool,
-    /// Whether it was given by hand.
-    pub given: bool,
-    /// What remains towards the bearing point, where it may stick.
-    pub inside: Range<usize>,
-    /// The coefficient of this zone alone.
-    pub fit: SlipFit,
-}
-
-impl SlipZone {
-    /// Whether it was recognised up to the bearing point, so that nothing shows where it ends.
-    pub fn has_no_end(&self) -> bool {
-        !self.given && self.inside.is_empty()
-    }
-}
+pub use zone::SlipZone;
 
 /// Draws of the coefficient of all zones.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -132,7 +108,7 @@ impl Identified {
                 FrictionFinding::ZonesDisagree
             });
         }
-        let has_friction = matches!(fit.bounds, Bounds::Between(..) | Bounds::AtLeast(_));
+        let [has_friction, _] = fit.bounds.ends().map(|end| end.is_some());
         if has_friction && self.zones.iter().any(SlipZone::has_no_end) {
             found.push(FrictionFinding::ZoneWithoutEnd);
         }
@@ -143,10 +119,8 @@ impl Identified {
     /// The stretch that bounds static friction from below; `None` where no bound lies above what slipping places leave of the dynamic
     /// coefficient, or where that is rejected.
     pub fn static_bound(&self) -> Option<&Grip> {
-        let highest = match self.dynamic_bounds()? {
-            Bounds::Between(_, high) | Bounds::AtMost(high) => high,
-            Bounds::AtLeast(_) | Bounds::Nothing => f64::INFINITY,
-        };
+        let [_, high] = self.dynamic_bounds()?.ends();
+        let highest = high.unwrap_or(f64::INFINITY);
         self.grip.as_ref().filter(|grip| grip.at_least > highest)
     }
 }
@@ -258,18 +232,7 @@ fn summarised(mut draws: Vec<f64>, confidence: f64) -> Option<Simulation> {
 
 /// τ/p at a place and its standard deviation, to first order.
 pub fn ratio(found: &Analysed, place: usize) -> (f64, f64) {
-    ratio_of(&found.tractions, place)
-}
-
-/// τ/p of `data` at a place and its standard deviation, to first order.
-pub fn ratio_of(data: &Tractions, place: usize) -> (f64, f64) {
-    let (n, all) = (data.pressure.len(), 2 * data.pressure.len());
-    let (pressure, shear) = (data.pressure[place], data.shear[place]);
-    let ratio = shear / pressure;
-    let entry = |i: usize, j: usize| data.covariance[i * all + j];
-    let variance = entry(n + place, n + place) - 2.0 * ratio * entry(place, n + place)
-        + ratio * ratio * entry(place, place);
-    (ratio, variance.max(0.0).sqrt() / pressure.abs())
+    found.tractions.ratio(place)
 }
 
 /// Bounds as text.

@@ -23,8 +23,10 @@
 //! | [`Discrepancy`] | the error due to the mesh of the model, where the truth is known |
 
 mod compare;
+mod comparison;
 mod contact;
 mod discrepancy;
+mod known;
 mod mesh_error;
 mod observation;
 mod passage;
@@ -41,10 +43,11 @@ use stickslip_hybrid::calibrate::CalibrateError;
 use stickslip_scene::experiment::RefusedLaw;
 use thiserror::Error;
 
-use compare::fit_with_progress;
-pub use compare::{Comparison, Fit, StateFit, fit, fit_on_two_meshes};
+pub use compare::{fit, fit_on_two_meshes};
+pub use comparison::{Comparison, Fit, StateFit};
 pub use contact::{ContactModel, View};
 pub use discrepancy::{Discrepancy, discrepancies};
+pub use known::Known;
 pub use mesh_error::{MeshError, StateMeshError, coarser};
 pub use observation::{Nuisance, Observation, decimated};
 pub use passage::{coefficient, half_width, law_of, passes};
@@ -52,7 +55,7 @@ pub use rings::Ring;
 pub use scale::{Scale, ScaleSource};
 pub use sensitivity::{Sensitivity, sensitivity};
 pub use shared_null::SharedNull;
-pub use stage::{Known, LawStage, stage};
+pub use stage::{LawStage, stage};
 pub use stickslip_scene::experiment::Candidate;
 pub use verdict::Verdict;
 

@@ -21,11 +21,13 @@
 
 pub mod analysed;
 pub mod chain;
+mod ends;
 mod error;
 pub mod finding;
 pub mod identified;
 pub mod laws;
 pub mod measured;
+mod region_mesh;
 pub mod synthesis;
 pub mod truth;
 pub mod whole;

@@ -24,7 +24,9 @@ use std::collections::BTreeMap;
 use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::data::{Field, FringeLines, Measurement, Symmetry};
 use stickslip_hybrid::fringe::PixelMap;
+use stickslip_hybrid::moire::Grating;
 
+use super::ends::span;
 use super::error::ExperimentError;
 use super::finding::{FieldFinding, Finding, Located, Part};
 use super::synthesis::{Shot, Shots};
@@ -218,24 +220,21 @@ pub fn repeated(experiment: &Experiment, fields: &[Measured]) -> Vec<Located> {
 /// Displacements that differ by more than small strains allow: the mark of a wrong scale.
 fn large(measurement: &Measurement) -> Option<Finding> {
     const STRAIN: f64 = 0.02;
-    let spread = |values: &mut dyn Iterator<Item = f64>| {
-        let [low, high] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
-            [low.min(value), high.max(value)]
-        });
-        (high - low).max(0.0)
-    };
-    let places = &measurement.places;
-    let extent = [0, 1].map(|axis| spread(&mut places.iter().map(|place| place[axis])));
-    let range = [0, 1].map(|c| {
-        let values = measurement.displacements[c].iter().copied();
-        let valid = values
-            .zip(&measurement.valid[c])
-            .filter(|(_, valid)| **valid);
-        spread(&mut valid.map(|(value, _)| value))
-    });
+    let places = measurement.places.iter();
+    let extent = [0, 1].map(|axis| span(places.clone().map(|place| place[axis])));
+    let range = Field::BOTH.map(|field| range(measurement, field));
     let of_extent = range[0].max(range[1]) / extent[0].hypot(extent[1]);
     let found = FieldFinding::LargeDisplacements { of_extent };
     (of_extent > STRAIN).then_some(Finding::Field(found))
+}
+
+/// Greatest less least valid displacement `[mm]`.
+fn range(measurement: &Measurement, field: Field) -> f64 {
+    let c = field.component();
+    let both = measurement.displacements[c]
+        .iter()
+        .zip(&measurement.valid[c]);
+    span(both.filter(|(_, valid)| **valid).map(|(&value, _)| value))
 }
 
 /// What a source is read for.
@@ -265,14 +264,7 @@ impl Scope<'_> {
         field: &'static str,
         cause: stickslip_hybrid::fringe::FringeError,
     ) -> ExperimentError {
-        ExperimentError::Fringes {
-            state: self.name(),
-            field,
-            file: String::new(),
-            hint: String::new(),
-            key: self.key.clone(),
-            cause: Box::new(cause),
-        }
+        ExperimentError::fringes(&self.name(), field, &self.key, cause)
     }
 
     fn bytes(&self, path: &std::path::Path, content: Content) -> Result<Vec<u8>, ExperimentError> {
@@ -284,19 +276,34 @@ impl Scope<'_> {
         })
     }
 
+    /// The longest side of triangles in which data are interpolated `[mm]`; infinite where none is stated.
+    fn longest_side(&self) -> f64 {
+        let stated = self.experiment.reduce.longest_side;
+        stated.unwrap_or(f64::INFINITY)
+    }
+
+    fn grating(&self) -> Result<Grating, ExperimentError> {
+        let missing = || {
+            ExperimentError::missing(
+                "",
+                "fringe orders are displacements only with the frequency of their grating",
+                "add [grating] frequency = \"2400 1/mm\"",
+            )
+        };
+        self.experiment.grating.ok_or_else(missing)
+    }
+
     /// Whether a place is on the specimen and under no mask.
     fn shows(&self, place: Point) -> bool {
         let hole = self.experiment.specimen.hole;
-        let from_centre = (place[0] - hole.centre[0]).hypot(place[1] - hole.centre[1]);
-        from_centre > hole.radius
+        hole.from_centre(place) > hole.radius
             && !(self.experiment.reduce.mask.iter()).any(|area| area.contains(place))
     }
 
     /// Whether a place of data that resolve `resolved` \[mm\] is as far from the hole's edge as asked.
     fn is_away(&self, place: Point, resolved: f64) -> bool {
         let hole = self.experiment.specimen.hole;
-        let from_centre = (place[0] - hole.centre[0]).hypot(place[1] - hole.centre[1]);
-        from_centre >= hole.radius + self.experiment.reduce.margin.unwrap_or(resolved)
+        hole.from_centre(place) >= hole.radius + self.experiment.reduce.margin.unwrap_or(resolved)
     }
 }
 
@@ -304,7 +311,7 @@ impl Scope<'_> {
 #[derive(Clone, Debug)]
 enum Reading {
     /// Displacements at places of a table.
-    Scattered(table::Scattered),
+    Scattered(Box<Measured>),
     /// Orders at the pixels of the U and the V field.
     Pictures(Box<[Option<phase::Unwound>; 2]>),
     /// Fringe lines of the U and the V field.

@@ -68,7 +68,7 @@ impl Shots {
         let fine = fields.filter_map(|(field, own)| {
             let part = too_fine(&own.orders);
             let finding = PictureFinding::FineFringes {
-                field: field_name(field),
+                field: field.name(),
                 part,
             };
             (part > 0.0).then_some(Finding::Picture(finding))
@@ -99,14 +99,7 @@ impl<'a> Camera<'a> {
                         .to_owned(),
             });
         };
-        let refused = |cause| ExperimentError::Fringes {
-            state: "all".to_owned(),
-            field: "U and V",
-            file: String::new(),
-            hint: String::new(),
-            key: "fringes".to_owned(),
-            cause: Box::new(cause),
-        };
+        let refused = |cause| ExperimentError::fringes("all", "U and V", "fringes", cause);
         let frame = Frame::over(fringes.window, fringes.pixel).map_err(refused)?;
         let pictures = if fringes.four { 8.0 } else { 2.0 };
         let pixels = frame.columns() as f64 * frame.rows() as f64;
@@ -192,13 +185,9 @@ impl<'a> Camera<'a> {
     ) -> Result<[FieldPictures; 2], ExperimentError> {
         let take = |field: Field| {
             self.field(step, field, self.seed(state, field, shot))
-                .map_err(|cause| ExperimentError::Fringes {
-                    state: self.experiment.states[state].name.clone(),
-                    field: field_name(field),
-                    file: String::new(),
-                    hint: String::new(),
-                    key: "fringes.window".to_owned(),
-                    cause: Box::new(cause),
+                .map_err(|cause| {
+                    let name = &self.experiment.states[state].name;
+                    ExperimentError::fringes(name, field.name(), "fringes.window", cause)
                 })
         };
         Ok([take(Field::U)?, take(Field::V)?])
@@ -265,25 +254,13 @@ impl<'a> Camera<'a> {
         encoded
             .map(|(name, picture)| {
                 let bytes = encode(picture, self.fringes.format, self.fringes.depth);
-                let bytes = bytes.map_err(|cause| ExperimentError::Fringes {
-                    state: self.experiment.states[state].name.clone(),
-                    field: field_name(field),
-                    file: String::new(),
-                    hint: String::new(),
-                    key: "fringes".to_owned(),
-                    cause: Box::new(cause),
+                let bytes = bytes.map_err(|cause| {
+                    let name = &self.experiment.states[state].name;
+                    ExperimentError::fringes(name, field.name(), "fringes", cause)
                 })?;
                 Ok((name, bytes))
             })
             .collect()
-    }
-}
-
-/// "U" or "V".
-pub fn field_name(field: Field) -> &'static str {
-    match field {
-        Field::U => "U",
-        Field::V => "V",
     }
 }
 
@@ -320,7 +297,7 @@ pub fn file_names(experiment: &Experiment, state: usize, shot: Shot, field: Fiel
         Shot::Null => "-null",
         Shot::Back => "-back",
     };
-    let letter = field_name(field).to_lowercase();
+    let letter = field.name().to_lowercase();
     let name = &experiment.states[state].name;
     if fringes.four {
         (1..=4)

@@ -18,59 +18,23 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use stickslip_fem_core::ElasticBody;
-use stickslip_fem_core::body::BodyError;
 use stickslip_fem_core::mesh::ElementKind;
 use stickslip_hybrid::data::{Measurement, NodalDisplacements};
 use stickslip_hybrid::identify::Tractions;
+use stickslip_hybrid::region::Region;
 use stickslip_hybrid::region::fit::Smoothing;
 use stickslip_hybrid::region::locate::Locator;
 use stickslip_hybrid::region::outputs::EdgeRows;
-use stickslip_hybrid::region::{Region, RegionError};
-use thiserror::Error;
 
-use super::analysed::scale::{Residual, least_scale, scale};
+use super::analysed::scale::{least_scale, residuals, scale};
 use super::analysed::smoothing_reach;
 use super::measured::Measured;
-use stickslip_engine::model::{Model, ModelBodyKind, ModelError};
+use stickslip_engine::model::{Model, ModelBodyKind};
 use stickslip_scene::experiment::SpecimenScene;
 use stickslip_scene::schema::ModelChoice;
 
+pub use super::error::WholeError;
 pub use stage::{WholeState, stage};
-
-/// Why a whole plate cannot be analysed.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum WholeError {
-    /// The scene cannot be modelled.
-    #[error(transparent)]
-    Model(#[from] ModelError),
-    /// The plate makes no body.
-    #[error(transparent)]
-    Body(#[from] BodyError),
-    /// The plate, the fit or its outputs.
-    #[error(transparent)]
-    Region(#[from] RegionError),
-    /// The plate is not free.
-    #[error(
-        "body '{body}' is held by a support of the scene, whose force is not known: the whole plate is analysed under known forces alone"
-    )]
-    Held {
-        /// The body.
-        body: String,
-    },
-    /// The plate is rigid.
-    #[error("body '{body}' is rigid")]
-    Rigid {
-        /// The body.
-        body: String,
-    },
-    /// The plate is heated.
-    #[error("body '{body}' is heated, which the analysis of the whole plate does not know")]
-    Heated {
-        /// The body.
-        body: String,
-    },
-}
 
 /// A plate under its remote load, its hole displaced as measured.
 #[derive(Debug)]
@@ -84,7 +48,7 @@ pub struct WholePlate {
 }
 
 /// What follows for one state.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct WholeSolution {
     /// Angle of each node of the hole `[rad]`, in −π … π, ascending.
     pub angle: Vec<f64>,
@@ -113,7 +77,8 @@ impl WholePlate {
     /// The body of `own` without what touches it. One factorisation.
     ///
     /// # Errors
-    /// [`WholeError`].
+    /// [`WholeError`]: a plate that a support or a platen holds, that is rigid or heated, a scene that cannot be modelled, an edge that the
+    /// plate does not have.
     pub fn new(own: &SpecimenScene) -> Result<Self, WholeError> {
         let name = || own.body.clone();
         let held = |on: &stickslip_scene::schema::SetRef| on.body == own.body;
@@ -203,7 +168,7 @@ impl WholePlate {
         let data = self.without_load(measured, &loaded.displacements);
         let mut fit = self.region.fit(&data, smoothing)?;
         let solution = self.region.solve_loaded(&fit.displacements, &forces)?;
-        let residuals = self.residuals(measured, &solution.displacements);
+        let residuals = residuals(self.region.mesh(), measured, &solution.displacements);
         let scale =
             scale(&residuals, fit.parameters).max(least_scale(measured.deviation, of.floor));
         for entry in &mut fit.displacements.covariance {
@@ -237,35 +202,10 @@ impl WholePlate {
                 continue;
             };
             for (axis, values) in data.displacements.iter_mut().enumerate() {
-                let moved: f64 = (located.row(axis).iter())
-                    .map(|&(dof, shape)| shape * loaded[dof])
-                    .sum();
-                values[k] -= moved;
+                values[k] -= located.displacement(axis, loaded);
             }
         }
         data
-    }
-
-    /// Measured less calculated displacements over the stated standard deviations, of all valid data in the plate.
-    fn residuals(&self, measured: &Measurement, calculated: &[f64]) -> Vec<Residual> {
-        let locator = Locator::new(self.region.mesh());
-        let mut residuals = Vec::new();
-        for (k, &place) in measured.places.iter().enumerate() {
-            let Some(located) = locator.locate(place) else {
-                continue;
-            };
-            for axis in (0..2).filter(|&axis| measured.valid[axis][k]) {
-                let moved: f64 = (located.row(axis).iter())
-                    .map(|&(dof, shape)| shape * calculated[dof])
-                    .sum();
-                residuals.push(Residual {
-                    place,
-                    axis,
-                    value: (measured.displacements[axis][k] - moved) / measured.deviation[axis],
-                });
-            }
-        }
-        residuals
     }
 
     /// Tractions and hoop stresses of the nodes in the order of their angles.
@@ -302,20 +242,16 @@ impl WholePlate {
         };
         WholeSolution {
             angle: order.iter().map(|&node| angles[node]).collect(),
-            resolution: 0.0,
             tractions: Tractions {
                 pressure: order.iter().map(|&node| -stress(node, 0)).collect(),
                 shear: order.iter().map(|&node| stress(node, 2)).collect(),
                 covariance,
             },
             hoop: order.iter().map(|&node| hoop(node)).collect(),
-            force: [0.0; 2],
-            load: [0.0; 2],
-            fit: (0.0, 0, 0.0),
-            scale: 1.0,
             bias: (order.iter())
                 .map(|&node| [-bias[3 * node], bias[3 * node + 2], bias[3 * node + 1]])
                 .collect(),
+            ..WholeSolution::default()
         }
     }
 

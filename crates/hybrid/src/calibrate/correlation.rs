@@ -12,6 +12,8 @@
 
 use std::collections::{BTreeMap, HashMap};
 
+use crate::order_statistics::median;
+
 /// A residual over its stated standard deviation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Residual {
@@ -108,9 +110,8 @@ fn ring_width(fields: &[Vec<&Residual>]) -> Option<f64> {
             nearest.push(next.fold(f64::INFINITY, f64::min));
         }
     }
-    nearest.sort_by(f64::total_cmp);
-    let median = nearest.get(nearest.len() / 2).copied()?;
-    (median > 0.0 && median.is_finite()).then_some(RINGS * median)
+    let middle = median(nearest)?;
+    (middle > 0.0 && middle.is_finite()).then_some(RINGS * middle)
 }
 
 /// Residuals of a field in square cells as wide as a ring.

@@ -3,6 +3,7 @@
 use stickslip_fem_core::linalg::{DenseCholesky, Matrix};
 
 use super::CalibrateError;
+use crate::least_squares::{dot, orthogonalise};
 
 /// Errors of a block of data.
 #[derive(Clone, Debug, PartialEq)]
@@ -110,7 +111,7 @@ impl Data {
         for (index, (block, shape)) in self.blocks.iter_mut().zip(shapes).enumerate() {
             length("shape", index, block.values.len(), shape)?;
             let mut unit = block.scale.whitened(shape.clone());
-            remove(&block.nuisance, &mut unit);
+            orthogonalise(&mut unit, &block.nuisance);
             let size = dot(&unit, &unit).sqrt();
             block.shape = (size > 0.0).then(|| {
                 let unit = unit.into_iter().map(|x| x / size).collect();
@@ -198,7 +199,7 @@ impl Whitened {
     fn left(&self, predicted: &[f64]) -> Vec<f64> {
         let differences = self.values.iter().zip(predicted).map(|(m, h)| m - h);
         let mut left = self.scale.whitened(differences.collect());
-        remove(&self.nuisance, &mut left);
+        orthogonalise(&mut left, &self.nuisance);
         left
     }
 
@@ -220,15 +221,7 @@ impl Block {
         let scale = match self.noise {
             Noise::Independent(deviations) => {
                 length("deviation", count, &deviations)?;
-                if let Some(index) = deviations.iter().position(|own| *own <= 0.0) {
-                    let (what, value) = ("deviation", deviations[index]);
-                    return Err(CalibrateError::Value {
-                        what,
-                        block,
-                        index,
-                        value,
-                    });
-                }
+                all("deviation", block, &deviations, |own| own > 0.0)?;
                 Scale::Deviations(deviations)
             }
             Noise::Correlated(covariance) => {
@@ -276,34 +269,24 @@ fn length(
 }
 
 fn finite(what: &'static str, block: usize, values: &[f64]) -> Result<(), CalibrateError> {
-    match values.iter().position(|value| !value.is_finite()) {
-        Some(index) => {
-            let value = values[index];
-            Err(CalibrateError::Value {
-                what,
-                block,
-                index,
-                value,
-            })
-        }
+    all(what, block, values, f64::is_finite)
+}
+
+/// Whether all `values` fit.
+fn all(
+    what: &'static str,
+    block: usize,
+    values: &[f64],
+    fits: impl Fn(f64) -> bool,
+) -> Result<(), CalibrateError> {
+    match values.iter().position(|&value| !fits(value)) {
+        Some(index) => Err(CalibrateError::Value {
+            what,
+            block,
+            index,
+            value: values[index],
+        }),
         None => Ok(()),
-    }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-/// Takes off `vector` what lies in the span of the orthonormal `columns`; twice, against rounding.
-fn remove(columns: &[Vec<f64>], vector: &mut [f64]) {
-    for _ in 0..2 {
-        for column in columns {
-            let amount = dot(column, vector);
-            vector
-                .iter_mut()
-                .zip(column)
-                .for_each(|(x, q)| *x -= amount * q);
-        }
     }
 }
 
@@ -311,7 +294,7 @@ fn remove(columns: &[Vec<f64>], vector: &mut [f64]) {
 fn independent(columns: &[Vec<f64>], mut column: Vec<f64>) -> Option<Vec<f64>> {
     const ROUNDING: f64 = 1e-10;
     let before = dot(&column, &column).sqrt();
-    remove(columns, &mut column);
+    orthogonalise(&mut column, columns);
     let left = dot(&column, &column).sqrt();
     if left <= ROUNDING * before {
         return None;

@@ -102,12 +102,7 @@ impl Search<'_> {
         }
         places.sort_by(|a, b| a.part.total_cmp(&b.part));
         let value = |part: f64| self.parameters()[axis].at(part);
-        let bounds = match ends.map(|end| end.map(value)) {
-            [Some(low), Some(high)] => Bounds::Between(low, high),
-            [None, Some(high)] => Bounds::AtMost(high),
-            [Some(low), None] => Bounds::AtLeast(low),
-            [None, None] => Bounds::Nothing,
-        };
+        let bounds = Bounds::of(ends.map(|end| end.map(value)));
         let finite = places.iter().filter(|place| place.point.is_some());
         let points = finite
             .map(|place| (value(place.part), place.increase(best)))

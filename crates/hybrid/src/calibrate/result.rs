@@ -1,7 +1,7 @@
 //! What a fit says: parameters with their intervals, and the criteria by which models are compared.
 
 use super::Correlation;
-use crate::identify::Bounds;
+use crate::identify::{Bounds, excess};
 
 /// What the data say of one parameter.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,7 +83,7 @@ impl Calibration {
         (self.estimates.len() + self.nuisances) as f64
     }
 
-    /// Degrees of freedom of χ²: data less parameters less nuisances.
+    /// Counts the degrees of freedom of χ²: data less parameters less nuisances.
     pub fn degrees(&self) -> usize {
         // `calibrate` refuses fewer data.
         self.data
@@ -131,11 +131,10 @@ impl Calibration {
     /// their standard deviations are too small.
     pub fn excess(&self) -> f64 {
         let degrees = self.degrees().max(1) as f64 / self.correlation.squares.max(1.0);
-        let spread = 2.0 / (9.0 * degrees);
-        (self.reduced().cbrt() - (1.0 - spread)) / spread.sqrt()
+        excess(self.reduced(), degrees)
     }
 
-    /// Values of the parameters.
+    /// Lists the fitted values of the parameters, in their order and units.
     pub fn values(&self) -> Vec<f64> {
         self.estimates.iter().map(|own| own.value).collect()
     }

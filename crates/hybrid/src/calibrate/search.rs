@@ -62,6 +62,10 @@ impl<'a> Search<'a> {
         self.parameters
     }
 
+    pub(super) fn data(&self) -> &'a Data {
+        self.data
+    }
+
     pub(super) fn values(&self, parts: &[f64]) -> Vec<f64> {
         let both = self.parameters.iter().zip(parts);
         both.map(|(parameter, part)| parameter.at(*part)).collect()

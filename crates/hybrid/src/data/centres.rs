@@ -15,15 +15,6 @@ pub(super) struct Written {
     pub(super) order: f64,
 }
 
-/// What keeps fringe centres from being a line; centres by their index as given.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Fault {
-    Short,
-    Off { centre: usize, distance: f64 },
-    Back { centre: usize, angle: f64 },
-    Repeated { centres: [usize; 2] },
-}
-
 /// A line as errors call it, and its centres as they were written.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Origin<'a> {
@@ -36,49 +27,54 @@ pub(super) struct Origin<'a> {
     pub(super) tolerance: f64,
 }
 
+/// What keeps centres, by their index as given, from being a line.
 impl Origin<'_> {
-    /// The fault as an error of the table.
-    pub(super) fn error(&self, fault: Fault) -> DataError {
-        let (file, name) = (self.file.to_owned(), self.name.to_owned());
-        match fault {
-            Fault::Short => DataError::ShortLine {
-                file,
-                row: self.centres.first().and_then(|centre| centre.row),
-                name,
-                centres: self.centres.len(),
-            },
-            Fault::Off { centre, distance } => {
-                let Written { row, place, order } = self.centres[centre];
-                DataError::OffLine {
-                    file,
-                    row,
-                    name,
-                    place,
-                    order,
-                    distance: distance / self.scale,
-                    tolerance: self.tolerance / self.scale,
-                }
-            }
-            Fault::Back { centre, angle } => DataError::TurnsBack {
-                file,
-                row: self.centres[centre].row,
-                name,
-                place: self.centres[centre].place,
-                angle,
-            },
-            Fault::Repeated { centres } => {
-                let [first, second] = centres.map(|centre| self.centres[centre]);
-                DataError::RepeatedCentre {
-                    file,
-                    rows: first
-                        .row
-                        .zip(second.row)
-                        .map(|(first, second)| [first, second]),
-                    name,
-                    places: [first.place, second.place],
-                    orders: [first.order, second.order],
-                }
-            }
+    /// The line is too short.
+    pub(super) fn short(&self) -> DataError {
+        DataError::ShortLine {
+            file: self.file.to_owned(),
+            row: self.centres.first().and_then(|centre| centre.row),
+            name: self.name.to_owned(),
+            centres: self.centres.len(),
+        }
+    }
+
+    /// A centre lies `distance` `[length]` off the track.
+    pub(super) fn off(&self, centre: usize, distance: f64) -> DataError {
+        let Written { row, place, order } = self.centres[centre];
+        DataError::OffLine {
+            file: self.file.to_owned(),
+            row,
+            name: self.name.to_owned(),
+            place,
+            order,
+            distance: distance / self.scale,
+            tolerance: self.tolerance / self.scale,
+        }
+    }
+
+    /// The line turns back at a centre, by `angle` in degrees.
+    pub(super) fn back(&self, centre: usize, angle: f64) -> DataError {
+        let Written { row, place, .. } = self.centres[centre];
+        DataError::TurnsBack {
+            file: self.file.to_owned(),
+            row,
+            name: self.name.to_owned(),
+            place,
+            angle,
+        }
+    }
+
+    /// Two centres are at one place.
+    pub(super) fn repeated(&self, centres: [usize; 2]) -> DataError {
+        let [first, second] = centres.map(|centre| self.centres[centre]);
+        let rows = first.row.zip(second.row);
+        DataError::RepeatedCentre {
+            file: self.file.to_owned(),
+            rows: rows.map(|(first, second)| [first, second]),
+            name: self.name.to_owned(),
+            places: [first.place, second.place],
+            orders: [first.order, second.order],
         }
     }
 }

@@ -387,15 +387,11 @@ fn at_one([first, second]: &[[f64; 2]; 2]) -> String {
 }
 
 /// Places of two rows at one place; they differ where a table has them after the deformation.
-fn at_both([first, second]: &[[f64; 2]; 2]) -> String {
-    let shown = |[x, y]: &[f64; 2]| format!("({x}, {y})");
-    if first == second {
-        shown(first)
+fn at_both(places: &[[f64; 2]; 2]) -> String {
+    let shown = at_one(places);
+    if places[0] == places[1] {
+        shown
     } else {
-        format!(
-            "one place before the deformation, {} and {} less their displacements",
-            shown(first),
-            shown(second)
-        )
+        format!("one place before the deformation, {shown} less their displacements")
     }
 }

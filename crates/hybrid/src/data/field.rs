@@ -20,6 +20,11 @@ impl Field {
             Self::V => 1,
         }
     }
+
+    /// What it is called: "U" or "V".
+    pub fn name(self) -> &'static str {
+        letter(self.component())
+    }
 }
 
 /// What a component is called in messages: U along x, V along y.

@@ -117,6 +117,22 @@ impl YAxis {
     }
 }
 
+/// What a length that may be 0 is.
+pub(super) const LENGTH: &str = "it is a length, 0 or above";
+
+/// Refuses the setting `what` `value`, of which `range` says what it may be, if it is negative or no number.
+pub(super) fn not_negative(
+    what: &'static str,
+    value: f64,
+    range: &'static str,
+) -> Result<(), DataError> {
+    if value >= 0.0 {
+        Ok(())
+    } else {
+        Err(DataError::Setting { what, value, range })
+    }
+}
+
 /// Refuses the setting `what` `value` unless it is positive and finite.
 pub(super) fn positive(what: &'static str, value: f64) -> Result<f64, DataError> {
     if value.is_finite() && value > 0.0 {

@@ -7,7 +7,7 @@ use stickslip_fem_core::mesh::Point;
 
 use super::centres::{Origin, Written};
 use super::field::Field;
-use super::format::positive;
+use super::format::{LENGTH, not_negative, positive};
 use super::table::Table;
 use super::{DataError, FringeLine, Track, YAxis};
 
@@ -171,13 +171,7 @@ impl FringeLines {
         reading: &LineReading,
     ) -> Result<(Self, Vec<OffTrack>), DataError> {
         let scale = positive("the scale", reading.scale)?;
-        if reading.tolerance.is_nan() || reading.tolerance < 0.0 {
-            return Err(DataError::Setting {
-                what: "the tolerance of fringe lines",
-                value: reading.tolerance,
-                range: "it is a length, 0 or above",
-            });
-        }
+        not_negative("the tolerance of fringe lines", reading.tolerance, LENGTH)?;
         let table = Table::read(reader, name)?;
         let (names, centres) = gathered(&table, field, reading, scale)?;
         if let Some(unknown) = reading
@@ -202,8 +196,7 @@ impl FringeLines {
                 tolerance: reading.tolerance,
             };
             let track = *reading.tracks.get(label).unwrap_or(&reading.track);
-            let line = FringeLine::along(label, track, placed, reading.tolerance)
-                .map_err(|fault| origin.error(fault))?;
+            let line = FringeLine::along(&origin, track, placed)?;
             if reading.tolerance == f64::INFINITY {
                 doubts.extend(OffTrack::of(&line, placed, written));
             }

@@ -2,7 +2,7 @@
 
 use stickslip_fem_core::mesh::Point;
 
-use super::format::positive;
+use super::format::{LENGTH, not_negative, positive};
 use super::{DataError, Field, FringeLine, FringeLines, Measurement, Track};
 use crate::moire::Grating;
 use crate::reduce::neighbours::Neighbours;
@@ -116,13 +116,7 @@ impl Measurement {
         let value = move |index: usize| self.displacements[c][index];
         match how {
             NullField::SamePlaces { tolerance } => {
-                if tolerance.is_nan() || tolerance < 0.0 {
-                    return Err(DataError::Setting {
-                        what: "the tolerance of common places",
-                        value: tolerance,
-                        range: "it is a length, 0 or above",
-                    });
-                }
+                not_negative("the tolerance of common places", tolerance, LENGTH)?;
                 let tree = Neighbours::new(&self.places, &self.valid[c]);
                 Ok(Box::new(move |place| {
                     let (distance, index) = tree.nearest(place, 1).pop()?;
@@ -247,13 +241,8 @@ impl FringeLine {
         tolerance: f64,
         free_offset: bool,
     ) -> Result<Symmetry, DataError> {
-        if tolerance.is_nan() || tolerance < 0.0 {
-            return Err(DataError::Setting {
-                what: "the tolerance of symmetry",
-                value: tolerance,
-                range: "it is a number of fringes, 0 or above",
-            });
-        }
+        let range = "it is a number of fringes, 0 or above";
+        not_negative("the tolerance of symmetry", tolerance, range)?;
         let front = |place| self.order_at(place);
         let differences: Vec<(Point, f64)> = [self, back]
             .iter()

@@ -18,6 +18,7 @@ use stickslip_fem_core::parallel;
 
 use super::format::positive;
 use super::{DataError, Field, Measurement};
+use crate::order_statistics::{NORMAL_MEDIAN, above, median};
 use crate::reduce::neighbours::Neighbours;
 
 /// Neighbours of a place: on a grid, all within two spacings.
@@ -30,8 +31,6 @@ const MOST: usize = 48;
 const FLAT: f64 = 0.01;
 /// Part of the neighbours that are less off than what counts as usual.
 const UPPER: f64 = 0.67;
-/// Median of |x| over the standard deviation of a normal distribution.
-const NORMAL_MEDIAN: f64 = 0.674_489_750_196_082;
 /// Most rounds; flags that still come and go then stay as they are.
 const ROUNDS: usize = 10;
 /// Most rounds of a robust fit, and the change of its residuals' median that ends it.
@@ -99,11 +98,11 @@ impl Measurement {
                 }
             }
             let all = asked.iter().filter(|&&k| good[k]).map(|&k| said[k].off);
-            let usual = self.deviation[c].max(median(all.collect()) / NORMAL_MEDIAN);
+            let usual = self.deviation[c].max(median(all.collect()).unwrap_or(0.0) / NORMAL_MEDIAN);
             changed.fill(false);
             for &k in &asked {
                 let around = said[k].neighbours.iter().map(|&near| said[near].off);
-                let around = upper(around.collect(), UPPER);
+                let around = above(around.collect(), UPPER).unwrap_or(0.0);
                 ratios[k] = ratio(said[k].off, said[k].scatter.max(around) + usual);
                 let is_good = ratios[k] <= threshold;
                 changed[k] = is_good != good[k];
@@ -243,7 +242,7 @@ fn weighted(points: &[[f64; 3]], weights: &[f64]) -> (Fit, Vec<f64>) {
     let fit = Fit {
         value: at(0.0, 0.0),
         leverage: 1.0 / all + turned[0] * centre[0] + turned[1] * centre[1],
-        scatter: median(residuals.clone()),
+        scatter: median(residuals.clone()).unwrap_or(0.0),
     };
     (fit, residuals)
 }
@@ -288,19 +287,4 @@ fn flatness(places: &[Point], near: &[(f64, usize)]) -> f64 {
     };
     let [narrow, wide] = extents([moment(0, 0), moment(0, 1), moment(1, 1)]);
     narrow / wide
-}
-
-/// Median, the upper one of two; 0 of none.
-fn median(values: Vec<f64>) -> f64 {
-    upper(values, 0.5)
-}
-
-/// The value that a `part`, below 1, of all are less than; 0 of none.
-fn upper(mut values: Vec<f64>, part: f64) -> f64 {
-    if values.is_empty() {
-        return 0.0;
-    }
-    // Less than the length, as `part` is below 1.
-    let index = (part * values.len() as f64) as usize;
-    *values.select_nth_unstable_by(index, f64::total_cmp).1
 }

@@ -5,9 +5,10 @@ use std::io::Read;
 
 use stickslip_fem_core::mesh::Point;
 
-use super::format::positive;
+use super::format::{LENGTH, positive};
 use super::table::Table;
 use super::{DataError, Field, Format, Measurement, Places, Reading};
+use crate::order_statistics::above;
 
 impl Measurement {
     /// Reads a table of displacements; `name` is what errors call it.
@@ -42,20 +43,7 @@ impl Measurement {
     ) -> Result<(Self, Rows), DataError> {
         let scales = scales(name, format, reading)?;
         let table = Table::read(reader, name)?;
-        let columns = Columns {
-            places: both(&format.places, |column| table.column(column))?,
-            displacements: both(&format.displacements, |column| {
-                column
-                    .as_ref()
-                    .map(|column| table.column(column))
-                    .transpose()
-            })?,
-            flag: format
-                .flag
-                .as_ref()
-                .map(|column| table.column(column))
-                .transpose()?,
-        };
+        let columns = Columns::of(&table, format)?;
         let mut measurement = Self {
             deviation: reading.deviation,
             ..Self::default()
@@ -84,18 +72,18 @@ impl Measurement {
                     places: [other, own],
                 });
             }
-            measurement.places.push(place);
+            measurement.push(place, values);
             rows.lines.push(table.line(row));
             for c in 0..2 {
                 if let (Some(column), Some(_)) = (columns.displacements[c], values[c]) {
                     steps[c].extend(last_digit(table.text(row, column)));
                 }
-                measurement.displacements[c].push(values[c].unwrap_or(f64::NAN));
-                measurement.valid[c].push(values[c].is_some());
             }
         }
-        for c in 0..2 {
-            rows.step[c] = scales.displacements[c].abs() * tenth(&mut steps[c]);
+        for (c, steps) in steps.into_iter().enumerate() {
+            // Round numbers lack digits that others have, and small ones may have more than others.
+            let tenth = above(steps, 0.1).unwrap_or(0.0);
+            rows.step[c] = scales.displacements[c].abs() * tenth;
         }
         if measurement.valid.iter().flatten().any(|&valid| valid) {
             Ok((measurement, rows))
@@ -149,6 +137,15 @@ impl Measurement {
         Ok(())
     }
 
+    /// Adds a place `[length]` with its displacements `[length]`; a component that is `None` is masked there.
+    pub fn push(&mut self, place: Point, displacements: [Option<f64>; 2]) {
+        self.places.push(place);
+        for (c, value) in displacements.into_iter().enumerate() {
+            self.displacements[c].push(value.unwrap_or(f64::NAN));
+            self.valid[c].push(value.is_some());
+        }
+    }
+
     /// How many places have a valid displacement of a field.
     pub fn count(&self, field: Field) -> usize {
         self.valid[field.component()]
@@ -193,15 +190,6 @@ fn last_digit(text: &str) -> Option<f64> {
     Some(step.max(f64::EPSILON * value.abs()))
 }
 
-/// The step that one in ten are finer than. Round numbers lack digits that others have, and small ones may have more than others.
-fn tenth(steps: &mut [f64]) -> f64 {
-    if steps.is_empty() {
-        return 0.0;
-    }
-    let index = steps.len() / 10;
-    *steps.select_nth_unstable_by(index, f64::total_cmp).1
-}
-
 /// The same question to two things.
 fn both<T, R, E>(pair: &[T; 2], ask: impl Fn(&T) -> Result<R, E>) -> Result<[R; 2], E> {
     Ok([ask(&pair[0])?, ask(&pair[1])?])
@@ -228,7 +216,7 @@ fn scales(name: &str, format: &Format, reading: &Reading) -> Result<Scales, Data
             return Err(DataError::Setting {
                 what: "the standard deviation",
                 value,
-                range: "it is a length, 0 or above",
+                range: LENGTH,
             });
         }
     }
@@ -256,6 +244,18 @@ type Converted = (Point, [Option<f64>; 2]);
 type Raw = ([Option<f64>; 2], [Option<f64>; 2]);
 
 impl Columns {
+    fn of(table: &Table, format: &Format) -> Result<Self, DataError> {
+        let stated = |column: &Option<String>| {
+            let name = column.as_ref();
+            name.map(|name| table.column(name)).transpose()
+        };
+        Ok(Self {
+            places: both(&format.places, |name| table.column(name))?,
+            displacements: both(&format.displacements, stated)?,
+            flag: stated(&format.flag)?,
+        })
+    }
+
     /// Units of places and displacements.
     fn units(&self, table: &Table) -> Vec<Unit> {
         let places = self.places.iter().map(|&column| (column, true));

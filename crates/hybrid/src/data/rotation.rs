@@ -16,9 +16,13 @@
 use stickslip_fem_core::mesh::Point;
 
 use super::{Measurement, Places};
+use crate::least_squares::Plane;
 
 /// Part of its standard deviation by which a displacement may be wrong where the other component of its place is not known.
 const NEGLIGIBLE: f64 = 0.1;
+
+/// Part of the largest second moment of the places that the smallest must be.
+const FLAT: f64 = 1e-9;
 
 /// A rotation, counter-clockwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,26 +31,6 @@ pub struct Rotation {
     pub angle: f64,
     /// Standard deviation of the angle by independent errors of the data `[rad]`.
     pub deviation: f64,
-}
-
-/// The plane of least squares through one component.
-struct Plane {
-    /// Mean of the places `[length]`.
-    middle: Point,
-    /// Mean of the displacements `[length]`.
-    mean: f64,
-    gradient: [f64; 2],
-    /// Diagonal of the inverse of the places' second moments `[1/length²]`.
-    inverse: [f64; 2],
-    /// Root mean square of what the plane leaves `[length]`.
-    left: f64,
-}
-
-impl Plane {
-    fn at(&self, place: Point) -> f64 {
-        let from = [0, 1].map(|axis| place[axis] - self.middle[axis]);
-        self.mean + self.gradient[0] * from[0] + self.gradient[1] * from[1]
-    }
 }
 
 impl Measurement {
@@ -122,44 +106,8 @@ impl Measurement {
     }
 
     fn plane(&self, component: usize) -> Option<Plane> {
-        /// Part of the largest second moment of the places that the smallest must be.
-        const FLAT: f64 = 1e-9;
-        let data = || {
-            let valid = (0..self.places.len()).filter(|&k| self.valid[component][k]);
-            valid.map(|k| (self.places[k], self.displacements[component][k]))
-        };
-        let count = data().count() as f64;
-        let (mut middle, mut mean) = ([0.0; 2], 0.0);
-        for (place, value) in data() {
-            middle = [middle[0] + place[0] / count, middle[1] + place[1] / count];
-            mean += value / count;
-        }
-        let [mut xx, mut xy, mut yy, mut xu, mut yu] = [0.0; 5];
-        for ([x, y], value) in data() {
-            let (x, y, u) = (x - middle[0], y - middle[1], value - mean);
-            xx += x * x;
-            xy += x * y;
-            yy += y * y;
-            xu += x * u;
-            yu += y * u;
-        }
-        let determinant = xx * yy - xy * xy;
-        let largest = xx.max(yy);
-        if !determinant.is_finite() || determinant <= FLAT * largest * largest {
-            return None;
-        }
-        let mut plane = Plane {
-            middle,
-            mean,
-            gradient: [
-                (yy * xu - xy * yu) / determinant,
-                (xx * yu - xy * xu) / determinant,
-            ],
-            inverse: [yy / determinant, xx / determinant],
-            left: 0.0,
-        };
-        let squares = data().map(|(place, value)| (value - plane.at(place)).powi(2));
-        plane.left = (squares.sum::<f64>() / count).sqrt();
-        Some(plane)
+        let valid = (0..self.places.len()).filter(|&k| self.valid[component][k]);
+        let data = valid.map(|k| (self.places[k], self.displacements[component][k]));
+        Plane::fit(data, FLAT)
     }
 }

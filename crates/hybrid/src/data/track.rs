@@ -7,7 +7,8 @@ use std::f64::consts::TAU;
 use stickslip_fem_core::mesh::Point;
 
 use super::DataError;
-use super::centres::{Fault, Origin, Written};
+use super::centres::{Origin, Written};
+use crate::order_statistics::median;
 
 /// Fraction of a line's length by which a place may lie beyond its end and still count as its end: rounding, no more.
 const SLACK: f64 = 1e-9;
@@ -104,46 +105,43 @@ impl FringeLine {
             scale: 1.0,
             tolerance,
         };
-        Self::along(name, track, centres, tolerance).map_err(|fault| origin.error(fault))
+        Self::along(&origin, track, centres)
     }
 
-    /// As [`new`](Self::new), with what is wrong by the index of the centre.
+    /// As [`new`](Self::new), of centres that were written elsewhere, as `origin` says.
     pub(super) fn along(
-        name: &str,
+        origin: &Origin<'_>,
         track: Track,
         centres: &[(Point, f64)],
-        tolerance: f64,
-    ) -> Result<Self, Fault> {
+    ) -> Result<Self, DataError> {
         if centres.len() < 2 {
-            return Err(Fault::Short);
+            return Err(origin.short());
         }
         let curve = Curve::fit(track, centres);
         for (centre, &(place, order)) in centres.iter().enumerate() {
             let distance = curve.distance(place);
             // A distance that is not a number is off the line as well.
-            if !(distance <= tolerance && order.is_finite()) {
-                return Err(Fault::Off { centre, distance });
+            if !(distance <= origin.tolerance && order.is_finite()) {
+                return Err(origin.off(centre, distance));
             }
         }
         let sorted = curve.sorted(centres);
         let line = Self {
-            name: name.into(),
+            name: origin.name.into(),
             curve,
             places: sorted.iter().map(|&(_, k)| centres[k].0).collect(),
             orders: sorted.iter().map(|&(_, k)| centres[k].1).collect(),
             parameters: sorted.iter().map(|&(parameter, _)| parameter).collect(),
         };
-        line.check_steps(&sorted)?;
+        line.check_steps(origin, &sorted)?;
         Ok(line)
     }
 
     /// Refuses centres at one place and drawn lines that turn back; `sorted` has the indices of the centres as given.
-    fn check_steps(&self, sorted: &[(f64, usize)]) -> Result<(), Fault> {
+    fn check_steps(&self, origin: &Origin<'_>, sorted: &[(f64, usize)]) -> Result<(), DataError> {
         for (i, j) in self.pairs() {
             if self.gap(i, j) <= 0.0 {
-                return Err(Fault::Repeated {
-                    centres: [sorted[i].1, sorted[j].1],
-                });
+                return Err(origin.repeated([sorted[i].1, sorted[j].1]));
             }
         }
         if self.curve == Curve::Drawn {
@@ -151,10 +149,7 @@ impl FringeLine {
                 let (before, after) = (minus(triple[1], triple[0]), minus(triple[2], triple[1]));
                 let angle = cross(before, after).atan2(dot(before, after)).abs();
                 if angle > std::f64::consts::FRAC_PI_2 {
-                    return Err(Fault::Back {
-                        centre: sorted[k + 1].1,
-                        angle: angle.to_degrees(),
-                    });
+                    return Err(origin.back(sorted[k + 1].1, angle.to_degrees()));
                 }
             }
         }
@@ -168,9 +163,7 @@ impl FringeLine {
 
     /// Median distance along the track of neighbouring fringe centres `[length]`.
     pub fn spacing(&self) -> f64 {
-        let mut lengths: Vec<f64> = self.steps().map(|step| step.length).collect();
-        lengths.sort_unstable_by(f64::total_cmp);
-        lengths.get(lengths.len() / 2).copied().unwrap_or(0.0)
+        median(self.steps().map(|step| step.length).collect()).unwrap_or(0.0)
     }
 
     /// Name of the line.
@@ -198,7 +191,7 @@ impl FringeLine {
         }
     }
 
-    /// Where a place lies along the line; nothing beyond its ends.
+    /// Finds where `place` `[length]` lies along the line; `None` beyond its ends.
     pub fn locate(&self, place: Point) -> Option<Located> {
         match self.curve {
             Curve::Drawn => self.nearest(place),
@@ -215,7 +208,8 @@ impl FringeLine {
         }
     }
 
-    /// Fringe order at a place, linear between the centres around it; nothing beyond the ends of the line.
+    /// Interpolates the fringe order `[fringes]` at `place` `[length]`, linear between the centres around it; `None` beyond the ends of
+    /// the line.
     pub fn order_at(&self, place: Point) -> Option<f64> {
         let Located {
             centres, weights, ..

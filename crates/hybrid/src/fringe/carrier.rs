@@ -49,24 +49,12 @@ impl FourierOptions {
     pub(super) fn check(&self) -> Result<(), FringeError> {
         let (Carrier::Given(direction) | Carrier::Found { towards: direction }) = self.carrier;
         let size = direction[0].hypot(direction[1]);
-        parameter(
-            "carrier",
-            size,
-            size > 0.0 && size.is_finite(),
-            "finite and not zero",
-        )?;
-        parameter(
-            "band",
-            self.band,
-            self.band > 0.0 && self.band < 1.0,
-            "between 0 and 1",
-        )?;
-        parameter(
-            "least share",
-            self.least_share,
-            (0.0..=1.0).contains(&self.least_share),
-            "from 0 to 1",
-        )?;
+        let fits = size > 0.0 && size.is_finite();
+        parameter("carrier", size, fits, "finite and not zero")?;
+        let fits = self.band > 0.0 && self.band < 1.0;
+        parameter("band", self.band, fits, "between 0 and 1")?;
+        let fits = (0.0..=1.0).contains(&self.least_share);
+        parameter("least share", self.least_share, fits, "from 0 to 1")?;
         parameter("settled", self.settled, self.settled > 0.0, "positive")
     }
 }

@@ -4,10 +4,7 @@ use std::fmt;
 
 use stickslip_fem_core::mesh::Point;
 
-use super::FringeError;
-
-/// Most pixels of a picture, so that a slip of the pen is an error and no exhausted memory.
-pub(super) const MOST_PIXELS: usize = 1 << 28;
+use super::{FringeError, MOST_PIXELS};
 
 /// Where the pixels of a picture lie in the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,13 +90,31 @@ impl Frame {
         self.step
     }
 
-    /// Centre of a pixel `[length]`.
+    /// Centre `[length]` of a pixel, whose index counts row by row.
     pub fn place(&self, pixel: usize) -> Point {
         let (column, row) = (pixel % self.columns, pixel / self.columns);
         [
             self.first[0] + column as f64 * self.step[0],
             self.first[1] + row as f64 * self.step[1],
         ]
+    }
+
+    /// The error that a list has not one entry for each pixel but `found`.
+    pub(super) fn unlike(&self, found: usize) -> FringeError {
+        FringeError::Size {
+            columns: self.columns,
+            rows: self.rows,
+            found,
+        }
+    }
+
+    /// The error that `value` of a pixel is not finite.
+    pub(super) fn not_finite(&self, pixel: usize, value: f64) -> FringeError {
+        FringeError::NotFinite {
+            column: pixel % self.columns,
+            row: pixel / self.columns,
+            value,
+        }
     }
 
     /// Columns and rows, as real numbers, from the first pixel's centre to a place.
@@ -146,22 +161,14 @@ impl PixelMap {
         let pixels = frame.pixels();
         for found in [values.len(), valid.len()] {
             if found != pixels {
-                return Err(FringeError::Size {
-                    columns: frame.columns,
-                    rows: frame.rows,
-                    found,
-                });
+                return Err(frame.unlike(found));
             }
         }
         for (pixel, (value, &valid)) in values.iter_mut().zip(&valid).enumerate() {
             if !valid {
                 *value = f64::NAN;
             } else if !value.is_finite() {
-                return Err(FringeError::NotFinite {
-                    column: pixel % frame.columns,
-                    row: pixel / frame.columns,
-                    value: *value,
-                });
+                return Err(frame.not_finite(pixel, *value));
             }
         }
         if valid.contains(&true) {

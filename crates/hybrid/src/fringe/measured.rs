@@ -1,6 +1,6 @@
 //! Displacements from fringe orders.
 
-use super::check::{parameter, positive};
+use super::check::{not_negative, parameter, positive};
 use super::{FringeError, PixelMap};
 use crate::data::Measurement;
 
@@ -21,12 +21,7 @@ pub fn measurement(
     positive("frequency", frequency)?;
     parameter("stride", stride as f64, stride > 0, "at least 1")?;
     for deviation in deviations {
-        parameter(
-            "deviation",
-            deviation,
-            deviation >= 0.0 && deviation.is_finite(),
-            "finite and at least 0",
-        )?;
+        not_negative("deviation", deviation)?;
     }
     let Some(frame) = orders.iter().flatten().map(|map| *map.frame()).next() else {
         return Err(FringeError::Masked { pixels: 0 });
@@ -45,11 +40,8 @@ pub fn measurement(
             if found.iter().all(Option::is_none) {
                 continue;
             }
-            taken.places.push(frame.place(pixel));
-            for (axis, order) in found.into_iter().enumerate() {
-                taken.displacements[axis].push(order.map_or(f64::NAN, |order| order / frequency));
-                taken.valid[axis].push(order.is_some());
-            }
+            let displacements = found.map(|order| order.map(|order| order / frequency));
+            taken.push(frame.place(pixel), displacements);
         }
     }
     if taken.places.is_empty() {

@@ -2,9 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use super::check::parameter;
-use super::order::{median, wrap};
+use super::check::not_negative;
+use super::order::wrap;
 use super::{FringeError, PixelMap, Plane, Unwrapped, unwrap};
+use crate::order_statistics::median;
 
 /// Fringe orders up to a whole number, with the amplitude of the fringes that they come from.
 #[derive(Clone, Debug)]
@@ -41,12 +42,9 @@ impl Phase {
 
     /// Median amplitude of the fringes `[intensity]`.
     pub fn median_modulation(&self) -> f64 {
-        median(
-            self.wrapped
-                .present()
-                .map(|(pixel, _)| self.modulation[pixel])
-                .collect(),
-        )
+        let present = self.wrapped.present();
+        let amplitudes = present.map(|(pixel, _)| self.modulation[pixel]);
+        median(amplitudes.collect()).unwrap_or(f64::NAN)
     }
 
     /// The phase without the pixels whose fringes have at most the amplitude `least` `[intensity]`.
@@ -121,13 +119,7 @@ impl Phase {
 ///
 /// Pictures of unlike frames; a `least_modulation` below 0; fringes at no pixel.
 pub fn four_step(pictures: &[PixelMap; 4], least_modulation: f64) -> Result<Phase, FringeError> {
-    let fits = least_modulation >= 0.0 && least_modulation.is_finite();
-    parameter(
-        "least modulation",
-        least_modulation,
-        fits,
-        "finite and at least 0",
-    )?;
+    not_negative("least modulation", least_modulation)?;
     for other in &pictures[1..] {
         pictures[0].same_frame(other)?;
     }

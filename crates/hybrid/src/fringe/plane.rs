@@ -3,6 +3,7 @@
 use stickslip_fem_core::mesh::Point;
 
 use super::{FringeError, PixelMap, Unwrapped};
+use crate::least_squares;
 
 /// Orders linear in the place: a carrier, a rigid-body motion, or both.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -45,48 +46,24 @@ impl Plane {
     ///
     /// A region whose pixels do not span a plane.
     pub fn fit(orders: &PixelMap, region: impl Fn(Point) -> bool) -> Result<PlaneFit, FringeError> {
-        let data = || {
-            orders
-                .present()
-                .map(|(pixel, order)| (orders.frame().place(pixel), order))
-                .filter(|(place, _)| region(*place))
-        };
-        let pixels = data().count();
-        let mean = |value: &dyn Fn(&(Point, f64)) -> f64| {
-            data().map(|entry| value(&entry)).sum::<f64>() / pixels as f64
-        };
-        let centre = [mean(&|entry| entry.0[0]), mean(&|entry| entry.0[1])];
-        let level = mean(&|entry| entry.1);
-        let moment = |first: &dyn Fn(&(Point, f64)) -> f64, axis: usize| {
-            mean(&|entry| first(entry) * (entry.0[axis] - centre[axis]))
-        };
-        let (xx, xy) = (
-            moment(&|entry| entry.0[0] - centre[0], 0),
-            moment(&|entry| entry.0[0] - centre[0], 1),
-        );
-        let yy = moment(&|entry| entry.0[1] - centre[1], 1);
-        let (xn, yn) = (
-            moment(&|entry| entry.1 - level, 0),
-            moment(&|entry| entry.1 - level, 1),
-        );
-        let determinant = xx * yy - xy * xy;
-        // One row of pixels leaves rounding in the determinant; two rows of a million columns leave 1e-12 of the traces' product.
-        if pixels < 3 || determinant <= 1e-14 * (xx + yy).powi(2) {
-            return Err(FringeError::NoPlane { pixels });
-        }
-        let gradient = [
-            (yy * xn - xy * yn) / determinant,
-            (xx * yn - xy * xn) / determinant,
-        ];
-        let plane = Self {
-            gradient,
-            constant: level - gradient[0] * centre[0] - gradient[1] * centre[1],
-        };
-        let remainder = mean(&|entry| (entry.1 - plane.at(entry.0)).powi(2)).sqrt();
+        /// One row of pixels leaves rounding in the determinant; two rows of a million columns leave 1e-12 of the product of moments.
+        const FLAT: f64 = 1e-14;
+        let frame = orders.frame();
+        let data = orders
+            .present()
+            .map(|(pixel, order)| (frame.place(pixel), order))
+            .filter(|(place, _)| region(*place));
+        let data: Vec<(Point, f64)> = data.collect();
+        let pixels = data.len();
+        let fit = least_squares::Plane::fit(data.into_iter(), FLAT).filter(|_| pixels >= 3);
+        let fit = fit.ok_or(FringeError::NoPlane { pixels })?;
         Ok(PlaneFit {
-            plane,
+            plane: Self {
+                gradient: fit.gradient,
+                constant: fit.at([0.0; 2]),
+            },
             pixels,
-            remainder,
+            remainder: fit.left,
         })
     }
 }

@@ -3,9 +3,10 @@
 use rustfft::num_complex::Complex;
 
 use super::carrier::{Carrier, FourierOptions};
-use super::order::{median, wrap};
+use super::order::wrap;
 use super::spectrum::Transform;
 use super::{Frame, FringeError, PixelMap};
+use crate::order_statistics::median;
 
 /// Least number of fringes across the picture that can be separated from its background.
 const LEAST_FRINGES: f64 = 4.0;
@@ -72,7 +73,7 @@ fn rolled(relative: f64) -> f64 {
 /// Mean power of white noise, whose power is exponentially distributed, from the median, which a few frequencies of something else do
 /// not move.
 pub(super) fn white(power: Vec<f64>) -> f64 {
-    median(power) / std::f64::consts::LN_2
+    median(power).unwrap_or(f64::NAN) / std::f64::consts::LN_2
 }
 
 fn distance(first: [f64; 2], second: [f64; 2]) -> f64 {
@@ -140,6 +141,20 @@ impl Power {
             .collect()
     }
 
+    /// The frequency of the greatest power.
+    fn strongest(&self, candidates: &[(usize, [f64; 2])]) -> Result<[f64; 2], FringeError> {
+        let power = |entry: usize| self.values[entry];
+        let greatest = candidates
+            .iter()
+            .max_by(|a, b| power(a.0).total_cmp(&power(b.0)));
+        greatest
+            .map(|&(_, centre)| centre)
+            .ok_or(FringeError::NoCarrier {
+                strength: 0.0,
+                least: -FALSE_ALARM.ln(),
+            })
+    }
+
     /// Power-weighted mean of a band's frequencies; noise has no weight.
     fn centroid(&self, band: &Sideband, candidates: &[(usize, [f64; 2])]) -> [f64; 2] {
         let (mut sum, mut moment) = (0.0, [0.0; 2]);
@@ -188,6 +203,22 @@ impl Power {
     }
 }
 
+/// Fringes per pixel of a carrier `[fringes/length]` that the pixels can show.
+fn seen(frame: &Frame, gradient: [f64; 2]) -> Result<[f64; 2], FringeError> {
+    let step = frame.step();
+    let cycles = [gradient[0] * step[0], gradient[1] * step[1]];
+    let fringes = (cycles[0] * frame.columns() as f64).hypot(cycles[1] * frame.rows() as f64);
+    if cycles.iter().all(|cycles| cycles.abs() < 0.5) && fringes >= LEAST_FRINGES {
+        return Ok(cycles);
+    }
+    Err(FringeError::CarrierRange {
+        gradient,
+        cycles,
+        fringes,
+        least: LEAST_FRINGES,
+    })
+}
+
 /// The band of the carrier that `options` give or ask to find.
 pub(super) fn sideband(
     picture: &PixelMap,
@@ -198,40 +229,16 @@ pub(super) fn sideband(
     let spectrum = Power::new(picture);
     let (mut band, candidates) = match options.carrier {
         Carrier::Given(gradient) => {
-            let centre = [gradient[0] * step[0], gradient[1] * step[1]];
-            let fringes =
-                (centre[0] * frame.columns() as f64).hypot(centre[1] * frame.rows() as f64);
-            let seen = centre.iter().all(|cycles| cycles.abs() < 0.5) && fringes >= LEAST_FRINGES;
-            if !seen {
-                return Err(FringeError::CarrierRange {
-                    gradient,
-                    cycles: centre,
-                    fringes,
-                    least: LEAST_FRINGES,
-                });
-            }
-            (
-                Sideband::around(centre, options.band),
-                spectrum.candidates(frame, centre),
-            )
+            let centre = seen(frame, gradient)?;
+            let band = Sideband::around(centre, options.band);
+            (band, spectrum.candidates(frame, centre))
         }
         Carrier::Found { towards } => {
-            let candidates =
-                spectrum.candidates(frame, [towards[0] / step[0], towards[1] / step[1]]);
-            let greatest = candidates
-                .iter()
-                .max_by(|a, b| spectrum.values[a.0].total_cmp(&spectrum.values[b.0]));
-            let Some(&(_, centre)) = greatest else {
-                return Err(FringeError::NoCarrier {
-                    strength: 0.0,
-                    least: -FALSE_ALARM.ln(),
-                });
-            };
-            let first = Sideband::around(centre, options.band);
-            (
-                Sideband::around(spectrum.centroid(&first, &candidates), options.band),
-                candidates,
-            )
+            let direction = [towards[0] / step[0], towards[1] / step[1]];
+            let candidates = spectrum.candidates(frame, direction);
+            let first = Sideband::around(spectrum.strongest(&candidates)?, options.band);
+            let centre = spectrum.centroid(&first, &candidates);
+            (Sideband::around(centre, options.band), candidates)
         }
     };
     spectrum.measured(&mut band, &candidates);

@@ -6,7 +6,7 @@ use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
 use stickslip_fem_core::mesh::Point;
 
-use super::check::{parameter, positive};
+use super::check::{not_negative, parameter, positive};
 use super::{Frame, FringeError, PixelMap, Plane};
 use crate::random::{exponential, normal};
 
@@ -73,24 +73,10 @@ impl Exposure {
             bounded,
             "positive and at most the background",
         )?;
-        parameter(
-            "order error",
-            self.order_error,
-            self.order_error >= 0.0 && self.order_error.is_finite(),
-            "finite and at least 0",
-        )?;
-        parameter(
-            "noise",
-            self.noise,
-            self.noise >= 0.0 && self.noise.is_finite(),
-            "finite and at least 0",
-        )?;
-        parameter(
-            "speckle patterns",
-            0.0,
-            self.speckle_patterns != Some(0),
-            "at least 1",
-        )
+        not_negative("order error", self.order_error)?;
+        not_negative("noise", self.noise)?;
+        let counted = self.speckle_patterns != Some(0);
+        parameter("speckle patterns", 0.0, counted, "at least 1")
     }
 }
 

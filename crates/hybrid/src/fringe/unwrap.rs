@@ -76,22 +76,13 @@ impl PartialOrd for Front {
 pub fn unwrap(wrapped: &PixelMap, quality: &[f64]) -> Result<Unwrapped, FringeError> {
     let frame = *wrapped.frame();
     if quality.len() != frame.pixels() {
-        return Err(FringeError::Size {
-            columns: frame.columns(),
-            rows: frame.rows(),
-            found: quality.len(),
-        });
+        return Err(frame.unlike(quality.len()));
     }
     if let Some((pixel, _)) = wrapped
         .present()
         .find(|&(pixel, _)| !quality[pixel].is_finite())
     {
-        let (column, row) = (pixel % frame.columns(), pixel / frame.columns());
-        return Err(FringeError::NotFinite {
-            column,
-            row,
-            value: quality[pixel],
-        });
+        return Err(frame.not_finite(pixel, quality[pixel]));
     }
     let mut seeds: Vec<_> = wrapped.present().map(|(pixel, _)| pixel).collect();
     seeds.sort_by(|&a, &b| quality[b].total_cmp(&quality[a]).then(a.cmp(&b)));

@@ -32,6 +32,13 @@ pub fn chi_squared_of_one(confidence: f64) -> f64 {
     normal_quantile(f64::midpoint(1.0, confidence)).powi(2)
 }
 
+/// By how many standard deviations χ² with `degrees` degrees of freedom, `reduced` for each, lies above what it should be, by the cube
+/// root that makes it nearly normal (Wilson & Hilferty 1931).
+pub(crate) fn excess(reduced: f64, degrees: f64) -> f64 {
+    let spread = 2.0 / (9.0 * degrees);
+    (reduced.cbrt() - (1.0 - spread)) / spread.sqrt()
+}
+
 fn distribution(z: f64) -> f64 {
     let (mut term, mut sum, mut odd) = (z, z, 1.0);
     while term.abs() > 1e-18 * sum.abs() {

@@ -66,19 +66,9 @@ fn root(
     zone: &Range<usize>,
     positive: bool,
 ) -> Result<DenseCholesky, IdentifyError> {
-    let sign = if positive { 1.0 } else { -1.0 };
-    let (all, n) = (data.pressure.len(), zone.len());
-    let at = |k: usize| {
-        if k < n {
-            (zone.start + k, 1.0)
-        } else {
-            (all + zone.start + k - n, sign)
-        }
-    };
-    let covariance = Matrix::from_fn(2 * n, 2 * n, |i, j| {
-        let ((row, a), (column, b)) = (at(i), at(j));
-        a * b * data.covariance[row * 2 * all + column]
-    });
+    let own = data.of_zones(&[(zone.clone(), positive)])?;
+    let n = zone.len();
+    let covariance = Matrix::from_fn(2 * n, 2 * n, |i, j| own.covariance[i * 2 * n + j]);
     factored(covariance).map_err(|row| IdentifyError::Covariance { place: row % n })
 }
 

@@ -20,32 +20,7 @@ impl Tractions {
                 zone.clone().map(move |place| (place, sign))
             })
             .collect();
-        let (own, all) = (places.len(), self.pressure.len());
-        let entry = |k: usize| {
-            let (place, sign) = places[k % own];
-            if k < own {
-                (place, 1.0)
-            } else {
-                (all + place, sign)
-            }
-        };
-        let mut covariance = vec![0.0; 4 * own * own];
-        for i in 0..2 * own {
-            for j in 0..2 * own {
-                let ((row, a), (column, b)) = (entry(i), entry(j));
-                covariance[i * 2 * own + j] = a * b * self.covariance[row * 2 * all + column];
-            }
-        }
-        Ok(Self {
-            pressure: places
-                .iter()
-                .map(|(place, _)| self.pressure[*place])
-                .collect(),
-            shear: (places.iter())
-                .map(|(place, sign)| sign * self.shear[*place])
-                .collect(),
-            covariance,
-        })
+        Ok(self.at(&places))
     }
 
     /// The places of all `parts` one after the other; errors of different parts are independent.

@@ -8,6 +8,8 @@
 
 use stickslip_fem_core::mesh::Point;
 
+use crate::least_squares::{dot, orthogonalise};
+
 /// Part of a column that must be left when the columns before it are taken off: below it the points do not distinguish the column from
 /// them.
 const RANK: f64 = 1e-6;
@@ -41,9 +43,9 @@ pub(super) fn weights(places: &[Point], at: Point, radius: f64, order: usize) ->
                 .zip(&root)
                 .map(|([x, y], root)| root * x.powi((degree - power) as i32) * y.powi(power as i32))
                 .collect();
-            let before = norm(&column);
+            let before = dot(&column, &column).sqrt();
             let taken = orthogonalise(&mut column, &columns);
-            let left = norm(&column);
+            let left = dot(&column, &column).sqrt();
             // A column of zeros, or of numbers that are none, fails as well.
             if left.is_nan() || left <= RANK * before {
                 return None;
@@ -51,7 +53,7 @@ pub(super) fn weights(places: &[Point], at: Point, radius: f64, order: usize) ->
             for entry in &mut column {
                 *entry /= left;
             }
-            let known: f64 = taken.iter().zip(&first).map(|(r, z)| r * z).sum();
+            let known = dot(&taken, &first);
             let target = if first.is_empty() { 1.0 } else { 0.0 };
             first.push((target - known) / left);
             columns.push(column);
@@ -69,25 +71,6 @@ pub(super) fn weights(places: &[Point], at: Point, radius: f64, order: usize) ->
             })
             .collect(),
     )
-}
-
-/// Takes off the components along orthonormal `columns`, twice, so that rounding leaves none; returns what was taken.
-fn orthogonalise(vector: &mut [f64], columns: &[Vec<f64>]) -> Vec<f64> {
-    let mut taken = vec![0.0; columns.len()];
-    for _ in 0..2 {
-        for (column, taken) in columns.iter().zip(&mut taken) {
-            let r: f64 = column.iter().zip(&*vector).map(|(q, v)| q * v).sum();
-            *taken += r;
-            for (v, q) in vector.iter_mut().zip(column) {
-                *v -= r * q;
-            }
-        }
-    }
-    taken
-}
-
-fn norm(vector: &[f64]) -> f64 {
-    vector.iter().map(|v| v * v).sum::<f64>().sqrt()
 }
 
 /// Largest angle at `at` without a place in it `[rad]`; above π, `at` lies outside the hull of the places.

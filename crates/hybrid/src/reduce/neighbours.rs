@@ -2,6 +2,8 @@
 
 use stickslip_fem_core::mesh::Point;
 
+use crate::order_statistics::median;
+
 /// A tree over some of a list of places.
 pub(crate) struct Neighbours<'a> {
     places: &'a [Point],
@@ -38,10 +40,7 @@ impl<'a> Neighbours<'a> {
     /// Median distance of a place from its nearest neighbour; infinite for fewer than two.
     pub(crate) fn spacing(&self) -> f64 {
         let second = |&index: &usize| Some(self.nearest(self.places[index], 2).get(1)?.0);
-        let mut distances: Vec<f64> = self.tree.iter().filter_map(second).collect();
-        distances.sort_by(f64::total_cmp);
-        let middle = distances.get(distances.len() / 2);
-        middle.copied().unwrap_or(f64::INFINITY)
+        median(self.tree.iter().filter_map(second).collect()).unwrap_or(f64::INFINITY)
     }
 
     /// All places at less than `radius`, nearest first, equal ones by index.

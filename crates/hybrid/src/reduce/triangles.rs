@@ -8,6 +8,7 @@ use spade::{
 use stickslip_fem_core::mesh::Point;
 
 use super::Reason;
+use crate::order_statistics::median;
 
 /// Distance from the hull, in units of the data's extent, that is rounding.
 const SLACK: f64 = 1e-9;
@@ -136,10 +137,8 @@ impl<'a> Triangles<'a> {
             let corners = face.vertices().map(|vertex| (vertex.data().index, 0.0));
             self.longest_side(&corners)
         });
-        let mut sides: Vec<f64> = corners.collect();
-        let middle = sides.len() / 2;
         // There is at least one triangle.
-        *sides.select_nth_unstable_by(middle, f64::total_cmp).1
+        median(corners.collect()).unwrap_or(f64::INFINITY)
     }
 
     fn longest_side(&self, corners: &[(usize, f64)]) -> f64 {

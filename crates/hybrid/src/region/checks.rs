@@ -154,7 +154,7 @@ pub struct Checks {
 }
 
 impl Region {
-    /// Checks the state `measured`.
+    /// Checks the state `measured`, displacements of the prescribed nodes `[length]` with their covariance `[length²]`.
     ///
     /// # Errors
     /// As [`Region::propagate`]; [`RegionError::Mesh`] for an unknown edge, [`RegionError::NoData`] if no unused point lies in the

@@ -92,7 +92,7 @@ impl Region {
     /// Fits the prescribed displacements to all valid data in the region: [`Fitter::new`] and [`Fitter::fit`] in one.
     ///
     /// # Errors
-    /// As these.
+    /// [`RegionError`]: as [`Fitter::new`] and [`Fitter::fit`].
     pub fn fit(&self, data: &Measurement, smoothing: Smoothing) -> Result<Fit, RegionError> {
         smoothing.amount.check()?;
         Fitter::new(self, data, smoothing.order)?.fit(&data.displacements, smoothing.amount)

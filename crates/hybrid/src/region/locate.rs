@@ -22,6 +22,14 @@ pub struct Located {
 }
 
 impl Located {
+    /// Displacement along `axis` (0 or 1) at the place, in the unit of `displacements`, those of all nodes, x and y of each in turn.
+    pub fn displacement(&self, axis: usize, displacements: &[f64]) -> f64 {
+        let parts = self.shape.iter();
+        parts
+            .map(|&(node, n)| n * displacements[2 * node + axis])
+            .sum()
+    }
+
     /// Weights of the displacements that make the displacement along `axis` (0 or 1) at the place.
     pub fn row(&self, axis: usize) -> SparseRow {
         self.shape
@@ -42,7 +50,7 @@ pub struct Locator<'a> {
 }
 
 impl<'a> Locator<'a> {
-    /// Sorts the cells of `mesh` into about as many boxes as cells.
+    /// Sorts the cells of `mesh`, whatever its unit of length, into about as many boxes as cells.
     pub fn new(mesh: &'a Mesh) -> Self {
         let [low, high] = mesh.bounding_box();
         let across = (mesh.element_count() as f64).sqrt().ceil().max(1.0);

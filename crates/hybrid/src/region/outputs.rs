@@ -67,17 +67,16 @@ impl EdgeRows {
     /// body of `thickness` `[length]`.
     pub fn resultant(&self, thickness: f64) -> [SparseRow; 2] {
         [0, 1].map(|axis| {
-            let mut row = BTreeMap::new();
-            for (k, (weight, n)) in self.weights.iter().zip(&self.normal).enumerate() {
+            let nodes = self.weights.iter().zip(&self.normal).enumerate();
+            let parts = nodes.flat_map(|(k, (weight, n))| {
                 let t = [-n[1], n[0]];
-                for (component, direction) in [(0, n), (2, &t)] {
+                let part = |component: usize, direction: [f64; 2]| {
                     let factor = thickness * weight * direction[axis];
-                    for &(dof, entry) in &self.rows[3 * k + component] {
-                        *row.entry(dof).or_insert(0.0) += factor * entry;
-                    }
-                }
-            }
-            row.into_iter().collect()
+                    (factor, self.rows[3 * k + component].iter().copied())
+                };
+                [part(0, *n), part(2, t)]
+            });
+            sum(parts)
         })
     }
 }
@@ -102,15 +101,9 @@ impl Region {
     /// Rows of the sum of the forces along x and y `[force/length]` that act on the region at those of `nodes` that are prescribed.
     pub fn reaction_resultant(&self, nodes: &[usize]) -> [SparseRow; 2] {
         [0, 1].map(|axis| {
-            let mut sum = BTreeMap::new();
             let rows = self.prescribed().iter().zip(self.stiffness.reaction_rows());
-            for (_, row) in rows.filter(|(dof, _)| *dof % 2 == axis && nodes.contains(&(*dof / 2)))
-            {
-                for &(dof, entry) in row {
-                    *sum.entry(dof).or_insert(0.0) += entry;
-                }
-            }
-            sum.into_iter().collect()
+            let own = rows.filter(|(dof, _)| *dof % 2 == axis && nodes.contains(&(*dof / 2)));
+            sum(own.map(|(_, row)| (1.0, row.iter().copied())))
         })
     }
 
@@ -168,14 +161,20 @@ fn rotated(stress: &[BTreeMap<usize, f64>; 3], [x, y]: [f64; 2]) -> [SparseRow; 
         [-x * y, x * y, x * x - y * y],
     ];
     factors.map(|factors| {
-        let mut row = BTreeMap::new();
-        for (part, factor) in stress.iter().zip(factors) {
-            for (&dof, entry) in part {
-                *row.entry(dof).or_insert(0.0) += factor * entry;
-            }
-        }
-        row.into_iter().collect()
+        let parts = factors.into_iter().zip(stress);
+        sum(parts.map(|(factor, part)| (factor, part.iter().map(|(&dof, &entry)| (dof, entry)))))
     })
+}
+
+/// The sum of rows, each times its factor.
+fn sum(parts: impl Iterator<Item = (f64, impl Iterator<Item = (usize, f64)>)>) -> SparseRow {
+    let mut row = BTreeMap::new();
+    for (factor, part) in parts {
+        for (dof, entry) in part {
+            *row.entry(dof).or_insert(0.0) += factor * entry;
+        }
+    }
+    row.into_iter().collect()
 }
 
 /// Sum over the cells at a node of the rows of σ_xx, σ_yy and τ_xy, and their number.

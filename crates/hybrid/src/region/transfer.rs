@@ -60,7 +60,7 @@ impl Transfer {
 }
 
 /// Outputs with what is known of their errors.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Propagated {
     /// The outputs y.
     pub values: Vec<f64>,
@@ -89,19 +89,13 @@ impl Region {
         check_rows(self.mesh(), outputs)?;
         let columns = self.prescribed().len();
         let solves = outputs.len().min(columns);
-        let mut matrix = Matrix::zeros(outputs.len(), columns);
         let pass = self.columns_in_a_pass();
-        if outputs.len() <= columns {
+        let matrix = if outputs.len() <= columns {
             let found =
                 parallel::map_chunks(outputs, pass, |rows| self.stiffness.derivatives(rows));
-            let rows = found
-                .iter()
-                .flat_map(|all| all.chunks_exact(columns.max(1)));
-            for (i, row) in rows.enumerate() {
-                for (j, &value) in row.iter().enumerate() {
-                    matrix[(i, j)] = value;
-                }
-            }
+            Matrix::from_fn(outputs.len(), columns, |i, j| {
+                found[i / pass][i % pass * columns + j]
+            })
         } else {
             let firsts: Vec<usize> = (0..columns).step_by(pass).collect();
             let one = |first: &usize| {
@@ -111,13 +105,10 @@ impl Region {
                 self.solved(outputs, &unit)
             };
             let found = parallel::map(&firsts, one);
-            let states = found.iter().flat_map(|all| all.chunks_exact(outputs.len()));
-            for (j, state) in states.enumerate() {
-                for (i, &value) in state.iter().enumerate() {
-                    matrix[(i, j)] = value;
-                }
-            }
-        }
+            Matrix::from_fn(outputs.len(), columns, |i, j| {
+                found[j / pass][j % pass * outputs.len() + i]
+            })
+        };
         Ok(Transfer { matrix, solves })
     }
 

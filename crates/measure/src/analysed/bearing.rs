@@ -18,8 +18,6 @@ use stickslip_engine::results::wrapped;
 
 /// Angle by which friction, pin and material may move the direction, beside three standard deviations `[rad]`.
 const ALLOWED: [f64; 2] = [12.0 * PI / 180.0, 3.0];
-/// Pressures of this part of the largest one must exceed their uncertainty, or noise may hide where contact ends.
-const SEEN: f64 = 0.3;
 /// Largest angle between the bearing point and an end of contact `[rad]`.
 const WIDEST: f64 = 110.0 * PI / 180.0;
 
@@ -60,13 +58,9 @@ impl Analysed {
     /// What is in sight; `None` without contact, and where noise may hide the greater part of it.
     pub(super) fn sight(&self) -> Option<Sight> {
         let places = self.inner();
-        let found = self.contact()?;
+        let (_, peak) = self.clear_contact()?;
         let [deviation, _] = self.deviations();
         let pressure = &self.tractions.pressure;
-        let peak = found.map(|k| pressure[k]).fold(0.0, f64::max);
-        if (places.clone()).any(|k| CONTACT[0] * deviation[k] > SEEN * peak) {
-            return None;
-        }
         let bears = |k: &usize| pressure[*k] > (CONTACT[0] * deviation[*k]).max(CONTACT[1] * peak);
         let first = places.clone().find(bears)?;
         let last = places.clone().rev().find(bears)?;
@@ -112,15 +106,10 @@ impl Analysed {
 
     /// Direction of ∫(p e_r − s τ e_θ) dθ over `places`, s being `shear`, and its standard deviation `[rad]`.
     fn direction(&self, places: &Range<usize>, shear: f64) -> [f64; 2] {
-        let own = &self.tractions;
         let n = self.angle.len();
         let widths = self.widths(places);
         let each = || places.clone().zip(&widths);
-        let force = each().fold([0.0, 0.0], |[x, y], (k, width)| {
-            let (s, c) = self.angle[k].sin_cos();
-            let [p, t] = [own.pressure[k], shear * own.shear[k]].map(|stress| stress * width);
-            [x + p * c + t * s, y + p * s - t * c]
-        });
+        let force = self.force(each().map(|(k, width)| (k, *width)), shear);
         let direction = force[1].atan2(force[0]);
         let size = force[0].hypot(force[1]);
         let rows: Vec<(usize, f64)> = each()
@@ -130,6 +119,16 @@ impl Analysed {
             })
             .collect();
         [direction, self.deviation_of(&rows) / size]
+    }
+
+    /// Sum of (p e_r − s τ e_θ) Δθ over places and their angles Δθ, s being `shear`.
+    pub(super) fn force(&self, places: impl Iterator<Item = (usize, f64)>, shear: f64) -> [f64; 2] {
+        let own = &self.tractions;
+        places.fold([0.0, 0.0], |[x, y], (k, width)| {
+            let (s, c) = self.angle[k].sin_cos();
+            let [p, t] = [own.pressure[k], shear * own.shear[k]].map(|stress| stress * width);
+            [x + p * c + t * s, y + p * s - t * c]
+        })
     }
 
     /// Standard deviation of a sum of tractions: of pressures, then of shears.

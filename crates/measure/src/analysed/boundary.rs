@@ -4,17 +4,16 @@ use stickslip_hybrid::data::{Measurement, NodalDisplacements};
 use stickslip_hybrid::reduce::{LocalPolynomial, ReduceError, Reduction};
 use stickslip_hybrid::region::RegionError;
 use stickslip_hybrid::region::fit::Fitter;
-use stickslip_hybrid::region::locate::Locator;
 
 use super::FitFacts;
-use super::picture::field_of;
-use super::region::Workbench;
-use super::scale::{Residual, least_scale, scale};
+use super::scale::{Residual, least_scale, residuals, scale};
+use super::workbench::Workbench;
 use crate::error::{ExperimentError, of_region};
 use crate::measured::Measured;
-use stickslip_scene::experiment::{FreeMotion, Method, Source};
+use stickslip_scene::experiment::{FreeMotion, Hole, Method, Source};
 
 /// Displacements of the region's boundary, and how they were found.
+#[derive(Default)]
 pub(super) struct Boundary {
     pub(super) displacements: NodalDisplacements,
     /// Bias of the prescribed displacements `[mm]`; empty where nothing was smoothed.
@@ -31,6 +30,16 @@ pub(super) struct Boundary {
     pub(super) single: f64,
     /// Residuals of the fit over the stated standard deviations; none where nothing was fitted.
     pub(super) residuals: Vec<Residual>,
+}
+
+/// Displacements of both components at the places of a measurement by a unit of `motion`.
+pub(super) fn field_of(motion: FreeMotion, data: &Measurement, hole: &Hole) -> [Vec<f64>; 2] {
+    let each = data
+        .places
+        .iter()
+        .map(|&place| motion.displacement(place, hole));
+    let each: Vec<[f64; 2]> = each.collect();
+    [0, 1].map(|axis| each.iter().map(|own| own[axis]).collect())
 }
 
 impl Workbench<'_> {
@@ -56,11 +65,8 @@ impl Workbench<'_> {
                 .and_then(|reduction| reduction.displacements(used)),
             Method::Lines { reach } => return self.along_lines(measured, reach),
         };
-        let displacements = reduced.map_err(|cause| ExperimentError::Reduction {
-            state: self.experiment.states[measured.state].name.clone(),
-            key: "reduce".to_owned(),
-            cause: Box::new(cause),
-        })?;
+        let name = &self.experiment.states[measured.state].name;
+        let displacements = reduced.map_err(|cause| ExperimentError::reduction(name, cause))?;
         let mut boundary = Boundary::plain(displacements);
         // s² is that of a fit to the same data: residuals of the displacements themselves would hold their own errors too.
         match self.fitted(used, measured.floor) {
@@ -102,11 +108,11 @@ impl Workbench<'_> {
         let (Some([u, v]), Some(grating), Source::Lines(source)) =
             (&measured.lines, &self.experiment.grating, &state.source)
         else {
-            return Err(ExperimentError::Missing {
-                key: "reduce.method".to_owned(),
-                what: format!("state '{}' has no fringe lines", state.name),
-                remedy: "choose method = \"fit\", or give lines = { … }".to_owned(),
-            });
+            return Err(ExperimentError::missing(
+                "reduce.method",
+                format!("state '{}' has no fringe lines", state.name),
+                "choose method = \"fit\", or give lines = { … }",
+            ));
         };
         let nodes = self.region.prescribed_nodes();
         Reduction::along_lines([u, v], self.region.mesh().nodes(), &nodes, reach)
@@ -115,11 +121,7 @@ impl Workbench<'_> {
                 reduction.fringe_displacements([u, v], grating, [source.deviation; 2])
             })
             .map(Boundary::plain)
-            .map_err(|cause| ExperimentError::Reduction {
-                state: state.name.clone(),
-                key: "reduce".to_owned(),
-                cause: Box::new(cause),
-            })
+            .map_err(|cause| ExperimentError::reduction(&state.name, cause))
     }
 
     /// The fit to all data, whose errors have at least the standard deviations `floor`.
@@ -127,7 +129,8 @@ impl Workbench<'_> {
         let smoothing = self.plan.smoothing;
         let fitter = Fitter::new(&self.region, used, smoothing.order)?;
         let mut fit = fitter.fit(&used.displacements, smoothing.amount)?;
-        let residuals = self.residuals(used, &fit.displacements)?;
+        let solution = self.region.solve(&fit.displacements)?;
+        let residuals = residuals(self.region.mesh(), used, &solution.displacements);
         let of_residuals = scale(&residuals, fit.parameters);
         let scale = of_residuals.max(least_scale(used.deviation, floor));
         for entry in &mut fit.displacements.covariance {
@@ -141,9 +144,7 @@ impl Workbench<'_> {
         let responses = FreeMotion::ALL.into_iter().map(response);
         Ok(Boundary {
             responses: responses.collect::<Result<_, RegionError>>()?,
-            taken_off: Vec::new(),
             scale,
-            assumed: None,
             single: (fit.residual / (fit.data as f64 - fit.parameters).max(1.0)).max(1.0),
             bias: fit.bias,
             fit: Some(FitFacts {
@@ -157,6 +158,7 @@ impl Workbench<'_> {
             }),
             displacements: fit.displacements,
             residuals,
+            ..Boundary::default()
         })
     }
 
@@ -169,48 +171,15 @@ impl Workbench<'_> {
         });
         sum / f64::max(count, 1.0)
     }
-
-    /// Measured less calculated displacements over the stated standard deviations, of all valid data in the region.
-    fn residuals(
-        &self,
-        data: &Measurement,
-        boundary: &NodalDisplacements,
-    ) -> Result<Vec<Residual>, RegionError> {
-        let solution = self.region.solve(boundary)?;
-        let locator = Locator::new(self.region.mesh());
-        let mut residuals = Vec::new();
-        for (k, &place) in data.places.iter().enumerate() {
-            let Some(located) = locator.locate(place) else {
-                continue;
-            };
-            for axis in (0..2).filter(|&axis| data.valid[axis][k]) {
-                let parts = located.shape.iter();
-                let calculated: f64 = parts
-                    .map(|&(node, weight)| weight * solution.displacements[2 * node + axis])
-                    .sum();
-                residuals.push(Residual {
-                    place,
-                    axis,
-                    value: (data.displacements[axis][k] - calculated) / data.deviation[axis],
-                });
-            }
-        }
-        Ok(residuals)
-    }
 }
 
 impl Boundary {
     fn plain(displacements: NodalDisplacements) -> Self {
         Self {
             displacements,
-            bias: Vec::new(),
-            fit: None,
             scale: 1.0,
-            assumed: None,
-            responses: Vec::new(),
-            taken_off: Vec::new(),
             single: 1.0,
-            residuals: Vec::new(),
+            ..Self::default()
         }
     }
 }

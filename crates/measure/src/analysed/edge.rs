@@ -226,7 +226,7 @@ impl Analysed {
         stated.or_else(seen).unwrap_or(0.0)
     }
 
-    /// The place of `contact` nearest to its [bearing point](Self::bearing).
+    /// The place of `contact`, an index, nearest to its [bearing point](Self::bearing), which may be `stated` `[rad]`.
     pub fn bearing_place(&self, contact: &Range<usize>, stated: Option<f64>) -> usize {
         let bearing = self.bearing(contact, stated);
         let away = |k: &usize| wrapped(self.angle[*k] - bearing).abs();
@@ -236,30 +236,31 @@ impl Analysed {
 
     /// Direction of the force ∫(p e_r − τ e_θ) dθ on the places `contact`, which have neighbours on both sides `[rad]`.
     fn force_direction(&self, contact: &Range<usize>) -> f64 {
-        let own = &self.tractions;
-        let force = contact.clone().fold([0.0, 0.0], |[x, y], k| {
-            let width = 0.5 * (self.angle[k + 1] - self.angle[k - 1]);
-            let (s, c) = self.angle[k].sin_cos();
-            let [p, t] = [own.pressure[k], own.shear[k]].map(|stress| stress * width);
-            [x + p * c + t * s, y + p * s - t * c]
-        });
-        force[1].atan2(force[0])
+        let width = |k: usize| 0.5 * (self.angle[k + 1] - self.angle[k - 1]);
+        let [x, y] = self.force(contact.clone().map(|k| (k, width(k))), 1.0);
+        y.atan2(x)
+    }
+
+    /// The [contact](Self::contact) and its largest pressure `[MPa]`; `None` where noise may hide the greater part of it.
+    pub(super) fn clear_contact(&self) -> Option<(Range<usize>, f64)> {
+        let contact = self.contact()?;
+        let [deviation, _] = self.deviations();
+        let pressures = self.tractions.pressure[contact.clone()].iter();
+        let peak = pressures.copied().fold(0.0, f64::max);
+        let is_hidden = self
+            .inner()
+            .any(|k| CONTACT[0] * deviation[k] > SEEN * peak);
+        (!is_hidden).then_some((contact, peak))
     }
 }
 
 /// Places of the edge that are clear of contact, on either side. None of an edge without contact: beside the stresses of an open hole the
 /// error of the mesh, which is in no standard deviation, is more than noise. Nor where noise may hide the greater part of a contact.
 pub(super) fn beyond_contact(found: &Analysed) -> Vec<Range<usize>> {
-    let Some(contact) = found.contact() else {
+    let Some((contact, _)) = found.clear_contact() else {
         return Vec::new();
     };
     let inner = found.inner();
-    let [deviation, _] = found.deviations();
-    let pressures = found.tractions.pressure[contact.clone()].iter();
-    let seen = SEEN * pressures.copied().fold(0.0, f64::max);
-    if inner.clone().any(|k| CONTACT[0] * deviation[k] > seen) {
-        return Vec::new();
-    }
     let reach = CELLS_BEYOND * found.resolution;
     let after = found.angle[contact.end - 1] + reach;
     let before = found.angle[contact.start] - reach;

@@ -32,7 +32,7 @@ pub fn free_in_region_only(experiment: &Experiment) -> Option<Located> {
 }
 
 impl Analysed {
-    /// What a reader must know of the stresses and forces.
+    /// What a reader must know of the stresses and forces, each with the name of the state in `experiment`.
     pub fn findings(&self, experiment: &Experiment) -> Vec<Located> {
         let direct = self.without_direct.iter();
         let direct = direct.map(|cause| FitFinding::NoDirectStresses {

@@ -12,6 +12,7 @@ use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::data::Measurement;
 
 use super::UNUSED;
+use crate::ends::ends;
 
 /// The golden ratio less one.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
@@ -38,15 +39,11 @@ pub(super) fn split(all: &Measurement) -> (Measurement, Measurement) {
 fn held_out(places: &[Point], known: impl Fn(usize) -> bool, every: usize) -> Vec<bool> {
     let mut marks = vec![false; places.len()];
     let mut along: Vec<usize> = (0..places.len()).filter(|&k| known(k)).collect();
-    let bound = |axis: usize, pick: fn(f64, f64) -> f64, from: f64| {
-        let values = along.iter().map(|&k| places[k][axis]);
-        values.fold(from, pick)
-    };
-    let low = [0, 1].map(|axis| bound(axis, f64::min, f64::INFINITY));
-    let high = [0, 1].map(|axis| bound(axis, f64::max, f64::NEG_INFINITY));
-    let extent = (high[0] - low[0]).max(high[1] - low[1]);
+    let bounds = [0, 1].map(|axis| ends(along.iter().map(|&k| places[k][axis])));
+    let [width, height] = bounds.map(|[low, high]| high - low);
+    let extent = width.max(height);
     let step = |k: usize, axis: usize| {
-        let part = (places[k][axis] - low[axis]) / extent.max(f64::MIN_POSITIVE);
+        let part = (places[k][axis] - bounds[axis][0]) / extent.max(f64::MIN_POSITIVE);
         // Below 2¹⁶, as parts are from 0 to 1.
         (part * (STEPS - 1.0)) as u32
     };

@@ -14,7 +14,7 @@ use stickslip_hybrid::region::RegionError;
 
 use super::Analysed;
 use super::boundary::Boundary;
-use super::region::Workbench;
+use super::workbench::Workbench;
 
 /// Standard deviations, and part of the known force, by which the force may miss it beside what shows in the region.
 const ALLOWED: [f64; 2] = [3.0, 0.02];
@@ -37,12 +37,12 @@ pub struct ForceCheck {
 }
 
 impl ForceCheck {
-    /// Whether an error of a tenth of the force would be seen.
+    /// Whether an error of a tenth of the known force would be seen, so that the check says something of scale, thickness and material.
     pub fn is_evidence(&self) -> bool {
         self.explained < EVIDENCE * self.size
     }
 
-    /// Whether nothing explains the excess.
+    /// Whether the excess is more than noise, smoothing, mesh and ends explain.
     pub fn fails(&self) -> bool {
         self.excess.abs() > self.explained
     }

@@ -14,14 +14,14 @@
 
 use nalgebra::{DMatrix, DVector};
 use stickslip_fem_core::body::SparseRow;
-use stickslip_hybrid::data::{Measurement, NodalDisplacements};
+use stickslip_hybrid::data::NodalDisplacements;
 use stickslip_hybrid::region::RegionError;
 
 use super::Analysed;
 use super::boundary::Boundary;
 use super::edge::beyond_contact;
-use super::region::Workbench;
-use stickslip_scene::experiment::{FreeMotion, Hole};
+use super::workbench::Workbench;
+use stickslip_scene::experiment::FreeMotion;
 
 /// Pressures on the free edge by the error of the mesh, part of the hoop stress there.
 const MESH: f64 = 0.01;
@@ -40,16 +40,6 @@ pub struct PictureMotion {
     pub taken_off: bool,
     /// Largest change of the pressure on the edge by a unit of it `[MPa]`.
     pub pressure: f64,
-}
-
-/// Displacements of both components at the places of a measurement by a unit of `motion`.
-pub(super) fn field_of(motion: FreeMotion, data: &Measurement, hole: &Hole) -> [Vec<f64>; 2] {
-    let each = data
-        .places
-        .iter()
-        .map(|&place| motion.displacement(place, hole));
-    let each: Vec<[f64; 2]> = each.collect();
-    [0, 1].map(|axis| each.iter().map(|own| own[axis]).collect())
 }
 
 /// The amounts that the tractions of a free edge ask for, as they follow from these.
@@ -114,7 +104,9 @@ impl Workbench<'_> {
             return None;
         }
         let places: Vec<usize> = beyond_contact(found).into_iter().flatten().collect();
-        let (count, all) = (found.angle.len(), 2 * found.angle.len());
+        let count = found.angle.len();
+        let free: Vec<(usize, f64)> = places.iter().map(|&place| (place, 1.0)).collect();
+        let free = found.tractions.at(&free);
         // Pressure, then shear, as in the covariance.
         let rows: Vec<usize> = (0..2)
             .flat_map(|part| places.iter().map(move |k| part * count + k))
@@ -124,13 +116,8 @@ impl Workbench<'_> {
             if row < count { -value } else { value }
         };
         let y = DMatrix::from_fn(rows.len(), motions.len(), |i, k| own(rows[i], k));
-        let entry = |i: usize, j: usize| found.tractions.covariance[rows[i] * all + rows[j]];
-        let covariance = DMatrix::from_fn(rows.len(), rows.len(), entry);
-        let tractions = rows.iter().map(|&row| match row.checked_sub(count) {
-            None => found.tractions.pressure[row],
-            Some(place) => found.tractions.shear[place],
-        });
-        let tractions = DVector::from_iterator(rows.len(), tractions);
+        let covariance = DMatrix::from_row_slice(rows.len(), rows.len(), &free.covariance);
+        let tractions = DVector::from_vec([free.pressure, free.shear].concat());
         let bias = rows.iter().map(|&row| found.bias[row % count][row / count]);
         let bias = DVector::from_iterator(rows.len(), bias);
         let weighted = DMatrix::from_fn(rows.len(), motions.len(), |i, k| {

@@ -1,140 +1,32 @@
-//! The region of an experiment, ready for any number of states.
+//! Edge stresses of a measured state by the region of its experiment, with their checks.
 
-use std::sync::Arc;
-
-use stickslip_fem_core::ElasticBody;
 use stickslip_fem_core::body::SparseRow;
-use stickslip_fem_core::material::Material;
-use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_hybrid::data::Measurement;
+use stickslip_hybrid::region::RegionError;
 use stickslip_hybrid::region::checks::{CheckInput, ChiSquared};
 use stickslip_hybrid::region::direct::interpolate;
 use stickslip_hybrid::region::locate::Locator;
-use stickslip_hybrid::region::outline::boundary_nodes;
 use stickslip_hybrid::region::transfer::Propagated;
-use stickslip_hybrid::region::{Region, RegionError};
 
-use super::boundary::Boundary;
-use super::edge::Edge;
+use super::boundary::{Boundary, field_of};
+use super::edge::beyond_contact;
 use super::held_out::split;
-use super::imported;
-use super::picture::field_of;
+use super::workbench::Workbench;
 use super::{Analysed, Checked, MisfitAt, NodalForce};
 use crate::error::{ExperimentError, of_reduction, of_region};
 use crate::measured::Measured;
-use stickslip_scene::experiment::{Area, Experiment, Hole, RegionPlan, RegionShape};
-use stickslip_scene::host::Host;
+use stickslip_scene::experiment::Experiment;
 
-/// The edge set on which stresses are asked for.
-const EDGE: &str = "inner";
-
-/// A factorised region with the rows of its edge.
-#[derive(Debug)]
-pub struct Workbench<'a> {
-    pub(super) experiment: &'a Experiment,
-    pub(super) plan: &'a RegionPlan,
-    pub(super) region: Region,
-    pub(super) edge: Edge,
-    /// Nodes inside that move as measured, ascending.
-    interior: Vec<usize>,
+/// Edge stresses of all states.
+///
+/// # Errors
+/// [`ExperimentError`]: no `[region]`, a region that cannot be analysed, data that do not determine it.
+pub fn all(experiment: &Experiment, fields: &[Measured]) -> Result<Vec<Analysed>, ExperimentError> {
+    let bench = Workbench::new(experiment)?;
+    fields.iter().map(|field| bench.analyse(field)).collect()
 }
 
-fn missing(key: &str, what: &str, remedy: &str) -> ExperimentError {
-    ExperimentError::Missing {
-        key: key.to_owned(),
-        what: what.to_owned(),
-        remedy: remedy.to_owned(),
-    }
-}
-
-fn unusable(cause: RegionError) -> ExperimentError {
-    ExperimentError::Region {
-        state: "all".to_owned(),
-        key: "region".to_owned(),
-        cause: Box::new(cause),
-    }
-}
-
-/// The mesh of a region, and the radius of its edge `[mm]`.
-pub(crate) fn meshed(
-    plan: &RegionPlan,
-    hole: &Hole,
-    host: Host,
-) -> Result<(Mesh, f64), ExperimentError> {
-    match &plan.shape {
-        RegionShape::Sector(sector) => {
-            let sector = sector.around(hole);
-            Ok((sector.mesh().map_err(unusable)?, sector.inner()))
-        }
-        RegionShape::Mesh(mesh) => Ok((imported::mesh(mesh, hole, EDGE, host)?, hole.radius)),
-    }
-}
-
-/// Nodes inside of the mesh that lie in one of the areas, ascending.
-fn interior(mesh: &Mesh, areas: &[Area]) -> Result<Vec<usize>, ExperimentError> {
-    let boundary = boundary_nodes(mesh);
-    let nodes = mesh.nodes().iter().enumerate();
-    let mut inside: Vec<(usize, Point)> = nodes
-        .filter(|(node, _)| boundary.binary_search(node).is_err())
-        .map(|(node, place)| (node, *place))
-        .collect();
-    for (index, area) in areas.iter().enumerate() {
-        if !inside.iter().any(|(_, place)| area.contains(*place)) {
-            return Err(missing(
-                &format!("region.interior.{index}"),
-                &format!(
-                    "area {} of region.interior holds no node inside of the region",
-                    index + 1
-                ),
-                "make it larger, or the cells smaller; nodes on the boundary move as measured anyway",
-            ));
-        }
-    }
-    inside.retain(|(_, place)| areas.iter().any(|area| area.contains(*place)));
-    Ok(inside.into_iter().map(|(node, _)| node).collect())
-}
-
-impl<'a> Workbench<'a> {
-    /// Meshes and factorises the region of `experiment`.
-    ///
-    /// # Errors
-    /// [`ExperimentError::Missing`] without `[region]` or for areas without a node, [`ExperimentError::Region`] for one that cannot be
-    /// analysed.
-    pub fn new(experiment: &'a Experiment) -> Result<Self, ExperimentError> {
-        const SECTOR: &str = "write [region] sector = { angles = [\"-10 deg\", \"110 deg\"], outer = \"13 mm\", cells = [40, 10] }";
-        let plan = experiment
-            .region
-            .as_ref()
-            .ok_or_else(|| missing("region", "edge stresses need a [region]", SECTOR))?;
-        let specimen = &experiment.specimen;
-        let (mesh, radius) = meshed(plan, &specimen.hole, experiment.host())?;
-        let mesh = Arc::new(mesh);
-        let material = (specimen.material.in_plane(specimen.plane)).map_err(|cause| {
-            let what = format!("the specimen's material is none: {cause}");
-            missing("specimen.material", &what, "correct its constants")
-        })?;
-        let material: Arc<dyn Material> = Arc::from(material);
-        let blocks = mesh.blocks().iter();
-        let materials = blocks.map(|_| Arc::clone(&material)).collect();
-        let body = ElasticBody::new(mesh, materials, specimen.thickness);
-        let body = Arc::new(body.map_err(|cause| unusable(cause.into()))?);
-        let interior = interior(body.mesh(), &plan.interior)?;
-        let region = Region::new(&body, &interior).map_err(unusable)?;
-        let cut = match &plan.shape {
-            RegionShape::Sector(sector) => sector.angles[0],
-            // Opposite of where scenes bear.
-            RegionShape::Mesh(_) => std::f64::consts::PI,
-        };
-        let edge = Edge::new(&body, EDGE, radius, cut).map_err(unusable)?;
-        Ok(Self {
-            experiment,
-            plan,
-            region,
-            edge,
-            interior,
-        })
-    }
-
+impl Workbench<'_> {
     /// The edge stresses of a measured state, with all checks.
     ///
     /// # Errors
@@ -200,25 +92,13 @@ impl<'a> Workbench<'a> {
             hoop_deviation: self.edge.hoop_deviation(&stresses, &bias),
             tractions,
             bias,
-            direct: None,
-            without_direct: None,
             fit: boundary.fit,
             scale: boundary.scale,
             scale_assumed: boundary.assumed.clone(),
-            picture: Vec::new(),
             residuals: boundary.residuals.clone(),
-            checks: Checked::default(),
             forces: self.forces(boundary).map_err(refuse)?,
-            nodal_forces: Vec::new(),
+            ..Analysed::default()
         })
-    }
-
-    pub(super) fn refuse(&self, measured: &Measured, cause: RegionError) -> ExperimentError {
-        ExperimentError::Region {
-            state: self.experiment.states[measured.state].name.clone(),
-            key: "region".to_owned(),
-            cause: Box::new(cause),
-        }
     }
 
     /// Bias of pressure, shear and hoop stress at each place.
@@ -316,42 +196,18 @@ impl<'a> Workbench<'a> {
         })
     }
 
-    /// Whether the edge is not that of the hole.
-    pub(super) fn stands_off(&self) -> bool {
-        match &self.plan.shape {
-            RegionShape::Sector(sector) => sector.stand_off > 0.0,
-            RegionShape::Mesh(_) => false,
-        }
-    }
-
     /// χ² of the tractions on the edge clear of contact, as uncertain as noise and smoothing make them; none on an edge that stands off
     /// from the hole, inside of the body.
     fn free_edge(&self, found: &Analysed) -> Result<Option<ChiSquared>, RegionError> {
-        let ranges = super::edge::beyond_contact(found);
+        let ranges = beyond_contact(found);
         if self.stands_off() || ranges.is_empty() {
             return Ok(None);
         }
-        let places = found.angle.len();
-        let own: Vec<usize> = (0..2)
-            .flat_map(|part| {
-                ranges
-                    .iter()
-                    .cloned()
-                    .flatten()
-                    .map(move |k| part * places + k)
-            })
+        let places: Vec<(usize, f64)> = (ranges.into_iter().flatten())
+            .map(|place| (place, 1.0))
             .collect();
-        let tractions = &found.tractions;
-        let value = |k: &usize| match k.checked_sub(places) {
-            None => tractions.pressure[*k],
-            Some(place) => tractions.shear[place],
-        };
-        let values: Vec<f64> = own.iter().map(value).collect();
-        let entry = |i: usize| own.iter().map(move |&j| (i, j));
-        let covariance: Vec<f64> = (own.iter())
-            .flat_map(|&i| entry(i))
-            .map(|(i, j)| tractions.covariance[i * 2 * places + j])
-            .collect();
-        ChiSquared::of(&values, &covariance).map(Some)
+        let own = found.tractions.at(&places);
+        let values = [own.pressure, own.shear].concat();
+        ChiSquared::of(&values, &own.covariance).map(Some)
     }
 }

@@ -2,8 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use stickslip_fem_core::mesh::Point;
+use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_hybrid::calibrate::{self, Correlation};
+use stickslip_hybrid::data::Measurement;
+use stickslip_hybrid::region::locate::Locator;
+
+use crate::ends::span;
 
 /// Data in a block, about: three by three.
 pub(crate) const IN_A_BLOCK: f64 = 9.0;
@@ -14,6 +18,27 @@ pub(crate) struct Residual {
     pub(crate) place: Point,
     pub(crate) axis: usize,
     pub(crate) value: f64,
+}
+
+/// Measured less calculated displacements over the stated standard deviations, of all valid data in `mesh`, whose nodes have the
+/// `displacements` `[mm]`.
+pub(crate) fn residuals(mesh: &Mesh, data: &Measurement, displacements: &[f64]) -> Vec<Residual> {
+    let locator = Locator::new(mesh);
+    let mut residuals = Vec::new();
+    for (k, &place) in data.places.iter().enumerate() {
+        let Some(located) = locator.locate(place) else {
+            continue;
+        };
+        for axis in (0..2).filter(|&axis| data.valid[axis][k]) {
+            let calculated = located.displacement(axis, displacements);
+            residuals.push(Residual {
+                place,
+                axis,
+                value: (data.displacements[axis][k] - calculated) / data.deviation[axis],
+            });
+        }
+    }
+    residuals
 }
 
 /// By what correlated errors must exceed those of blocks to count: their own scatter is about a third.
@@ -87,11 +112,7 @@ pub(crate) fn least_scale(deviation: [f64; 2], floor: [f64; 2]) -> f64 {
 fn block_size(residuals: &[&Residual]) -> Option<f64> {
     let mut area = 0.0;
     let mut cells = BTreeSet::new();
-    let extent = |axis: usize| {
-        let values = || residuals.iter().map(|one| one.place[axis]);
-        let low = values().fold(f64::INFINITY, f64::min);
-        values().fold(f64::NEG_INFINITY, f64::max) - low
-    };
+    let extent = |axis: usize| span(residuals.iter().map(|one| one.place[axis]));
     // The area that data cover, from a coarse grid: a sector fills its box only in part.
     let grid = extent(0).max(extent(1)) / 60.0;
     if grid > 0.0 && grid.is_finite() {

@@ -5,7 +5,6 @@ use stickslip_hybrid::data::Field;
 use stickslip_hybrid::reduce::{ReduceError, Uncovered};
 use stickslip_hybrid::region::RegionError;
 
-use crate::synthesis::field_name;
 use stickslip_scene::experiment::Experiment;
 
 /// Nodes that are named.
@@ -46,14 +45,14 @@ fn uncovered(experiment: &Experiment, node: &Uncovered) -> String {
     let length = |value: f64| experiment.display.length.show(value);
     format!(
         "{} at {}: {}",
-        field_name(Field::BOTH[node.component]),
+        Field::BOTH[node.component].name(),
         at(experiment, node.place),
         node.reason.told(&length)
     )
 }
 
 /// A place with its angle around the hole.
-fn at(experiment: &Experiment, [x, y]: Point) -> String {
+pub(crate) fn at(experiment: &Experiment, [x, y]: Point) -> String {
     let length = experiment.display.length;
     let centre = experiment.specimen.hole.centre;
     format!(

@@ -63,13 +63,7 @@ impl FrictionFinding {
 
 /// Both ends of bounds, null where there is none.
 fn ends<S: Serializer>(bounds: &Bounds, serializer: S) -> Result<S::Ok, S::Error> {
-    let ends = match *bounds {
-        Bounds::Between(low, high) => [Some(low), Some(high)],
-        Bounds::AtMost(high) => [None, Some(high)],
-        Bounds::AtLeast(low) => [Some(low), None],
-        Bounds::Nothing => [None; 2],
-    };
-    ends.serialize(serializer)
+    bounds.ends().serialize(serializer)
 }
 
 /// Why no law is fitted to a state.

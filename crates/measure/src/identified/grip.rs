@@ -16,7 +16,7 @@ use std::ops::Range;
 
 use stickslip_hybrid::identify::{IdentifyError, Tractions, simultaneous_quantile};
 
-use super::{SlipZone, ratio_of};
+use super::zone::SlipZone;
 use crate::analysed::Analysed;
 use stickslip_scene::experiment::Identify;
 
@@ -128,7 +128,7 @@ impl<'a> Candidates<'a> {
         let angles = [stretch.start, stretch.end - 1].map(|place| self.angle[place]);
         let least = |of: &dyn Fn(f64, f64) -> f64| {
             let each = stretch.clone().map(|place| {
-                let (ratio, deviation) = ratio_of(self.tractions, place);
+                let (ratio, deviation) = self.tractions.ratio(place);
                 of(self.sign * ratio, deviation)
             });
             each.fold(f64::INFINITY, f64::min)

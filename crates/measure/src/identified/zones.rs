@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use stickslip_hybrid::identify::{Bounds, IdentifyError, SlipFit, Tractions};
 
-use super::SlipZone;
 use super::grip::MARGIN;
+use super::zone::SlipZone;
 use crate::analysed::Analysed;
 use crate::error::ExperimentError;
 use crate::finding::FrictionFinding;

@@ -3,115 +3,16 @@
 use std::sync::Arc;
 
 use stickslip_hybrid::calibrate::{
-    Block, Calibration, Correlation, Data, Least, Residual, Settings, calibrate, least,
+    Block, CalibrateError, Calibration, Correlation, Data, Least, Residual, Settings, calibrate,
+    least,
 };
-use stickslip_hybrid::identify::Bounds;
 
+use super::comparison::{Comparison, Fit, StateFit};
 use super::mesh_error::{Coarser, MeshError};
 use super::resolved::Resolved;
 use super::verdict::{Verdict, judge};
 use super::{Candidate, ContactModel, LawsError, Observation, View};
 use stickslip_engine::run::Progress;
-
-/// χ² this many standard deviations above what it should be is unexplained.
-const UNEXPLAINED: f64 = 3.0;
-
-/// Measured and predicted displacements of a state.
-#[derive(Clone, Debug, PartialEq)]
-pub struct StateFit {
-    /// Name of the state.
-    pub state: String,
-    /// Index of the place among those of the observation, and axis, of each datum.
-    pub components: Vec<(usize, usize)>,
-    /// Predicted, with the fitted rigid motion, `[mm]`.
-    pub predicted: Vec<f64>,
-    /// Measured less predicted `[mm]`.
-    pub residual: Vec<f64>,
-}
-
-/// A law fitted to the data.
-#[derive(Clone, Debug)]
-pub struct Fit {
-    /// The law and its free parameters.
-    pub law: Candidate,
-    /// Parameters, intervals, χ², criteria.
-    pub calibration: Calibration,
-    /// One per observation.
-    pub states: Vec<StateFit>,
-    /// AICc above that of the best law; negative where the mesh does not resolve what makes it less, infinite where there are too few
-    /// data for it.
-    pub distance: f64,
-    /// BIC above that of the law with the least.
-    pub bic_distance: f64,
-    /// What that says.
-    pub verdict: Verdict,
-    /// What the model's mesh may move each parameter by: a third of what a mesh twice as coarse does, in the units of the parameter; empty
-    /// where that is not known.
-    pub by_mesh: Vec<f64>,
-    /// Wall time `[s]`.
-    pub seconds: f64,
-}
-
-impl Fit {
-    /// Whether χ² is as large as the standard deviations of the data make it.
-    pub fn explains(&self) -> bool {
-        self.calibration.excess() <= UNEXPLAINED
-    }
-
-    /// The interval of parameter `index`; `None` where χ² rejects the model, whose errors no interval of the data's noise holds.
-    pub fn bounds(&self, index: usize) -> Option<Bounds> {
-        let own = self.calibration.estimates.get(index)?;
-        let by = self.by_mesh.get(index).copied().unwrap_or(0.0);
-        let [least, _] = self.law.parameters[index].range;
-        self.explains()
-            .then(|| own.bounds.widened(own.value, by, least))
-    }
-
-    /// What the data say of each parameter and of the law, in a sentence or two.
-    pub fn words(&self) -> String {
-        let mut words = vec![self.verdict.words().to_owned()];
-        if !self.explains() {
-            words.push("does not explain the data".to_owned());
-        }
-        for (index, own) in self.calibration.estimates.iter().enumerate() {
-            let name = &own.name;
-            match self.bounds(index).unwrap_or(own.bounds) {
-                Bounds::Nothing => words.push(format!("{name} is not identifiable")),
-                Bounds::AtMost(_) | Bounds::AtLeast(_) => {
-                    words.push(format!("{name} is bounded on one side"));
-                }
-                Bounds::Between(..) if own.deviation.is_none() => words.push(format!(
-                    "{name} shows by single contact points alone, so that its interval depends on the mesh"
-                )),
-                Bounds::Between(..) => {}
-            }
-        }
-        words.join("; ")
-    }
-}
-
-/// Laws fitted to the same data.
-#[derive(Clone, Debug)]
-pub struct Comparison {
-    /// In the order of the file.
-    pub fits: Vec<Fit>,
-    /// Index of the one with the least AICc, of those whose advantage the mesh resolves.
-    pub best: usize,
-    /// Number of data.
-    pub data: usize,
-    /// Wall time of one evaluation at the best law, a history of contact solves with what is seen of it, nothing else being done `[s]`.
-    pub evaluation_seconds: f64,
-    /// The error of the model's mesh that intervals hold; `None` where they hold the errors of the data alone.
-    pub mesh_error: Option<MeshError>,
-}
-
-impl Comparison {
-    /// The law with the least AICc, of those whose advantage the mesh resolves.
-    pub fn best(&self) -> &Fit {
-        // `fit` sets an index of a list that is not empty.
-        &self.fits[self.best]
-    }
-}
 
 /// Fits each of `laws` to all of `observations`. Intervals hold the errors of the data alone, and the correlation of what the law with the
 /// least χ² leaves of them; no coarser mesh says which differences of laws the mesh resolves.
@@ -124,15 +25,10 @@ pub fn fit(
     observations: &[Observation],
     settings: &Settings,
 ) -> Result<Comparison, LawsError> {
-    let (views, count, data) = prepared(model, laws, observations)?;
-    let seen = Seen {
-        model,
-        views: &views,
-        count,
-    };
+    let (seen, data) = Seen::new(model, laws, observations)?;
     let firsts = first_fits(&seen, laws, &data, settings, &mut |_| ())?;
-    let settings = correlated(&seen, laws, &firsts, (observations, &data), settings)?;
-    compared(&seen, laws, (observations, &data), &settings, &mut |_| ())
+    let settings = correlated(&seen, laws, &firsts, &data, settings)?;
+    compared(&seen, laws, &data, &settings, &mut |_| ())
 }
 
 /// The same with intervals that hold the error of the model's mesh as well, so far as it has the shape of the difference to `coarser`, a
@@ -164,12 +60,7 @@ pub(super) fn fit_with_progress(
     settings: &Settings,
     progress: &mut dyn FnMut(Progress),
 ) -> Result<Comparison, LawsError> {
-    let (views, count, data) = prepared(model, laws, observations)?;
-    let seen = Seen {
-        model,
-        views: &views,
-        count,
-    };
+    let (seen, data) = Seen::new(model, laws, observations)?;
     let total = 2 * laws.len();
     let mut first = |done: usize| progress(Progress::Step { done, total });
     let firsts = first_fits(&seen, laws, &data, settings, &mut first)?;
@@ -177,7 +68,7 @@ pub(super) fn fit_with_progress(
         let [a, b] = [a, b].map(|k| &firsts[k].0);
         (a.aicc.total_cmp(&b.aicc)).then(a.chi_squared.total_cmp(&b.chi_squared))
     };
-    // `prepared` refuses an empty list of laws.
+    // `Seen::new` refuses an empty list of laws.
     let first = (0..laws.len()).min_by(order).unwrap_or(0);
     let (law, values) = (&laws[first], &firsts[first].0.values);
     let own = seen.predicted(law, values)?;
@@ -185,19 +76,19 @@ pub(super) fn fit_with_progress(
     let by_mesh = by_mesh(&seen, &coarser, laws, &firsts, &data, settings)?;
     let shapes = coarser.shapes(law.law(values)?, &own)?;
     let data = data.with_shapes(&shapes).map_err(LawsError::Data)?;
-    let settings = correlated(&seen, laws, &firsts, (observations, &data), settings)?;
+    let settings = correlated(&seen, laws, &firsts, &data, settings)?;
     let mut second = |done: usize| {
         let done = laws.len() + done;
         progress(Progress::Step { done, total });
     };
-    let mut found = compared(&seen, laws, (observations, &data), &settings, &mut second)?;
+    let mut found = compared(&seen, laws, &data, &settings, &mut second)?;
     for ((fit, (first, seconds)), by_mesh) in found.fits.iter_mut().zip(&firsts).zip(by_mesh) {
         fit.by_mesh = by_mesh;
         fit.calibration.evaluations += first.evaluations;
         fit.seconds += seconds;
     }
     let resolved = resolved(&seen, &coarser, &found.fits, &data)?;
-    found.best = judge(&mut found.fits, |complex, simple| {
+    found.best = judged(&mut found.fits, |complex, simple| {
         resolved.prefers(complex, simple)
     });
     let best = found.best();
@@ -268,7 +159,7 @@ fn correlated(
     seen: &Seen<'_>,
     laws: &[Candidate],
     firsts: &[(Least, f64)],
-    (observations, data): (&[Observation], &Data),
+    data: &Data,
     settings: &Settings,
 ) -> Result<Settings, LawsError> {
     let fits = laws.iter().zip(firsts);
@@ -278,7 +169,7 @@ fn correlated(
         return Ok(*settings);
     };
     let left = data.residual(&seen.predicted(law, &first.values)?);
-    let places = observations.iter().enumerate().flat_map(|(index, own)| {
+    let places = seen.views.iter().enumerate().flat_map(|(index, (own, _))| {
         let datum = move |&(place, axis): &(usize, usize)| (own.places[place], 2 * index + axis);
         own.components.iter().map(datum)
     });
@@ -314,45 +205,15 @@ fn resolved<'a>(
     Ok(Resolved::new(data, fits, meshes))
 }
 
-fn failed(
-    law: &Candidate,
-) -> impl FnOnce(stickslip_hybrid::calibrate::CalibrateError) -> LawsError {
+fn failed(law: &Candidate) -> impl FnOnce(CalibrateError) -> LawsError {
     let law = law.name.clone();
     |cause| LawsError::Calibrate { law, cause }
-}
-
-/// What can be seen of the model at each observation, up to which load step, and the data.
-type Prepared<'a> = (Vec<(&'a Observation, View<'a>)>, usize, Data);
-
-fn prepared<'a>(
-    model: &'a ContactModel,
-    laws: &[Candidate],
-    observations: &'a [Observation],
-) -> Result<Prepared<'a>, LawsError> {
-    if laws.is_empty() {
-        return Err(LawsError::NoLaw);
-    }
-    let mut views: Vec<(&Observation, View<'_>)> = Vec::new();
-    let mut count = 0;
-    for own in observations {
-        let last = own.step.max(own.null.unwrap_or(0));
-        if last >= model.steps() {
-            return Err(LawsError::Step {
-                step: last + 1,
-                steps: model.steps(),
-            });
-        }
-        count = count.max(last + 1);
-        views.push((own, model.view(&own.places)?));
-    }
-    let blocks: Vec<Block> = observations.iter().map(Observation::block).collect();
-    Ok((views, count, Data::new(blocks).map_err(LawsError::Data)?))
 }
 
 fn compared(
     seen: &Seen<'_>,
     laws: &[Candidate],
-    (observations, data): (&[Observation], &Data),
+    data: &Data,
     settings: &Settings,
     fitted: &mut dyn FnMut(usize),
 ) -> Result<Comparison, LawsError> {
@@ -364,7 +225,7 @@ fn compared(
             calibrate(&predict, &law.parameters, data, settings).map_err(failed(law))?;
         fits.push(Fit {
             law: law.clone(),
-            states: state_fits(observations, &calibration),
+            states: state_fits(seen, &calibration),
             calibration,
             distance: 0.0,
             bic_distance: 0.0,
@@ -374,7 +235,7 @@ fn compared(
         });
         fitted(fits.len());
     }
-    let best = judge(&mut fits, |_, _| true);
+    let best = judged(&mut fits, |_, _| true);
     let (law, values) = (&laws[best], fits[best].calibration.values());
     let start = seen.model.seconds();
     seen.predicted(law, &values)?;
@@ -388,23 +249,65 @@ fn compared(
     })
 }
 
+/// Distances and verdicts of `fits`; the index of the best, see [`judge`].
+fn judged(fits: &mut [Fit], prefers: impl Fn(usize, usize) -> bool) -> usize {
+    let calibrations: Vec<&Calibration> = fits.iter().map(|fit| &fit.calibration).collect();
+    let (best, judgements) = judge(&calibrations, prefers);
+    for (fit, own) in fits.iter_mut().zip(judgements) {
+        fit.distance = own.distance;
+        fit.bic_distance = own.bic_distance;
+        fit.verdict = own.verdict;
+    }
+    best
+}
+
 /// A model as it is seen at the data.
 struct Seen<'a> {
     model: &'a ContactModel,
-    views: &'a [(&'a Observation, View<'a>)],
+    views: Vec<(&'a Observation, View<'a>)>,
+    /// Load steps up to the last one that is observed.
     count: usize,
 }
 
-impl Seen<'_> {
+impl<'a> Seen<'a> {
+    /// What can be seen of `model` at `observations`, and these as data.
+    fn new(
+        model: &'a ContactModel,
+        laws: &[Candidate],
+        observations: &'a [Observation],
+    ) -> Result<(Self, Data), LawsError> {
+        if laws.is_empty() {
+            return Err(LawsError::NoLaw);
+        }
+        let mut views = Vec::new();
+        let mut count = 0;
+        for own in observations {
+            let last = own.step.max(own.null.unwrap_or(0));
+            if last >= model.steps() {
+                return Err(LawsError::Step {
+                    step: last + 1,
+                    steps: model.steps(),
+                });
+            }
+            count = count.max(last + 1);
+            views.push((own, model.view(&own.places)?));
+        }
+        let blocks: Vec<Block> = observations.iter().map(Observation::block).collect();
+        let data = Data::new(blocks).map_err(LawsError::Data)?;
+        let seen = Self {
+            model,
+            views,
+            count,
+        };
+        Ok((seen, data))
+    }
+
     /// Displacements at the data of all observations.
     fn predicted(&self, law: &Candidate, values: &[f64]) -> Result<Vec<f64>, LawsError> {
         let states = (self.model).states(Arc::from(law.law(values)?), self.count)?;
         let mut all = Vec::new();
-        for (own, view) in self.views {
-            let mut seen = view.displacements(&states[own.step]);
-            if let Some(null) = own.null {
-                seen -= view.displacements(&states[null]);
-            }
+        for (own, view) in &self.views {
+            let seen = view.observed(own, &states)?;
             let components = own.components.iter();
             all.extend(components.map(|&(place, axis)| seen[2 * place + axis]));
         }
@@ -412,10 +315,10 @@ impl Seen<'_> {
     }
 }
 
-fn state_fits(observations: &[Observation], calibration: &Calibration) -> Vec<StateFit> {
+fn state_fits(seen: &Seen<'_>, calibration: &Calibration) -> Vec<StateFit> {
     let mut rest = calibration.fitted.as_slice();
     let mut fits = Vec::new();
-    for own in observations {
+    for (own, _) in &seen.views {
         let (predicted, next) = rest.split_at(own.values.len().min(rest.len()));
         rest = next;
         fits.push(StateFit {

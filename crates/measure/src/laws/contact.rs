@@ -17,7 +17,7 @@ use stickslip_fem_core::{CondensedBody, InterfaceOperator};
 use stickslip_friction::{FrictionLaw, Mirror};
 use stickslip_hybrid::region::locate::Locator;
 
-use super::{Candidate, LawsError};
+use super::{Candidate, LawsError, Observation};
 use stickslip_engine::model::Model;
 use stickslip_engine::run::{Operator, RunError, condense, solver};
 use stickslip_scene::experiment::SpecimenScene;
@@ -50,13 +50,9 @@ impl ContactModel {
     /// [`LawsError::Rigid`] where the specimen does not deform.
     pub fn new(own: &SpecimenScene) -> Result<Self, LawsError> {
         let scene = own.scene.as_ref();
-        let touches =
-            |set: &stickslip_scene::schema::SetRef| set.body == own.body && set.set == own.edge;
-        let pair = (scene.contacts.iter())
-            .position(|contact| touches(&contact.first) || touches(&contact.second))
-            .ok_or_else(|| LawsError::NoContact {
-                edge: format!("{}.{}", own.body, own.edge),
-            })?;
+        let pair = own.contact().ok_or_else(|| LawsError::NoContact {
+            edge: format!("{}.{}", own.body, own.edge),
+        })?;
         let model = Model::build(scene).map_err(RunError::from)?;
         let operators = condense(&model)?;
         let faces: Vec<&dyn InterfaceOperator> =
@@ -233,7 +229,7 @@ pub struct View<'a> {
 }
 
 impl View<'_> {
-    /// Displacements `[mm]` in a state, x and y of each place in turn.
+    /// Computes the displacements P (λ; m; α) `[mm]` in a contact state, x and y of each place in turn.
     pub fn displacements(&self, state: &ContactState) -> DVector<f64> {
         let (model, problem) = (self.model, &self.model.problem);
         let count = model.specimen.interface_nodes().len();
@@ -241,5 +237,28 @@ impl View<'_> {
         action.extend(&state.multipliers);
         action.extend(problem.motions_of_body(model.body, &state.rigid));
         &self.rows * DVector::from_vec(action)
+    }
+
+    /// Displacements `[mm]` as `own` measures them: at its load step of the history `states`, less those of its null field.
+    ///
+    /// # Errors
+    /// [`LawsError::Step`] for a load step beyond the last of `states`.
+    pub(super) fn observed(
+        &self,
+        own: &Observation,
+        states: &[ContactState],
+    ) -> Result<DVector<f64>, LawsError> {
+        let at = |step: usize| {
+            let state = states.get(step).map(|state| self.displacements(state));
+            state.ok_or(LawsError::Step {
+                step: step + 1,
+                steps: states.len(),
+            })
+        };
+        let seen = at(own.step)?;
+        Ok(match own.null {
+            Some(null) => seen - at(null)?,
+            None => seen,
+        })
     }
 }

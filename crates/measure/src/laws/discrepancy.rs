@@ -8,8 +8,9 @@
 
 use std::sync::Arc;
 
-use stickslip_hybrid::calibrate::{Block, Data, Noise};
+use stickslip_hybrid::calibrate::{Block, Data};
 
+use super::observation::root_mean_square;
 use super::{ContactModel, LawsError, Observation};
 use crate::truth::Truth;
 
@@ -65,19 +66,12 @@ fn of_differences(own: &Observation, difference: &[f64]) -> Result<Discrepancy, 
     let values: Vec<f64> = own.components.iter().map(at).collect();
     let none = vec![0.0; values.len()];
     let block = Block {
-        values,
+        values: values.clone(),
         ..own.block()
     };
-    let even = Block {
-        noise: Noise::Independent(vec![1.0; none.len()]),
-        ..block.clone()
-    };
-    let left = Data::new(vec![even])
-        .map_err(LawsError::Data)?
-        .residual(&none);
-    let squares: f64 = left.iter().map(|own| own * own).sum();
+    let left = own.left_of(values)?;
     Ok(Discrepancy {
-        rms: (squares / left.len().max(1) as f64).sqrt(),
+        rms: root_mean_square(&left),
         largest: left.iter().fold(0.0, |most: f64, own| most.max(own.abs())),
         chi_squared: Data::new(vec![block])
             .map_err(LawsError::Data)?

@@ -13,8 +13,9 @@ use std::sync::Arc;
 
 use stickslip_fem_core::mesh::Point;
 use stickslip_friction::FrictionLaw;
-use stickslip_hybrid::calibrate::{Amount, Block, Data, Noise};
+use stickslip_hybrid::calibrate::Amount;
 
+use super::observation::root_mean_square;
 use super::{ContactModel, LawsError, Observation, View};
 use stickslip_scene::experiment::SpecimenScene;
 use stickslip_scene::schema::MeshSettings;
@@ -53,7 +54,7 @@ impl MeshError {
         let each = observations.iter().zip(shapes).zip(amounts);
         let states = each.map(|((own, shape), amount)| {
             Ok(StateMeshError {
-                rms: root_mean_square(own, shape)?,
+                rms: root_mean_square(&own.left_of(shape.clone())?),
                 amount: amount.unwrap_or(unknown),
             })
         });
@@ -113,18 +114,9 @@ impl<'a> Coarser<'a> {
     /// Displacements at the data of all observations under `law`, one after the other; none where there is no place.
     pub(super) fn seen(&self, law: Box<dyn FrictionLaw>) -> Result<Vec<Option<f64>>, LawsError> {
         let states = self.model.states(Arc::from(law), self.model.steps())?;
-        let state = |step: usize| {
-            states.get(step).ok_or(LawsError::Step {
-                step: step + 1,
-                steps: states.len(),
-            })
-        };
         let mut all = Vec::new();
         for (own, rows, view) in &self.views {
-            let mut seen = view.displacements(state(own.step)?);
-            if let Some(null) = own.null {
-                seen -= view.displacements(state(null)?);
-            }
+            let seen = view.observed(own, &states)?;
             let data = own.components.iter();
             all.extend(data.map(|&(place, axis)| rows[place].map(|row| seen[2 * row + axis])));
         }
@@ -145,17 +137,4 @@ impl<'a> Coarser<'a> {
             .map(|(own, ..)| difference.by_ref().take(own.values.len()).collect())
             .collect())
     }
-}
-
-/// Root of the mean square of what the free motion of a state leaves of `shape`.
-fn root_mean_square(own: &Observation, shape: &[f64]) -> Result<f64, LawsError> {
-    let block = Block {
-        values: shape.to_vec(),
-        noise: Noise::Independent(vec![1.0; shape.len()]),
-        ..own.block()
-    };
-    let squares = Data::new(vec![block])
-        .map_err(LawsError::Data)?
-        .chi_squared(&vec![0.0; shape.len()]);
-    Ok((squares / shape.len().max(1) as f64).sqrt())
 }

@@ -3,8 +3,11 @@
 use std::collections::BTreeMap;
 
 use stickslip_fem_core::mesh::Point;
-use stickslip_hybrid::calibrate::{Block, Noise};
+use stickslip_hybrid::calibrate::{Block, Data, Noise};
 use stickslip_hybrid::data::Measurement;
+
+use super::LawsError;
+use crate::ends::ends;
 
 /// What may be added to the displacements of a state without anybody's asking.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -35,6 +38,17 @@ impl Nuisance {
             Self::Rigid => "a rigid motion",
             Self::Carriers => "a plane for each component",
         }
+    }
+
+    /// Displacements at the data `components`, indices of one of `places` and of an axis, by a unit of each amount; one list per amount.
+    pub(super) fn columns(self, places: &[Point], components: &[(usize, usize)]) -> Vec<Vec<f64>> {
+        let distances = places.iter().map(|place| place[0].hypot(place[1]));
+        let length = distances.fold(f64::MIN_POSITIVE, f64::max);
+        let shapes: Vec<Vec<f64>> = (components.iter())
+            .map(|&(place, axis)| self.shapes(axis, places[place], length))
+            .collect();
+        let column = |k: usize| shapes.iter().map(|shape| shape[k]).collect();
+        (0..self.count()).map(column).collect()
     }
 
     /// Displacements along `axis` at `place` by a unit of each amount; lengths are measured in `length`.
@@ -102,19 +116,41 @@ impl Observation {
 
     /// The data as a block of a fit.
     pub fn block(&self) -> Block {
-        let length = (self.places.iter())
-            .map(|place| place[0].hypot(place[1]))
-            .fold(f64::MIN_POSITIVE, f64::max);
-        let shapes: Vec<Vec<f64>> = (self.components.iter())
-            .map(|&(place, axis)| self.nuisance.shapes(axis, self.places[place], length))
-            .collect();
-        let column = |k: usize| shapes.iter().map(|shape| shape[k]).collect();
         Block {
             values: self.values.clone(),
             noise: self.noise.clone(),
-            nuisance: (0..self.nuisance.count()).map(column).collect(),
+            nuisance: self.nuisance.columns(&self.places, &self.components),
         }
     }
+
+    /// What the free motion of the state leaves of `values`, one for each datum, if all count alike; in their unit.
+    ///
+    /// # Errors
+    /// [`LawsError::Data`] for values that are not finite.
+    pub(super) fn left_of(&self, values: Vec<f64>) -> Result<Vec<f64>, LawsError> {
+        left(
+            self.nuisance.columns(&self.places, &self.components),
+            values,
+        )
+    }
+}
+
+/// What `nuisance` leaves of `values`, if all count alike.
+pub(super) fn left(nuisance: Vec<Vec<f64>>, values: Vec<f64>) -> Result<Vec<f64>, LawsError> {
+    let none = vec![0.0; values.len()];
+    let block = Block {
+        noise: Noise::Independent(vec![1.0; values.len()]),
+        values,
+        nuisance,
+    };
+    let data = Data::new(vec![block]).map_err(LawsError::Data)?;
+    Ok(data.residual(&none))
+}
+
+/// Root of the mean square of `values`; 0 of none.
+pub(super) fn root_mean_square(values: &[f64]) -> f64 {
+    let squares: f64 = values.iter().map(|own| own * own).sum();
+    (squares / values.len().max(1) as f64).sqrt()
 }
 
 /// At most `most` valid places of a measurement, one of each box of a square grid.
@@ -142,12 +178,8 @@ pub fn decimated(measured: &Measurement, most: usize) -> Measurement {
 /// At most `most` of the places `all`, in their order; boxes grow until no more are left.
 fn thinned(places: &[Point], all: &[usize], most: usize) -> Vec<usize> {
     const GROWTH: f64 = 1.03;
-    let ends = |axis: usize| {
-        let values = || all.iter().map(|&k| places[k][axis]);
-        let low = values().fold(f64::INFINITY, f64::min);
-        [low, values().fold(f64::NEG_INFINITY, f64::max)]
-    };
-    let [[left, right], [bottom, top]] = [ends(0), ends(1)];
+    let [[left, right], [bottom, top]] =
+        [0, 1].map(|axis| ends(all.iter().map(|&k| places[k][axis])));
     let (width, height) = (right - left, top - bottom);
     let longest = width.max(height);
     if longest <= 0.0 || !longest.is_finite() {

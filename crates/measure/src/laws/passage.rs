@@ -13,7 +13,8 @@ use stickslip_hybrid::identify::chi_squared_of_one;
 use super::Fit;
 use stickslip_scene::experiment::SpecimenScene;
 
-/// Coefficient of a slipping point with slip path `slip` `[mm]`; `None` where it depends on the pressure as well, or is none.
+/// Computes the coefficient |τ|/p `[1]` of a slipping point with slip path `slip` `[mm]`; `None` where it depends on the pressure as
+/// well, or is none.
 pub fn coefficient(law: &dyn FrictionLaw, slip: f64) -> Option<f64> {
     /// Pressures `[MPa]` at which a coefficient of the slip path alone is the same.
     const PRESSURES: [f64; 2] = [1.0, 100.0];
@@ -66,11 +67,8 @@ pub fn half_width(fit: &Fit, slip: f64, confidence: f64) -> Option<f64> {
 
 /// The law of the scene at the edge of `own`.
 pub fn law_of(own: &SpecimenScene) -> Option<&dyn FrictionLaw> {
-    let mut contacts = own.scene.contacts.iter();
-    let at_edge =
-        |set: &stickslip_scene::schema::SetRef| set.body == own.body && set.set == own.edge;
-    let contact = contacts.find(|own| at_edge(&own.first) || at_edge(&own.second))?;
-    Some(contact.law.as_ref())
+    let contact = own.contact()?;
+    Some(own.scene.contacts[contact].law.as_ref())
 }
 
 #[cfg(test)]

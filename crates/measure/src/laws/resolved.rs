@@ -11,7 +11,7 @@
 
 use stickslip_hybrid::calibrate::Data;
 
-use super::Fit;
+use super::comparison::Fit;
 use super::verdict::DECIDES;
 
 /// Predictions of the fitted laws on both meshes.

@@ -62,16 +62,10 @@ impl Scale {
         });
         let least = localized.into_iter().chain(plate);
         let least = least.min_by(|(a, _), (b, _)| a.total_cmp(b));
-        match least {
-            Some((factor, source)) if factor > 1.0 => Self { factor, source },
-            Some((_, source)) => Self {
-                factor: 1.0,
-                source,
-            },
-            None => Self {
-                factor: 1.0,
-                source: ScaleSource::Stated,
-            },
+        let (factor, source) = least.unwrap_or((1.0, ScaleSource::Stated));
+        Self {
+            factor: factor.max(1.0),
+            source,
         }
     }
 }

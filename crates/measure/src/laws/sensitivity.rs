@@ -7,9 +7,9 @@
 use std::sync::Arc;
 
 use stickslip_fem_core::mesh::Point;
-use stickslip_hybrid::calibrate::{Block, Data, Noise};
 
-use super::{Candidate, ContactModel, LawsError, Nuisance, Observation};
+use super::observation::left;
+use super::{Candidate, ContactModel, LawsError, Nuisance};
 
 /// The largest change of the edge's displacements in each load step.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,21 +68,11 @@ pub fn sensitivity(
 
 /// `change`, x and y of each place in turn, less the rigid motion that fits best; of a symmetric half that is one along x.
 fn without_rigid_motion(places: &[Point], change: Vec<f64>, half: bool) -> Vec<f64> {
-    let observation = Observation {
-        state: String::new(),
-        step: 0,
-        null: None,
-        places: places.to_vec(),
-        components: (0..change.len()).map(|k| (k / 2, k % 2)).collect(),
-        noise: Noise::Independent(vec![1.0; change.len()]),
-        values: change.clone(),
-        nuisance: Nuisance::Rigid,
-    };
-    let mut block: Block = observation.block();
+    let components: Vec<(usize, usize)> = (0..change.len()).map(|k| (k / 2, k % 2)).collect();
+    let mut motions = Nuisance::Rigid.columns(places, &components);
     if half {
-        block.nuisance.truncate(1);
+        motions.truncate(1);
     }
-    let none = vec![0.0; change.len()];
-    // Unit standard deviations and independent columns make a block that is always accepted.
-    Data::new(vec![block]).map_or(change, |data| data.residual(&none))
+    // Unit standard deviations and independent columns are always accepted.
+    left(motions, change.clone()).unwrap_or(change)
 }

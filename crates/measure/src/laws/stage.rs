@@ -5,19 +5,17 @@ use std::sync::Arc;
 use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::calibrate::{Correlation, Parameter, Settings};
 
+use super::compare::fit_with_progress;
 use super::scale::squares;
 use super::shared_null::shared_nulls;
 use super::{
-    Candidate, Comparison, ContactModel, Discrepancy, Fit, LawsError, Nuisance, Observation, Scale,
-    Sensitivity, SharedNull, coarser, decimated, discrepancies, fit, fit_with_progress,
-    sensitivity,
+    Candidate, Comparison, ContactModel, Discrepancy, Fit, Known, LawsError, Nuisance, Observation,
+    Scale, Sensitivity, SharedNull, coarser, decimated, discrepancies, fit, sensitivity,
 };
-use crate::analysed::Analysed;
 use crate::error::ExperimentError;
 use crate::finding::{Finding, LeftOut, LeftOutReason, Located, ModelFinding};
 use crate::measured::Measured;
 use crate::truth::Truth;
-use crate::whole::WholeState;
 use stickslip_engine::run::Progress;
 use stickslip_scene::experiment::history::History;
 use stickslip_scene::experiment::{Experiment, Source, State};
@@ -49,17 +47,6 @@ pub struct LawStage {
     pub discrepancies: Vec<Option<Discrepancy>>,
     /// States that could not be used, and why; load steps that were assumed; solves that failed.
     pub findings: Vec<ModelFinding>,
-}
-
-/// What earlier stages know of the measured fields.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Known<'a> {
-    /// States that were analysed around the edge.
-    pub analysed: &'a [Analysed],
-    /// States that were analysed as whole plates.
-    pub plates: &'a [WholeState],
-    /// The solved scene of synthetic states.
-    pub truth: Option<&'a Truth>,
 }
 
 /// Fits the laws of `experiment` to its measured fields; `None` where it names none. Where a state was analysed around the edge or as a
@@ -374,7 +361,7 @@ impl LawStage {
     /// All that a reader must know of the fits, their own verdict last.
     pub fn located(&self) -> impl Iterator<Item = Located> {
         let (comparison, best) = (&self.comparison, self.comparison.best());
-        let drops = |fit: &Fit| fit.law.kind == "static_dynamic";
+        let drops = |fit: &Fit| fit.law.drops_without_length(&fit.calibration.values());
         let drop = (comparison.fits.iter().any(drops)).then_some(ModelFinding::DropWithoutLength);
         let unexplained = (!best.explains()).then(|| ModelFinding::NoLawExplains {
             law: best.law.name.clone(),
@@ -387,7 +374,7 @@ impl LawStage {
         all.map(|finding| Located::of_all(Finding::Model(finding)))
     }
 
-    /// Place `[mm]` of a datum of an observation.
+    /// Place `[mm]` of the datum `datum` of `observation`, both indices from 0.
     pub fn place(&self, observation: usize, datum: usize) -> Point {
         let own = &self.observations[observation];
         own.places[own.components[datum].0]

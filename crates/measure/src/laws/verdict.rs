@@ -1,6 +1,6 @@
 //! What information criteria say of laws beside each other.
 
-use super::Fit;
+use stickslip_hybrid::calibrate::Calibration;
 
 /// Criteria that differ by less do not decide (Burnham & Anderson 2002).
 pub(super) const DECIDES: f64 = 2.0;
@@ -29,7 +29,7 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// In words.
+    /// The verdict in words, as tables show it.
     pub const fn words(self) -> &'static str {
         match self {
             Self::Only => "the only law",
@@ -46,17 +46,29 @@ impl Verdict {
     }
 }
 
-/// Distances and verdicts; the index of the best law.
+/// What criteria say of one fit beside the others.
+pub(super) struct Judgement {
+    /// AICc above that of the best.
+    pub(super) distance: f64,
+    /// BIC above the least.
+    pub(super) bic_distance: f64,
+    pub(super) verdict: Verdict,
+}
+
+/// The index of the best of `fits`, and what the criteria say of each.
 ///
-/// That is the one with the least AICc, or the least χ² where no law has a finite one, of those that no law with fewer parameters
+/// The best is the one with the least AICc, or the least χ² where none has a finite one, of those that none with fewer parameters
 /// replaces: `prefers(complex, simple)` says whether what the former explains more is resolved.
-pub(super) fn judge(fits: &mut [Fit], prefers: impl Fn(usize, usize) -> bool) -> usize {
-    let aicc: Vec<f64> = fits.iter().map(|fit| fit.calibration.aicc()).collect();
-    let bic = fits.iter().map(|fit| fit.calibration.bic());
-    let least_bic = bic.fold(f64::INFINITY, f64::min);
-    let size = |k: usize| fits[k].calibration.estimates.len();
+pub(super) fn judge(
+    fits: &[&Calibration],
+    prefers: impl Fn(usize, usize) -> bool,
+) -> (usize, Vec<Judgement>) {
+    let aicc: Vec<f64> = fits.iter().map(|fit| fit.aicc()).collect();
+    let bic: Vec<f64> = fits.iter().map(|fit| fit.bic()).collect();
+    let least_bic = bic.iter().copied().fold(f64::INFINITY, f64::min);
+    let size = |k: usize| fits[k].estimates.len();
     let order = |a: usize, b: usize| {
-        let chi_squared = |k: usize| fits[k].calibration.chi_squared;
+        let chi_squared = |k: usize| fits[k].chi_squared;
         (aicc[a].total_cmp(&aicc[b])).then(chi_squared(a).total_cmp(&chi_squared(b)))
     };
     let mut ranked: Vec<usize> = (0..fits.len()).collect();
@@ -70,13 +82,13 @@ pub(super) fn judge(fits: &mut [Fit], prefers: impl Fn(usize, usize) -> bool) ->
         unresolved.push(ranked.remove(0));
     }
     let best = ranked.first().copied().unwrap_or(0);
-    let verdicts = verdicts(&aicc, best, &unresolved);
-    for ((fit, aicc_of), verdict) in fits.iter_mut().zip(&aicc).zip(verdicts) {
-        fit.distance = distance(*aicc_of, aicc[best]);
-        fit.bic_distance = fit.calibration.bic() - least_bic;
-        fit.verdict = verdict;
-    }
-    best
+    let verdicts = verdicts(&aicc, best, &unresolved).into_iter();
+    let judgement = |(k, verdict): (usize, Verdict)| Judgement {
+        distance: distance(aicc[k], aicc[best]),
+        bic_distance: bic[k] - least_bic,
+        verdict,
+    };
+    (best, verdicts.enumerate().map(judgement).collect())
 }
 
 /// How far a criterion lies above the least; infinite where it is not finite itself.

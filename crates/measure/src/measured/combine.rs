@@ -2,7 +2,6 @@
 
 use stickslip_hybrid::data::{DataError, Field, Measurement, NullField};
 use stickslip_hybrid::fringe::{FringeError, PixelMap, Plane, measurement};
-use stickslip_hybrid::moire::Grating;
 
 use super::elsewhere::elsewhere;
 use super::lines::{fringe_lines, less_null};
@@ -11,7 +10,6 @@ use super::rotation::{self, TakenOff};
 use super::{Measured, PictureField, Reading, Scope};
 use crate::error::ExperimentError;
 use crate::finding::{Apart, Finding, Part, PictureFinding};
-use crate::synthesis::field_name;
 use stickslip_scene::experiment::Source;
 
 /// A state's field from its reading and that of its null field.
@@ -61,15 +59,8 @@ fn scattered(
     reading: Reading,
     of_null: bool,
 ) -> Result<Measurement, ExperimentError> {
-    let in_own = |finding| (Part::State, finding);
     let own = match reading {
-        Reading::Scattered(own) => Measured {
-            outliers: own.outliers,
-            floor: own.floor,
-            rotations: own.rotation.into_iter().collect(),
-            findings: own.findings.into_iter().map(in_own).collect(),
-            ..Measured::new(scope.state, own.measurement)
-        },
+        Reading::Scattered(own) => *own,
         other => combined(scope, other, None)?,
     };
     let mut pictures = own.pictures;
@@ -104,7 +95,7 @@ fn minus(
     let how = match scope.experiment.reduce.common_places {
         Some(tolerance) => NullField::SamePlaces { tolerance },
         None => NullField::Interpolated {
-            longest_side: longest_side(scope),
+            longest_side: scope.longest_side(),
         },
     };
     for field in Field::BOTH {
@@ -129,7 +120,7 @@ const NOT_MEASURED: &str = "";
 
 /// A null field without a component of the state, which would keep the initial load or vanish unseen.
 fn lacking(scope: &Scope<'_>, field: Field, where_: &str) -> ExperimentError {
-    let name = field_name(field);
+    let name = field.name();
     let null = scope.experiment.states[scope.state].null.as_ref();
     let files = null.map_or_else(Vec::new, Source::files);
     let files: Vec<String> = (files.iter())
@@ -152,23 +143,6 @@ fn lacking(scope: &Scope<'_>, field: Field, where_: &str) -> ExperimentError {
     }
 }
 
-pub(super) fn longest_side(scope: &Scope<'_>) -> f64 {
-    let stated = scope.experiment.reduce.longest_side;
-    stated.unwrap_or(f64::INFINITY)
-}
-
-pub(super) fn grating(scope: &Scope<'_>) -> Result<Grating, ExperimentError> {
-    scope
-        .experiment
-        .grating
-        .ok_or_else(|| ExperimentError::Missing {
-            key: String::new(),
-            what: "fringe orders are displacements only with the frequency of their grating"
-                .to_owned(),
-            remedy: "add [grating] frequency = \"2400 1/mm\"".to_owned(),
-        })
-}
-
 fn pictures(
     scope: &Scope<'_>,
     measured: &mut Measured,
@@ -182,16 +156,20 @@ fn pictures(
             Some(null) => null,
             None => None,
         };
-        let found = less(own, null).map_err(|cause| scope.fringes(field_name(field), cause))?;
-        tell_of(measured, field, &found);
-        measured.pictures[field.component()] = Some(found.field);
+        tell_of(measured, field, &own, null.is_some());
+        let found = match null {
+            Some(null) => less(own.field, &null.field),
+            None => Ok(own.field),
+        };
+        let found = found.map_err(|cause| scope.fringes(field.name(), cause))?;
+        measured.pictures[field.component()] = Some(found);
     }
     tell_of_unwrapping(measured);
     let stride = stride(scope, measured);
     let maps = measured.pictures.each_ref();
     let orders = maps.map(|field| field.as_ref().map(|field| &field.orders));
     let deviations = maps.map(|field| field.as_ref().map_or(0.0, |field| field.deviation));
-    let frequency = grating(scope)?.frequency();
+    let frequency = scope.grating()?.frequency();
     let data = measurement(orders, frequency, deviations, stride)
         .map_err(|cause| scope.fringes("U or V", cause))?;
     let (data, taken) = rotation::of_picture(scope, data);
@@ -223,43 +201,18 @@ fn stride(scope: &Scope<'_>, measured: &Measured) -> usize {
     scope.experiment.reduce.stride.or(own).unwrap_or(1)
 }
 
-/// A field with its null field taken off, and what was met on the way.
-struct Less {
-    field: PictureField,
-    apart: usize,
-    found_carrier: bool,
-}
-
-fn less(own: Unwound, null: Option<&Unwound>) -> Result<Less, FringeError> {
-    let (orders, deviation) = match null {
-        None => (own.orders, own.deviation),
-        Some(null) => (difference(&own, null)?, own.deviation.hypot(null.deviation)),
-    };
-    let residues_of_null = null.map_or(&[][..], |null| &null.residues);
-    let cuts_of_null = null.map_or(&[][..], |null| &null.cuts);
-    Ok(Less {
-        apart: own.apart,
-        found_carrier: !own.known && null.is_none(),
-        field: PictureField {
-            picture: own.picture,
-            wrapped: own.wrapped,
-            orders,
-            residues: (own.residues.iter().chain(residues_of_null))
-                .copied()
-                .collect(),
-            cuts: own.cuts.iter().chain(cuts_of_null).copied().collect(),
-            of_null: false,
-            deviation,
-            resolution: null.map_or(own.resolution, |null| own.resolution.max(null.resolution)),
-            carrier: own.carrier,
-            strength: own.strength,
-            modulation: own.modulation,
-        },
-    })
+/// A field with its null field taken off.
+fn less(mut own: PictureField, null: &PictureField) -> Result<PictureField, FringeError> {
+    own.orders = difference(&own, null)?;
+    own.deviation = own.deviation.hypot(null.deviation);
+    own.resolution = own.resolution.max(null.resolution);
+    own.residues.extend(&null.residues);
+    own.cuts.extend(&null.cuts);
+    Ok(own)
 }
 
 /// N − N₀ pixel by pixel; both have the same carrier, whatever part of it was taken off either.
-fn difference(own: &Unwound, null: &Unwound) -> Result<PixelMap, FringeError> {
+fn difference(own: &PictureField, null: &PictureField) -> Result<PixelMap, FringeError> {
     let frame = *own.orders.frame();
     if frame != *null.orders.frame() {
         let frames = (frame, *null.orders.frame());
@@ -276,9 +229,11 @@ fn difference(own: &Unwound, null: &Unwound) -> Result<PixelMap, FringeError> {
     PixelMap::with_gaps(frame, values.collect())
 }
 
-fn tell_of(measured: &mut Measured, field: Field, found: &Less) {
-    let name = field_name(field);
-    let carrier = found.found_carrier.then_some(PictureFinding::CarrierFound {
+/// What is told of a field, whose carrier does not matter where a null field with the same takes it off.
+fn tell_of(measured: &mut Measured, field: Field, found: &Unwound, has_null: bool) {
+    let name = field.name();
+    let is_found = !found.known && !has_null;
+    let carrier = is_found.then_some(PictureFinding::CarrierFound {
         field: name,
         carrier_per_mm: found.field.carrier,
     });
@@ -297,7 +252,7 @@ fn tell_of_unwrapping(measured: &mut Measured) {
             let found = found.as_ref()?;
             let (loops, jumps) = (found.residues.len(), found.cuts.len());
             (loops + jumps > 0).then_some(Apart {
-                field: field_name(field),
+                field: field.name(),
                 loops,
                 jumps,
             })

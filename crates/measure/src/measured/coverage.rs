@@ -8,9 +8,8 @@ use stickslip_hybrid::region::outline::boundary_nodes;
 
 use super::elsewhere::extent;
 use super::{Measured, Scope};
-use crate::analysed::meshed;
-use crate::error::ExperimentError;
-use crate::synthesis::field_name;
+use crate::error::{ExperimentError, at};
+use crate::region_mesh::meshed;
 use stickslip_scene::experiment::{Method, Source};
 
 /// Data nearer than this many of their spacings cover a node.
@@ -47,20 +46,17 @@ pub(super) fn check(scope: &Scope<'_>, measured: &Measured) -> Result<(), Experi
     };
     for field in Field::BOTH {
         let bare = uncovered(scope, measured, field, &mesh);
-        if let Some(&[x, y]) = bare.first() {
-            let length = scope.experiment.display.length;
+        if let Some(&first) = bare.first() {
             let all = boundary_nodes(&mesh).len();
             return Err(ExperimentError::Missing {
                 key: "region".to_owned(),
                 what: format!(
-                    "state '{}': the {} data do not cover the region: {} of {all} nodes of its boundary have none near, the first at \
-                     ({}, {}), θ = {:.1}°; the data are {}",
+                    "state '{}': the {} data do not cover the region: {} of {all} nodes of its boundary have none near, the first at {}; \
+                     the data are {}",
                     scope.name(),
-                    field_name(field),
+                    field.name(),
                     bare.len(),
-                    length.show(x),
-                    length.show(y),
-                    (y - hole.centre[1]).atan2(x - hole.centre[0]).to_degrees(),
+                    at(scope.experiment, first),
                     extent(scope, &measured.measurement)
                 ),
                 remedy: "check scale, origin and y_axis of the data; or make the region smaller, give it a stand-off, mask less, or \
@@ -74,7 +70,7 @@ pub(super) fn check(scope: &Scope<'_>, measured: &Measured) -> Result<(), Experi
 
 /// A state without any displacement of one component, of which a region needs both.
 fn lacking(scope: &Scope<'_>, field: Field) -> ExperimentError {
-    let name = field_name(field);
+    let name = field.name();
     ExperimentError::Missing {
         key: scope.key.clone(),
         what: format!(
@@ -89,7 +85,7 @@ fn lacking(scope: &Scope<'_>, field: Field) -> ExperimentError {
 
 /// A component whose neighbours agree to the last digit, as of a table that is zero everywhere, with nothing to weigh it by.
 fn without_deviation(scope: &Scope<'_>, field: Field) -> ExperimentError {
-    let name = field_name(field);
+    let name = field.name();
     let (part, remedy) = match &scope.experiment.states[scope.state].source {
         Source::Table(_) => (
             ".table",

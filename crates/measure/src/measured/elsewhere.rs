@@ -3,6 +3,7 @@
 use stickslip_hybrid::data::{Measurement, NullField};
 
 use super::Scope;
+use crate::ends::ends;
 use crate::error::ExperimentError;
 use stickslip_text::short;
 
@@ -56,14 +57,9 @@ pub(super) fn extent(scope: &Scope<'_>, data: &Measurement) -> String {
     let valid = |k: &usize| data.valid[0][*k] || data.valid[1][*k];
     let unit = scope.experiment.display.length;
     let [x, y] = [0, 1].map(|axis| {
-        let values = || {
-            (0..data.places.len())
-                .filter(valid)
-                .map(|k| data.places[k][axis])
-        };
-        let low = values().fold(f64::INFINITY, f64::min);
-        let high = values().fold(f64::NEG_INFINITY, f64::max);
-        let [low, high] = [low, high].map(|value| short(unit.from_base(value)));
+        let valid = (0..data.places.len()).filter(valid);
+        let bounds = ends(valid.map(|k| data.places[k][axis]));
+        let [low, high] = bounds.map(|value| short(unit.from_base(value)));
         format!("{low} … {high} {}", unit.name)
     });
     format!("at x = {x}, y = {y}")

@@ -1,14 +1,11 @@
 //! Fringe centres along lines.
 
-use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::data::{DataError, Field, FringeLines, OffTrack};
 
-use super::combine::grating;
 use super::rotation::of_lines;
 use super::{Measured, Reading, Scope};
 use crate::error::ExperimentError;
 use crate::finding::{Finding, LineFinding};
-use crate::synthesis::field_name;
 use stickslip_scene::experiment::LineSource;
 use stickslip_scene::limits::Content;
 
@@ -46,7 +43,7 @@ pub(super) fn read(scope: &Scope<'_>, source: &LineSource) -> Result<Reading, Ex
 /// The error at the key of the lines, or at the tracks that name a line which is not there.
 fn refused(scope: &Scope<'_>, field: Field, cause: DataError) -> ExperimentError {
     let tracks = matches!(cause, DataError::NoSuchLine { .. });
-    let name = field_name(field).to_lowercase();
+    let name = field.name().to_lowercase();
     let own = Scope {
         key: if tracks {
             format!("{}.tracks.{name}", scope.key)
@@ -80,31 +77,27 @@ pub(super) fn fringe_lines(
     lines: [FringeLines; 2],
     deviation: f64,
 ) -> Result<(), ExperimentError> {
-    let grating = grating(scope)?;
+    let grating = scope.grating()?;
     measured.floor = [grating.displacement(deviation); 2];
     let field = &mut measured.measurement;
     field.deviation = measured.floor;
-    let mut seen: Vec<Point> = Vec::new();
     for own in &lines {
         let c = own.field.component();
         for line in &own.lines {
             for (&place, &order) in line.places().iter().zip(line.orders()) {
                 let valid = scope.shows(place) && scope.is_away(place, 0.0);
-                seen.push(place);
-                field.places.push(place);
-                for axis in 0..2 {
-                    let mine = axis == c && valid;
-                    let value = grating.displacement(order);
-                    field.displacements[axis].push(if mine { value } else { f64::NAN });
-                    field.valid[axis].push(mine);
-                }
+                let value = Some(grating.displacement(order));
+                field.push(
+                    place,
+                    [0, 1].map(|axis| value.filter(|_| axis == c && valid)),
+                );
             }
         }
     }
     if field.valid.iter().flatten().all(|valid| !valid) {
         return Err(scope.data(DataError::AllMasked {
             file: "fringe lines".to_owned(),
-            rows: seen.len(),
+            rows: field.places.len(),
             remedy: "all centres lie in the hole or under a mask: check scale and y_axis",
         }));
     }

@@ -6,7 +6,7 @@ use stickslip_hybrid::fringe::{
     fourier,
 };
 
-use super::Scope;
+use super::{PictureField, Scope};
 
 /// Pictures of one field and what is known of them.
 pub(super) struct FieldInput {
@@ -21,19 +21,10 @@ pub(super) struct FieldInput {
 /// One field less a carrier.
 #[derive(Clone, Debug)]
 pub(super) struct Unwound {
-    pub(super) picture: PixelMap,
-    pub(super) wrapped: PixelMap,
-    /// Orders less [`carrier`](Self::carrier), the largest region alone.
-    pub(super) orders: PixelMap,
-    pub(super) carrier: [f64; 2],
+    /// The field; of its orders the largest region alone.
+    pub(super) field: PictureField,
     /// Whether the carrier was known, and not found in the picture.
     pub(super) known: bool,
-    pub(super) deviation: f64,
-    pub(super) resolution: f64,
-    pub(super) strength: Option<f64>,
-    pub(super) modulation: f64,
-    pub(super) residues: Vec<Point>,
-    pub(super) cuts: Vec<Point>,
     /// Pixels of other regions, whose whole orders are not known.
     pub(super) apart: usize,
 }
@@ -79,19 +70,22 @@ pub(super) fn orders(scope: &Scope<'_>, input: FieldInput) -> Result<Unwound, Fr
         0.0
     };
     let (orders, apart) = largest_region(scope, &unwrapped, mixed)?;
-    let modulation = phase.median_modulation();
-    Ok(Unwound {
+    let field = PictureField {
         picture: first(input.pictures)?,
         wrapped: phase.wrapped().clone(),
         orders,
-        carrier: found.carrier,
-        known: input.carrier.is_some() || shown.len() > 1,
-        deviation: found.deviation,
-        resolution: found.resolution,
-        strength: found.strength,
-        modulation,
         residues,
         cuts,
+        deviation: found.deviation,
+        resolution: found.resolution,
+        carrier: found.carrier,
+        strength: found.strength,
+        modulation: phase.median_modulation(),
+        of_null: false,
+    };
+    Ok(Unwound {
+        field,
+        known: input.carrier.is_some() || shown.len() > 1,
         apart,
     })
 }

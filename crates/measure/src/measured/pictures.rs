@@ -9,7 +9,7 @@ use stickslip_hybrid::fringe::{FringeError, PixelMap, decode, size};
 use super::phase::{FieldInput, orders};
 use super::{Reading, Scope};
 use crate::error::ExperimentError;
-use crate::synthesis::{FieldPictures, field_name};
+use crate::synthesis::FieldPictures;
 use stickslip_scene::experiment::PictureSource;
 use stickslip_scene::limits::Content;
 
@@ -32,7 +32,7 @@ pub(super) fn synthetic(
             carrier: Some(carrier).filter(|carrier| *carrier != [0.0; 2] || fringes.four),
             rising: [[1.0, 0.0], [0.0, 1.0]][field.component()],
         };
-        orders(scope, input).map_err(|cause| scope.fringes(field_name(field), cause))
+        orders(scope, input).map_err(|cause| scope.fringes(field.name(), cause))
     };
     let (u, v) = parallel::join(|| of(Field::U), || of(Field::V));
     Ok(Reading::Pictures(Box::new([Some(u?), Some(v?)])))
@@ -157,7 +157,7 @@ fn other_carrier(
     orders(scope, input).map_or_else(
         |_| String::new(),
         |found| {
-            let [x, y] = found.carrier;
+            let [x, y] = found.field.carrier;
             format!(
                 ". The carrier stated is ({}, {}) fringes/mm; the picture's strongest fringes have ({x:.2}, {y:.2}), the plate's strain included",
                 stated[0], stated[1]
@@ -178,7 +178,7 @@ fn failed(
         .collect();
     ExperimentError::Fringes {
         state: scope.name(),
-        field: field_name(field),
+        field: field.name(),
         file: format!(", {}", names.join(", ")),
         hint,
         key: scope.key.clone(),

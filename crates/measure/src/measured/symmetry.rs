@@ -3,11 +3,9 @@
 use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::data::{DataError, Field, FringeLine, FringeLines, Symmetry};
 
-use super::combine::{grating, longest_side};
 use super::{Measured, Reading, Scope};
 use crate::error::ExperimentError;
 use crate::finding::{BackFinding, Finding};
-use crate::synthesis::field_name;
 use stickslip_scene::experiment::SymmetryPlan;
 
 /// What a comparison found.
@@ -32,7 +30,7 @@ pub(super) fn compared(
             common_lines(scope, plan, [&own[c], &other[c]], &mut comparison)?;
             continue;
         }
-        let name = field_name(field);
+        let name = field.name();
         match [front, back].map(|side| side.measurement.count(field) > 0) {
             [true, true] => {
                 let found = along_line(scope, plan, field, [front, back])?;
@@ -95,7 +93,7 @@ fn common_lines(
     [front, back]: [&FringeLines; 2],
     comparison: &mut Comparison,
 ) -> Result<(), ExperimentError> {
-    let name = field_name(front.field);
+    let name = front.field.name();
     let names = |lines: &FringeLines| -> String {
         let all: Vec<&str> = lines.lines.iter().map(FringeLine::name).collect();
         all.join(", ")
@@ -136,14 +134,14 @@ fn along_line(
     field: Field,
     [front, back]: [&Measured; 2],
 ) -> Result<Symmetry, ExperimentError> {
-    let grating = grating(scope)?;
+    let grating = scope.grating()?;
     let places: Vec<Point> = (0..plan.places)
         .map(|k| {
             let t = k as f64 / (plan.places - 1) as f64;
             [0, 1].map(|axis| (1.0 - t) * plan.ends[0][axis] + t * plan.ends[1][axis])
         })
         .collect();
-    let side = longest_side(scope);
+    let side = scope.longest_side();
     let along = |measured: &Measured, name: &str| {
         measured
             .measurement

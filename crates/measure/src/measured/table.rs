@@ -3,11 +3,9 @@
 use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::data::{DataError, Field, Measurement, Rows, Unit, YAxis};
 
-use super::rotation::{self, TakenOff};
-use super::{Reading, Scope, scatter};
+use super::{Measured, Reading, Scope, range, rotation, scatter};
 use crate::error::ExperimentError;
 use crate::finding::{FieldFinding, Finding, TableFinding, Worst};
-use crate::synthesis::field_name;
 use stickslip_scene::experiment::TableSource;
 use stickslip_scene::limits::Content;
 use stickslip_scene::units::{Dimension, Expected, parse};
@@ -18,19 +16,6 @@ const CALCULATED: f64 = 1e-5;
 const ON_EDGE: f64 = 0.05;
 /// Part of the valid places that may be inside of the hole as strays.
 const STRAY: f64 = 0.01;
-
-/// What a table says.
-#[derive(Clone, Debug)]
-pub(super) struct Scattered {
-    pub(super) measurement: Measurement,
-    /// Places that are masked as outliers.
-    pub(super) outliers: Vec<usize>,
-    /// Standard deviation of errors at least, by statement or by digits `[mm]`.
-    pub(super) floor: [f64; 2],
-    /// The rotation of the specimen that was taken off.
-    pub(super) rotation: Option<TakenOff>,
-    pub(super) findings: Vec<Finding>,
-}
 
 /// A table as its source says, its origin moved to the body's, masked where it shows no specimen and where places do not go with their
 /// neighbours.
@@ -54,13 +39,9 @@ pub(super) fn read(scope: &Scope<'_>, source: &TableSource) -> Result<Reading, E
     let rounding = rows.step.map(|step| step / 12.0_f64.sqrt());
     let floor = rounding.map(|rounding| source.deviation.unwrap_or(rounding));
     measurement.deviation = [0, 1].map(|c| floor[c].max(rounding[c]));
-    let mut found = Scattered {
-        outliers: Vec::new(),
-        floor,
-        rotation: None,
-        findings,
-        measurement,
-    };
+    let mut found = Measured::new(scope.state, measurement);
+    found.floor = floor;
+    found.found(findings);
     mask_outliers(scope, &name, &rows, &mut found)?;
     match source.deviation {
         Some(deviation) => found.measurement.deviation = [deviation; 2],
@@ -70,9 +51,10 @@ pub(super) fn read(scope: &Scope<'_>, source: &TableSource) -> Result<Reading, E
     }
     let before = found.measurement.deviation;
     let data = std::mem::take(&mut found.measurement);
-    (found.measurement, found.rotation) = rotation::of_material(scope, data);
-    let turned = found.rotation.and_then(|own| own.finding());
-    found.findings.extend(turned);
+    let (data, turned) = rotation::of_material(scope, data);
+    found.measurement = data;
+    found.found(turned.and_then(|own| own.finding()));
+    found.rotations.extend(turned);
     if source.deviation.is_none() {
         // Once more in the frame of the specimen, so that what is found does not depend on the rotation. A component without any scatter
         // gets none by the other one's.
@@ -85,7 +67,7 @@ pub(super) fn read(scope: &Scope<'_>, source: &TableSource) -> Result<Reading, E
             found_deviation(field, scatters[field.component()], &mut found);
         }
     }
-    Ok(Reading::Scattered(found))
+    Ok(Reading::Scattered(Box::new(found)))
 }
 
 /// The body's origin `[mm]` in the table's axes, y upright.
@@ -170,10 +152,7 @@ fn inside_hole(scope: &Scope<'_>, name: &str, data: &Measurement) -> Option<Find
     let valid = (0..data.places.len()).filter(|&k| data.valid[0][k] || data.valid[1][k]);
     let depths: Vec<(f64, Point)> = valid
         .map(|k| data.places[k])
-        .map(|place| {
-            let from_centre = (place[0] - hole.centre[0]).hypot(place[1] - hole.centre[1]);
-            (hole.radius - from_centre, place)
-        })
+        .map(|place| (hole.radius - hole.from_centre(place), place))
         .collect();
     let inside = depths
         .iter()
@@ -197,7 +176,7 @@ fn mask_outliers(
     scope: &Scope<'_>,
     name: &str,
     rows: &Rows,
-    found: &mut Scattered,
+    found: &mut Measured,
 ) -> Result<(), ExperimentError> {
     let Some(threshold) = scope.experiment.reduce.outliers else {
         return Ok(());
@@ -218,19 +197,20 @@ fn mask_outliers(
     }
     let worst = Worst {
         line: rows.lines[worst.place],
-        field: field_name(worst.field),
+        field: worst.field.name(),
         value: worst.value,
         expected: worst.expected,
     };
     for field in Field::BOTH {
         data.mask(field, |k| marks[k]);
     }
-    found.findings.push(Finding::Table(TableFinding::Outliers {
+    let outliers = TableFinding::Outliers {
         file: name.to_owned(),
         count: bad.len(),
         places,
         worst,
-    }));
+    };
+    found.found([Finding::Table(outliers)]);
     found.outliers = bad;
     Ok(())
 }
@@ -263,13 +243,13 @@ fn scatters(
 }
 
 /// Findings on the standard deviation of a component whose neighbours scatter by `scatter` `[mm]`.
-fn found_deviation(field: Field, scatter: f64, found: &mut Scattered) {
+fn found_deviation(field: Field, scatter: f64, found: &mut Measured) {
     if found.measurement.count(field) == 0 {
         return;
     }
     let deviation = found.measurement.deviation[field.component()];
     let range = range(&found.measurement, field);
-    let field = field_name(field);
+    let field = field.name();
     let calculated = (deviation < CALCULATED * range).then(|| FieldFinding::AsCalculated {
         field,
         deviation,
@@ -281,19 +261,5 @@ fn found_deviation(field: Field, scatter: f64, found: &mut Scattered) {
         by_digits: deviation > scatter,
     };
     let both = calculated.into_iter().chain([estimated]);
-    found.findings.extend(both.map(Finding::Field));
-}
-
-/// Largest less least valid displacement `[mm]`.
-fn range(measurement: &Measurement, field: Field) -> f64 {
-    let c = field.component();
-    let values = measurement.displacements[c].iter();
-    let valid = values
-        .zip(&measurement.valid[c])
-        .filter(|(_, valid)| **valid);
-    let [low, high] = valid.fold(
-        [f64::INFINITY, f64::NEG_INFINITY],
-        |[low, high], (&u, _)| [low.min(u), high.max(u)],
-    );
-    (high - low).max(0.0)
+    found.found(both.map(Finding::Field));
 }

@@ -1,7 +1,6 @@
 //! Shear over pressure along the hole of a whole plate.
 
 use super::WholeSolution;
-use crate::identified::ratio_of;
 
 /// A ratio is clear where the pressure is this many standard deviations, and this part of its largest.
 const DEVIATIONS: f64 = 4.0;
@@ -10,11 +9,7 @@ const PART: f64 = 0.05;
 impl WholeSolution {
     /// Standard deviation of the pressure (`0`) or the shear (`1`) at place `k` `[MPa]`.
     pub fn deviation(&self, which: usize, k: usize) -> f64 {
-        let count = self.angle.len();
-        let row = which * count + k;
-        self.tractions.covariance[row * 2 * count + row]
-            .max(0.0)
-            .sqrt()
+        self.tractions.deviation(which, k)
     }
 
     /// Shear over pressure at each place that bears a clear pressure, with its standard deviation.
@@ -25,7 +20,7 @@ impl WholeSolution {
             .filter_map(|k| {
                 let (p, deviation) = (own.pressure[k], self.deviation(0, k));
                 let clear = p > DEVIATIONS * deviation && p > PART * largest;
-                let (ratio, spread) = ratio_of(own, k);
+                let (ratio, spread) = own.ratio(k);
                 clear.then_some((self.angle[k], ratio, spread))
             })
             .collect()

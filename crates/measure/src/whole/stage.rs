@@ -1,9 +1,7 @@
 //! The whole plate in each state of an experiment.
 
-use stickslip_hybrid::region::transfer::Propagated;
-
 use super::{WholeError, WholePlate, WholeSolution};
-use crate::analysed::{Analysed, Checked};
+use crate::analysed::Analysed;
 use crate::error::ExperimentError;
 use crate::finding::ModelFinding;
 use crate::measured::Measured;
@@ -31,20 +29,8 @@ impl WholeState {
             hoop: own.hoop.iter().map(|hoop| hoop[0]).collect(),
             hoop_deviation: own.hoop.iter().map(|hoop| hoop[1]).collect(),
             bias: own.bias.clone(),
-            direct: None,
-            without_direct: None,
-            fit: None,
             scale: own.scale,
-            residuals: Vec::new(),
-            scale_assumed: None,
-            picture: Vec::new(),
-            checks: Checked::default(),
-            nodal_forces: Vec::new(),
-            forces: Propagated {
-                values: Vec::new(),
-                covariance: Vec::new(),
-                solves: 0,
-            },
+            ..Analysed::default()
         }
     }
 }

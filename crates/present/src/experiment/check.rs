@@ -8,7 +8,7 @@ use stickslip_measure::ExperimentError;
 use stickslip_measure::analysed::Workbench;
 use stickslip_measure::finding::{Level, ignored_keys};
 use stickslip_measure::measured::{self, Measured};
-use stickslip_measure::synthesis::{Shots, field_name};
+use stickslip_measure::synthesis::Shots;
 use stickslip_scene::experiment::{Experiment, RegionShape, Source};
 use stickslip_text::short;
 
@@ -93,10 +93,10 @@ fn of_state(experiment: &Experiment, found: &Measured) -> String {
     let unit = experiment.display.length;
     let shown = |value: f64| format!("{} {}", short(unit.from_base(value)), unit.name);
     let fields = Field::BOTH.map(|field| match data.count(field) {
-        0 => format!("no {}", field_name(field)),
+        0 => format!("no {}", field.name()),
         count => format!(
             "{} valid at {count}, ± {}",
-            field_name(field),
+            field.name(),
             shown(data.deviation[field.component()])
         ),
     });

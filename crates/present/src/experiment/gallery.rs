@@ -16,7 +16,7 @@ use stickslip_report::table::{Column, Table};
 
 use super::story::Story;
 use stickslip_measure::ExperimentError;
-use stickslip_measure::synthesis::{Camera, Shot, Shots, field_name};
+use stickslip_measure::synthesis::{Camera, Shot, Shots};
 use stickslip_scene::experiment::{Experiment, State};
 use stickslip_scene::units::Unit;
 use stickslip_text::{counted, short};
@@ -300,5 +300,5 @@ pub(super) fn edges(picture: &PixelMap, unit: &Unit) -> [f64; 4] {
 
 /// Name of a field for keys and files.
 pub(super) fn letter(field: Field) -> String {
-    field_name(field).to_lowercase()
+    field.name().to_lowercase()
 }

@@ -11,7 +11,6 @@ use crate::experiment::gallery::caption;
 use crate::experiment::story::{Story, csv_table};
 pub(super) use signs::signs;
 use stickslip_measure::measured::{Measured, repeated};
-use stickslip_measure::synthesis::field_name;
 use stickslip_scene::experiment::{Experiment, Method, Source, State};
 use stickslip_text::{counted, short, significant};
 
@@ -201,7 +200,7 @@ fn row(experiment: &Experiment, measured: &Measured, field: Field) -> Vec<String
     let number = |count: Option<usize>| count.map_or_else(String::new, |count| count.to_string());
     vec![
         experiment.states[measured.state].name.clone(),
-        field_name(field).to_owned(),
+        field.name().to_owned(),
         data.places.len().to_string(),
         (data.places.len() - count).to_string(),
         number(is_table(experiment, measured).then_some(measured.outliers.len())),
@@ -262,7 +261,7 @@ fn symmetry(experiment: &Experiment, fields: &[Measured]) -> Table {
         for (field, found) in &measured.symmetry {
             table.push(vec![
                 experiment.states[measured.state].name.clone(),
-                field_name(*field).to_owned(),
+                field.name().to_owned(),
                 format!("{:.3}", found.largest),
                 short(length.from_base(found.place[0])),
                 short(length.from_base(found.place[1])),

@@ -1,7 +1,7 @@
 //! A friction law with free parameters.
 
 use serde_json::Value;
-use stickslip_friction::{Dimension, FrictionLaw, Mirror, registry};
+use stickslip_friction::{Dimension, FrictionLaw, History, Mirror, Place, PointStatus, registry};
 use stickslip_hybrid::calibrate::Parameter;
 use thiserror::Error;
 
@@ -138,24 +138,63 @@ impl Candidate {
 
     /// Whether the law claims the symmetry about `mirror` at points of the ranges of its free parameters, those aside that it refuses.
     pub fn is_symmetric(&self, mirror: &Mirror) -> bool {
+        self.in_the_ranges().all(|law| law.is_symmetric(mirror))
+    }
+
+    /// Whether friction drops where slip begins without a length over which it does, with the values `fitted` of the free parameters, in
+    /// base units, or at points of their ranges.
+    ///
+    /// What such a law does depends on the spacing of contact nodes. Its bounds say so, whatever its kind and whatever it is made of.
+    pub fn drops_without_length(&self, fitted: &[f64]) -> bool {
+        let fitted = self.law(fitted).ok();
+        let mut laws = fitted.into_iter().chain(self.in_the_ranges());
+        laws.any(|law| drops_without_length(law.as_ref()))
+    }
+
+    /// The law at points of the ranges of its free parameters, those aside that it refuses.
+    fn in_the_ranges(&self) -> impl Iterator<Item = Box<dyn FrictionLaw>> {
         // Parts of the ranges without a pattern: multiples of an irrational number for each parameter (Weyl 1916).
         let value = |point: u32, (index, parameter): (usize, &Parameter)| {
             let [low, high] = parameter.range;
             let step = (index as f64 + 0.5).sqrt();
             low + (f64::from(point) * step).fract() * (high - low)
         };
-        let at = |point: u32| {
+        let at = move |point: u32| {
             let parameters = self.parameters.iter().enumerate();
             let values: Vec<f64> = parameters.map(|own| value(point, own)).collect();
             self.law(&values)
         };
-        let mut laws = (1..=ASKED).filter_map(|point| at(point).ok());
-        laws.all(|law| law.is_symmetric(mirror))
+        (1..=ASKED).filter_map(move |point| at(point).ok())
     }
 }
 
 /// Points of the ranges at which a law is asked for what must hold in all of them.
 const ASKED: u32 = 8;
+
+/// Whether a point that has slipped by nothing bears less than one that never has.
+fn drops_without_length(law: &dyn FrictionLaw) -> bool {
+    /// Pressures in base units, and angles of the tangent from the fibres `[deg]`.
+    const PRESSURES: [f64; 2] = [1.0, 100.0];
+    const ANGLES: [f64; 4] = [0.0, 30.0, 60.0, 90.0];
+    const ROUNDING: f64 = 1e-9;
+    let at_rest = History::default();
+    let slips = at_rest.commit(PointStatus::Slip, 0.0);
+    let drops = |pressure: f64, angle: f64| {
+        let (sine, cosine) = angle.to_radians().sin_cos();
+        let place = Place {
+            position: [sine, -cosine],
+            tangent: [cosine, sine],
+            material_angle: 0.0,
+        };
+        let holds = law.bound(pressure, 0.0, &place, &at_rest).stick;
+        let rubs = law.bound(pressure, 0.0, &place, &slips).slip;
+        rubs < (1.0 - ROUNDING) * holds
+    };
+    let mut asked = PRESSURES
+        .iter()
+        .flat_map(|&pressure| ANGLES.map(|angle| (pressure, angle)));
+    asked.any(|(pressure, angle)| drops(pressure, angle))
+}
 
 /// Dimension of the parameter `path` of the law `kind`, which may lie in a law inside of it; a bare number where the registry does not
 /// say.
@@ -203,5 +242,48 @@ fn numbers_in(value: &Value, path: &str) -> Vec<String> {
             .flat_map(|(index, value)| numbers_in(value, &below(&index.to_string())))
             .collect(),
         _ => Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use stickslip_friction::{
+        Coulomb, FibreCoverage, Kernel, PlyFraction, SlipPath, SlipPower, StaticDynamic, Transition,
+    };
+
+    use super::*;
+
+    fn drops(law: &dyn FrictionLaw, free: &str, fitted: f64) -> bool {
+        let candidate = Candidate::of_law("own name", law, &[(free, [0.1, 0.5])]).unwrap();
+        candidate.drops_without_length(&[fitted])
+    }
+
+    #[test]
+    fn a_drop_without_length_is_known_by_what_a_law_does() {
+        let constant = Coulomb::new(0.3).unwrap();
+        assert!(!drops(&constant, "mu", 0.3));
+        let passage = SlipPower::new(0.4, 0.2, 1e-3, 2.0, SlipPath::Committed).unwrap();
+        assert!(!drops(&passage, "static", 0.4));
+        for transition in [Transition::Drop, Transition::Lagged] {
+            let law = StaticDynamic::new(0.4, 0.2, transition).unwrap();
+            assert!(drops(&law, "static", 0.4), "{transition:?}");
+            let ply = PlyFraction {
+                angle: 0.0,
+                fraction: 1.0,
+            };
+            let kernel = Kernel::Swept { kappa: 0.5 };
+            let matrix = Box::new(constant.clone());
+            // Of another kind, and with the drop in a part of it.
+            let mixed = FibreCoverage::new(vec![ply], 0.6, kernel, law.box_clone(), matrix);
+            let free = "fibre.static_dynamic.static";
+            assert!(drops(&mixed.unwrap(), free, 0.4), "{transition:?}");
+        }
+    }
+
+    #[test]
+    fn a_drop_is_seen_where_a_law_refuses_most_of_the_range() {
+        let law = StaticDynamic::new(0.4999, 0.4998, Transition::Drop).unwrap();
+        assert!(drops(&law, "static", 0.4999));
+        assert!(!drops(&law, "static", 0.4998));
     }
 }

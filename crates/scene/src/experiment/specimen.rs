@@ -7,7 +7,7 @@ use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::fringe;
 
 use crate::Scene;
-use crate::schema::Material;
+use crate::schema::{Material, SetRef};
 
 /// What was measured.
 #[derive(Clone, Debug)]
@@ -45,6 +45,13 @@ pub struct Hole {
     pub radius: f64,
 }
 
+impl Hole {
+    /// Distance `[mm]` of `place` `[mm]` from the centre.
+    pub fn from_centre(&self, [x, y]: Point) -> f64 {
+        (x - self.centre[0]).hypot(y - self.centre[1])
+    }
+}
+
 /// The scene of a specimen.
 #[derive(Clone, Debug)]
 pub struct SpecimenScene {
@@ -54,6 +61,15 @@ pub struct SpecimenScene {
     pub body: String,
     /// Name of the hole's edge, without that of the body.
     pub edge: String,
+}
+
+impl SpecimenScene {
+    /// Index of the contact of the scene at the hole's edge; `None` where nothing touches it.
+    pub fn contact(&self) -> Option<usize> {
+        let at_edge = |set: &SetRef| set.body == self.body && set.set == self.edge;
+        let mut contacts = self.scene.contacts.iter();
+        contacts.position(|contact| at_edge(&contact.first) || at_edge(&contact.second))
+    }
 }
 
 /// How synthetic pictures are taken.

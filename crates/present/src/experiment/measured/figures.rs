@@ -10,7 +10,6 @@ use stickslip_report::svg::Svg;
 
 use crate::experiment::gallery::{caption, edges, picture_plot};
 use stickslip_measure::measured::{Measured, PictureField};
-use stickslip_measure::synthesis::field_name;
 use stickslip_scene::experiment::Experiment;
 use stickslip_scene::units::Unit;
 
@@ -34,7 +33,7 @@ pub(super) fn orders(
     }
     both(experiment, measured, |field, found| {
         let unit = experiment.display.length;
-        let title = format!("{} field", field_name(field));
+        let title = format!("{} field", field.name());
         let label = format!("N{} [fringes]", ["x", "y"][field.component()]);
         let mut plot =
             picture_plot(&title, &found.orders, unit).colors(Colormap::Viridis, Some(label));
@@ -53,7 +52,7 @@ pub(super) fn phase(
 ) -> Option<Result<Svg, FigureError>> {
     both(experiment, measured, |field, found| {
         let unit = experiment.display.length;
-        let title = format!("{} field", field_name(field));
+        let title = format!("{} field", field.name());
         let mut plot = picture_plot(&title, &found.wrapped, unit)
             .colors(Colormap::Cyclic, Some("phase [fringes]".to_owned()));
         plot.range = Some([-0.5, 0.5]);
@@ -136,7 +135,7 @@ fn scattered(
     let letter = ["u", "v"][c];
     let title = format!(
         "{}: {} of {} places valid",
-        field_name(field),
+        field.name(),
         measurement.count(field),
         dots.len()
     );

@@ -123,6 +123,46 @@ fn a_mesh_comes_back_with_its_hole() {
     }
 }
 
+/// The `text` of a mesh with further `elements`: number of the kind in Gmsh, and nodes of each.
+fn with_elements(text: &str, elements: &[(usize, &[usize])]) -> String {
+    let (before, after) = text.split_once("$Elements\n").unwrap();
+    let (header, rest) = after.split_once('\n').unwrap();
+    let cells: usize = header.split(' ').nth(1).unwrap().parse().unwrap();
+    let all = cells + elements.len();
+    let mut blocks = String::new();
+    for (k, (kind, nodes)) in elements.iter().enumerate() {
+        let tags: Vec<String> = nodes.iter().map(|node| (node + 11).to_string()).collect();
+        let tag = cells + 1 + k;
+        let _ = write!(blocks, "2 1 {kind} 1\n{tag} {}\n", tags.join(" "));
+    }
+    let count = 1 + elements.len();
+    let rest = rest.replace("$EndElements", &format!("{blocks}$EndElements"));
+    format!("{before}$Elements\n{count} {all} 1 {all}\n{rest}")
+}
+
+#[test]
+fn cells_of_other_kinds_are_refused_by_kind_and_count() {
+    let written = text(&sector(ElementKind::Q4), 1.0);
+    let cubic: Vec<usize> = (0..10).collect();
+    let others: [(usize, &[usize]); 3] = [(21, &cubic), (4, &cubic[..4]), (21, &cubic)];
+    let Err(ExperimentError::Missing { key, what, .. }) =
+        read(&with_elements(&written, &others), 1.0)
+    else {
+        panic!("cubic triangles and tetrahedra are not read");
+    };
+    assert_eq!(key, "region.mesh");
+    let counts = "1 of Gmsh's kind Tet4, 2 of Gmsh's kind Tri10";
+    assert!(what.contains(counts), "{what}");
+}
+
+#[test]
+fn points_and_lines_that_mark_corners_and_edges_are_passed_over() {
+    let mesh = sector(ElementKind::Q4);
+    let marks: [(usize, &[usize]); 3] = [(15, &[0]), (1, &[0, 1]), (26, &[0, 1, 2, 3])];
+    let found = read(&with_elements(&text(&mesh, 1.0), &marks), 1.0).unwrap();
+    assert_eq!(found.element_count(), mesh.element_count());
+}
+
 #[test]
 fn what_is_no_mesh_of_the_hole_is_refused() {
     let written = text(&sector(ElementKind::Q4), 1.0);

@@ -1,11 +1,12 @@
 //! A region's mesh from a file of Gmsh (format 4.1, text or binary).
 //!
 //! Its cells are all triangles and quadrilaterals of the file, linear or quadratic, in the plane z = constant; groups do not matter.
-//! Stresses are computed on the edges whose ends lie on the hole.
+//! Points and lines of any order, which Gmsh saves where groups mark corners and edges, are passed over; cells of all other kinds are
+//! refused, since without them the region would have gaps. Stresses are computed on the edges whose ends lie on the hole.
 
 use std::collections::BTreeMap;
 
-use mshio::{ElementType, MshFile, parse_msh_bytes};
+use mshio::{ElementBlock as Elements, ElementType, MshFile, parse_msh_bytes};
 use stickslip_fem_core::mesh::{
     Curve, EdgeRef, EdgeSet, ElementBlock, ElementKind, Mesh, MeshParts, Point,
 };
@@ -42,8 +43,8 @@ fn has_header(bytes: &[u8]) -> bool {
 /// The mesh of `plan`, its edges on `hole` in the set `edge`.
 ///
 /// # Errors
-/// [`ExperimentError::File`] for a file that cannot be read or makes no mesh, [`ExperimentError::Missing`] for one without cells or
-/// without an edge on the hole.
+/// [`ExperimentError::File`] for a file that cannot be read or makes no mesh, [`ExperimentError::Missing`] for one without cells, with
+/// cells of other kinds, or without an edge on the hole.
 pub(super) fn mesh(
     plan: &MeshPlan,
     hole: &Hole,
@@ -62,6 +63,7 @@ pub(super) fn mesh(
         return Err(other());
     }
     let file = parse_msh_bytes(&bytes).map_err(|_| other())?;
+    check_kinds(&file)?;
     let parts = parts(&file, plan.scale).map_err(unreadable)?;
     let memory = parts.nodes.len() as f64 * BYTES_PER_NODE;
     host.limits
@@ -72,15 +74,17 @@ pub(super) fn mesh(
             words,
         })?;
     if parts.blocks.is_empty() {
-        return Err(missing(
-            "the mesh has no triangles and no quadrilaterals of one or two orders".to_owned(),
+        return Err(ExperimentError::missing(
+            "region.mesh",
+            "the mesh has no triangles and no quadrilaterals of one or two orders",
             "mesh the surface, and save it with its elements",
         ));
     }
     let plain = Mesh::new(parts).map_err(|cause| unreadable(cause.to_string()))?;
     let edges = on_hole(&plain, hole);
     if edges.is_empty() {
-        return Err(missing(
+        return Err(ExperimentError::missing(
+            "region.mesh",
             format!(
                 "no edge of the mesh lies on the hole; the nearest node is {:.6} mm off its edge",
                 nearest(&plain, hole)
@@ -99,14 +103,6 @@ pub(super) fn mesh(
     Mesh::new(parts).map_err(|cause| unreadable(cause.to_string()))
 }
 
-fn missing(what: String, remedy: &str) -> ExperimentError {
-    ExperimentError::Missing {
-        key: "region.mesh".to_owned(),
-        what,
-        remedy: remedy.to_owned(),
-    }
-}
-
 fn kind_of(kind: ElementType) -> Option<ElementKind> {
     match kind {
         ElementType::Tri3 => Some(ElementKind::T3),
@@ -118,17 +114,66 @@ fn kind_of(kind: ElementType) -> Option<ElementKind> {
     }
 }
 
+/// Whether elements of `kind` only mark corners and edges.
+fn marks_boundaries(kind: ElementType) -> bool {
+    use ElementType::{
+        Lin1, Lin2, Lin3, Lin4, Lin5, Lin6, Lin7, Lin8, Lin9, Lin10, Lin11, LinB, LinC, Pnt,
+    };
+    matches!(
+        kind,
+        Pnt | Lin1
+            | Lin2
+            | Lin3
+            | Lin4
+            | Lin5
+            | Lin6
+            | Lin7
+            | Lin8
+            | Lin9
+            | Lin10
+            | Lin11
+            | LinB
+            | LinC
+    )
+}
+
+fn blocks(file: &MshFile<u64, i32, f64>) -> impl Iterator<Item = &Elements<u64, i32>> {
+    let elements = file.data.elements.iter();
+    elements.flat_map(|all| &all.element_blocks)
+}
+
+/// Refuses cells that are no part of a plane mesh of one or two orders.
+fn check_kinds(file: &MshFile<u64, i32, f64>) -> Result<(), ExperimentError> {
+    let mut others: BTreeMap<String, usize> = BTreeMap::new();
+    for block in blocks(file) {
+        let kind = block.element_type;
+        if kind_of(kind).is_none() && !marks_boundaries(kind) && !block.elements.is_empty() {
+            *others.entry(format!("{kind:?}")).or_default() += block.elements.len();
+        }
+    }
+    if others.is_empty() {
+        return Ok(());
+    }
+    let counted: Vec<String> = (others.iter())
+        .map(|(kind, count)| format!("{count} of Gmsh's kind {kind}"))
+        .collect();
+    Err(ExperimentError::missing(
+        "region.mesh",
+        format!(
+            "the mesh has cells that are not read: {}; its cells are triangles and quadrilaterals of one or two orders (Tri3, Tri6, Qua4, \
+             Qua8, Qua9)",
+            counted.join(", ")
+        ),
+        "mesh the surface with Mesh.ElementOrder = 1 or 2, and save its elements without those of volumes",
+    ))
+}
+
 /// Nodes that cells use, and the cells, counter-clockwise.
 fn parts(file: &MshFile<u64, i32, f64>, scale: f64) -> Result<MeshParts, String> {
     let places = places(file, scale);
     let mut parts = MeshParts::default();
     let mut indices: BTreeMap<u64, usize> = BTreeMap::new();
-    let blocks = file
-        .data
-        .elements
-        .iter()
-        .flat_map(|all| &all.element_blocks);
-    for block in blocks {
+    for block in blocks(file) {
         let Some(kind) = kind_of(block.element_type) else {
             continue;
         };
@@ -197,8 +242,8 @@ fn reverse(cell: &mut [usize], kind: ElementKind) {
     }
 }
 
-fn off(hole: &Hole, [x, y]: Point) -> f64 {
-    ((x - hole.centre[0]).hypot(y - hole.centre[1]) - hole.radius).abs()
+fn off(hole: &Hole, place: Point) -> f64 {
+    (hole.from_centre(place) - hole.radius).abs()
 }
 
 /// Boundary edges with both ends on the hole.
