@@ -47,12 +47,7 @@ pub(crate) fn draw(
         if left > OUTER && left + needed > width - OUTER {
             [left, line] = [OUTER, line + ROW];
         }
-        let area = Area {
-            left,
-            top: line,
-            width: swatch,
-            height: SWATCH,
-        };
+        let area = Area::new([left, line], [swatch, SWATCH]);
         draw_marked(canvas, &area, category, &Stroke::solid(MUTED, 0.5));
         let at = [left + swatch + 6.0, line + SWATCH / 2.0];
         canvas.centred_text(at, &category.label, &style);

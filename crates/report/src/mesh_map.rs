@@ -39,12 +39,10 @@ impl MeshMap<'_> {
     pub fn render(&self) -> Result<Svg, FigureError> {
         self.check()?;
         let heading = Heading::new(&self.title, TITLE_SIZE, &[], self.width - 2.0 * OUTER);
-        let area = Area {
-            left: 62.0,
-            top: OUTER + heading.height(),
-            width: self.width - 62.0 - OUTER - 12.0,
-            height: 0.0,
-        };
+        let area = Area::new(
+            [62.0, OUTER + heading.height()],
+            [self.width - 62.0 - OUTER - 12.0, 0.0],
+        );
         let frame = Frame::to_scale(&self.axes, self.window, area, (&self.title, self.width))?;
         let mut canvas = Canvas::default();
         heading.draw(&mut canvas, [OUTER, OUTER]);

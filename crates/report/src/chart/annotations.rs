@@ -287,12 +287,7 @@ mod tests {
 
     #[test]
     fn names_are_moved_apart_and_kept_inside() {
-        let area = Area {
-            left: 0.0,
-            top: 0.0,
-            width: 100.0,
-            height: 100.0,
-        };
+        let area = Area::new([0.0, 0.0], [100.0, 100.0]);
         let places = moved_apart(
             &[[50.0, 14.0], [52.0, 14.0], [98.0, 14.0], [99.0, 14.0]],
             area,

@@ -47,12 +47,7 @@ impl ColorBar {
             ticks = Ticks::new(axis, span, wanted)?;
         }
         Ok(Self {
-            area: Area {
-                left,
-                top,
-                width: WIDTH,
-                height,
-            },
+            area: Area::new([left, top], [WIDTH, height]),
             span: *span,
             ticks,
             label: text::wrap(&axis.label, height, LABEL_SIZE, Weight::Regular),
@@ -81,15 +76,8 @@ pub(crate) fn draw(canvas: &mut Canvas, bar: &ColorBar, colormap: Colormap, beyo
         let top = area.bottom() - height * (strip + 1) as f64;
         // Each strip reaches under the one above it, which is drawn later.
         let overlap = if strip == 0 { 0.0 } else { 0.5 };
-        canvas.rectangle(
-            &Area {
-                top,
-                height: height + overlap,
-                ..area
-            },
-            color,
-            None,
-        );
+        let strip = Area::new([area.left, top], [area.width, height + overlap]);
+        canvas.rectangle(&strip, color, None);
     }
     draw_border(canvas, &area, colormap, beyond);
     let style = TextStyle::new(TICK_SIZE, INK, Anchor::Start);
