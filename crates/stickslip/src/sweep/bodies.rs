@@ -88,7 +88,8 @@ pub(super) fn model_key(scene: &Scene) -> String {
     digest(&text)
 }
 
-fn digest(text: &str) -> String {
+/// SHA-256 of a text in hexadecimal digits.
+pub(super) fn digest(text: &str) -> String {
     let bytes = Sha256::digest(text.as_bytes());
     bytes.iter().fold(String::new(), |mut text, byte| {
         // Writing into a string does not fail.
