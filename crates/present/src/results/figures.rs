@@ -45,34 +45,7 @@ pub(super) enum Group {
 pub(super) fn draw(results: &Results) -> (Vec<Drawing>, Vec<String>) {
     let mut gallery = Gallery::default();
     for view in EdgeView::all(results) {
-        let name = &view.geometry.name;
-        gallery.add(Group::Edge, &format!("stresses-{name}"), edge::chart(&view));
-        if view.geometry.contact {
-            gallery.add(
-                Group::Edge,
-                &format!("pressure-{name}"),
-                families::pressure(&view),
-            );
-            gallery.add(
-                Group::Edge,
-                &format!("shear-{name}"),
-                families::shear(&view),
-            );
-        }
-        gallery.add(Group::Edge, &format!("hoop-{name}"), families::hoop(&view));
-        if view.geometry.contact {
-            gallery.add(Group::History, &format!("map-{name}"), map::chart(&view));
-            gallery.add(
-                Group::History,
-                &format!("extent-{name}"),
-                history::extent_and_peak(&view),
-            );
-            gallery.add(
-                Group::History,
-                &format!("friction-{name}"),
-                history::friction(&view),
-            );
-        }
+        add_edge(&mut gallery, &view);
     }
     for view in FailureView::all(results) {
         add_failure(&mut gallery, &view);
@@ -83,49 +56,87 @@ pub(super) fn draw(results: &Results) -> (Vec<Drawing>, Vec<String>) {
     (gallery.drawings, gallery.failures)
 }
 
+/// Figures of an edge.
+fn add_edge(gallery: &mut Gallery, view: &EdgeView<'_>) {
+    let mut add = |group, what: &str, attempt| {
+        gallery.add(group, &format!("{what}-{}", view.geometry.name), attempt);
+    };
+    add(Group::Edge, "stresses", edge::chart(view));
+    if view.geometry.contact {
+        add(Group::Edge, "pressure", families::pressure(view));
+        add(Group::Edge, "shear", families::shear(view));
+    }
+    add(Group::Edge, "hoop", families::hoop(view));
+    if view.geometry.contact {
+        add(Group::History, "map", map::chart(view));
+        add(Group::History, "extent", history::extent_and_peak(view));
+        add(Group::History, "friction", history::friction(view));
+    }
+}
+
 /// Figures of a laminated body.
 fn add_failure(gallery: &mut Gallery, view: &FailureView<'_>) {
-    let (group, body) = (Group::Failure, view.body());
+    use failure::figures;
+    let mut add = |group, what: &str, name: &str, attempt| {
+        gallery.add(group, &format!("{what}-{name}"), attempt);
+    };
     for edge in &view.failure.edges {
         let name = &view.results.edges[edge.edge].name;
-        gallery.add(
-            group,
-            &format!("ply-index-{name}"),
-            failure::figures::index_along(view, edge),
+        add(
+            Group::Failure,
+            "ply-index",
+            name,
+            figures::index_along(view, edge),
         );
-        gallery.add(
-            group,
-            &format!("ply-stresses-{name}"),
-            failure::figures::stresses_along(view, edge),
+        add(
+            Group::Failure,
+            "ply-stresses",
+            name,
+            figures::stresses_along(view, edge),
         );
     }
-    gallery.add(
-        group,
-        &format!("characteristic-{body}"),
-        failure::figures::characteristic(view),
+    let body = view.body();
+    add(
+        Group::Failure,
+        "characteristic",
+        body,
+        figures::characteristic(view),
     );
-    for (plane, stem) in [
+    for (plane, what) in [
         (EnvelopePlane::Normal, "envelope-normal"),
         (EnvelopePlane::Shear, "envelope-shear"),
     ] {
-        let picture = failure::figures::envelopes(view, plane);
-        gallery.add(group, &format!("{stem}-{body}"), picture);
+        add(Group::Failure, what, body, figures::envelopes(view, plane));
     }
     if let Some(joint) = ProgressiveView::of(*view) {
-        let stem = format!("load-displacement-{body}");
-        gallery.add(Group::Joint, &stem, progressive::figures::curve(&joint));
-        let stem = format!("edge-strains-{body}");
-        gallery.add(
+        use progressive::figures;
+        add(
             Group::Joint,
-            &stem,
-            progressive::figures::edge_strains(&joint),
+            "load-displacement",
+            body,
+            figures::curve(&joint),
         );
-        let stem = format!("damage-{body}");
-        gallery.add(Group::Joint, &stem, progressive::damage_map(&joint));
+        add(
+            Group::Joint,
+            "edge-strains",
+            body,
+            figures::edge_strains(&joint),
+        );
+        add(
+            Group::Joint,
+            "damage",
+            body,
+            progressive::damage_map(&joint),
+        );
     }
     for map in &view.failure.maps {
-        let stem = format!("ply-map-{body}-step-{:02}", map.step + 1);
-        gallery.add(group, &stem, failure::index_map(view, map));
+        let name = format!("{body}-step-{:02}", map.step + 1);
+        add(
+            Group::Failure,
+            "ply-map",
+            &name,
+            failure::index_map(view, map),
+        );
     }
 }
 
