@@ -58,85 +58,55 @@ pub(super) fn draw(results: &Results) -> (Vec<Drawing>, Vec<String>) {
 
 /// Figures of an edge.
 fn add_edge(gallery: &mut Gallery, view: &EdgeView<'_>) {
-    let mut add = |group, what: &str, attempt| {
-        gallery.add(group, &format!("{what}-{}", view.geometry.name), attempt);
-    };
-    add(Group::Edge, "stresses", edge::chart(view));
-    if view.geometry.contact {
-        add(Group::Edge, "pressure", families::pressure(view));
-        add(Group::Edge, "shear", families::shear(view));
+    let (name, contact) = (view.geometry.name.as_str(), view.geometry.contact);
+    gallery.add_of(name, Group::Edge, [("stresses", edge::chart(view))]);
+    if contact {
+        let tractions = [
+            ("pressure", families::pressure(view)),
+            ("shear", families::shear(view)),
+        ];
+        gallery.add_of(name, Group::Edge, tractions);
     }
-    add(Group::Edge, "hoop", families::hoop(view));
-    if view.geometry.contact {
-        add(Group::History, "map", map::chart(view));
-        add(Group::History, "extent", history::extent_and_peak(view));
-        add(Group::History, "friction", history::friction(view));
+    gallery.add_of(name, Group::Edge, [("hoop", families::hoop(view))]);
+    if contact {
+        let history = [
+            ("map", map::chart(view)),
+            ("extent", history::extent_and_peak(view)),
+            ("friction", history::friction(view)),
+        ];
+        gallery.add_of(name, Group::History, history);
     }
 }
 
 /// Figures of a laminated body.
 fn add_failure(gallery: &mut Gallery, view: &FailureView<'_>) {
-    use failure::figures;
-    let mut add = |group, what: &str, name: &str, attempt| {
-        gallery.add(group, &format!("{what}-{name}"), attempt);
-    };
+    use failure::figures::{characteristic, envelopes, index_along, stresses_along};
     for edge in &view.failure.edges {
+        let figures = [
+            ("ply-index", index_along(view, edge)),
+            ("ply-stresses", stresses_along(view, edge)),
+        ];
         let name = &view.results.edges[edge.edge].name;
-        add(
-            Group::Failure,
-            "ply-index",
-            name,
-            figures::index_along(view, edge),
-        );
-        add(
-            Group::Failure,
-            "ply-stresses",
-            name,
-            figures::stresses_along(view, edge),
-        );
+        gallery.add_of(name, Group::Failure, figures);
     }
-    let body = view.body();
-    add(
-        Group::Failure,
-        "characteristic",
-        body,
-        figures::characteristic(view),
-    );
-    for (plane, what) in [
-        (EnvelopePlane::Normal, "envelope-normal"),
-        (EnvelopePlane::Shear, "envelope-shear"),
-    ] {
-        add(Group::Failure, what, body, figures::envelopes(view, plane));
-    }
+    let figures = [
+        ("characteristic", characteristic(view)),
+        ("envelope-normal", envelopes(view, EnvelopePlane::Normal)),
+        ("envelope-shear", envelopes(view, EnvelopePlane::Shear)),
+    ];
+    gallery.add_of(view.body(), Group::Failure, figures);
     if let Some(joint) = ProgressiveView::of(*view) {
-        use progressive::figures;
-        add(
-            Group::Joint,
-            "load-displacement",
-            body,
-            figures::curve(&joint),
-        );
-        add(
-            Group::Joint,
-            "edge-strains",
-            body,
-            figures::edge_strains(&joint),
-        );
-        add(
-            Group::Joint,
-            "damage",
-            body,
-            progressive::damage_map(&joint),
-        );
+        let figures = [
+            ("load-displacement", progressive::figures::curve(&joint)),
+            ("edge-strains", progressive::figures::edge_strains(&joint)),
+            ("damage", progressive::damage_map(&joint)),
+        ];
+        gallery.add_of(view.body(), Group::Joint, figures);
     }
     for map in &view.failure.maps {
-        let name = format!("{body}-step-{:02}", map.step + 1);
-        add(
-            Group::Failure,
-            "ply-map",
-            &name,
-            failure::index_map(view, map),
-        );
+        let name = format!("{}-step-{:02}", view.body(), map.step + 1);
+        let figure = ("ply-map", failure::index_map(view, map));
+        gallery.add_of(&name, Group::Failure, [figure]);
     }
 }
 
@@ -148,6 +118,18 @@ struct Gallery {
 }
 
 impl Gallery {
+    /// Adds figures of what is called `name`, each with what it shows.
+    fn add_of(
+        &mut self,
+        name: &str,
+        group: Group,
+        figures: impl IntoIterator<Item = (&'static str, Attempt)>,
+    ) {
+        for (what, attempt) in figures {
+            self.add(group, &format!("{what}-{name}"), attempt);
+        }
+    }
+
     fn add(&mut self, group: Group, stem: &str, attempt: Attempt) {
         match attempt {
             Ok(Some((picture, caption))) => {
