@@ -276,13 +276,7 @@ impl<'a> FieldPlot<'a> {
                 .flat_map(|p| p.corners().iter().map(|c| c[2]))
                 .collect();
         }
-        let flipped = if self.colormap.is_diverging() {
-            -1.0
-        } else {
-            1.0
-        };
-        let all = values.iter().flat_map(|&value| [value, flipped * value]);
-        bar.span(all, Padding::Tight)
+        color_bar::span(bar, self.colormap, values.into_iter())
     }
 }
 

@@ -65,10 +65,7 @@ pub(crate) fn draw_marked(canvas: &mut Canvas, area: &Area, category: &Category,
 
 /// Dark ink on light grounds, white on dark ones.
 pub(crate) fn ink_on(ground: Color) -> Color {
-    let light = 0.299 * f64::from(ground.red)
-        + 0.587 * f64::from(ground.green)
-        + 0.114 * f64::from(ground.blue);
-    if light > 140.0 {
+    if ground.luminance() > 140.0 {
         INK
     } else {
         Color::rgb(255, 255, 255)

@@ -219,13 +219,7 @@ impl<'a> PlanePlot<'a> {
         if nothing {
             return axis.span([0.0, 1.0].into_iter(), Padding::Tight);
         }
-        let flipped = if self.colormap.is_diverging() {
-            -1.0
-        } else {
-            1.0
-        };
-        let all = self.values().flat_map(|value| [value, flipped * value]);
-        axis.span(all, Padding::Tight)
+        color_bar::span(&axis, self.colormap, self.values())
     }
 
     fn bar(

@@ -273,10 +273,7 @@ fn moved_apart(wanted: &[[f64; 2]], area: Area) -> Vec<f64> {
 
 /// A colour dark enough for small text on white.
 fn dark(color: Color) -> Color {
-    let luminance = 0.299 * f64::from(color.red)
-        + 0.587 * f64::from(color.green)
-        + 0.114 * f64::from(color.blue);
-    let factor = (95.0 / luminance.max(1.0)).min(1.0);
+    let factor = (95.0 / color.luminance().max(1.0)).min(1.0);
     let scale = |channel: u8| (f64::from(channel) * factor).round() as u8;
     Color::rgb(scale(color.red), scale(color.green), scale(color.blue))
 }

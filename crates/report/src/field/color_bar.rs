@@ -1,7 +1,7 @@
 //! The colour bar: a strip of colours with ticks and the field's name.
 
 use crate::axis::ticks::Ticks;
-use crate::axis::{Axis, Span};
+use crate::axis::{Axis, Padding, Span};
 use crate::color::Colormap;
 use crate::error::FigureError;
 use crate::frame::{INK, LABEL_SIZE, LINE_HEIGHT, TICK_SIZE};
@@ -64,6 +64,20 @@ impl ColorBar {
         let labels = self.ticks.major.iter().map(|tick| tick.label.as_str());
         text::widest(labels.chain(self.ticks.factor.as_deref()), TICK_SIZE)
     }
+}
+
+/// The values at the ends of a bar: those of `axis`, or of the `values`, equally far from zero where colours diverge from there.
+///
+/// # Errors
+/// Those of [`Axis::span`].
+pub(crate) fn span(
+    axis: &Axis,
+    colormap: Colormap,
+    values: impl Iterator<Item = f64>,
+) -> Result<Span, FigureError> {
+    let flipped = if colormap.is_diverging() { -1.0 } else { 1.0 };
+    let all = values.flat_map(|value| [value, flipped * value]);
+    axis.span(all, Padding::Tight)
 }
 
 /// Draws the bar; `beyond` says whether values lie below and above it, which points
