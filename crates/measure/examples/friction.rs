@@ -40,7 +40,7 @@ on = "pin.centre"
 fix = ["x", "y"]
 [[loads]]
 on = "plate.left"
-force = { direction = [-1, 0], steps = ["7 kN"] }
+force = { direction = [-1, 0], steps = ["3 kN"] }
 "#;
 
 const EXPERIMENT: &str = r#"

@@ -27,6 +27,8 @@ fix = ["x", "y"]
 [[loads]]
 on = "ring.hole"
 pressure.steps = ["10 MPa"]
+[[edges]]
+on = "ring.hole"
 "#;
 
 fn main() -> Result<(), Box<dyn Error>> {

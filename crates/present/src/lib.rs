@@ -7,6 +7,7 @@
 //!
 //! Nothing here touches a file: each file is passed as name and bytes to the caller's [`PutFile`].
 
+mod csv;
 pub mod experiment;
 pub mod results;
 

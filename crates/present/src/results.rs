@@ -14,7 +14,6 @@
 //! Everything is in the scene's display units, and every heading names its unit.
 
 mod attempt;
-mod cells;
 mod consistency;
 mod csv_files;
 mod display;
@@ -28,7 +27,7 @@ mod quantities;
 mod summary;
 mod tables;
 pub use findings::{joint_sentence, quoted, sentence};
-pub use tables::SIGNS;
+pub use tables::signs;
 mod vtk_files;
 mod zones;
 
@@ -81,15 +80,6 @@ pub enum OutputError {
         /// Index of the body.
         body: usize,
     },
-    /// A table.
-    #[error("the table '{file}' could not be written")]
-    Csv {
-        /// The table.
-        file: String,
-        /// Its reason.
-        #[source]
-        cause: csv::Error,
-    },
     /// A body's mesh in display units.
     #[error("body '{body}': its mesh cannot be written in display units")]
     Mesh {
@@ -124,6 +114,9 @@ pub enum OutputError {
     #[error("the summary could not be written")]
     Summary(#[from] serde_json::Error),
 }
+
+/// A file's name and bytes.
+type File = (String, Vec<u8>);
 
 /// What a file, or a pattern of files, holds.
 #[derive(Clone, Debug)]
@@ -160,7 +153,7 @@ pub fn write(results: &Results, figures: bool, put: &PutFile<'_>) -> Result<Stri
             "the figures of this page",
         ));
     }
-    let page = page::page(results, drawings, &failures, &notes).render()?;
+    let page = page::page(results, drawings, &failures, &notes)?.render()?;
     put("report.html", page.as_bytes())?;
     let mut summary = summary::summary(results);
     summary.notes.extend(failures);
@@ -222,5 +215,5 @@ pub fn summary_table(results: &Results, width: usize) -> Result<String, OutputEr
 
 /// What every quantity's sign means, as a table for the terminal.
 pub fn signs_table() -> String {
-    tables::signs().to_text(Some(120))
+    tables::signs_table().to_text(Some(120))
 }

@@ -120,11 +120,7 @@ impl Axis {
     ) -> Result<[f64; 2], FigureError> {
         let drawable =
             |value: &f64| value.is_finite() && (self.scale == Scale::Linear || *value > 0.0);
-        let (low, high) = values
-            .filter(drawable)
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
-                (low.min(v), high.max(v))
-            });
+        let [low, high] = ends(values.filter(drawable));
         if low > high {
             return Err(FigureError::NoData {
                 axis: self.label.clone(),
@@ -177,6 +173,23 @@ fn padded_log(low: f64, high: f64, padding: Padding) -> [f64; 2] {
         Padding::Tight => [low, high],
         Padding::Loose => [low / ratio.powf(PADDING), high * ratio.powf(PADDING)],
     }
+}
+
+/// Returns the least and the largest of `values`; of none, +∞ and −∞.
+pub fn ends(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    let values = values.into_iter();
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+        [low.min(value), high.max(value)]
+    })
+}
+
+/// Returns the ends of `points` along x and along y, `[x_low, x_high, y_low, y_high]`.
+pub fn extent(points: impl IntoIterator<Item = [f64; 2]>) -> [f64; 4] {
+    let [low, high] = ends([]);
+    points.into_iter().fold(
+        [low, high, low, high],
+        |[left, right, bottom, top], [x, y]| [left.min(x), right.max(x), bottom.min(y), top.max(y)],
+    )
 }
 
 /// An axis's ends, checked: finite, low < high, positive where logarithmic.

@@ -5,8 +5,9 @@
 
 use crate::color::Color;
 use crate::error::FigureError;
-use crate::frame::{Heading, INK, LABEL_SIZE, LINE_HEIGHT, OUTER, TICK_SIZE, TITLE_SIZE};
-use crate::legend::{self, Category, MARK_SIZE, ink_on};
+use crate::frame::{INK, LABEL_SIZE, LINE_HEIGHT, OUTER, TICK_SIZE};
+use crate::grid::{Grid, NAME_GAP};
+use crate::legend::{Category, MARK_SIZE, ink_on};
 use crate::shape::{Anchor, Area, Stroke, TextStyle};
 use crate::svg::{Canvas, Svg};
 use crate::text;
@@ -16,7 +17,6 @@ const NARROWEST: f64 = 34.0;
 const HEIGHT: f64 = 38.0;
 /// Widest cell \[px\]: a map of few columns need not fill the figure.
 const WIDEST: f64 = 110.0;
-const NAME_GAP: f64 = 8.0;
 
 /// One cell.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -48,15 +48,6 @@ pub struct CellMap {
     pub width: f64,
 }
 
-#[derive(Debug)]
-struct Layout {
-    left: f64,
-    top: f64,
-    cell: f64,
-    width: f64,
-    heading: Heading,
-}
-
 impl CellMap {
     /// Draws the map.
     ///
@@ -68,25 +59,19 @@ impl CellMap {
                 axis: self.x_label.clone(),
             });
         }
-        let layout = self.layout();
+        let grid = self.grid();
         let mut canvas = Canvas::default();
-        layout.heading.draw(&mut canvas, [OUTER, OUTER]);
-        self.draw_rows(&mut canvas, &layout);
-        let top = layout.top + HEIGHT * self.rows.len() as f64;
-        let bottom = self.draw_columns(&mut canvas, &layout, top);
+        grid.heading.draw(&mut canvas, [OUTER, OUTER]);
+        let top = OUTER + grid.heading.height() + 4.0;
+        self.draw_rows(&mut canvas, &grid, top);
+        let baseline = top + HEIGHT * self.rows.len() as f64 + TICK_SIZE * 1.4;
+        let bottom = grid.draw_columns(&mut canvas, &self.columns, &self.x_label, baseline);
         let cells = self.rows.iter().flat_map(|(_, cells)| cells);
         let met: Vec<usize> = cells.filter_map(|cell| cell.category).collect();
-        let bottom = legend::draw(
-            &mut canvas,
-            &self.categories,
-            &met,
-            layout.width,
-            bottom + 10.0,
-        );
-        Ok(canvas.finish(layout.width, bottom + OUTER, &self.title))
+        Ok(grid.finish(canvas, &self.categories, &met, (bottom, &self.title)))
     }
 
-    fn layout(&self) -> Layout {
+    fn grid(&self) -> Grid {
         let names = self.rows.iter().map(|(name, _)| name.as_str());
         let label = if self.y_label.is_empty() {
             0.0
@@ -98,61 +83,32 @@ impl CellMap {
         let texts = cells.map(|cell| cell.text.as_str());
         let texts = texts.chain(self.columns.iter().map(String::as_str));
         let needed = text::widest(texts, TICK_SIZE) + 8.0;
-        let count = self.columns.len() as f64;
-        let room = (self.width - left - OUTER) / count;
+        let count = self.columns.len();
+        let room = (self.width - left - OUTER) / count as f64;
         let cell = room.clamp(NARROWEST, WIDEST).max(needed);
-        let width = (left + cell * count + OUTER).max(self.width);
-        let heading = Heading::new(
-            &self.title,
-            TITLE_SIZE,
-            &[&self.subtitle],
-            width - 2.0 * OUTER,
-        );
-        Layout {
-            left,
-            top: OUTER + heading.height() + 4.0,
-            cell,
-            width,
-            heading,
-        }
+        let titles = [self.title.as_str(), &self.subtitle];
+        Grid::new(titles, left, (count, cell), self.width)
     }
 
-    fn draw_rows(&self, canvas: &mut Canvas, layout: &Layout) {
-        let style = TextStyle::new(TICK_SIZE, INK, Anchor::End);
+    fn draw_rows(&self, canvas: &mut Canvas, grid: &Grid, first: f64) {
         for (index, (name, cells)) in self.rows.iter().rev().enumerate() {
-            let top = layout.top + HEIGHT * index as f64;
-            canvas.centred_text([layout.left - NAME_GAP, top + HEIGHT / 2.0], name, &style);
+            let top = first + HEIGHT * index as f64;
+            grid.draw_name(canvas, name, top + HEIGHT / 2.0);
             for (column, cell) in cells.iter().enumerate().take(self.columns.len()) {
-                let area = Area {
-                    left: layout.left + layout.cell * column as f64,
-                    top,
-                    width: layout.cell,
-                    height: HEIGHT,
-                };
                 let category = cell.category.and_then(|index| self.categories.get(index));
-                draw_cell(canvas, &area, category, &cell.text);
+                draw_cell(
+                    canvas,
+                    &grid.area(column, top, HEIGHT),
+                    category,
+                    &cell.text,
+                );
             }
         }
         if !self.y_label.is_empty() {
-            let middle = layout.top + HEIGHT * self.rows.len() as f64 / 2.0;
+            let middle = first + HEIGHT * self.rows.len() as f64 / 2.0;
             let style = TextStyle::new(LABEL_SIZE, INK, Anchor::Middle).upwards();
             canvas.text([OUTER + LABEL_SIZE, middle], &self.y_label, &style);
         }
-    }
-
-    /// Column labels and what they mean; returns where they end.
-    fn draw_columns(&self, canvas: &mut Canvas, layout: &Layout, top: f64) -> f64 {
-        let style = TextStyle::new(TICK_SIZE, INK, Anchor::Middle);
-        let baseline = top + TICK_SIZE * 1.4;
-        for (index, label) in self.columns.iter().enumerate() {
-            let x = layout.left + layout.cell * (index as f64 + 0.5);
-            canvas.text([x, baseline], label, &style);
-        }
-        let middle = layout.left + layout.cell * self.columns.len() as f64 / 2.0;
-        let at = [middle, baseline + LABEL_SIZE * LINE_HEIGHT + 4.0];
-        let style = TextStyle::new(LABEL_SIZE, INK, Anchor::Middle);
-        canvas.text(at, &self.x_label, &style);
-        at[1] + 6.0
     }
 }
 

@@ -36,6 +36,12 @@ impl Color {
         Self { red, green, blue }
     }
 
+    /// How light the colour is, 0 to 255: Y' of Rec. 601.
+    pub(crate) fn luminance(self) -> f64 {
+        let [red, green, blue] = [self.red, self.green, self.blue].map(f64::from);
+        0.299 * red + 0.587 * green + 0.114 * blue
+    }
+
     /// Returns the colour of category `index`; repeats after eight.
     pub fn category(index: usize) -> Self {
         CATEGORIES[index % CATEGORIES.len()]

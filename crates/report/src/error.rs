@@ -108,3 +108,21 @@ pub enum FigureError {
         reason: String,
     },
 }
+
+/// Refuses a cell with fewer than three nodes, or with nodes beyond the `nodes` of the figure `title`.
+pub(crate) fn check_cells<'a>(
+    title: &str,
+    nodes: usize,
+    cells: impl IntoIterator<Item = &'a Vec<usize>>,
+) -> Result<(), FigureError> {
+    let bad = |cell: &Vec<usize>| cell.len() < 3 || cell.iter().any(|&node| node >= nodes);
+    match cells.into_iter().enumerate().find(|(_, cell)| bad(cell)) {
+        Some((cell, corners)) => Err(FigureError::Cell {
+            title: title.to_owned(),
+            cell,
+            corners: corners.clone(),
+            nodes,
+        }),
+        None => Ok(()),
+    }
+}

@@ -20,7 +20,7 @@ mod shading;
 
 use crate::axis::{Axis, Padding, Span};
 use crate::color::Colormap;
-use crate::error::FigureError;
+use crate::error::{FigureError, check_cells};
 use crate::frame::OUTER;
 use crate::image::Image;
 use crate::svg::{Canvas, Svg};
@@ -222,19 +222,7 @@ impl<'a> FieldPlot<'a> {
                 y,
             });
         }
-        let bad = |cell: &Vec<usize>| cell.len() < 3 || cell.iter().any(|&node| node >= nodes);
-        match self.cells.iter().position(bad) {
-            Some(cell) => {
-                let corners = self.cells[cell].clone();
-                Err(FigureError::Cell {
-                    title: title(),
-                    cell,
-                    corners,
-                    nodes,
-                })
-            }
-            None => Ok(()),
-        }
+        check_cells(&self.title, nodes, self.cells)
     }
 
     fn in_window(&self, [x, y]: [f64; 2]) -> bool {
@@ -288,13 +276,7 @@ impl<'a> FieldPlot<'a> {
                 .flat_map(|p| p.corners().iter().map(|c| c[2]))
                 .collect();
         }
-        let flipped = if self.colormap.is_diverging() {
-            -1.0
-        } else {
-            1.0
-        };
-        let all = values.iter().flat_map(|&value| [value, flipped * value]);
-        bar.span(all, Padding::Tight)
+        color_bar::span(bar, self.colormap, values.into_iter())
     }
 }
 

@@ -91,7 +91,7 @@ impl Frame {
 
     /// Room needed left of the area for the ticks and label of `axis` \[px\].
     pub(crate) fn left_margin(&self) -> f64 {
-        self.tick_label_width() + TICK_LENGTH + TICK_GAP + label_depth(&self.y_label)
+        self.y_ticks.widest(TICK_SIZE) + TICK_LENGTH + TICK_GAP + label_depth(&self.y_label)
     }
 
     /// Room needed below the area \[px\].
@@ -110,13 +110,8 @@ impl Frame {
 
     /// Room needed right of the area for half of the last tick's label \[px\].
     pub(crate) fn right_margin(&self) -> f64 {
-        let last = self
-            .x_ticks
-            .major
-            .last()
-            .map_or("", |tick| tick.label.as_str());
         let factor = self.x_ticks.factor.as_deref().unwrap_or_default();
-        let half = text::width(last, TICK_SIZE, Weight::Regular) / 2.0;
+        let half = self.last_x_label_width() / 2.0;
         if factor.is_empty() {
             half.max(8.0)
         } else {
@@ -141,6 +136,27 @@ impl Frame {
             .map(|s| self.area.bottom() - s * self.area.height)
     }
 
+    /// Pixels of the x ticks.
+    fn major_x(&self) -> impl Iterator<Item = f64> {
+        let ticks = self.x_ticks.major.iter();
+        ticks.filter_map(|tick| self.pixel_x(tick.value))
+    }
+
+    /// Pixels of the y ticks.
+    fn major_y(&self) -> impl Iterator<Item = f64> {
+        let ticks = self.y_ticks.major.iter();
+        ticks.filter_map(|tick| self.pixel_y(tick.value))
+    }
+
+    fn last_x_label_width(&self) -> f64 {
+        let last = self.x_ticks.major.last();
+        text::width(
+            last.map_or("", |tick| &tick.label),
+            TICK_SIZE,
+            Weight::Regular,
+        )
+    }
+
     /// Grid lines, fainter between the ticks; zero is drawn stronger.
     pub(crate) fn draw_grid(&self, canvas: &mut Canvas) {
         let area = self.area;
@@ -154,12 +170,7 @@ impl Frame {
         for y in self.y_ticks.minor.iter().filter_map(|&y| self.pixel_y(y)) {
             canvas.line([left, y], [right, y], &minor);
         }
-        for x in self
-            .x_ticks
-            .major
-            .iter()
-            .filter_map(|tick| self.pixel_x(tick.value))
-        {
+        for x in self.major_x() {
             canvas.line([x, top], [x, bottom], &major);
         }
         for tick in &self.y_ticks.major {
@@ -194,21 +205,11 @@ impl Frame {
             Px(area.height),
             Px(-area.width),
         );
-        for x in self
-            .x_ticks
-            .major
-            .iter()
-            .filter_map(|tick| self.pixel_x(tick.value))
-        {
+        for x in self.major_x() {
             push_point(&mut data, 'M', [x, area.bottom()]);
             data += &down;
         }
-        for y in self
-            .y_ticks
-            .major
-            .iter()
-            .filter_map(|tick| self.pixel_y(tick.value))
-        {
+        for y in self.major_y() {
             push_point(&mut data, 'M', [area.left, y]);
             data += &left;
         }
@@ -224,12 +225,7 @@ impl Frame {
             }
         }
         if let Some(factor) = &self.x_ticks.factor {
-            let last = self
-                .x_ticks
-                .major
-                .last()
-                .map_or("", |tick| tick.label.as_str());
-            let x = self.area.right() + text::width(last, TICK_SIZE, Weight::Regular) / 2.0 + 6.0;
+            let x = self.area.right() + self.last_x_label_width() / 2.0 + 6.0;
             canvas.text(
                 [x, baseline],
                 factor,
@@ -260,18 +256,11 @@ impl Frame {
             canvas.text(at, factor, &TextStyle::new(TICK_SIZE, INK, Anchor::Start));
         }
         let label = TextStyle::new(LABEL_SIZE, INK, Anchor::Middle).upwards();
-        let last = x - self.tick_label_width() - LABEL_GAP - 0.2 * LABEL_SIZE;
+        let last = x - self.y_ticks.widest(TICK_SIZE) - LABEL_GAP - 0.2 * LABEL_SIZE;
         for (index, line) in self.y_label.iter().rev().enumerate() {
             let x = last - LABEL_SIZE * LINE_HEIGHT * index as f64;
             canvas.text([x, self.area.middle()[1]], line, &label);
         }
-    }
-
-    fn tick_label_width(&self) -> f64 {
-        text::widest(
-            self.y_ticks.major.iter().map(|tick| tick.label.as_str()),
-            TICK_SIZE,
-        )
     }
 }
 
@@ -289,11 +278,7 @@ fn fitting_x_ticks(axis: &Axis, span: &Span, width: f64) -> Result<Ticks, Figure
     let mut wanted = (width / 55.0).clamp(2.0, 12.0) as usize;
     loop {
         let mut ticks = Ticks::new(axis, span, wanted)?;
-        let widest = text::widest(
-            ticks.major.iter().map(|tick| tick.label.as_str()),
-            TICK_SIZE,
-        );
-        let room = (width / (widest + 10.0)) as usize;
+        let room = (width / (ticks.widest(TICK_SIZE) + 10.0)) as usize;
         if ticks.major.len() <= room + 1 {
             return Ok(ticks);
         }

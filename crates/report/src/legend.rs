@@ -47,12 +47,7 @@ pub(crate) fn draw(
         if left > OUTER && left + needed > width - OUTER {
             [left, line] = [OUTER, line + ROW];
         }
-        let area = Area {
-            left,
-            top: line,
-            width: swatch,
-            height: SWATCH,
-        };
+        let area = Area::new([left, line], [swatch, SWATCH]);
         draw_marked(canvas, &area, category, &Stroke::solid(MUTED, 0.5));
         let at = [left + swatch + 6.0, line + SWATCH / 2.0];
         canvas.centred_text(at, &category.label, &style);
@@ -70,10 +65,7 @@ pub(crate) fn draw_marked(canvas: &mut Canvas, area: &Area, category: &Category,
 
 /// Dark ink on light grounds, white on dark ones.
 pub(crate) fn ink_on(ground: Color) -> Color {
-    let light = 0.299 * f64::from(ground.red)
-        + 0.587 * f64::from(ground.green)
-        + 0.114 * f64::from(ground.blue);
-    if light > 140.0 {
+    if ground.luminance() > 140.0 {
         INK
     } else {
         Color::rgb(255, 255, 255)

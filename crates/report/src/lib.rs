@@ -14,6 +14,7 @@
 //! | [`raster`]   | the same as a PNG file, with the embedded font                           |
 //! | [`table`]    | tables for the terminal and for the page                                 |
 //! | [`page`]     | one self-contained HTML page                                             |
+//! | [`prose`]    | texts of several sentences from templates                                |
 //! | [`plain`]    | text of others, safe for a terminal, a page, a picture and a spreadsheet |
 //!
 //! Nothing here knows what a number means: quantities arrive as plain values, and labels carry their units. Nothing here opens a
@@ -40,6 +41,7 @@ pub mod color;
 mod error;
 pub mod field;
 mod frame;
+mod grid;
 mod image;
 mod legend;
 pub mod map;
@@ -47,6 +49,7 @@ mod markup;
 pub mod mesh_map;
 pub mod page;
 pub mod plane;
+pub mod prose;
 pub mod raster;
 mod shape;
 pub mod svg;
@@ -54,6 +57,7 @@ pub mod table;
 mod text;
 
 pub use error::FigureError;
+pub use minijinja::context;
 pub use stickslip_text::plain;
 
 /// The README's example.

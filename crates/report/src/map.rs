@@ -5,10 +5,11 @@
 
 use crate::color::Color;
 use crate::error::FigureError;
-use crate::frame::{Heading, INK, LABEL_SIZE, LINE_HEIGHT, OUTER, TICK_SIZE, TITLE_SIZE};
+use crate::frame::{INK, LABEL_SIZE, OUTER, TICK_SIZE};
+use crate::grid::{Grid, NAME_GAP};
 use crate::legend;
 pub use crate::legend::Category;
-use crate::shape::{Anchor, Area, Stroke, TextStyle};
+use crate::shape::{Anchor, Stroke, TextStyle};
 use crate::svg::{Canvas, Svg};
 use crate::text::{self, Weight};
 
@@ -16,9 +17,6 @@ use crate::text::{self, Weight};
 const NARROWEST: f64 = 11.0;
 const CELL_HEIGHT: f64 = 19.0;
 const GROUP_HEIGHT: f64 = 25.0;
-const NAME_GAP: f64 = 8.0;
-/// Room between column labels \[px\].
-const LABEL_ROOM: f64 = 5.0;
 
 /// Rows that belong together, under a heading.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -61,50 +59,32 @@ impl OutcomeMap {
                 axis: self.x_label.clone(),
             });
         }
-        let layout = self.layout();
+        let grid = self.grid();
         let mut canvas = Canvas::default();
-        layout.heading.draw(&mut canvas, [OUTER, OUTER]);
-        let mut top = OUTER + layout.heading.height();
+        grid.heading.draw(&mut canvas, [OUTER, OUTER]);
+        let mut top = OUTER + grid.heading.height();
         for group in &self.groups {
-            top = self.draw_group(&mut canvas, &layout, group, top);
+            top = self.draw_group(&mut canvas, &grid, group, top);
         }
-        top = self.draw_columns(&mut canvas, &layout, top);
+        let baseline = top + TICK_SIZE * 1.2;
+        top = grid.draw_columns(&mut canvas, &self.columns, &self.x_label, baseline);
         let rows = self.groups.iter().flat_map(|group| &group.rows);
         let cells = rows.flat_map(|(_, cells)| cells);
         let met: Vec<usize> = cells.flatten().copied().collect();
-        let bottom = legend::draw(
-            &mut canvas,
-            &self.categories,
-            &met,
-            layout.width,
-            top + 10.0,
-        );
-        Ok(canvas.finish(layout.width, bottom + OUTER, &self.title))
+        Ok(grid.finish(canvas, &self.categories, &met, (top, &self.title)))
     }
 
-    fn layout(&self) -> Layout {
+    fn grid(&self) -> Grid {
         let names = self.groups.iter().flat_map(|group| &group.rows);
         let widest = text::widest(names.map(|(name, _)| name.as_str()), TICK_SIZE);
         let left = OUTER + widest + NAME_GAP;
-        let count = self.columns.len() as f64;
-        let cell = ((self.width - left - OUTER) / count).max(NARROWEST);
-        let width = left + cell * count + OUTER;
-        let heading = Heading::new(
-            &self.title,
-            TITLE_SIZE,
-            &[&self.subtitle],
-            width - 2.0 * OUTER,
-        );
-        Layout {
-            left,
-            cell,
-            width,
-            heading,
-        }
+        let count = self.columns.len();
+        let cell = ((self.width - left - OUTER) / count as f64).max(NARROWEST);
+        Grid::new([&self.title, &self.subtitle], left, (count, cell), 0.0)
     }
 
     /// Draws a group below `top` and returns where it ends.
-    fn draw_group(&self, canvas: &mut Canvas, layout: &Layout, group: &Group, top: f64) -> f64 {
+    fn draw_group(&self, canvas: &mut Canvas, grid: &Grid, group: &Group, top: f64) -> f64 {
         let headed = !group.label.is_empty() || group.divider.is_some();
         let first = top + if headed { GROUP_HEIGHT } else { 4.0 };
         if headed {
@@ -114,16 +94,9 @@ impl OutcomeMap {
         let edge = Stroke::solid(Color::rgb(255, 255, 255), 1.0);
         for (index, (name, cells)) in group.rows.iter().enumerate() {
             let row = first + CELL_HEIGHT * index as f64;
-            let style = TextStyle::new(TICK_SIZE, INK, Anchor::End);
-            let middle = row + CELL_HEIGHT / 2.0;
-            canvas.centred_text([layout.left - NAME_GAP, middle], name, &style);
+            grid.draw_name(canvas, name, row + CELL_HEIGHT / 2.0);
             for (column, cell) in cells.iter().enumerate().take(self.columns.len()) {
-                let area = Area {
-                    left: layout.left + layout.cell * column as f64,
-                    top: row,
-                    width: layout.cell,
-                    height: CELL_HEIGHT,
-                };
+                let area = grid.area(column, row, CELL_HEIGHT);
                 match cell.and_then(|category| self.categories.get(category)) {
                     Some(category) => legend::draw_marked(canvas, &area, category, &edge),
                     None => canvas.rectangle(&area, Color::rgb(0xf6, 0xf6, 0xf6), Some(&edge)),
@@ -132,7 +105,7 @@ impl OutcomeMap {
         }
         let bottom = first + CELL_HEIGHT * group.rows.len() as f64;
         if let Some((column, name)) = &group.divider {
-            let x = layout.left + layout.cell * *column as f64;
+            let x = grid.edge(*column);
             canvas.line(
                 [x, first - 4.0],
                 [x, bottom + 2.0],
@@ -140,7 +113,7 @@ impl OutcomeMap {
             );
             // The name stands on the side of the line that has room for it.
             let wide = text::width(name, TICK_SIZE, Weight::Regular) + 8.0;
-            let (shift, anchor) = if x + wide > layout.width - OUTER {
+            let (shift, anchor) = if x + wide > grid.width - OUTER {
                 (-4.0, Anchor::End)
             } else {
                 (4.0, Anchor::Start)
@@ -150,35 +123,6 @@ impl OutcomeMap {
         }
         bottom + 4.0
     }
-
-    /// Column labels and what they mean; returns where they end.
-    fn draw_columns(&self, canvas: &mut Canvas, layout: &Layout, top: f64) -> f64 {
-        let style = TextStyle::new(TICK_SIZE, INK, Anchor::Middle);
-        let baseline = top + TICK_SIZE * 1.2;
-        let mut free = f64::NEG_INFINITY;
-        for (index, label) in self.columns.iter().enumerate() {
-            let x = layout.left + layout.cell * (index as f64 + 0.5);
-            let half = text::width(label, TICK_SIZE, Weight::Regular) / 2.0;
-            if x - half < free {
-                continue;
-            }
-            canvas.text([x, baseline], label, &style);
-            free = x + half + LABEL_ROOM;
-        }
-        let middle = layout.left + layout.cell * self.columns.len() as f64 / 2.0;
-        let at = [middle, baseline + LABEL_SIZE * LINE_HEIGHT + 4.0];
-        let style = TextStyle::new(LABEL_SIZE, INK, Anchor::Middle);
-        canvas.text(at, &self.x_label, &style);
-        at[1] + 6.0
-    }
-}
-
-#[derive(Debug)]
-struct Layout {
-    left: f64,
-    cell: f64,
-    width: f64,
-    heading: Heading,
 }
 
 #[cfg(test)]

@@ -67,10 +67,8 @@ fn write_shape(text: &mut String, shape: &Shape) {
             text.push_str("/>\n");
         }
         Shape::Path { data, fill, stroke } => {
-            let _ = match fill {
-                Some(fill) => write!(text, r#"<path d="{data}" fill="{fill}""#),
-                None => write!(text, r#"<path d="{data}" fill="none""#),
-            };
+            let fill = fill.map_or_else(|| "none".to_owned(), |fill| fill.to_string());
+            let _ = write!(text, r#"<path d="{data}" fill="{fill}""#);
             write_stroke(text, stroke);
             text.push_str(" stroke-linejoin=\"round\"/>\n");
         }
@@ -79,26 +77,8 @@ fn write_shape(text: &mut String, shape: &Shape) {
             text: words,
             style,
         } => write_text(text, *at, words, style),
-        Shape::Image { area, png, .. } => {
-            let _ = write!(
-                text,
-                r#"<image {} preserveAspectRatio="none" xlink:href="data:image/png;base64,"#,
-                Bounds(area),
-            );
-            base64::engine::general_purpose::STANDARD.encode_string(png, text);
-            text.push_str("\"/>\n");
-        }
-        Shape::Clipped { area, shapes } => {
-            let (left, top) = (Px(area.left), Px(area.top));
-            let (width, height) = (Px(area.width), Px(area.height));
-            let _ = writeln!(
-                text,
-                r#"<svg {} viewBox="{left} {top} {width} {height}" overflow="hidden">"#,
-                Bounds(area),
-            );
-            write_shapes(text, shapes);
-            text.push_str("</svg>\n");
-        }
+        Shape::Image { area, png, .. } => write_image(text, area, png),
+        Shape::Clipped { area, shapes } => write_clipped(text, area, shapes),
         Shape::Placed { at, picture } => {
             let [x, y] = at.map(Px);
             let _ = writeln!(text, r#"<g transform="translate({x} {y})">"#);
@@ -106,6 +86,28 @@ fn write_shape(text: &mut String, shape: &Shape) {
             text.push_str("</g>\n");
         }
     }
+}
+
+fn write_image(text: &mut String, area: &Area, png: &[u8]) {
+    let _ = write!(
+        text,
+        r#"<image {} preserveAspectRatio="none" xlink:href="data:image/png;base64,"#,
+        Bounds(area),
+    );
+    base64::engine::general_purpose::STANDARD.encode_string(png, text);
+    text.push_str("\"/>\n");
+}
+
+fn write_clipped(text: &mut String, area: &Area, shapes: &[Shape]) {
+    let (left, top) = (Px(area.left), Px(area.top));
+    let (width, height) = (Px(area.width), Px(area.height));
+    let _ = writeln!(
+        text,
+        r#"<svg {} viewBox="{left} {top} {width} {height}" overflow="hidden">"#,
+        Bounds(area),
+    );
+    write_shapes(text, shapes);
+    text.push_str("</svg>\n");
 }
 
 fn write_text(text: &mut String, [x, y]: [f64; 2], words: &str, style: &TextStyle) {

@@ -1,7 +1,7 @@
 //! Cells of a mesh in the colours of categories, such as modes of failure, with a legend.
 
 use crate::color::Color;
-use crate::error::FigureError;
+use crate::error::{FigureError, check_cells};
 use crate::frame::{Frame, Heading, OUTER, TITLE_SIZE};
 use crate::legend::{self, Category};
 use crate::markup::push_point;
@@ -37,14 +37,13 @@ impl MeshMap<'_> {
     /// [`FigureError::Cell`] for a cell with fewer than three nodes or nodes that do not exist, [`FigureError::Range`] and
     /// [`FigureError::Size`] for a window or width that cannot be drawn.
     pub fn render(&self) -> Result<Svg, FigureError> {
-        self.check()?;
+        let cells = self.cells.iter().map(|(cell, _)| cell);
+        check_cells(&self.title, self.nodes.len(), cells)?;
         let heading = Heading::new(&self.title, TITLE_SIZE, &[], self.width - 2.0 * OUTER);
-        let area = Area {
-            left: 62.0,
-            top: OUTER + heading.height(),
-            width: self.width - 62.0 - OUTER - 12.0,
-            height: 0.0,
-        };
+        let area = Area::new(
+            [62.0, OUTER + heading.height()],
+            [self.width - 62.0 - OUTER - 12.0, 0.0],
+        );
         let frame = Frame::to_scale(&self.axes, self.window, area, (&self.title, self.width))?;
         let mut canvas = Canvas::default();
         heading.draw(&mut canvas, [OUTER, OUTER]);
@@ -54,22 +53,6 @@ impl MeshMap<'_> {
         let all: Vec<usize> = (0..self.categories.len()).collect();
         let bottom = legend::draw(&mut canvas, self.categories, &all, self.width, top);
         Ok(canvas.finish(self.width, bottom + OUTER, &self.title))
-    }
-
-    fn check(&self) -> Result<(), FigureError> {
-        let nodes = self.nodes.len();
-        let bad = |(cell, _): &(Vec<usize>, Option<usize>)| {
-            cell.len() < 3 || cell.iter().any(|&node| node >= nodes)
-        };
-        match self.cells.iter().position(bad) {
-            Some(cell) => Err(FigureError::Cell {
-                title: self.title.clone(),
-                cell,
-                corners: self.cells[cell].0.clone(),
-                nodes,
-            }),
-            None => Ok(()),
-        }
     }
 
     fn draw_cells(&self, canvas: &mut Canvas, frame: &Frame) {

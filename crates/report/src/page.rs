@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 use minijinja::{Environment, Value, context};
 use thiserror::Error;
 
+use crate::prose::Prose;
 use crate::svg::Svg;
 use crate::table::Table;
 use stickslip_text::plain::printable;
@@ -28,6 +29,14 @@ pub enum PageError {
         #[source]
         cause: Box<dyn std::error::Error + Send + Sync>,
     },
+}
+
+impl From<minijinja::Error> for PageError {
+    fn from(cause: minijinja::Error) -> Self {
+        Self::Template {
+            cause: Box::new(cause),
+        }
+    }
 }
 
 /// A picture with a caption.
@@ -58,10 +67,30 @@ impl Figure {
 pub enum Block {
     /// A paragraph.
     Text(String),
+    /// Paragraphs of a template.
+    Prose(Prose),
     /// A table.
     Table(Table),
     /// A figure.
     Figure(Figure),
+}
+
+impl From<Prose> for Block {
+    fn from(prose: Prose) -> Self {
+        Self::Prose(prose)
+    }
+}
+
+impl From<Table> for Block {
+    fn from(table: Table) -> Self {
+        Self::Table(table)
+    }
+}
+
+impl From<Figure> for Block {
+    fn from(figure: Figure) -> Self {
+        Self::Figure(figure)
+    }
 }
 
 /// A titled part of the page.
@@ -84,9 +113,19 @@ impl Section {
 
     /// Adds a block.
     #[must_use]
-    pub fn with(mut self, block: Block) -> Self {
-        self.blocks.push(block);
+    pub fn with(mut self, block: impl Into<Block>) -> Self {
+        self.blocks.push(block.into());
         self
+    }
+
+    /// Makes the section that lists files, by name or pattern, and what they hold.
+    pub fn of_files<A: Into<String>, B: Into<String>>(
+        files: impl IntoIterator<Item = (A, B)>,
+    ) -> Self {
+        let rows = files
+            .into_iter()
+            .map(|(names, what)| [names.into(), what.into()]);
+        Self::new("Files").with(Table::headed("", "file | holds").with_rows(rows))
     }
 }
 
@@ -124,24 +163,17 @@ impl Page {
     /// # Errors
     /// [`PageError::DuplicateAnchor`] if two figures share an anchor; [`PageError::Template`] if the template engine fails.
     pub fn render(&self) -> Result<String, PageError> {
-        let sections: Vec<Value> = self
-            .sections
-            .iter()
-            .enumerate()
-            .map(|(index, section)| section_value(index + 1, section))
-            .collect();
         self.check_anchors()?;
-        let page = self.filled(sections);
-        let page = page.map_err(|cause| PageError::Template {
-            cause: Box::new(cause),
-        })?;
+        let sections = (1..).zip(&self.sections);
+        let sections = sections.map(|(number, section)| section_value(number, section));
+        let page = self.filled(sections.collect::<Result<_, _>>()?)?;
         Ok(printable(&page).into_owned())
     }
 
     /// The template with the page's texts.
     fn filled(&self, sections: Vec<Value>) -> Result<String, minijinja::Error> {
         let mut environment = Environment::new();
-        environment.add_template("page.html", include_str!("page.html"))?;
+        environment.add_template("page.html", include_str!("page.jinja"))?;
         let pairs = |(name, value): &(String, String)| context! { name, value };
         environment.get_template("page.html")?.render(context! {
             title => self.title.clone(),
@@ -169,22 +201,32 @@ impl Page {
     }
 }
 
-fn section_value(number: usize, section: &Section) -> Value {
-    let blocks: Vec<Value> = section.blocks.iter().map(block_value).collect();
+fn section_value(number: usize, section: &Section) -> Result<Value, PageError> {
+    let mut blocks = Vec::new();
+    for block in &section.blocks {
+        match block {
+            Block::Text(text) => blocks.push(text_value(text)),
+            Block::Prose(prose) => {
+                blocks.extend(prose.paragraphs()?.iter().map(|text| text_value(text)));
+            }
+            Block::Table(table) => blocks.push(table_value(table)),
+            Block::Figure(figure) => blocks.push(figure_value(figure)),
+        }
+    }
     // A colon keeps these apart from the anchors of figures.
-    context! { title => section.title.clone(), anchor => format!("section:{number}"), blocks }
+    Ok(context! { title => section.title.clone(), anchor => format!("section:{number}"), blocks })
 }
 
-fn block_value(block: &Block) -> Value {
-    match block {
-        Block::Text(text) => context! { kind => "text", text => text.clone() },
-        Block::Table(table) => table_value(table),
-        Block::Figure(figure) => context! {
-            kind => "figure",
-            picture => Value::from_safe_string(figure.picture.to_string()),
-            caption => figure.caption.clone(),
-            anchor => figure_anchor(figure),
-        },
+fn text_value(text: &str) -> Value {
+    context! { kind => "text", text }
+}
+
+fn figure_value(figure: &Figure) -> Value {
+    context! {
+        kind => "figure",
+        picture => Value::from_safe_string(figure.picture.to_string()),
+        caption => figure.caption.clone(),
+        anchor => figure_anchor(figure),
     }
 }
 

@@ -132,12 +132,10 @@ impl<'a> PlanePlot<'a> {
             &[subtitle],
             self.width - 2.0 * OUTER,
         );
-        let area = Area {
-            left: LEFT,
-            top: OUTER + heading.height() + 6.0,
-            width: self.width - LEFT - RIGHT - self.bar_room(&range)?,
-            height: 0.0,
-        };
+        let area = Area::new(
+            [LEFT, OUTER + heading.height() + 6.0],
+            [self.width - LEFT - RIGHT - self.bar_room(&range)?, 0.0],
+        );
         let frame = Frame::to_scale(&self.axes, self.window, area, (&self.title, self.width))?;
         self.draw(&frame, &range, &heading)
     }
@@ -221,13 +219,7 @@ impl<'a> PlanePlot<'a> {
         if nothing {
             return axis.span([0.0, 1.0].into_iter(), Padding::Tight);
         }
-        let flipped = if self.colormap.is_diverging() {
-            -1.0
-        } else {
-            1.0
-        };
-        let all = self.values().flat_map(|value| [value, flipped * value]);
-        axis.span(all, Padding::Tight)
+        color_bar::span(&axis, self.colormap, self.values())
     }
 
     fn bar(
@@ -266,12 +258,7 @@ impl<'a> PlanePlot<'a> {
         let size = (1.05 * each).clamp(1.2, 9.0);
         for &(place, value) in self.dots {
             if let Some([x, y]) = frame.pixel(place) {
-                let area = Area {
-                    left: x - size / 2.0,
-                    top: y - size / 2.0,
-                    width: size,
-                    height: size,
-                };
+                let area = Area::new([x - size / 2.0, y - size / 2.0], [size, size]);
                 canvas.rectangle(&area, self.color(range, value), None);
             }
         }

@@ -16,6 +16,16 @@ pub(crate) struct Area {
 }
 
 impl Area {
+    /// An area with its upper left corner and its width and height.
+    pub(crate) const fn new([left, top]: [f64; 2], [width, height]: [f64; 2]) -> Self {
+        Self {
+            left,
+            top,
+            width,
+            height,
+        }
+    }
+
     pub(crate) fn right(&self) -> f64 {
         self.left + self.width
     }

@@ -1,5 +1,7 @@
 //! Tables: one description for the terminal and for the page.
 
+use std::fmt;
+
 use comfy_table::{CellAlignment, ContentArrangement, LineStyle, TableStyle};
 
 /// A column's heading.
@@ -45,6 +47,18 @@ impl Table {
         }
     }
 
+    /// Makes an empty table from its headings in one line, names with units in brackets: `load [kN] | ply | σ_1 [MPa]`.
+    pub fn headed(caption: impl Into<String>, headings: &str) -> Self {
+        let column = |heading: &str| {
+            let inside = heading.strip_suffix(']');
+            match inside.and_then(|heading| heading.rsplit_once(" [")) {
+                Some((name, unit)) => Column::new(name, unit),
+                None => Column::new(heading, ""),
+            }
+        };
+        Self::new(caption, headings.split(" | ").map(column).collect())
+    }
+
     /// Adds a row.
     pub fn push<I, T>(&mut self, row: I)
     where
@@ -54,10 +68,30 @@ impl Table {
         self.rows.push(row.into_iter().map(Into::into).collect());
     }
 
+    /// Adds rows.
+    #[must_use]
+    pub fn with_rows<I, T>(mut self, rows: impl IntoIterator<Item = I>) -> Self
+    where
+        I: IntoIterator<Item = T>,
+        T: Into<String>,
+    {
+        for row in rows {
+            self.push(row);
+        }
+        self
+    }
+
     /// Adds a remark.
     #[must_use]
     pub fn note(mut self, note: impl Into<String>) -> Self {
         self.notes.push(note.into());
+        self
+    }
+
+    /// Adds every line of `notes` as a remark.
+    #[must_use]
+    pub fn with_notes(mut self, notes: &str) -> Self {
+        self.notes.extend(notes.lines().map(str::to_owned));
         self
     }
 
@@ -154,6 +188,80 @@ impl Table {
             None => String::new(),
         };
         (0..self.column_count()).map(heading).collect()
+    }
+}
+
+/// Makes the cell of an item.
+type Cell<'a, T> = Box<dyn Fn(T) -> String + 'a>;
+
+/// Columns of a table with a row for each item of one kind: name, unit, and the cell of an item.
+pub struct Columns<'a, T> {
+    columns: Vec<(Column, Cell<'a, T>)>,
+}
+
+impl<T> fmt::Debug for Columns<'_, T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let headings = self.columns.iter().map(|(heading, _)| heading);
+        f.debug_list().entries(headings).finish()
+    }
+}
+
+impl<T> Default for Columns<'_, T> {
+    fn default() -> Self {
+        Self {
+            columns: Vec::new(),
+        }
+    }
+}
+
+impl<'a, T: Copy> Columns<'a, T> {
+    /// Makes no columns.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Adds a column with a name, a unit (empty for none) and the cell of an item.
+    #[must_use]
+    pub fn with(
+        mut self,
+        name: impl Into<String>,
+        unit: impl Into<String>,
+        cell: impl Fn(T) -> String + 'a,
+    ) -> Self {
+        self.columns.push((Column::new(name, unit), Box::new(cell)));
+        self
+    }
+
+    /// Adds the columns of `others`.
+    #[must_use]
+    pub fn and(mut self, others: impl IntoIterator<Item = Self>) -> Self {
+        self.columns
+            .extend(others.into_iter().flat_map(|other| other.columns));
+        self
+    }
+
+    /// Returns names with units as files have them, `CPRESS [psi]`.
+    pub fn header(&self) -> Vec<String> {
+        let heading = |(column, _): &(Column, _)| match column.unit.as_str() {
+            "" => column.name.clone(),
+            unit => format!("{} [{unit}]", column.name),
+        };
+        self.columns.iter().map(heading).collect()
+    }
+
+    /// Returns the cells of an item.
+    pub fn cells(&self, item: T) -> Vec<String> {
+        self.columns.iter().map(|(_, cell)| cell(item)).collect()
+    }
+
+    /// Makes a table with a row for each item.
+    pub fn table(self, caption: impl Into<String>, items: impl IntoIterator<Item = T>) -> Table {
+        let rows = items.into_iter().map(|item| self.cells(item)).collect();
+        let columns = self.columns.into_iter().map(|(heading, _)| heading);
+        Table {
+            rows,
+            ..Table::new(caption, columns.collect())
+        }
     }
 }
 

@@ -7,9 +7,13 @@ mod picture;
 use serde_json::{Value, json};
 use stickslip_hybrid::region::checks::ChiSquared;
 use stickslip_hybrid::region::fit::Amount;
+use stickslip_report::context;
+use stickslip_report::prose::Prose;
 use stickslip_report::table::{Column, Table};
 
-use crate::experiment::story::{Story, csv_table};
+use crate::csv;
+use crate::experiment::findings::shown;
+use crate::experiment::story::Story;
 use stickslip_measure::analysed::{Analysed, TruePlace, UNUSED, free_in_region_only, true_edge};
 use stickslip_measure::truth::Truth;
 use stickslip_scene::experiment::{Experiment, Method, RegionShape};
@@ -24,7 +28,7 @@ pub(crate) fn tell(
 ) {
     story.section("Edge stresses");
     let direct = analysed.iter().any(|found| found.direct.is_some());
-    story.text(words(experiment, direct));
+    story.prose(introduction(experiment, direct));
     story.table(stresses(experiment, analysed));
     story.table(forces::table(experiment, analysed));
     story.table(checks(experiment, analysed));
@@ -40,44 +44,25 @@ pub(crate) fn tell(
     story.entry("edge_stresses", entries.collect());
 }
 
-fn words(experiment: &Experiment, direct: bool) -> String {
-    let amount = experiment.region.as_ref().map(|plan| plan.smoothing.amount);
-    let how = match (experiment.reduce.method, amount) {
-        (Method::Fit, Some(Amount::CrossValidated { .. })) => {
-            "The displacements of the region's boundary are fitted to all data with equilibrium inside and smoothing along the boundary, \
-             whose amount was chosen by cross-validation of the same data. The noise of that choice, up to a fifth of the bands where \
-             smoothing is strong, is not in them; a stated amount has none. "
-        }
-        (Method::Fit, _) => {
-            "The displacements of the region's boundary are fitted to all data with equilibrium inside and the stated smoothing along \
-             the boundary. "
-        }
-        (Method::Linear | Method::Polynomial { .. } | Method::Lines { .. }, _) => {
-            "The displacements of the region's boundary are interpolated between the data. "
-        }
+/// How the stresses are found, and what their bands hold.
+fn introduction(experiment: &Experiment, direct: bool) -> Prose {
+    let plan = experiment.region.as_ref();
+    let amount = plan.map(|plan| plan.smoothing.amount);
+    let reduction = match (experiment.reduce.method, amount) {
+        (Method::Fit, Some(Amount::CrossValidated { .. })) => "cross-validated fit",
+        (Method::Fit, _) => "fit",
+        (Method::Linear | Method::Polynomial { .. } | Method::Lines { .. }, _) => "interpolation",
     };
-    let direct = if direct {
-        " Direct interpolation is what the elements alone make of a local polynomial fit, without equilibrium."
-    } else {
-        ""
-    };
-    let place = match experiment.region.as_ref().map(|plan| &plan.shape) {
+    let radius = match plan.map(|plan| &plan.shape) {
         Some(RegionShape::Sector(sector)) if sector.stand_off > 0.0 => {
-            let length = experiment.display.length;
             let radius = experiment.specimen.hole.radius + sector.stand_off;
-            format!(
-                "Its edge stands off from the hole: stresses are those at r = {} {}, not on the hole. ",
-                short(length.from_base(radius)),
-                length.name
-            )
+            Some(shown(experiment.display.length, radius))
         }
-        _ => String::new(),
+        _ => None,
     };
-    format!(
-        "A region of finite elements moves at its boundary as measured and is in balance inside; its stresses on the edge are linear in \
-         the data, so that their covariance is exact. {place}{how}Bands hold the noise and, as a declared systematic deviation, the estimated \
-         bias of the smoothing; errors of the mesh, of the material and of where the hole is are not in them. θ is counted from +x towards +y. \
-         One of {UNUSED} places, evenly over the plane, is not used and checks the others.{direct}"
+    Prose::new(
+        include_str!("analysed/text.jinja"),
+        context! { reduction, radius, unused => UNUSED, direct },
     )
 }
 
@@ -132,18 +117,16 @@ fn csv(experiment: &Experiment, found: &Analysed) -> Vec<u8> {
             [found.tractions.shear[k], shear[k]],
             [found.hoop[k], found.hoop_deviation[k]],
         ];
-        let trusted = f64::from(u8::from(found.inner().contains(&k)));
         let mut row = vec![found.angle[k].to_degrees()];
-        for (which, ([value, deviation], bias)) in values.into_iter().zip(found.bias[k]).enumerate()
-        {
+        for (which, (value, bias)) in values.into_iter().zip(found.bias[k]).enumerate() {
             let direct = found.direct.as_ref().map(|direct| direct[k][which]);
-            let own = [value, deviation, bias].into_iter().chain(direct);
+            let own = value.into_iter().chain([bias]).chain(direct);
             row.extend(own.map(|stress| unit.from_base(stress)));
         }
-        row.push(trusted);
+        row.push(f64::from(found.inner().contains(&k)));
         row
     });
-    csv_table(&header, rows)
+    csv::numbers(header, rows)
 }
 
 /// A largest stress and where it is.
@@ -222,17 +205,11 @@ fn unresolved(found: &Analysed) -> String {
 }
 
 fn stresses(experiment: &Experiment, analysed: &[Analysed]) -> Table {
-    let stress = experiment.display.stress.name;
-    let mut columns = vec![Column::new("state", "")];
-    for name in ["peak pressure", "largest shear", "largest hoop stress"] {
-        columns.extend([
-            Column::new(name, stress),
-            Column::new("±", stress),
-            Column::new("at θ", "deg"),
-        ]);
-    }
-    let mut table = Table::new("Largest stresses, with standard deviations", columns);
     let unit = experiment.display.stress;
+    let names = ["peak pressure", "largest shear", "largest hoop stress"];
+    let groups = names.map(|name| format!(" | {name} [{0}] | ± [{0}] | at θ [deg]", unit.name));
+    let headings = format!("state{}", groups.concat());
+    let mut table = Table::headed("Largest stresses, with standard deviations", &headings);
     for found in analysed {
         let mut row = vec![experiment.states[found.state].name.clone()];
         for largest in largest(found) {
@@ -244,58 +221,44 @@ fn stresses(experiment: &Experiment, analysed: &[Analysed]) -> Table {
         }
         table.push(row);
     }
-    table.note(
-        "Standard deviations are those of the place. The largest of many uncertain values is too large as a rule: the highest stress of the \
-         edge itself may lie lower by more than the deviation.",
-    )
+    table.with_notes(include_str!("analysed/stresses.txt"))
 }
-
-/// What each check says, in the order of its columns.
-const MEANINGS: [&str; 5] = [
-    "Data and parameters: displacements that were fitted, and how many of them the fit uses up; far more data than parameters are good.",
-    "Smoothing: the order of the differences along the boundary that are kept small, and how much they count.",
-    "Noise factor: the variance of means of neighbouring residuals over that of independent errors of the deviation, at least that which \
-     was stated or rounding leaves; bands are its root wider.",
-    "Misfit: squares of measured less calculated displacements at places that were not used, over their variances; much above the \
-     expected number data, region or material do not fit together.",
-    "Free edge: the same of tractions on the edge beyond contact, which should vanish; the bias of smoothing counts as in the bands.",
-];
-const INSIDE: &str = "Nodes inside: the same of the forces on nodes inside of the region that move as measured, where nothing acts.";
 
 fn checks(experiment: &Experiment, analysed: &[Analysed]) -> Table {
     let inside = (analysed.iter()).any(|found| found.checks.interior.is_some());
-    let mut columns = vec![
-        Column::new("state", ""),
-        Column::new("data", ""),
-        Column::new("parameters", ""),
-        Column::new("smoothing", ""),
-        Column::new("noise factor", ""),
-        Column::new("misfit χ²", "(expected)"),
-        Column::new("free edge χ²", "(expected)"),
-    ];
+    let headings = "state | data | parameters | smoothing | noise factor | misfit χ² [(expected)] | free edge χ² [(expected)]";
+    let mut table = Table::headed("Checks of the data", headings);
+    let mut meanings = include_str!("analysed/checks.txt").lines();
     if inside {
-        columns.push(Column::new("nodes inside χ²", "(expected)"));
+        let column = Column::new("nodes inside χ²", "(expected)");
+        table.columns.push(column);
+    } else {
+        // The last one is of the nodes inside.
+        meanings.next_back();
     }
-    let mut table = Table::new("Checks of the data", columns);
     let of_lines = matches!(experiment.reduce.method, Method::Lines { .. });
     for found in analysed {
-        let facts = found.fit.as_ref();
-        let told = |value: Option<String>| value.unwrap_or_default();
-        let mut row = vec![
-            experiment.states[found.state].name.clone(),
-            told(facts.map(|fit| fit.data.to_string())),
-            told(facts.map(|fit| format!("{:.0}", fit.parameters))),
-            told(facts.map(|fit| format!("order {}: {}", fit.order, short(fit.amount)))),
-            told((!of_lines).then(|| noise_factor(found))),
-            told(found.checks.unused.as_ref().map(chi_squared)),
-            told(found.checks.free_edge.as_ref().map(chi_squared)),
-        ];
-        if inside {
-            row.push(told(found.checks.interior.as_ref().map(chi_squared)));
-        }
+        let fit = found.fit.map(|fit| {
+            let [data, parameters] = [fit.data.to_string(), format!("{:.0}", fit.parameters)];
+            [
+                data,
+                parameters,
+                format!("order {}: {}", fit.order, short(fit.amount)),
+            ]
+        });
+        let checks = &found.checks;
+        let checks = [&checks.unused, &checks.free_edge, &checks.interior].map(Option::as_ref);
+        let mut row = vec![experiment.states[found.state].name.clone()];
+        row.extend(fit.unwrap_or_default());
+        row.push(if of_lines {
+            String::new()
+        } else {
+            noise_factor(found)
+        });
+        row.extend(checks.map(chi_squared));
+        row.truncate(table.columns.len());
         table.push(row);
     }
-    let meanings = MEANINGS.into_iter().chain(inside.then_some(INSIDE));
     meanings.fold(table, Table::note)
 }
 
@@ -308,13 +271,11 @@ fn noise_factor(found: &Analysed) -> String {
     format!("{:.2}{how}", found.scale)
 }
 
-fn chi_squared(check: &ChiSquared) -> String {
-    format!(
-        "{} ({} ± {})",
-        short(check.value),
-        check.count,
-        short(check.deviation)
-    )
+fn chi_squared(check: Option<&ChiSquared>) -> String {
+    check.map_or_else(String::new, |check| {
+        let [value, deviation] = [check.value, check.deviation].map(short);
+        format!("{value} ({} ± {deviation})", check.count)
+    })
 }
 
 fn entry(experiment: &Experiment, found: &Analysed) -> Value {

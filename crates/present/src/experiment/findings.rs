@@ -52,7 +52,11 @@ fn words(experiment: &Experiment, finding: &Finding) -> String {
     }
 }
 
+pub(super) fn yes_or_no(is_so: bool) -> String {
+    if is_so { "yes" } else { "no" }.to_owned()
+}
+
 /// A value of base units in `unit`.
-fn shown(unit: &Unit, value: f64) -> String {
+pub(super) fn shown(unit: &Unit, value: f64) -> String {
     format!("{} {}", short(unit.from_base(value)), unit.name)
 }

@@ -8,11 +8,13 @@ use stickslip_hybrid::data::Field;
 use stickslip_hybrid::fringe::PixelMap;
 use stickslip_report::FigureError;
 use stickslip_report::chart::tile;
-use stickslip_report::color::Colormap;
-use stickslip_report::plane::{Pixels, PlanePlot};
+use stickslip_report::color::{Color, Colormap};
+use stickslip_report::context;
+use stickslip_report::plane::{Marks, Pixels, PlanePlot};
+use stickslip_report::prose::Prose;
 use stickslip_report::raster::to_png;
 use stickslip_report::svg::Svg;
-use stickslip_report::table::{Column, Table};
+use stickslip_report::table::Table;
 
 use super::story::Story;
 use stickslip_measure::ExperimentError;
@@ -125,7 +127,7 @@ impl<'a> Gallery<'a> {
     /// Puts the gallery on the page, and the experiment file that restarts from its pictures into the folder.
     pub(super) fn tell(&mut self, camera: &Camera<'_>, folder: &Path, story: &mut Story) {
         story.section("Fringe pictures");
-        story.text(self.words(camera));
+        story.prose(self.introduction(camera));
         story.table(self.table());
         let experiment = self.experiment;
         story.answer("Fringe pictures", counted(experiment.states.len(), "state"));
@@ -165,73 +167,46 @@ impl<'a> Gallery<'a> {
         }
     }
 
-    fn words(&self, camera: &Camera<'_>) -> String {
-        let fringes = camera.fringes();
-        let unit = self.experiment.display.length;
+    /// How the pictures are made.
+    fn introduction(&self, camera: &Camera<'_>) -> Prose {
+        let (fringes, frame) = (camera.fringes(), camera.frame());
         let exposure = &fringes.exposure;
-        let mut parts = vec![format!(
-            "Synthetic pictures of the scene's solution, a grating of {} lines/mm, so that one fringe is {} µm of displacement; \
-             {} × {} pixels of {}",
-            short(camera.grating().frequency()),
-            short(1e3 * camera.grating().displacement(1.0)),
-            camera.frame().columns(),
-            camera.frame().rows(),
-            unit.show(fringes.pixel),
-        )];
-        let [u, v] = fringes.carrier;
-        if u == [0.0; 2] && v == [0.0; 2] {
-            parts.push("no carrier".to_owned());
-        } else {
-            parts.push(format!(
-                "carrier ({}, {}) fringes/mm in U and ({}, {}) in V",
-                short(u[0]),
-                short(u[1]),
-                short(v[0]),
-                short(v[1])
-            ));
-        }
-        if exposure.order_error > 0.0 {
-            parts.push(format!(
-                "errors of ±{} fringe, uniform and independent from pixel to pixel",
-                short(exposure.order_error)
-            ));
-        }
-        if let Some(patterns) = exposure.speckle_patterns {
-            parts.push(format!("speckle of {patterns} patterns"));
-        }
-        if exposure.noise > 0.0 {
-            parts.push(format!(
-                "camera noise of {} of full scale",
-                short(exposure.noise)
-            ));
-        }
-        parts.push(format!("{} grey levels", exposure_levels(fringes)));
-        parts.join("; ") + "."
+        let carrier = fringes.carrier.as_flattened();
+        let positive = |value: f64| (value > 0.0).then(|| short(value));
+        Prose::new(
+            include_str!("gallery/text.jinja"),
+            context! {
+                frequency => short(camera.grating().frequency()),
+                fringe => short(1e3 * camera.grating().displacement(1.0)),
+                pixels => format!("{} × {}", frame.columns(), frame.rows()),
+                pixel => self.experiment.display.length.show(fringes.pixel),
+                carrier => (carrier != [0.0; 4]).then(|| carrier.iter().map(|own| short(*own)).collect::<Vec<_>>()),
+                order_error => positive(exposure.order_error),
+                speckle => exposure.speckle_patterns.map(|count| count.to_string()),
+                noise => positive(exposure.noise),
+                levels => exposure_levels(fringes).to_string(),
+            },
+        )
     }
 
     fn table(&self) -> Table {
         let force = self.experiment.display.force;
-        let columns = vec![
-            Column::new("state", ""),
-            Column::new("load", force.name),
-            Column::new("direction", ""),
-            Column::new("U orders, from", "fringes"),
-            Column::new("to", "fringes"),
-            Column::new("V orders, from", "fringes"),
-            Column::new("to", "fringes"),
-        ];
-        let mut table = Table::new("Orders in the window, without carrier", columns);
+        let headings = format!(
+            "state | load [{}] | direction | U orders, from [fringes] | to [fringes] | V orders, from [fringes] | to [fringes]",
+            force.name
+        );
+        let mut table = Table::headed("Orders in the window, without carrier", &headings);
         for (state, ranges) in &self.extremes {
             let own = &self.experiment.states[*state];
-            let mut row = vec![
-                own.name.clone(),
-                own.load
-                    .map_or_else(String::new, |load| short(force.from_base(load))),
-                own.direction.name().to_owned(),
-            ];
+            let load = own.load.map(|load| short(force.from_base(load)));
+            let direction = own.direction.name().to_owned();
+            let mut row = vec![own.name.clone(), load.unwrap_or_default(), direction];
             for range in ranges {
-                let [low, high] = range.unwrap_or([f64::NAN; 2]);
-                row.extend([format!("{low:.2}"), format!("{high:.2}")]);
+                row.extend(
+                    range
+                        .unwrap_or([f64::NAN; 2])
+                        .map(|end| format!("{end:.2}")),
+                );
             }
             table.push(row);
         }
@@ -266,6 +241,25 @@ pub(super) fn caption(experiment: &Experiment, state: usize) -> String {
     match load {
         Some(load) => format!("{name}, {}, {}", force.show(*load), direction.name()),
         None => format!("{name}, {}", direction.name()),
+    }
+}
+
+/// The edge of the hole at some angles `[rad]`.
+pub(super) fn edge_of_hole(experiment: &Experiment, angles: impl Iterator<Item = f64>) -> Marks {
+    let unit = experiment.display.length;
+    let hole = experiment.specimen.hole;
+    let path = angles.map(|angle| {
+        let (sin, cos) = angle.sin_cos();
+        [
+            unit.from_base(hole.centre[0] + hole.radius * cos),
+            unit.from_base(hole.centre[1] + hole.radius * sin),
+        ]
+    });
+    Marks {
+        label: "edge of the hole".to_owned(),
+        color: Color::rgb(0x22, 0x22, 0x22),
+        points: Vec::new(),
+        paths: vec![path.collect()],
     }
 }
 

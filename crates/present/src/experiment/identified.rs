@@ -2,12 +2,11 @@
 
 mod figures;
 
-use std::fmt::Write as _;
-
 use serde_json::{Value, json};
 use stickslip_hybrid::identify::{Bounds, SlipFit};
-use stickslip_report::table::{Column, Table};
+use stickslip_report::table::Table;
 
+use crate::csv;
 use crate::experiment::findings::on_half_the_cells;
 use crate::experiment::story::Story;
 use stickslip_measure::analysed::{Analysed, true_edge};
@@ -39,12 +38,7 @@ pub(crate) struct Told<'a> {
 pub(crate) fn tell(told: &Told<'_>, story: &mut Story) {
     let (experiment, identified) = (told.experiment, &told.friction.identified);
     story.section("Friction");
-    story.text(
-        "Where an edge slips, the shear is μ times the pressure, and both are uncertain with errors that go together; μ is where χ² of \
-         τ − μp is least, and its interval is that in which χ² rises no further than chance would have it. Slip starts at the ends of \
-         contact. A zone goes from there inwards as far as one coefficient explains it and its inner parts ask for no lesser one; at either end twice the angle that the edge \
-         resolves is left out, where stresses are not smooth. That angle is a cell, or more where the smoothing goes on beyond cells.",
-    );
+    story.text(include_str!("identified/text.txt").trim_end());
     answers(told, story);
     mesh(told, story);
     story.report(
@@ -201,54 +195,33 @@ fn static_words(experiment: &Experiment, identified: &Identified, confidence: f6
 }
 
 fn table(experiment: &Experiment, analysed: &[Analysed], identified: &Identified) -> Table {
-    let columns = vec![
-        Column::new("state", ""),
-        Column::new("from", "deg"),
-        Column::new("to", "deg"),
-        Column::new("places", ""),
-        Column::new("friction along", ""),
-        Column::new("μ", ""),
-        Column::new("bounds", ""),
-        Column::new("χ²", ""),
-        Column::new("degrees of freedom", ""),
-    ];
-    let mut table = Table::new("Zones that slip", columns);
-    for zone in &identified.zones {
-        let [from, to] = angles(analysed, zone);
-        table.push(row(
-            &experiment.states[zone.state].name,
-            [format!("{from:.1}"), format!("{to:.1}")],
-            zone.places.len(),
-            if zone.positive { "+θ" } else { "−θ" },
-            (&zone.fit, identified.zone_bounds(zone)),
-        ));
+    let headings = "state | from [deg] | to [deg] | places | friction along | μ | bounds | χ² | degrees of freedom";
+    let zones = &identified.zones;
+    let mut table = Table::headed("Zones that slip", headings);
+    for zone in zones {
+        let [from, to] = angles(analysed, zone).map(|angle| format!("{angle:.1}"));
+        let along = if zone.positive { "+θ" } else { "−θ" };
+        let own = [
+            experiment.states[zone.state].name.clone(),
+            from,
+            to,
+            zone.places.len().to_string(),
+            along.to_owned(),
+        ];
+        let fit = fit_cells(&zone.fit, identified.zone_bounds(zone));
+        table.push(own.into_iter().chain(fit));
     }
-    if let (Some(fit), true) = (&identified.dynamic, identified.zones.len() > 1) {
-        let places = identified.zones.iter().map(|zone| zone.places.len()).sum();
-        table.push(row(
-            "all together",
-            [String::new(), String::new()],
-            places,
-            "",
-            (fit, identified.dynamic_bounds()),
-        ));
+    if let Some(fit) = identified.dynamic.as_ref().filter(|_| zones.len() > 1) {
+        let places: usize = zones.iter().map(|zone| zone.places.len()).sum();
+        let own = ["all together", "", "", &places.to_string(), ""].map(str::to_owned);
+        let fit = fit_cells(fit, identified.dynamic_bounds());
+        table.push(own.into_iter().chain(fit));
     }
     table
 }
 
-fn row(
-    name: &str,
-    [from, to]: [String; 2],
-    places: usize,
-    along: &str,
-    (fit, bounds): (&SlipFit, Option<Bounds>),
-) -> Vec<String> {
-    vec![
-        name.to_owned(),
-        from,
-        to,
-        places.to_string(),
-        along.to_owned(),
+fn fit_cells(fit: &SlipFit, bounds: Option<Bounds>) -> [String; 4] {
+    [
         format!("{:.4}", fit.mu),
         bounds.map_or_else(|| REJECTED.to_owned(), words),
         format!("{:.1}", fit.chi_squared),
@@ -268,18 +241,19 @@ fn angles(analysed: &[Analysed], zone: &SlipZone) -> [f64; 2] {
 }
 
 fn csv(experiment: &Experiment, analysed: &[Analysed]) -> Vec<u8> {
-    let mut text = "state,theta [deg],ratio tau/p,deviation\n".to_owned();
+    let mut rows = vec![csv::headings(
+        "state | theta [deg] | ratio tau/p | deviation",
+    )];
     for found in analysed {
-        // Names of states have no characters that a table would have to quote.
-        let name = &experiment.states[found.state].name;
         for k in found.contact().unwrap_or(0..0) {
             let (ratio, deviation) = ratio(found, k);
+            let name = experiment.states[found.state].name.clone();
             let angle = found.angle[k].to_degrees();
-            // Writing into a string does not fail.
-            let _ = writeln!(text, "{name},{angle},{ratio},{deviation}");
+            let [angle, ratio, deviation] = [angle, ratio, deviation].map(|own| own.to_string());
+            rows.push(vec![name, angle, ratio, deviation]);
         }
     }
-    text.into_bytes()
+    csv::texts(rows)
 }
 
 fn entry(told: &Told<'_>) -> Value {
@@ -342,12 +316,7 @@ fn grip_entry(experiment: &Experiment, grip: &Grip) -> Value {
 
 /// A coefficient with its interval, if it has one.
 fn fit_entry(fit: &SlipFit, bounds: Option<Bounds>) -> Value {
-    let (low, high) = match bounds {
-        None | Some(Bounds::Nothing) => (None, None),
-        Some(Bounds::Between(low, high)) => (Some(low), Some(high)),
-        Some(Bounds::AtMost(high)) => (None, Some(high)),
-        Some(Bounds::AtLeast(low)) => (Some(low), None),
-    };
+    let [low, high] = limits(bounds);
     json!({
         "best": fit.mu,
         "low": low,
@@ -357,4 +326,14 @@ fn fit_entry(fit: &SlipFit, bounds: Option<Bounds>) -> Value {
         "rejected": bounds.is_none(),
         "in_words": bounds.map_or_else(|| REJECTED.to_owned(), words),
     })
+}
+
+/// The lower and the upper limit of an interval, where it has them.
+pub(super) fn limits(bounds: Option<Bounds>) -> [Option<f64>; 2] {
+    match bounds {
+        Some(Bounds::Between(low, high)) => [Some(low), Some(high)],
+        Some(Bounds::AtMost(high)) => [None, Some(high)],
+        Some(Bounds::AtLeast(low)) => [Some(low), None],
+        Some(Bounds::Nothing) | None => [None, None],
+    }
 }

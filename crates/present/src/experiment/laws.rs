@@ -6,10 +6,12 @@ mod passage;
 
 use stickslip_hybrid::calibrate::Estimate;
 use stickslip_hybrid::identify::Bounds;
+use stickslip_report::context;
+use stickslip_report::prose::{Prose, Value};
 use stickslip_report::table::{Column, Table};
 
 use crate::experiment::story::Story;
-use stickslip_measure::laws::{Fit, LawStage, Scale, ScaleSource, SharedNull};
+use stickslip_measure::laws::{Fit, LawStage, Scale, ScaleSource};
 use stickslip_scene::experiment::Experiment;
 use stickslip_text::short;
 
@@ -21,26 +23,7 @@ pub fn tell(experiment: &Experiment, stage: &LawStage, story: &mut Story) {
     let comparison = &stage.comparison;
     let best = comparison.best();
     story.section("Friction laws fitted by contact solves");
-    story.text(format!(
-        "Each law was put into the contact of the scene, its load history solved, and the displacements compared with {} measured ones of \
-         {} states; of each state {} is free and not compared. Bodies are condensed once: a history with what is seen of it takes {} ms by itself on {} \
-         nodes of the edge. The interval of a parameter is where χ² stays within its limit when all other parameters follow. Where χ² \
-         rejects a model there is none: no interval of the noise holds the errors of a model.",
-        comparison.data,
-        stage.observations.len(),
-        free_motion(stage),
-        short(1e3 * comparison.evaluation_seconds),
-        stage.edge_nodes,
-    ));
-    story.text(scaled(experiment, stage));
-    story.text(correlated(stage));
-    for own in &stage.shared_nulls {
-        story.text(sharing(experiment, own));
-    }
-    story.text(mesh_error(experiment, stage));
-    if let Some(words) = meshed(experiment, stage) {
-        story.text(words);
-    }
+    story.prose(introduction(experiment, stage));
     story.table(laws(stage));
     story.table(parameters(experiment, stage));
     pictures(experiment, stage, story);
@@ -103,126 +86,100 @@ fn pictures(experiment: &Experiment, stage: &LawStage, story: &mut Story) {
     }
 }
 
-/// By what the variances of the states were multiplied.
-fn scaled(experiment: &Experiment, stage: &LawStage) -> String {
+/// How laws are compared, and what their intervals hold.
+fn introduction(experiment: &Experiment, stage: &LawStage) -> Prose {
+    let comparison = &stage.comparison;
+    let best = &comparison.best().calibration;
+    let inflation = best.correlation.inflation;
+    let mesh_law = comparison.mesh_error.as_ref().map(|own| own.law.clone());
+    Prose::new(
+        include_str!("laws/text.jinja"),
+        context! {
+            data => comparison.data,
+            states => stage.observations.len(),
+            free_motion => free_motion(stage),
+            milliseconds => short(1e3 * comparison.evaluation_seconds),
+            edge_nodes => stage.edge_nodes,
+            scales => scales(experiment, stage),
+            inflation => (inflation > 1.0).then(|| short(inflation.sqrt())),
+            fitted_data => best.data,
+            effective_data => best.effective_data().round().to_string(),
+            shared_nulls => shared_nulls(experiment, stage),
+            mesh_law,
+            mesh_error => mesh_error(experiment, stage),
+            discrepancies => discrepancies(experiment, stage),
+        },
+    )
+}
+
+/// By what the variances of the states were multiplied; nothing where all are as stated.
+fn scales(experiment: &Experiment, stage: &LawStage) -> Vec<Value> {
     let stated = |scale: &Scale| scale.source == ScaleSource::Stated;
     if stage.scales.iter().all(stated) {
-        return "No fit says by how much the errors of the data exceed their deviation: it is taken as stated.".to_owned();
+        return Vec::new();
     }
     let each = stage.states.iter().zip(&stage.scales);
-    let each: Vec<String> = each
-        .map(|(&state, scale)| {
-            format!(
-                "{} in state '{}', by {}",
-                short(scale.factor),
-                experiment.states[state].name,
-                scale.source.words()
-            )
-        })
-        .collect();
-    format!(
-        "The variance of the data was multiplied by what fits that know of no friction law say of their deviation: {}.",
-        each.join("; ")
-    )
+    each.map(|(&state, scale)| {
+        context! {
+            factor => short(scale.factor),
+            state => &experiment.states[state].name,
+            source => scale.source.words(),
+        }
+    })
+    .collect()
 }
 
-/// How many independent data the data count as.
-fn correlated(stage: &LawStage) -> String {
-    let own = &stage.comparison.best().calibration;
-    let inflation = own.correlation.inflation;
-    if inflation <= 1.0 {
-        return "Residuals of neighbouring data do not go together: data count in full.".to_owned();
-    }
-    format!(
-        "Residuals of neighbouring data go together, or exceed their deviation: {} data count as {} independent ones in criteria, and \
-         intervals are wider by the factor {}.",
-        own.data,
-        own.effective_data().round(),
-        short(inflation.sqrt()),
-    )
+/// What the errors of null fields do to the states that share one.
+fn shared_nulls(experiment: &Experiment, stage: &LawStage) -> Vec<Value> {
+    let name = |&state: &usize| format!("'{}'", experiment.states[state].name);
+    let each = stage.shared_nulls.iter().map(|own| {
+        context! {
+            states => own.states.iter().map(name).collect::<Vec<_>>().join(", "),
+            data => own.data,
+            correlation => short(own.correlation),
+            too_narrow => short(own.too_narrow()),
+        }
+    });
+    each.collect()
 }
 
-/// What the errors of one null field do to several states.
-fn sharing(experiment: &Experiment, own: &SharedNull) -> String {
-    let names = own
-        .states
-        .iter()
-        .map(|&state| &experiment.states[state].name);
-    let names: Vec<String> = names.map(|name| format!("'{name}'")).collect();
-    if own.data == 0 {
-        return format!(
-            "States {} have one null field, whose errors are in all of them, but no places in common at which these would show. The fit \
-             takes states for independent of each other; how much that does to intervals is not known.",
-            names.join(", ")
-        );
-    }
-    format!(
-        "States {} have one null field, whose errors are in all of them: at {} common data what the best law leaves correlates by {}. The \
-         fit takes states for independent of each other. That makes intervals too narrow by a factor of {} at most, for a parameter that \
-         moves all of these states alike, and too wide for one that moves them oppositely.",
-        names.join(", "),
-        own.data,
-        short(own.correlation),
-        short(own.too_narrow()),
-    )
-}
-
-/// Whether intervals hold the error of the model's mesh, and how much of it the data show.
-fn mesh_error(experiment: &Experiment, stage: &LawStage) -> String {
-    let Some(own) = &stage.comparison.mesh_error else {
-        return "Intervals hold the errors of the data alone, not that of the model's mesh."
-            .to_owned();
-    };
+/// How much of the error of the model's mesh the data show, if intervals hold it.
+fn mesh_error(experiment: &Experiment, stage: &LawStage) -> Option<String> {
+    let own = stage.comparison.mesh_error.as_ref()?;
     let (scale, unit) = figures::scale(experiment);
     let each = stage.states.iter().zip(&own.states);
-    let each: Vec<String> = each
-        .map(|(&state, own)| {
-            format!(
-                "{} ± {} times {} {unit} rms in state '{}'",
-                short(own.amount.value),
-                short(own.amount.deviation),
-                short(scale * own.rms),
-                experiment.states[state].name,
-            )
-        })
-        .collect();
-    format!(
-        "Intervals hold the error of the model's mesh so far as it has the shape of the difference to a mesh twice as coarse, solved with \
-         '{}': its amount is free in each state, normal about zero with a deviation of once that difference, and the same for all laws. \
-         The data show, beside the best law, {}.",
-        own.law,
-        each.join("; ")
-    )
+    let each = each.map(|(&state, own)| {
+        format!(
+            "{} ± {} times {} {unit} rms in state '{}'",
+            short(own.amount.value),
+            short(own.amount.deviation),
+            short(scale * own.rms),
+            experiment.states[state].name,
+        )
+    });
+    Some(each.collect::<Vec<_>>().join("; "))
 }
 
-/// What the model's mesh makes of the true friction, where that is known.
-fn meshed(experiment: &Experiment, stage: &LawStage) -> Option<String> {
+/// What the model's mesh makes of the true friction in the states where that is known.
+fn discrepancies(experiment: &Experiment, stage: &LawStage) -> String {
     let (scale, unit) = figures::scale(experiment);
     let each = stage
         .states
         .iter()
         .zip(&stage.discrepancies)
         .zip(&stage.observations);
-    let each: Vec<String> = each
-        .filter_map(|((&state, own), observation)| {
-            let own = own.as_ref()?;
-            Some(format!(
-                "{} {unit} rms and {} {unit} at most in state '{}', χ² = {} of {} data",
-                short(scale * own.rms),
-                short(scale * own.largest),
-                experiment.states[state].name,
-                short(own.chi_squared),
-                observation.values.len(),
-            ))
-        })
-        .collect();
-    (!each.is_empty()).then(|| {
-        format!(
-            "The data are synthetic, so that the error of the model's own mesh is known: with the friction of the scene its displacements \
-             differ from the truth's by {}.",
-            each.join("; ")
-        )
-    })
+    let each = each.filter_map(|((&state, own), observation)| {
+        let own = own.as_ref()?;
+        Some(format!(
+            "{} {unit} rms and {} {unit} at most in state '{}', χ² = {} of {} data",
+            short(scale * own.rms),
+            short(scale * own.largest),
+            experiment.states[state].name,
+            short(own.chi_squared),
+            observation.values.len(),
+        ))
+    });
+    each.collect::<Vec<_>>().join("; ")
 }
 
 fn free_motion(stage: &LawStage) -> &'static str {
@@ -236,24 +193,15 @@ fn free_motion(stage: &LawStage) -> &'static str {
 }
 
 fn laws(stage: &LawStage) -> Table {
-    let columns = vec![
-        Column::new("law", ""),
-        Column::new("free parameters", ""),
-        Column::new("χ²", ""),
-        Column::new("χ² per degree of freedom", ""),
-        Column::new("AICc above the best law's", ""),
-        Column::new("BIC above the least", ""),
-        Column::new("solves", ""),
-        Column::new("verdict", ""),
-    ];
-    let mut table = Table::new("Laws compared", columns);
-    for fit in &stage.comparison.fits {
+    let headings = "law | free parameters | χ² | χ² per degree of freedom | AICc above the best law's | BIC above the least | solves | \
+                    verdict";
+    let rows = stage.comparison.fits.iter().map(|fit| {
         let own = &fit.calibration;
         let solves = match own.refusals {
             0 => own.evaluations.to_string(),
             some => format!("{} ({some} without solution)", own.evaluations),
         };
-        table.push(vec![
+        [
             fit.law.name.clone(),
             own.estimates.len().to_string(),
             short(own.chi_squared),
@@ -262,44 +210,29 @@ fn laws(stage: &LawStage) -> Table {
             format!("{:.1}", fit.bic_distance),
             solves,
             fit.words(),
-        ]);
-    }
-    table.note(
-        "A law whose AICc is less than 2 above that of the best is as good; from 10 it has next to no support (Burnham & Anderson 2002). BIC \
-         counts further parameters more heavily. A law with more parameters is not preferred for displacements that a mesh twice as coarse \
-         does not show.",
-    )
+        ]
+    });
+    let table = Table::headed("Laws compared", headings).with_rows(rows);
+    table.with_notes(include_str!("laws/verdicts.txt"))
 }
 
 fn parameters(experiment: &Experiment, stage: &LawStage) -> Table {
-    let columns = [
-        "law",
-        "parameter",
-        "unit",
-        "best fit",
-        "interval",
-        "looked for from",
-        "to",
-    ];
-    let columns = columns.map(|name| Column::new(name, "")).into();
     let percent = short(100.0 * experiment.identify.confidence);
-    let mut table = Table::new(
-        format!("Parameters, with intervals of {percent} %"),
-        columns,
-    );
+    let caption = format!("Parameters, with intervals of {percent} %");
+    let headings = "law | parameter | unit | best fit | interval | looked for from | to";
+    let mut table = Table::headed(caption, headings);
     for fit in &stage.comparison.fits {
         for (index, own) in fit.calibration.estimates.iter().enumerate() {
             let (factor, unit) = figures::unit(experiment, fit.law.dimensions[index]);
-            let range = fit.law.parameters[index]
+            let [low, high] = fit.law.parameters[index]
                 .range
                 .map(|value| short(factor * value));
-            let [low, high] = range;
             let bounds = fit.bounds(index);
             let value = match bounds {
                 Some(Bounds::Nothing) => "–".to_owned(),
                 _ => short(factor * own.value),
             };
-            table.push(vec![
+            table.push([
                 fit.law.name.clone(),
                 own.name.clone(),
                 unit.to_owned(),
@@ -342,13 +275,11 @@ fn sensitivities(experiment: &Experiment, stage: &LawStage) -> Table {
         Some(_) => 1.0,
         None => experiment.display.length.from_base(1.0),
     };
-    let mut columns = ["law", "parameter", "from", "to"]
-        .map(|name| Column::new(name, ""))
-        .to_vec();
-    for &state in &stage.states {
-        columns.push(Column::new(&experiment.states[state].name, unit));
-    }
-    let mut table = Table::new("How far the edge moves with a parameter", columns);
+    let caption = "How far the edge moves with a parameter";
+    let mut table = Table::headed(caption, "law | parameter | from | to");
+    let states = stage.states.iter();
+    let states = states.map(|&state| Column::new(&experiment.states[state].name, unit));
+    table.columns.extend(states);
     for (law, index, own) in &stage.sensitivities {
         let fit = &stage.comparison.fits[*law];
         let (scale, _) = figures::unit(experiment, fit.law.dimensions[*index]);

@@ -5,10 +5,15 @@ mod signs;
 
 use serde_json::{Value, json};
 use stickslip_hybrid::data::Field;
-use stickslip_report::table::{Column, Table};
+use stickslip_report::axis::ends;
+use stickslip_report::context;
+use stickslip_report::prose::Prose;
+use stickslip_report::table::Table;
 
+use crate::csv;
+use crate::experiment::findings::yes_or_no;
 use crate::experiment::gallery::caption;
-use crate::experiment::story::{Story, csv_table};
+use crate::experiment::story::Story;
 pub(super) use signs::signs;
 use stickslip_measure::measured::{Measured, repeated};
 use stickslip_scene::experiment::{Experiment, Method, Source, State};
@@ -17,11 +22,7 @@ use stickslip_text::{counted, short, significant};
 /// Tells of the measured fields of all states.
 pub(crate) fn tell(experiment: &Experiment, fields: &[Measured], story: &mut Story) {
     story.section("Measured fields");
-    story.text(
-        "Displacements of the specimen, less the null field where one was given. Pictures do not tell whole orders or the motion of the \
-         plate as a whole: U and V are known up to a constant, and so kept; no stress depends on it.",
-    );
-    story.text(settings(experiment));
+    story.prose(introduction(experiment));
     story.table(table(experiment, fields));
     story.report(experiment, repeated(experiment, fields));
     if fields.iter().any(|measured| !measured.rotations.is_empty()) {
@@ -58,10 +59,9 @@ pub(crate) fn tell(experiment: &Experiment, fields: &[Measured], story: &mut Sto
     );
 }
 
-/// How fields are made, defaults included.
-fn settings(experiment: &Experiment) -> String {
+/// What is measured, and how fields are made, defaults included.
+fn introduction(experiment: &Experiment) -> Prose {
     let reduce = &experiment.reduce;
-    let length = experiment.display.length;
     let method = match reduce.method {
         Method::Fit => "a fit of the region's boundary to all data".to_owned(),
         Method::Linear => "linear interpolation on triangles".to_owned(),
@@ -71,35 +71,25 @@ fn settings(experiment: &Experiment) -> String {
         Method::Lines { .. } => "linear interpolation between fringe centres".to_owned(),
     };
     let pictured = |state: &State| matches!(state.source, Source::Step(_) | Source::Pictures(_));
+    let pictures = experiment.states.iter().any(pictured);
     let margin = match reduce.margin {
-        Some(margin) => format!("{} beyond its edge", length.show(margin)),
-        None if experiment.states.iter().any(pictured) => {
-            "what a phase of fringes with a carrier resolves beyond its edge".to_owned()
-        }
-        None => "nothing beyond its edge".to_owned(),
+        Some(margin) => experiment.display.length.show(margin),
+        None if pictures => "what a phase of fringes with a carrier resolves".to_owned(),
+        None => "nothing".to_owned(),
     };
-    let mut words = format!(
-        "Masked: the hole, {margin}, and {} further areas. Displacements of nodes by {method}.",
-        reduce.mask.len()
-    );
-    if experiment.states.iter().any(State::has_table) {
-        let outliers = match reduce.outliers {
-            Some(threshold) => format!(
-                " Places of tables are masked as outliers where U or V is off a plane through its neighbours by more than {threshold} \
-                 times what is usual there ([reduce] outliers)."
-            ),
-            None => " No outliers are looked for.".to_owned(),
-        };
-        words.push_str(&outliers);
-    }
-    if experiment.states.iter().any(pictured) {
-        let pictures = format!(
-            " Pictures: a band of {} around the carrier, fringes below {} of their median amplitude masked.",
-            reduce.band, reduce.least_modulation
-        );
-        words.push_str(&pictures);
-    }
-    words
+    Prose::new(
+        include_str!("measured/text.jinja"),
+        context! {
+            method,
+            margin,
+            areas => reduce.mask.len(),
+            tables => experiment.states.iter().any(State::has_table),
+            outliers => reduce.outliers.map(|threshold| threshold.to_string()),
+            pictures,
+            band => reduce.band.to_string(),
+            modulation => reduce.least_modulation.to_string(),
+        },
+    )
 }
 
 fn one(experiment: &Experiment, measured: &Measured, story: &mut Story) {
@@ -150,62 +140,46 @@ fn csv(experiment: &Experiment, measured: &Measured) -> Vec<u8> {
             .map(|x| unit.from_base(x))
             .to_vec()
     });
-    csv_table(&header, rows)
+    csv::numbers(header.into(), rows)
 }
 
 fn table(experiment: &Experiment, fields: &[Measured]) -> Table {
-    let length = experiment.display.length;
-    let columns = vec![
-        Column::new("state", ""),
-        Column::new("field", ""),
-        Column::new("places", ""),
-        Column::new("masked", ""),
-        Column::new("as outliers", ""),
-        Column::new("least", length.name),
-        Column::new("greatest", length.name),
-        Column::new("deviation", length.name),
-        Column::new("deviation", "fringes"),
-        Column::new("open loops", ""),
-        Column::new("jumps", ""),
-    ];
-    let mut table = Table::new("What was measured", columns);
-    for measured in fields {
-        for field in Field::BOTH {
-            table.push(row(experiment, measured, field));
-        }
-    }
-    table
+    let length = experiment.display.length.name;
+    let headings = format!(
+        "state | field | places | masked | as outliers | least [{length}] | greatest [{length}] | deviation [{length}] | \
+         deviation [fringes] | open loops | jumps"
+    );
+    let rows = fields.iter().flat_map(|measured| {
+        let both = Field::BOTH.into_iter();
+        both.map(|field| row(experiment, measured, field))
+    });
+    Table::headed("What was measured", &headings).with_rows(rows)
 }
 
-fn row(experiment: &Experiment, measured: &Measured, field: Field) -> Vec<String> {
+fn row(experiment: &Experiment, measured: &Measured, field: Field) -> [String; 11] {
     let unit = experiment.display.length;
     let c = field.component();
     let data = &measured.measurement;
-    let values = || {
-        (0..data.places.len())
-            .filter(|&k| data.valid[c][k])
-            .map(|k| data.displacements[c][k])
-    };
+    let places = data.places.len();
+    let valid = (0..places).filter(|&k| data.valid[c][k]);
+    let [least, greatest] = ends(valid.map(|k| data.displacements[c][k]));
     let count = data.count(field);
-    let shown = |value: f64| {
-        if count == 0 {
-            String::new()
-        } else {
-            short(unit.from_base(value))
-        }
+    let shown = |value: f64| match count {
+        0 => String::new(),
+        _ => short(unit.from_base(value)),
     };
     let deviation = data.deviation[c];
     let fringes = experiment.grating.map(|grating| grating.order(deviation));
     let picture = measured.pictures[c].as_ref();
     let number = |count: Option<usize>| count.map_or_else(String::new, |count| count.to_string());
-    vec![
+    [
         experiment.states[measured.state].name.clone(),
         field.name().to_owned(),
-        data.places.len().to_string(),
-        (data.places.len() - count).to_string(),
+        places.to_string(),
+        (places - count).to_string(),
         number(is_table(experiment, measured).then_some(measured.outliers.len())),
-        shown(values().fold(f64::INFINITY, f64::min)),
-        shown(values().fold(f64::NEG_INFINITY, f64::max)),
+        shown(least),
+        shown(greatest),
         shown(deviation),
         fringes.map_or_else(String::new, |fringes| format!("{fringes:.4}")),
         number(picture.map(|picture| picture.residues.len())),
@@ -214,18 +188,12 @@ fn row(experiment: &Experiment, measured: &Measured, field: Field) -> Vec<String
 }
 
 fn rotations(experiment: &Experiment, fields: &[Measured]) -> Table {
-    let columns = vec![
-        Column::new("state", ""),
-        Column::new("field", ""),
-        Column::new("rotation", "deg"),
-        Column::new("±", "deg"),
-        Column::new("masked for it", ""),
-    ];
-    let mut table = Table::new("Rotations that were taken off", columns);
+    let headings = "state | field | rotation [deg] | ± [deg] | masked for it";
+    let mut table = Table::headed("Rotations that were taken off", headings);
     for measured in fields {
         for own in &measured.rotations {
             let [angle, deviation] = own.degrees();
-            table.push(vec![
+            table.push([
                 experiment.states[measured.state].name.clone(),
                 if own.of_null { "null" } else { "state" }.to_owned(),
                 short(angle),
@@ -234,11 +202,7 @@ fn rotations(experiment: &Experiment, fields: &[Measured]) -> Table {
             ]);
         }
     }
-    table.note(
-        "Counter-clockwise against the reference picture, about the middle of the hole, as finite rotations: displacements are those in the \
-         frame of the specimen. The rotation is the mean one of the field; the part of it that loads make, of the order of the strains, is in no \
-         stress. Its standard deviation moves stresses by less than that part of them, and no band holds it.",
-    )
+    table.with_notes(include_str!("measured/rotations.txt"))
 }
 
 fn is_table(experiment: &Experiment, measured: &Measured) -> bool {
@@ -247,26 +211,22 @@ fn is_table(experiment: &Experiment, measured: &Measured) -> bool {
 
 fn symmetry(experiment: &Experiment, fields: &[Measured]) -> Table {
     let length = experiment.display.length;
-    let columns = vec![
-        Column::new("state", ""),
-        Column::new("field", ""),
-        Column::new("largest difference", "fringes"),
-        Column::new("at x", length.name),
-        Column::new("y", length.name),
-        Column::new("places", ""),
-        Column::new("symmetric", ""),
-    ];
-    let mut table = Table::new("Front against back", columns);
+    let headings = format!(
+        "state | field | largest difference [fringes] | at x [{0}] | y [{0}] | places | symmetric",
+        length.name
+    );
+    let mut table = Table::headed("Front against back", &headings);
     for measured in fields {
         for (field, found) in &measured.symmetry {
-            table.push(vec![
+            let [x, y] = found.place.map(|x| short(length.from_base(x)));
+            table.push([
                 experiment.states[measured.state].name.clone(),
                 field.name().to_owned(),
                 format!("{:.3}", found.largest),
-                short(length.from_base(found.place[0])),
-                short(length.from_base(found.place[1])),
+                x,
+                y,
                 found.compared.to_string(),
-                if found.symmetric { "yes" } else { "no" }.to_owned(),
+                yes_or_no(found.symmetric),
             ]);
         }
     }

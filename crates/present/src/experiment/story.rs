@@ -4,10 +4,10 @@ use serde_json::{Map, Value, json};
 use stickslip_fem_core::parallel;
 use stickslip_report::FigureError;
 use stickslip_report::page::{Block, Figure, Page, PageError, Section};
+use stickslip_report::prose::Prose;
 use stickslip_report::raster::{DEFAULT_SCALE, to_png};
 use stickslip_report::svg::Svg;
-use stickslip_report::table::{Column, Table};
-use stickslip_text::plain::csv_cell;
+use stickslip_report::table::Table;
 use thiserror::Error;
 
 use super::findings::sentence;
@@ -91,6 +91,11 @@ impl Story {
     /// A paragraph of the section.
     pub fn text(&mut self, words: impl Into<String>) {
         self.block(Block::Text(words.into()));
+    }
+
+    /// Paragraphs of the section, from a template.
+    pub fn prose(&mut self, prose: Prose) {
+        self.block(Block::Prose(prose));
     }
 
     /// A table of the section.
@@ -206,15 +211,15 @@ impl Story {
     }
 
     fn list_files(&mut self) {
-        let columns = ["file", "holds"].map(|name| Column::new(name, ""));
-        let mut table = Table::new("", columns.into());
-        for (names, what) in &self.notes {
-            table.push([listed(names), what.clone()]);
-        }
-        table.push(["figures/*.svg, figures/*.png", "the figures of this page"]);
-        table.push(["summary.json", "the numbers that other programs read"]);
-        self.section("Files");
-        self.table(table);
+        let own = self.notes.iter();
+        let own = own.map(|(names, what)| (listed(names), what.as_str()));
+        let common = [
+            ("figures/*.svg, figures/*.png", "the figures of this page"),
+            ("summary.json", "the numbers that other programs read"),
+        ];
+        let common = common.map(|(names, what)| (names.to_owned(), what));
+        let files = Section::of_files(own.chain(common));
+        self.page.sections.push(files);
     }
 }
 
@@ -227,37 +232,4 @@ fn listed(names: &[String]) -> String {
         }
         _ => names.join(", "),
     }
-}
-
-/// Texts as a line of a CSV table.
-pub fn csv_line(cells: &[String]) -> String {
-    let quoted = |cell: &String| {
-        let plain = csv_cell(cell);
-        if plain.contains(['"', ',', '\n']) {
-            format!("\"{}\"", plain.replace('"', "\"\""))
-        } else {
-            plain.into_owned()
-        }
-    };
-    cells.iter().map(quoted).collect::<Vec<_>>().join(",") + "\n"
-}
-
-/// A table of numbers as CSV; NaN is left empty. `header` names quantities and units.
-pub fn csv_table(header: &[String], rows: impl IntoIterator<Item = Vec<f64>>) -> Vec<u8> {
-    let mut text = csv_line(header);
-    for row in rows {
-        let cells: Vec<String> = row
-            .iter()
-            .map(|value| {
-                if value.is_finite() {
-                    format!("{value}")
-                } else {
-                    String::new()
-                }
-            })
-            .collect();
-        text += &cells.join(",");
-        text.push('\n');
-    }
-    text.into_bytes()
 }

@@ -3,10 +3,12 @@
 mod figures;
 
 use serde_json::{Value, json};
-use stickslip_report::table::{Column, Table};
+use stickslip_hybrid::identify::SlipFit;
+use stickslip_report::table::Table;
 
 use super::identified::dynamic_words;
-use crate::experiment::story::{Story, csv_table};
+use crate::csv;
+use crate::experiment::story::Story;
 use stickslip_measure::Finding;
 use stickslip_measure::chain::Edges;
 use stickslip_measure::finding::Located;
@@ -25,11 +27,7 @@ pub fn tell(experiment: &Experiment, edges: &Edges, story: &mut Story) {
         return;
     };
     story.section("The whole plate without its pin");
-    story.text(
-        "The plate of the scene under its remote load, its hole displaced so that all measured displacements are met best: every other edge \
-         is free or carries a known load, so that the tractions on the hole balance the remote load exactly, and nothing but the hole's own \
-         displacements is asked of the data (report II 4.3, Figs 10–13).",
-    );
+    story.text(include_str!("whole/text.txt").trim_end());
     story.table(table(experiment, states));
     story.table(zones(experiment, states, friction));
     let found = friction.dynamic.as_ref().map_or_else(
@@ -68,99 +66,73 @@ pub fn tell(experiment: &Experiment, edges: &Edges, story: &mut Story) {
 
 /// Slip zones of all states, and their common coefficient.
 fn zones(experiment: &Experiment, states: &[WholeState], friction: &Identified) -> Table {
-    let columns = vec![
-        Column::new("state", ""),
-        Column::new("slips from", "deg"),
-        Column::new("to", "deg"),
-        Column::new("coefficient", ""),
-        Column::new("χ²", ""),
-        Column::new("degrees of freedom", ""),
-    ];
-    let mut table = Table::new("Slip zones of the whole plate", columns);
+    let headings = "state | slips from [deg] | to [deg] | coefficient | χ² | degrees of freedom";
+    let cells = |fit: &SlipFit| {
+        let [bounds, chi_squared] = [words(fit.bounds), short(fit.chi_squared)];
+        [bounds, chi_squared, fit.degrees.to_string()]
+    };
+    let mut table = Table::headed("Slip zones of the whole plate", headings);
     for zone in &friction.zones {
         let own = states.iter().find(|own| own.state == zone.state);
-        let degrees = |k: usize| {
+        let ends = [zone.places.start, zone.places.end.saturating_sub(1)];
+        let ends = ends.map(|k| {
             let angle = own.and_then(|own| own.solution.angle.get(k));
             angle.map_or_else(String::new, |angle| format!("{:.1}", angle.to_degrees()))
-        };
-        table.push(vec![
-            experiment.states[zone.state].name.clone(),
-            degrees(zone.places.start),
-            degrees(zone.places.end.saturating_sub(1)),
-            words(zone.fit.bounds),
-            short(zone.fit.chi_squared),
-            zone.fit.degrees.to_string(),
-        ]);
+        });
+        let name = experiment.states[zone.state].name.clone();
+        table.push([name].into_iter().chain(ends).chain(cells(&zone.fit)));
     }
     if let Some(fit) = &friction.dynamic {
-        table.push(vec![
-            "all together".to_owned(),
-            String::new(),
-            String::new(),
-            words(fit.bounds),
-            short(fit.chi_squared),
-            fit.degrees.to_string(),
-        ]);
+        let name = ["all together", "", ""].map(str::to_owned);
+        table.push(name.into_iter().chain(cells(fit)));
     }
     table
 }
 
 fn table(experiment: &Experiment, states: &[WholeState]) -> Table {
     let (force, stress) = (experiment.display.force, experiment.display.stress);
-    let columns = vec![
-        Column::new("state", ""),
-        Column::new("remote load", force.name),
-        Column::new("force on the hole", force.name),
-        Column::new("largest pressure", stress.name),
-        Column::new("deviation of the shear", stress.name),
-        Column::new("its bias by smoothing", stress.name),
-        Column::new("data", ""),
-        Column::new("χ² per degree of freedom", ""),
-    ];
-    let mut table = Table::new("Balance and fit", columns);
-    for own in states {
+    let headings = format!(
+        "state | remote load [{0}] | force on the hole [{0}] | largest pressure [{1}] | deviation of the shear [{1}] | \
+         its bias by smoothing [{1}] | data | χ² per degree of freedom",
+        force.name, stress.name
+    );
+    let size = |[x, y]: [f64; 2]| short(force.from_base(x.hypot(y)));
+    let shown = |value: f64| short(stress.from_base(value));
+    let rows = states.iter().map(|own| {
         let solution = &own.solution;
-        let size = |[x, y]: [f64; 2]| force.from_base(x.hypot(y));
-        let count = solution.angle.len() as f64;
-        let rms = |values: &mut dyn Iterator<Item = f64>| {
-            (values.map(|x| x * x).sum::<f64>() / count).sqrt()
+        let count = solution.angle.len();
+        let rms = |value: &dyn Fn(usize) -> f64| {
+            let squares = (0..count).map(|k| value(k) * value(k));
+            (squares.sum::<f64>() / count as f64).sqrt()
         };
-        let largest = solution
-            .tractions
-            .pressure
-            .iter()
-            .copied()
-            .fold(0.0, f64::max);
-        let mut deviations = (0..solution.angle.len()).map(|k| solution.deviation(1, k));
         let (residual, data, parameters) = solution.fit;
-        table.push(vec![
+        [
             experiment.states[own.state].name.clone(),
-            short(size(solution.load)),
-            short(size(solution.force)),
-            short(stress.from_base(largest)),
-            short(stress.from_base(rms(&mut deviations))),
-            short(stress.from_base(rms(&mut solution.bias.iter().map(|bias| bias[1])))),
+            size(solution.load),
+            size(solution.force),
+            shown(largest_pressure(own)),
+            shown(rms(&|k| solution.deviation(1, k))),
+            shown(rms(&|k| solution.bias[k][1])),
             data.to_string(),
             format!("{:.3}", residual / (data as f64 - parameters).max(1.0)),
-        ]);
-    }
-    table
+        ]
+    });
+    Table::headed("Balance and fit", &headings).with_rows(rows)
+}
+
+fn largest_pressure(own: &WholeState) -> f64 {
+    let pressure = own.solution.tractions.pressure.iter();
+    pressure.copied().fold(0.0, f64::max)
 }
 
 fn csv(experiment: &Experiment, own: &WholeState) -> Vec<u8> {
     let unit = experiment.display.stress;
     let solution = &own.solution;
-    let mut header = vec!["angle [deg]".to_owned()];
-    for name in [
-        "CPRESS",
-        "deviation of CPRESS",
-        "tau_rtheta",
-        "deviation of tau_rtheta",
-        "hoop stress",
-        "deviation of the hoop stress",
-    ] {
-        header.push(format!("{name} [{}]", unit.name));
-    }
+    let headings = csv::headings(&format!(
+        "angle [deg] | CPRESS [{0}] | deviation of CPRESS [{0}] | tau_rtheta [{0}] | deviation of tau_rtheta [{0}] | hoop stress [{0}] | \
+         deviation of the hoop stress [{0}]",
+        unit.name
+    ));
     let rows = (0..solution.angle.len()).map(|k| {
         let stresses = [
             solution.tractions.pressure[k],
@@ -174,25 +146,19 @@ fn csv(experiment: &Experiment, own: &WholeState) -> Vec<u8> {
         row.extend(stresses.map(|own| unit.from_base(own)));
         row
     });
-    csv_table(&header, rows)
+    csv::numbers(headings, rows)
 }
 
 fn entry(experiment: &Experiment, own: &WholeState) -> Value {
     let (force, stress) = (experiment.display.force, experiment.display.stress);
     let solution = &own.solution;
-    let largest = solution
-        .tractions
-        .pressure
-        .iter()
-        .copied()
-        .fold(0.0, f64::max);
     json!({
         "state": experiment.states[own.state].name,
         "force_unit": force.name,
         "stress_unit": stress.name,
         "load": solution.load.map(|x| force.from_base(x)),
         "force_on_hole": solution.force.map(|x| force.from_base(x)),
-        "largest_pressure": stress.from_base(largest),
+        "largest_pressure": stress.from_base(largest_pressure(own)),
         "chi_squared": solution.fit.0,
         "data": solution.fit.1,
     })

@@ -45,34 +45,7 @@ pub(super) enum Group {
 pub(super) fn draw(results: &Results) -> (Vec<Drawing>, Vec<String>) {
     let mut gallery = Gallery::default();
     for view in EdgeView::all(results) {
-        let name = &view.geometry.name;
-        gallery.add(Group::Edge, &format!("stresses-{name}"), edge::chart(&view));
-        if view.geometry.contact {
-            gallery.add(
-                Group::Edge,
-                &format!("pressure-{name}"),
-                families::pressure(&view),
-            );
-            gallery.add(
-                Group::Edge,
-                &format!("shear-{name}"),
-                families::shear(&view),
-            );
-        }
-        gallery.add(Group::Edge, &format!("hoop-{name}"), families::hoop(&view));
-        if view.geometry.contact {
-            gallery.add(Group::History, &format!("map-{name}"), map::chart(&view));
-            gallery.add(
-                Group::History,
-                &format!("extent-{name}"),
-                history::extent_and_peak(&view),
-            );
-            gallery.add(
-                Group::History,
-                &format!("friction-{name}"),
-                history::friction(&view),
-            );
-        }
+        add_edge(&mut gallery, &view);
     }
     for view in FailureView::all(results) {
         add_failure(&mut gallery, &view);
@@ -83,49 +56,57 @@ pub(super) fn draw(results: &Results) -> (Vec<Drawing>, Vec<String>) {
     (gallery.drawings, gallery.failures)
 }
 
+/// Figures of an edge.
+fn add_edge(gallery: &mut Gallery, view: &EdgeView<'_>) {
+    let (name, contact) = (view.geometry.name.as_str(), view.geometry.contact);
+    gallery.add_of(name, Group::Edge, [("stresses", edge::chart(view))]);
+    if contact {
+        let tractions = [
+            ("pressure", families::pressure(view)),
+            ("shear", families::shear(view)),
+        ];
+        gallery.add_of(name, Group::Edge, tractions);
+    }
+    gallery.add_of(name, Group::Edge, [("hoop", families::hoop(view))]);
+    if contact {
+        let history = [
+            ("map", map::chart(view)),
+            ("extent", history::extent_and_peak(view)),
+            ("friction", history::friction(view)),
+        ];
+        gallery.add_of(name, Group::History, history);
+    }
+}
+
 /// Figures of a laminated body.
 fn add_failure(gallery: &mut Gallery, view: &FailureView<'_>) {
-    let (group, body) = (Group::Failure, view.body());
+    use failure::figures::{characteristic, envelopes, index_along, stresses_along};
     for edge in &view.failure.edges {
+        let figures = [
+            ("ply-index", index_along(view, edge)),
+            ("ply-stresses", stresses_along(view, edge)),
+        ];
         let name = &view.results.edges[edge.edge].name;
-        gallery.add(
-            group,
-            &format!("ply-index-{name}"),
-            failure::figures::index_along(view, edge),
-        );
-        gallery.add(
-            group,
-            &format!("ply-stresses-{name}"),
-            failure::figures::stresses_along(view, edge),
-        );
+        gallery.add_of(name, Group::Failure, figures);
     }
-    gallery.add(
-        group,
-        &format!("characteristic-{body}"),
-        failure::figures::characteristic(view),
-    );
-    for (plane, stem) in [
-        (EnvelopePlane::Normal, "envelope-normal"),
-        (EnvelopePlane::Shear, "envelope-shear"),
-    ] {
-        let picture = failure::figures::envelopes(view, plane);
-        gallery.add(group, &format!("{stem}-{body}"), picture);
-    }
+    let figures = [
+        ("characteristic", characteristic(view)),
+        ("envelope-normal", envelopes(view, EnvelopePlane::Normal)),
+        ("envelope-shear", envelopes(view, EnvelopePlane::Shear)),
+    ];
+    gallery.add_of(view.body(), Group::Failure, figures);
     if let Some(joint) = ProgressiveView::of(*view) {
-        let stem = format!("load-displacement-{body}");
-        gallery.add(Group::Joint, &stem, progressive::figures::curve(&joint));
-        let stem = format!("edge-strains-{body}");
-        gallery.add(
-            Group::Joint,
-            &stem,
-            progressive::figures::edge_strains(&joint),
-        );
-        let stem = format!("damage-{body}");
-        gallery.add(Group::Joint, &stem, progressive::damage_map(&joint));
+        let figures = [
+            ("load-displacement", progressive::figures::curve(&joint)),
+            ("edge-strains", progressive::figures::edge_strains(&joint)),
+            ("damage", progressive::damage_map(&joint)),
+        ];
+        gallery.add_of(view.body(), Group::Joint, figures);
     }
     for map in &view.failure.maps {
-        let stem = format!("ply-map-{body}-step-{:02}", map.step + 1);
-        gallery.add(group, &stem, failure::index_map(view, map));
+        let name = format!("{}-step-{:02}", view.body(), map.step + 1);
+        let figure = ("ply-map", failure::index_map(view, map));
+        gallery.add_of(&name, Group::Failure, [figure]);
     }
 }
 
@@ -137,6 +118,18 @@ struct Gallery {
 }
 
 impl Gallery {
+    /// Adds figures of what is called `name`, each with what it shows.
+    fn add_of(
+        &mut self,
+        name: &str,
+        group: Group,
+        figures: impl IntoIterator<Item = (&'static str, Attempt)>,
+    ) {
+        for (what, attempt) in figures {
+            self.add(group, &format!("{what}-{name}"), attempt);
+        }
+    }
+
     fn add(&mut self, group: Group, stem: &str, attempt: Attempt) {
         match attempt {
             Ok(Some((picture, caption))) => {

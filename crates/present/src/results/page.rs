@@ -1,7 +1,8 @@
 //! `report.html`: the answer first, then the load steps, the figures, and how it was done.
 
-use stickslip_report::page::{Block, Figure, Page, Section};
-use stickslip_report::table::{Column, Table};
+use stickslip_report::context;
+use stickslip_report::page::{Block, Figure, Page, PageError, Section};
+use stickslip_report::prose::Prose;
 
 use super::FileNote;
 use super::display::EdgeView;
@@ -22,7 +23,7 @@ pub(super) fn page(
     drawings: Vec<Drawing>,
     failures: &[String],
     files: &[FileNote],
-) -> Page {
+) -> Result<Page, PageError> {
     let mut page = Page::new(&results.title, subtitle(results));
     page.warnings = findings::sentences(results);
     page.warnings.extend_from_slice(failures);
@@ -32,7 +33,7 @@ pub(super) fn page(
         .into_iter()
         .partition(|drawing| drawing.group == Group::Joint);
     page.sections.extend(joint_section(results, joint));
-    page.sections.push(steps_section(results));
+    page.sections.push(steps_section(results)?);
     page.sections.extend(failure_section(results));
     let groups = [
         (Group::Edge, "Along the edges"),
@@ -49,91 +50,105 @@ pub(super) fn page(
             page.sections.push(figure_section(title, here));
         }
     }
-    page.sections.push(
-        Section::new("How it was modelled")
-            .with(Block::Table(tables::choices(results)))
-            .with(Block::Table(tables::bodies(results)))
-            .with(Block::Table(tables::phases(results))),
-    );
-    page.sections
-        .push(Section::new("Signs and names").with(Block::Table(tables::signs())));
-    page.sections
-        .push(Section::new("Files").with(Block::Table(file_table(files))));
+    let modelled = [
+        tables::choices(results),
+        tables::bodies(results),
+        tables::phases(results),
+    ];
+    let modelled = modelled
+        .into_iter()
+        .fold(Section::new("How it was modelled"), Section::with);
+    let signs = Section::new("Signs and names").with(tables::signs_table());
+    page.sections.extend([modelled, signs, file_section(files)]);
     page.footer = format!(
         "stickslip {} · scene {}",
         env!("CARGO_PKG_VERSION"),
         results.scene_hash
     );
-    page
+    Ok(page)
 }
 
 fn subtitle(results: &Results) -> String {
-    let count = results.steps.len();
-    let steps = if count == 1 {
-        "1 load step".to_owned()
-    } else {
-        format!("{count} load steps")
-    };
+    let steps = counted(results.steps.len(), "load step");
     format!("{} · {steps}", results.source)
 }
 
 fn figure_section(title: &str, drawings: Vec<Drawing>) -> Section {
     let figures = drawings
         .into_iter()
-        .map(|drawing| Block::Figure(Figure::new(drawing.picture, drawing.caption, drawing.name)));
+        .map(|drawing| Figure::new(drawing.picture, drawing.caption, drawing.name));
     figures.fold(Section::new(title), Section::with)
 }
 
 /// Contacts whose numbers are summed up.
 const SUMMED_UP: usize = 4;
 
+/// A name and a value.
+type Row = (String, String);
+
 /// The most important numbers, at the largest load.
-fn summary(results: &Results) -> Vec<(String, String)> {
-    let mut rows = Vec::new();
-    let mut add = |name: &str, value: String| rows.push((name.to_owned(), value));
+fn summary(results: &Results) -> Vec<Row> {
     let load = LoadScale::of(results);
     let Some(step) = load.peak_step() else {
-        return rows;
+        return Vec::new();
     };
-    for joint in FailureView::all(results)
-        .into_iter()
+    let joints = FailureView::all(results).into_iter();
+    let mut rows: Vec<Row> = joints
         .filter_map(ProgressiveView::of)
-    {
-        let (name, value) = progressive::tables::headline(&joint);
-        add(name, value);
+        .map(|joint| progressive::tables::headline(&joint))
+        .collect();
+    if tables::has_one_load(results) {
+        rows.push(largest_load(&load, step));
     }
-    let largest = |load: &LoadScale, step| format!("{}, {}", load.name, load.step_text(step));
-    let one_load = tables::has_one_load(results);
-    if one_load {
-        add("Largest load", largest(&load, step));
-    }
+    rows.extend(contacts_summary(results));
+    rows.extend(solution_summary(results));
+    rows
+}
+
+fn largest_load(load: &LoadScale, step: usize) -> Row {
+    let value = format!("{}, {}", load.name, load.step_text(step));
+    ("Largest load".to_owned(), value)
+}
+
+/// The numbers of the first contacts, each at its own largest load, or of the edge that tables show.
+fn contacts_summary(results: &Results) -> Vec<Row> {
     let mut edges = EdgeView::all(results);
     edges.retain(|edge| edge.geometry.contact);
     let several = edges.len() > 1;
     if !several {
         edges = EdgeView::main(results).into_iter().collect();
     }
+    let mut rows = Vec::new();
     for edge in edges.iter().take(SUMMED_UP) {
         let load = edge.load();
         let Some(step) = load.peak_step() else {
             continue;
         };
         let mut own = edge_summary(edge, step);
-        if !one_load {
-            own.insert(0, ("Largest load".to_owned(), largest(&load, step)));
+        if !tables::has_one_load(results) {
+            own.insert(0, largest_load(&load, step));
         }
-        for (name, value) in own {
-            if several {
-                add(&format!("'{}': {name}", edge.geometry.name), value);
-            } else {
-                add(&name, value);
+        if several {
+            for (name, _) in &mut own {
+                *name = format!("'{}': {name}", edge.geometry.name);
             }
         }
+        rows.extend(own);
     }
     if let Some(further @ 1..) = edges.len().checked_sub(SUMMED_UP) {
         let contacts = counted(further, "contact");
-        add("Further", format!("{contacts}, in the tables below"));
+        rows.push((
+            "Further".to_owned(),
+            format!("{contacts}, in the tables below"),
+        ));
     }
+    rows
+}
+
+/// How well the contact conditions are met, and what the solution took.
+fn solution_summary(results: &Results) -> Vec<Row> {
+    let mut rows = Vec::new();
+    let mut add = |name: &str, value: String| rows.push((name.to_owned(), value));
     let worst = |value: fn(&StepResults) -> f64| {
         let values = results.steps.iter().map(value);
         // The largest, or NaN if there is one, which `max` would drop.
@@ -170,7 +185,7 @@ fn summary(results: &Results) -> Vec<(String, String)> {
     rows
 }
 
-fn edge_summary(edge: &EdgeView<'_>, step: usize) -> Vec<(String, String)> {
+fn edge_summary(edge: &EdgeView<'_>, step: usize) -> Vec<Row> {
     let mut rows = Vec::new();
     let mut add = |name: String, value: String| rows.push((name, value));
     let record = edge.step(step);
@@ -235,25 +250,23 @@ fn notes(results: &Results) -> Vec<String> {
     notes
 }
 
-fn steps_section(results: &Results) -> Section {
+fn steps_section(results: &Results) -> Result<Section, PageError> {
     let mut section = Section::new("Load steps");
     let one_load = tables::has_one_load(results);
     for edge in EdgeView::all(results) {
-        let table = if edge.geometry.contact {
-            let table = tables::contact_table(&edge, one_load, Detail::Full);
+        section = section.with(if edge.geometry.contact {
+            let mut table = tables::contact_table(&edge, one_load, Detail::Full);
+            table.notes.extend(columns_notes(&edge).paragraphs()?);
             table
-                .note(extents_note(&edge))
-                .note("Solves are interface solves of all increments; balance is the unbalanced force over the load.")
         } else {
             tables::stress_table(&edge, one_load)
-        };
-        section = section.with(Block::Table(table));
+        });
     }
     if results.steps.len() > 1 {
         let text = single_steps(results).map(Block::Text);
         section = text.into_iter().fold(section, Section::with);
     }
-    section
+    Ok(section)
 }
 
 /// Which step figures of a single step show.
@@ -277,30 +290,18 @@ fn single_steps(results: &Results) -> Option<String> {
     ))
 }
 
-/// What the columns of extents mean.
-fn extents_note(edge: &EdgeView<'_>) -> String {
-    let extents = if tables::lies_evenly(edge) {
-        "Contact ± and stick ± are half-extents"
-    } else {
-        "Contact goes from the first to the last place that touches, gaps between included, stick over all zones that stick"
-    };
-    let slip = match edge.slip_names() {
-        ["slip +", _] => "slip± are the lengths of the zones that slip along ±e_t",
-        _ => {
-            "slip away and slip towards are the lengths of the zones that slip away from the bearing point of the step and towards it"
-        }
-    };
-    let angles = match (edge.is_circle(), edge.geometry.frame.bearing) {
-        (true, Some(bearing)) => format!(
-            " Angles φ are counted counter-clockwise from the bearing point, which lies at θ = {} from +x.",
-            edge.extent(bearing)
-        ),
-        (true, None) => {
-            " Angles θ are counted counter-clockwise from +x: there is no bearing point.".into()
-        }
-        (false, _) => String::new(),
-    };
-    format!("{extents}; {slip}.{angles}")
+/// What the columns of a contact's steps mean.
+fn columns_notes(edge: &EdgeView<'_>) -> Prose {
+    let bearing = edge.geometry.frame.bearing;
+    Prose::new(
+        include_str!("page/steps.jinja"),
+        context! {
+            evenly => tables::lies_evenly(edge),
+            along_edge => edge.slip_names()[0] == "slip +",
+            circle => edge.is_circle(),
+            bearing => bearing.map(|bearing| edge.extent(bearing)),
+        },
+    )
 }
 
 /// A joint that was followed to its end: what it bears, how it fails and why, with its figures.
@@ -328,25 +329,24 @@ fn failure_section(results: &Results) -> Option<Section> {
     let views = FailureView::all(results);
     let mut section = Section::new("Failure of plies");
     for view in &views {
-        section = section.with(Block::Table(failure::tables::first_ply(view)));
+        section = section.with(failure::tables::first_ply(view));
         for sentence in failure::tables::joint_modes(view) {
             section = section.with(Block::Text(sentence));
         }
         section = section
-            .with(Block::Table(failure::tables::steps(view)))
-            .with(Block::Table(failure::tables::plies(view)));
+            .with(failure::tables::steps(view))
+            .with(failure::tables::plies(view));
     }
     (!views.is_empty()).then_some(section)
 }
 
-fn file_table(files: &[FileNote]) -> Table {
-    let mut table = Table::new("", vec![Column::new("file", ""), Column::new("holds", "")]);
-    table.push([
+fn file_section(files: &[FileNote]) -> Section {
+    let summary = (
         "summary.json",
         "all quantities of the load steps for other programs",
-    ]);
-    for note in files {
-        table.push([&note.files, &note.what]);
-    }
-    table
+    );
+    let files = files
+        .iter()
+        .map(|note| (note.files.as_str(), note.what.as_str()));
+    Section::of_files([summary].into_iter().chain(files))
 }

@@ -11,6 +11,7 @@ pub(super) use maps::damage_map;
 use super::failure::FailureView;
 use super::findings::joint_sentence;
 use stickslip_engine::results::{PlyLoss, ProgressiveFailure};
+use stickslip_text::significant;
 
 /// A followed joint with what a reader needs around it.
 #[derive(Clone, Copy)]
@@ -31,6 +32,12 @@ impl<'a> ProgressiveView<'a> {
 
     pub(super) fn force(&self, force: f64) -> f64 {
         self.failure.results.units.force.from_base(force)
+    }
+
+    /// "812 lbf".
+    fn load_text(&self, load: f64) -> String {
+        let load = significant(self.force(load), 4);
+        format!("{load} {}", self.force_unit())
     }
 
     pub(super) fn force_unit(&self) -> &'static str {

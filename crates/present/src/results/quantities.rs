@@ -2,10 +2,12 @@
 //! what stands here, in this order.
 
 use serde::{Serialize, Serializer};
+use stickslip_report::table::Columns;
 use stickslip_text::{decimals, short, significant, tidy};
 
-use super::cells::number;
 use super::display::EdgeView;
+use super::summary::Quantity;
+use crate::csv::number;
 
 /// One number of an edge.
 pub(super) struct EdgeQuantity {
@@ -16,7 +18,7 @@ pub(super) struct EdgeQuantity {
     /// Heading in tables of load steps, which leave out quantities without one.
     heading: Option<fn(&EdgeView<'_>) -> String>,
     /// The number in base units.
-    value: fn(&EdgeView<'_>, usize) -> Option<f64>,
+    value: Value,
 }
 
 /// What a number measures.
@@ -44,152 +46,133 @@ enum Edges {
     Bearing,
 }
 
+// The path of a method names one lifetime of a view, a closure takes all.
+#[allow(clippy::redundant_closure_for_method_calls)]
 static QUANTITIES: [EdgeQuantity; 15] = [
-    EdgeQuantity {
-        name: "contact",
-        kind: Kind::Half,
-        edges: Edges::Contacts,
-        heading: None,
-        value: |edge, step| edge.step(step).contact_half_extent,
-    },
-    EdgeQuantity {
-        name: "stick",
-        kind: Kind::Half,
-        edges: Edges::Contacts,
-        heading: None,
-        value: |edge, step| edge.step(step).stick_half_extent,
-    },
-    EdgeQuantity {
-        name: "bearing",
-        kind: Kind::Place,
-        edges: Edges::Contacts,
-        heading: None,
-        value: |edge, step| edge.step(step).bearing,
-    },
-    EdgeQuantity {
-        name: "peak_pressure",
-        kind: Kind::Stress(5),
-        edges: Edges::Contacts,
-        heading: Some(|_| "max p".into()),
-        value: |edge, step| Some(edge.step(step).peak_pressure?.0),
-    },
-    EdgeQuantity {
-        name: "peak_pressure_over_bearing",
-        kind: Kind::Ratio,
-        edges: Edges::Bearing,
-        heading: Some(|_| "max p/σ_b".into()),
-        value: |edge, step| Some(edge.step(step).peak_pressure?.0 / edge.bearing(step)?),
-    },
-    EdgeQuantity {
-        name: "peak_pressure",
-        kind: Kind::Place,
-        edges: Edges::Contacts,
-        heading: Some(at),
-        value: |edge, step| Some(edge.geometry.seen(edge.step(step).peak_pressure?.1)),
-    },
-    EdgeQuantity {
-        name: "bearing_stress",
-        kind: Kind::Stress(5),
-        edges: Edges::Bearing,
-        heading: None,
-        value: |edge, step| edge.bearing(step),
-    },
-    EdgeQuantity {
-        name: "peak_hoop",
-        kind: Kind::Stress(5),
-        edges: Edges::All,
-        heading: Some(|edge| format!("max {}", edge.stress_symbols()[1])),
-        value: |edge, step| Some(edge.step(step).peak_hoop?.0),
-    },
-    EdgeQuantity {
-        name: "peak_hoop_uncertainty",
-        kind: Kind::Stress(2),
-        edges: Edges::All,
-        heading: Some(|_| "±".into()),
-        value: |edge, step| edge.step(step).peak_hoop_uncertainty,
-    },
-    EdgeQuantity {
-        name: "peak_hoop",
-        kind: Kind::Place,
-        edges: Edges::All,
-        heading: Some(at),
-        value: |edge, step| Some(edge.geometry.seen(edge.step(step).peak_hoop?.1)),
-    },
-    EdgeQuantity {
-        name: "peak_hoop_over_bearing",
-        kind: Kind::Ratio,
-        edges: Edges::Bearing,
-        heading: Some(|edge| format!("max {}/σ_b", edge.stress_symbols()[1])),
-        value: |edge, step| Some(edge.step(step).peak_hoop?.0 / edge.bearing(step)?),
-    },
-    EdgeQuantity {
-        name: "hoop_at_bearing_point",
-        kind: Kind::Stress(5),
-        edges: Edges::All,
-        heading: None,
-        value: |edge, step| edge.step(step).hoop_at_bearing_point,
-    },
-    EdgeQuantity {
-        name: "hoop_at_bearing_point_over_bearing",
-        kind: Kind::Ratio,
-        edges: Edges::Bearing,
-        heading: None,
-        value: |edge, step| Some(edge.step(step).hoop_at_bearing_point? / edge.bearing(step)?),
-    },
-    EdgeQuantity {
-        name: "friction_force",
-        kind: Kind::Force,
-        edges: Edges::Contacts,
-        heading: None,
-        value: |edge, step| edge.friction_force(step),
-    },
-    EdgeQuantity {
-        name: "normal_force",
-        kind: Kind::Force,
-        edges: Edges::Contacts,
-        heading: None,
-        value: |edge, step| (edge.geometry.contact).then_some(edge.step(step).normal_force),
-    },
+    half("contact", |edge, step| edge.step(step).contact_half_extent),
+    half("stick", |edge, step| edge.step(step).stick_half_extent),
+    place("bearing", |edge, step| edge.step(step).bearing),
+    stress("peak_pressure", 5, |edge, step| {
+        Some(edge.step(step).peak_pressure?.0)
+    })
+    .headed(|_| "max p".into()),
+    ratio("peak_pressure_over_bearing", |edge, step| {
+        Some(edge.step(step).peak_pressure?.0 / edge.bearing(step)?)
+    })
+    .headed(|_| "max p/σ_b".into()),
+    place("peak_pressure", |edge, step| {
+        Some(edge.geometry.seen(edge.step(step).peak_pressure?.1))
+    })
+    .headed(at),
+    stress("bearing_stress", 5, |edge, step| edge.bearing(step)).on(Edges::Bearing),
+    stress("peak_hoop", 5, |edge, step| {
+        Some(edge.step(step).peak_hoop?.0)
+    })
+    .on(Edges::All)
+    .headed(|edge| format!("max {}", edge.stress_symbols()[1])),
+    stress("peak_hoop_uncertainty", 2, |edge, step| {
+        edge.step(step).peak_hoop_uncertainty
+    })
+    .on(Edges::All)
+    .headed(|_| "±".into()),
+    place("peak_hoop", |edge, step| {
+        Some(edge.geometry.seen(edge.step(step).peak_hoop?.1))
+    })
+    .on(Edges::All)
+    .headed(at),
+    ratio("peak_hoop_over_bearing", |edge, step| {
+        Some(edge.step(step).peak_hoop?.0 / edge.bearing(step)?)
+    })
+    .headed(|edge| format!("max {}/σ_b", edge.stress_symbols()[1])),
+    stress("hoop_at_bearing_point", 5, |edge, step| {
+        edge.step(step).hoop_at_bearing_point
+    })
+    .on(Edges::All),
+    ratio("hoop_at_bearing_point_over_bearing", |edge, step| {
+        Some(edge.step(step).hoop_at_bearing_point? / edge.bearing(step)?)
+    }),
+    force("friction_force", |edge, step| edge.friction_force(step)),
+    force("normal_force", |edge, step| {
+        (edge.geometry.contact).then_some(edge.step(step).normal_force)
+    }),
 ];
+
+/// The number of an edge in a step in base units.
+type Value = fn(&EdgeView<'_>, usize) -> Option<f64>;
+
+const fn half(name: &'static str, value: Value) -> EdgeQuantity {
+    EdgeQuantity::new(name, Kind::Half, value)
+}
+
+const fn place(name: &'static str, value: Value) -> EdgeQuantity {
+    EdgeQuantity::new(name, Kind::Place, value)
+}
+
+const fn stress(name: &'static str, digits: usize, value: Value) -> EdgeQuantity {
+    EdgeQuantity::new(name, Kind::Stress(digits), value)
+}
+
+const fn force(name: &'static str, value: Value) -> EdgeQuantity {
+    EdgeQuantity::new(name, Kind::Force, value)
+}
+
+const fn ratio(name: &'static str, value: Value) -> EdgeQuantity {
+    EdgeQuantity::new(name, Kind::Ratio, value).on(Edges::Bearing)
+}
 
 fn at(edge: &EdgeView<'_>) -> String {
     format!("at {}", edge.place_symbol())
 }
 
-/// A column with its heading, its unit and the cell of a step.
-pub(super) struct QuantityColumn<'a> {
-    pub(super) heading: String,
-    pub(super) unit: &'static str,
-    pub(super) cell: Box<dyn Fn(usize) -> String + 'a>,
-}
-
-/// The columns of `edge` in `steps.csv`.
-pub(super) fn csv_columns(edge: EdgeView<'_>) -> impl Iterator<Item = QuantityColumn<'_>> {
-    let here = move |own: &&EdgeQuantity| own.kind != Kind::Ratio && own.has_column(&edge);
-    (QUANTITIES.iter().filter(here)).map(move |own| QuantityColumn {
-        heading: own.file_name(&edge),
-        unit: own.unit(&edge),
-        cell: Box::new(move |step| own.shown(&edge, step).map_or(String::new(), number)),
+/// The columns of `edge` in `steps.csv`, for steps; `prefix` stands before each name.
+pub(super) fn csv_columns<'a>(edge: EdgeView<'a>, prefix: &str) -> Columns<'a, usize> {
+    let here = |own: &&EdgeQuantity| own.kind != Kind::Ratio && own.has_column(&edge);
+    let quantities = QUANTITIES.iter().filter(here);
+    quantities.fold(Columns::new(), |columns, own| {
+        let name = format!("{prefix}{}", own.file_name(&edge));
+        columns.with(name, own.unit(&edge), move |step| {
+            own.shown(&edge, step).map_or(String::new(), number)
+        })
     })
 }
 
 /// The columns of `edge` in a table of load steps, without ratios unless it is `full`.
-pub(super) fn table_columns(
-    edge: EdgeView<'_>,
-    full: bool,
-) -> impl Iterator<Item = QuantityColumn<'_>> {
-    let here =
-        move |own: &&EdgeQuantity| (full || own.kind != Kind::Ratio) && own.has_column(&edge);
-    (QUANTITIES.iter().filter(here)).filter_map(move |own| {
-        Some(QuantityColumn {
-            heading: own.heading?(&edge),
-            unit: own.unit(&edge),
-            cell: Box::new(move |step| own.cell(&edge, step)),
+pub(super) fn table_columns(edge: EdgeView<'_>, full: bool) -> Columns<'_, usize> {
+    let here = |own: &&EdgeQuantity| (full || own.kind != Kind::Ratio) && own.has_column(&edge);
+    let headed = QUANTITIES
+        .iter()
+        .filter(here)
+        .filter_map(|own| Some((own, own.heading?)));
+    headed.fold(Columns::new(), |columns, (own, heading)| {
+        columns.with(heading(&edge), own.unit(&edge), move |step| {
+            own.cell(&edge, step)
         })
     })
 }
 
 impl EdgeQuantity {
+    /// A quantity of contacts that tables of load steps leave out.
+    const fn new(name: &'static str, kind: Kind, value: Value) -> Self {
+        Self {
+            name,
+            kind,
+            edges: Edges::Contacts,
+            heading: None,
+            value,
+        }
+    }
+
+    const fn on(mut self, edges: Edges) -> Self {
+        self.edges = edges;
+        self
+    }
+
+    /// Shows the quantity in tables of load steps.
+    const fn headed(mut self, heading: fn(&EdgeView<'_>) -> String) -> Self {
+        self.heading = Some(heading);
+        self
+    }
+
     fn has_column(&self, edge: &EdgeView<'_>) -> bool {
         match self.edges {
             Edges::All => true,
@@ -255,10 +238,7 @@ pub(super) struct SummaryQuantities(Vec<(String, Number)>);
 #[serde(untagged)]
 enum Number {
     Plain(Option<f64>),
-    Quantity {
-        value: Option<f64>,
-        unit: &'static str,
-    },
+    Quantity(Quantity),
 }
 
 impl SummaryQuantities {
@@ -272,10 +252,7 @@ impl SummaryQuantities {
                     (name + "_deg", Number::Plain(value.and_then(tidy)))
                 }
                 (Kind::Ratio, _) | (_, None) => (name, Number::Plain(value.and_then(tidy))),
-                (_, Some(value)) => {
-                    let (value, unit) = (tidy(value), own.unit(edge));
-                    (name, Number::Quantity { value, unit })
-                }
+                (_, Some(value)) => (name, Number::Quantity(Quantity::new(value, own.unit(edge)))),
             }
         };
         Self(QUANTITIES.iter().filter(here).map(entry).collect())
@@ -285,5 +262,29 @@ impl SummaryQuantities {
 impl Serialize for SummaryQuantities {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(self.0.iter().map(|(key, number)| (key, number)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use stickslip_engine::results::EdgeResults;
+
+    /// A new field has to be named here: as what is shown in another way, or as what a quantity above shows.
+    #[test]
+    fn every_result_of_an_edge_is_shown() {
+        let EdgeResults {
+            rows: _,
+            zones: _,
+            resultant: _,
+            contact_half_extent: _,
+            bearing: _,
+            stick_half_extent: _,
+            peak_pressure: _,
+            peak_hoop: _,
+            peak_hoop_uncertainty: _,
+            hoop_at_bearing_point: _,
+            friction_force: _,
+            normal_force: _,
+        } = EdgeResults::default();
     }
 }

@@ -12,10 +12,10 @@ use super::failure::{self, FailureView};
 use super::findings;
 use super::quantities::SummaryQuantities;
 use super::zones::{contact_ranges, stick_ranges, zone_ranges};
+pub(crate) use keys::Quantity;
 use keys::{
     Body, Choice, ContactZone, Cycle, Edge, EdgeStep, FORMAT_VERSION, Failed, Load, OtherAnswer,
-    OwnEdgeStep, Place, Program, Quantity, Resultant, SlipZone, SolverNotes, Step, Summary, Units,
-    Zones,
+    OwnEdgeStep, Program, SlipZone, SolverNotes, Step, Summary, Units, Vector, Zones,
 };
 use stickslip_engine::LoadScale;
 use stickslip_engine::results::{BearingSource, EdgeKind, LoadValue, Results, StepNotes};
@@ -108,7 +108,7 @@ fn body(body: &stickslip_engine::results::BodySummary) -> Body<'_> {
 fn edge<'a>(view: &EdgeView<'a>) -> Edge<'a> {
     let geometry = view.geometry;
     let radius = match geometry.kind {
-        EdgeKind::Circle { radius, .. } => Some(length(view, radius)),
+        EdgeKind::Circle { radius, .. } => Some(Quantity::of(view.units().length, radius)),
         EdgeKind::Line => None,
     };
     Edge {
@@ -188,24 +188,21 @@ fn step_entry<'a>(
         balance_residual: tidy(step.balance_residual),
         complementarity_residual: tidy(step.residuals.complementarity),
         cone_violation: tidy(step.residuals.cone),
-        dissipation: Quantity {
-            value: tidy(
-                units
-                    .length
-                    .from_base(units.force.from_base(step.dissipation)),
-            ),
-            unit: energy_unit(units),
-        },
+        dissipation: Quantity::new(
+            units
+                .length
+                .from_base(units.force.from_base(step.dissipation)),
+            energy_unit(units),
+        ),
         wall_time_s: microseconds(step.seconds),
     }
 }
 
 /// The load of a step; `None` where only its number distinguishes the step.
 fn load(scale: &LoadScale, step: usize) -> Option<Quantity> {
-    scale.is_load().then(|| Quantity {
-        value: tidy(scale.values[step]),
-        unit: scale.unit.clone(),
-    })
+    scale
+        .is_load()
+        .then(|| Quantity::new(scale.values[step], scale.unit.clone()))
 }
 
 fn own_step(edge: &CountedEdge<'_>, step: usize) -> OwnEdgeStep {
@@ -228,11 +225,7 @@ fn other_answer(difference: Difference) -> OtherAnswer {
 }
 
 fn solver_notes(notes: &StepNotes, units: DisplayUnits) -> SolverNotes {
-    let place = |&[x, y]: &[f64; 2]| Place {
-        x: tidy(units.length.from_base(x)),
-        y: tidy(units.length.from_base(y)),
-        unit: units.length.name,
-    };
+    let place = |&place: &[f64; 2]| Vector::of(units.length, place);
     let recovery = &notes.recovery;
     SolverNotes {
         failed: (recovery.failures.iter())
@@ -252,17 +245,12 @@ fn solver_notes(notes: &StepNotes, units: DisplayUnits) -> SolverNotes {
 
 fn edge_step(view: &EdgeView<'_>, step: usize) -> EdgeStep {
     let edge = view.step(step);
-    let force = view.units().force;
     EdgeStep {
         zones: zones(view, step),
         quantities: SummaryQuantities::of(view, step),
         fewest_contact_nodes: edge.fewest_contact_nodes(view.geometry),
         contact_resolved: edge.is_resolved(view.geometry),
-        resultant: view.geometry.contact.then(|| Resultant {
-            x: tidy(force.from_base(edge.resultant[0])),
-            y: tidy(force.from_base(edge.resultant[1])),
-            unit: force.name,
-        }),
+        resultant: (view.geometry.contact).then(|| Vector::of(view.units().force, edge.resultant)),
     }
 }
 
@@ -282,14 +270,6 @@ fn zones(view: &EdgeView<'_>, step: usize) -> Zones {
             stick_zones: stick,
             slip_zones: slip,
         }
-    }
-}
-
-fn length(view: &EdgeView<'_>, value: f64) -> Quantity {
-    let unit = view.units().length;
-    Quantity {
-        value: tidy(unit.from_base(value)),
-        unit: unit.name.to_owned(),
     }
 }
 

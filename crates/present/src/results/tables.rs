@@ -3,11 +3,12 @@
 mod fit;
 mod signs;
 
-pub use signs::SIGNS;
-pub(super) use signs::signs;
+pub use signs::signs;
+pub(super) use signs::signs_table;
 
 use stickslip_contact::Status;
-use stickslip_report::table::{Column, Table};
+use stickslip_fem_core::mesh::Mesh;
+use stickslip_report::table::{Columns, Table};
 
 use super::display::shared;
 use super::display::{EdgeView, even};
@@ -17,7 +18,7 @@ use super::quantities::table_columns;
 use super::zones::{contact_reach, stick_ranges, zone_length};
 use fit::fitted;
 use stickslip_engine::LoadScale;
-use stickslip_engine::results::Results;
+use stickslip_engine::results::{BodySummary, Choice, Results};
 use stickslip_text::{decimals, short, significant};
 
 /// The load steps for a terminal of `width` columns.
@@ -62,9 +63,6 @@ pub(super) enum Detail {
     Full,
 }
 
-/// A column of a load-step table: heading, unit, and the cell of a step.
-type StepColumn<'a> = (String, String, Box<dyn Fn(usize) -> String + 'a>);
-
 /// Whether the steps of all edges are counted by the same load.
 pub(super) fn has_one_load(results: &Results) -> bool {
     shared(results).len() < 2
@@ -73,23 +71,21 @@ pub(super) fn has_one_load(results: &Results) -> bool {
 /// One row per load step for a contact edge, with its load in the caption unless there is `one_load` for all.
 pub(super) fn contact_table(edge: &EdgeView<'_>, one_load: bool, detail: Detail) -> Table {
     let edge = *edge;
-    let mut columns = load_columns(edge);
-    columns.extend(extent_columns(edge));
-    columns.extend(quantity_columns(edge, detail));
-    columns.extend(work_columns(edge, detail));
-    let mut table = assembled(edge.results(), &columns);
-    table.caption = format!("Contact {}", captioned(&edge, one_load));
-    table
+    let full = detail == Detail::Full;
+    let columns = load_columns(edge).and([
+        extent_columns(edge),
+        table_columns(edge, full),
+        work_columns(edge, full),
+    ]);
+    let caption = format!("Contact {}", captioned(&edge, one_load));
+    columns.table(caption, 0..edge.results().steps.len())
 }
 
 /// One row per load step for an edge without contact; `one_load` as for [`contact_table`].
 pub(super) fn stress_table(edge: &EdgeView<'_>, one_load: bool) -> Table {
-    let edge = *edge;
-    let mut columns = load_columns(edge);
-    columns.extend(quantity_columns(edge, Detail::Brief));
-    let mut table = assembled(edge.results(), &columns);
-    table.caption = format!("Edge {}", captioned(&edge, one_load));
-    table
+    let columns = load_columns(*edge).and([table_columns(*edge, false)]);
+    let caption = format!("Edge {}", captioned(edge, one_load));
+    columns.table(caption, 0..edge.results().steps.len())
 }
 
 /// The name of an edge, with the load that its table shows where those of other edges show others.
@@ -102,37 +98,19 @@ fn captioned(edge: &EdgeView<'_>, one_load: bool) -> String {
     }
 }
 
-fn assembled(results: &Results, columns: &[StepColumn<'_>]) -> Table {
-    let heading = columns
-        .iter()
-        .map(|(name, unit, _)| Column::new(name, unit))
-        .collect();
-    let mut table = Table::new("", heading);
-    for step in 0..results.steps.len() {
-        table.push(columns.iter().map(|(_, _, cell)| cell(step)));
-    }
-    table
-}
+/// Columns of a table of load steps.
+type StepColumns<'a> = Columns<'a, usize>;
 
-fn column<'a>(
-    name: impl Into<String>,
-    unit: &str,
-    cell: impl Fn(usize) -> String + 'a,
-) -> StepColumn<'a> {
-    (name.into(), unit.to_owned(), Box::new(cell))
-}
-
-fn load_columns(edge: EdgeView<'_>) -> Vec<StepColumn<'_>> {
+fn load_columns(edge: EdgeView<'_>) -> StepColumns<'_> {
     let load = edge.load();
-    let mut columns = vec![column("step", "", |step| (step + 1).to_string())];
-    if load.is_load() {
-        let unit = if load.unit == "1" { "" } else { &load.unit };
-        let values = load.values.clone();
-        columns.push(column("load", unit, move |step| {
-            significant(values[step], 5)
-        }));
+    let columns = StepColumns::new().with("step", "", |step| (step + 1).to_string());
+    if !load.is_load() {
+        return columns;
     }
-    columns
+    let unit = if load.unit == "1" { "" } else { &load.unit };
+    columns.with("load", unit.to_owned(), move |step| {
+        significant(load.values[step], 5)
+    })
 }
 
 /// A place or a length along the edge in display units.
@@ -145,54 +123,49 @@ fn along(edge: EdgeView<'_>, value: Option<f64>) -> String {
 }
 
 /// Contact, stick and slip: half-extents where all lies evenly about the bearing point, otherwise both ends.
-fn extent_columns(edge: EdgeView<'_>) -> Vec<StepColumn<'_>> {
+fn extent_columns(edge: EdgeView<'_>) -> StepColumns<'_> {
     let unit = edge.place_unit();
+    let mut columns = StepColumns::new();
+    if wanders(&edge) {
+        columns = columns.with("bears at", unit, move |step| {
+            along(edge, edge.bearing_point(step))
+        });
+    }
+    let half = move |value: Option<f64>| along(edge, value.map(|value| edge.length(value)));
     let range = move |[start, end]: [f64; 2]| {
         let digits = |value| along(edge, Some(value));
         format!("{} … {}", digits(start), digits(end))
     };
-    let mut columns = if lies_evenly(&edge) {
-        let half = move |value: Option<f64>| along(edge, value.map(|value| edge.length(value)));
-        vec![
-            column("contact ±", unit, move |step| {
+    columns = if lies_evenly(&edge) {
+        columns
+            .with("contact ±", unit, move |step| {
                 half(edge.step(step).contact_half_extent)
-            }),
-            column("stick ±", unit, move |step| {
+            })
+            .with("stick ±", unit, move |step| {
                 half(edge.step(step).stick_half_extent)
-            }),
-        ]
+            })
     } else {
-        vec![
-            column("contact", unit, move |step| {
+        columns
+            .with("contact", unit, move |step| {
                 contact_reach(&edge, step).map_or("–".into(), range)
-            }),
-            column("stick", unit, move |step| {
-                let all = stick_ranges(&edge, step).into_iter().map(range);
-                let all: Vec<String> = all.collect();
+            })
+            .with("stick", unit, move |step| {
+                let all: Vec<String> = stick_ranges(&edge, step).into_iter().map(range).collect();
                 if all.is_empty() {
                     "–".into()
                 } else {
                     all.join(", ")
                 }
-            }),
-        ]
+            })
     };
-    if wanders(&edge) {
-        columns.insert(
-            0,
-            column("bears at", unit, move |step| {
-                along(edge, edge.bearing_point(step))
-            }),
-        );
-    }
     let slip = move |status| move |step| along(edge, zone_length(&edge, step, status));
     let [positive, negative] = edge.slip_names().map(|name| {
         // Signs stand close to their name in the narrow columns of a table.
         name.replace(" +", "+").replace(" −", "−")
     });
-    columns.push(column(positive, unit, slip(Status::SlipPositive)));
-    columns.push(column(negative, unit, slip(Status::SlipNegative)));
     columns
+        .with(positive, unit, slip(Status::SlipPositive))
+        .with(negative, unit, slip(Status::SlipNegative))
 }
 
 /// Whether the bearing point of a circle moves by what a reader can see.
@@ -211,81 +184,62 @@ pub(super) fn lies_evenly(edge: &EdgeView<'_>) -> bool {
     })
 }
 
-/// The columns of declared quantities.
-fn quantity_columns(edge: EdgeView<'_>, detail: Detail) -> impl Iterator<Item = StepColumn<'_>> {
-    let columns = table_columns(edge, detail == Detail::Full);
-    columns.map(|own| (own.heading, own.unit.to_owned(), own.cell))
-}
-
-fn work_columns(edge: EdgeView<'_>, detail: Detail) -> Vec<StepColumn<'_>> {
+fn work_columns(edge: EdgeView<'_>, full: bool) -> StepColumns<'_> {
     let record = move |step: usize| &edge.results().steps[step];
-    let mut columns = vec![column("solves", "", move |step| {
+    let mut columns = StepColumns::new().with("solves", "", move |step| {
         record(step).work.solves.to_string()
-    })];
-    if detail == Detail::Full {
+    });
+    if full {
         let ratio = move |step| decimals(edge.friction_ratio(step), 4);
-        columns.push(column(edge.friction_symbol(), "–", ratio));
+        columns = columns.with(edge.friction_symbol(), "–", ratio);
     }
-    columns.push(column("balance", "–", move |step| {
-        format!("{:.1e}", record(step).balance_residual)
-    }));
-    columns.push(column("time", "ms", move |step| {
-        decimals(Some(1e3 * record(step).seconds), 1)
-    }));
     columns
+        .with("balance", "–", move |step| {
+            format!("{:.1e}", record(step).balance_residual)
+        })
+        .with("time", "ms", move |step| {
+            decimals(Some(1e3 * record(step).seconds), 1)
+        })
 }
 
 /// What the program chose.
 pub(super) fn choices(results: &Results) -> Table {
-    let mut table = Table::new(
-        "Choices of the program; each can be set in the scene",
-        ["what", "choice", "reason"]
-            .iter()
-            .map(|name| Column::new(*name, ""))
-            .collect(),
-    );
-    for choice in &results.choices {
-        table.push([&choice.what, &choice.value, &choice.reason]);
-    }
-    table
+    let caption = "Choices of the program; each can be set in the scene";
+    let row = |choice: &Choice| {
+        [
+            choice.what.clone(),
+            choice.value.clone(),
+            choice.reason.clone(),
+        ]
+    };
+    Table::headed(caption, "what | choice | reason").with_rows(results.choices.iter().map(row))
 }
 
 /// Size of each body's model.
 pub(super) fn bodies(results: &Results) -> Table {
-    let names = [
-        "body",
-        "nodes",
-        "elements",
-        "unknowns",
-        "factor entries",
-        "free motions",
-    ];
-    let columns = names.iter().map(|name| Column::new(*name, "")).collect();
-    let mut table = Table::new("Models of the bodies", columns);
-    for body in &results.bodies {
-        let size =
-            |count: Option<usize>| count.map_or("rigid".to_owned(), |count| count.to_string());
-        let mesh = body.mesh.as_ref();
-        table.push([
+    let headings = "body | nodes | elements | unknowns | factor entries | free motions";
+    let row = |body: &BodySummary| {
+        let size = |count: fn(&Mesh) -> usize| match &body.mesh {
+            Some(mesh) => count(mesh).to_string(),
+            None => "rigid".to_owned(),
+        };
+        [
             body.name.clone(),
-            size(mesh.map(|mesh| mesh.nodes().len())),
-            size(mesh.map(|mesh| mesh.element_count())),
+            size(|mesh| mesh.nodes().len()),
+            size(Mesh::element_count),
             body.dofs.to_string(),
             body.factor_entries.to_string(),
             body.free_motions.to_string(),
-        ]);
-    }
-    table
+        ]
+    };
+    Table::headed("Models of the bodies", headings).with_rows(results.bodies.iter().map(row))
 }
 
 /// Seconds of each phase.
 pub(super) fn phases(results: &Results) -> Table {
-    let columns = vec![Column::new("phase", ""), Column::new("wall time", "s")];
-    let mut table = Table::new("Where the time went", columns);
-    for (phase, seconds) in &results.phases {
-        table.push([(*phase).to_owned(), decimals(Some(*seconds), 3)]);
-    }
-    table
+    let phases = results.phases.iter();
+    let rows = phases.map(|(phase, time)| [(*phase).to_owned(), decimals(Some(*time), 3)]);
+    Table::headed("Where the time went", "phase | wall time [s]").with_rows(rows)
 }
 
 /// What the tables count the steps by, where there are several loads.

@@ -8,10 +8,9 @@ use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_fem_core::stress::polar;
 use stickslip_fem_core::vtk::{Field, PvdEntry, write_pvd, write_vtu};
 
-use super::cells::File;
 use super::failure::plain_name;
 use super::names::{FileNames, step_name};
-use super::{FileNote, OutputError};
+use super::{File, FileNote, OutputError};
 use stickslip_engine::results::{BodyFields, EdgeKind, Results};
 
 /// All VTU files and their collection; nothing if no step has fields.

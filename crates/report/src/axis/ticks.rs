@@ -6,6 +6,7 @@
 
 use super::{Axis, Scale, Span};
 use crate::error::FigureError;
+use crate::text;
 
 /// Ticks that a user's spacing may ask for.
 const MOST_TICKS: usize = 200;
@@ -50,6 +51,11 @@ impl Ticks {
             }
             Scale::Log => logarithmic(span, axis.tick_spacing, wanted),
         })
+    }
+
+    /// Width of the widest label, the factor apart \[px\].
+    pub(crate) fn widest(&self, size: f64) -> f64 {
+        text::widest(self.major.iter().map(|tick| tick.label.as_str()), size)
     }
 
     /// Empties labels so that those left are `count` or fewer and evenly spaced.

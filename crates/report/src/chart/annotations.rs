@@ -273,10 +273,7 @@ fn moved_apart(wanted: &[[f64; 2]], area: Area) -> Vec<f64> {
 
 /// A colour dark enough for small text on white.
 fn dark(color: Color) -> Color {
-    let luminance = 0.299 * f64::from(color.red)
-        + 0.587 * f64::from(color.green)
-        + 0.114 * f64::from(color.blue);
-    let factor = (95.0 / luminance.max(1.0)).min(1.0);
+    let factor = (95.0 / color.luminance().max(1.0)).min(1.0);
     let scale = |channel: u8| (f64::from(channel) * factor).round() as u8;
     Color::rgb(scale(color.red), scale(color.green), scale(color.blue))
 }
@@ -287,12 +284,7 @@ mod tests {
 
     #[test]
     fn names_are_moved_apart_and_kept_inside() {
-        let area = Area {
-            left: 0.0,
-            top: 0.0,
-            width: 100.0,
-            height: 100.0,
-        };
+        let area = Area::new([0.0, 0.0], [100.0, 100.0]);
         let places = moved_apart(
             &[[50.0, 14.0], [52.0, 14.0], [98.0, 14.0], [99.0, 14.0]],
             area,

@@ -233,12 +233,7 @@ fn circle([x, y]: [f64; 2], r: f64) -> String {
 mod tests {
     use super::*;
 
-    const AREA: Area = Area {
-        left: 0.0,
-        top: 0.0,
-        width: 10.0,
-        height: 10.0,
-    };
+    const AREA: Area = Area::new([0.0, 0.0], [10.0, 10.0]);
 
     #[test]
     fn segments_are_cut_at_the_border() {

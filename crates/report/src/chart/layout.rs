@@ -198,12 +198,7 @@ impl Placer<'_> {
         if width < SMALLEST_SIDE || !(SMALLEST_SIDE..1e5).contains(&height) {
             return Err(no_room(chart));
         }
-        let area = Area {
-            left: margins.left,
-            top: margins.top,
-            width,
-            height,
-        };
+        let area = Area::new([margins.left, margins.top], [width, height]);
         Frame::new([&chart.x, &chart.y], self.spans, area)
     }
 }

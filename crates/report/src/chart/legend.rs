@@ -129,12 +129,7 @@ impl LegendBox {
         let [width, height] = self.size();
         let mut corner = at;
         if self.boxed {
-            let ground = Area {
-                left: at[0],
-                top: at[1],
-                width,
-                height,
-            };
+            let ground = Area::new([at[0], at[1]], [width, height]);
             let border = Stroke::solid(Color::rgb(0xcc, 0xcc, 0xcc), 1.0);
             canvas.rectangle(&ground, Color::rgb(255, 255, 255), Some(&border));
             corner = [at[0] + INSET, at[1] + INSET];
@@ -165,12 +160,7 @@ fn draw_entry(canvas: &mut Canvas, [left, top]: [f64; 2], entry: &Entry) {
             draw_sample(canvas, [left, middle], SAMPLE, series, entry.color, *index);
         }
         Sample::Shade => {
-            let swatch = Area {
-                left,
-                top: middle - 5.0,
-                width: SAMPLE,
-                height: 10.0,
-            };
+            let swatch = Area::new([left, middle - 5.0], [SAMPLE, 10.0]);
             let border = Stroke::solid(entry.color.tint(0.5), 1.0);
             canvas.rectangle(
                 &swatch,
@@ -215,13 +205,7 @@ pub(crate) fn empty_place(chart: &LineChart, frame: &Frame, size: [f64; 2]) -> O
             ]
         })
         .find(|&[left, top]| {
-            let place = Area {
-                left,
-                top,
-                width,
-                height,
-            }
-            .grown(CLEARANCE);
+            let place = Area::new([left, top], [width, height]).grown(CLEARANCE);
             segments
                 .iter()
                 .all(|[from, to]| clip(*from, *to, &place).is_none())

@@ -1,7 +1,7 @@
 //! The colour bar: a strip of colours with ticks and the field's name.
 
 use crate::axis::ticks::Ticks;
-use crate::axis::{Axis, Span};
+use crate::axis::{Axis, Padding, Span};
 use crate::color::Colormap;
 use crate::error::FigureError;
 use crate::frame::{INK, LABEL_SIZE, LINE_HEIGHT, TICK_SIZE};
@@ -47,12 +47,7 @@ impl ColorBar {
             ticks = Ticks::new(axis, span, wanted)?;
         }
         Ok(Self {
-            area: Area {
-                left,
-                top,
-                width: WIDTH,
-                height,
-            },
+            area: Area::new([left, top], [WIDTH, height]),
             span: *span,
             ticks,
             label: text::wrap(&axis.label, height, LABEL_SIZE, Weight::Regular),
@@ -71,6 +66,20 @@ impl ColorBar {
     }
 }
 
+/// The values at the ends of a bar: those of `axis`, or of the `values`, equally far from zero where colours diverge from there.
+///
+/// # Errors
+/// Those of [`Axis::span`].
+pub(crate) fn span(
+    axis: &Axis,
+    colormap: Colormap,
+    values: impl Iterator<Item = f64>,
+) -> Result<Span, FigureError> {
+    let flipped = if colormap.is_diverging() { -1.0 } else { 1.0 };
+    let all = values.flat_map(|value| [value, flipped * value]);
+    axis.span(all, Padding::Tight)
+}
+
 /// Draws the bar; `beyond` says whether values lie below and above it, which points
 /// its ends.
 pub(crate) fn draw(canvas: &mut Canvas, bar: &ColorBar, colormap: Colormap, beyond: [bool; 2]) {
@@ -81,15 +90,8 @@ pub(crate) fn draw(canvas: &mut Canvas, bar: &ColorBar, colormap: Colormap, beyo
         let top = area.bottom() - height * (strip + 1) as f64;
         // Each strip reaches under the one above it, which is drawn later.
         let overlap = if strip == 0 { 0.0 } else { 0.5 };
-        canvas.rectangle(
-            &Area {
-                top,
-                height: height + overlap,
-                ..area
-            },
-            color,
-            None,
-        );
+        let strip = Area::new([area.left, top], [area.width, height + overlap]);
+        canvas.rectangle(&strip, color, None);
     }
     draw_border(canvas, &area, colormap, beyond);
     let style = TextStyle::new(TICK_SIZE, INK, Anchor::Start);

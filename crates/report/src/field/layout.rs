@@ -79,12 +79,7 @@ impl Placer<'_> {
         let bar_height = height.max(SMALLEST_BAR);
         // A flat frame stands at the middle of its bar.
         let spare = (bar_height - height) / 2.0;
-        let area = Area {
-            left: margins.left,
-            top: margins.top + spare,
-            width,
-            height,
-        };
+        let area = Area::new([margins.left, margins.top + spare], [width, height]);
         let axes = plot.coordinate_axes();
         let frame = Frame::new([&axes[0], &axes[1]], self.extent, area)?;
         let gap = frame.right_margin().max(BAR_GAP);

@@ -3,6 +3,7 @@
 //! Quadrilaterals live on (ξ, η) ∈ \[0, 1\]², triangles on ξ, η ≥ 0, ξ + η ≤ 1.
 
 use super::{FieldPlot, Mirror};
+use crate::axis::extent;
 
 /// One cell, or one triangle of a polygon: nodes as (x, y, value).
 #[derive(Debug, Clone, PartialEq)]
@@ -81,13 +82,7 @@ impl Patch {
     }
 
     fn meets(&self, [x_low, x_high, y_low, y_high]: [f64; 4]) -> bool {
-        let bounds = |axis: usize| {
-            let along = self.corners().iter().map(move |corner| corner[axis]);
-            along.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| {
-                [low.min(v), high.max(v)]
-            })
-        };
-        let ([left, right], [bottom, top]) = (bounds(0), bounds(1));
+        let [left, right, bottom, top] = extent(self.corners().iter().map(|&[x, y, _]| [x, y]));
         left <= x_high && right >= x_low && bottom <= y_high && top >= y_low
     }
 }

@@ -2,6 +2,7 @@
 
 use super::patch::Patch;
 use super::shading::{NO_VALUE, Paint};
+use crate::axis::ends;
 use crate::color::Color;
 use crate::image::Image;
 
@@ -144,12 +145,10 @@ impl Triangle {
 
     /// Rows (axis 1) or columns (axis 0) of the image that the triangle may reach.
     fn reach(&self, axis: usize, count: usize) -> std::ops::Range<usize> {
-        let along = self.points.map(|point| point[axis]);
-        let low = along.iter().copied().fold(f64::INFINITY, f64::min) - SLIT;
-        let high = along.iter().copied().fold(f64::NEG_INFINITY, f64::max) + SLIT;
+        let [low, high] = ends(self.points.map(|point| point[axis]));
         // Casts saturate: what is left of the image becomes 0, what is right its end.
-        let end = (high.floor() + 1.0) as usize;
-        low.ceil() as usize..end.min(count)
+        let end = ((high + SLIT).floor() + 1.0) as usize;
+        (low - SLIT).ceil() as usize..end.min(count)
     }
 }
 

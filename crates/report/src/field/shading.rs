@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::patch::Patch;
-use crate::axis::Span;
+use crate::axis::{Span, ends};
 use crate::color::{Color, Colormap};
 use crate::frame::Frame;
 use crate::shape::Stroke;
@@ -76,9 +76,7 @@ impl<'a> Paint<'a> {
 }
 
 fn spread(values: impl Iterator<Item = f64>) -> f64 {
-    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
-        (low.min(v), high.max(v))
-    });
+    let [low, high] = ends(values);
     if low > high { 0.0 } else { high - low }
 }
 

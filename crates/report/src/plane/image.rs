@@ -65,12 +65,13 @@ fn placed(plot: &PlanePlot<'_>, pixels: &Pixels<'_>, area: &Area) -> Area {
         area.width / (x_high - x_low),
         area.height / (y_high - y_low),
     ];
-    Area {
-        left: area.left + (left - x_low) * scale[0],
-        top: area.top + (y_high - top) * scale[1],
-        width: (right - left) * scale[0],
-        height: (top - bottom) * scale[1],
-    }
+    Area::new(
+        [
+            area.left + (left - x_low) * scale[0],
+            area.top + (y_high - top) * scale[1],
+        ],
+        [(right - left) * scale[0], (top - bottom) * scale[1]],
+    )
 }
 
 struct Source<'a> {

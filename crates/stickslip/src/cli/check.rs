@@ -10,6 +10,7 @@ use super::failure::Failure;
 use super::located::locate;
 use stickslip_engine::model::{Model, ModelBodyKind};
 use stickslip_present::results::sentence;
+use stickslip_report::axis::ends;
 use stickslip_scene::Scene;
 use stickslip_scene::schema::{Body, Division, LoadKind, MeshSettings, Substance};
 use stickslip_scene::units::{Dimension, Unit};
@@ -228,8 +229,7 @@ fn rounded(value: f64) -> f64 {
 
 fn load_line(scene: &Scene, kind: &LoadKind) -> String {
     let range = |steps: &[f64], show: &dyn Fn(f64) -> String| {
-        let least = steps.iter().copied().fold(f64::INFINITY, f64::min);
-        let greatest = steps.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let [least, greatest] = ends(steps.iter().copied());
         if least == greatest {
             show(least)
         } else {

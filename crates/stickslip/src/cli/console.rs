@@ -32,6 +32,11 @@ impl Console {
         terminal.map_or(FILE_WIDTH, |(width, _)| usize::from(width.0))
     }
 
+    /// Whether somebody sees how far a command is.
+    pub(super) fn shows_progress(self) -> bool {
+        !self.quiet && !self.json && io::stderr().is_terminal()
+    }
+
     /// Prints a result: `text` for people, `value` for programs.
     pub(super) fn result(
         self,

@@ -1,6 +1,5 @@
 //! `stickslip fringes`, `reduce`, `hybrid` and `identify`: an experiment to one depth of its chain.
 
-use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -12,7 +11,7 @@ use thiserror::Error;
 
 use super::console::Console;
 use super::failure::{CommandError, Failure, OwnError};
-use super::folder::{Owner, prepare};
+use super::folder::{Owner, prepare, results_folder};
 use super::located::located;
 use super::memory::host;
 use crate::folder::FolderError;
@@ -82,7 +81,7 @@ pub(super) fn experiment(
         return Err(CommandError::SceneGiven { path }.into());
     }
     let experiment = Experiment::from_file(&arguments.experiment, &arguments.overrides, host())?;
-    let path = arguments.folder();
+    let path = results_folder(arguments.output.as_ref(), &arguments.experiment);
     keep_apart(&experiment, &arguments.experiment, &path)?;
     let folder =
         prepare(&path, arguments.force, Owner::Experiment, console).map_err(KeepError::from)?;
@@ -140,7 +139,7 @@ fn keep_apart(experiment: &Experiment, file: &Path, folder: &Path) -> Result<(),
 fn bar(console: Console) -> ProgressBar {
     /// Between two turns of the sign of life.
     const TURN: Duration = Duration::from_millis(120);
-    if console.quiet || console.json || !std::io::stderr().is_terminal() {
+    if !console.shows_progress() {
         return ProgressBar::hidden();
     }
     let bar = ProgressBar::new_spinner();
@@ -218,14 +217,4 @@ pub(super) fn check(path: &Path, overrides: &[String], console: Console) -> Resu
         "checked": lines,
     });
     console.result(text, &summary)
-}
-
-impl ExperimentArguments {
-    fn folder(&self) -> PathBuf {
-        let default = || {
-            let stem = self.experiment.file_stem().unwrap_or_default();
-            PathBuf::from(format!("{}-results", stem.to_string_lossy()))
-        };
-        self.output.clone().unwrap_or_else(default)
-    }
 }

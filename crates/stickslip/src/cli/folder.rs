@@ -1,6 +1,6 @@
 //! The folder that a command writes, and which older folders are its own.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
@@ -15,6 +15,15 @@ pub(super) enum Owner {
     Run,
     /// The chain of experiments, of which a deeper command repeats the earlier ones.
     Experiment,
+}
+
+/// The folder for results: the `given` one, or by default that with the name of the file that they are made from and -results.
+pub(super) fn results_folder(given: Option<&PathBuf>, file: &Path) -> PathBuf {
+    let default = || {
+        let stem = file.file_stem().unwrap_or_default().to_string_lossy();
+        PathBuf::from(format!("{stem}-results"))
+    };
+    given.cloned().unwrap_or_else(default)
 }
 
 /// Makes the folder for the results of `owner`; what had to be put right of an earlier process is said.

@@ -1,7 +1,6 @@
 //! `stickslip joint`: sweep over joints, row by row into a table that can be gone on with.
 
 use std::fs::{self, OpenOptions};
-use std::io::IsTerminal;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::process::exit;
@@ -20,7 +19,7 @@ use thiserror::Error;
 
 use super::console::Console;
 use super::failure::{Failure, OwnError};
-use super::folder::of_a_sweep;
+use super::folder::{of_a_sweep, results_folder};
 use super::interrupt::{INTERRUPTED, flag};
 use super::memory::host;
 use crate::folder::{FolderError, LIST, MARKER, SharedFolder};
@@ -123,7 +122,7 @@ pub(super) fn joint(arguments: &JointArguments, console: Console) -> Result<(), 
         &arguments.overrides,
         host().shared_by(arguments.jobs().get()),
     )?;
-    let folder = arguments.folder();
+    let folder = results_folder(arguments.output.as_ref(), &arguments.sweep);
     let (mut files, mut rows) = open(&sweep, &folder, arguments.resume)?;
     let begun = rows.len();
     let pending: Vec<usize> = (0..sweep.cases())
@@ -172,14 +171,6 @@ pub(super) fn joint(arguments: &JointArguments, console: Console) -> Result<(), 
 }
 
 impl JointArguments {
-    fn folder(&self) -> PathBuf {
-        let default = || {
-            let stem = self.sweep.file_stem().unwrap_or_default().to_string_lossy();
-            PathBuf::from(format!("{stem}-results"))
-        };
-        self.output.clone().unwrap_or_else(default)
-    }
-
     fn jobs(&self) -> NonZeroUsize {
         let cores = || std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
         self.jobs.unwrap_or_else(cores)
@@ -270,7 +261,7 @@ fn keep(
     files.write(TABLE, &table::text(sweep, rows)?)?;
     let (drawings, remarks) = draw(sweep, rows);
     write_pictures(&drawings, files)?;
-    let report = page(sweep, rows, &drawings, &remarks, account).render()?;
+    let report = page(sweep, rows, &drawings, &remarks, account)?.render()?;
     files.write("report.html", report.as_bytes())?;
     let summary = summary(sweep, rows, account);
     files.write(MARKER, format!("{summary:#}\n").as_bytes())?;
@@ -343,7 +334,7 @@ fn text(sweep: &Sweep, rows: &[Row], folder: &Path, account: &Account) -> String
 }
 
 fn bar(sweep: &Sweep, done: usize, console: Console) -> ProgressBar {
-    if console.quiet || console.json || !std::io::stderr().is_terminal() {
+    if !console.shows_progress() {
         return ProgressBar::hidden();
     }
     let style = ProgressStyle::with_template("{wide_bar} {pos}/{len} cases, {elapsed}, {eta} left");

@@ -15,7 +15,7 @@ use stickslip_laminate::progressive::point_models;
 
 use super::console::Console;
 use super::failure::Failure;
-use stickslip_present::results::{SIGNS, signs_table};
+use stickslip_present::results::{signs, signs_table};
 use stickslip_scene::templates::TEMPLATES;
 use stickslip_scene::units::Dimension;
 
@@ -72,26 +72,12 @@ pub(super) fn list(arguments: &ListArguments, console: Console) -> Result<(), Fa
     };
     let value: Map<_, _> = topics
         .iter()
-        .map(|topic| (name(*topic).to_owned(), value(*topic)))
+        .map(|topic| {
+            let name = topic.to_possible_value().unwrap_or_default();
+            (name.get_name().to_owned(), value(*topic))
+        })
         .collect();
     console.result(text, &value)
-}
-
-fn name(topic: Topic) -> &'static str {
-    match topic {
-        Topic::Laws => "laws",
-        Topic::Loads => "loads",
-        Topic::Layups => "layups",
-        Topic::Criteria => "criteria",
-        Topic::Models => "models",
-        Topic::Templates => "templates",
-        Topic::Presets => "presets",
-        Topic::Elements => "elements",
-        Topic::Solvers => "solvers",
-        Topic::Units => "units",
-        Topic::Signs => "signs",
-        Topic::Keys => "keys",
-    }
 }
 
 fn element_summary(kind: ElementKind) -> String {
@@ -255,10 +241,10 @@ fn value(topic: Topic) -> Value {
                 json!({ "name": name, "unit": unit, "meaning": meaning })
             };
             let columns: Vec<_> = COLUMNS.iter().map(column).collect();
-            let sign = |[quantity, meaning, elsewhere]: &[&str; 3]| {
+            let sign = |[quantity, meaning, elsewhere]: [&str; 3]| {
                 json!({ "quantity": quantity, "meaning": meaning, "elsewhere": elsewhere })
             };
-            let signs: Vec<_> = SIGNS.iter().map(sign).collect();
+            let signs: Vec<_> = signs().map(sign).collect();
             json!({ "columns": columns, "signs": signs })
         }
     }

@@ -1,6 +1,5 @@
 //! `stickslip run`: solve a scene and write a folder of results.
 
-use std::io::IsTerminal;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -12,7 +11,7 @@ use super::SceneArguments;
 use super::console::Console;
 use super::experiment::{Kind, kind_of};
 use super::failure::{CommandError, Failure, OwnError};
-use super::folder::{Owner, prepare};
+use super::folder::{Owner, prepare, results_folder};
 use super::located::located;
 use crate::folder::FolderError;
 use crate::keep;
@@ -73,8 +72,8 @@ pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Fail
         return Err(CommandError::ExperimentGiven { path }.into());
     }
     let scene = arguments.scene.read()?;
-    let folder = prepare(&arguments.folder(), arguments.force, Owner::Run, console)
-        .map_err(KeepError::from)?;
+    let path = results_folder(arguments.output.as_ref(), &arguments.scene.scene);
+    let folder = prepare(&path, arguments.force, Owner::Run, console).map_err(KeepError::from)?;
     let bar = bar(&scene, console);
     let solved = solve(&scene, &mut |progress| show(&bar, progress));
     bar.finish_and_clear();
@@ -91,27 +90,8 @@ pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Fail
     )
 }
 
-impl RunArguments {
-    fn folder(&self) -> PathBuf {
-        let default = || {
-            let stem = self
-                .scene
-                .scene
-                .file_stem()
-                .unwrap_or_default()
-                .to_string_lossy();
-            PathBuf::from(format!("{stem}-results"))
-        };
-        self.output.clone().unwrap_or_else(default)
-    }
-}
-
 fn bar(scene: &Scene, console: Console) -> ProgressBar {
-    if console.quiet
-        || console.json
-        || scene.steps() < LONG_HISTORY
-        || !std::io::stderr().is_terminal()
-    {
+    if !console.shows_progress() || scene.steps() < LONG_HISTORY {
         return ProgressBar::hidden();
     }
     let style = ProgressStyle::with_template("{msg:14} {wide_bar} {pos}/{len} steps, {elapsed}");

@@ -1,14 +1,18 @@
 //! The page of a sweep: what governs first, then the pictures, all cases, and what was asked.
 
-use stickslip_report::page::{Block, Figure, Page, Section};
+use stickslip_report::context;
+use stickslip_report::page::{Block, Figure, Page, PageError, Section};
+use stickslip_report::prose::Prose;
 use stickslip_report::table::{Column, Table};
 
+use super::axis::Axis;
 use super::engine::Effort;
 use super::figures::Drawing;
 use super::row::{Measures, Outcome, Row};
 use super::verdict::ORDER;
 use super::{Sweep, verdict};
-use stickslip_text::short;
+use stickslip_engine::results::JointMode;
+use stickslip_text::{counted, short};
 
 /// Most cases that the page lists; the table file has all.
 const MOST_ROWS: usize = 500;
@@ -27,95 +31,78 @@ pub struct Account {
 }
 
 /// The page of `rows`, with its pictures and remarks on those that are missing.
+///
+/// # Errors
+/// [`PageError::Template`] for notes that cannot be put together.
 pub fn page(
     sweep: &Sweep,
     rows: &[Row],
     drawings: &[Drawing],
     remarks: &[String],
     account: &Account,
-) -> Page {
+) -> Result<Page, PageError> {
     let subtitle = format!("{} · {} cases", sweep.source_name, sweep.cases());
     let mut page = Page::new(&sweep.title, subtitle);
-    page.warnings = remarks.to_vec();
     if rows.len() < sweep.cases() {
-        page.warnings.insert(
-            0,
-            format!(
-                "{} of {} cases are solved; `--resume` goes on with the others.",
-                rows.len(),
-                sweep.cases()
-            ),
-        );
+        page.warnings.push(format!(
+            "{} of {} cases are solved; `--resume` goes on with the others.",
+            rows.len(),
+            sweep.cases()
+        ));
     }
+    page.warnings.extend_from_slice(remarks);
     page.summary = summary(rows, account);
-    page.notes = notes(sweep);
-    let figures = drawings.iter().map(|drawing| {
-        Block::Figure(Figure::new(
-            drawing.picture.clone(),
-            &drawing.caption,
-            &drawing.name,
-        ))
-    });
-    let figures: Vec<Block> = figures.collect();
+    page.notes.extend(sweep.description.clone());
+    page.notes.extend(notes(sweep).paragraphs()?);
     let governs = Section::new("What governs").with(Block::Text(verdict(sweep, rows)));
-    page.sections
-        .push(figures.into_iter().fold(governs, Section::with));
-    page.sections
-        .push(Section::new("Axes").with(Block::Table(axes(sweep))));
-    page.sections
-        .push(Section::new("Cases").with(Block::Table(cases(sweep, rows))));
+    let figures = drawings.iter().map(|drawing| {
+        let picture = drawing.picture.clone();
+        Figure::new(picture, &drawing.caption, &drawing.name)
+    });
+    page.sections = vec![
+        figures.fold(governs, Section::with),
+        Section::new("Axes").with(axes(sweep)),
+        Section::new("Cases").with(cases(sweep, rows)),
+    ];
     let unresolved = unresolved(sweep, rows);
     if !unresolved.rows.is_empty() {
         page.sections
-            .push(Section::new("Without an answer").with(Block::Table(unresolved)));
+            .push(Section::new("Without an answer").with(unresolved));
     }
-    page.sections
-        .push(Section::new("Files").with(Block::Table(files(sweep))));
+    page.sections.push(files(sweep));
     page.footer = format!(
         "stickslip {} · sweep {}",
         env!("CARGO_PKG_VERSION"),
         sweep.hash
     );
-    page
+    Ok(page)
 }
 
 fn summary(rows: &[Row], account: &Account) -> Vec<(String, String)> {
-    let workers = match account.jobs {
-        1 => "1 worker".to_owned(),
-        jobs => format!("{jobs} workers"),
+    let of_all = |count: usize| format!("{count} of {}", rows.len());
+    let joints = |mode: JointMode| {
+        let joints = rows.iter().filter_map(Row::joint);
+        joints.filter(|joint| joint.mode == mode).count()
     };
-    let mut summary = Vec::new();
-    for mode in ORDER {
-        let own = rows
-            .iter()
-            .filter_map(Row::joint)
-            .filter(|joint| joint.mode == mode);
-        let count = own.count();
-        if count > 0 {
-            summary.push((
-                capitalised(mode.name()),
-                format!("{count} of {}", rows.len()),
-            ));
-        }
-    }
+    let mut summary: Vec<(String, String)> = (ORDER.into_iter())
+        .map(|mode| (capitalised(mode.name()), joints(mode)))
+        .filter(|(_, count)| *count > 0)
+        .map(|(name, count)| (name, of_all(count)))
+        .collect();
     let unresolved = rows.iter().filter(|row| row.measures().is_none()).count();
     if unresolved > 0 {
-        summary.push((
-            "No answer".to_owned(),
-            format!("{unresolved} of {}", rows.len()),
-        ));
+        summary.push(("No answer".to_owned(), of_all(unresolved)));
     }
     if account.solved_now > 0 {
+        let seconds = short(account.seconds);
         let each = short(account.seconds / account.solved_now as f64);
-        summary.push((
-            "Wall time".to_owned(),
-            format!(
-                "{} s: {} cases, {each} s each, {workers}, {} bodies condensed",
-                short(account.seconds),
-                account.solved_now,
-                account.effort.condensed
-            ),
-        ));
+        let time = format!(
+            "{seconds} s: {} cases, {each} s each, {}, {} bodies condensed",
+            account.solved_now,
+            counted(account.jobs, "worker"),
+            account.effort.condensed
+        );
+        summary.push(("Wall time".to_owned(), time));
     }
     summary
 }
@@ -128,85 +115,59 @@ fn capitalised(words: &str) -> String {
     first.unwrap_or_default() + letters.as_str()
 }
 
-fn notes(sweep: &Sweep) -> Vec<String> {
-    let mut notes: Vec<String> = sweep.description.iter().cloned().collect();
-    notes.push(format!(
-        "All cases start from the scene '{}' ({}); contact and hoop stress are those at its largest load.",
-        sweep.scene.title, sweep.scene.source_name
-    ));
-    notes.push(
-        "A failure load that the history does not reach is the largest load times the reserve factor there: exact where contact no \
-         longer spreads, an estimate elsewhere. The first-ply load depends on the mesh where its place is the edge of the hole."
-            .to_owned(),
-    );
-    notes.push(
-        "Failure is asked of the stresses of the undamaged joint. Where damage spreads before a joint breaks, and above all at narrow net \
-         sections, follow single joints by [failure.progressive]; sweeps leave it out."
-            .to_owned(),
-    );
-    notes
+/// What the cases have in common, and what their loads are.
+fn notes(sweep: &Sweep) -> Prose {
+    Prose::new(
+        include_str!("page/notes.jinja"),
+        context! { scene => &sweep.scene.title, source => &sweep.scene.source_name },
+    )
 }
 
 fn axes(sweep: &Sweep) -> Table {
-    let columns = ["axis", "key", "values"].map(|name| Column::new(name, ""));
-    let mut table = Table::new("", columns.into());
-    for axis in &sweep.axes {
-        let values: Vec<String> = (0..axis.values.len())
-            .map(|value| axis.value_text(value))
-            .collect();
-        table.push([
+    let rows = sweep.axes.iter().map(|axis| {
+        let values = (0..axis.values.len()).map(|value| axis.value_text(value));
+        [
             axis.symbol().to_owned(),
             axis.key.name().to_owned(),
-            values.join(", "),
-        ]);
-    }
-    table
+            values.collect::<Vec<_>>().join(", "),
+        ]
+    });
+    Table::headed("", "axis | key | values").with_rows(rows)
 }
 
 fn cases(sweep: &Sweep, rows: &[Row]) -> Table {
-    let unit = |axis: &super::axis::Axis| axis.unit.map_or("", |unit| unit.name);
+    let unit = |axis: &Axis| axis.unit.map_or("", |unit| unit.name);
+    let axes = sweep.axes.iter();
+    let axes = axes.map(|axis| Column::new(axis.symbol(), unit(axis)));
     let (load, stress) = (sweep.load_unit.as_str(), sweep.scene.display.stress.name);
-    let mut columns: Vec<Column> = sweep
-        .axes
-        .iter()
-        .map(|axis| Column::new(axis.symbol(), unit(axis)))
-        .collect();
-    columns.extend([
-        Column::new("peak pressure", stress),
-        Column::new("contact ±", "deg"),
-        Column::new("peak hoop", stress),
-        Column::new("at", "deg"),
-        Column::new("first ply", load),
-        Column::new("ply", ""),
-        Column::new("criterion: mode", ""),
-        Column::new("joint", load),
-        Column::new("mode", ""),
-        Column::new("at", "deg"),
-    ]);
+    let headings = format!(
+        "peak pressure [{stress}] | contact ± [deg] | peak hoop [{stress}] | at [deg] | first ply [{load}] | ply | criterion: mode | \
+         joint [{load}] | mode | at [deg]"
+    );
+    let mut table = Table::headed("", &headings);
+    table.columns.splice(0..0, axes);
     let mut sorted: Vec<&Row> = rows.iter().collect();
     sorted.sort_by_key(|row| row.case);
-    let mut table = Table::new("", columns);
     for row in sorted.iter().take(MOST_ROWS) {
         let values = sweep.axes.iter().zip(sweep.values_of(row.case));
-        let mut cells: Vec<String> = values.map(|(axis, value)| axis.cell(value)).collect();
-        cells.extend(row.measures().into_iter().flat_map(case_cells));
-        table.push(cells);
+        let values = values.map(|(axis, value)| axis.cell(value));
+        let measures = row.measures().into_iter().flat_map(case_cells);
+        table.push(values.chain(measures));
     }
-    if sorted.len() > MOST_ROWS {
-        let note = format!(
-            "The first {MOST_ROWS} of {} cases; cases.csv has all.",
-            sorted.len()
-        );
-        return table.note(note);
+    if sorted.len() <= MOST_ROWS {
+        return table;
     }
-    table
+    table.note(format!(
+        "The first {MOST_ROWS} of {} cases; cases.csv has all.",
+        sorted.len()
+    ))
 }
 
-fn case_cells(measures: &Measures) -> Vec<String> {
+fn case_cells(measures: &Measures) -> [String; 10] {
     let number = |value: Option<f64>| value.map_or_else(String::new, short);
     let first = measures.first_ply.as_ref();
     let joint = measures.joint.as_ref();
-    vec![
+    [
         number(measures.peak_pressure),
         number(measures.contact_half_angle),
         number(measures.peak_hoop.map(|[most, _]| most)),
@@ -223,8 +184,7 @@ fn case_cells(measures: &Measures) -> Vec<String> {
 }
 
 fn unresolved(sweep: &Sweep, rows: &[Row]) -> Table {
-    let columns = ["case", "reason"].map(|name| Column::new(name, ""));
-    let mut table = Table::new("", columns.into());
+    let mut table = Table::headed("", "case | reason");
     for row in rows {
         if let Outcome::Unresolved(reason) = &row.outcome {
             table.push([sweep.name_of(row.case), reason.clone()]);
@@ -233,16 +193,15 @@ fn unresolved(sweep: &Sweep, rows: &[Row]) -> Table {
     table
 }
 
-fn files(sweep: &Sweep) -> Table {
-    let columns = ["file", "holds"].map(|name| Column::new(name, ""));
-    let mut table = Table::new("", columns.into());
-    let about = format!(
+fn files(sweep: &Sweep) -> Section {
+    let cases = format!(
         "one row per case: {} axes, contact, hoop stress, first ply, failure of the joint, time, outcome",
         sweep.axes.len()
     );
-    table.push(["cases.csv", &about]);
-    table.push(["sweep.json", "which sweep the rows belong to"]);
-    table.push(["summary.json", "what governs, and counts, for programs"]);
-    table.push(["figures/*.svg, figures/*.png", "the figures of this page"]);
-    table
+    Section::of_files([
+        ("cases.csv", cases.as_str()),
+        ("sweep.json", "which sweep the rows belong to"),
+        ("summary.json", "what governs, and counts, for programs"),
+        ("figures/*.svg, figures/*.png", "the figures of this page"),
+    ])
 }

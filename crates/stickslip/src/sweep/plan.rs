@@ -1,6 +1,7 @@
 //! A sweep file, read and checked, and the scenes of its cases.
 
 mod joint;
+mod problem;
 mod read;
 
 use std::path::{Path, PathBuf};

@@ -17,11 +17,12 @@
 
 use std::io::Write;
 
+use stickslip_report::table::Columns;
 use stickslip_text::plain::{csv_cell, csv_text};
 
 use super::row::{JointLoad, Measures, Outcome, PlyFailure, Row};
+use super::verdict::ORDER;
 use super::{Sweep, SweepError};
-use stickslip_engine::results::JointMode;
 
 /// Outcome of a case that has numbers.
 const SOLVED: &str = "solved";
@@ -29,92 +30,110 @@ const SOLVED: &str = "solved";
 const REACHED: &str = "reached";
 const PROJECTED: &str = "projected";
 
-const MODES: [JointMode; 5] = [
-    JointMode::Bearing,
-    JointMode::BearingAndShearOut,
-    JointMode::ShearOut,
-    JointMode::ShearOutAndNetTension,
-    JointMode::NetTension,
-];
-
 /// Headings of the table of `sweep`.
 pub fn headings(sweep: &Sweep) -> Vec<String> {
-    let stress = sweep.scene.display.stress.name;
-    let load = &sweep.load_unit;
-    let mut headings = vec!["case".to_owned()];
-    headings.extend(sweep.axes.iter().map(super::axis::Axis::heading));
-    headings.extend([
-        format!("load [{load}]"),
-        format!("peak_pressure [{stress}]"),
-        "contact_half_angle [deg]".to_owned(),
-        format!("peak_hoop [{stress}]"),
-        "peak_hoop_angle [deg]".to_owned(),
-        format!("first_ply_load [{load}]"),
-        "first_ply".to_owned(),
-        "first_ply_criterion".to_owned(),
-        "first_ply_mode".to_owned(),
-        "first_ply_angle [deg]".to_owned(),
-        "first_ply_found".to_owned(),
-        format!("joint_load [{load}]"),
-        format!("joint_bearing_stress [{stress}]"),
-        "joint_mode".to_owned(),
-        "joint_angle [deg]".to_owned(),
-        "joint_found".to_owned(),
-        "seconds".to_owned(),
-        "outcome".to_owned(),
-    ]);
-    headings
+    columns(sweep).header()
 }
 
 /// The cells of a row.
 pub fn cells(sweep: &Sweep, row: &Row) -> Vec<String> {
-    let none = Measures::default();
-    let measures = row.measures().unwrap_or(&none);
-    let number = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
-    let found = |reached: bool| if reached { REACHED } else { PROJECTED }.to_owned();
-    let mut cells = vec![row.case.to_string()];
-    let values = sweep.values_of(row.case);
-    cells.extend(
-        sweep
-            .axes
-            .iter()
-            .zip(values)
-            .map(|(axis, value)| axis.cell(value)),
-    );
-    cells.extend([
-        number(measures.load),
-        number(measures.peak_pressure),
-        number(measures.contact_half_angle),
-        number(measures.peak_hoop.map(|[most, _]| most)),
-        number(measures.peak_hoop.map(|[_, place]| place)),
-    ]);
-    match &measures.first_ply {
-        Some(first) => cells.extend([
-            number(first.load),
-            first.ply.clone(),
-            first.criterion.clone(),
-            first.mode.clone(),
-            number(first.angle),
-            found(first.reached),
-        ]),
-        None => cells.extend(std::iter::repeat_n(String::new(), 6)),
+    columns(sweep).cells(row)
+}
+
+/// The columns of the table: those of a case, of its contact, its first ply and its joint, and what came of it.
+fn columns(sweep: &Sweep) -> Columns<'_, &Row> {
+    let mut columns = Columns::<&Row>::new().with("case", "", |row| row.case.to_string());
+    for (index, axis) in sweep.axes.iter().enumerate() {
+        columns = columns.with(axis.heading(), "", move |row| {
+            axis.cell(sweep.values_of(row.case)[index])
+        });
     }
-    match &measures.joint {
-        Some(joint) => cells.extend([
-            number(joint.load),
-            number(joint.bearing_stress),
-            joint.mode.name().to_owned(),
-            number(Some(joint.angle)),
-            found(joint.reached),
-        ]),
-        None => cells.extend(std::iter::repeat_n(String::new(), 5)),
-    }
-    cells.push(format!("{:.4}", row.seconds));
-    cells.push(match &row.outcome {
-        Outcome::Solved(_) => SOLVED.to_owned(),
-        Outcome::Unresolved(reason) => reason.clone(),
-    });
-    cells
+    columns
+        .and([
+            contact_columns(sweep),
+            first_ply_columns(sweep),
+            joint_columns(sweep),
+        ])
+        .with("seconds", "", |row| format!("{:.4}", row.seconds))
+        .with("outcome", "", |row| match &row.outcome {
+            Outcome::Solved(_) => SOLVED.to_owned(),
+            Outcome::Unresolved(reason) => reason.clone(),
+        })
+}
+
+/// A number as a cell, empty where there is none.
+fn shown(value: Option<f64>) -> String {
+    value.map_or_else(String::new, |value| value.to_string())
+}
+
+fn found(reached: bool) -> String {
+    if reached { REACHED } else { PROJECTED }.to_owned()
+}
+
+fn contact_columns(sweep: &Sweep) -> Columns<'_, &Row> {
+    let stress = sweep.scene.display.stress.name;
+    let number = |value: fn(&Measures) -> Option<f64>| {
+        move |row: &Row| shown(row.measures().and_then(value))
+    };
+    Columns::new()
+        .with("load", &sweep.load_unit, number(|own| own.load))
+        .with("peak_pressure", stress, number(|own| own.peak_pressure))
+        .with(
+            "contact_half_angle",
+            "deg",
+            number(|own| own.contact_half_angle),
+        )
+        .with("peak_hoop", stress, number(|own| Some(own.peak_hoop?[0])))
+        .with(
+            "peak_hoop_angle",
+            "deg",
+            number(|own| Some(own.peak_hoop?[1])),
+        )
+}
+
+fn first_ply_columns(sweep: &Sweep) -> Columns<'_, &Row> {
+    let cell = |cell: fn(&PlyFailure) -> String| {
+        move |row: &Row| {
+            let first = row.measures().and_then(|own| own.first_ply.as_ref());
+            first.map_or_else(String::new, cell)
+        }
+    };
+    Columns::new()
+        .with(
+            "first_ply_load",
+            &sweep.load_unit,
+            cell(|first| shown(first.load)),
+        )
+        .with("first_ply", "", cell(|first| first.ply.clone()))
+        .with(
+            "first_ply_criterion",
+            "",
+            cell(|first| first.criterion.clone()),
+        )
+        .with("first_ply_mode", "", cell(|first| first.mode.clone()))
+        .with("first_ply_angle", "deg", cell(|first| shown(first.angle)))
+        .with("first_ply_found", "", cell(|first| found(first.reached)))
+}
+
+fn joint_columns(sweep: &Sweep) -> Columns<'_, &Row> {
+    let stress = sweep.scene.display.stress.name;
+    let cell = |cell: fn(&JointLoad) -> String| {
+        move |row: &Row| row.joint().map_or_else(String::new, cell)
+    };
+    Columns::new()
+        .with(
+            "joint_load",
+            &sweep.load_unit,
+            cell(|joint| shown(joint.load)),
+        )
+        .with(
+            "joint_bearing_stress",
+            stress,
+            cell(|joint| shown(joint.bearing_stress)),
+        )
+        .with("joint_mode", "", cell(|joint| joint.mode.name().to_owned()))
+        .with("joint_angle", "deg", cell(|joint| shown(Some(joint.angle))))
+        .with("joint_found", "", cell(|joint| found(joint.reached)))
 }
 
 /// Writes rows to `out`, each of them flushed.
@@ -232,9 +251,8 @@ pub fn read(sweep: &Sweep, text: &str) -> Result<Vec<Row>, SweepError> {
 
 /// A row from its cells, of which there are as many as headings.
 fn row(sweep: &Sweep, cells: &[&str]) -> Result<Row, String> {
-    let mut left = cells.iter().copied();
-    let mut next = || left.next().unwrap_or_default();
-    let case = whole(next())?;
+    let mut cells = Cells(cells.iter());
+    let case = whole(cells.next())?;
     if case >= sweep.cases() {
         return Err(format!(
             "case {case} is none of the {} of this sweep",
@@ -242,48 +260,18 @@ fn row(sweep: &Sweep, cells: &[&str]) -> Result<Row, String> {
         ));
     }
     for _ in &sweep.axes {
-        next();
+        cells.next();
     }
     let measures = Measures {
-        load: number(next())?,
-        peak_pressure: number(next())?,
-        contact_half_angle: number(next())?,
-        peak_hoop: pair(number(next())?, number(next())?),
-        first_ply: {
-            let load = number(next())?;
-            let (ply, criterion, mode) = (next(), next(), next());
-            let (angle, found) = (number(next())?, next());
-            (!found.is_empty()).then(|| PlyFailure {
-                load,
-                ply: ply.to_owned(),
-                criterion: criterion.to_owned(),
-                mode: mode.to_owned(),
-                angle,
-                reached: found == REACHED,
-            })
-        },
-        joint: {
-            let (load, bearing_stress) = (number(next())?, number(next())?);
-            let (mode, angle, found) = (next(), number(next())?, next());
-            match MODES
-                .into_iter()
-                .find(|known| known.name() == mode)
-                .zip(angle)
-            {
-                Some((mode, angle)) => Some(JointLoad {
-                    load,
-                    bearing_stress,
-                    mode,
-                    angle,
-                    reached: found == REACHED,
-                }),
-                None if mode.is_empty() => None,
-                None => return Err(format!("'{mode}' is no failure mode with an angle")),
-            }
-        },
+        load: cells.number()?,
+        peak_pressure: cells.number()?,
+        contact_half_angle: cells.number()?,
+        peak_hoop: pair(cells.number()?, cells.number()?),
+        first_ply: cells.first_ply()?,
+        joint: cells.joint()?,
     };
-    let seconds = number(next())?.unwrap_or_default();
-    let outcome = match next() {
+    let seconds = cells.number()?.unwrap_or_default();
+    let outcome = match cells.next() {
         SOLVED => Outcome::Solved(Box::new(measures)),
         "" => return Err("there is no outcome".to_owned()),
         reason => Outcome::Unresolved(reason.to_owned()),
@@ -295,20 +283,61 @@ fn row(sweep: &Sweep, cells: &[&str]) -> Result<Row, String> {
     })
 }
 
+/// The cells of a row that are not read yet.
+struct Cells<'a>(std::slice::Iter<'a, &'a str>);
+
+impl<'a> Cells<'a> {
+    fn next(&mut self) -> &'a str {
+        self.0.next().copied().unwrap_or_default()
+    }
+
+    /// A number, or none in an empty cell.
+    fn number(&mut self) -> Result<Option<f64>, String> {
+        let cell = self.next();
+        if cell.is_empty() {
+            return Ok(None);
+        }
+        let value = cell.parse::<f64>();
+        value
+            .map(Some)
+            .map_err(|_| format!("'{cell}' is no number"))
+    }
+
+    fn first_ply(&mut self) -> Result<Option<PlyFailure>, String> {
+        let load = self.number()?;
+        let [ply, criterion, mode] = [self.next(), self.next(), self.next()].map(str::to_owned);
+        let (angle, found) = (self.number()?, self.next());
+        Ok((!found.is_empty()).then(|| PlyFailure {
+            load,
+            ply,
+            criterion,
+            mode,
+            angle,
+            reached: found == REACHED,
+        }))
+    }
+
+    fn joint(&mut self) -> Result<Option<JointLoad>, String> {
+        let (load, bearing_stress) = (self.number()?, self.number()?);
+        let (mode, angle, found) = (self.next(), self.number()?, self.next());
+        let known = ORDER.into_iter().find(|known| known.name() == mode);
+        match known.zip(angle) {
+            Some((mode, angle)) => Ok(Some(JointLoad {
+                load,
+                bearing_stress,
+                mode,
+                angle,
+                reached: found == REACHED,
+            })),
+            None if mode.is_empty() => Ok(None),
+            None => Err(format!("'{mode}' is no failure mode with an angle")),
+        }
+    }
+}
+
 fn whole(cell: &str) -> Result<usize, String> {
     cell.parse()
         .map_err(|_| format!("'{cell}' is no number of a case"))
-}
-
-/// A number, or none in an empty cell.
-fn number(cell: &str) -> Result<Option<f64>, String> {
-    if cell.is_empty() {
-        return Ok(None);
-    }
-    let value = cell.parse::<f64>();
-    value
-        .map(Some)
-        .map_err(|_| format!("'{cell}' is no number"))
 }
 
 fn pair(first: Option<f64>, second: Option<f64>) -> Option<[f64; 2]> {

@@ -5,10 +5,10 @@ use std::fs;
 use std::path::Path;
 
 use serde_json::{Value, json};
-use stickslip::output::{OutputError, summary_json};
+use stickslip::output::{OutputError, summary_json, write};
 
 use super::files::written;
-use super::fixture::{LOADS, RADIUS, THICKNESS, results};
+use super::fixture::{LOADS, RADIUS, THICKNESS, open_hole, results};
 
 fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or(f64::NAN)
@@ -162,6 +162,27 @@ fn the_file_is_the_value() {
         summary_json(&results).unwrap()
     );
     assert!(text.starts_with("{\n  \"format\": \"stickslip-summary\""));
+}
+
+/// Of two equal keys of one object only the last would be read. The parts of a step that are flattened into it must not share any.
+#[test]
+fn no_key_stands_twice() {
+    let mut line_first = results();
+    line_first.edges.remove(0);
+    for step in &mut line_first.steps {
+        step.edges.remove(0);
+    }
+    for results in [results(), line_first, open_hole()] {
+        let text = write(&results, false, &|_, _| Ok(())).unwrap();
+        let read: Value = serde_json::from_str(&text).unwrap();
+        let again = serde_json::to_string_pretty(&read).unwrap();
+        assert_eq!(
+            text.lines().count(),
+            again.lines().count(),
+            "{}",
+            results.edges[0].name
+        );
+    }
 }
 
 /// Every key below `value`; names of edges and phases are data, not keys.

@@ -1,13 +1,13 @@
 //! Pictures of edge stresses and of what they leave unexplained.
 
 use stickslip_report::FigureError;
-use stickslip_report::axis::Axis;
+use stickslip_report::axis::{Axis, extent};
 use stickslip_report::chart::{Dash, LineChart, Panels, Series, tile};
 use stickslip_report::color::{Color, Colormap};
-use stickslip_report::plane::{Marks, PlanePlot};
+use stickslip_report::plane::PlanePlot;
 use stickslip_report::svg::Svg;
 
-use crate::experiment::gallery::caption;
+use crate::experiment::gallery::{caption, edge_of_hole};
 use stickslip_measure::analysed::{Analysed, TruePlace};
 use stickslip_scene::experiment::Experiment;
 
@@ -145,7 +145,7 @@ pub(crate) fn truth_within<'a>(
 /// Misfit at unused places over its standard deviation, U and V.
 pub(super) fn misfit(experiment: &Experiment, found: &Analysed) -> Result<Svg, FigureError> {
     let unit = experiment.display.length;
-    let edge = arc(experiment, found);
+    let edge = edge_of_hole(experiment, found.angle.iter().copied());
     let places = found.checks.misfit.iter();
     let places = places.map(|one| one.place.map(|x| unit.from_base(x)));
     let window = window(places.chain(edge.paths.concat()));
@@ -168,34 +168,15 @@ pub(super) fn misfit(experiment: &Experiment, found: &Analysed) -> Result<Svg, F
     tile(&caption(experiment, found.state), 2, &drawn)
 }
 
-fn arc(experiment: &Experiment, found: &Analysed) -> Marks {
-    let unit = experiment.display.length;
-    let hole = experiment.specimen.hole;
-    let path = found.angle.iter().map(|angle| {
-        let (sin, cos) = angle.sin_cos();
-        [
-            unit.from_base(hole.centre[0] + hole.radius * cos),
-            unit.from_base(hole.centre[1] + hole.radius * sin),
-        ]
-    });
-    Marks {
-        label: "edge of the hole".to_owned(),
-        color: Color::rgb(0x22, 0x22, 0x22),
-        points: Vec::new(),
-        paths: vec![path.collect()],
-    }
-}
-
 /// What holds all places, with some room.
 fn window(places: impl Iterator<Item = [f64; 2]>) -> [f64; 4] {
-    let places: Vec<[f64; 2]> = places.collect();
-    let along = |axis: usize| {
-        let values = || places.iter().map(|place| place[axis]);
-        let low = values().fold(f64::INFINITY, f64::min);
-        let high = values().fold(f64::NEG_INFINITY, f64::max);
-        let room = 0.04 * (high - low).max(f64::MIN_POSITIVE);
-        [low - room, high + room]
-    };
-    let ([left, right], [bottom, top]) = (along(0), along(1));
-    [left, right, bottom, top]
+    let [left, right, bottom, top] = extent(places);
+    let room = |length: f64| 0.04 * length.max(f64::MIN_POSITIVE);
+    let (along_x, along_y) = (room(right - left), room(top - bottom));
+    [
+        left - along_x,
+        right + along_x,
+        bottom - along_y,
+        top + along_y,
+    ]
 }

@@ -1,10 +1,10 @@
 //! The force that crosses the edge of a region.
 
 use serde_json::{Value, json};
-use stickslip_report::table::{Column, Table};
+use stickslip_report::table::Table;
 
+use crate::csv;
 use crate::experiment::findings::why;
-use crate::experiment::story::csv_table;
 use stickslip_measure::analysed::{Analysed, ForceCheck, LoadCheck};
 use stickslip_scene::experiment::Experiment;
 use stickslip_text::short;
@@ -19,18 +19,26 @@ pub(super) fn table(experiment: &Experiment, analysed: &[Analysed]) -> Table {
         all.any(|found| found.checks.force[*axis].is_some())
     };
     let known: Vec<usize> = (0..2).filter(is_known).collect();
-    let mut columns = columns(unit.name, &known);
+    let mut headings = format!(
+        "state | along x [{0}] | ± [{0}] | along y [{0}] | ± [{0}] | balance [% of the force]",
+        unit.name
+    );
+    for &axis in &known {
+        let excess = format!(
+            " | over known: {} [{1}] | ± [{1}] | explained [{1}]",
+            AXES[axis], unit.name
+        );
+        headings += &excess;
+    }
     let loads: Vec<_> = (analysed.iter())
         .map(|found| found.load_check(experiment).ok())
         .collect();
     let by_load = loads.iter().any(Option::is_some);
     if by_load {
-        columns.push(Column::new("over load", ""));
+        headings += " | over load";
     }
-    let mut table = Table::new(
-        "Force on the region through its edge, with standard deviations",
-        columns,
-    );
+    let caption = "Force on the region through its edge, with standard deviations";
+    let mut table = Table::headed(caption, &headings);
     for (found, load) in analysed.iter().zip(&loads) {
         let mut row = vec![experiment.states[found.state].name.clone()];
         for [force, deviation] in by_nodes(found) {
@@ -50,65 +58,29 @@ pub(super) fn table(experiment: &Experiment, analysed: &[Analysed]) -> Table {
         table.push(row);
     }
     if by_load {
-        table = table.note(
-            "Over load: the force along the bearing point by the stresses, with the mirror image of what the region cuts, over the stated load.",
-        );
+        table = table.with_notes(include_str!("by_load.txt"));
     }
-    let table = table.note(
-        "By the forces that hold the edge's nodes, of the whole edge of a sector and not only where it is in contact. Balance: what these \
-         and the integral of the edge's stresses differ by, a check of the mesh; the ends of the edge leave some per cent.",
-    );
+    let table = table.with_notes(include_str!("by_nodes.txt"));
     if known.is_empty() {
         return table;
     }
-    table.note(
-        "Excess over known: the force by the nodes less the one stated as edge_force. Explained: three deviations, which hold the noise, 2 % of \
-         the force, the bias of smoothing, the balance, and half of the forces on the nodes at the ends of the edge, which neighbouring edges \
-         share, together. An excess beyond is warned of; where a tenth of the force is explained, the check is none of scale, thickness and \
-         material, and a warning says so.",
-    )
-}
-
-/// The columns of forces, and of their excess along the axes of known ones.
-fn columns(unit: &'static str, known: &[usize]) -> Vec<Column> {
-    let mut columns = vec![
-        Column::new("state", ""),
-        Column::new("along x", unit),
-        Column::new("±", unit),
-        Column::new("along y", unit),
-        Column::new("±", unit),
-        Column::new("balance", "% of the force"),
-    ];
-    for &axis in known {
-        let what = format!("over known: {}", AXES[axis]);
-        columns.extend([
-            Column::new(what, unit),
-            Column::new("±", unit),
-            Column::new("explained", unit),
-        ]);
-    }
-    columns
+    table.with_notes(include_str!("over_known.txt"))
 }
 
 /// Forces at the nodes that move as measured.
 pub(super) fn csv(experiment: &Experiment, found: &Analysed) -> Vec<u8> {
     let (length, force) = (experiment.display.length, experiment.display.force);
-    let header = [
-        format!("x [{}]", length.name),
-        format!("y [{}]", length.name),
-        format!("force x [{}]", force.name),
-        format!("force x deviation [{}]", force.name),
-        format!("force y [{}]", force.name),
-        format!("force y deviation [{}]", force.name),
-        "inside".to_owned(),
-    ];
+    let headings = csv::headings(&format!(
+        "x [{0}] | y [{0}] | force x [{1}] | force x deviation [{1}] | force y [{1}] | force y deviation [{1}] | inside",
+        length.name, force.name
+    ));
     let rows = found.nodal_forces.iter().map(|own| {
         let [x, y] = own.place.map(|x| length.from_base(x));
         let [fx, fy] = own.force.map(|value| force.from_base(value));
         let [dx, dy] = own.deviation.map(|value| force.from_base(value));
-        vec![x, y, fx, dx, fy, dy, f64::from(u8::from(own.inside))]
+        vec![x, y, fx, dx, fy, dy, f64::from(own.inside)]
     });
-    csv_table(&header, rows)
+    csv::numbers(headings, rows)
 }
 
 /// The same for the summary.

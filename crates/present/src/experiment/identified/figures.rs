@@ -1,6 +1,5 @@
 //! τ/p along the edge with slip zones and the coefficient that they share.
 
-use stickslip_hybrid::identify::Bounds;
 use stickslip_report::FigureError;
 use stickslip_report::axis::Axis;
 use stickslip_report::chart::{Band, Dash, LineChart, Panels, ReferenceLine, Series, SeriesStyle};
@@ -9,6 +8,7 @@ use stickslip_report::svg::Svg;
 
 use crate::experiment::analysed::figures::{TRUTH, angle_axis, truth_within};
 use crate::experiment::gallery::caption;
+use crate::experiment::identified::limits;
 use stickslip_measure::analysed::{Analysed, TruePlace};
 use stickslip_measure::identified::{Identified, ratio};
 use stickslip_scene::experiment::Experiment;
@@ -82,43 +82,42 @@ fn chart(
     }
     let line = Series::new("hybrid analysis", along(0.0)).color(color);
     chart = chart.with(line.style(SeriesStyle::Both).width(1.4));
-    let largest = truth
-        .iter()
-        .map(|place| place.stresses[0])
-        .fold(0.0, f64::max);
-    let known: Vec<[f64; 2]> = truth_within(found, truth)
-        .filter(|place| place.stresses[0] > 1e-3 * largest)
-        .map(|place| {
-            [
-                place.angle.to_degrees(),
-                place.stresses[1] / place.stresses[0],
-            ]
-        })
-        .collect();
+    let known = true_ratios(found, truth);
     if !known.is_empty() {
         chart = chart.with(Series::new("truth", known).color(TRUTH).width(0.9));
     }
-    let own = identified
-        .zones
-        .iter()
-        .filter(|zone| zone.state == found.state);
+    with_zones(chart, found, identified)
+}
+
+/// Shear over pressure of the truth where there is pressure.
+fn true_ratios(found: &Analysed, truth: &[TruePlace]) -> Vec<[f64; 2]> {
+    let pressures = truth.iter().map(|place| place.stresses[0]);
+    let largest = pressures.fold(0.0, f64::max);
+    truth_within(found, truth)
+        .filter(|place| place.stresses[0] > 1e-3 * largest)
+        .map(|place| {
+            let [pressure, shear, _] = place.stresses;
+            [place.angle.to_degrees(), shear / pressure]
+        })
+        .collect()
+}
+
+/// The zones that slip in a state, and the coefficient with the signs that it has there.
+fn with_zones(mut chart: LineChart, found: &Analysed, identified: &Identified) -> LineChart {
+    let angle = |k: usize| found.angle[k].to_degrees();
+    let zones = identified.zones.iter();
     let mut signs: Vec<f64> = Vec::new();
-    for zone in own {
+    for zone in zones.filter(|zone| zone.state == found.state) {
         let (first, last) = (zone.places.start, zone.places.end.saturating_sub(1));
         let label = if zone.given { "slips (given)" } else { "slips" };
-        chart = chart.band(Band::new(
-            label,
-            angle(first),
-            angle(last),
-            Color::category(2),
-        ));
+        let band = Band::new(label, angle(first), angle(last), Color::category(2));
+        chart = chart.band(band);
         signs.push(if zone.positive { 1.0 } else { -1.0 });
     }
     signs.dedup();
-    for sign in signs {
-        chart = with_coefficient(chart, identified, sign);
-    }
-    chart
+    signs.into_iter().fold(chart, |chart, sign| {
+        with_coefficient(chart, identified, sign)
+    })
 }
 
 fn with_coefficient(mut chart: LineChart, identified: &Identified, sign: f64) -> LineChart {
@@ -128,14 +127,8 @@ fn with_coefficient(mut chart: LineChart, identified: &Identified, sign: f64) ->
     let color = Color::category(1);
     let name = format!("μd {}", signed(sign * fit.mu));
     chart = chart.reference(ReferenceLine::horizontal(name, sign * fit.mu).color(color));
-    let ends: Vec<f64> = match identified.dynamic_bounds() {
-        Some(Bounds::Between(low, high)) => vec![low, high],
-        Some(Bounds::AtMost(high)) => vec![high],
-        Some(Bounds::AtLeast(low)) => vec![low],
-        Some(Bounds::Nothing) | None => Vec::new(),
-    };
     let faint = color.tint(0.6);
-    for end in ends {
+    for end in limits(identified.dynamic_bounds()).into_iter().flatten() {
         chart = chart.reference(ReferenceLine::horizontal("", sign * end).color(faint));
     }
     chart

@@ -5,50 +5,36 @@ use stickslip_hybrid::calibrate::Estimate;
 use stickslip_hybrid::identify::Bounds;
 
 use super::figures;
-use crate::experiment::story::{csv_line, csv_table};
-use stickslip_measure::laws::{Discrepancy, Fit, LawStage, MeshError, SharedNull, StateMeshError};
+use crate::csv;
+use crate::experiment::identified::limits;
+use stickslip_measure::laws::{Discrepancy, Fit, LawStage, MeshError, SharedNull};
 use stickslip_scene::experiment::Experiment;
 
 pub(super) fn csv(experiment: &Experiment, stage: &LawStage) -> Vec<u8> {
-    let header =
-        "law,parameter,unit,best,low,high,deviation,chi_squared,degrees_of_freedom,AICc,BIC";
-    let mut text = header.to_owned() + "\n";
+    let headings = "law | parameter | unit | best | low | high | deviation | chi_squared | degrees_of_freedom | AICc | BIC";
+    let mut rows = vec![csv::headings(headings)];
     for fit in &stage.comparison.fits {
         let calibration = &fit.calibration;
         for (index, own) in calibration.estimates.iter().enumerate() {
             let (factor, unit) = figures::unit(experiment, fit.law.dimensions[index]);
-            let [low, high] =
-                ends(fit.bounds(index)).map(|end| number(end.map(|end| factor * end)));
-            let cells = [
+            let scaled = |value: Option<f64>| number(value.map(|value| factor * value));
+            let [low, high] = limits(fit.bounds(index)).map(scaled);
+            rows.push(vec![
                 fit.law.name.clone(),
                 own.name.clone(),
                 unit.to_owned(),
                 format!("{}", factor * own.value),
                 low,
                 high,
-                number(
-                    own.deviation
-                        .filter(|_| fit.explains())
-                        .map(|own| factor * own),
-                ),
+                scaled(own.deviation.filter(|_| fit.explains())),
                 format!("{}", calibration.chi_squared),
                 calibration.degrees().to_string(),
                 format!("{}", calibration.aicc()),
                 format!("{}", calibration.bic()),
-            ];
-            text += &csv_line(&cells);
+            ]);
         }
     }
-    text.into_bytes()
-}
-
-fn ends(bounds: Option<Bounds>) -> [Option<f64>; 2] {
-    match bounds {
-        Some(Bounds::Between(low, high)) => [Some(low), Some(high)],
-        Some(Bounds::AtMost(high)) => [None, Some(high)],
-        Some(Bounds::AtLeast(low)) => [Some(low), None],
-        Some(Bounds::Nothing) | None => [None, None],
-    }
+    csv::texts(rows)
 }
 
 fn number(value: Option<f64>) -> String {
@@ -74,82 +60,90 @@ pub(super) fn fit_csv(experiment: &Experiment, stage: &LawStage, observation: us
         row.extend(fits.map(|fit| unit.from_base(fit.states[observation].predicted[datum])));
         row
     });
-    csv_table(&header, rows)
+    csv::numbers(header, rows)
 }
 
 pub(super) fn entry(experiment: &Experiment, stage: &LawStage) -> Value {
-    let law = |fit: &Fit| {
-        let own = &fit.calibration;
-        let parameter = |(index, estimate): (usize, &Estimate)| {
-            let (factor, unit) = figures::unit(experiment, fit.law.dimensions[index]);
-            let [low, high] = ends(fit.bounds(index)).map(|end| end.map(|end| factor * end));
-            json!({
-                "name": estimate.name,
-                "unit": unit,
-                "best": factor * estimate.value,
-                "low": low,
-                "high": high,
-                "identifiable": fit.bounds(index).unwrap_or(estimate.bounds) != Bounds::Nothing,
-                "by_mesh": fit.by_mesh.get(index).map(|own| factor * own),
-            })
-        };
+    let comparison = &stage.comparison;
+    let laws = comparison.fits.iter().map(|fit| law(experiment, fit));
+    let discrepancies = stage.discrepancies.iter();
+    let shared = stage.shared_nulls.iter();
+    let mesh = comparison.mesh_error.as_ref();
+    json!({
+        "best": comparison.best().law.name,
+        "data": comparison.data,
+        "effective_data": comparison.best().calibration.effective_data(),
+        "variance_scales": stage.scales.iter().map(|own| own.factor).collect::<Vec<_>>(),
+        "variance_scales_by": stage.scales.iter().map(|own| own.source.words()).collect::<Vec<_>>(),
+        "shared_nulls": shared.map(|own| shared_null(experiment, own)).collect::<Vec<_>>(),
+        "longest_slip_path": experiment.display.length.from_base(stage.slipped),
+        "bounds_hold_mesh_error": mesh.is_some(),
+        "mesh_error": mesh.map(|own| mesh_error(experiment, stage, own)),
+        "mesh_discrepancies": discrepancies.map(|own| discrepancy(experiment, own.as_ref())).collect::<Vec<_>>(),
+        "confidence": experiment.identify.confidence,
+        "fits": laws.collect::<Vec<_>>(),
+    })
+}
+
+fn law(experiment: &Experiment, fit: &Fit) -> Value {
+    let own = &fit.calibration;
+    let parameter = |(index, estimate): (usize, &Estimate)| {
+        let (factor, unit) = figures::unit(experiment, fit.law.dimensions[index]);
+        let [low, high] = limits(fit.bounds(index)).map(|end| end.map(|end| factor * end));
         json!({
-            "name": fit.law.name,
-            "law": fit.law.kind,
-            "parameters": own.estimates.iter().enumerate().map(parameter).collect::<Vec<_>>(),
-            "chi_squared": own.chi_squared,
-            "degrees_of_freedom": own.degrees(),
-            "rejected": !fit.explains(),
-            "aicc": own.aicc(),
-            "bic": own.bic(),
-            "solves": own.evaluations,
-            "refused": own.refusals,
-            "first_refusal": own.first_refusal,
-            "verdict": fit.words(),
-        })
-    };
-    let discrepancy = |own: &Option<Discrepancy>| {
-        let length = experiment.display.length;
-        own.map(|own| {
-            json!({
-                "rms": length.from_base(own.rms),
-                "largest": length.from_base(own.largest),
-                "chi_squared": own.chi_squared,
-            })
-        })
-    };
-    let mesh_error = |own: &MeshError| {
-        let state = |(&state, own): (&usize, &StateMeshError)| {
-            json!({
-                "state": experiment.states[state].name,
-                "rms": experiment.display.length.from_base(own.rms),
-                "amount": own.amount.value,
-                "deviation": own.amount.deviation,
-            })
-        };
-        let states = stage.states.iter().zip(&own.states).map(state);
-        json!({ "law": own.law, "states": states.collect::<Vec<_>>() })
-    };
-    let shared = |own: &SharedNull| {
-        let name = |&state: &usize| experiment.states[state].name.as_str();
-        json!({
-            "states": own.states.iter().map(name).collect::<Vec<_>>(),
-            "data": own.data,
-            "correlation": own.correlation,
+            "name": estimate.name,
+            "unit": unit,
+            "best": factor * estimate.value,
+            "low": low,
+            "high": high,
+            "identifiable": fit.bounds(index).unwrap_or(estimate.bounds) != Bounds::Nothing,
+            "by_mesh": fit.by_mesh.get(index).map(|own| factor * own),
         })
     };
     json!({
-        "best": stage.comparison.best().law.name,
-        "data": stage.comparison.data,
-        "effective_data": stage.comparison.best().calibration.effective_data(),
-        "variance_scales": stage.scales.iter().map(|own| own.factor).collect::<Vec<_>>(),
-        "variance_scales_by": stage.scales.iter().map(|own| own.source.words()).collect::<Vec<_>>(),
-        "shared_nulls": stage.shared_nulls.iter().map(shared).collect::<Vec<_>>(),
-        "longest_slip_path": experiment.display.length.from_base(stage.slipped),
-        "bounds_hold_mesh_error": stage.comparison.mesh_error.is_some(),
-        "mesh_error": stage.comparison.mesh_error.as_ref().map(mesh_error),
-        "mesh_discrepancies": stage.discrepancies.iter().map(discrepancy).collect::<Vec<_>>(),
-        "confidence": experiment.identify.confidence,
-        "fits": stage.comparison.fits.iter().map(law).collect::<Vec<_>>(),
+        "name": fit.law.name,
+        "law": fit.law.kind,
+        "parameters": own.estimates.iter().enumerate().map(parameter).collect::<Vec<_>>(),
+        "chi_squared": own.chi_squared,
+        "degrees_of_freedom": own.degrees(),
+        "rejected": !fit.explains(),
+        "aicc": own.aicc(),
+        "bic": own.bic(),
+        "solves": own.evaluations,
+        "refused": own.refusals,
+        "first_refusal": own.first_refusal,
+        "verdict": fit.words(),
+    })
+}
+
+fn discrepancy(experiment: &Experiment, own: Option<&Discrepancy>) -> Value {
+    let length = experiment.display.length;
+    own.map_or(Value::Null, |own| {
+        json!({
+            "rms": length.from_base(own.rms),
+            "largest": length.from_base(own.largest),
+            "chi_squared": own.chi_squared,
+        })
+    })
+}
+
+fn mesh_error(experiment: &Experiment, stage: &LawStage, own: &MeshError) -> Value {
+    let states = stage.states.iter().zip(&own.states).map(|(&state, own)| {
+        json!({
+            "state": experiment.states[state].name,
+            "rms": experiment.display.length.from_base(own.rms),
+            "amount": own.amount.value,
+            "deviation": own.amount.deviation,
+        })
+    });
+    json!({ "law": own.law, "states": states.collect::<Vec<_>>() })
+}
+
+fn shared_null(experiment: &Experiment, own: &SharedNull) -> Value {
+    let name = |&state: &usize| experiment.states[state].name.as_str();
+    json!({
+        "states": own.states.iter().map(name).collect::<Vec<_>>(),
+        "data": own.data,
+        "correlation": own.correlation,
     })
 }

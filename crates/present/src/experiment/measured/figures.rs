@@ -3,15 +3,15 @@
 use stickslip_fem_core::mesh::Point;
 use stickslip_hybrid::data::Field;
 use stickslip_report::FigureError;
+use stickslip_report::axis::extent;
 use stickslip_report::chart::tile;
 use stickslip_report::color::{Color, Colormap};
 use stickslip_report::plane::{Marks, PlanePlot};
 use stickslip_report::svg::Svg;
 
-use crate::experiment::gallery::{caption, edges, picture_plot};
+use crate::experiment::gallery::{caption, edge_of_hole, edges, picture_plot};
 use stickslip_measure::measured::{Measured, PictureField};
 use stickslip_scene::experiment::Experiment;
-use stickslip_scene::units::Unit;
 
 /// Width of one map \[px\].
 const WIDTH: f64 = 430.0;
@@ -38,7 +38,7 @@ pub(super) fn orders(
         let mut plot =
             picture_plot(&title, &found.orders, unit).colors(Colormap::Viridis, Some(label));
         plot.subtitle = Some("masked: grey".to_owned());
-        plot.marks = vec![hole(experiment, unit)];
+        plot.marks = vec![hole(experiment)];
         plot.window = edges(&found.orders, unit);
         plot.width = WIDTH;
         plot.render()
@@ -143,7 +143,7 @@ fn scattered(
         .colors(Colormap::Viridis, Some(format!("{letter} [{}]", unit.name)));
     plot.dots = &dots;
     plot.subtitle = Some("masked: grey".to_owned());
-    plot.marks = vec![hole(experiment, unit)];
+    plot.marks = vec![hole(experiment)];
     let bad = &measured.outliers;
     if !bad.is_empty() {
         plot.marks.push(Marks {
@@ -159,33 +159,14 @@ fn scattered(
 
 /// The window around places, with a little room.
 fn window(dots: &[([f64; 2], f64)]) -> [f64; 4] {
-    let along = |axis: usize| {
-        let values = || dots.iter().map(|(place, _)| place[axis]);
-        let low = values().fold(f64::INFINITY, f64::min);
-        let high = values().fold(f64::NEG_INFINITY, f64::max);
-        [low, high]
-    };
-    let ([left, right], [bottom, top]) = (along(0), along(1));
+    let [left, right, bottom, top] = extent(dots.iter().map(|(place, _)| *place));
     let room = 0.03 * (right - left).max(top - bottom).max(f64::MIN_POSITIVE);
     [left - room, right + room, bottom - room, top + room]
 }
 
 /// The edge of the hole.
-fn hole(experiment: &Experiment, unit: &Unit) -> Marks {
+fn hole(experiment: &Experiment) -> Marks {
     const PIECES: usize = 180;
-    let hole = experiment.specimen.hole;
-    let place = |k: usize| {
-        let angle = std::f64::consts::TAU * k as f64 / PIECES as f64;
-        let (sin, cos) = angle.sin_cos();
-        [
-            unit.from_base(hole.centre[0] + hole.radius * cos),
-            unit.from_base(hole.centre[1] + hole.radius * sin),
-        ]
-    };
-    Marks {
-        label: "edge of the hole".to_owned(),
-        color: Color::rgb(0x22, 0x22, 0x22),
-        points: Vec::new(),
-        paths: vec![(0..=PIECES).map(place).collect()],
-    }
+    let angle = |k: usize| std::f64::consts::TAU * k as f64 / PIECES as f64;
+    edge_of_hole(experiment, (0..=PIECES).map(angle))
 }

@@ -2,83 +2,79 @@
 
 use super::tables::hypotheses;
 use super::{FailureView, plain_name, plane_symbols};
-use crate::results::cells::{File, number, write};
+use crate::csv::{self, number};
 use crate::results::display::EdgeView;
 use crate::results::names::{FileNames, step_name};
 use crate::results::progressive::{self, ProgressiveView};
-use crate::results::{FileNote, OutputError};
+use crate::results::{File, FileNote};
 use stickslip_engine::LoadScale;
 use stickslip_engine::results::{EdgePlies, FailurePoint, Results};
 
 /// All files about failure, and what they hold.
-pub(crate) fn files(results: &Results) -> Result<(Vec<File>, Vec<FileNote>), OutputError> {
+pub(crate) fn files(results: &Results) -> (Vec<File>, Vec<FileNote>) {
     let mut names = FileNames::default();
     let (mut files, mut notes) = (Vec::new(), Vec::new());
     for view in FailureView::all(results) {
         let mut add = |name: String, what: &str, rows: Vec<Vec<String>>| {
-            files.push((name.clone(), write(&name, rows)?));
+            files.push((name.clone(), csv::texts(rows)));
             notes.push(FileNote::new(name, what));
-            Ok::<(), OutputError>(())
         };
         let stem = names.unique(view.body());
         add(
             format!("failure-{stem}.csv"),
             "reserve factor, ply, mode and place of the weakest point, per load step and criterion",
             step_rows(&view),
-        )?;
+        );
         add(
             format!("first-ply-{stem}.csv"),
             "load, ply, mode and place of the first failure, per hypothesis and criterion",
             first_rows(&view),
-        )?;
+        );
         if view.failure.characteristic.is_some() {
             add(
                 format!("characteristic-{stem}.csv"),
                 "largest index of the first criterion along the characteristic curve, per load step",
                 curve_rows(&view),
-            )?;
+            );
         }
         if !view.failure.envelopes.is_empty() {
             add(
                 format!("envelopes-{stem}.csv"),
                 "mean stresses at which the first or last ply of the laminate fails",
                 envelope_rows(&view),
-            )?;
+            );
         }
         if let Some(joint) = ProgressiveView::of(view) {
-            let (own, about) = progressive::csv_files::files(&joint, &stem)?;
+            let (own, about) = progressive::csv_files::files(&joint, &stem);
             files.extend(own);
             notes.extend(about);
         }
         for edge in &view.failure.edges {
             let shown = EdgeView::all(results)[edge.edge];
             let name = names.unique(&format!("plies-{}", shown.geometry.name));
-            for step in 0..edge.steps.len() {
-                let file = format!("{}.csv", step_name(&name, step, results));
-                files.push((
-                    file.clone(),
-                    write(&file, ply_rows(&view, &shown, edge, step))?,
-                ));
-            }
+            files.extend((0..edge.steps.len()).map(|step| {
+                let rows = ply_rows(&view, &shown, edge, step);
+                (
+                    format!("{}.csv", step_name(&name, step, results)),
+                    csv::texts(rows),
+                )
+            }));
             notes.push(FileNote::new(
                 format!("{name}-step-*.csv"),
                 "ply stresses in material axes and failure indices along the whole edge, one file per load step",
             ));
         }
     }
-    Ok((files, notes))
+    (files, notes)
 }
 
 /// Headings of a point's cells.
-fn point_heading(view: &FailureView<'_>) -> Vec<String> {
-    let (stress, length) = (view.stress_unit(), view.results.units.length.name);
-    let mut heading: Vec<String> = ["ply", "angle [deg]", "layers", "mode"]
-        .map(str::to_owned)
-        .to_vec();
-    heading.extend(["x", "y"].map(|name| format!("{name} [{length}]")));
-    heading.extend(["theta [deg]".to_owned(), format!("r [{length}]")]);
-    heading.extend(["sigma_1", "sigma_2", "tau_12"].map(|name| format!("{name} [{stress}]")));
-    heading
+fn point_headings(view: &FailureView<'_>) -> String {
+    format!(
+        "ply | angle [deg] | layers | mode | x [{0}] | y [{0}] | theta [deg] | r [{0}] | sigma_1 [{1}] | sigma_2 [{1}] | tau_12 [{1}]",
+        view.results.units.length.name,
+        view.stress_unit()
+    )
 }
 
 fn point_cells(view: &FailureView<'_>, point: &FailurePoint) -> Vec<String> {
@@ -108,12 +104,12 @@ fn load_heading(load: &LoadScale) -> Option<String> {
 
 fn step_rows(view: &FailureView<'_>) -> Vec<Vec<String>> {
     let load = view.load();
-    let mut heading = vec!["step".to_owned()];
-    heading.extend(load_heading(&load));
-    heading
-        .extend(["criterion", "reserve_factor [-]", "margin [-]", "index [-]"].map(str::to_owned));
-    heading.extend(point_heading(view));
-    let mut rows = vec![heading];
+    let mut headings = csv::headings(&format!(
+        "step | criterion | reserve_factor [-] | margin [-] | index [-] | {}",
+        point_headings(view)
+    ));
+    headings.splice(1..1, load_heading(&load));
+    let mut rows = vec![headings];
     for (step, points) in view.failure.steps.iter().enumerate() {
         for point in points {
             let mut cells = vec![(step + 1).to_string()];
@@ -133,13 +129,13 @@ fn step_rows(view: &FailureView<'_>) -> Vec<Vec<String>> {
 
 fn first_rows(view: &FailureView<'_>) -> Vec<Vec<String>> {
     let load = view.load();
-    let mut heading = vec!["hypothesis".to_owned(), "criterion".to_owned()];
-    heading.extend(load_heading(&load));
-    heading.extend(["reached", "step", "factor [-]"].map(str::to_owned));
-    heading.extend(point_heading(view));
-    heading.push("joint_mode".to_owned());
-    let width = heading.len();
-    let mut rows = vec![heading];
+    let mut headings = csv::headings(&format!(
+        "hypothesis | criterion | reached | step | factor [-] | {} | joint_mode",
+        point_headings(view)
+    ));
+    headings.splice(2..2, load_heading(&load));
+    let width = headings.len();
+    let mut rows = vec![headings];
     let joints = view.failure.characteristic.as_ref();
     for (hypothesis, firsts) in hypotheses(view) {
         for (k, first) in firsts.into_iter().enumerate() {
@@ -170,11 +166,7 @@ fn curve_rows(view: &FailureView<'_>) -> Vec<Vec<String>> {
         return Vec::new();
     };
     let length = view.results.units.length.name;
-    let mut heading = vec![
-        "theta [deg]".to_owned(),
-        format!("x [{length}]"),
-        format!("y [{length}]"),
-    ];
+    let mut heading = csv::headings(&format!("theta [deg] | x [{length}] | y [{length}]"));
     heading.extend((1..=characteristic.index.len()).map(|step| format!("index step {step} [-]")));
     let rows = characteristic.places.iter().enumerate().map(|(k, place)| {
         let polar = view.failure.polar_from_x(*place);
@@ -188,10 +180,10 @@ fn curve_rows(view: &FailureView<'_>) -> Vec<Vec<String>> {
 
 fn envelope_rows(view: &FailureView<'_>) -> Vec<Vec<String>> {
     let unit = view.stress_unit();
-    let mut heading = ["plane", "bound", "criterion"].map(str::to_owned).to_vec();
-    heading.extend(["sigma_x", "sigma_y", "tau_xy"].map(|name| format!("{name} [{unit}]")));
-    heading.extend(["ply", "angle [deg]", "mode"].map(str::to_owned));
-    let mut rows = vec![heading];
+    let headings = format!(
+        "plane | bound | criterion | sigma_x [{unit}] | sigma_y [{unit}] | tau_xy [{unit}] | ply | angle [deg] | mode"
+    );
+    let mut rows = vec![csv::headings(&headings)];
     for envelope in &view.failure.envelopes {
         let bound = if envelope.last_ply {
             "last ply"

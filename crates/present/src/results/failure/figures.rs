@@ -1,6 +1,6 @@
 //! Charts of ply stresses and indices along an edge, of the characteristic curve, and of failure envelopes.
 
-use stickslip_report::axis::Axis;
+use stickslip_report::axis::{Axis, ends};
 use stickslip_report::chart::{Band, Dash, Legend, LineChart, Panels, ReferenceLine, Series};
 use stickslip_report::color::Color;
 
@@ -99,27 +99,16 @@ pub(crate) fn index_along(view: &FailureView<'_>, edge: &EdgePlies) -> Attempt {
     }) {
         chart = chart.with(series);
     }
-    let largest = edge.steps[step]
-        .iter()
-        .enumerate()
-        .flat_map(|(group, plies)| {
-            plies
-                .iter()
-                .zip(&edge.parameter)
-                .map(move |(ply, &at)| (group, ply, at))
-        });
-    let first = |ply: &EdgePly| ply.index.first().copied().unwrap_or(0.0);
-    let caption = largest
-        .max_by(|a, b| first(a.1).total_cmp(&first(b.1)))
-        .map_or(String::new(), |(group, ply, at)| {
-            format!(
-                "Index by {name} in each ply, at {}; a ply fails where it is 1. The largest is {} in the {} ply at {}.",
-                view.load().step_text(step),
-                significant(first(ply), 4),
-                view.failure.ply_name(group),
-                at_place(&shown, at),
-            )
-        });
+    let largest = largest(edge, step, |ply| ply.index.first().copied().unwrap_or(0.0));
+    let caption = largest.map_or(String::new(), |(group, index, at)| {
+        format!(
+            "Index by {name} in each ply, at {}; a ply fails where it is 1. The largest is {} in the {} ply at {}.",
+            view.load().step_text(step),
+            significant(index, 4),
+            view.failure.ply_name(group),
+            at_place(&shown, at),
+        )
+    });
     Ok(Some((chart.render()?, caption)))
 }
 
@@ -154,27 +143,33 @@ pub(crate) fn stresses_along(view: &FailureView<'_>, edge: &EdgePlies) -> Attemp
         view.load().text(step)
     );
     let picture = Panels::new(title, 3, charts).common_legend().render()?;
-    let transverse = edge.steps[step]
-        .iter()
-        .enumerate()
-        .flat_map(|(group, plies)| {
-            plies
-                .iter()
-                .zip(&edge.parameter)
-                .map(move |(ply, &at)| (group, ply.stress[1], at))
-        });
-    let caption = transverse
-        .max_by(|a, b| a.1.total_cmp(&b.1))
-        .map_or(String::new(), |(group, stress, at)| {
-            format!(
-                "Stresses in the material axes of each ply, the stress of the cure included. The largest tension across fibres is {} {unit} in \
-                 the {} ply at {}.",
-                significant(view.stress(stress), 4),
-                view.failure.ply_name(group),
-                at_place(&shown, at),
-            )
-        });
+    let transverse = largest(edge, step, |ply| ply.stress[1]);
+    let caption = transverse.map_or(String::new(), |(group, stress, at)| {
+        format!(
+            "Stresses in the material axes of each ply, the stress of the cure included. The largest tension across fibres is {} {unit} in \
+             the {} ply at {}.",
+            significant(view.stress(stress), 4),
+            view.failure.ply_name(group),
+            at_place(&shown, at),
+        )
+    });
     Ok(Some((picture, caption)))
+}
+
+/// The ply with the largest value in a step, the value and its place.
+fn largest(
+    edge: &EdgePlies,
+    step: usize,
+    value: impl Fn(&EdgePly) -> f64,
+) -> Option<(usize, f64, f64)> {
+    let groups = edge.steps[step].iter().enumerate();
+    let values = groups.flat_map(|(group, plies)| {
+        let plies = plies.iter().zip(&edge.parameter);
+        plies.map(move |(ply, &at)| (group, ply, at))
+    });
+    values
+        .map(|(group, ply, at)| (group, value(ply), at))
+        .max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
 /// Largest index over the plies along the characteristic curve, for every load step, with the zones of the modes.
@@ -295,9 +290,7 @@ fn envelope_chart(
     let unit = view.stress_unit();
     let axis = |k: usize, symbol: &str| {
         let axis = Axis::linear(format!("Mean stress {symbol} [{unit}]"));
-        let values = || curves.iter().flatten().map(|point| point[k]);
-        let low = values().fold(f64::INFINITY, f64::min);
-        let high = values().fold(f64::NEG_INFINITY, f64::max);
+        let [low, high] = ends(curves.iter().flatten().map(|point| point[k]));
         let room = 0.05 * (high - low);
         if room > 0.0 {
             axis.between(low - room, high + room)

@@ -6,6 +6,7 @@ use super::FailureView;
 use super::tables::hypotheses;
 use crate::results::progressive::ProgressiveView;
 use crate::results::progressive::summary::{Progressive, progressive};
+use crate::results::summary::Quantity;
 use stickslip_engine::results::{FailurePoint, FirstPly, PlyGroup};
 use stickslip_text::tidy;
 
@@ -24,12 +25,6 @@ pub(crate) struct Failure<'a> {
     steps: Vec<Vec<Point<'a>>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     progressive: Option<Progressive<'a>>,
-}
-
-#[derive(Debug, Serialize)]
-struct Quantity {
-    value: Option<f64>,
-    unit: String,
 }
 
 #[derive(Debug, Serialize)]
@@ -129,10 +124,7 @@ pub(crate) fn failure<'a>(view: &FailureView<'a>) -> Failure<'a> {
     Failure {
         body: view.body(),
         layup: &own.layup,
-        cure: Quantity {
-            value: tidy(own.cure),
-            unit: "K".into(),
-        },
+        cure: Quantity::new(own.cure, "K"),
         plies: own.plies.iter().map(|group| ply(view, group)).collect(),
         criteria: &own.criteria,
         load_name: view.load().name,
@@ -149,10 +141,7 @@ pub(crate) fn failure<'a>(view: &FailureView<'a>) -> Failure<'a> {
 }
 
 fn length(view: &FailureView<'_>, value: f64) -> Quantity {
-    Quantity {
-        value: tidy(view.length(value)),
-        unit: view.results.units.length.name.into(),
-    }
+    Quantity::of(view.results.units.length, value)
 }
 
 fn stress(view: &FailureView<'_>, stress: [f64; 3]) -> Stress {
@@ -202,10 +191,7 @@ fn first<'a>(view: &FailureView<'a>, criterion: &'a str, found: Option<&'a First
         factor: found.and_then(|first| tidy(first.factor)),
         load: found
             .and_then(|first| first.load.as_ref())
-            .map(|load| Quantity {
-                value: tidy(load.value),
-                unit: load.unit.clone(),
-            }),
+            .map(|load| Quantity::new(load.value, load.unit.clone())),
         joint_mode: None,
         at: found.map(|first| point(view, &first.at)),
     }

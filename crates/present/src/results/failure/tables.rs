@@ -1,8 +1,9 @@
 //! Tables of ply failure for the terminal and the page.
 
-use stickslip_report::table::{Column, Table};
+use stickslip_report::table::Table;
 
 use super::{FailureView, criterion_name, how, layers, load_text};
+use stickslip_engine::LoadScale;
 use stickslip_engine::results::{FirstPly, JointFailure};
 use stickslip_text::{decimals, significant};
 
@@ -10,31 +11,35 @@ use stickslip_text::{decimals, significant};
 pub(crate) fn first_ply(view: &FailureView<'_>) -> Table {
     let failure = view.failure;
     let load = view.load();
-    let [(first, first_unit), (second, second_unit)] = view.place_columns();
-    let stress = view.stress_unit();
-    let mut columns = vec![Column::new("hypothesis", ""), Column::new("criterion", "")];
-    if load.is_load() {
-        let unit = if load.unit == "1" { "–" } else { &load.unit };
-        columns.push(Column::new("load", unit));
-    }
-    columns.extend([
-        Column::new("reached", ""),
-        Column::new("ply", ""),
-        Column::new("mode", ""),
-        Column::new(first, first_unit),
-        Column::new(second, second_unit),
-        Column::new("σ_1", stress),
-        Column::new("σ_2", stress),
-        Column::new("τ_12", stress),
-    ]);
+    let headings = format!(
+        "hypothesis | criterion{} | reached | ply | mode | {} | σ_1 [{s}] | σ_2 [{s}] | τ_12 [{s}]",
+        load_heading(&load, "–"),
+        place_headings(view),
+        s = view.stress_unit()
+    );
     let caption = format!("Failure of '{}', lay-up {}", view.body(), failure.layup);
-    let mut table = Table::new(caption, columns);
+    let mut table = Table::headed(caption, &headings);
     for (hypothesis, firsts) in hypotheses(view) {
         for (criterion, first) in failure.criteria.iter().zip(firsts) {
             table.push(row(view, &hypothesis, criterion, first, load.is_load()));
         }
     }
     beside_supports(view).into_iter().fold(table, Table::note)
+}
+
+/// The heading of the load behind others, if steps have one; of a factor `dimensionless` is the unit.
+fn load_heading(load: &LoadScale, dimensionless: &str) -> String {
+    match load.unit.as_str() {
+        _ if !load.is_load() => String::new(),
+        "1" if dimensionless.is_empty() => " | load".to_owned(),
+        "1" => format!(" | load [{dimensionless}]"),
+        unit => format!(" | load [{unit}]"),
+    }
+}
+
+fn place_headings(view: &FailureView<'_>) -> String {
+    let [(first, first_unit), (second, second_unit)] = view.place_columns();
+    format!("{first} [{first_unit}] | {second} [{second_unit}]")
 }
 
 /// Where no ply was asked, and which criteria would have found the first one there.
@@ -151,23 +156,16 @@ pub(crate) fn joint_modes(view: &FailureView<'_>) -> Vec<String> {
 pub(crate) fn steps(view: &FailureView<'_>) -> Table {
     let failure = view.failure;
     let load = view.load();
-    let [(first, first_unit), (second, second_unit)] = view.place_columns();
-    let mut columns = vec![Column::new("step", "")];
-    if load.is_load() {
-        let unit = if load.unit == "1" { "" } else { &load.unit };
-        columns.push(Column::new("load", unit));
-    }
-    let names = failure.criteria.iter().map(|name| criterion_name(name));
-    columns.extend(names.map(|name| Column::new(format!("RF {name}"), "–")));
-    columns.extend([
-        Column::new("ply", ""),
-        Column::new("mode", ""),
-        Column::new(first, first_unit),
-        Column::new(second, second_unit),
-        Column::new("index", "–"),
-    ]);
+    let names = failure.criteria.iter();
+    let factors = names.map(|name| format!(" | RF {} [–]", criterion_name(name)));
+    let headings = format!(
+        "step{}{} | ply | mode | {} | index [–]",
+        load_heading(&load, ""),
+        factors.collect::<String>(),
+        place_headings(view)
+    );
     let caption = format!("Reserve factors of '{}'", view.body());
-    let mut table = Table::new(caption, columns);
+    let mut table = Table::headed(caption, &headings);
     for (step, points) in failure.steps.iter().enumerate() {
         let mut cells = vec![(step + 1).to_string()];
         if load.is_load() {
@@ -192,24 +190,15 @@ pub(crate) fn steps(view: &FailureView<'_>) -> Table {
             criterion_name(name)
         )
     });
-    table
-        .note(
-            "RF multiplies all loads of the step, given displacements and interference among them, at fixed contact; the stress of the cure stays.",
-        )
-        .note(leading)
+    table.with_notes(include_str!("reserve.txt")).note(leading)
 }
 
 /// The plies of the laminate and what the cure leaves in them.
 pub(crate) fn plies(view: &FailureView<'_>) -> Table {
     let stress = view.stress_unit();
-    let columns = vec![
-        Column::new("ply", ""),
-        Column::new("material", ""),
-        Column::new("layers", ""),
-        Column::new("σ_1 of the cure", stress),
-        Column::new("σ_2 of the cure", stress),
-        Column::new("τ_12 of the cure", stress),
-    ];
+    let headings = format!(
+        "ply | material | layers | σ_1 of the cure [{stress}] | σ_2 of the cure [{stress}] | τ_12 of the cure [{stress}]"
+    );
     let failure = view.failure;
     let caption = format!(
         "Plies of '{}', lay-up {}, {} K since they were free of stress",
@@ -217,7 +206,7 @@ pub(crate) fn plies(view: &FailureView<'_>) -> Table {
         failure.layup,
         significant(failure.cure, 4)
     );
-    let mut table = Table::new(caption, columns);
+    let mut table = Table::headed(caption, &headings);
     for group in &failure.plies {
         let mut cells = vec![group.direction(), group.ply.clone(), layers(&group.layers)];
         let residual = group.residual;

@@ -2,6 +2,7 @@
 //! would show little but the support at its centre, and both bodies of a line contact.
 
 use stickslip_fem_core::mesh::{Mesh, Point};
+use stickslip_report::axis::extent;
 use stickslip_report::color::Colormap;
 use stickslip_report::field::{FieldPlot, Mirror};
 
@@ -203,38 +204,20 @@ impl<'a> Scene<'a> {
                 })
             }
         };
-        let along = |axis: usize| {
-            let low = self
-                .nodes
-                .iter()
-                .map(|node| node[axis])
-                .fold(f64::INFINITY, f64::min);
-            let high = self
-                .nodes
-                .iter()
-                .map(|node| node[axis])
-                .fold(f64::NEG_INFINITY, f64::max);
-            let low = if axis == 1 && self.edge.geometry.half {
-                low.min(-high)
-            } else {
-                low
-            };
-            [
-                low.max(centre[axis] - reach),
-                high.min(centre[axis] + reach),
-            ]
+        let [left, right, low, high] = extent(self.nodes.iter().copied());
+        let low = if self.edge.geometry.half {
+            low.min(-high)
+        } else {
+            low
         };
-        let ([left, right], [bottom, top]) = (along(0), along(1));
-        [left, right, bottom, top]
+        around([left, right, low, high], centre, [reach; 2])
     }
 
     /// Largest magnitude in sight in the edge's body.
     fn largest(&self, values: &[f64]) -> f64 {
-        let [left, right, bottom, top] = self.window();
-        let seen =
-            |node: &Point| (left..=right).contains(&node[0]) && (bottom..=top).contains(&node[1]);
+        let window = self.window();
         let nodes = self.nodes.iter().zip(&self.leads).zip(values);
-        let shown = nodes.filter(|((node, leads), _)| **leads && seen(node));
+        let shown = nodes.filter(|((node, leads), _)| **leads && is_within(window, node));
         shown.map(|(_, value)| value.abs()).fold(0.0, f64::max)
     }
 
@@ -255,4 +238,31 @@ pub(crate) fn drawn(mesh: &Mesh, cell: usize, first: usize) -> Vec<Vec<usize>> {
     parts
         .map(|part| part.into_iter().map(|local| first + nodes[local]).collect())
         .collect()
+}
+
+/// What of a body with these ends along x and y lies so near to `centre` along x and y.
+pub(crate) fn around(
+    [left, right, bottom, top]: [f64; 4],
+    centre: Point,
+    reach: [f64; 2],
+) -> [f64; 4] {
+    [
+        left.max(centre[0] - reach[0]),
+        right.min(centre[0] + reach[0]),
+        bottom.max(centre[1] - reach[1]),
+        top.min(centre[1] + reach[1]),
+    ]
+}
+
+/// Whether a node lies in the part `[x_low, x_high, y_low, y_high]` of the plane.
+pub(crate) fn is_within([left, right, bottom, top]: [f64; 4], node: &Point) -> bool {
+    (left..=right).contains(&node[0]) && (bottom..=top).contains(&node[1])
+}
+
+/// The distance of the nearest node to `centre`: of the centre of a hole, its radius.
+pub(crate) fn distance(nodes: &[Point], centre: Point) -> f64 {
+    let distances = nodes
+        .iter()
+        .map(|[x, y]| (x - centre[0]).hypot(y - centre[1]));
+    distances.fold(f64::INFINITY, f64::min)
 }

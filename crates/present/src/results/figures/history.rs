@@ -1,6 +1,6 @@
 //! How extents, peaks and friction follow the load.
 
-use stickslip_report::axis::Axis;
+use stickslip_report::axis::{Axis, ends};
 use stickslip_report::chart::{Dash, Legend, LineChart, Panels, Series, SeriesStyle};
 use stickslip_report::color::Color;
 
@@ -200,9 +200,8 @@ fn chart(title: &str, view: &EdgeView<'_>, label: String) -> LineChart {
 }
 
 /// The axis from zero for values that are all but equal, whose differences would only be rounding blown up.
-fn steady(values: impl Iterator<Item = f64> + Clone, axis: Axis) -> Axis {
-    let low = values.clone().fold(f64::INFINITY, f64::min);
-    let high = values.fold(f64::NEG_INFINITY, f64::max);
+fn steady(values: impl Iterator<Item = f64>, axis: Axis) -> Axis {
+    let [low, high] = ends(values);
     if high > 0.0 && high - low < EQUAL * high {
         axis.between(0.0, 1.2 * high)
     } else {

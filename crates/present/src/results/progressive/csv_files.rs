@@ -1,55 +1,45 @@
 //! The load–displacement curve and the damage of every ply as CSV files.
 
 use super::{ProgressiveView, mode_name};
-use crate::results::cells::{File, number, write};
+use crate::csv::{self, number};
 use crate::results::failure::plain_name;
-use crate::results::{FileNote, OutputError};
+use crate::results::{File, FileNote};
 
 /// The files of a followed joint, named by `stem`, and what they hold.
-pub(crate) fn files(
-    view: &ProgressiveView<'_>,
-    stem: &str,
-) -> Result<(Vec<File>, Vec<FileNote>), OutputError> {
+pub(crate) fn files(view: &ProgressiveView<'_>, stem: &str) -> (Vec<File>, Vec<FileNote>) {
     let curve = format!("load-displacement-{stem}.csv");
-    let mut files = vec![(curve.clone(), write(&curve, curve_rows(view))?)];
+    let mut files = vec![(curve.clone(), csv::texts(curve_rows(view)))];
     let mut notes = vec![FileNote::new(
         curve,
         "load, displacement, energies and failures, one row per increment",
     )];
     if !view.progressive.edge.is_empty() {
         let name = format!("edge-strains-{stem}.csv");
-        files.push((name.clone(), write(&name, strain_rows(view))?));
+        files.push((name.clone(), csv::texts(strain_rows(view))));
         notes.push(FileNote::new(
             name,
             "strains at the hole's edge under the largest load, and those of the same joint without failure",
         ));
     }
-    for group in 0..view.failure.failure.plies.len() {
-        let ply = plain_name(&view.failure.failure.ply_name(group)).replace(' ', "-");
-        let name = format!("damage-{stem}-{ply}.csv");
-        files.push((name.clone(), write(&name, damage_rows(view, group))?));
-    }
+    let failure = view.failure.failure;
+    files.extend((0..failure.plies.len()).map(|group| {
+        let ply = plain_name(&failure.ply_name(group)).replace(' ', "-");
+        let rows = damage_rows(view, group);
+        (format!("damage-{stem}-{ply}.csv"), csv::texts(rows))
+    }));
     notes.push(FileNote::new(
         format!("damage-{stem}-*.csv"),
         "what failed in the plies of one direction: place, mode and load, in order, one file per direction",
     ));
-    Ok((files, notes))
+    (files, notes)
 }
 
 fn curve_rows(view: &ProgressiveView<'_>) -> Vec<Vec<String>> {
     let (force, length) = (view.force_unit(), view.length_unit());
-    let heading = vec![
-        "increment".to_owned(),
-        "step".to_owned(),
-        "part of step [-]".to_owned(),
-        format!("displacement [{length}]"),
-        format!("load [{force}]"),
-        format!("work [{force} {length}]"),
-        format!("dissipated and released [{force} {length}]"),
-        "matrix failures".to_owned(),
-        "fibre failures".to_owned(),
-        "points that began to flow".to_owned(),
-    ];
+    let heading = csv::headings(&format!(
+        "increment | step | part of step [-] | displacement [{length}] | load [{force}] | work [{force} {length}] | \
+         dissipated and released [{force} {length}] | matrix failures | fibre failures | points that began to flow"
+    ));
     let own = view.progressive;
     let mut counts = vec![[0_usize; 3]; own.curve.len()];
     for loss in &own.losses {
@@ -79,14 +69,9 @@ fn curve_rows(view: &ProgressiveView<'_>) -> Vec<Vec<String>> {
 }
 
 fn strain_rows(view: &ProgressiveView<'_>) -> Vec<Vec<String>> {
-    let heading = [
-        "theta [deg]",
-        "radial strain [-]",
-        "circumferential strain [-]",
-        "linear radial strain [-]",
-        "linear circumferential strain [-]",
-    ];
-    let heading = heading.map(str::to_owned).to_vec();
+    let heading = csv::headings(
+        "theta [deg] | radial strain [-] | circumferential strain [-] | linear radial strain [-] | linear circumferential strain [-]",
+    );
     let rows = view.progressive.edge.iter().map(|edge| {
         let mut cells = vec![number(edge.angle.to_degrees())];
         cells.extend(edge.followed.into_iter().chain(edge.linear).map(number));
@@ -97,18 +82,9 @@ fn strain_rows(view: &ProgressiveView<'_>) -> Vec<Vec<String>> {
 
 fn damage_rows(view: &ProgressiveView<'_>, group: usize) -> Vec<Vec<String>> {
     let (force, length) = (view.force_unit(), view.length_unit());
-    let heading = vec![
-        "increment".to_owned(),
-        format!("load [{force}]"),
-        format!("displacement [{length}]"),
-        "layer".to_owned(),
-        "mode".to_owned(),
-        format!("x [{length}]"),
-        format!("y [{length}]"),
-        "theta [deg]".to_owned(),
-        format!("r [{length}]"),
-        "cell".to_owned(),
-    ];
+    let heading = csv::headings(&format!(
+        "increment | load [{force}] | displacement [{length}] | layer | mode | x [{length}] | y [{length}] | theta [deg] | r [{length}] | cell"
+    ));
     let losses = view.progressive.losses.iter();
     let rows = losses.filter(|loss| loss.ply == group).map(|loss| {
         let mut cells = vec![

@@ -1,13 +1,12 @@
 //! The load–displacement curve.
 
-use stickslip_report::axis::Axis;
+use stickslip_report::axis::{Axis, ends};
 use stickslip_report::chart::{Dash, Legend, LineChart, Panels, Series, SeriesStyle};
 use stickslip_report::color::Color;
 
 use super::{ProgressiveView, tables};
 use crate::results::attempt::Attempt;
 use stickslip_engine::results::{EdgeStrain, ProgressiveFailure};
-use stickslip_text::significant;
 
 /// Colour of what is there for comparison.
 const MUTED: Color = Color::rgb(0x80, 0x80, 0x80);
@@ -39,7 +38,7 @@ pub(crate) fn curve(view: &ProgressiveView<'_>) -> Attempt {
         let series = Series::new(name, vec![point]).style(SeriesStyle::Markers);
         chart.series.push(series);
     };
-    let text = |load: f64| format!("{} {}", significant(view.force(load), 4), view.force_unit());
+    let text = |load: f64| view.load_text(load);
     if let Some(first) = own.first() {
         let name = format!("first ply, {}", text(first.load));
         mark(name, place(first.displacement, first.load));
@@ -52,8 +51,8 @@ pub(crate) fn curve(view: &ProgressiveView<'_>) -> Attempt {
         let name = format!("peak, {}", text(peak.load));
         mark(name, place(peak.displacement, peak.load));
     }
-    let sentences = tables::verdict(view).into_iter().take(1);
-    let caption: Vec<String> = sentences.chain(tables::free_travel(view)).collect();
+    let mut caption = vec![tables::strength(view)];
+    caption.extend(tables::free_travel(view));
     Ok(Some((chart.render()?, caption.join(" "))))
 }
 
@@ -84,11 +83,7 @@ pub(crate) fn edge_strains(view: &ProgressiveView<'_>) -> Attempt {
         .with(Series::new("joint", line(&|edge| edge.followed[component])))
         .with(linear.color(MUTED).dash(Dash::Dashed))
     };
-    let load = format!(
-        "{} {}",
-        significant(view.force(own.peak_load()), 4),
-        view.force_unit()
-    );
+    let load = view.load_text(own.peak_load());
     let title = format!(
         "Strains at the hole of '{}' under {load}",
         view.failure.body()
@@ -103,13 +98,6 @@ pub(crate) fn edge_strains(view: &ProgressiveView<'_>) -> Attempt {
         caption += " Strains beyond the frame are those of cells that a crack has opened.";
     }
     Ok(Some((picture, caption)))
-}
-
-/// Smallest and largest of one component of the strains.
-fn ends(strains: impl Iterator<Item = f64>) -> [f64; 2] {
-    strains.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], strain| {
-        [low.min(strain), high.max(strain)]
-    })
 }
 
 /// The range to show: all strains, as far as they lie within twice the range of the linear ones. A cell that is cracked through has

@@ -1,7 +1,8 @@
 //! Pictures of the damage at the end of a history, ply by ply; of a half model both halves.
 
-use stickslip_fem_core::mesh::Point;
+use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_laminate::FailureMode;
+use stickslip_report::axis::extent;
 use stickslip_report::chart::tile;
 use stickslip_report::color::Color;
 use stickslip_report::map::Category;
@@ -9,7 +10,8 @@ use stickslip_report::mesh_map::MeshMap;
 
 use super::ProgressiveView;
 use crate::results::attempt::Attempt;
-use crate::results::figures::fields::drawn;
+use crate::results::figures::fields::{around, distance, drawn};
+use stickslip_engine::results::ProgressiveFailure;
 use stickslip_text::significant;
 
 /// Room around the damage and the hole, in radii.
@@ -61,47 +63,16 @@ pub(crate) fn damage_map(view: &ProgressiveView<'_>) -> Attempt {
     if own.losses.is_empty() || mesh.element_count() != own.cells {
         return Ok(None);
     }
-    let shown = |node: &Point| node.map(|x| view.failure.length(x));
-    let mut nodes: Vec<Point> = mesh.nodes().iter().map(shown).collect();
-    let count = nodes.len();
-    let whole = !own.half;
-    if own.half {
-        let images: Vec<Point> = nodes.iter().map(|&[x, y]| [x, -y]).collect();
-        nodes.extend(images);
-    }
-    let categories: Vec<Category> = MODES
-        .iter()
-        .filter(|(mode, _, _)| own.losses.iter().any(|loss| loss.mode == *mode))
-        .map(|(_, label, color)| Category {
-            label: (*label).to_owned(),
-            mark: String::new(),
-            color: *color,
-        })
-        .collect();
+    let nodes = nodes(view, mesh);
+    let categories = categories(own);
     let window = window(view, &nodes, centre);
     let unit = view.length_unit();
     let picture = |group: usize| {
-        let cells: Vec<Vec<Vec<usize>>> = (0..own.cells).map(|cell| drawn(mesh, cell, 0)).collect();
-        // The parts of a cell are damaged alike.
-        let of_parts = |damage: Vec<Option<usize>>| {
-            let parts = cells.iter().zip(damage);
-            parts.flat_map(|(cell, damage)| std::iter::repeat_n(damage, cell.len()))
-        };
-        let damage = of_parts(damage(view, group, &categories));
-        let parts = cells.iter().flatten();
-        let mut all: Vec<(Vec<usize>, Option<usize>)> =
-            parts.clone().cloned().zip(damage).collect();
-        if !whole {
-            let partner = partner(view, group);
-            let images = of_parts(self::damage(view, partner, &categories));
-            let turned = parts.map(|cell| cell.iter().map(|node| node + count).collect());
-            all.extend(turned.zip(images));
-        }
         MeshMap {
             title: format!("{} plies", failure.ply_name(group)),
             axes: ["x", "y"].map(|name| format!("{name} [{unit}]")),
             nodes: &nodes,
-            cells: &all,
+            cells: &cells(view, mesh, group, &categories),
             categories: &categories,
             window,
             width: WIDTH,
@@ -111,26 +82,75 @@ pub(crate) fn damage_map(view: &ProgressiveView<'_>) -> Attempt {
     let pictures = (0..failure.plies.len())
         .map(picture)
         .collect::<Result<Vec<_>, _>>()?;
-    let end = own.curve.last();
     let title = format!(
         "Damage of '{}' at the end of its history",
         view.failure.body()
     );
     let columns = if pictures.len() == 4 { 2 } else { 3 };
-    let caption = format!(
-        "Cells of {} in which a ply has failed, by the gravest mode, at a displacement of {} {unit}.{}",
-        failure.layup,
-        significant(
-            end.map_or(0.0, |point| view.failure.length(point.displacement)),
-            4
-        ),
+    Ok(Some((tile(&title, columns, &pictures)?, caption(view))))
+}
+
+fn caption(view: &ProgressiveView<'_>) -> String {
+    let own = view.progressive;
+    let displacement = own.curve.last().map_or(0.0, |point| point.displacement);
+    format!(
+        "Cells of {} in which a ply has failed, by the gravest mode, at a displacement of {} {}.{}",
+        view.failure.failure.layup,
+        significant(view.failure.length(displacement), 4),
+        view.length_unit(),
         if own.half {
             " One half was followed; in the other the ply of opposite angle has failed alike."
         } else {
             ""
         }
-    );
-    Ok(Some((tile(&title, columns, &pictures)?, caption)))
+    )
+}
+
+/// Nodes in display units, and of a half model their mirror images behind them.
+fn nodes(view: &ProgressiveView<'_>, mesh: &Mesh) -> Vec<Point> {
+    let shown = |node: &Point| node.map(|x| view.failure.length(x));
+    let mut nodes: Vec<Point> = mesh.nodes().iter().map(shown).collect();
+    if view.progressive.half {
+        let images: Vec<Point> = nodes.iter().map(|&[x, y]| [x, -y]).collect();
+        nodes.extend(images);
+    }
+    nodes
+}
+
+/// The modes that occur.
+fn categories(own: &ProgressiveFailure) -> Vec<Category> {
+    let occurs = |mode| own.losses.iter().any(|loss| loss.mode == mode);
+    let modes = MODES.iter().filter(|(mode, _, _)| occurs(*mode));
+    modes
+        .map(|(_, label, color)| Category {
+            label: (*label).to_owned(),
+            mark: String::new(),
+            color: *color,
+        })
+        .collect()
+}
+
+/// The parts of all cells with what the plies `group` show there, and of a half model those of its image.
+fn cells(
+    view: &ProgressiveView<'_>,
+    mesh: &Mesh,
+    group: usize,
+    categories: &[Category],
+) -> Vec<(Vec<usize>, Option<usize>)> {
+    let own = view.progressive;
+    let half = |group: usize, first: usize| {
+        let damage = damage(view, group, categories).into_iter().enumerate();
+        // The parts of a cell are damaged alike.
+        damage.flat_map(move |(cell, damage)| {
+            let parts = drawn(mesh, cell, first).into_iter();
+            parts.map(move |part| (part, damage))
+        })
+    };
+    let mut all: Vec<_> = half(group, 0).collect();
+    if own.half {
+        all.extend(half(partner(view, group), mesh.nodes().len()));
+    }
+    all
 }
 
 /// The gravest mode of every cell, as an index of `categories`.
@@ -166,26 +186,12 @@ fn partner(view: &ProgressiveView<'_>, group: usize) -> usize {
 /// The hole and all damage, with some room, within the body `[display unit]`.
 fn window(view: &ProgressiveView<'_>, nodes: &[Point], centre: Point) -> [f64; 4] {
     let centre = centre.map(|x| view.failure.length(x));
-    let distance = |node: &Point| (node[0] - centre[0]).hypot(node[1] - centre[1]);
-    let radius = nodes.iter().map(distance).fold(f64::INFINITY, f64::min);
-    let ends = |values: &dyn Fn() -> Vec<f64>| {
-        let low = values().into_iter().fold(f64::INFINITY, f64::min);
-        let high = values().into_iter().fold(f64::NEG_INFINITY, f64::max);
-        [low, high]
-    };
-    let side = |axis: usize| {
-        let damaged = view.progressive.losses.iter();
-        let reach = damaged
-            .map(|loss| {
-                (view.failure.length(loss.position[axis]) - centre[axis]).abs() + ROOM * radius
-            })
-            .fold(WINDOW * radius, f64::max);
-        let [low, high] = ends(&|| nodes.iter().map(|node| node[axis]).collect());
-        [
-            low.max(centre[axis] - reach),
-            high.min(centre[axis] + reach),
-        ]
-    };
-    let ([left, right], [bottom, top]) = (side(0), side(1));
-    [left, right, bottom, top]
+    let radius = distance(nodes, centre);
+    let reach = [0, 1].map(|axis| {
+        let damaged = view.progressive.losses.iter().map(|loss| {
+            (view.failure.length(loss.position[axis]) - centre[axis]).abs() + ROOM * radius
+        });
+        damaged.fold(WINDOW * radius, f64::max)
+    });
+    around(extent(nodes.iter().copied()), centre, reach)
 }

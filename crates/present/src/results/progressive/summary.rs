@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::tables::DEPARTURE;
 use super::{ProgressiveView, mode_name};
 use crate::results::findings::{Entry, entries};
+use crate::results::summary::Quantity;
 use stickslip_engine::results::{CurvePoint, PlyLoss, ProgressiveEnd};
 use stickslip_text::tidy;
 
@@ -25,12 +26,6 @@ pub(crate) struct Progressive<'a> {
     curve: Vec<Point>,
     notes: Vec<String>,
     findings: Vec<Entry>,
-}
-
-#[derive(Debug, Serialize)]
-struct Quantity {
-    value: Option<f64>,
-    unit: &'static str,
 }
 
 #[derive(Debug, Serialize)]
@@ -112,17 +107,11 @@ pub(crate) fn progressive<'a>(view: &ProgressiveView<'a>) -> Progressive<'a> {
 }
 
 fn force(view: &ProgressiveView<'_>, value: f64) -> Quantity {
-    Quantity {
-        value: tidy(view.force(value)),
-        unit: view.force_unit(),
-    }
+    Quantity::new(view.force(value), view.force_unit())
 }
 
 fn length(view: &ProgressiveView<'_>, value: f64) -> Quantity {
-    Quantity {
-        value: tidy(view.failure.length(value)),
-        unit: view.length_unit(),
-    }
+    Quantity::new(view.failure.length(value), view.length_unit())
 }
 
 fn loss<'a>(view: &ProgressiveView<'a>, entry: &PlyLoss) -> Loss<'a> {
@@ -138,9 +127,6 @@ fn loss<'a>(view: &ProgressiveView<'a>, entry: &PlyLoss) -> Loss<'a> {
         x: length(view, entry.position[0]),
         y: length(view, entry.position[1]),
         angle_deg: polar.and_then(|[angle, _]| tidy(angle)),
-        radius: polar.map(|[_, radius]| Quantity {
-            value: tidy(radius),
-            unit: view.length_unit(),
-        }),
+        radius: polar.map(|[_, radius]| Quantity::new(radius, view.length_unit())),
     }
 }

@@ -1,7 +1,7 @@
 //! The answer for the terminal and the page.
 
 use stickslip_joint::{JointMode, ModeCall};
-use stickslip_report::table::{Column, Table};
+use stickslip_report::table::Table;
 
 use super::{ProgressiveView, mode_name};
 use stickslip_engine::results::{PlyLoss, ProgressiveEnd, ProgressiveFailure};
@@ -10,15 +10,9 @@ use stickslip_text::{decimals, significant};
 /// First failure, first broken fibres, peak and end of the curve.
 pub(crate) fn milestones(view: &ProgressiveView<'_>) -> Table {
     let (force, length) = (view.force_unit(), view.length_unit());
-    let columns = vec![
-        Column::new("progressive failure", ""),
-        Column::new("load", force),
-        Column::new("displacement", length),
-        Column::new("ply", ""),
-        Column::new("mode", ""),
-        Column::new("φ", "deg"),
-        Column::new("r", length),
-    ];
+    let headings = format!(
+        "progressive failure | load [{force}] | displacement [{length}] | ply | mode | φ [deg] | r [{length}]"
+    );
     let own = view.progressive;
     let caption = format!(
         "Progressive failure of '{}', lay-up {}: {}; {}",
@@ -27,7 +21,7 @@ pub(crate) fn milestones(view: &ProgressiveView<'_>) -> Table {
         own.model,
         own.control
     );
-    let mut table = Table::new(caption, columns);
+    let mut table = Table::headed(caption, &headings);
     let first = own.first();
     if let Some(first) = first {
         let name = if first.mode.is_some() {
@@ -74,20 +68,16 @@ fn loss_row(view: &ProgressiveView<'_>, name: &str, loss: &PlyLoss) -> Vec<Strin
 }
 
 /// What the joint bears, in a few words.
-pub(crate) fn headline(view: &ProgressiveView<'_>) -> (&'static str, String) {
+pub(crate) fn headline(view: &ProgressiveView<'_>) -> (String, String) {
     let own = view.progressive;
-    let load = format!(
-        "{} {}",
-        significant(view.force(own.peak_load()), 4),
-        view.force_unit()
-    );
+    let load = view.load_text(own.peak_load());
     let mode = (own.mode.as_ref()).map_or(String::new(), |call| {
         format!(", {}{}", call.mode, near(call))
     });
     if own.strength.is_some() {
-        ("Strength and mode", load + &mode)
+        ("Strength and mode".to_owned(), load + &mode)
     } else {
-        ("Largest load followed", load)
+        ("Largest load followed".to_owned(), load)
     }
 }
 
@@ -103,37 +93,9 @@ fn near(call: &ModeCall) -> String {
 /// The strength, the mode with its reasons, and how the history ended: one sentence each.
 pub(crate) fn verdict(view: &ProgressiveView<'_>) -> Vec<String> {
     let own = view.progressive;
-    let body = view.failure.body();
-    let peak = format!(
-        "{} {}",
-        significant(view.force(own.peak_load()), 4),
-        view.force_unit()
-    );
-    let mut sentences = vec![match (&own.mode, own.strength) {
-        (Some(call), Some(_)) if call.mode == JointMode::Mixed => {
-            format!("'{body}' fails in a mixed mode at {peak}{}.", near(call))
-        }
-        (Some(call), Some(_)) => {
-            format!("'{body}' fails by {} at {peak}{}.", call.mode, near(call))
-        }
-        (Some(call), None) => format!(
-            "'{body}' bears {peak}, and may bear more; its damage so far is that of {}{}.",
-            match call.mode {
-                JointMode::Mixed => "a mixed mode",
-                pure => pure.name(),
-            },
-            near(call)
-        ),
-        (None, Some(_)) => format!("'{body}' bears no more than {peak}; no ply has failed."),
-        (None, None) if own.losses.is_empty() => {
-            format!("'{body}' bears {peak}; no ply has failed.")
-        }
-        (None, None) => format!("'{body}' bears {peak}; plies flow, and none fails."),
-    }];
-    if let Some(call) = &own.mode {
-        let reasons = call.reasons.iter();
-        sentences.extend(reasons.map(|reason| format!("– {reason}")));
-    }
+    let mut sentences = vec![strength(view)];
+    let reasons = own.mode.iter().flat_map(|call| &call.reasons);
+    sentences.extend(reasons.map(|reason| format!("– {reason}")));
     if !own.edge.is_empty() {
         sentences.push(departures(own));
     }
@@ -153,16 +115,37 @@ pub(crate) fn verdict(view: &ProgressiveView<'_>) -> Vec<String> {
         }
     });
     sentences.extend(view.notes());
-    sentences.push(
-        "Plies are asked at the quadrature points here, inside the cells; the table of first-ply failure asks at the nodes, on the edge too."
-            .to_owned(),
-    );
-    if own.half {
-        sentences.push(
-            "One half was followed; in the other, plies of opposite angle fail alike.".to_owned(),
-        );
-    }
+    let remarks = include_str!("remarks.txt").lines().map(str::to_owned);
+    sentences.extend(remarks.take(if own.half { 2 } else { 1 }));
     sentences
+}
+
+/// What the joint bears, and how it fails.
+pub(super) fn strength(view: &ProgressiveView<'_>) -> String {
+    let own = view.progressive;
+    let body = view.failure.body();
+    let peak = view.load_text(own.peak_load());
+    match (&own.mode, own.strength) {
+        (Some(call), Some(_)) if call.mode == JointMode::Mixed => {
+            format!("'{body}' fails in a mixed mode at {peak}{}.", near(call))
+        }
+        (Some(call), Some(_)) => {
+            format!("'{body}' fails by {} at {peak}{}.", call.mode, near(call))
+        }
+        (Some(call), None) => format!(
+            "'{body}' bears {peak}, and may bear more; its damage so far is that of {}{}.",
+            match call.mode {
+                JointMode::Mixed => "a mixed mode",
+                pure => pure.name(),
+            },
+            near(call)
+        ),
+        (None, Some(_)) => format!("'{body}' bears no more than {peak}; no ply has failed."),
+        (None, None) if own.losses.is_empty() => {
+            format!("'{body}' bears {peak}; no ply has failed.")
+        }
+        (None, None) => format!("'{body}' bears {peak}; plies flow, and none fails."),
+    }
 }
 
 /// From where displacements count, where the pin does not start there.

@@ -1,8 +1,11 @@
 //! The keys of `summary.json` in their order.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use serde::Serialize;
+use stickslip_scene::units::Unit;
+use stickslip_text::tidy;
 
 use crate::results::failure::summary::Failure;
 use crate::results::findings::Entry;
@@ -88,10 +91,44 @@ pub(super) struct Edge<'a> {
     pub(super) half: bool,
 }
 
+/// A number with its unit, null where it is not finite.
 #[derive(Debug, Serialize)]
-pub(super) struct Quantity {
-    pub(super) value: Option<f64>,
-    pub(super) unit: String,
+pub(crate) struct Quantity {
+    value: Option<f64>,
+    unit: Cow<'static, str>,
+}
+
+impl Quantity {
+    pub(crate) fn new(value: f64, unit: impl Into<Cow<'static, str>>) -> Self {
+        Self {
+            value: tidy(value),
+            unit: unit.into(),
+        }
+    }
+
+    /// A number of base units in `unit`.
+    pub(crate) fn of(unit: &Unit, value: f64) -> Self {
+        Self::new(unit.from_base(value), unit.name)
+    }
+}
+
+/// A place or a force.
+#[derive(Debug, Serialize)]
+pub(super) struct Vector {
+    x: Option<f64>,
+    y: Option<f64>,
+    unit: &'static str,
+}
+
+impl Vector {
+    /// A vector of base units in `unit`.
+    pub(super) fn of(unit: &Unit, [x, y]: [f64; 2]) -> Self {
+        Self {
+            x: tidy(unit.from_base(x)),
+            y: tidy(unit.from_base(y)),
+            unit: unit.name,
+        }
+    }
 }
 
 #[derive(Debug, Serialize)]
@@ -160,14 +197,7 @@ pub(super) struct Failed {
 pub(super) struct Cycle {
     pub(super) solver: &'static str,
     pub(super) period: usize,
-    pub(super) nodes: Vec<Place>,
-}
-
-#[derive(Debug, Serialize)]
-pub(super) struct Place {
-    pub(super) x: Option<f64>,
-    pub(super) y: Option<f64>,
-    pub(super) unit: &'static str,
+    pub(super) nodes: Vec<Vector>,
 }
 
 /// One edge at the end of a step, and the load that acts on it.
@@ -188,14 +218,7 @@ pub(super) struct EdgeStep {
     pub(super) quantities: SummaryQuantities,
     pub(super) fewest_contact_nodes: Option<usize>,
     pub(super) contact_resolved: Option<bool>,
-    pub(super) resultant: Option<Resultant>,
-}
-
-#[derive(Debug, Serialize)]
-pub(super) struct Resultant {
-    pub(super) x: Option<f64>,
-    pub(super) y: Option<f64>,
-    pub(super) unit: &'static str,
+    pub(super) resultant: Option<Vector>,
 }
 
 /// Zones along the edge: in degrees on a circle, in lengths on a line.

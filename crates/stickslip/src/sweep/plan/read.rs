@@ -1,17 +1,17 @@
 //! From the text of a sweep file to a checked sweep.
 
-use std::fmt::Write as _;
 use std::path::Path;
 
 use miette::Diagnostic as _;
 use serde_json::Value;
 
+use super::problem::{conflict, unknown};
 use super::{Base, Sweep, VERSION, joint};
 use crate::sweep::axis::{Axis, AxisKey, between};
 use crate::sweep::format::{AxisFormat, MapFormat, SweepFormat};
 use stickslip_engine::LoadScale;
 use stickslip_engine::model::LoadTable;
-use stickslip_scene::diagnostic::{SceneError, SceneProblem, SourceText, nearest};
+use stickslip_scene::diagnostic::{SceneError, SceneProblem, SourceText};
 use stickslip_scene::document::{Document, Part};
 use stickslip_scene::host::Host;
 use stickslip_scene::limits::Content;
@@ -72,11 +72,9 @@ fn base(
     let name = path.display().to_string();
     let text = document.host.read_text(&path, Content::Document);
     let text = text.map_err(|error| {
-        let problem = SceneProblem::Conflict {
-            message: format!("the scene file '{name}' cannot be read: {error}"),
-            remedy: "the path is relative to the folder of the sweep file".to_owned(),
-        };
-        document.error("scene", Part::Value, problem)
+        let message = format!("the scene file '{name}' cannot be read: {error}");
+        let remedy = "the path is relative to the folder of the sweep file";
+        conflict(document, "scene", message, remedy)
     })?;
     Ok(Base {
         text,
@@ -102,21 +100,15 @@ fn axes(document: &Document, given: &[AxisFormat]) -> Result<Vec<Axis>, SceneErr
         let key = format!("axes.{index}");
         let name = &axis.key;
         if axes.iter().any(|other| other.key.name() == name) {
-            let problem = SceneProblem::Conflict {
-                message: format!("there are two axes '{name}'"),
-                remedy: "put the values of both into one".to_owned(),
-            };
-            return Err(document.error(&format!("{key}.key"), Part::Value, problem));
+            let message = format!("there are two axes '{name}'");
+            let remedy = "put the values of both into one";
+            return Err(conflict(document, &format!("{key}.key"), message, remedy));
         }
         // Keys of a scene that can vary lie in one of its tables.
         if matches!(AxisKey::named(name), AxisKey::Scene(_)) && !name.contains('.') {
-            let problem = SceneProblem::UnknownName {
-                what: "an axis of a joint, nor a key of the scene (which has a dot)".to_owned(),
-                found: name.clone(),
-                nearest: nearest(name, AxisKey::NAMES).map(str::to_owned),
-                known: AxisKey::NAMES.map(str::to_owned).to_vec(),
-            };
-            return Err(document.error(&format!("{key}.key"), Part::Value, problem));
+            let what = "an axis of a joint, nor a key of the scene (which has a dot)";
+            let key = format!("{key}.key");
+            return Err(unknown(document, &key, what, name, AxisKey::NAMES));
         }
         let values = values(document, &key, axis)?;
         let axis = Axis::new(AxisKey::named(name), axis.label.clone(), values);
@@ -159,13 +151,12 @@ fn values(document: &Document, key: &str, axis: &AxisFormat) -> Result<Vec<Value
                 ));
             }
             between(from, to, count).ok_or_else(|| {
-                let problem = SceneProblem::Conflict {
-                    message: format!("there are no steps from {from} to {to}"),
-                    remedy:
-                        "give two numbers, or two quantities of one dimension such as \"0.01 mm\""
-                            .to_owned(),
-                };
-                document.error(&format!("{key}.from"), Part::Value, problem)
+                conflict(
+                    document,
+                    &format!("{key}.from"),
+                    format!("there are no steps from {from} to {to}"),
+                    "give two numbers, or two quantities of one dimension such as \"0.01 mm\"",
+                )
             })
         }
         _ => {
@@ -252,30 +243,21 @@ fn map(
     given: &MapFormat,
     axes: &[Axis],
 ) -> Result<[Option<usize>; 2], SceneError> {
-    let named = |name: &Option<String>, key: &str| match name {
-        None => Ok(None),
-        Some(name) => {
-            let known = axes.iter().map(|axis| axis.key.name());
+    let known = axes.iter().map(|axis| axis.key.name());
+    let named = |name: &Option<String>, key: &str| {
+        let found = name.as_ref().map(|name| {
             let found = known.clone().position(|axis| axis == name);
-            found.map(Some).ok_or_else(|| {
-                let problem = SceneProblem::UnknownName {
-                    what: "an axis of the sweep".to_owned(),
-                    found: name.clone(),
-                    nearest: nearest(name, known.clone()).map(str::to_owned),
-                    known: known.map(str::to_owned).collect(),
-                };
-                document.error(key, Part::Value, problem)
-            })
-        }
+            let what = "an axis of the sweep";
+            found.ok_or_else(|| unknown(document, key, what, name, known.clone()))
+        });
+        found.transpose()
     };
     let (x, y) = (named(&given.x, "map.x")?, named(&given.y, "map.y")?);
     let other = |taken: Option<usize>| (0..axes.len()).find(|axis| Some(*axis) != taken);
     if x.is_some() && x == y {
-        let problem = SceneProblem::Conflict {
-            message: "a map has two different axes".to_owned(),
-            remedy: "leave one of the two out".to_owned(),
-        };
-        return Err(document.error("map.y", Part::Value, problem));
+        let message = "a map has two different axes";
+        let remedy = "leave one of the two out";
+        return Err(conflict(document, "map.y", message, remedy));
     }
     let x = x.or_else(|| other(y));
     Ok([x, y.or_else(|| other(x))])
@@ -348,11 +330,13 @@ fn refused(sweep: &Sweep, axis: usize, value: usize, error: &SceneError) -> Scen
 }
 
 fn hash(scene: &str, axes: &[Axis], contact: usize, criterion: Option<&str>) -> String {
-    let mut text = format!("{scene}\n{contact}\n{criterion:?}\n");
-    for axis in axes {
+    let axis = |axis: &Axis| {
         let values = Value::Array(axis.values.clone());
-        // Writing into a string does not fail.
-        let _ = write!(text, "{}\n{values}\n", axis.key.name());
-    }
-    open::sha256(text)
+        format!("{}\n{values}\n", axis.key.name())
+    };
+    let axes: Vec<String> = axes.iter().map(axis).collect();
+    open::sha256(format!(
+        "{scene}\n{contact}\n{criterion:?}\n{}",
+        axes.concat()
+    ))
 }
