@@ -184,8 +184,10 @@ fn is_manifest(path: &Path) -> bool {
     path.file_name().is_some_and(|name| name == "Cargo.toml")
 }
 
-/// Texts between the sources from which pages and messages are made; TOML is counted by itself, and tables and programs of others are none.
+/// Texts between the sources from which pages and messages are made; TOML is counted by itself, and tables, programs of others and what
+/// tasks read or mutate in folders named `inputs` are none.
 fn is_template(path: &Path) -> bool {
     let other = ["rs", "toml", "csv", "py"];
-    path.iter().any(|folder| folder == "src") && !other.iter().any(|end| has_extension(path, end))
+    let is_in = |name: &str| path.iter().any(|folder| folder == name);
+    is_in("src") && !is_in("inputs") && !other.iter().any(|end| has_extension(path, end))
 }

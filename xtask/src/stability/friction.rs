@@ -126,7 +126,9 @@ pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
         facts.extend(found.iter().map(|(case, _, known)| (*case, mu, *known)));
         Ok(found.into_iter().flat_map(|(_, rows, _)| rows).collect())
     })?;
-    let facts = facts.into_inner().map_err(|_| "a problem panicked")?;
+    let mut facts = facts.into_inner().map_err(|_| "a problem panicked")?;
+    // Whatever the order in which threads ended.
+    facts.sort_by(|(_, a, _), (_, b, _)| a.total_cmp(b));
     // Case by case, for the table.
     rows.sort_by_key(|row| CASES.iter().position(|case| *case == row.case));
     let worst = worst_of(&rows, &facts);
