@@ -29,7 +29,7 @@ use methods::{Group, Method};
 use peers::PeerRun;
 use yardstick::Yardstick;
 
-use crate::publish::{Published, Trouble, root};
+use crate::publish::{Published, TaskError, root};
 
 /// What to chart.
 #[derive(Debug, Args)]
@@ -57,7 +57,7 @@ struct Charts {
 }
 
 /// Runs the task: progress on stderr, a summary on stdout.
-pub(crate) fn main(options: &Options) -> Result<bool, Trouble> {
+pub(crate) fn main(options: &Options) -> Result<bool, TaskError> {
     let root = root();
     let committed = root.join("docs/charts");
     let own = if options.quick {
@@ -96,7 +96,7 @@ pub(crate) fn main(options: &Options) -> Result<bool, Trouble> {
 }
 
 /// Runs every method on every problem, and the yardstick.
-fn measure(quick: bool) -> Result<(Bench, Vec<ContactCost>, Yardstick), Trouble> {
+fn measure(quick: bool) -> Result<(Bench, Vec<ContactCost>, Yardstick), TaskError> {
     let mut bench = Bench::new(quick);
     let [gaps, quadratic, linear] = methods::discretisations();
     let solvers = [methods::direct_solvers(), methods::iterative_solvers()];
@@ -112,7 +112,7 @@ fn measure(quick: bool) -> Result<(Bench, Vec<ContactCost>, Yardstick), Trouble>
 }
 
 /// The default has to solve everything.
-fn unsolved(bench: &Bench) -> Result<(), Trouble> {
+fn unsolved(bench: &Bench) -> Result<(), TaskError> {
     let failed = bench
         .samples()
         .iter()
@@ -128,7 +128,7 @@ fn unsolved(bench: &Bench) -> Result<(), Trouble> {
     })
 }
 
-fn draw(folder: &mut Published, charts: &Charts) -> Result<(), Trouble> {
+fn draw(folder: &mut Published, charts: &Charts) -> Result<(), TaskError> {
     let bench = &charts.bench;
     let mut save = |name: &str, picture| folder.write_scaled(name, &picture, 1.5);
     for problem in Problem::ALL {

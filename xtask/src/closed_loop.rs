@@ -18,7 +18,7 @@ use toml::Table;
 
 use crate::study::record::{fields, needed, number, text};
 use crate::study::table::{Tables, read};
-use crate::study::{Study, Trouble, root, side_by_side};
+use crate::study::{Study, TaskError, root, side_by_side};
 
 pub(crate) const STUDY: Study = Study {
     name: "closed-loop",
@@ -26,7 +26,7 @@ pub(crate) const STUDY: Study = Study {
         let rows = cases
             .iter()
             .map(|case| seeds(text(case, "experiment")?, truth(case)?, range(case)?));
-        let rows = rows.collect::<Result<Vec<_>, Trouble>>()?.concat();
+        let rows = rows.collect::<Result<Vec<_>, TaskError>>()?.concat();
         Ok(Tables::from([("closed-loop".to_owned(), rows)]))
     },
     complete,
@@ -53,16 +53,16 @@ pub(crate) fn wanted(seeds: usize) -> RangeInclusive<usize> {
     (seeds * 90).div_ceil(100)..=most
 }
 
-fn truth(row: &Table) -> Result<f64, Trouble> {
+fn truth(row: &Table) -> Result<f64, TaskError> {
     needed(row, "truth")
 }
 
-fn range(case: &Table) -> Result<RangeInclusive<u64>, Trouble> {
+fn range(case: &Table) -> Result<RangeInclusive<u64>, TaskError> {
     Ok(FIRST..=FIRST + needed(case, "seeds")? as u64 - 1)
 }
 
 /// One row per seed and zone, and one for all zones together: the scene is solved once, and every seed goes through the whole chain.
-fn seeds(file: &str, truth: f64, seeds: RangeInclusive<u64>) -> Result<Vec<Table>, Trouble> {
+fn seeds(file: &str, truth: f64, seeds: RangeInclusive<u64>) -> Result<Vec<Table>, TaskError> {
     let path = root().join("scenes/hybrid-aluminium").join(file);
     let mut experiment = Experiment::from_file(&path, &[] as &[&str], HOST)?;
     // The draws that confirm the interval are not asked for here.
@@ -155,7 +155,7 @@ fn complete(tables: &mut Tables) {
         }
         let held = holds(row);
         row.extend(fields([("held", held.into())]));
-        let is_shown = |row: &Table| -> Result<bool, Trouble> {
+        let is_shown = |row: &Table| -> Result<bool, TaskError> {
             let together = text(row, "zone")? == "together" && row.contains_key("high");
             Ok(together && text(row, "experiment")? == WITH_FRICTION.0)
         };
@@ -177,7 +177,7 @@ pub(crate) struct Series {
 
 impl Series {
     /// Solves an experiment with some seeds.
-    pub(crate) fn of(known: (&str, f64), asked: RangeInclusive<u64>) -> Result<Self, Trouble> {
+    pub(crate) fn of(known: (&str, f64), asked: RangeInclusive<u64>) -> Result<Self, TaskError> {
         let count = asked.clone().count();
         let rows = seeds(known.0, known.1, asked)?;
         Ok(Self {
@@ -187,7 +187,7 @@ impl Series {
     }
 
     /// What the last full run left of an experiment in `docs/closed-loop`.
-    pub(crate) fn recorded(known: (&str, f64)) -> Result<Self, Trouble> {
+    pub(crate) fn recorded(known: (&str, f64)) -> Result<Self, TaskError> {
         let path = root().join("docs/closed-loop/closed-loop.csv");
         Ok(Self::among(read(std::fs::File::open(path)?)?, known))
     }

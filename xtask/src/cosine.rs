@@ -9,7 +9,7 @@ use toml::Table;
 
 use crate::study::record::{curve, fields, needed, numbers, solved, text};
 use crate::study::table::Tables;
-use crate::study::{Study, Trouble, solved_side_by_side};
+use crate::study::{Study, TaskError, solved_side_by_side};
 
 pub(crate) const STUDY: Study = Study {
     name: "cosine",
@@ -20,7 +20,7 @@ pub(crate) const STUDY: Study = Study {
 /// Hole radius of both scenes `[mm]`.
 const RADIUS: f64 = 3.0;
 
-fn joint(case: &Table) -> Result<Vec<Table>, Trouble> {
+fn joint(case: &Table) -> Result<Vec<Table>, TaskError> {
     let results = solved(case)?;
     let (means, mean) = (numbers(case, "means"), needed(case, "compared")?);
     let step = means

@@ -6,7 +6,7 @@ use clap::Args;
 use stickslip::folder::write_atomic;
 use stickslip::scene::keys::document;
 
-use crate::publish::{Trouble, root};
+use crate::publish::{TaskError, root};
 
 /// Whether the document is written.
 #[derive(Debug, Args)]
@@ -16,7 +16,7 @@ pub(crate) struct Options {
     check: bool,
 }
 
-pub(crate) fn main(options: &Options) -> Result<bool, Trouble> {
+pub(crate) fn main(options: &Options) -> Result<bool, TaskError> {
     let path = root().join("docs/scene-format.md");
     let text = fs::read_to_string(&path)?;
     let written = document(&text).map_err(|cause| format!("docs/scene-format.md: {cause}"))?;

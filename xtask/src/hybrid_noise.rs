@@ -11,7 +11,7 @@ use toml::Table;
 
 use crate::study::record::{fields, needed, number, text};
 use crate::study::table::Tables;
-use crate::study::{Study, Trouble, solved_side_by_side};
+use crate::study::{Study, TaskError, solved_side_by_side};
 use case::{Case, Method};
 use specimen::Specimen;
 
@@ -24,7 +24,7 @@ pub(crate) const STUDY: Study = Study {
 /// Biases below this are none `[MPa]`.
 const ROUNDING: f64 = 1e-9;
 
-fn solve(cases: &[Table]) -> Result<Tables, Trouble> {
+fn solve(cases: &[Table]) -> Result<Tables, TaskError> {
     let first = cases.first().ok_or("no case")?;
     let cells = [
         needed(first, "around")? as usize,
@@ -35,7 +35,7 @@ fn solve(cases: &[Table]) -> Result<Tables, Trouble> {
 }
 
 /// The row of a case; none where its reduction needs data that are not there.
-fn rows(case: &Table, specimen: &Specimen) -> Result<Vec<Table>, Trouble> {
+fn rows(case: &Table, specimen: &Specimen) -> Result<Vec<Table>, TaskError> {
     let name = text(case, "reduction")?;
     let own = Method::ALL.into_iter().find(|method| method.name() == name);
     let method = match number(case, "share") {

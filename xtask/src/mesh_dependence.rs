@@ -14,7 +14,7 @@ use stickslip_fem_core::mesh::ElementKind;
 use toml::Table;
 
 use crate::study::record::{fields, needed, text};
-use crate::study::{Study, Trouble, solved_side_by_side};
+use crate::study::{Study, TaskError, solved_side_by_side};
 
 pub(crate) const STUDY: Study = Study {
     name: "mesh-dependence",
@@ -22,7 +22,7 @@ pub(crate) const STUDY: Study = Study {
     complete: |_| {},
 };
 
-fn strength(case: &Table) -> Result<Vec<Table>, Trouble> {
+fn strength(case: &Table) -> Result<Vec<Table>, TaskError> {
     let kind: ElementKind = case["element"].clone().try_into()?;
     let cells = needed(case, "cells")? as usize;
     let has_bands = text(case, "strengths")? == "crack bands";

@@ -14,7 +14,7 @@ use stickslip_report::raster::{DEFAULT_SCALE, to_png};
 use stickslip_report::svg::Svg;
 
 /// Why a task stopped; a task that ends says whether all was well.
-pub(crate) type Trouble = Box<dyn std::error::Error + Send + Sync>;
+pub(crate) type TaskError = Box<dyn std::error::Error + Send + Sync>;
 
 /// The folder of the workspace.
 pub(crate) fn root() -> PathBuf {
@@ -33,7 +33,7 @@ pub(crate) struct Options {
 }
 
 /// The list under `key` of a TOML text.
-pub(crate) fn listed<T: DeserializeOwned>(text: &str, key: &str) -> Result<Vec<T>, Trouble> {
+pub(crate) fn listed<T: DeserializeOwned>(text: &str, key: &str) -> Result<Vec<T>, TaskError> {
     let mut all: BTreeMap<String, Vec<T>> = toml::from_str(text)?;
     Ok(all.remove(key).unwrap_or_default())
 }
@@ -102,7 +102,7 @@ impl Published {
     }
 
     /// Writes a picture as PNG, and in a folder that the user named as SVG too: pages show the PNG.
-    pub(crate) fn write_picture(&mut self, name: &str, svg: &Svg) -> Result<(), Trouble> {
+    pub(crate) fn write_picture(&mut self, name: &str, svg: &Svg) -> Result<(), TaskError> {
         self.write_scaled(name, svg, DEFAULT_SCALE)
     }
 
@@ -112,7 +112,7 @@ impl Published {
         name: &str,
         svg: &Svg,
         scale: f64,
-    ) -> Result<(), Trouble> {
+    ) -> Result<(), TaskError> {
         if matches!(self, Self::Named(_)) {
             self.write(&format!("{name}.svg"), svg.as_str().as_bytes())?;
         }
@@ -124,8 +124,8 @@ impl Published {
 /// Solves `cases` on all cores with a bar of progress; the order of the results is that of the cases.
 pub(crate) fn side_by_side<C: Sync, R: Send>(
     cases: &[C],
-    solve: impl Fn(&C) -> Result<R, Trouble> + Sync,
-) -> Result<Vec<R>, Trouble> {
+    solve: impl Fn(&C) -> Result<R, TaskError> + Sync,
+) -> Result<Vec<R>, TaskError> {
     let progress = bar("{wide_bar} {pos}/{len} {elapsed}", cases.len() as u64);
     let results = cases
         .par_iter()

@@ -17,7 +17,7 @@ use std::time::Instant;
 
 use clap::Args;
 
-use crate::publish::{Trouble, root, this_command};
+use crate::publish::{TaskError, root, this_command};
 use cases::Case;
 use compare::{Comparison, compare};
 use exceptions::Exceptions;
@@ -43,7 +43,7 @@ pub(crate) struct Options {
 }
 
 /// Runs and compares; fails if something differs that is not listed.
-pub(crate) fn main(options: &Options) -> Result<bool, Trouble> {
+pub(crate) fn main(options: &Options) -> Result<bool, TaskError> {
     let root = root().canonicalize()?;
     let work = root.join("target/same-answers");
     fs::create_dir_all(&work)?;
@@ -97,7 +97,7 @@ pub(crate) fn main(options: &Options) -> Result<bool, Trouble> {
 }
 
 /// Runs a case into its folder below `results`, and leaves a failure's message there as `error.txt`.
-fn run(program: &Path, root: &Path, case: &Case, results: &Path) -> Result<(), Trouble> {
+fn run(program: &Path, root: &Path, case: &Case, results: &Path) -> Result<(), TaskError> {
     let folder = results.join(case.name());
     if let Some(parent) = folder.parent() {
         fs::create_dir_all(parent)?;

@@ -13,7 +13,7 @@ pub(crate) mod signs;
 use toml::Table;
 
 use crate::study::record::{list, text};
-use crate::study::{Study, Trouble, solved_side_by_side};
+use crate::study::{Study, TaskError, solved_side_by_side};
 
 pub(crate) const STUDY: Study = Study {
     name: "shear-sign",
@@ -21,7 +21,7 @@ pub(crate) const STUDY: Study = Study {
     complete: |_| {},
 };
 
-fn rows(case: &Table) -> Result<Vec<Table>, Trouble> {
+fn rows(case: &Table) -> Result<Vec<Table>, TaskError> {
     match text(case, "table")? {
         "beneath" => beneath::rows(case),
         "plies" => plies::rows(case),

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 use stickslip_tests::source;
 
-use crate::publish::{Trouble, root};
+use crate::publish::{TaskError, root};
 use code::{Code, measure};
 
 /// Most lines of code of a crate below `crates`.
@@ -32,7 +32,7 @@ struct Crate {
 }
 
 /// Counts, prints a table, and fails if a bound is exceeded.
-pub(crate) fn main() -> Result<bool, Trouble> {
+pub(crate) fn main() -> Result<bool, TaskError> {
     let (text, excesses) = report(&root())?;
     println!("{text}");
     for excess in &excesses {
@@ -42,7 +42,7 @@ pub(crate) fn main() -> Result<bool, Trouble> {
 }
 
 /// The table, and a sentence for every bound that is exceeded.
-fn report(root: &Path) -> Result<(String, Vec<String>), Trouble> {
+fn report(root: &Path) -> Result<(String, Vec<String>), TaskError> {
     let mut crates = Vec::new();
     for folder in crate_folders(root)? {
         crates.push(count(root, &folder)?);
@@ -107,7 +107,7 @@ fn excesses(crates: &[Crate], whole: usize) -> Vec<String> {
 }
 
 /// Folders of the workspace that hold a manifest, from its root; the tests of the workspace are no code.
-fn crate_folders(root: &Path) -> Result<Vec<PathBuf>, Trouble> {
+fn crate_folders(root: &Path) -> Result<Vec<PathBuf>, TaskError> {
     let mut folders = vec![PathBuf::from("xtask")];
     for parent in ["crates", "examples", "xtask"] {
         for entry in fs::read_dir(root.join(parent))? {
@@ -122,7 +122,7 @@ fn crate_folders(root: &Path) -> Result<Vec<PathBuf>, Trouble> {
 }
 
 /// Counts the code of the crate in `folder`, without that of crates in folders below it.
-fn count(root: &Path, folder: &Path) -> Result<Crate, Trouble> {
+fn count(root: &Path, folder: &Path) -> Result<Crate, TaskError> {
     let base = root.join(folder);
     let mut counted = Crate {
         folder: folder.to_owned(),
@@ -157,7 +157,7 @@ impl Crate {
 }
 
 /// Lines, neither blank nor starting with `#`, of all files below `folder` that are `wanted`, without build products and hidden folders.
-fn lines_of(folder: &Path, wanted: &dyn Fn(&Path) -> bool) -> Result<usize, Trouble> {
+fn lines_of(folder: &Path, wanted: &dyn Fn(&Path) -> bool) -> Result<usize, TaskError> {
     let mut lines = 0;
     for entry in fs::read_dir(folder)? {
         let entry = entry?;

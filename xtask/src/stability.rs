@@ -33,7 +33,7 @@ use toml::Table;
 use outcome::Outcome;
 use row::Row;
 
-use crate::publish::{Trouble, bar};
+use crate::publish::{TaskError, bar};
 use crate::study::Description;
 use crate::study::table::Tables;
 
@@ -55,7 +55,7 @@ pub(crate) struct Options {
 struct Study(
     &'static str,
     &'static str,
-    fn(&Context) -> Result<Found, Trouble>,
+    fn(&Context) -> Result<Found, TaskError>,
 );
 
 const STUDIES: [Study; 9] = [
@@ -102,8 +102,8 @@ impl Context {
     fn rows_of<V: Sync>(
         &self,
         values: &[V],
-        rows: impl Fn(&V) -> Result<Vec<Row>, Trouble> + Sync,
-    ) -> Result<Vec<Row>, Trouble> {
+        rows: impl Fn(&V) -> Result<Vec<Row>, TaskError> + Sync,
+    ) -> Result<Vec<Row>, TaskError> {
         self.progress.inc_length(values.len() as u64);
         let parts = values
             .par_iter()
@@ -150,7 +150,7 @@ impl Found {
 }
 
 /// Runs the task: progress on stderr, outcomes and findings on stdout.
-pub(crate) fn main(options: &Options) -> Result<bool, Trouble> {
+pub(crate) fn main(options: &Options) -> Result<bool, TaskError> {
     let failures = study(options)?;
     for failure in &failures {
         eprintln!("FAIL {failure}");
@@ -159,7 +159,7 @@ pub(crate) fn main(options: &Options) -> Result<bool, Trouble> {
 }
 
 /// Makes and writes the chosen studies; what is wrong with them.
-fn study(options: &Options) -> Result<Vec<String>, Trouble> {
+fn study(options: &Options) -> Result<Vec<String>, TaskError> {
     let only = options.only.as_deref().unwrap_or_default();
     let chosen: Vec<&Study> = (STUDIES.iter())
         .filter(|study| study.0.contains(only))
@@ -177,8 +177,8 @@ fn study(options: &Options) -> Result<Vec<String>, Trouble> {
     for study in chosen {
         let found = match observe(study, options.quick) {
             Ok(found) => found,
-            Err(trouble) => {
-                failures.push(format!("{}: {trouble}", study.0));
+            Err(error) => {
+                failures.push(format!("{}: {error}", study.0));
                 continue;
             }
         };
@@ -208,7 +208,7 @@ fn study(options: &Options) -> Result<Vec<String>, Trouble> {
     Ok(failures)
 }
 
-fn observe(study: &Study, quick: bool) -> Result<Found, Trouble> {
+fn observe(study: &Study, quick: bool) -> Result<Found, TaskError> {
     let progress = bar("{msg:>28} {wide_bar} {pos}/{len} {elapsed}", 0);
     progress.set_message(study.1);
     let context = Context { quick, progress };

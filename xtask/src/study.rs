@@ -27,14 +27,14 @@ use quote::Quote;
 use record::expanded;
 use table::Tables;
 
-pub(crate) use crate::publish::{Trouble, root, side_by_side};
+pub(crate) use crate::publish::{TaskError, root, side_by_side};
 
 /// A study: its folder below `studies` and `docs`, and its code.
 #[derive(Debug)]
 pub(crate) struct Study {
     pub(crate) name: &'static str,
     /// Computes rows of all tables from the cases.
-    pub(crate) solve: fn(&[Table]) -> Result<Tables, Trouble>,
+    pub(crate) solve: fn(&[Table]) -> Result<Tables, TaskError>,
     /// Adds to rows what follows from the rows of their table.
     pub(crate) complete: fn(&mut Tables),
 }
@@ -72,13 +72,13 @@ struct Columns {
 /// Solves cases side by side; each row says in `table` where it belongs, as its case does.
 pub(crate) fn solved_side_by_side(
     cases: &[Table],
-    solve: impl Fn(&Table) -> Result<Vec<Table>, Trouble> + Sync,
-) -> Result<Tables, Trouble> {
+    solve: impl Fn(&Table) -> Result<Vec<Table>, TaskError> + Sync,
+) -> Result<Tables, TaskError> {
     let named = |case: &Table| {
         let name = case
             .get("name")
             .map_or_else(|| format!("{case:?}"), ToString::to_string);
-        solve(case).map_err(|trouble| Trouble::from(format!("{name}: {trouble}")))
+        solve(case).map_err(|error| TaskError::from(format!("{name}: {error}")))
     };
     let mut tables = Tables::new();
     for row in side_by_side(cases, named)?.into_iter().flatten() {
@@ -90,7 +90,7 @@ pub(crate) fn solved_side_by_side(
 
 impl Study {
     /// Solves and writes: progress and what is wrong with the results on stderr, findings on stdout.
-    pub(crate) fn main(&self, options: &Options) -> Result<bool, Trouble> {
+    pub(crate) fn main(&self, options: &Options) -> Result<bool, TaskError> {
         let description = Description::of(self.name)?;
         let cases = description.cases(options.quick)?;
         let mut tables = (self.solve)(&cases)?;
@@ -111,7 +111,7 @@ impl Study {
 
 impl Description {
     /// The description in `studies/NAME`.
-    pub(crate) fn of(name: &str) -> Result<Self, Trouble> {
+    pub(crate) fn of(name: &str) -> Result<Self, TaskError> {
         let path = root().join("studies").join(name).join("study.toml");
         let text = std::fs::read_to_string(&path)?;
         let read = toml::from_str(&text);
@@ -123,7 +123,7 @@ impl Description {
     }
 
     /// The records of all cases.
-    fn cases(&self, quick: bool) -> Result<Vec<Table>, Trouble> {
+    fn cases(&self, quick: bool) -> Result<Vec<Table>, TaskError> {
         let mut values = self.values.clone();
         if quick {
             values.extend(self.quick.clone());
@@ -140,7 +140,7 @@ impl Description {
         &self,
         named: Option<&Path>,
         is_full: bool,
-    ) -> Result<Option<Published>, Trouble> {
+    ) -> Result<Option<Published>, TaskError> {
         Ok(Published::open(named, is_full.then(|| self.docs()))?)
     }
 
@@ -149,7 +149,7 @@ impl Description {
         &self,
         tables: &Tables,
         mut folder: Option<Published>,
-    ) -> Result<Tables, Trouble> {
+    ) -> Result<Tables, TaskError> {
         let mut kept = Tables::new();
         for Columns { name, columns } in &self.tables {
             let Some(rows) = tables.get(name) else {
@@ -172,7 +172,7 @@ impl Description {
     }
 
     /// Prints the findings; returns those outside their bounds, and of a full run those that the page does not have.
-    pub(crate) fn judge(&self, tables: &Tables, is_full: bool) -> Result<Vec<String>, Trouble> {
+    pub(crate) fn judge(&self, tables: &Tables, is_full: bool) -> Result<Vec<String>, TaskError> {
         let page = self.docs().join("README.md");
         let text = std::fs::read_to_string(&page)?;
         let words: Vec<&str> = text.split_whitespace().collect();

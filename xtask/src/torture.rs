@@ -23,7 +23,7 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use stickslip::folder::write_atomic;
 
-use crate::publish::{Trouble, bar};
+use crate::publish::{TaskError, bar};
 use record::{Record, Run};
 use trial::{Counts, Failure, Kind, Trial};
 
@@ -85,7 +85,7 @@ fn kinds(options: &Options) -> Vec<Box<dyn Kind>> {
 }
 
 /// Runs the trials; fails where a check did.
-pub(crate) fn main(options: &Options) -> Result<bool, Trouble> {
+pub(crate) fn main(options: &Options) -> Result<bool, TaskError> {
     if !options.replay.is_empty() {
         return replay(&options.replay);
     }
@@ -134,7 +134,7 @@ pub(crate) fn main(options: &Options) -> Result<bool, Trouble> {
     Ok(clean)
 }
 
-fn replay(files: &[PathBuf]) -> Result<bool, Trouble> {
+fn replay(files: &[PathBuf]) -> Result<bool, TaskError> {
     let mut clean = true;
     for file in files {
         let (lines, holds) = scenes::replay(file)?;
@@ -201,7 +201,7 @@ fn alone(kind: &dyn Kind, seed: u64) -> Trial {
 }
 
 /// Writes the failures of `kind` and names them; whether all of them are known.
-fn keep(kind: &str, failures: &[Failure], folder: &Path) -> Result<bool, Trouble> {
+fn keep(kind: &str, failures: &[Failure], folder: &Path) -> Result<bool, TaskError> {
     let mut clean = true;
     for failure in failures {
         std::fs::create_dir_all(folder)?;

@@ -41,7 +41,7 @@ use check::{Check, Checks, Verdict};
 use laboratory::{Laboratory, Size};
 use mutation::Mutation;
 
-use crate::publish::{Trouble, listed, root};
+use crate::publish::{TaskError, listed, root};
 
 /// Largest relative residual of any step.
 const RESIDUAL: f64 = 1e-10;
@@ -63,7 +63,7 @@ pub(crate) struct Options {
     write: bool,
 }
 
-type Checker = fn(&Laboratory) -> Result<Vec<Check>, Trouble>;
+type Checker = fn(&Laboratory) -> Result<Vec<Check>, TaskError>;
 
 /// What makes the checks of each case, in the order of `cases.toml`.
 const CHECKERS: [(&str, Checker); 24] = [
@@ -104,7 +104,7 @@ struct Case {
 }
 
 impl Case {
-    fn checks(&self, laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+    fn checks(&self, laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
         let own = CHECKERS.iter().find(|(name, _)| *name == self.name);
         let (_, checker) = own.ok_or_else(|| format!("nothing checks {}", self.name))?;
         checker(laboratory)
@@ -118,7 +118,7 @@ pub(crate) struct Outcome {
 }
 
 /// Runs the task: table on stdout, progress on stderr.
-pub(crate) fn main(options: &Options) -> Result<bool, Trouble> {
+pub(crate) fn main(options: &Options) -> Result<bool, TaskError> {
     let only = options.only.as_deref().unwrap_or_default();
     let all: Vec<Case> = listed(include_str!("validate/cases.toml"), "cases")?;
     let chosen: Vec<&Case> = all.iter().filter(|case| case.name.contains(only)).collect();
@@ -150,9 +150,9 @@ pub(crate) fn main(options: &Options) -> Result<bool, Trouble> {
 /// The checks of a case; one that cannot be computed has failed.
 fn run(case: &Case, laboratory: &Laboratory) -> Outcome {
     eprintln!("{}", case.title);
-    let checks = case.checks(laboratory).unwrap_or_else(|trouble| {
+    let checks = case.checks(laboratory).unwrap_or_else(|error| {
         let mut checks = Checks::default();
-        checks.completes("all scenes are solved", "", trouble.to_string(), false);
+        checks.completes("all scenes are solved", "", error.to_string(), false);
         checks.into_list()
     });
     Outcome {

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use stickslip_wasm_guest as guest;
 use wasmi::{Engine, Instance, Linker, Module, Store};
 
-use crate::publish::{Trouble, cargo_build, root};
+use crate::publish::{TaskError, cargo_build, root};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
@@ -16,13 +16,13 @@ const TARGET: &str = "wasm32-unknown-unknown";
 const BOUND: f64 = 1e-9;
 
 /// Builds, runs and compares; fails if an answer differs.
-pub(crate) fn main() -> Result<bool, Trouble> {
+pub(crate) fn main() -> Result<bool, TaskError> {
     println!("{}", compared(&build()?)?);
     Ok(true)
 }
 
 /// Builds the guest, and returns the path of its module.
-fn build() -> Result<PathBuf, Trouble> {
+fn build() -> Result<PathBuf, TaskError> {
     let products = root().join("target");
     let package = ["--package", "stickslip-wasm-guest", "--target", TARGET];
     if !cargo_build(&root(), &products, &package)?.success() {
@@ -38,7 +38,7 @@ fn build() -> Result<PathBuf, Trouble> {
 }
 
 /// Runs the module and compares its laws and numbers with those of this program.
-fn compared(module: &Path) -> Result<String, Trouble> {
+fn compared(module: &Path) -> Result<String, TaskError> {
     let engine = Engine::default();
     let module = Module::new(&engine, &std::fs::read(module)?)?;
     let mut store = Store::new(&engine, ());
@@ -96,17 +96,17 @@ struct Guest {
 }
 
 impl Guest {
-    fn call(&mut self, name: &str) -> Result<(), Trouble> {
+    fn call(&mut self, name: &str) -> Result<(), TaskError> {
         let function = self.instance.get_typed_func::<(), ()>(&self.store, name)?;
         Ok(function.call(&mut self.store, ())?)
     }
 
-    fn count(&mut self, name: &str) -> Result<usize, Trouble> {
+    fn count(&mut self, name: &str) -> Result<usize, TaskError> {
         let function = self.instance.get_typed_func::<(), u32>(&self.store, name)?;
         Ok(function.call(&mut self.store, ())? as usize)
     }
 
-    fn laws(&mut self) -> Result<String, Trouble> {
+    fn laws(&mut self) -> Result<String, TaskError> {
         let (start, length) = (self.count("text_start")?, self.count("text_length")?);
         let memory = self
             .instance
@@ -117,7 +117,7 @@ impl Guest {
         Ok(String::from_utf8(text)?)
     }
 
-    fn numbers(&mut self) -> Result<Vec<f64>, Trouble> {
+    fn numbers(&mut self) -> Result<Vec<f64>, TaskError> {
         let count = self.count("solve")?;
         let number = self
             .instance

@@ -57,18 +57,18 @@ pub enum ModelError {
         limit: f64,
     },
     /// A mesh for which there is too little memory.
-    #[error("body '{body}': the mesh would have about {nodes:.3e} nodes: {words}")]
+    #[error("body '{body}': the mesh would have about {nodes:.3e} nodes: {message}")]
     TooLittleMemory {
         /// The body.
         body: String,
         /// Nodes that the scene asks for.
         nodes: f64,
         /// The memory that it would take and the memory that there is, as text.
-        words: String,
+        message: String,
     },
     /// Contacts that share bodies, with more points than there is memory for.
     #[error(
-        "contact '{contact}' is one of {contacts} that share bodies, with {points} points together: {words}"
+        "contact '{contact}' is one of {contacts} that share bodies, with {points} points together: {message}"
     )]
     InterfaceTooLarge {
         /// Name of one of the contacts.
@@ -78,15 +78,15 @@ pub enum ModelError {
         /// Number of their points.
         points: usize,
         /// The memory that all contacts would take and the memory that there is, as text.
-        words: String,
+        message: String,
     },
     /// A load history of more steps than there is memory for.
-    #[error("the history has {steps} load steps: {words}")]
+    #[error("the history has {steps} load steps: {message}")]
     HistoryTooLong {
         /// Number of load steps.
         steps: usize,
         /// The memory that their results would take and the memory that there is, as text.
-        words: String,
+        message: String,
     },
     /// A mesh generator refused.
     #[error("body '{body}': {cause}")]

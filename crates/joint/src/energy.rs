@@ -18,13 +18,13 @@ use crate::state::{BodyState, JointState};
 
 /// Loads and displacements of a joint in equilibrium.
 #[derive(Clone, Debug)]
-pub(crate) struct Station {
+pub(crate) struct Equilibrium {
     pub(crate) multipliers: Vec<f64>,
     pub(crate) rigid: DVector<f64>,
     pub(crate) bodies: Vec<BodyState>,
 }
 
-impl Station {
+impl Equilibrium {
     pub(crate) fn of(state: &JointState) -> Self {
         let bodies = state.bodies.iter().map(|body| BodyState {
             displacements: body.displacements.clone(),
@@ -67,9 +67,9 @@ impl Station {
     }
 }
 
-/// What a body's points have gone through since the start of a pass.
+/// State of a body's points at the start of a pass.
 #[derive(Clone, Debug)]
-pub(crate) struct Passage {
+pub(crate) struct PassStart {
     strain: Vec<[f64; 3]>,
     stress: Vec<[f64; 3]>,
     /// Stress lost at the start of the pass; empty where none was.
@@ -78,7 +78,7 @@ pub(crate) struct Passage {
     energy: f64,
 }
 
-impl Passage {
+impl PassStart {
     pub(crate) fn new(start: &Response, [stored, dissipated]: [f64; 2]) -> Self {
         Self {
             strain: start.strain.clone(),

@@ -7,7 +7,7 @@ use stickslip_fem_core::InterfaceOperator;
 use crate::body::Response;
 use crate::damage::PlyEvent;
 use crate::error::{Halt, JointError};
-use crate::increment::{Accepted, Manner, Refused, Solving, starting_responses};
+use crate::increment::{Accepted, IncrementSettings, Refused, Solving, starting_responses};
 use crate::joint::Joint;
 use crate::operator::Factors;
 use crate::record::{Ending, JointHistory, JointRecord};
@@ -81,7 +81,7 @@ impl Joint {
             ContactState::unloaded(&nothing),
             self.load_cases(),
         );
-        let manner = Manner {
+        let settings = IncrementSettings {
             quickly: false,
             burst: usize::MAX,
             peak: f64::INFINITY,
@@ -89,7 +89,7 @@ impl Joint {
         };
         let still = vec![0.0; self.load_cases()];
         let starting = starting_responses(self, &rest).map_err(JointError::NoStart)?;
-        let solving = Solving::new(self, &rest, &starting, &still, manner);
+        let solving = Solving::new(self, &rest, &starting, &still, settings);
         let operators = solving.operators(factors).map_err(|halt| match halt {
             Halt::Stiffness { body, cause } => JointError::Body { body, cause },
             other => JointError::NoStart(other),
@@ -168,7 +168,7 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
     }
 
     /// How `increment` is to be solved.
-    fn manner(&self, increment: &LoadIncrement, driven: bool) -> Manner {
+    fn settings(&self, increment: &LoadIncrement, driven: bool) -> IncrementSettings {
         let LoadIncrement { smallest, .. } = *increment;
         let watched = |unless: bool| {
             if unless {
@@ -177,7 +177,7 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
                 self.largest_load()
             }
         };
-        Manner {
+        IncrementSettings {
             quickly: increment.is_between(),
             burst: if increment.exceeds(BURST_PART) && !smallest {
                 self.joint.options.burst
@@ -192,7 +192,7 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
     fn attempt(
         &mut self,
         multipliers: &[f64],
-        manner: Manner,
+        settings: IncrementSettings,
         driven: bool,
     ) -> Result<Accepted, Refused> {
         if self.starting.is_empty() {
@@ -202,7 +202,13 @@ impl<F: FnMut(&JointRecord, &JointState)> Walk<'_, F> {
                     events: Vec::new(),
                 })?;
         }
-        let solving = Solving::new(self.joint, &self.state, &self.starting, multipliers, manner);
+        let solving = Solving::new(
+            self.joint,
+            &self.state,
+            &self.starting,
+            multipliers,
+            settings,
+        );
         let mut accepted = solving.run(self.solver, &mut self.factors)?;
         if accepted.passes == 0 {
             return Ok(accepted);
@@ -342,8 +348,8 @@ impl<F: FnMut(&JointRecord, &JointState)> LoadPath for StepPath<'_, '_, '_, F> {
         let multipliers: Vec<f64> = (self.start.iter().zip(self.target))
             .map(|(from, to)| (1.0 - reached) * from + reached * to)
             .collect();
-        let manner = self.walk.manner(increment, self.driven);
-        let accepted = self.walk.attempt(&multipliers, manner, self.driven)?;
+        let settings = self.walk.settings(increment, self.driven);
+        let accepted = self.walk.attempt(&multipliers, settings, self.driven)?;
         let grows = accepted.passes == 0 || self.smooth;
         self.smooth = increment.refusals == 0;
         let (step, severed) = (self.index, accepted.severed);

@@ -24,7 +24,7 @@ use stickslip_laminate::progressive::PointState;
 
 use crate::body::{JointBody, ProgressiveBody, Response};
 use crate::damage::{PlyEvent, newly_damaged};
-use crate::energy::{Passage, Station};
+use crate::energy::{Equilibrium, PassStart};
 use crate::error::Halt;
 use crate::joint::Joint;
 use crate::operator::Factors;
@@ -53,7 +53,7 @@ pub(crate) struct Refused {
 
 /// How an increment is to be solved.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Manner {
+pub(crate) struct IncrementSettings {
     /// By the contact solver's cheapest means only.
     pub(crate) quickly: bool,
     /// Largest number of plies times points that the load itself may break.
@@ -99,7 +99,7 @@ struct Working<'a> {
     base: Option<Vec<PointState>>,
     response: Response,
     /// Since the start, or since plies failed last.
-    passage: Passage,
+    pass_start: PassStart,
     /// Largest nodal force of the last linearisation.
     largest_force: f64,
 }
@@ -151,10 +151,10 @@ pub(crate) struct Solving<'a> {
     /// Contact at the start, after the free travel of bodies that do not bear yet; known from the first linearisation on.
     origin: Option<ContactState>,
     multipliers: &'a [f64],
-    manner: Manner,
+    settings: IncrementSettings,
     parts: Vec<Part<'a>>,
     /// Where the work of the loads has been reckoned up to.
-    station: Station,
+    equilibrium: Equilibrium,
     external: f64,
     released: f64,
     events: Vec<PlyEvent>,
@@ -170,7 +170,7 @@ impl<'a> Solving<'a> {
         start: &'a JointState,
         starting: &[Option<Response>],
         multipliers: &'a [f64],
-        manner: Manner,
+        settings: IncrementSettings,
     ) -> Self {
         let part = |(index, (body, state)): (usize, (&'a JointBody, &'a BodyState))| match body {
             JointBody::Rigid(body) => Part::Linear(body),
@@ -182,7 +182,7 @@ impl<'a> Solving<'a> {
                     body: Arc::as_ref(body),
                     start: &state.points,
                     base: None,
-                    passage: Passage::new(&response, body.energies(&state.points)),
+                    pass_start: PassStart::new(&response, body.energies(&state.points)),
                     response,
                     largest_force: 0.0,
                 }))
@@ -194,9 +194,9 @@ impl<'a> Solving<'a> {
             start,
             origin: None,
             multipliers,
-            manner,
+            settings,
             parts: bodies.map(part).collect(),
-            station: Station::of(start),
+            equilibrium: Equilibrium::of(start),
             external: 0.0,
             released: 0.0,
             events: Vec::new(),
@@ -276,7 +276,7 @@ impl<'a> Solving<'a> {
     /// Refuses to step over a peak of the load: a first failure well above all loads before, and a `load` that has fallen since.
     fn check_peak(&self, load: f64) -> Result<(), Halt> {
         let resolution = self.joint.options.peak_resolution;
-        let before = self.manner.peak;
+        let before = self.settings.peak;
         match self.events.first() {
             Some(first)
                 if first.load > before * (1.0 + resolution)
@@ -291,7 +291,7 @@ impl<'a> Solving<'a> {
 
     /// Refuses to step over the first failure of a sound joint, which is to happen close to a load that was borne.
     fn check_first(&self, load: f64) -> Result<(), Halt> {
-        let before = self.manner.sound;
+        let before = self.settings.sound;
         if self.passes == 0 && load > before * (1.0 + self.joint.options.peak_resolution) {
             let failing = load;
             return Err(Halt::PastPeak { before, failing });

@@ -1,7 +1,7 @@
 //! Why a stage of an experiment fails.
 
+mod messages;
 mod whole;
-mod words;
 
 use stickslip_hybrid::data::DataError;
 use stickslip_hybrid::fringe::FringeError;
@@ -16,8 +16,8 @@ use stickslip_engine::run::RunError;
 use stickslip_scene::diagnostic::{SceneError, SceneProblem};
 use stickslip_scene::experiment::Experiment;
 
+pub(super) use messages::{at, of_reduction, of_region};
 pub use whole::WholeError;
-pub(super) use words::{at, of_reduction, of_region};
 
 /// Why a stage of an experiment fails. Every variant knows the key of the experiment file that it is about.
 #[derive(Debug, Error)]
@@ -47,14 +47,14 @@ pub enum ExperimentError {
         cause: String,
     },
     /// What there is too little memory for.
-    #[error("{what}: {words}")]
+    #[error("{what}: {message}")]
     Memory {
         /// Key that asks for it.
         key: String,
         /// What it is.
         what: String,
         /// The memory that it would take and the memory that there is.
-        words: String,
+        message: String,
     },
     /// Measured data that cannot be read or combined.
     #[error("state '{state}': {cause}")]
@@ -264,7 +264,7 @@ impl ExperimentError {
             Self::Laws { .. } => {
                 "`stickslip run` with the scene and the law shows where its solution fails; narrow the ranges of free parameters"
             }
-            Self::Region { cause, .. } => words::remedy_of_region(cause),
+            Self::Region { cause, .. } => messages::remedy_of_region(cause),
             Self::Identify(_) => "give the slip zones by hand, [[identify.zones]]",
             Self::Grating(_) => "give a grating that can exist",
         };
@@ -272,7 +272,7 @@ impl ExperimentError {
     }
 
     /// The error with its places and lengths as the experiment shows them.
-    fn words(&self, experiment: &Experiment) -> String {
+    fn message(&self, experiment: &Experiment) -> String {
         match self {
             Self::Region { state, cause, .. } => {
                 format!("state '{state}': {}", of_region(experiment, cause))
@@ -295,7 +295,7 @@ impl ExperimentError {
         let problem = match self {
             Self::Law { problem, .. } => problem.as_ref().clone(),
             _ => SceneProblem::Experiment {
-                message: self.words(experiment),
+                message: self.message(experiment),
                 remedy: self.remedy(),
             },
         };

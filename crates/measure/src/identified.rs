@@ -236,7 +236,7 @@ pub fn ratio(found: &Analysed, place: usize) -> (f64, f64) {
 }
 
 /// Bounds as text.
-pub fn words(bounds: Bounds) -> String {
+pub fn describe_bounds(bounds: Bounds) -> String {
     match bounds {
         Bounds::Between(low, high) => format!("between {low:.4} and {high:.4}"),
         Bounds::AtMost(high) => format!("at most {high:.4}; there may be no friction at all"),

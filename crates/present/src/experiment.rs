@@ -7,7 +7,7 @@ mod gallery;
 mod identified;
 pub mod laws;
 mod measured;
-pub mod story;
+pub mod report;
 pub mod whole;
 
 use std::path::Path;
@@ -20,56 +20,56 @@ use stickslip_measure::synthesis::{Camera, Shots};
 use stickslip_scene::experiment::Experiment;
 
 use gallery::Gallery;
-use identified::Told;
-use story::Story;
+use identified::FrictionResults;
+use report::ExperimentReport;
 
-/// Goes through the chain of `experiment` down to `depth`, and reports it. Files of the story that name others do so from `folder`, where it
+/// Goes through the chain of `experiment` down to `depth`, and reports it. Files of the report that name others do so from `folder`, where it
 /// will be written.
 ///
 /// # Errors
 /// [`ExperimentError`] of the stage that fails.
-pub fn tell(
+pub fn report(
     experiment: &Experiment,
     depth: Depth,
     folder: &Path,
     progress: &mut dyn FnMut(Progress),
-) -> Result<Story, ExperimentError> {
+) -> Result<ExperimentReport, ExperimentError> {
     let mut album = Pages {
         gallery: Gallery::new(experiment),
-        story: Story::new(experiment),
+        report: ExperimentReport::new(experiment),
         folder,
     };
     let found = chain::run(experiment, depth, &mut album, progress)?;
-    let mut story = album.story;
+    let mut report = album.report;
     let truth = found.truth.as_ref();
     if depth >= Depth::Reduce {
-        story.report(experiment, ignored_keys(experiment));
-        measured::tell(experiment, &found.fields, &mut story);
+        report.findings(experiment, ignored_keys(experiment));
+        measured::report(experiment, &found.fields, &mut report);
     }
     let Some(edges) = &found.edges else {
-        return Ok(story);
+        return Ok(report);
     };
-    analysed::tell(experiment, &edges.analysed, truth, &mut story);
-    whole::tell(experiment, edges, &mut story);
+    analysed::report(experiment, &edges.analysed, truth, &mut report);
+    whole::report(experiment, edges, &mut report);
     if let Some(friction) = &found.friction {
-        let told = Told {
+        let results = FrictionResults {
             experiment,
             analysed: &edges.analysed,
             friction,
             truth,
         };
-        identified::tell(&told, &mut story);
+        identified::report(&results, &mut report);
         if let Some(stage) = &friction.laws {
-            laws::tell(experiment, stage, &mut story);
+            laws::report(experiment, stage, &mut report);
         }
     }
-    Ok(story)
+    Ok(report)
 }
 
 /// Synthetic pictures on their way to the page.
 struct Pages<'a> {
     gallery: Gallery<'a>,
-    story: Story,
+    report: ExperimentReport,
     folder: &'a Path,
 }
 
@@ -80,10 +80,10 @@ impl Album for Pages<'_> {
         state: usize,
         shots: &Shots,
     ) -> Result<(), ExperimentError> {
-        self.gallery.add(camera, state, shots, &mut self.story)
+        self.gallery.add(camera, state, shots, &mut self.report)
     }
 
     fn complete(&mut self, camera: &Camera<'_>) {
-        self.gallery.tell(camera, self.folder, &mut self.story);
+        self.gallery.report(camera, self.folder, &mut self.report);
     }
 }

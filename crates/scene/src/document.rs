@@ -163,11 +163,11 @@ impl Document {
         let root = serde_json::from_str(&source.text).map_err(|error| {
             let at = offset_of(&source.text, error.line(), error.column());
             let cause = error.to_string();
-            // serde_json ends its words with the position, which is shown anyway.
-            let words = cause
+            // serde_json ends its message with the position, which is shown anyway.
+            let message = cause
                 .rsplit_once(" at line ")
-                .map_or(cause.as_str(), |(words, _)| words);
-            self.syntax("JSON", words.to_owned(), Some(at..at))
+                .map_or(cause.as_str(), |(message, _)| message);
+            self.syntax("JSON", message.to_owned(), Some(at..at))
         })?;
         for entry in json::entries(&source.text) {
             if let Some(first) = self.places.get(&entry.path) {

@@ -9,7 +9,7 @@ mod specimen;
 mod state;
 
 pub use candidate::{Candidate, RefusedLaw};
-pub use plan::{Experiment, Unheeded, VERSION};
+pub use plan::{Experiment, IgnoredKey, VERSION};
 pub use settings::{
     FreeMotion, FreeParameter, Identify, LawPlan, MeshPlan, Method, Reduce, RegionPlan,
     RegionShape, SectorPlan, SymmetryPlan, ZonePlan,

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use stickslip_engine::results::Results;
-use stickslip_present::experiment::story::{Story, StoryError};
+use stickslip_present::experiment::report::{ExperimentReport, ReportError};
 use stickslip_present::results::{self, OutputError};
 use thiserror::Error;
 
@@ -21,7 +21,7 @@ pub enum KeepError {
     Results(#[from] OutputError),
     /// A file of findings cannot be made.
     #[error(transparent)]
-    Findings(#[from] StoryError),
+    Findings(#[from] ReportError),
 }
 
 /// Writes all files of `results` into `folder`, which was prepared before the run, puts it in its place and returns its path. Figures are
@@ -40,11 +40,11 @@ pub fn results(
     Ok(folder.finish(&summary)?)
 }
 
-/// Writes all files of `story` into `folder`, puts it in its place and returns its path.
+/// Writes all files of `report` into `folder`, puts it in its place and returns its path.
 ///
 /// # Errors
 /// [`KeepError::Findings`] for a file that cannot be made, [`KeepError::Folder`] for one that cannot be written; nothing is left then.
-pub fn story(story: Story, folder: ResultFolder) -> Result<PathBuf, KeepError> {
-    let summary = story.write(&|name, bytes| Ok(folder.write(name, bytes)?))?;
+pub fn report(report: ExperimentReport, folder: ResultFolder) -> Result<PathBuf, KeepError> {
+    let summary = report.write(&|name, bytes| Ok(folder.write(name, bytes)?))?;
     Ok(folder.finish(&summary)?)
 }

@@ -33,6 +33,6 @@ pub use stickslip_scene::{self as scene, diagnostic, limits, units};
 /// Experiments: from fringe pictures and measured displacements to friction.
 pub mod experiment {
     pub use stickslip_measure::*;
-    pub use stickslip_present::experiment::{check, story, tell};
+    pub use stickslip_present::experiment::{check, report};
     pub use stickslip_scene::experiment::*;
 }

@@ -177,7 +177,7 @@ fn plane_strain_has_a_stress_across_the_thickness() {
 }
 
 #[test]
-fn contact_that_is_not_symmetric_is_told_by_its_ends() {
+fn contact_that_is_not_symmetric_is_reported_by_its_ends() {
     let summary = summary_json(&solved(ASLANT, &[])).unwrap();
     let step = &summary["steps"][0];
     let zones = step["contact_zones_deg"].as_array().unwrap();

@@ -46,8 +46,8 @@ fn size_and_stiffness_change_no_answer() {
             (1.0, 1e6),
         ] {
             let other = scaled(name, length, modulus);
-            let told = format!("{name} × {length:e}, {modulus:e}");
-            assert_eq!(statuses(&reference), statuses(&other), "{told}");
+            let case = format!("{name} × {length:e}, {modulus:e}");
+            assert_eq!(statuses(&reference), statuses(&other), "{case}");
             let scaled =
                 |values: Vec<f64>, factor: f64| values.into_iter().map(move |value| factor * value);
             let stress =
@@ -55,7 +55,7 @@ fn size_and_stiffness_change_no_answer() {
             let motion = relative_difference(scaled(lengths(&reference), length), lengths(&other));
             assert!(
                 stress < 1e-9 && motion < 1e-9,
-                "{told}: {stress:e} {motion:e}"
+                "{case}: {stress:e} {motion:e}"
             );
         }
     }
@@ -75,14 +75,14 @@ fn powers_of_four_change_no_bit() {
                     .map(|value| (factor * value).to_bits())
                     .collect()
             };
-            let told = format!("{name} × {length:e}, {modulus:e}");
+            let case = format!("{name} × {length:e}, {modulus:e}");
             assert!(
                 of(tractions(&reference), modulus) == of(tractions(&other), 1.0),
-                "{told}"
+                "{case}"
             );
             assert!(
                 of(lengths(&reference), length) == of(lengths(&other), 1.0),
-                "{told}"
+                "{case}"
             );
         }
     }

@@ -262,7 +262,7 @@ impl Bench {
                 Ok(measured) => measured.whole.median,
                 Err(_) => start.elapsed().as_secs_f64(),
             };
-            tell(problem, method, spacing, &outcome);
+            report(problem, method, spacing, &outcome);
             self.samples.push(Sample {
                 problem,
                 method,
@@ -346,7 +346,7 @@ fn measured(problem: Problem, runs: &[Run]) -> Result<Measured, LaboratoryError>
     })
 }
 
-fn tell(
+fn report(
     problem: Problem,
     method: Method,
     spacing: f64,

@@ -13,7 +13,7 @@ use stickslip_laboratory::run::{Path, Run, run};
 
 use super::text::seconds;
 use super::yardstick::{factorisation, stiffness};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// Spacings `[deg]`; the last has about 195 000 unknowns.
 const SPACINGS: [f64; 5] = [9.0, 4.5, 2.25, 1.125, 0.9];
@@ -38,12 +38,12 @@ pub(super) struct ContactCost {
 }
 
 /// Measures the history on every mesh, or on the coarsest two.
-pub(super) fn measure(quick: bool) -> Result<Vec<ContactCost>, Trouble> {
+pub(super) fn measure(quick: bool) -> Result<Vec<ContactCost>, TaskError> {
     let count = if quick { 2 } else { SPACINGS.len() };
     SPACINGS[..count].iter().map(|&at| measure_at(at)).collect()
 }
 
-fn measure_at(spacing: f64) -> Result<ContactCost, Trouble> {
+fn measure_at(spacing: f64) -> Result<ContactCost, TaskError> {
     let pairing = Pairing::NodePairs;
     let scene = Problem::AluminiumFrictional.build(spacing, ElementKind::Q8, pairing)?;
     let newton = SemismoothNewton::default();

@@ -3,7 +3,7 @@
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::bench::{Measured, Quantity, Sample};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// Columns that every sample has.
 const COLUMNS: [&str; 7] = [
@@ -61,7 +61,7 @@ fn error(quantity: Quantity, measured: &Measured) -> String {
 }
 
 /// Every sample as a table.
-pub(super) fn csv(samples: &[Sample]) -> Result<Vec<u8>, Trouble> {
+pub(super) fn csv(samples: &[Sample]) -> Result<Vec<u8>, TaskError> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let numbers = NUMBERS.iter().map(|(name, _)| *name);
     writer.write_record(COLUMNS.into_iter().chain(numbers))?;

@@ -18,7 +18,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::curve::Point;
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// A reference for the peak pressure at 1240 lb while loading, and how well it is known `[psi]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -168,7 +168,7 @@ pub(super) fn finest_error(mu: f64) -> f64 {
 }
 
 /// Reads the runs of `path`.
-pub(super) fn read(path: &Path) -> Result<Vec<PeerRun>, Trouble> {
+pub(super) fn read(path: &Path) -> Result<Vec<PeerRun>, TaskError> {
     let mut reader = csv::ReaderBuilder::new()
         .comment(Some(b'#'))
         .from_path(path)?;
@@ -183,8 +183,8 @@ pub(super) fn renew(
     today: &str,
     machine: &str,
     yardstick: f64,
-) -> Result<(), Trouble> {
-    type Runs = fn(&str) -> Result<Vec<PeerRun>, Trouble>;
+) -> Result<(), TaskError> {
+    type Runs = fn(&str) -> Result<Vec<PeerRun>, TaskError>;
     let programs: [(&str, Option<String>, Runs); 2] = [
         ("CalculiX", calculix::version(), calculix::runs),
         ("GetFEM", getfem::version(), getfem::runs),
@@ -211,7 +211,7 @@ pub(super) fn renew(
 }
 
 /// `runs` as a table.
-pub(super) fn csv(runs: &[PeerRun]) -> Result<Vec<u8>, Trouble> {
+pub(super) fn csv(runs: &[PeerRun]) -> Result<Vec<u8>, TaskError> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     for run in runs {
         writer.serialize(run)?;

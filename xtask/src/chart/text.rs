@@ -12,7 +12,7 @@ use super::bench::{Bench, Cost, Quantity};
 use super::curve::cost_of;
 use super::data::{machine, today};
 use super::methods::{self, Group, Method};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// Errors at which methods are compared.
 const TARGETS: [f64; 2] = [1e-2, 1e-3];
@@ -33,7 +33,7 @@ pub(super) fn short(charts: &Charts) -> String {
 }
 
 /// The whole page.
-pub(super) fn page(charts: &Charts) -> Result<String, Trouble> {
+pub(super) fn page(charts: &Charts) -> Result<String, TaskError> {
     let bench = &charts.bench;
     let problems = Problem::ALL.map(|own| context! { title => own.title(), name => own.name() });
     let groups = [methods::direct_solvers(), methods::iterative_solvers()];

@@ -8,7 +8,7 @@ use stickslip_fem_core::mesh::ElementKind;
 use stickslip_laboratory::measure::{summary, thread_seconds};
 use stickslip_laboratory::problems::{Pairing, Problem};
 
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// Spacing `[deg]` at which linear elements on the benchmark have about 41 000 unknowns, the size of the other programs'
 /// yardstick.
@@ -26,7 +26,7 @@ pub(super) struct Yardstick {
 }
 
 impl Yardstick {
-    pub(super) fn measure() -> Result<Self, Trouble> {
+    pub(super) fn measure() -> Result<Self, TaskError> {
         let scene =
             Problem::AluminiumFrictional.build(SPACING, ElementKind::Q4, Pairing::NodePairs)?;
         let model = Model::build(&scene)?;
@@ -39,7 +39,7 @@ impl Yardstick {
 }
 
 /// The stiffness matrix of all elastic bodies, one diagonal block for each.
-pub(super) fn stiffness(model: &Model) -> Result<LowerMatrix, Trouble> {
+pub(super) fn stiffness(model: &Model) -> Result<LowerMatrix, TaskError> {
     let mut matrix = LowerMatrix {
         column_start: vec![0],
         ..LowerMatrix::default()
@@ -54,7 +54,7 @@ pub(super) fn stiffness(model: &Model) -> Result<LowerMatrix, Trouble> {
 }
 
 /// Processor time of one Cholesky factorisation of `matrix`, symbolic and numeric, minimum degree, one thread: median `[s]`.
-pub(super) fn factorisation(matrix: &LowerMatrix) -> Result<f64, Trouble> {
+pub(super) fn factorisation(matrix: &LowerMatrix) -> Result<f64, TaskError> {
     let mut samples = Vec::new();
     for _ in 0..RUNS {
         let (wall, before) = (Instant::now(), thread_seconds());

@@ -9,7 +9,7 @@ use stickslip_hybrid::region::outputs::EdgeRows;
 use stickslip_hybrid::region::{Region, RegionError, independent_covariance};
 
 use super::specimen::{self, DEVIATION, Specimen, angle, disturbed, tractions};
-use crate::study::Trouble;
+use crate::study::TaskError;
 
 /// How nodes get their displacements.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,7 +91,7 @@ struct Analysis {
 }
 
 impl Analysis {
-    fn new(specimen: &Specimen, size: f64) -> Result<Self, Trouble> {
+    fn new(specimen: &Specimen, size: f64) -> Result<Self, TaskError> {
         let body = specimen::body(&specimen::analysed(size))?;
         let region = Region::new(&body, &[])?;
         let nodes = region.prescribed_nodes();
@@ -111,7 +111,7 @@ impl Analysis {
         })
     }
 
-    fn quality(&self, exact: &NodalDisplacements, draws: &[f64]) -> Result<Quality, Trouble> {
+    fn quality(&self, exact: &NodalDisplacements, draws: &[f64]) -> Result<Quality, TaskError> {
         let shear: Vec<SparseRow> = self.edge.component(2);
         let propagated = self.region.propagate(&shear, exact)?;
         let mean = &propagated.values;
@@ -138,7 +138,7 @@ impl Case {
         &self,
         specimen: &Specimen,
         seeds: u64,
-    ) -> Result<Option<Quality>, Trouble> {
+    ) -> Result<Option<Quality>, TaskError> {
         let analysis = Analysis::new(specimen, self.size)?;
         let exact = specimen.measure(self.spacing, self.stand_off)?;
         match self.method {
@@ -155,7 +155,7 @@ impl Case {
         analysis: &Analysis,
         exact: &Measurement,
         seeds: u64,
-    ) -> Result<Option<Quality>, Trouble> {
+    ) -> Result<Option<Quality>, TaskError> {
         let nodes = analysis.region.prescribed_nodes();
         let places = analysis.region.mesh().nodes();
         let reduction = if self.method == Method::Linear {
@@ -182,7 +182,7 @@ impl Case {
         specimen: &Specimen,
         analysis: &Analysis,
         seeds: u64,
-    ) -> Result<Quality, Trouble> {
+    ) -> Result<Quality, TaskError> {
         let grating = Grating::new(specimen::FREQUENCY)?;
         let [u, v] = specimen.lines(self.size, self.spacing)?;
         let nodes = analysis.region.prescribed_nodes();
@@ -205,7 +205,7 @@ fn drawn(
     from: &NodalDisplacements,
     [u, v]: [&[f64]; 2],
     seeds: u64,
-) -> Result<Quality, Trouble> {
+) -> Result<Quality, TaskError> {
     let exact = [u, v].concat();
     let draws = (0..seeds)
         .map(|seed| {
@@ -218,12 +218,12 @@ fn drawn(
             };
             Ok(analysis.region.values(&drawn)?)
         })
-        .collect::<Result<Vec<_>, Trouble>>()?;
+        .collect::<Result<Vec<_>, TaskError>>()?;
     analysis.quality(from, &draws.concat())
 }
 
 /// Every prescribed node with an error of its own.
-fn measured_nodes(analysis: &Analysis, seeds: u64) -> Result<Quality, Trouble> {
+fn measured_nodes(analysis: &Analysis, seeds: u64) -> Result<Quality, TaskError> {
     let exact = analysis.region.values(&analysis.truth)?;
     let draws: Vec<f64> = (0..seeds)
         .flat_map(|seed| specimen::shaken(&exact, seed))
@@ -237,7 +237,7 @@ fn fitted(
     exact: &Measurement,
     share: f64,
     seeds: u64,
-) -> Result<Option<Quality>, Trouble> {
+) -> Result<Option<Quality>, TaskError> {
     let fitter = match Fitter::new(&analysis.region, exact, ORDER) {
         Ok(fitter) => fitter,
         Err(RegionError::NotDetermined { .. }) => return Ok(None),
@@ -261,7 +261,7 @@ fn fitted(
             let state = disturbed(exact, seed).displacements;
             Ok(fitter.values(&state, chosen(&state)?)?)
         })
-        .collect::<Result<Vec<_>, Trouble>>()?;
+        .collect::<Result<Vec<_>, TaskError>>()?;
     analysis
         .quality(&fit.displacements, &draws.concat())
         .map(Some)

@@ -17,7 +17,7 @@ use stickslip_hybrid::data::{Field, FringeLine, FringeLines, Measurement, Track}
 use stickslip_hybrid::region::outputs::displacement_rows;
 use stickslip_hybrid::region::sector::ArcSector;
 
-use crate::study::Trouble;
+use crate::study::TaskError;
 
 /// Radius of the hole, 0.375 in `[mm]`.
 pub(crate) const RADIUS: f64 = 9.525;
@@ -45,7 +45,7 @@ pub(crate) fn tractions(theta: f64) -> [f64; 2] {
 }
 
 /// An elastic body on the sector's mesh.
-pub(crate) fn body(sector: &ArcSector) -> Result<Arc<ElasticBody>, Trouble> {
+pub(crate) fn body(sector: &ArcSector) -> Result<Arc<ElasticBody>, TaskError> {
     let aluminium = Isotropic::new(70.3e3, 0.34, PlaneState::Stress)?;
     let materials: Vec<Arc<dyn Material>> = vec![Arc::new(aluminium)];
     let body = ElasticBody::new(Arc::new(sector.mesh()?), materials, THICKNESS)?;
@@ -72,7 +72,7 @@ pub(crate) fn analysed(size: f64) -> ArcSector {
 pub(crate) fn loaded(
     body: &Arc<ElasticBody>,
     tractions: impl Fn(f64) -> [f64; 2],
-) -> Result<Vec<f64>, Trouble> {
+) -> Result<Vec<f64>, TaskError> {
     let mesh = body.mesh();
     let inner = &mesh.edge_set("inner")?.edges;
     let forces = edge_load(mesh, inner, THICKNESS, |point| {
@@ -107,7 +107,7 @@ pub(crate) struct Specimen {
 
 impl Specimen {
     /// Solves it on `cells` around and outwards.
-    pub(crate) fn new(cells: [usize; 2]) -> Result<Self, Trouble> {
+    pub(crate) fn new(cells: [usize; 2]) -> Result<Self, TaskError> {
         let half = BEYOND[0] * HALF;
         let body = body(&ArcSector {
             outer: BEYOND[1] * 2.0 * RADIUS,
@@ -124,7 +124,7 @@ impl Specimen {
     }
 
     /// Displacements x and y of places in turn `[mm]`.
-    pub(crate) fn displacements_at(&self, places: &[Point]) -> Result<Vec<f64>, Trouble> {
+    pub(crate) fn displacements_at(&self, places: &[Point]) -> Result<Vec<f64>, TaskError> {
         let rows = displacement_rows(self.body.mesh(), places)?;
         let at = |row: &Vec<(usize, f64)>| -> f64 {
             (row.iter())
@@ -136,7 +136,7 @@ impl Specimen {
 
     /// Error-free orders of both fields along the four sides of the analysed sector with cells of `size`, at places about `spacing`
     /// `[mm]` apart from corner to corner.
-    pub(crate) fn lines(&self, size: f64, spacing: f64) -> Result<[FringeLines; 2], Trouble> {
+    pub(crate) fn lines(&self, size: f64, spacing: f64) -> Result<[FringeLines; 2], TaskError> {
         let sector = analysed(size);
         let arc = |r: f64| {
             let track = Track::Circle {
@@ -178,7 +178,7 @@ impl Specimen {
 
     /// Error-free displacements on a jittered grid of `spacing` `[mm]` that begins `stand_off` `[mm]` from the edge; its first row lies
     /// there exactly.
-    pub(crate) fn measure(&self, spacing: f64, stand_off: f64) -> Result<Measurement, Trouble> {
+    pub(crate) fn measure(&self, spacing: f64, stand_off: f64) -> Result<Measurement, TaskError> {
         let places = grid(spacing, stand_off);
         let found = self.displacements_at(&places)?;
         let component = |axis: usize| found.iter().skip(axis).step_by(2).copied().collect();

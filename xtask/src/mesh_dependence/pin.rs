@@ -13,7 +13,7 @@ use stickslip_friction::Coulomb;
 use stickslip_joint::{Ending, Gauge, Joint, JointBody, Mark, Options, Pull};
 
 use super::plies::{Breaking, held, laminate};
-use crate::study::Trouble;
+use crate::study::TaskError;
 
 /// `[mm]`
 const RADIUS: f64 = 3.0;
@@ -34,7 +34,7 @@ pub(super) fn strength(
     kind: ElementKind,
     cells: usize,
     has_bands: bool,
-) -> Result<(f64, f64), Trouble> {
+) -> Result<(f64, f64), TaskError> {
     let plate = PlateWithHole {
         hole_radius: RADIUS,
         outline: OUTLINE,
@@ -91,7 +91,7 @@ fn contact(
     mesh: &Mesh,
     nodes: &[usize],
     thickness: f64,
-) -> Result<(ContactPair, RigidBody), Trouble> {
+) -> Result<(ContactPair, RigidBody), TaskError> {
     let positions: Vec<[f64; 2]> = nodes.iter().map(|&node| mesh.nodes()[node]).collect();
     let edge = 2.0 * PI * RADIUS / (nodes.len() - 1) as f64;
     let share = |k: usize| match (k % 2, k == 0 || k + 1 == nodes.len()) {

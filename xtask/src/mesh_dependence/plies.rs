@@ -10,7 +10,7 @@ use stickslip_laminate::failure::MaximumStress;
 use stickslip_laminate::progressive::{PlyDiscount, PointModel};
 use stickslip_laminate::{Degradation, Laminate, Ply, PlyConstants, Strengths};
 
-use crate::study::Trouble;
+use crate::study::TaskError;
 
 /// T300/5208 (Tsai & Hahn 1980), MPa.
 pub(super) const CONSTANTS: PlyConstants = PlyConstants {
@@ -60,9 +60,9 @@ impl Breaking {
         kind: ElementKind,
         laminate: &Laminate,
         has_bands: bool,
-    ) -> Result<Vec<Arc<dyn PointModel>>, Trouble> {
+    ) -> Result<Vec<Arc<dyn PointModel>>, TaskError> {
         let degradation = Degradation::new(self.kept[0], self.kept[1])?;
-        let build = |laminate: Laminate| -> Result<Arc<dyn PointModel>, Trouble> {
+        let build = |laminate: Laminate| -> Result<Arc<dyn PointModel>, TaskError> {
             let discount = PlyDiscount::new(laminate, Box::new(MaximumStress), degradation)?;
             Ok(Arc::new(discount))
         };
@@ -84,7 +84,7 @@ impl Breaking {
         laminate: &Laminate,
         supports: impl IntoIterator<Item = Support>,
         (contact, has_bands): (&[usize], bool),
-    ) -> Result<Arc<ProgressiveBody>, Trouble> {
+    ) -> Result<Arc<ProgressiveBody>, TaskError> {
         let case = LoadCase {
             moves_supports: true,
             ..LoadCase::default()
@@ -102,7 +102,7 @@ impl Breaking {
     }
 }
 
-pub(super) fn laminate(layup: &str) -> Result<Laminate, Trouble> {
+pub(super) fn laminate(layup: &str) -> Result<Laminate, TaskError> {
     let strengths = Strengths::in_plane(XT, XC, YT, YC, S12);
     let ply = Ply::new("T300/5208", CONSTANTS, strengths)?;
     Ok(Laminate::new(&layup.parse()?, &ply)?)

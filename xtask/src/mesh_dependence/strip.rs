@@ -10,7 +10,7 @@ use stickslip_fem_core::mesh::{ElementKind, Mesh};
 use stickslip_joint::{Gauge, Joint, JointBody, Mark, Options, Pull};
 
 use super::plies::{Breaking, CONSTANTS, held, laminate};
-use crate::study::Trouble;
+use crate::study::TaskError;
 
 /// Half the crack, and half of width and height `[mm]`.
 const CRACK: f64 = 4.0;
@@ -26,7 +26,7 @@ pub(super) fn strength(
     kind: ElementKind,
     cells: usize,
     has_bands: bool,
-) -> Result<(f64, f64), Trouble> {
+) -> Result<(f64, f64), TaskError> {
     let rectangle = Rectangle::uniform([0.0, SIDE], [0.0, SIDE], [cells, cells], kind)?;
     let mesh: Arc<Mesh> = Arc::new(rectangle.generate()?);
     let whole = laminate("[0_4]")?;
@@ -66,7 +66,7 @@ pub(super) fn strength(
 
 /// Mean stress `[MPa]` at which the crack runs by linear fracture mechanics: G = K² c (Sih, Paris & Irwin 1965) for a crack along
 /// the fibres, K of a strip of finite width (Feddersen 1966).
-pub(super) fn fracture_mechanics() -> Result<f64, Trouble> {
+pub(super) fn fracture_mechanics() -> Result<f64, TaskError> {
     let [a11, a22, a66] = [CONSTANTS.e1, CONSTANTS.e2, CONSTANTS.g12].map(f64::recip);
     let a12 = -CONSTANTS.nu12 * a11;
     let ratio = (a22 / a11).sqrt() + (2.0 * a12 + a66) / (2.0 * a11);

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::publish::{Trouble, cargo_build};
+use crate::publish::{TaskError, cargo_build};
 
 /// Builds the command of `revision` in a worktree below `work`, with build products of its own, and returns its path.
-pub(super) fn build(root: &Path, work: &Path, revision: &str) -> Result<PathBuf, Trouble> {
+pub(super) fn build(root: &Path, work: &Path, revision: &str) -> Result<PathBuf, TaskError> {
     let commit = format!("{revision}^{{commit}}");
     let commit = asked(git(root).args(["rev-parse", "--verify", &commit]))
         .map_err(|cause| format!("{cause}the history may be shallow: fetch {revision}"))?;
@@ -36,7 +36,7 @@ fn git(folder: &Path) -> Command {
 }
 
 /// What a command prints; its complaint if it fails.
-fn asked(command: &mut Command) -> Result<String, Trouble> {
+fn asked(command: &mut Command) -> Result<String, TaskError> {
     let output = command.output()?;
     if output.status.success() {
         Ok(String::from_utf8_lossy(&output.stdout).into_owned())

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use toml::{Table, Value};
 
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// Most cases of a sweep that is run whole.
 const MOST_CASES: usize = 40;
@@ -42,7 +42,7 @@ impl Case {
 }
 
 /// The `chosen` files, or all below `scenes` but experiments that fit laws. Copies of large sweeps go into `work`.
-pub(super) fn all(root: &Path, work: &Path, chosen: &[PathBuf]) -> Result<Vec<Case>, Trouble> {
+pub(super) fn all(root: &Path, work: &Path, chosen: &[PathBuf]) -> Result<Vec<Case>, TaskError> {
     let mut cases = Vec::new();
     if chosen.is_empty() {
         for file in toml_files(&root.join("scenes"))? {
@@ -62,7 +62,7 @@ pub(super) fn all(root: &Path, work: &Path, chosen: &[PathBuf]) -> Result<Vec<Ca
     Ok(cases)
 }
 
-fn toml_files(folder: &Path) -> Result<Vec<PathBuf>, Trouble> {
+fn toml_files(folder: &Path) -> Result<Vec<PathBuf>, TaskError> {
     let mut files = Vec::new();
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
@@ -79,7 +79,7 @@ fn toml_files(folder: &Path) -> Result<Vec<PathBuf>, Trouble> {
     Ok(files)
 }
 
-fn case(root: &Path, work: &Path, file: &Path, table: &Table) -> Result<Case, Trouble> {
+fn case(root: &Path, work: &Path, file: &Path, table: &Table) -> Result<Case, TaskError> {
     let shipped = file.strip_prefix(root).unwrap_or(file).to_owned();
     let mut run = shipped.clone();
     let verb = if table.contains_key("axes") {

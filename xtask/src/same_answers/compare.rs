@@ -9,7 +9,7 @@ use serde_json::Value;
 
 use super::exceptions::Kinds;
 use super::numbers::numbers;
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// The file that holds the message of a case that failed.
 pub(super) const FAILURE: &str = "error.txt";
@@ -66,7 +66,7 @@ pub(super) struct Comparison {
 }
 
 /// Compares summaries, tables and VTK files of two folders.
-pub(super) fn compare(was: &Path, is: &Path, kinds: &Kinds) -> Result<Comparison, Trouble> {
+pub(super) fn compare(was: &Path, is: &Path, kinds: &Kinds) -> Result<Comparison, TaskError> {
     let mut compared = Comparison::default();
     let (old, new) = (files(was, "")?, files(is, "")?);
     if old.is_empty() {
@@ -106,7 +106,7 @@ pub(super) fn compare(was: &Path, is: &Path, kinds: &Kinds) -> Result<Comparison
 }
 
 /// What is compared of a folder, by the path below it.
-fn files(folder: &Path, before: &str) -> Result<BTreeMap<String, Vec<u8>>, Trouble> {
+fn files(folder: &Path, before: &str) -> Result<BTreeMap<String, Vec<u8>>, TaskError> {
     let mut found = BTreeMap::new();
     if !folder.is_dir() {
         return Ok(found);
@@ -228,7 +228,7 @@ impl File<'_> {
         }
     }
 
-    fn table(&mut self, was: &[u8], is: &[u8]) -> Result<(), Trouble> {
+    fn table(&mut self, was: &[u8], is: &[u8]) -> Result<(), TaskError> {
         let (was, is) = (Table::read(was)?, Table::read(is)?);
         for column in is
             .columns
@@ -273,7 +273,7 @@ struct Table {
 }
 
 impl Table {
-    fn read(bytes: &[u8]) -> Result<Self, Trouble> {
+    fn read(bytes: &[u8]) -> Result<Self, TaskError> {
         let mut reader = csv::ReaderBuilder::new()
             .comment(Some(b'#'))
             .from_reader(bytes);

@@ -8,7 +8,7 @@ use serde::Deserialize;
 
 use super::cases::Case;
 use super::compare::{Comparison, Difference};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// Keys and columns that are not compared value by value.
 #[derive(Debug, Deserialize)]
@@ -57,7 +57,7 @@ pub(super) struct Exceptions {
 }
 
 impl Exceptions {
-    pub(super) fn read(path: &Path) -> Result<Self, Trouble> {
+    pub(super) fn read(path: &Path) -> Result<Self, TaskError> {
         Ok(toml::from_str(&fs::read_to_string(path)?)?)
     }
 

@@ -8,7 +8,7 @@ use stickslip_fem_core::stress::polar;
 use toml::Table;
 
 use super::{begun, crossings, loads, of_report};
-use crate::study::Trouble;
+use crate::study::TaskError;
 use crate::study::record::{curve, fields, numbers, solved};
 
 /// `[in]`
@@ -20,7 +20,7 @@ const NEIGHBOURS: usize = 9;
 const NEGLIGIBLE: f64 = 1e-2;
 
 /// A row for each of the loads `looked_at` `[lbf]` and `depths` over the thickness.
-pub(super) fn rows(case: &Table) -> Result<Vec<Table>, Trouble> {
+pub(super) fn rows(case: &Table) -> Result<Vec<Table>, TaskError> {
     let results = solved(case)?;
     let mut rows = Vec::new();
     for load in numbers(case, "looked_at") {
@@ -67,13 +67,13 @@ pub(super) fn rows(case: &Table) -> Result<Vec<Table>, Trouble> {
 }
 
 /// P/(D t) of a step.
-fn mean(results: &Results, step: usize) -> Result<f64, Trouble> {
+fn mean(results: &Results, step: usize) -> Result<f64, TaskError> {
     let bearing = results.steps[step].edges[0].bearing_stress(&results.edges[0]);
     Ok(bearing.ok_or("no bearing stress")?)
 }
 
 /// |θ| `[degree]` up to 90, and τ over P/(D t).
-fn on_edge(results: &Results, step: usize) -> Result<Vec<[f64; 2]>, Trouble> {
+fn on_edge(results: &Results, step: usize) -> Result<Vec<[f64; 2]>, TaskError> {
     let mean = mean(results, step)?;
     let nodes = results.edges[0].parameter.iter();
     let rows = nodes.zip(&results.steps[step].edges[0].rows);
@@ -84,7 +84,7 @@ fn on_edge(results: &Results, step: usize) -> Result<Vec<[f64; 2]>, Trouble> {
 }
 
 /// |θ| `[degree]` from 1 to 90, and τ over P/(D t) at a depth over the thickness.
-fn inside(results: &Results, step: usize, depth: f64) -> Result<Vec<[f64; 2]>, Trouble> {
+fn inside(results: &Results, step: usize, depth: f64) -> Result<Vec<[f64; 2]>, TaskError> {
     let mean = mean(results, step)?;
     let mut bodies = results.bodies.iter();
     let index = bodies

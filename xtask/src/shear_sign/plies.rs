@@ -3,12 +3,12 @@
 use toml::Table;
 
 use super::{begun, loads};
-use crate::study::Trouble;
+use crate::study::TaskError;
 use crate::study::record::{curve, fields, needed, numbers, solved};
 
 /// A row for each of the loads `looked_at` `[lbf]` and each ply. A half model serves: the laminate is balanced, so the mean stresses are
 /// symmetric, and on the other half the ply of the opposite direction takes the place of each, which the results allow for.
-pub(super) fn rows(case: &Table) -> Result<Vec<Table>, Trouble> {
+pub(super) fn rows(case: &Table) -> Result<Vec<Table>, TaskError> {
     let results = solved(case)?;
     let failure = results
         .failure

@@ -8,7 +8,7 @@ use toml::{Table, Value};
 
 use super::curve::{Pattern, Point, Reading, Reversal, read};
 use super::{begun, loads, of_report};
-use crate::study::Trouble;
+use crate::study::TaskError;
 use crate::study::record::{curve, fields, scene, text};
 
 /// Angles of the report within which a change of sign counts as the one that it saw at about 30° `[degree]`.
@@ -64,7 +64,7 @@ impl Step {
 }
 
 /// A row of the case, and unless it only refines another one of each of its load steps for the table `steps`.
-pub(super) fn rows(case: &Table) -> Result<Vec<Table>, Trouble> {
+pub(super) fn rows(case: &Table) -> Result<Vec<Table>, TaskError> {
     let mut steps = steps(case)?;
     let mut rows = vec![summary(case, &steps)];
     if text(case, "table")? == "refined" {
@@ -163,7 +163,7 @@ fn largest_reversal(
     ])
 }
 
-fn steps(case: &Table) -> Result<Vec<Step>, Trouble> {
+fn steps(case: &Table) -> Result<Vec<Step>, TaskError> {
     let scene = scene(case)?;
     let results = run(&scene, &mut |_| {})?;
     let geometry = results.edges.first().ok_or("no edge")?;

@@ -5,7 +5,7 @@ use super::joint::{Joint, set};
 use super::methods::methods;
 use super::row::Row;
 use super::{Context, Found};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 const HOLE_IN: f64 = 0.375;
 const METHODS: &str = "gap of the true circles";
@@ -16,7 +16,7 @@ const KINDS: [(&str, &str); 3] = [
     ("gap between nodes", "faceted"),
 ];
 
-pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
+pub(super) fn run(context: &Context) -> Result<Found, TaskError> {
     let values: &[f64] = context.sized(
         &[-1e-3, 0.0, 1e-8, 1e-4, 1e-2],
         &[
@@ -41,7 +41,7 @@ pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
     Ok(Found::of("clearance_over_radius", rows))
 }
 
-fn joint(clearance: f64, spacing: &str, gap: &str) -> Result<Joint, Trouble> {
+fn joint(clearance: f64, spacing: &str, gap: &str) -> Result<Joint, TaskError> {
     let radius = HOLE_IN * (1.0 - clearance);
     let changes = set(&[
         ("mesh.spacing", spacing.into()),
@@ -56,7 +56,7 @@ fn joint(clearance: f64, spacing: &str, gap: &str) -> Result<Joint, Trouble> {
 }
 
 /// Largest pressure at 1240 lbf while loading; `None` if that is not reached.
-fn peaks(clearance: f64, spacing: &str, gap: &str) -> Result<Option<f64>, Trouble> {
+fn peaks(clearance: f64, spacing: &str, gap: &str) -> Result<Option<f64>, TaskError> {
     let joint = joint(clearance, spacing, gap)?;
     let problem = joint.problem()?;
     Ok(Stages::follow(&problem, &joint.loads[..4]).peak(3))

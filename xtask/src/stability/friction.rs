@@ -15,7 +15,7 @@ use super::methods::{CHAIN, Method, methods};
 use super::outcome::judge;
 use super::row::Row;
 use super::{Context, Found};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 use crate::study::record::fields;
 use starts::{Stuck, stuck};
 
@@ -66,7 +66,7 @@ struct Setup {
 }
 
 impl Setup {
-    fn new(context: &Context) -> Result<Self, Trouble> {
+    fn new(context: &Context) -> Result<Self, TaskError> {
         let spacing = context.sized("18 deg", "9 deg");
         let pin = Joint::of_scene("pin-benchmark", &set(&[("mesh.spacing", spacing.into())]))?;
         Ok(Self {
@@ -78,7 +78,7 @@ impl Setup {
     }
 
     /// All cases at a μ.
-    fn found(&self, mu: f64) -> Result<[Studied; 6], Trouble> {
+    fn found(&self, mu: f64) -> Result<[Studied; 6], TaskError> {
         let methods = methods();
         let one = |case, given: &Discrete, bound| {
             (
@@ -110,11 +110,11 @@ impl Setup {
     }
 }
 
-fn coarse_punch(mu: f64) -> Result<InterfaceProblem, Trouble> {
+fn coarse_punch(mu: f64) -> Result<InterfaceProblem, TaskError> {
     Ok(discrete::flat_punch(COARSE, mu)?.problem)
 }
 
-pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
+pub(super) fn run(context: &Context) -> Result<Found, TaskError> {
     let count = context.sized(6, 30);
     let values = (0..=count).map(|k| 3.0 * f64::from(k) / f64::from(count));
     let values: Vec<f64> = values.collect();

@@ -11,7 +11,7 @@ use stickslip_contact::{ContactPair, InterfaceProblem};
 use stickslip_fem_core::InterfaceOperator;
 use stickslip_friction::{Coulomb, FrictionLaw};
 
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// Condensed bodies with their contact pairs.
 #[derive(Debug)]
@@ -24,7 +24,7 @@ pub(crate) struct Joint {
 
 impl Joint {
     /// Condenses `scenes/{name}.toml` with `overrides`.
-    pub(crate) fn of_scene(name: &str, overrides: &[String]) -> Result<Self, Trouble> {
+    pub(crate) fn of_scene(name: &str, overrides: &[String]) -> Result<Self, TaskError> {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../scenes/{name}.toml"));
         let scene = Scene::from_file(&path, overrides, HOST)?;
         let model = Model::build(&scene)?;
@@ -46,7 +46,7 @@ impl Joint {
     }
 
     /// The interface problem with the scene's own friction.
-    pub(crate) fn problem(&self) -> Result<InterfaceProblem, Trouble> {
+    pub(crate) fn problem(&self) -> Result<InterfaceProblem, TaskError> {
         let faces: Vec<&dyn InterfaceOperator> =
             self.operators.iter().map(Operator::interface).collect();
         Ok(InterfaceProblem::new(&faces, self.pairs.clone())?)
@@ -56,7 +56,7 @@ impl Joint {
     pub(crate) fn problem_with(
         &self,
         law: &Arc<dyn FrictionLaw>,
-    ) -> Result<InterfaceProblem, Trouble> {
+    ) -> Result<InterfaceProblem, TaskError> {
         let faces: Vec<&dyn InterfaceOperator> =
             self.operators.iter().map(Operator::interface).collect();
         let mut pairs = self.pairs.clone();
@@ -68,7 +68,7 @@ impl Joint {
 }
 
 /// Coulomb's law with coefficient `mu`.
-pub(crate) fn coulomb(mu: f64) -> Result<Arc<dyn FrictionLaw>, Trouble> {
+pub(crate) fn coulomb(mu: f64) -> Result<Arc<dyn FrictionLaw>, TaskError> {
     Ok(Arc::new(Coulomb::new(mu)?))
 }
 

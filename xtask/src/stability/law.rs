@@ -12,7 +12,7 @@ use super::history::Stages;
 use super::joint::{Joint, set};
 use super::methods::{CHAIN, methods};
 use super::{Context, Found};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 use crate::study::record::fields;
 
 const DROP: &str = "drop at the onset of slip";
@@ -24,7 +24,7 @@ const DYNAMIC: f64 = 0.15;
 /// Values of each case.
 const COLUMNS: usize = 11;
 
-pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
+pub(super) fn run(context: &Context) -> Result<Found, TaskError> {
     let spacing = context.sized("9 deg", "4.5 deg");
     let pin = Joint::of_scene("pin-benchmark", &set(&[("mesh.spacing", spacing.into())]))?;
     let columns: Vec<usize> = (0..COLUMNS).step_by(context.sized(5, 1)).collect();
@@ -69,7 +69,7 @@ fn slip_scale(column: usize) -> f64 {
 }
 
 /// The law of a column, and the value that makes it.
-fn law(case: &str, column: usize) -> Result<(f64, Arc<dyn FrictionLaw>), Trouble> {
+fn law(case: &str, column: usize) -> Result<(f64, Arc<dyn FrictionLaw>), TaskError> {
     let share = (COLUMNS - 1 - column) as f64 / (COLUMNS - 1) as f64;
     let drop = |transition| StaticDynamic::new(STATIC, share * STATIC, transition);
     Ok(match case {

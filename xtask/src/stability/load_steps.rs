@@ -13,7 +13,7 @@ use super::methods::{CHAIN, Method, methods};
 use super::outcome::{distance, judge};
 use super::row::Row;
 use super::{Context, Found};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 const LIMIT_LBF: f64 = 1240.0;
 const CYCLE_LBF: [f64; 2] = [1980.0, 535.0];
@@ -28,7 +28,7 @@ struct Case {
     corners: Vec<f64>,
 }
 
-pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
+pub(super) fn run(context: &Context) -> Result<Found, TaskError> {
     let numbers: &[usize] = context.sized(
         &[1, 2, 5, 10, 100],
         &[1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000],
@@ -83,7 +83,7 @@ pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
     Ok(Found::of("steps_per_leg", rows))
 }
 
-fn cases(pin: &Joint) -> Result<Vec<Case>, Trouble> {
+fn cases(pin: &Joint) -> Result<Vec<Case>, TaskError> {
     let coulomb = coulomb(0.25)?;
     let drop: Arc<dyn FrictionLaw> = Arc::new(StaticDynamic::new(0.35, 0.25, Transition::Drop)?);
     let once = vec![LIMIT_LBF];

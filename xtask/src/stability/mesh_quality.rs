@@ -9,7 +9,7 @@ use super::methods::methods;
 use super::outcome::Outcome;
 use super::row::Row;
 use super::{Context, ELEMENTS, Found};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 use crate::study::record::fields;
 use block::{Block, Defect, Indenter};
 
@@ -66,7 +66,7 @@ fn jobs(context: &Context) -> Vec<Job> {
     jobs
 }
 
-pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
+pub(super) fn run(context: &Context) -> Result<Found, TaskError> {
     let cells = context.sized(20, 40);
     let nominal = 0.4;
     let fine = Block {
@@ -104,7 +104,7 @@ pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
 }
 
 /// Contact that ends at every position within an element: the load moves it over one cell and a half.
-fn ends(context: &Context, cells: usize, fine: &Block) -> Result<Vec<Row>, Trouble> {
+fn ends(context: &Context, cells: usize, fine: &Block) -> Result<Vec<Row>, TaskError> {
     let count = context.sized(4, 24);
     let width = 2.0 / cells as f64;
     let inner = (0.4 / width).floor();
@@ -137,7 +137,7 @@ fn ends(context: &Context, cells: usize, fine: &Block) -> Result<Vec<Row>, Troub
 }
 
 /// Every contact solver on bad meshes.
-fn solvers(context: &Context, cells: usize) -> Result<Vec<Row>, Trouble> {
+fn solvers(context: &Context, cells: usize) -> Result<Vec<Row>, TaskError> {
     let indices: Vec<usize> = (0..MESHES.len()).collect();
     context.rows_of(&indices, |&index| {
         let (name, defect) = MESHES[index];
@@ -155,7 +155,7 @@ fn solvers(context: &Context, cells: usize) -> Result<Vec<Row>, Trouble> {
     })
 }
 
-fn row(case: String, value: f64, kind: ElementKind, found: Result<f64, Trouble>) -> Row {
+fn row(case: String, value: f64, kind: ElementKind, found: Result<f64, TaskError>) -> Row {
     let row = |error| Row::of_error(case, value, kind.name(), error);
     match found {
         Ok(error) if error < 1e-7 => Row {
@@ -163,9 +163,9 @@ fn row(case: String, value: f64, kind: ElementKind, found: Result<f64, Trouble>)
             ..row(Some(error))
         },
         Ok(error) => row(Some(error)),
-        Err(trouble) => Row {
+        Err(error) => Row {
             outcome: Outcome::Refused,
-            note: trouble.to_string(),
+            note: error.to_string(),
             ..row(None)
         },
     }

@@ -10,14 +10,14 @@ use super::methods::Method;
 use super::outcome::distance;
 use super::row::Row;
 use super::{Context, Found};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 const CASE: &str = "pin in a plate, 14 steps";
 const PENALTY: &str = "penalty";
 const AUGMENTED: &str = "augmented Lagrangian";
 const STIFFNESS_SIDE: &str = "penalty added to the stiffness, statuses given";
 
-pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
+pub(super) fn run(context: &Context) -> Result<Found, TaskError> {
     let exponents: Vec<i32> = (-3..=12).step_by(context.sized(3, 1)).collect();
     let spacing = context.sized("9 deg", "4.5 deg");
     let pin = Joint::of_scene("pin-benchmark", &set(&[("mesh.spacing", spacing.into())]))?;
@@ -42,7 +42,7 @@ pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
 }
 
 /// The steps of `stages` with springs added to the stiffness of the bodies.
-fn stiffness_side(pin: &Joint, stages: &Stages, factor: f64) -> Result<Row, Trouble> {
+fn stiffness_side(pin: &Joint, stages: &Stages, factor: f64) -> Result<Row, TaskError> {
     let mut error: f64 = 0.0;
     let mut count = 0;
     for stage in &stages.list {

@@ -12,7 +12,7 @@ use toml::Table;
 use super::methods::{Method, methods};
 use super::outcome::{Outcome, judge};
 use super::{Context, Found};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 use crate::study::record::fields;
 
 /// Problems that go through the default chain, and each of how many that goes through every method.
@@ -80,7 +80,7 @@ impl Trial {
     }
 }
 
-pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
+pub(super) fn run(context: &Context) -> Result<Found, TaskError> {
     let problems = context.sized(PROBLEMS[0], PROBLEMS[1]);
     let batches: Vec<u64> = (0..problems / BATCH).collect();
     context.progress.set_length(problems);
@@ -220,7 +220,7 @@ fn classes(trials: &[Trial]) -> Vec<Table> {
     Class::ALL.map(row).to_vec()
 }
 
-fn picture(trials: &[Trial], names: &[&str]) -> Result<Svg, Trouble> {
+fn picture(trials: &[Trial], names: &[&str]) -> Result<Svg, TaskError> {
     let groups = Class::ALL.map(|class| shares(trials, names, class));
     let middles = (0..BINS).map(|bin| format!("{:.2}", BIN * (bin as f64 + 0.5)));
     let map = OutcomeMap {
@@ -314,11 +314,11 @@ fn failures(trials: &[Trial]) -> Vec<String> {
         trial.outcome == Outcome::Wrong
             || (trial.class == Class::Supported && !trial.outcome.is_answer())
     };
-    let told = |trial: &&Trial| {
+    let describe = |trial: &&Trial| {
         let (class, outcome) = (trial.class.name(), trial.outcome.name());
         format!("seed {} ({class}): {outcome} {}", trial.seed, trial.note)
     };
-    let mut failures: Vec<String> = chain.iter().filter(bad).map(told).collect();
+    let mut failures: Vec<String> = chain.iter().filter(bad).map(describe).collect();
     let floating = chain.iter().filter(|trial| trial.class != Class::Supported);
     let is_unresolved = |trial: &&&Trial| trial.outcome == Outcome::Unresolved;
     let unresolved = floating.clone().filter(is_unresolved);

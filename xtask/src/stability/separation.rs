@@ -6,7 +6,7 @@ use super::methods::{CHAIN, methods};
 use super::outcome::{Outcome, judge};
 use super::row::Row;
 use super::{Context, Found};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// Loads of the plate `[lbf]`: first contact, growth, release, the other side, and back.
 const PULLS: [f64; 12] = [
@@ -15,7 +15,7 @@ const PULLS: [f64; 12] = [
 /// Loads of the cylinder `[N]`.
 const PRESSES: [f64; 8] = [1.0, 50.0, 500.0, 40.0, 0.0, 50.0, 500.0, -1.0];
 
-pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
+pub(super) fn run(context: &Context) -> Result<Found, TaskError> {
     let spacing = context.sized("18 deg", "9 deg");
     let steps = |loads: &[f64], unit: &str| {
         let steps: Vec<String> = loads

@@ -9,7 +9,7 @@ use super::joint::{Joint, set};
 use super::methods::methods;
 use super::row::Row;
 use super::{Context, ELEMENTS, Found};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 const RATIO: &str = "stiffness ratio, friction 0.3";
 const HERTZ: &str = "stiffness ratio against Hertz, frictionless";
@@ -43,7 +43,7 @@ impl Materials {
         2.0 * self.load() / (PI * HALF_WIDTH)
     }
 
-    fn joint(&self, element: ElementKind, spacing: &str, mu: f64) -> Result<Joint, Trouble> {
+    fn joint(&self, element: ElementKind, spacing: &str, mu: f64) -> Result<Joint, TaskError> {
         let load = self.load();
         let steps: Vec<String> = [0.1, 0.5, 1.0, 0.4]
             .map(|share| format!("\"{:e} N\"", share * load))
@@ -67,7 +67,7 @@ impl Materials {
     }
 
     /// Relative error of the peak pressure at the full load.
-    fn error(&self, element: ElementKind, spacing: &str) -> Result<Option<f64>, Trouble> {
+    fn error(&self, element: ElementKind, spacing: &str) -> Result<Option<f64>, TaskError> {
         let joint = self.joint(element, spacing, 0.0)?;
         let stages = Stages::follow(&joint.problem()?, &joint.loads[..3]);
         let peak = stages.peak(2);
@@ -75,7 +75,7 @@ impl Materials {
     }
 }
 
-pub(super) fn run(context: &Context) -> Result<Found, Trouble> {
+pub(super) fn run(context: &Context) -> Result<Found, TaskError> {
     let spacing = context.sized("0.2 mm", "0.08 mm");
     let exponents: Vec<i32> = (-8..=8).step_by(context.sized(4, 1)).collect();
     let mut rows = context.rows_of(&exponents, |&exponent| {

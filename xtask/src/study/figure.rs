@@ -10,7 +10,7 @@ use stickslip_report::color::Color;
 use stickslip_report::svg::Svg;
 use toml::{Table, Value};
 
-use super::Trouble;
+use super::TaskError;
 use super::map::{CategoryOf, Map};
 use super::quote::filled;
 use super::record::{expanded, list, matches, number};
@@ -136,7 +136,7 @@ impl Figure {
         &self,
         tables: &Tables,
         categories: &[CategoryOf],
-    ) -> Result<Option<(&str, Svg)>, Trouble> {
+    ) -> Result<Option<(&str, Svg)>, TaskError> {
         Ok(match self {
             Self::Chart(chart) => chart.draw(tables)?.map(|svg| (chart.name.as_str(), svg)),
             Self::Map(map) => map
@@ -147,7 +147,7 @@ impl Figure {
 }
 
 impl Chart {
-    fn draw(&self, tables: &Tables) -> Result<Option<Svg>, Trouble> {
+    fn draw(&self, tables: &Tables) -> Result<Option<Svg>, TaskError> {
         let mut charts = Vec::new();
         for record in expanded(&self.panels, &Table::new(), "panels", false)? {
             charts.extend(panel(&record, tables)?);
@@ -173,7 +173,7 @@ impl Chart {
 }
 
 /// A panel with its curves; `None` if none has data.
-fn panel(record: &Table, tables: &Tables) -> Result<Option<LineChart>, Trouble> {
+fn panel(record: &Table, tables: &Tables) -> Result<Option<LineChart>, TaskError> {
     let panel: Panel = record.clone().try_into()?;
     let logs = [panel.x.log, panel.y.log];
     let (x, y) = (panel.x.axis(), panel.y.axis());
@@ -224,7 +224,7 @@ impl AxisOf {
 impl Curve {
     /// The curve through `rows`; without points it is still in the legend, which is the same for all panels. Logarithmic axes have no
     /// place for numbers that are not positive.
-    fn series(&self, rows: &[&Table], index: usize, logs: [bool; 2]) -> Result<Series, Trouble> {
+    fn series(&self, rows: &[&Table], index: usize, logs: [bool; 2]) -> Result<Series, TaskError> {
         let is_drawable = |[x, y]: [f64; 2]| (x > 0.0 || !logs[0]) && (y > 0.0 || !logs[1]);
         let (mut points, mut spread) = (Vec::new(), Vec::new());
         for row in rows {
@@ -274,7 +274,7 @@ fn pair(value: &Value) -> Option<[f64; 2]> {
 }
 
 /// A colour from `#rrggbb`.
-pub(super) fn parsed(text: &str) -> Result<Color, Trouble> {
+pub(super) fn parsed(text: &str) -> Result<Color, TaskError> {
     let digits = text
         .strip_prefix('#')
         .ok_or_else(|| format!("no colour: {text}"))?;

@@ -5,7 +5,7 @@ use stickslip_report::map::{Category, Group, OutcomeMap};
 use stickslip_report::svg::Svg;
 use toml::Table;
 
-use super::Trouble;
+use super::TaskError;
 use super::figure::parsed;
 use super::quote::filled;
 use super::record::{matches, number, text};
@@ -71,7 +71,7 @@ impl Map {
         &self,
         tables: &Tables,
         common: &[CategoryOf],
-    ) -> Result<Option<Svg>, Trouble> {
+    ) -> Result<Option<Svg>, TaskError> {
         let Some(rows) = tables.get(&self.table) else {
             return Ok(None);
         };
@@ -101,7 +101,7 @@ impl Map {
                 .as_ref()
                 .and_then(|own| self.line(own, rows, &columns)),
         });
-        let category = |own: &CategoryOf| -> Result<Category, Trouble> {
+        let category = |own: &CategoryOf| -> Result<Category, TaskError> {
             Ok(Category {
                 label: own.label.clone(),
                 mark: own.mark.clone(),

@@ -11,7 +11,7 @@ use stickslip::run::run;
 use stickslip::scene::Scene;
 use toml::{Table, Value};
 
-use super::{Trouble, root};
+use super::{TaskError, root};
 
 /// All records of a list of nodes whose children are under the key `below`.
 pub(crate) fn expanded(
@@ -19,7 +19,7 @@ pub(crate) fn expanded(
     inherited: &Table,
     below: &str,
     quick: bool,
-) -> Result<Vec<Table>, Trouble> {
+) -> Result<Vec<Table>, TaskError> {
     let mut all = Vec::new();
     for node in nodes {
         let node = node.as_table().ok_or("a node is no table")?;
@@ -53,7 +53,7 @@ pub(crate) fn list<'a>(table: &'a Table, key: &str) -> &'a [Value] {
 }
 
 /// The values along an axis.
-fn steps(axis: &Table, quick: bool) -> Result<Vec<Table>, Trouble> {
+fn steps(axis: &Table, quick: bool) -> Result<Vec<Table>, TaskError> {
     let own = || axis.iter().filter(|(key, _)| *key != "quick");
     let lengths = own().map(|(_, values)| values.as_array().map_or(0, Vec::len));
     let length = lengths.min().ok_or("an axis is empty")?;
@@ -178,7 +178,7 @@ fn power(value: f64) -> String {
 }
 
 /// The text under a key.
-pub(crate) fn text<'a>(record: &'a Table, key: &str) -> Result<&'a str, Trouble> {
+pub(crate) fn text<'a>(record: &'a Table, key: &str) -> Result<&'a str, TaskError> {
     let text = record.get(key).and_then(Value::as_str);
     Ok(text.ok_or_else(|| format!("no text '{key}'"))?)
 }
@@ -208,7 +208,7 @@ fn float(value: &Value) -> Option<f64> {
 }
 
 /// The number under a key that must be there.
-pub(crate) fn needed(record: &Table, key: &str) -> Result<f64, Trouble> {
+pub(crate) fn needed(record: &Table, key: &str) -> Result<f64, TaskError> {
     Ok(number(record, key).ok_or_else(|| format!("no number '{key}'"))?)
 }
 
@@ -242,12 +242,12 @@ pub(crate) fn curve(points: impl IntoIterator<Item = [f64; 2]>) -> Value {
 }
 
 /// The results of the scene that a case names under `scene`, with the changes under `set`.
-pub(crate) fn solved(case: &Table) -> Result<Results, Trouble> {
+pub(crate) fn solved(case: &Table) -> Result<Results, TaskError> {
     Ok(run(&scene(case)?, &mut |_| {})?)
 }
 
 /// The scene of a case.
-pub(crate) fn scene(case: &Table) -> Result<Scene, Trouble> {
+pub(crate) fn scene(case: &Table) -> Result<Scene, TaskError> {
     let changes = list(case, "set").iter().map(|value| written(value, ""));
     let changes: Vec<String> = changes.collect();
     Ok(Scene::from_file(

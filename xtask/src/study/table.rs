@@ -5,14 +5,14 @@ use std::io::Read;
 
 use toml::{Table, Value};
 
-use super::Trouble;
+use super::TaskError;
 use super::record::written;
 
 /// The rows of each table by its name.
 pub(crate) type Tables = BTreeMap<String, Vec<Table>>;
 
 /// The rows of a table as CSV; each column is a key with the format of its numbers, `peak:.3`.
-pub(crate) fn csv(rows: &[Table], columns: &[String]) -> Result<Vec<u8>, Trouble> {
+pub(crate) fn csv(rows: &[Table], columns: &[String]) -> Result<Vec<u8>, TaskError> {
     let parts: Vec<(&str, &str)> = (columns.iter())
         .map(|column| column.split_once(':').unwrap_or((column, "")))
         .collect();
@@ -28,7 +28,7 @@ pub(crate) fn csv(rows: &[Table], columns: &[String]) -> Result<Vec<u8>, Trouble
 }
 
 /// The rows of CSV text. Empty cells have no key; what reads as a number or as true or false is one.
-pub(crate) fn read(text: impl Read) -> Result<Vec<Table>, Trouble> {
+pub(crate) fn read(text: impl Read) -> Result<Vec<Table>, TaskError> {
     let value = |cell: &str| {
         let flag = cell.parse().map(Value::Boolean);
         let number = cell.parse().map(Value::Float);

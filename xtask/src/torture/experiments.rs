@@ -18,7 +18,7 @@ use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::trial::{Counts, Failure, Kind, Trial, demands};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 use asked::{Outcome, Statement};
 use data::Measurable;
 use lab::Lab;
@@ -56,14 +56,14 @@ impl Kind for Experiments {
                     match outcome {
                         Outcome::Held => tally.held += 1,
                         Outcome::Unstated => tally.declared += 1,
-                        Outcome::Missed(by, words) => {
+                        Outcome::Missed(by, message) => {
                             tally.failed += 1;
                             let is_promised = (demands(self.name()).iter())
                                 .any(|own| own.name == check && own.promise.is_some());
                             if by > FAR && is_promised {
                                 trial.failures.push(fails(
                                     &check,
-                                    format!("missed by {by:.1} half widths: {words}"),
+                                    format!("missed by {by:.1} half widths: {message}"),
                                 ));
                             }
                         }
@@ -71,7 +71,7 @@ impl Kind for Experiments {
                 }
             }
             // Every laboratory measures enough to be analysed.
-            Ok(Err(trouble)) => trial.failures.push(fails("refused", trouble.to_string())),
+            Ok(Err(error)) => trial.failures.push(fails("refused", error.to_string())),
             Err(_) => trial.failures.push(fails("panic", "panic".to_owned())),
         }
         trial
@@ -120,14 +120,14 @@ impl Kind for Experiments {
     }
 }
 
-fn asked(lab: &Lab) -> Result<Vec<Statement>, Trouble> {
+fn asked(lab: &Lab) -> Result<Vec<Statement>, TaskError> {
     let folder = tempfile::tempdir()?;
     let data = Measurable::new(lab, folder.path())?;
     asked::statements(lab, &data)
 }
 
 fn failure(lab: &Lab, check: &str, found: String) -> Failure {
-    let mut case = lab.told();
+    let mut case = lab.values();
     case["found"] = format!("{check}: {found}").into();
     Failure {
         seed: lab.seed,

@@ -9,7 +9,7 @@ use stickslip::folder::write_atomic;
 
 use super::open::OPEN;
 use super::trial::{Counts, Kind};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// Counts by kind, with the seeds that they come from.
 #[derive(Debug, Default)]
@@ -33,7 +33,7 @@ fn file_of(kind: &str) -> PathBuf {
 
 impl Record {
     /// The runs that lie beside the documents.
-    pub(super) fn kept(kinds: &[Box<dyn Kind>]) -> Result<Self, Trouble> {
+    pub(super) fn kept(kinds: &[Box<dyn Kind>]) -> Result<Self, TaskError> {
         let mut record = Self::default();
         for kind in kinds {
             match std::fs::read(file_of(kind.name())) {
@@ -60,7 +60,7 @@ impl Record {
     }
 
     /// Writes the runs, and a page of them all, beside the documents.
-    pub(super) fn write(&self, kinds: &[Box<dyn Kind>]) -> Result<(), Trouble> {
+    pub(super) fn write(&self, kinds: &[Box<dyn Kind>]) -> Result<(), TaskError> {
         std::fs::create_dir_all(docs().join("torture"))?;
         for (kind, run) in &self.0 {
             let text = serde_json::to_string_pretty(run)? + "\n";

@@ -5,7 +5,7 @@ use stickslip::results::{EdgeGeometry, EdgeResults, Results, StepResults};
 
 use super::check::{Check, Checks, number};
 use super::laboratory::{Laboratory, PSI};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 const SCENES: [&str; 6] = [
     "pin-loaded-aluminium",
@@ -26,7 +26,7 @@ const HIGHEST: usize = 6;
 const UNLOADED: usize = 11;
 const LAST: usize = 13;
 
-pub(super) fn frictional(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+pub(super) fn frictional(laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let mut checks = Checks::against("Post & Reddy 1988, II: iterations on mesh A");
     let mut fine = None;
     for name in SCENES {
@@ -42,7 +42,7 @@ pub(super) fn frictional(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble>
     Ok(checks.into_list())
 }
 
-pub(super) fn frictionless(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+pub(super) fn frictionless(laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let overrides = ["contacts.0.friction={ coulomb = { mu = 0 } }".to_owned()];
     let results = laboratory.run(SCENES[0], &overrides)?;
     let mut checks = Checks::against("Post & Reddy 1988, I: measured");
@@ -77,7 +77,7 @@ fn iterations(checks: &mut Checks, name: &str, results: &Results) {
     }
 }
 
-fn physics(checks: &mut Checks, results: &Results) -> Result<(), Trouble> {
+fn physics(checks: &mut Checks, results: &Results) -> Result<(), TaskError> {
     let geometry = &results.edges[0];
     let peaks: Vec<f64> = results.steps[LOADED..=HIGHEST]
         .iter()
@@ -156,14 +156,14 @@ fn shear_range(geometry: &EdgeGeometry, edge: &EdgeResults) -> (f64, f64) {
 }
 
 /// −σ_r over P/(Dt).
-fn peak_radial(step: &StepResults, geometry: &EdgeGeometry) -> Result<f64, Trouble> {
+fn peak_radial(step: &StepResults, geometry: &EdgeGeometry) -> Result<f64, TaskError> {
     let edge = &step.edges[0];
     let bearing = edge.bearing_stress(geometry).ok_or("no bearing stress")?;
     let peak = edge.rows.iter().map(|row| -row.sigma_normal);
     Ok(peak.fold(0.0, f64::max) / bearing)
 }
 
-fn hoop_at_bearing_point(step: &StepResults) -> Result<f64, Trouble> {
+fn hoop_at_bearing_point(step: &StepResults) -> Result<f64, TaskError> {
     let hoop = step.edges[0].hoop_at_bearing_point;
     Ok(hoop.ok_or("no stress at the bearing point")?)
 }

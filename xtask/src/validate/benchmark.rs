@@ -7,7 +7,7 @@ use super::check::Tolerance::{Absolute, Relative};
 use super::check::{Check, Checks};
 use super::laboratory::{Laboratory, PSI};
 use super::rigid_pin::stresses;
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 const LOAD_STEPS: usize = 14;
 /// Load steps that are compared: 1240 lb while loading, 1210 lb while unloading.
@@ -43,15 +43,15 @@ const FRICTIONAL: Case = Case {
     ratios: Some([0.760, 0.479]),
 };
 
-pub(super) fn frictionless(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+pub(super) fn frictionless(laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
     all(laboratory, &FRICTIONLESS)
 }
 
-pub(super) fn frictional(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+pub(super) fn frictional(laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
     all(laboratory, &FRICTIONAL)
 }
 
-fn all(laboratory: &Laboratory, case: &Case) -> Result<Vec<Check>, Trouble> {
+fn all(laboratory: &Laboratory, case: &Case) -> Result<Vec<Check>, TaskError> {
     let mut checks = Checks::against("condensed node-to-node code, Q4 and Q8, small sliding");
     let spacings = laboratory.sized(&[9.0, 4.5, 2.25][..], &[9.0, 4.5, 2.25, 1.125, 0.5625][..]);
     for kind in [ElementKind::Q4, ElementKind::Q8] {
@@ -79,7 +79,7 @@ fn one(
     case: &Case,
     spacing: f64,
     results: &Results,
-) -> Result<(), Trouble> {
+) -> Result<(), TaskError> {
     let edge = &results.steps[LOADED].edges[0];
     let (pressure, _) = edge.peak_pressure.ok_or("the pin does not touch")?;
     let (limit, is_fine) = if spacing <= 1.125 {
@@ -119,7 +119,7 @@ struct PeakHoop {
 }
 
 impl PeakHoop {
-    fn of(results: &Results) -> Result<Self, Trouble> {
+    fn of(results: &Results) -> Result<Self, TaskError> {
         let edge = &results.steps[LOADED].edges[0];
         let (value, angle) = edge.peak_hoop.ok_or("no stress")?;
         Ok(Self {

@@ -4,9 +4,9 @@ use super::check::Tolerance::Absolute;
 use super::check::{Check, Checks};
 use super::laboratory::Laboratory;
 use crate::closed_loop::{FIRST, NEAR, Series, WITH_FRICTION, WITHOUT_FRICTION, wanted};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
-pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let (seeds, others) = (laboratory.sized(2, 20), laboratory.sized(1, 4));
     let [many, some] = [seeds, others].map(|count| FIRST..=FIRST + count - 1);
     let rubbing = Series::of(WITH_FRICTION, many)?;
@@ -25,7 +25,7 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
 }
 
 /// The 200 seeds of `cargo xtask closed-loop`, too long for every validation: what it recorded, and whether this run repeats it.
-fn recorded(checks: &mut Checks, series: [&Series; 2]) -> Result<(), Trouble> {
+fn recorded(checks: &mut Checks, series: [&Series; 2]) -> Result<(), TaskError> {
     let [rubbing, smooth] = [
         Series::recorded(WITH_FRICTION)?,
         Series::recorded(WITHOUT_FRICTION)?,

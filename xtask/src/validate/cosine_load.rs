@@ -11,7 +11,7 @@ use super::check::Tolerance::Relative;
 use super::check::{Check, Checks};
 use super::laboratory::{KSI, Laboratory, Worst};
 use super::rigid_pin::stresses;
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// Allowed error.
 const BOUND: f64 = 2e-3;
@@ -39,7 +39,7 @@ const PLY: Plate = Plate {
     nu12: 0.3,
 };
 
-pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let mut checks = Checks::against("Fourier series, closed form");
     let with = |material: String| {
         let changes = [

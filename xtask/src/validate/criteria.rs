@@ -32,7 +32,7 @@ use stickslip_laminate::{Assessment, Ply, PlyConstants, PlyLoading, Strengths};
 
 use super::check::{Check, Checks};
 use super::laboratory::Laboratory;
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// Relative error of closed forms on both sides.
 const CLOSED: f64 = 1e-10;
@@ -48,7 +48,7 @@ struct State {
     mode: String,
 }
 
-pub(super) fn checks(_: &Laboratory) -> Result<Vec<Check>, Trouble> {
+pub(super) fn checks(_: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let states: BTreeMap<String, Vec<State>> = toml::from_str(include_str!("criteria.toml"))?;
     let mut checks = Checks::against("the root of Hashin's (1980) polynomials by hand");
     let hashin = ply(Strengths {
@@ -83,7 +83,7 @@ pub(super) fn checks(_: &Laboratory) -> Result<Vec<Check>, Trouble> {
     Ok(checks.into_list())
 }
 
-fn ply(strengths: Strengths) -> Result<Ply, Trouble> {
+fn ply(strengths: Strengths) -> Result<Ply, TaskError> {
     let constants = PlyConstants {
         e1: 1e5,
         e2: 1e4,
@@ -102,7 +102,7 @@ fn plane(
     criterion: &str,
     ply: &Ply,
     states: &BTreeMap<String, Vec<State>>,
-) -> Result<(), Trouble> {
+) -> Result<(), TaskError> {
     let chosen = criterion_named(criterion)?;
     for state in &states[criterion] {
         let loading = PlyLoading {

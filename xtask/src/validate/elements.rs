@@ -12,7 +12,7 @@ use stickslip_fem_core::mesh::{ElementKind, Point};
 use super::check::Tolerance::Absolute;
 use super::check::{Check, Checks};
 use super::laboratory::Laboratory;
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 use fields::{Field, both, driven, kolosov, lekhnitskii, linear, materials, ply};
 use meshes::{Distortion, SIDES, mapped, nearest, rectangle, scattered, side_nodes};
 use norms::{Errors, errors};
@@ -29,7 +29,7 @@ mod norms;
 /// Relative error of a field that comes back to rounding.
 const PATCH: f64 = 1e-12;
 
-pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let mut checks = Checks::against("linear displacement field");
     for kind in ElementKind::COMMON {
         checks.rounding_below(
@@ -47,7 +47,7 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
 }
 
 /// Largest relative error over all materials, distortions and ways of driving the patch.
-fn patch(kind: ElementKind) -> Result<f64, Trouble> {
+fn patch(kind: ElementKind) -> Result<f64, TaskError> {
     let mut worst = 0.0_f64;
     for (k, material) in materials().iter().enumerate() {
         let field = linear(&material.stiffness());
@@ -72,12 +72,12 @@ fn patch(kind: ElementKind) -> Result<f64, Trouble> {
     Ok(worst)
 }
 
-fn displacements(body: &Arc<stickslip_fem_core::ElasticBody>) -> Result<Vec<f64>, Trouble> {
+fn displacements(body: &Arc<stickslip_fem_core::ElasticBody>) -> Result<Vec<f64>, TaskError> {
     let condensed = body.condense(&[])?;
     Ok(condensed.displacements(&[], &[1.0], &[]))
 }
 
-fn convergence(checks: &mut Checks, kind: ElementKind, cells: [usize; 3]) -> Result<(), Trouble> {
+fn convergence(checks: &mut Checks, kind: ElementKind, cells: [usize; 3]) -> Result<(), TaskError> {
     let (young, poisson, strain) = (70.0, 0.33, PlaneState::Strain);
     let isotropic: Arc<dyn Material> = Arc::new(Isotropic::new(young, poisson, strain)?);
     let laminate = ply(0.5);
@@ -115,7 +115,7 @@ fn solve(
     cells: usize,
     material: &Arc<dyn Material>,
     field: &Field,
-) -> Result<Errors, Trouble> {
+) -> Result<Errors, TaskError> {
     const TURN: f64 = 0.3;
     let mesh = mapped(
         rectangle(kind, [0.0, 1.0], [0.0, 1.0], [cells, cells]),

@@ -15,13 +15,13 @@ use super::laboratory::Laboratory;
 use super::sensitivity::Known;
 use crate::hybrid_noise::case::{Case, Method, SHARE};
 use crate::hybrid_noise::specimen::{self, FREQUENCY, RADIUS, Specimen};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// Cells along the edge `[mm]`.
 const SIZE: f64 = 1.0;
 
 /// Covariance, reductions and fringe phase.
-pub(super) fn errors(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+pub(super) fn errors(laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let (cells, seeds, draws) = laboratory.sized(([120, 50], 60, 1000), ([240, 100], 200, 4000));
     let mut checks = Checks::against("Monte Carlo simulation");
     covariance(&mut checks, draws)?;
@@ -34,7 +34,7 @@ pub(super) fn errors(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
 }
 
 /// Variances over draws of the measured displacements, each solved by itself without T, against T Σ Tᵀ.
-fn covariance(checks: &mut Checks, draws: usize) -> Result<(), Trouble> {
+fn covariance(checks: &mut Checks, draws: usize) -> Result<(), TaskError> {
     let known = Known::new(1.0, 5.0)?;
     let (region, rows) = (&known.region, &known.edge.rows);
     let propagated = region.propagate(rows, &known.measured)?;
@@ -66,7 +66,7 @@ fn covariance(checks: &mut Checks, draws: usize) -> Result<(), Trouble> {
 }
 
 /// Noise of each reduction over seeds against its covariance; what smoothing gains.
-fn reductions(checks: &mut Checks, specimen: &Specimen, seeds: u64) -> Result<(), Trouble> {
+fn reductions(checks: &mut Checks, specimen: &Specimen, seeds: u64) -> Result<(), TaskError> {
     let mut nodes = 0.0;
     for method in Method::ALL.into_iter().chain([Method::Lines]) {
         let case = Case {
@@ -101,7 +101,7 @@ fn reductions(checks: &mut Checks, specimen: &Specimen, seeds: u64) -> Result<()
 }
 
 /// Fourier phase of noise-free pictures of both fields beside the hole.
-fn phase(checks: &mut Checks, specimen: &Specimen) -> Result<(), Trouble> {
+fn phase(checks: &mut Checks, specimen: &Specimen) -> Result<(), TaskError> {
     const MARGIN: f64 = 0.3;
     let window = [[10.5, -4.0], [18.0, 4.0]];
     let frame = Frame::over(window, 0.02)?;

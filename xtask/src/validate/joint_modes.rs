@@ -5,7 +5,7 @@ use stickslip::results::ProgressiveFailure;
 
 use super::check::{Check, Checks};
 use super::laboratory::Laboratory;
-use crate::publish::{Trouble, listed};
+use crate::publish::{TaskError, listed};
 
 const SOURCE: &str = "Post & Reddy 1988, part II, 4.4 and Figs. 17–19";
 
@@ -23,7 +23,7 @@ struct Joint {
 /// The report's Tsai–Hill plasticity; its hardening is not given.
 const FLOWING: &str = "failure.progressive.model={plasticity={hardening=\"100 MPa\"}}";
 
-pub(crate) fn checks(lab: &Laboratory) -> Result<Vec<Check>, Trouble> {
+pub(crate) fn checks(lab: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let mut checks = Checks::against(SOURCE);
     for joint in listed::<Joint>(include_str!("joint_modes.toml"), "joints")? {
         let broken = followed(lab, &joint.scene, &[])?;
@@ -46,7 +46,7 @@ pub(crate) fn checks(lab: &Laboratory) -> Result<Vec<Check>, Trouble> {
         let ranges: Vec<[f64; 2]> = (flows.departures(0.1).into_iter())
             .map(|range| range.map(f64::to_degrees))
             .collect();
-        let told: Vec<String> = (ranges.iter())
+        let described: Vec<String> = (ranges.iter())
             .map(|[from, to]| format!("{from:.0}–{to:.0}°"))
             .collect();
         checks.show(
@@ -55,7 +55,7 @@ pub(crate) fn checks(lab: &Laboratory) -> Result<Vec<Check>, Trouble> {
                 joint.scene
             ),
             &joint.parting,
-            told.join(", "),
+            described.join(", "),
         );
     }
     Ok(checks.into_list())
@@ -65,7 +65,7 @@ fn followed(
     lab: &Laboratory,
     scene: &str,
     overrides: &[String],
-) -> Result<ProgressiveFailure, Trouble> {
+) -> Result<ProgressiveFailure, TaskError> {
     let results = lab.run(scene, overrides)?;
     let mut found = results.failure.into_iter();
     let found = found.find_map(|failure| failure.progressive);

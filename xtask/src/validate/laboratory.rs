@@ -11,7 +11,7 @@ use stickslip_contact::ContactError;
 use thiserror::Error;
 
 use super::mutation::Mutation;
-use crate::publish::{Trouble, root};
+use crate::publish::{TaskError, root};
 
 /// 1 ksi in MPa.
 pub(crate) const KSI: f64 = 6.894757293168361;
@@ -27,8 +27,8 @@ struct Stopped {
 }
 
 /// Whether a solver proved that nothing can balance the load.
-pub(crate) fn is_proved_impossible(trouble: &Trouble) -> bool {
-    let cause = trouble.downcast_ref().map(|Stopped { cause, .. }| cause);
+pub(crate) fn is_proved_impossible(error: &TaskError) -> bool {
+    let cause = error.downcast_ref().map(|Stopped { cause, .. }| cause);
     matches!(
         cause,
         Some(RunError::Contact(ContactError::StepFailed { cause, .. })) if cause.is_proved_impossible()
@@ -112,7 +112,7 @@ impl Laboratory {
     }
 
     /// Runs `scenes/{name}.toml` with `overrides`.
-    pub(crate) fn run(&self, name: &str, overrides: &[String]) -> Result<Results, Trouble> {
+    pub(crate) fn run(&self, name: &str, overrides: &[String]) -> Result<Results, TaskError> {
         let start = Instant::now();
         let mesh = overrides
             .iter()

@@ -12,7 +12,7 @@ use stickslip_laminate::{
 use super::check::Tolerance::Absolute;
 use super::check::{Check, Checks};
 use super::laboratory::{Laboratory, Worst};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// The table that the tests of the laminates' crate use too.
 const TABLE: &str = include_str!("../../../crates/laminate/tests/reference/clt.json");
@@ -65,7 +65,7 @@ struct Failure {
     ply_deg: f64,
 }
 
-pub(super) fn checks(_: &Laboratory) -> Result<Vec<Check>, Trouble> {
+pub(super) fn checks(_: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let mut checks = Checks::against("classical lamination theory, programmed anew");
     let table: Table = serde_json::from_str(TABLE)?;
     for entry in &table.laminates {
@@ -79,7 +79,7 @@ pub(super) fn checks(_: &Laboratory) -> Result<Vec<Check>, Trouble> {
 }
 
 /// The table's names as lay-ups.
-fn laminate_name(name: &str) -> Result<&'static str, Trouble> {
+fn laminate_name(name: &str) -> Result<&'static str, TaskError> {
     match name {
         "QI_0_2/60_2/-60_2_s" => Ok("[0_2/60_2/-60_2]s"),
         "0/45/-45/90_s" => Ok("[0/±45/90]s"),
@@ -87,7 +87,7 @@ fn laminate_name(name: &str) -> Result<&'static str, Trouble> {
     }
 }
 
-fn laminate(entry: &Entry, strengths: &BTreeMap<String, f64>) -> Result<Laminate, Trouble> {
+fn laminate(entry: &Entry, strengths: &BTreeMap<String, f64>) -> Result<Laminate, TaskError> {
     let strength = |name: &str| {
         let value = strengths.get(name).copied();
         value.ok_or_else(|| format!("the table has no strength {name}"))
@@ -112,7 +112,7 @@ fn of_constants(
     Constants { e1, e2, g12, nu12 }: Constants,
     thickness: f64,
     strengths: Strengths,
-) -> Result<Laminate, Trouble> {
+) -> Result<Laminate, TaskError> {
     let constants = PlyConstants {
         e1,
         e2,
@@ -142,7 +142,7 @@ fn stiffness(
     name: &str,
     entry: &Entry,
     laminate: &Laminate,
-) -> Result<(), Trouble> {
+) -> Result<(), TaskError> {
     let found = laminate.stiffness();
     for (what, found, reference) in [
         ("A", &found.membrane, &entry.membrane),
@@ -181,7 +181,7 @@ fn loads(
     name: &str,
     entry: &Entry,
     laminate: &Laminate,
-) -> Result<(), Trouble> {
+) -> Result<(), TaskError> {
     for case in &entry.load_cases {
         let h = laminate.thickness();
         let (short, force) = match case.load.split('=').next() {
@@ -235,11 +235,11 @@ fn loads(
 }
 
 /// Moduli of the quasi-isotropic plate in millions of psi.
-fn report(checks: &mut Checks) -> Result<(), Trouble> {
+fn report(checks: &mut Checks) -> Result<(), TaskError> {
     const LAYUP: &str = "[0_2/60_2/-60_2]s";
     let moduli = |constants: Constants| {
         let laminate = of_constants(LAYUP, constants, 0.005, Strengths::default())?;
-        Ok::<_, Trouble>(laminate.membrane_moduli(Curvature::Suppressed))
+        Ok::<_, TaskError>(laminate.membrane_moduli(Curvature::Suppressed))
     };
     checks.now_against("Post & Reddy 1988, 3 digits");
     let own = moduli(Constants {

@@ -24,7 +24,7 @@ use stickslip_hybrid::identify::Bounds;
 use super::check::Tolerance::Absolute;
 use super::check::{Check, Checks};
 use super::laboratory::Laboratory;
-use crate::publish::{Trouble, root};
+use crate::publish::{TaskError, root};
 
 /// Lines per millimetre.
 const FREQUENCY: f64 = 2400.0;
@@ -37,7 +37,7 @@ const RADIUS: f64 = 9.525;
 const DROP: &str = r#"{ "static_dynamic": { "static": 0.35, "dynamic": 0.25 } }"#;
 const NONE: &str = r#"{ "coulomb": { "mu": 0.0 } }"#;
 
-pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let [fine, coarse] = PAIRS;
     let studies = [
         Study::new(fine[0], fine[1])?,
@@ -58,7 +58,7 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
 }
 
 /// The drop without a length: its static coefficient hardly shows.
-fn drop_law(checks: &mut Checks, study: &Study) -> Result<usize, Trouble> {
+fn drop_law(checks: &mut Checks, study: &Study) -> Result<usize, TaskError> {
     let found = study.fitted(DROP, &[drop_candidate()?], &[3, 6, 9], 1)?;
     let own = &found.fits[0];
     let (dynamic, _) = estimate(own, "dynamic")?;
@@ -77,26 +77,26 @@ fn drop_law(checks: &mut Checks, study: &Study) -> Result<usize, Trouble> {
     checks.holds(
         "drop: static coefficient 0.35",
         "bounded on one side, or not identifiable",
-        words(bounds),
+        describe_bounds(bounds),
         weak,
     );
     Ok(evaluations(&found))
 }
 
-fn no_friction(checks: &mut Checks, study: &Study) -> Result<usize, Trouble> {
+fn no_friction(checks: &mut Checks, study: &Study) -> Result<usize, TaskError> {
     let found = study.fitted(NONE, &[coulomb()?], &[3, 6, 9], 1)?;
     let (_, bounds) = estimate(&found.fits[0], "mu")?;
     checks.holds(
         "no friction: coefficient",
         "none, or at most 0.001",
-        words(bounds),
+        describe_bounds(bounds),
         matches!(bounds, Bounds::AtMost(high) if high <= 0.001),
     );
     Ok(evaluations(&found))
 }
 
 /// How far the hole's edge moves.
-fn sensitivities(checks: &mut Checks) -> Result<(), Trouble> {
+fn sensitivities(checks: &mut Checks) -> Result<(), TaskError> {
     let model = ContactModel::new(&aluminium(1.125)?)?;
     let law = drop_candidate()?;
     let changes = [vec![0.25, 0.30], vec![0.27, 0.37]];
@@ -133,7 +133,7 @@ struct Study {
 }
 
 impl Study {
-    fn new(truth: f64, model: f64) -> Result<Self, Trouble> {
+    fn new(truth: f64, model: f64) -> Result<Self, TaskError> {
         let own = aluminium(model)?;
         Ok(Self {
             truth: ContactModel::new(&aluminium(truth)?)?,
@@ -148,7 +148,7 @@ impl Study {
         laws: &[Candidate],
         steps: &[usize],
         seed: u64,
-    ) -> Result<Comparison, Trouble> {
+    ) -> Result<Comparison, TaskError> {
         let data = self.observations(true_law, steps, seed)?;
         let settings = Settings::default();
         let Self { model, coarser, .. } = self;
@@ -156,7 +156,7 @@ impl Study {
     }
 
     /// The longest slip path `[mm]` of any contact point of the truth after the load step `last`, counted from 0.
-    fn slipped(&self, true_law: &str, last: usize) -> Result<f64, Trouble> {
+    fn slipped(&self, true_law: &str, last: usize) -> Result<f64, TaskError> {
         let states = self.truth.states(Arc::from(law(true_law)?), last + 1);
         let states = states?;
         let history = states.last().map_or(&[][..], |state| &state.history);
@@ -170,7 +170,7 @@ impl Study {
         true_law: &str,
         steps: &[usize],
         seed: u64,
-    ) -> Result<Vec<Observation>, Trouble> {
+    ) -> Result<Vec<Observation>, TaskError> {
         let at = |k: i32| -20.0 + 2.0 * f64::from(k);
         let places: Vec<[f64; 2]> = (0..=20)
             .flat_map(|i| (0..=20).map(move |j| [at(i), at(j)]))
@@ -204,7 +204,7 @@ impl Study {
 }
 
 /// The aluminium plate with corner nodes every `degrees` along the fine part of its edge.
-fn aluminium(degrees: f64) -> Result<SpecimenScene, Trouble> {
+fn aluminium(degrees: f64) -> Result<SpecimenScene, TaskError> {
     let path = root().join("scenes/pin-loaded-aluminium.toml");
     let overrides = [
         format!("mesh.spacing=\"{degrees} deg\""),
@@ -218,32 +218,32 @@ fn aluminium(degrees: f64) -> Result<SpecimenScene, Trouble> {
     })
 }
 
-fn law(text: &str) -> Result<Box<dyn FrictionLaw>, Trouble> {
+fn law(text: &str) -> Result<Box<dyn FrictionLaw>, TaskError> {
     Ok(serde_json::from_str(text)?)
 }
 
-fn candidate(name: &str, text: &str, free: &[(&str, [f64; 2])]) -> Result<Candidate, Trouble> {
+fn candidate(name: &str, text: &str, free: &[(&str, [f64; 2])]) -> Result<Candidate, TaskError> {
     Candidate::of_law(name, law(text)?.as_ref(), free)
         .map_err(|(parameter, cause)| format!("{name}.{parameter}: {cause}").into())
 }
 
-fn coulomb() -> Result<Candidate, Trouble> {
+fn coulomb() -> Result<Candidate, TaskError> {
     candidate("Coulomb", NONE, &[("mu", [0.0, 1.0])])
 }
 
-fn drop_candidate() -> Result<Candidate, Trouble> {
+fn drop_candidate() -> Result<Candidate, TaskError> {
     let free = [("dynamic", [0.0, 1.0]), ("static", [0.0, 1.0])];
     candidate("drop", DROP, &free)
 }
 
-fn estimate(fit: &Fit, name: &str) -> Result<(f64, Bounds), Trouble> {
+fn estimate(fit: &Fit, name: &str) -> Result<(f64, Bounds), TaskError> {
     let mut all = fit.calibration.estimates.iter();
     let own = all.find(|own| own.name == name);
     let own = own.ok_or_else(|| format!("no parameter '{name}'"))?;
     Ok((own.value, own.bounds))
 }
 
-fn words(bounds: Bounds) -> String {
+fn describe_bounds(bounds: Bounds) -> String {
     match bounds {
         Bounds::Between(low, high) => format!("{low:.4} … {high:.4}"),
         Bounds::AtMost(high) => format!("at most {high:.4}"),

@@ -13,14 +13,14 @@ use stickslip_laboratory::references::line_contact::{
 use super::check::Tolerance::{Absolute, Relative};
 use super::check::{Check, Checks, percent};
 use super::laboratory::{Laboratory, Worst};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// Corner spacing of the scene of Cattaneo and Mindlin `[mm]`.
 const SPACING: f64 = 0.011;
 /// Allowed error of the stick half-width (of a), of the shear (of its peak) and of the work.
 const BOUND: f64 = 1e-2;
 
-pub(super) fn hertz(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+pub(super) fn hertz(laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let spacing = laboratory.sized(0.04, 0.02);
     let results = laboratory.run(
         "hertz-cylinder",
@@ -38,7 +38,7 @@ pub(super) fn hertz(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
 }
 
 /// The scene as it is, and what is seen with a tenth of the radius.
-pub(super) fn cattaneo(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+pub(super) fn cattaneo(laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let mut checks = Checks::against("Cattaneo 1938, Mindlin 1949");
     let results = laboratory.run("cattaneo-mindlin", &[])?;
     let stuck = results.steps[1].edges[0]
@@ -129,11 +129,11 @@ fn shear_error(
     worst
 }
 
-fn peak(edge: &EdgeResults) -> Result<f64, Trouble> {
+fn peak(edge: &EdgeResults) -> Result<f64, TaskError> {
     Ok(edge.peak_pressure.ok_or(OPEN)?.0)
 }
 
-fn extent(edge: &EdgeResults) -> Result<f64, Trouble> {
+fn extent(edge: &EdgeResults) -> Result<f64, TaskError> {
     Ok(edge.contact_half_extent.ok_or(OPEN)?)
 }
 

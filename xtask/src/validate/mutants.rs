@@ -7,7 +7,7 @@ use super::check::{Check, Checks, Verdict};
 use super::laboratory::{Laboratory, Size, is_proved_impossible};
 use super::mutation::Mutation;
 use super::{Case, Outcome};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// Parts of cases that come out the same with a mistake: the case, and the beginning of the names of its checks.
 const BLIND: [(&str, &str); 2] = [
@@ -31,7 +31,7 @@ pub(super) fn outcome(chosen: &[&Case]) -> Outcome {
                 let (missed, of) = (missed(list).count(), bounded(list).count());
                 (format!("{missed} of {of} fail"), missed == 0)
             }
-            Err(trouble) => (trouble.to_string(), false),
+            Err(error) => (error.to_string(), false),
         };
         let what = format!("{}: {}", case.title, Mutation::None.name());
         checks.holds(what, "all physical quantities pass", found, met);
@@ -61,25 +61,25 @@ fn judge(
     checks: &mut Checks,
     case: &Case,
     mutation: Mutation,
-    mutant: Result<Vec<Check>, Trouble>,
+    mutant: Result<Vec<Check>, TaskError>,
 ) -> bool {
     let what = format!("{}: {}", case.title, mutation.name());
     let list = match mutant {
         Ok(list) => list,
-        Err(trouble) if is_proved_impossible(&trouble) => {
+        Err(error) if is_proved_impossible(&error) => {
             checks.holds(
                 what,
                 "impossible: a load without balance, by the solver's proof",
-                trouble.to_string(),
+                error.to_string(),
                 true,
             );
             return true;
         }
-        Err(trouble) => {
+        Err(error) => {
             checks.show(
                 what,
                 "not solved and no proof: counts as not noticed",
-                trouble.to_string(),
+                error.to_string(),
             );
             return false;
         }

@@ -11,14 +11,14 @@ use super::check::Tolerance::Relative;
 use super::check::{Check, Checks, percent};
 use super::laboratory::{KSI, Laboratory, Worst};
 use super::rigid_pin::stresses;
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// Allowed error.
 const BOUND: f64 = 1e-3;
 /// Howland's problem at d/W = 0.5: largest hoop stress over the remote stress.
 const HOWLAND: f64 = 4.34760;
 
-pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let mut checks = Checks::against("Howland's problem solved anew, 6 digits");
     let results = laboratory.run("open-hole", &[])?;
     let (tension, [_, hoop, _]) = (100.0, stresses(&results, 0, 90.0)?);

@@ -6,7 +6,7 @@ use stickslip_laboratory::references::persson::{STEPS, pressure};
 use super::check::Tolerance::{Absolute, Relative};
 use super::check::{Check, Checks, percent};
 use super::laboratory::{Laboratory, Worst};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// Allowed errors: of the half-angle `[deg]`, of the pressure.
 const ANGLE: f64 = 0.1;
@@ -16,7 +16,7 @@ const PRESSURE: f64 = 1e-3;
 const SPACINGS: [f64; 3] = [2.0, 1.0, 0.5];
 const BOUNDED: std::ops::Range<usize> = 1..3;
 
-pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let mut runs = Vec::with_capacity(SPACINGS.len());
     for spacing in SPACINGS {
         let overrides = [format!("mesh.spacing=\"{spacing} deg\"")];
@@ -100,7 +100,7 @@ fn errors(
     half_angle: f64,
     factor: f64,
     spacing: f64,
-) -> Result<Errors, Trouble> {
+) -> Result<Errors, TaskError> {
     let (geometry, edge) = (&run.edges[0], &run.steps[step].edges[0]);
     let missing = || format!("no contact in step {}", step + 1);
     let epsilon = half_angle.to_radians();

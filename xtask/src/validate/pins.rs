@@ -16,7 +16,7 @@ use stickslip_contact::Status;
 use super::check::{Check, Checks, number};
 use super::laboratory::{Laboratory, PSI};
 use super::rigid_pin;
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// Young's modulus `[psi]`, interference, radius of the hole, thickness, and distance from its centre to the nearest edge `[in]`.
 const YOUNG: f64 = 10.4e6;
@@ -33,7 +33,7 @@ const INCH: f64 = 25.4;
 /// 1 lbf in N.
 const POUND: f64 = 4.448_221_615_260_5;
 
-pub(super) fn interference(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+pub(super) fn interference(laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let results = laboratory.run("interference-pin", &[])?;
     if results.steps.len() != LOADS.len() {
         return Err(format!("not {} steps", LOADS.len()).into());
@@ -105,7 +105,7 @@ fn press_fit(checks: &mut Checks, edge: &EdgeResults) {
     );
 }
 
-pub(super) fn orthotropic(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+pub(super) fn orthotropic(laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let mut checks = Checks::against("statics");
     let steel = laboratory.run("pin-orthotropic", &[])?;
     let rigid = laboratory.run("pin-orthotropic", &["bodies.pin.rigid=true".into()])?;

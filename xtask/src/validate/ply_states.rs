@@ -13,7 +13,7 @@ use stickslip_laminate::{Laminate, Ply, PlyConstants, Strengths};
 
 use super::check::{Check, Checks};
 use super::laboratory::Laboratory;
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// Strengths of Post & Reddy (1988) `[ksi]`.
 const STRENGTHS: [f64; 5] = [229.4, 252.1, 10.1, 32.0, 17.3];
@@ -29,7 +29,7 @@ const CARBON: PlyConstants = PlyConstants {
     thickness: 0.005,
 };
 
-pub(super) fn checks(_: &Laboratory) -> Result<Vec<Check>, Trouble> {
+pub(super) fn checks(_: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let [xt, xc, yt, yc, s12] = STRENGTHS;
     let strengths = Strengths::in_plane(xt, xc, yt, yc, s12);
     let ply = Ply::new("carbon", CARBON, strengths)?;
@@ -41,7 +41,7 @@ pub(super) fn checks(_: &Laboratory) -> Result<Vec<Check>, Trouble> {
     Ok(checks.into_list())
 }
 
-fn laminate(layup: &str, ply: &Ply) -> Result<Laminate, Trouble> {
+fn laminate(layup: &str, ply: &Ply) -> Result<Laminate, TaskError> {
     Ok(Laminate::new(&layup.parse()?, ply)?)
 }
 
@@ -55,7 +55,7 @@ fn reduced_stiffness() -> [f64; 3] {
     ]
 }
 
-fn residual_stress(checks: &mut Checks, ply: &Ply) -> Result<(), Trouble> {
+fn residual_stress(checks: &mut Checks, ply: &Ply) -> Result<(), TaskError> {
     let cooling = -150.0;
     let [q11, q12, q22] = reduced_stiffness();
     let [a1, a2] = [CARBON.alpha1, CARBON.alpha2];
@@ -78,7 +78,7 @@ fn residual_stress(checks: &mut Checks, ply: &Ply) -> Result<(), Trouble> {
     Ok(())
 }
 
-fn coupling(checks: &mut Checks, ply: &Ply) -> Result<(), Trouble> {
+fn coupling(checks: &mut Checks, ply: &Ply) -> Result<(), TaskError> {
     let [q11, _, q22] = reduced_stiffness();
     let pair = laminate("[0/90]", ply)?;
     let size = (q11 - q22) * pair.thickness() * pair.thickness() / 8.0;
@@ -100,14 +100,18 @@ fn coupling(checks: &mut Checks, ply: &Ply) -> Result<(), Trouble> {
 }
 
 /// The stress that the elastic strain of `stress` is returned to.
-fn returned(surface: &YieldSurface, ply: &Ply, stress: [f64; 3]) -> Result<ClosestPoint, Trouble> {
+fn returned(
+    surface: &YieldSurface,
+    ply: &Ply,
+    stress: [f64; 3],
+) -> Result<ClosestPoint, TaskError> {
     let strain = apply(ply.compliance(), stress);
     surface.closest_point(strain, 0.0).map_err(|(residual, iterations)| {
         format!("the return mapping stops at a residual of {residual:.1e} after {iterations} iterations").into()
     })
 }
 
-fn yielding(checks: &mut Checks, ply: &Ply) -> Result<(), Trouble> {
+fn yielding(checks: &mut Checks, ply: &Ply) -> Result<(), TaskError> {
     let surface = YieldSurface::new(ply, 0.0)?;
     let [xt, xc, yt, yc, s12] = STRENGTHS;
     let uniaxial = [

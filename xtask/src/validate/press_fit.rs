@@ -14,7 +14,7 @@ use stickslip::results::{EdgeResults, EdgeRow};
 use super::check::Tolerance::Relative;
 use super::check::{Check, Checks};
 use super::laboratory::Laboratory;
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// Allowed error.
 const BOUND: f64 = 2e-3;
@@ -25,7 +25,7 @@ const RADII: [f64; 3] = [5.0, 8.0, 16.0];
 /// Interferences δ_a, δ_b `[mm]`.
 const INTERFERENCES: [f64; 2] = [0.0005, 0.0008];
 
-pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let mut checks = Checks::against("Lamé 1852, closed form");
     let results = laboratory.run("validation/lame-press-fit", &[])?;
     let [a, b, c] = RADII.map(|radius| radius * radius);

@@ -13,7 +13,7 @@ use stickslip_hybrid::region::{Region, independent_covariance};
 
 use super::check::Checks;
 use crate::hybrid_noise::specimen::{analysed, body};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 const DRAWS: usize = 1000;
 /// Rounds behind a median, and single solves timed in each.
@@ -34,7 +34,7 @@ struct Work {
 }
 
 /// One factorisation, the exact covariance of the edge stresses and [`DRAWS`] draws.
-pub(super) fn checks(checks: &mut Checks) -> Result<(), Trouble> {
+pub(super) fn checks(checks: &mut Checks) -> Result<(), TaskError> {
     let work = Work::new()?;
     let (outputs, prescribed) = (work.rows.len(), work.values.len());
     let propagated = work.region.propagate(&work.rows, &work.measured);
@@ -65,7 +65,7 @@ pub(super) fn checks(checks: &mut Checks) -> Result<(), Trouble> {
 }
 
 impl Work {
-    fn new() -> Result<Self, Trouble> {
+    fn new() -> Result<Self, TaskError> {
         let sector = ArcSector {
             cells: [84, 39],
             ..analysed(1.0)
@@ -92,7 +92,7 @@ impl Work {
 
     /// Times of factorisation, covariance and draws over that of one triangular solve, of the round whose sum is the median. The parts
     /// of a round stand beside a single solve at the same time, as the machine's speed drifts.
-    fn parts(&self) -> Result<[f64; 3], Trouble> {
+    fn parts(&self) -> Result<[f64; 3], TaskError> {
         let Self {
             region,
             measured,

@@ -16,7 +16,7 @@ use super::check::{Check, Checks};
 use super::laboratory::{KSI, Laboratory};
 use crate::hybrid_noise::case::inside;
 use crate::hybrid_noise::specimen::{self, DEVIATION, FREQUENCY, analysed, loaded};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 const STUDY: &str = "Post & Reddy (1988), part I, 4.2, Figs 14–19";
 const EXPECTED_BY: &str = "cells of 2 mm: Post & Reddy (1988), part I, 4.2, Figs 14–19; smaller ones: an independent calculation, noise goes as 1/h";
@@ -42,7 +42,7 @@ pub(super) struct Known {
 
 impl Known {
     /// Cells of `size` `[mm]` along the edge, a peak of `shear` `[ksi]`.
-    pub(super) fn new(size: f64, shear: f64) -> Result<Self, Trouble> {
+    pub(super) fn new(size: f64, shear: f64) -> Result<Self, TaskError> {
         let body: Arc<ElasticBody> = specimen::body(&analysed(size))?;
         let u = loaded(&body, contact(shear))?;
         let region = Region::new(&body, &[])?;
@@ -71,14 +71,14 @@ impl Known {
     }
 
     /// Root mean square of a component's deviation by ±1/4 fringe, two cells at either end left out `[MPa]`.
-    fn noise(&self, component: usize) -> Result<f64, Trouble> {
+    fn noise(&self, component: usize) -> Result<f64, TaskError> {
         let rows = self.edge.component(component);
         let found = self.region.propagate(&rows, &self.measured);
         Ok(inside(&found?.deviations()))
     }
 
     /// Errors of radial stress and shear `[MPa]`, root mean squares inside, for one draw of errors uniform in ±`quarters`/4 fringe.
-    fn disturbed(&self, quarters: f64) -> Result<[f64; 2], Trouble> {
+    fn disturbed(&self, quarters: f64) -> Result<[f64; 2], TaskError> {
         let exact = &self.measured.values;
         let errors = specimen::shaken(&vec![0.0; exact.len()], 3);
         let values = exact.iter().zip(errors);
@@ -99,14 +99,14 @@ impl Known {
     }
 
     /// Stresses of the edge nodes from boundary displacements.
-    fn answer(&self, measured: &NodalDisplacements) -> Result<Vec<f64>, Trouble> {
+    fn answer(&self, measured: &NodalDisplacements) -> Result<Vec<f64>, TaskError> {
         let solution = self.region.solve(measured)?;
         Ok(solution.outputs(&self.edge.rows))
     }
 }
 
 /// The report's sensitivity study.
-pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let mut checks = Checks::against(STUDY);
     driven(&mut checks)?;
     checks.now_against(EXPECTED_BY);
@@ -125,7 +125,7 @@ pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
 }
 
 /// Force-driven against displacement-driven.
-fn driven(checks: &mut Checks) -> Result<(), Trouble> {
+fn driven(checks: &mut Checks) -> Result<(), TaskError> {
     let known = Known::new(1.0, 5.0)?;
     let found = known.answer(&known.measured)?;
     let differences = found
@@ -144,7 +144,7 @@ fn driven(checks: &mut Checks) -> Result<(), Trouble> {
 }
 
 /// Noise over peaks for shears of 5 and 1 ksi, and for ten times the error.
-fn clear(checks: &mut Checks) -> Result<(), Trouble> {
+fn clear(checks: &mut Checks) -> Result<(), TaskError> {
     let [strong, weak] = [Known::new(2.0, 5.0)?, Known::new(2.0, 1.0)?];
     let (normal, shear) = (strong.noise(0)?, strong.noise(2)?);
     checks.error_below(
@@ -173,7 +173,7 @@ fn one_draw(
     known: &Known,
     quarters: f64,
     met: impl Fn(f64, f64) -> bool,
-) -> Result<(), Trouble> {
+) -> Result<(), TaskError> {
     let [radial, shear] = known.disturbed(quarters)?;
     let parts = [radial / known.peak(0), shear / known.peak(2)];
     checks.holds(
@@ -199,7 +199,7 @@ fn one_draw(
 }
 
 /// One error of five fringes at a node of the edge.
-fn lone_error(checks: &mut Checks) -> Result<(), Trouble> {
+fn lone_error(checks: &mut Checks) -> Result<(), TaskError> {
     const SIZE: f64 = 1.0;
     let known = Known::new(SIZE, 5.0)?;
     let middle = known.edge.nodes.len() / 4 * 2;

@@ -8,7 +8,7 @@ use stickslip::results::Results;
 
 use super::check::{Check, Checks};
 use super::laboratory::Laboratory;
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 use crate::shear_sign::curve::{Pattern, Reading, read};
 use crate::shear_sign::signs::points;
 
@@ -22,7 +22,7 @@ const UNLOADING: usize = 10;
 /// The part of the edge, from the bearing point, to which shear may be reversed at 20 lb `[degree]`: half of the contact.
 const NEAR: f64 = 75.0;
 
-pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, Trouble> {
+pub(super) fn checks(laboratory: &Laboratory) -> Result<Vec<Check>, TaskError> {
     let mut checks = Checks::against("finding of cargo xtask shear-sign");
     let spacing = laboratory.sized("2.25 deg", "1.125 deg");
     let changes = [
@@ -85,7 +85,7 @@ fn signs(checks: &mut Checks, law: &str, results: &Results, edge: usize) {
 }
 
 /// Largest stress across the fibres at 900 lb, by its place.
-fn cracks(checks: &mut Checks, results: &Results) -> Result<(), Trouble> {
+fn cracks(checks: &mut Checks, results: &Results) -> Result<(), TaskError> {
     const MISSING: &str = "no ply stresses on the edge";
     let mut bodies = results.failure.iter();
     let failure = bodies

@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn functions_that_cannot_be_told_apart_have_no_dual() {
+    fn functions_that_are_linearly_dependent_have_no_dual() {
         let at_one_place: &[f64] = &[0.4, 0.6];
         assert_eq!(
             combination(Multipliers::Dual, 2, &[(1.0, at_one_place)]),

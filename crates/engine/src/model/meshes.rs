@@ -108,8 +108,8 @@ fn refuse(limits: Limits, body: &str, cause: DivisionError) -> ModelError {
         }
         DivisionError::Generate(GenerateError::TooLarge { nodes, .. }) => {
             // The generator has found that this is more than the memory holds.
-            let words = limits.check(nodes as f64 * BYTES_PER_NODE);
-            too_large(body, nodes, words.err().unwrap_or_default())
+            let message = limits.check(nodes as f64 * BYTES_PER_NODE);
+            too_large(body, nodes, message.err().unwrap_or_default())
         }
         DivisionError::Generate(cause) => ModelError::Generate {
             body: body.to_owned(),
@@ -122,11 +122,11 @@ fn refuse(limits: Limits, body: &str, cause: DivisionError) -> ModelError {
     }
 }
 
-fn too_large(body: &str, nodes: usize, words: String) -> ModelError {
+fn too_large(body: &str, nodes: usize, message: String) -> ModelError {
     ModelError::TooLittleMemory {
         body: body.to_owned(),
         nodes: nodes as f64,
-        words,
+        message,
     }
 }
 
@@ -134,12 +134,17 @@ fn too_large(body: &str, nodes: usize, words: String) -> ModelError {
 fn check_together(plan: &Plan<'_>, limits: Limits, meshes: &Meshes) -> Result<(), ModelError> {
     let nodes: usize = meshes.values().map(|mesh| mesh.nodes().len()).sum();
     let largest = meshes.iter().max_by_key(|(_, mesh)| mesh.nodes().len());
-    let (Err(words), Some((&body, mesh))) = (limits.check(nodes as f64 * BYTES_PER_NODE), largest)
+    let (Err(message), Some((&body, mesh))) =
+        (limits.check(nodes as f64 * BYTES_PER_NODE), largest)
     else {
         return Ok(());
     };
-    let words = format!("with the other bodies {words}");
-    Err(too_large(plan.bodies[body].name, mesh.nodes().len(), words))
+    let message = format!("with the other bodies {message}");
+    Err(too_large(
+        plan.bodies[body].name,
+        mesh.nodes().len(),
+        message,
+    ))
 }
 
 fn too_many(body: &str, nodes: f64) -> ModelError {

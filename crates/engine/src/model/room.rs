@@ -35,7 +35,7 @@ pub(super) fn check(limits: Limits, model: &Model) -> Result<(), ModelError> {
     let bodies = model.bodies.iter().map(|body| body.interface.len());
     let of_bodies: f64 = bodies.map(square).sum();
     let bytes = NUMBER * (OF_PART * of_parts + OF_BODY * of_bodies);
-    if let (Err(words), Some(largest)) = (
+    if let (Err(message), Some(largest)) = (
         limits.check(bytes),
         parts.iter().max_by_key(|part| points(part)),
     ) {
@@ -46,7 +46,7 @@ pub(super) fn check(limits: Limits, model: &Model) -> Result<(), ModelError> {
             contact: names.first().copied().unwrap_or_default().to_owned(),
             points: points(largest),
             contacts: largest.pairs.len(),
-            words,
+            message,
         });
     }
     let steps = model.history.steps().len();
@@ -56,7 +56,7 @@ pub(super) fn check(limits: Limits, model: &Model) -> Result<(), ModelError> {
     let bytes = steps as f64 * (BYTES_PER_STEP + places as f64 * BYTES_PER_PLACE);
     limits
         .check(bytes)
-        .map_err(|words| ModelError::HistoryTooLong { steps, words })
+        .map_err(|message| ModelError::HistoryTooLong { steps, message })
 }
 
 /// The bodies and pairs that are solved together.

@@ -5,9 +5,9 @@
 //! own loads, or without any against the drive; the displacement is that of the pin's centre against the far end of the plate, counted
 //! from where a pin with clearance can bear.
 
+mod description;
 mod edge;
 mod findings;
-mod words;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
@@ -387,8 +387,8 @@ impl<'a> Subject<'a> {
         });
         let cells = self.mesh(followed).map_or(0, Mesh::element_count);
         ProgressiveFailure {
-            model: words::model(self, &model.request),
-            control: words::control(self, &model.request),
+            model: description::model(self, &model.request),
+            control: description::control(self, &model.request),
             curve: curve.collect(),
             peak: history.peak(),
             strength: history.strength(),

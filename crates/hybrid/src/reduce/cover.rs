@@ -74,13 +74,13 @@ pub enum Reason {
 
 impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.told(&|length| length.to_string()))
+        f.write_str(&self.describe(&|length| length.to_string()))
     }
 }
 
 impl Reason {
     /// The reason as text, with its lengths as `length` spells them.
-    pub fn told(&self, length: &dyn Fn(f64) -> String) -> String {
+    pub fn describe(&self, length: &dyn Fn(f64) -> String) -> String {
         match self {
             Self::Outside => "outside the data".to_owned(),
             Self::Gap { side, longest } => format!(

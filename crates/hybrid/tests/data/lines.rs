@@ -92,7 +92,7 @@ fn fringe_lines_are_refused_with_the_place() {
 
 /// A table in pixels of 0.01, y down: errors are reported in pixels, as in the file.
 #[test]
-fn faults_of_fringe_centres_are_told_in_the_numbers_of_their_rows() {
+fn faults_of_fringe_centres_are_reported_by_the_numbers_of_their_rows() {
     let pixels = LineReading {
         y_axis: YAxis::Down,
         ..LineReading::new(0.01, 0.1)

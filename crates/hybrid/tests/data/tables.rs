@@ -37,7 +37,7 @@ fn dice_is_read_in_pixels_with_failed_subsets_masked() {
 }
 
 #[test]
-fn y_turns_only_when_told() {
+fn y_turns_only_on_request() {
     let down = Reading {
         y_axis: YAxis::Down,
         deviation: [0.01, 0.02],
@@ -340,7 +340,7 @@ fn deformed_places_may_be_stated_for_any_table() {
 
 /// The step of last digits, by any way of writing numbers, and the line of each place.
 #[test]
-fn rows_tell_their_lines_and_the_step_of_their_digits() {
+fn rows_know_their_lines_and_the_step_of_their_digits() {
     let rows = |text: &str, reading: &Reading| {
         let read = Measurement::read_rows(text.as_bytes(), "t", &Format::plain(), reading);
         read.unwrap().1

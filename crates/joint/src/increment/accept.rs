@@ -8,7 +8,7 @@ use super::solve::with_correction;
 use super::{Accepted, Linear, Part, Solving};
 use crate::body::{JointBody, Response};
 use crate::damage::{PlyEvent, event, newly_flowing};
-use crate::energy::Station;
+use crate::energy::Equilibrium;
 use crate::error::Halt;
 use crate::state::{BodyState, Energy, JointState};
 
@@ -21,7 +21,7 @@ impl Solving<'_> {
         failed: &[Vec<(usize, usize)>],
     ) -> Result<(), Halt> {
         let failures = failed.iter().map(Vec::len).sum();
-        if self.passes == 0 && failures > self.manner.burst {
+        if self.passes == 0 && failures > self.settings.burst {
             return Err(Halt::Burst { failures });
         }
         if self.passes >= self.joint.options.passes {
@@ -52,7 +52,7 @@ impl Solving<'_> {
             if let Part::History(working) = part
                 && let Some(predicted) = predicted.next()
             {
-                released += (working.passage).fail(working.body, &working.response, predicted);
+                released += (working.pass_start).fail(working.body, &working.response, predicted);
                 working.base = Some(working.response.trial.clone());
             }
         }
@@ -97,13 +97,15 @@ impl Solving<'_> {
             },
             ..BodyState::default()
         });
-        let station = Station {
+        let equilibrium = Equilibrium {
             bodies: bodies.collect(),
             multipliers: self.multipliers.to_vec(),
             rigid: linear.solution.trial.rigid.clone(),
         };
-        self.external += self.station.work(self.joint, &linear.problem, &station);
-        self.station = station;
+        self.external += self
+            .equilibrium
+            .work(self.joint, &linear.problem, &equilibrium);
+        self.equilibrium = equilibrium;
     }
 
     /// Force of the supports along their unit displacements `motion`.
@@ -119,10 +121,10 @@ impl Solving<'_> {
         reactions.zip(motion).map(|(force, u)| force * u).sum()
     }
 
-    /// Load and displacement at the station.
+    /// Load and displacement at the equilibrium.
     pub(super) fn read(&self, linear: &Linear) -> [f64; 2] {
         let forces = &linear.solution.trial.forces;
-        (self.joint.gauge).read(&linear.problem, forces, &self.station.bodies)
+        (self.joint.gauge).read(&linear.problem, forces, &self.equilibrium.bodies)
     }
 
     /// Makes the solved linearisation the end of the increment.
@@ -137,7 +139,7 @@ impl Solving<'_> {
         self.events.extend(flowing);
         let jumps = self
             .histories()
-            .map(|working| (working.passage).released_by_jump(working.body, &working.response));
+            .map(|working| (working.pass_start).released_by_jump(working.body, &working.response));
         self.released += jumps.sum::<f64>();
 
         let multipliers = with_correction(self.multipliers);
@@ -147,7 +149,7 @@ impl Solving<'_> {
             ..StepRecord::of(&step, linear.solution)
         };
         let energy = self.energy(contact.dissipation);
-        let mut bodies = self.station.bodies;
+        let mut bodies = self.equilibrium.bodies;
         for part in self.parts {
             if let Part::History(working) = part {
                 let before = self.start.bodies[working.index].largest_force;
@@ -206,7 +208,7 @@ impl Solving<'_> {
             energy.stored += stored;
             energy.dissipated += dissipated;
         }
-        for (body, state) in self.joint.bodies.iter().zip(&self.station.bodies) {
+        for (body, state) in self.joint.bodies.iter().zip(&self.equilibrium.bodies) {
             if let JointBody::Elastic(body) = body {
                 let u = &state.displacements;
                 let forces = internal_forces(body.body(), u);

@@ -17,7 +17,7 @@ use stickslip_fem_core::body::internal_forces;
 use stickslip_fem_core::material::apply;
 use stickslip_fem_core::points::strains;
 
-use super::{Linear, Manner, Part, Solving};
+use super::{IncrementSettings, Linear, Part, Solving};
 use crate::body::{JointBody, ProgressiveBody, Response};
 use crate::joint::Joint;
 use crate::operator::Factors;
@@ -49,13 +49,13 @@ impl Joint {
             }
             starting.push(response.flatten());
         }
-        let manner = Manner {
+        let settings = IncrementSettings {
             quickly: false,
             burst: usize::MAX,
             peak: f64::INFINITY,
             sound: f64::INFINITY,
         };
-        let mut solving = Solving::new(self, state, &starting, &state.multipliers, manner);
+        let mut solving = Solving::new(self, state, &starting, &state.multipliers, settings);
         // The joint's own factors are those of the next iterations.
         let mut own = Factors::new(self.bodies.len());
         let solved = solving.linearised(solver, &mut own, None);

@@ -32,7 +32,7 @@ impl<'a> Solving<'a> {
         if let Some(guess) = guess {
             step = step.near(guess);
         }
-        let solution = if self.manner.quickly {
+        let solution = if self.settings.quickly {
             solver.try_quickly(&step)
         } else {
             solver.solve(&step)

@@ -106,7 +106,7 @@ fn late_broken_fibres_outweigh_early_cracks() {
 
 /// What fails in the increment that finds no equilibrium is named, and the path at the last equilibrium stands beside it.
 #[test]
-fn damage_of_the_collapse_is_told_apart() {
+fn damage_of_the_collapse_is_distinguished() {
     let crack = |k: i32| site(90.0, 1.0 + 0.2 * f64::from(k), true, true);
     // The side lies 2 radii from the edge: two fifths are broken in equilibrium.
     let mut sites: Vec<DamageSite> = (0..4).map(crack).collect();

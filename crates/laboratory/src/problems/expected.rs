@@ -6,7 +6,7 @@ use super::Problem;
 use crate::error::LaboratoryError;
 use crate::references::{aluminium, line_contact, persson, rigid_pin};
 
-/// Stations closer to the contact's end than this `[deg]` are left out: the tables are least accurate there.
+/// Points closer to the contact's end than this `[deg]` are left out: the tables are least accurate there.
 const END: f64 = 3.0;
 
 /// Pressure and shear λ_t on the first body `[MPa]` at a place ≥ 0 along the edge.
@@ -23,7 +23,7 @@ pub(super) struct Expected {
     largest_shear: f64,
     profile: Profile,
     /// Where the profile is known, if not everywhere.
-    stations: Option<Vec<f64>>,
+    points: Option<Vec<f64>>,
     /// Whether the shear at −x is that at x, or turned.
     even_shear: bool,
     /// Angle `[rad]` and σ_θ there `[MPa]`.
@@ -45,12 +45,12 @@ impl Expected {
                 *sum += weight * (found - exact).powi(2);
             }
         };
-        if let Some(stations) = &self.stations {
+        if let Some(points) = &self.points {
             let [pressure, shear] = [
                 edge.rows.iter().map(|row| row.pressure).collect::<Vec<_>>(),
                 edge.rows.iter().map(|row| row.shear).collect(),
             ];
-            for &place in stations {
+            for &place in points {
                 let value =
                     |values: &[f64]| interpolate(parameter, values, place).unwrap_or(f64::NAN);
                 add(1.0, place, [value(&pressure), value(&shear)]);
@@ -121,7 +121,7 @@ fn of_persson() -> Vec<Expected> {
                 extent: epsilon,
                 largest_shear: 1.0,
                 profile: Box::new(move |phi| [factor * persson::pressure(epsilon, phi), 0.0]),
-                stations: None,
+                points: None,
                 even_shear: false,
                 hoop: Some((std::f64::consts::FRAC_PI_2, hoop)),
             }
@@ -139,25 +139,25 @@ fn line(step: usize, peak: f64, shear: fn(f64) -> f64) -> Expected {
         // Of all states: the largest is at the end of the stick zone at Q = 0.5 μP.
         largest_shear: scale * line_contact::shear_loaded(line_contact::STICK),
         profile: Box::new(move |x| [peak * line_contact::pressure(x), scale * shear(x)]),
-        stations: None,
+        points: None,
         even_shear: true,
         hoop: None,
     }
 }
 
 fn of_rigid_pin() -> Result<Vec<Expected>, LaboratoryError> {
-    let stations = rigid_pin::stations(rigid_pin::ORTHOTROPIC)?;
-    let of = |value: fn(&rigid_pin::Station) -> f64| -> Vec<f64> {
-        stations.iter().map(value).collect()
+    let points = rigid_pin::points(rigid_pin::ORTHOTROPIC)?;
+    let of = |value: fn(&rigid_pin::EdgePoint) -> f64| -> Vec<f64> {
+        points.iter().map(value).collect()
     };
-    let angle = of(|station| station.angle.to_radians());
-    let pressure = of(|station| -rigid_pin::BEARING * station.stresses[0]);
-    let shear = of(|station| -rigid_pin::BEARING * station.stresses[2]);
-    let net = stations.iter().find(|station| station.angle == 90.0);
-    let places = stations
+    let angle = of(|point| point.angle.to_radians());
+    let pressure = of(|point| -rigid_pin::BEARING * point.stresses[0]);
+    let shear = of(|point| -rigid_pin::BEARING * point.stresses[2]);
+    let net = points.iter().find(|point| point.angle == 90.0);
+    let places = points
         .iter()
-        .filter(|station| station.angle < rigid_pin::ORTHOTROPIC_END - END)
-        .map(|station| station.angle.to_radians())
+        .filter(|point| point.angle < rigid_pin::ORTHOTROPIC_END - END)
+        .map(|point| point.angle.to_radians())
         .collect();
     Ok(vec![Expected {
         step: 0,
@@ -166,12 +166,12 @@ fn of_rigid_pin() -> Result<Vec<Expected>, LaboratoryError> {
         largest_shear: shear
             .iter()
             .fold(0.0, |most, value| f64::max(most, value.abs())),
-        hoop: net.map(|station| {
-            let stress = rigid_pin::BEARING * station.stresses[1];
-            (station.angle.to_radians(), stress)
+        hoop: net.map(|point| {
+            let stress = rigid_pin::BEARING * point.stresses[1];
+            (point.angle.to_radians(), stress)
         }),
         profile: tabulated(angle, pressure, shear),
-        stations: Some(places),
+        points: Some(places),
         even_shear: false,
     }])
 }
@@ -189,7 +189,7 @@ fn of_aluminium(text: &str) -> Result<Vec<Expected>, LaboratoryError> {
                 largest_shear: sizes.fold(f64::MIN_POSITIVE, f64::max),
                 hoop: Some((std::f64::consts::FRAC_PI_2, profile.hoop)),
                 profile: tabulated(profile.angle, profile.pressure, profile.shear),
-                stations: None,
+                points: None,
                 even_shear: false,
             })
         })

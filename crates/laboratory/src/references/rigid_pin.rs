@@ -16,7 +16,7 @@ pub const ORTHOTROPIC_END: f64 = 84.56;
 
 /// One line of a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Station {
+pub struct EdgePoint {
     /// Angle from the bearing point `[deg]`.
     pub angle: f64,
     /// σ_r, σ_θ, τ_rθ.
@@ -29,7 +29,7 @@ pub struct Station {
 ///
 /// # Errors
 /// [`LaboratoryError::Missing`] for a line that does not read.
-pub fn stations(table: &str) -> Result<Vec<Station>, LaboratoryError> {
+pub fn points(table: &str) -> Result<Vec<EdgePoint>, LaboratoryError> {
     let lines = table.lines().filter(|line| !line.starts_with('#')).skip(1);
     lines
         .map(|line| {
@@ -39,7 +39,7 @@ pub fn stations(table: &str) -> Result<Vec<Station>, LaboratoryError> {
                 |first: usize| Some([number(first)?, number(first + 1)?, number(first + 2)?]);
             number(0)
                 .zip(three(1).zip(three(5)))
-                .map(|(angle, (stresses, errors))| Station {
+                .map(|(angle, (stresses, errors))| EdgePoint {
                     angle,
                     stresses,
                     errors,
@@ -67,16 +67,16 @@ mod tests {
         assert_eq!(tables.len(), 7);
         for table in tables {
             let table = fs::read_to_string(table).unwrap();
-            let stations = stations(&table).unwrap();
-            assert_eq!(stations.len(), 37);
-            assert_eq!((stations[0].angle, stations[36].angle), (0.0, 180.0));
+            let points = points(&table).unwrap();
+            assert_eq!(points.len(), 37);
+            assert_eq!((points[0].angle, points[36].angle), (0.0, 180.0));
         }
-        assert!(stations("head\n1,2").is_err());
+        assert!(points("head\n1,2").is_err());
     }
 
     #[test]
     fn the_peak_lies_above_all_stations() {
-        let highest = stations(ORTHOTROPIC).unwrap();
+        let highest = points(ORTHOTROPIC).unwrap();
         let highest = highest.iter().map(|s| -s.stresses[0]).fold(0.0, f64::max);
         assert!((0.0..0.01).contains(&(ORTHOTROPIC_PEAK - highest)));
     }

@@ -254,7 +254,7 @@ fn strengths_that_it_does_not_say_or_need() {
 }
 
 #[test]
-fn a_sample_of_nothing_is_told_from_a_broken_criterion() {
+fn a_sample_of_nothing_is_distinguished_from_a_broken_criterion() {
     let empty = CriterionSample {
         applied: Vec::new(),
         ..sample()

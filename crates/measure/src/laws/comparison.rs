@@ -62,25 +62,25 @@ impl Fit {
     }
 
     /// What the data say of each parameter and of the law, in a sentence or two.
-    pub fn words(&self) -> String {
-        let mut words = vec![self.verdict.words().to_owned()];
+    pub fn describe(&self) -> String {
+        let mut parts = vec![self.verdict.describe().to_owned()];
         if !self.explains() {
-            words.push("does not explain the data".to_owned());
+            parts.push("does not explain the data".to_owned());
         }
         for (index, own) in self.calibration.estimates.iter().enumerate() {
             let name = &own.name;
             match self.bounds(index).unwrap_or(own.bounds) {
-                Bounds::Nothing => words.push(format!("{name} is not identifiable")),
+                Bounds::Nothing => parts.push(format!("{name} is not identifiable")),
                 Bounds::AtMost(_) | Bounds::AtLeast(_) => {
-                    words.push(format!("{name} is bounded on one side"));
+                    parts.push(format!("{name} is bounded on one side"));
                 }
-                Bounds::Between(..) if own.deviation.is_none() => words.push(format!(
+                Bounds::Between(..) if own.deviation.is_none() => parts.push(format!(
                     "{name} shows by single contact points alone, so that its interval depends on the mesh"
                 )),
                 Bounds::Between(..) => {}
             }
         }
-        words.join("; ")
+        parts.join("; ")
     }
 }
 

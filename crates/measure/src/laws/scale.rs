@@ -29,7 +29,7 @@ pub enum ScaleSource {
 
 impl ScaleSource {
     /// In words.
-    pub const fn words(self) -> &'static str {
+    pub const fn describe(self) -> &'static str {
         match self {
             Self::Stated => "the deviation as stated",
             Self::Localized => "residuals of the localized analysis",

@@ -30,7 +30,7 @@ pub enum Verdict {
 
 impl Verdict {
     /// The verdict in words, as tables show it.
-    pub const fn words(self) -> &'static str {
+    pub const fn describe(self) -> &'static str {
         match self {
             Self::Only => "the only law",
             Self::Preferred => "preferred",

@@ -156,7 +156,7 @@ fn pictures(
             Some(null) => null,
             None => None,
         };
-        tell_of(measured, field, &own, null.is_some());
+        report_unwound(measured, field, &own, null.is_some());
         let found = match null {
             Some(null) => less(own.field, &null.field),
             None => Ok(own.field),
@@ -164,7 +164,7 @@ fn pictures(
         let found = found.map_err(|cause| scope.fringes(field.name(), cause))?;
         measured.pictures[field.component()] = Some(found);
     }
-    tell_of_unwrapping(measured);
+    report_unwrapping(measured);
     let stride = stride(scope, measured);
     let maps = measured.pictures.each_ref();
     let orders = maps.map(|field| field.as_ref().map(|field| &field.orders));
@@ -229,8 +229,8 @@ fn difference(own: &PictureField, null: &PictureField) -> Result<PixelMap, Fring
     PixelMap::with_gaps(frame, values.collect())
 }
 
-/// What is told of a field, whose carrier does not matter where a null field with the same takes it off.
-fn tell_of(measured: &mut Measured, field: Field, found: &Unwound, has_null: bool) {
+/// What is reported of a field, whose carrier does not matter where a null field with the same takes it off.
+fn report_unwound(measured: &mut Measured, field: Field, found: &Unwound, has_null: bool) {
     let name = field.name();
     let is_found = !found.known && !has_null;
     let carrier = is_found.then_some(PictureFinding::CarrierFound {
@@ -245,7 +245,7 @@ fn tell_of(measured: &mut Measured, field: Field, found: &Unwound, has_null: boo
 }
 
 /// One finding for both fields: what is wrong with one picture is mostly wrong with the other.
-fn tell_of_unwrapping(measured: &mut Measured) {
+fn report_unwrapping(measured: &mut Measured) {
     let fields = Field::BOTH.into_iter().zip(&measured.pictures);
     let open: Vec<Apart> = fields
         .filter_map(|(field, found)| {

@@ -68,10 +68,10 @@ pub(super) fn mesh(
     let memory = parts.nodes.len() as f64 * BYTES_PER_NODE;
     host.limits
         .check(memory)
-        .map_err(|words| ExperimentError::Memory {
+        .map_err(|message| ExperimentError::Memory {
             key: "region.mesh.file".to_owned(),
             what: format!("the mesh has {} nodes", parts.nodes.len()),
-            words,
+            message,
         })?;
     if parts.blocks.is_empty() {
         return Err(ExperimentError::missing(

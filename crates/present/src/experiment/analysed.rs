@@ -13,35 +13,35 @@ use stickslip_report::table::{Column, Table};
 
 use crate::csv;
 use crate::experiment::findings::shown;
-use crate::experiment::story::Story;
+use crate::experiment::report::ExperimentReport;
 use stickslip_measure::analysed::{Analysed, TruePlace, UNUSED, free_in_region_only, true_edge};
 use stickslip_measure::truth::Truth;
 use stickslip_scene::experiment::{Experiment, Method, RegionShape};
 use stickslip_text::{short, significant};
 
 /// Reports the edge stresses of all states.
-pub(crate) fn tell(
+pub(crate) fn report(
     experiment: &Experiment,
     analysed: &[Analysed],
     truth: Option<&Truth>,
-    story: &mut Story,
+    report: &mut ExperimentReport,
 ) {
-    story.section("Edge stresses");
+    report.section("Edge stresses");
     let direct = analysed.iter().any(|found| found.direct.is_some());
-    story.prose(introduction(experiment, direct));
-    story.table(stresses(experiment, analysed));
-    story.table(forces::table(experiment, analysed));
-    story.table(checks(experiment, analysed));
-    story.table(picture::table(experiment, analysed));
-    story.report(experiment, free_in_region_only(experiment));
+    report.prose(introduction(experiment, direct));
+    report.table(stresses(experiment, analysed));
+    report.table(forces::table(experiment, analysed));
+    report.table(checks(experiment, analysed));
+    report.table(picture::table(experiment, analysed));
+    report.findings(experiment, free_in_region_only(experiment));
     for found in analysed {
         let name = &experiment.states[found.state].name;
-        story.answer(&format!("State '{name}'"), answer(experiment, found));
+        report.answer(&format!("State '{name}'"), answer(experiment, found));
         let truth = true_edge(experiment, truth, found.state);
-        state(experiment, found, &truth, story);
+        state(experiment, found, &truth, report);
     }
     let entries = analysed.iter().map(|found| entry(experiment, found));
-    story.entry("edge_stresses", entries.collect());
+    report.entry("edge_stresses", entries.collect());
 }
 
 /// How the stresses are found, and what their bands hold.
@@ -66,32 +66,37 @@ fn introduction(experiment: &Experiment, direct: bool) -> Prose {
     )
 }
 
-fn state(experiment: &Experiment, found: &Analysed, truth: &[TruePlace], story: &mut Story) {
+fn state(
+    experiment: &Experiment,
+    found: &Analysed,
+    truth: &[TruePlace],
+    report: &mut ExperimentReport,
+) {
     let name = &experiment.states[found.state].name;
     let beside = if truth.is_empty() {
         ""
     } else {
         ", and the truth of the scene as a thin line"
     };
-    story.figure(
+    report.figure(
         &format!("edge-{name}"),
         &format!("Stresses on the edge with bands of two standard deviations{beside}."),
         figures::edge(experiment, found, truth),
     );
     if !found.checks.misfit.is_empty() {
-        story.figure(
+        report.figure(
             &format!("misfit-{name}"),
             "Measured less calculated displacements at places that were not used, in standard deviations. Noise has no pattern.",
             figures::misfit(experiment, found),
         );
     }
-    story.report(experiment, found.findings(experiment));
-    story.file(
+    report.findings(experiment, found.findings(experiment));
+    report.file(
         format!("edge-{name}.csv"),
         "stresses on the edge with standard deviations",
         csv(experiment, found),
     );
-    story.file(
+    report.file(
         format!("forces-{name}.csv"),
         "forces that hold the region, at the nodes that move as measured, with standard deviations",
         forces::csv(experiment, found),
@@ -161,7 +166,7 @@ fn answer(experiment: &Experiment, found: &Analysed) -> String {
     let unit = experiment.display.stress;
     let names = ["peak pressure", "largest shear τ_rθ", "largest hoop stress"];
     let parts = names.into_iter().zip(largest(found));
-    let told = parts.filter_map(|(name, largest)| {
+    let reported = parts.filter_map(|(name, largest)| {
         let Largest {
             value,
             deviation,
@@ -174,19 +179,19 @@ fn answer(experiment: &Experiment, found: &Analysed) -> String {
             unit.name
         ))
     });
-    let mut told: Vec<String> = told.collect();
-    if told.is_empty() {
-        told.push(unresolved(found));
+    let mut reported: Vec<String> = reported.collect();
+    if reported.is_empty() {
+        reported.push(unresolved(found));
     }
     if found.is_free() {
-        told.push("no contact: no pressure that counts beside the hoop stress".to_owned());
+        reported.push("no contact: no pressure that counts beside the hoop stress".to_owned());
     } else if found.contact().is_none() {
-        told.push(
+        reported.push(
             "whether it is in contact cannot be told: no pressure exceeds its uncertainty"
                 .to_owned(),
         );
     }
-    told.join("; ")
+    reported.join("; ")
 }
 
 /// Why no stress can be resolved.

@@ -44,10 +44,10 @@ pub fn check(experiment: &Experiment) -> Result<Vec<(&'static str, String)>, Exp
     }
     findings.extend(measured::repeated(experiment, &fields));
     let signs = signs(experiment).into_iter();
-    lines.extend(signs.map(|(names, words)| ("signs", format!("{names}: {words}"))));
+    lines.extend(signs.map(|(names, signs)| ("signs", format!("{names}: {signs}"))));
     if let Some(region) = &experiment.region {
         Workbench::new(experiment)?;
-        let words = match &region.shape {
+        let text = match &region.shape {
             RegionShape::Sector(sector) => format!(
                 "sector of {} x {} cells from {} to {} deg, out to {}",
                 sector.cells[0],
@@ -58,7 +58,7 @@ pub fn check(experiment: &Experiment) -> Result<Vec<(&'static str, String)>, Exp
             ),
             RegionShape::Mesh(mesh) => format!("mesh '{}'", mesh.file.display()),
         };
-        lines.push(("region", words));
+        lines.push(("region", text));
     }
     let warnings = findings
         .iter()

@@ -30,14 +30,14 @@ fn of(state: &str, experiment: &Experiment, found: &Located) -> String {
         (Part::Back, Level::Remark) => "the back: ",
         (Part::Back, Level::Warning) => "The back: ",
     };
-    let words = words(experiment, &found.finding);
+    let message = message(experiment, &found.finding);
     match &found.state {
-        Some(name) => format!("{state} '{name}': {part}{words}"),
-        None => format!("{part}{words}"),
+        Some(name) => format!("{state} '{name}': {part}{message}"),
+        None => format!("{part}{message}"),
     }
 }
 
-fn words(experiment: &Experiment, finding: &Finding) -> String {
+fn message(experiment: &Experiment, finding: &Finding) -> String {
     match finding {
         Finding::File(own) => data::of_file(own),
         Finding::Table(own) => data::of_table(experiment, own),

@@ -16,7 +16,7 @@ use stickslip_report::raster::to_png;
 use stickslip_report::svg::Svg;
 use stickslip_report::table::Table;
 
-use super::story::Story;
+use super::report::ExperimentReport;
 use stickslip_measure::ExperimentError;
 use stickslip_measure::synthesis::{Camera, Shot, Shots};
 use stickslip_scene::experiment::{Experiment, State};
@@ -64,12 +64,12 @@ impl<'a> Gallery<'a> {
         camera: &Camera<'_>,
         state: usize,
         shots: &Shots,
-        story: &mut Story,
+        report: &mut ExperimentReport,
     ) -> Result<(), ExperimentError> {
         for (shot, fields) in shots.iter() {
             for (field, pictures) in Field::BOTH.into_iter().zip(fields) {
                 for (name, bytes) in camera.files(state, *shot, field, pictures)? {
-                    story.file(
+                    report.file(
                         format!("{FOLDER}/{name}"),
                         "synthetic fringe pictures of the U and the V field",
                         bytes,
@@ -95,7 +95,7 @@ impl<'a> Gallery<'a> {
             let range = [0, 1].map(|k| without_carrier(&fields[k].orders, carrier[k]));
             self.extremes.push((state, range));
         }
-        story.report(self.experiment, shots.located(self.experiment, state));
+        report.findings(self.experiment, shots.located(self.experiment, state));
         Ok(())
     }
 
@@ -125,29 +125,34 @@ impl<'a> Gallery<'a> {
     }
 
     /// Puts the gallery on the page, and the experiment file that restarts from its pictures into the folder.
-    pub(super) fn tell(&mut self, camera: &Camera<'_>, folder: &Path, story: &mut Story) {
-        story.section("Fringe pictures");
-        story.prose(self.introduction(camera));
-        story.table(self.table());
+    pub(super) fn report(
+        &mut self,
+        camera: &Camera<'_>,
+        folder: &Path,
+        report: &mut ExperimentReport,
+    ) {
+        report.section("Fringe pictures");
+        report.prose(self.introduction(camera));
+        report.table(self.table());
         let experiment = self.experiment;
-        story.answer("Fringe pictures", counted(experiment.states.len(), "state"));
+        report.answer("Fringe pictures", counted(experiment.states.len(), "state"));
         for (state, figure) in std::mem::take(&mut self.figures) {
             let name = format!("fringes-{}", experiment.states[state].name);
             let text = format!(
                 "U (left) and V (right) fringe pictures, {}.",
                 caption(experiment, state)
             );
-            story.figure(&name, &text, figure);
+            report.figure(&name, &text, figure);
         }
         match self.sheet() {
-            Ok(bytes) => story.file("gallery.png", "all pictures on one sheet", bytes),
-            Err(cause) => story.warn(format!(
+            Ok(bytes) => report.file("gallery.png", "all pictures on one sheet", bytes),
+            Err(cause) => report.warn(format!(
                 "The sheet of all pictures cannot be drawn: {cause}."
             )),
         }
         let fringes = camera.fringes();
         if !fringes.four && fringes.carrier.contains(&[0.0; 2]) {
-            story.answer(
+            report.answer(
                 "measured.toml",
                 "not written: single pictures without a carrier cannot be read back, as they do not tell whether orders rise or fall. \
                  State a carrier, or pictures = \"four\""
@@ -156,12 +161,12 @@ impl<'a> Gallery<'a> {
             return;
         }
         match restart::text(experiment, camera, folder) {
-            Ok(text) => story.file(
+            Ok(text) => report.file(
                 "measured.toml",
                 "an experiment file that reads these pictures as measured ones",
                 text.into_bytes(),
             ),
-            Err(cause) => story.warn(format!(
+            Err(cause) => report.warn(format!(
                 "The experiment file that would read these pictures cannot be written: {cause}."
             )),
         }

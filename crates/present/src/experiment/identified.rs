@@ -8,11 +8,11 @@ use stickslip_report::table::Table;
 
 use crate::csv;
 use crate::experiment::findings::on_half_the_cells;
-use crate::experiment::story::Story;
+use crate::experiment::report::ExperimentReport;
 use stickslip_measure::analysed::{Analysed, true_edge};
 use stickslip_measure::chain::Friction;
 use stickslip_measure::identified::{
-    CONSISTENT, Grip, Identified, SlipZone, ratio, static_friction, words,
+    CONSISTENT, Grip, Identified, SlipZone, describe_bounds, ratio, static_friction,
 };
 use stickslip_measure::truth::Truth;
 use stickslip_scene::experiment::Experiment;
@@ -27,51 +27,51 @@ const REJECTED: &str = "no interval: one coefficient is rejected, for this zone 
 
 /// What is reported, and its source.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Told<'a> {
+pub(crate) struct FrictionResults<'a> {
     pub(crate) experiment: &'a Experiment,
     pub(crate) analysed: &'a [Analysed],
     pub(crate) friction: &'a Friction,
     pub(crate) truth: Option<&'a Truth>,
 }
 
-/// Tells of friction.
-pub(crate) fn tell(told: &Told<'_>, story: &mut Story) {
-    let (experiment, identified) = (told.experiment, &told.friction.identified);
-    story.section("Friction");
-    story.text(include_str!("identified/text.txt").trim_end());
-    answers(told, story);
-    mesh(told, story);
-    story.report(
+/// Reports friction.
+pub(crate) fn report(results: &FrictionResults<'_>, report: &mut ExperimentReport) {
+    let (experiment, identified) = (results.experiment, &results.friction.identified);
+    report.section("Friction");
+    report.text(include_str!("identified/text.txt").trim_end());
+    answers(results, report);
+    mesh(results, report);
+    report.findings(
         experiment,
-        told.friction.findings(experiment, told.analysed),
+        results.friction.findings(experiment, results.analysed),
     );
-    if told.bears() || identified.dynamic.is_some() {
-        story.table(table(experiment, told.analysed, identified));
-        let truth: Vec<_> = (told.analysed.iter())
-            .map(|found| true_edge(experiment, told.truth, found.state))
+    if results.bears() || identified.dynamic.is_some() {
+        report.table(table(experiment, results.analysed, identified));
+        let truth: Vec<_> = (results.analysed.iter())
+            .map(|found| true_edge(experiment, results.truth, found.state))
             .collect();
-        story.figure(
+        report.figure(
             "friction",
             "Shear over pressure along the edge, the zones that slip, and the coefficient that they share with its interval; where the \
              truth is known it is a thin line.",
-            figures::friction(experiment, told.analysed, identified, &truth),
+            figures::friction(experiment, results.analysed, identified, &truth),
         );
     }
-    story.file(
+    report.file(
         "friction.csv",
         "shear over pressure at all places in contact",
-        csv(experiment, told.analysed),
+        csv(experiment, results.analysed),
     );
-    story.entry("friction", entry(told));
+    report.entry("friction", entry(results));
 }
 
-impl Told<'_> {
+impl FrictionResults<'_> {
     /// Whether any edge bears pressure beyond doubt.
     fn bears(&self) -> bool {
         self.analysed.iter().any(|found| found.contact().is_some())
     }
 
-    /// Words on edges that do not.
+    /// Why there is no result where no edge bears.
     fn without(&self) -> &'static str {
         if self.analysed.iter().all(Analysed::is_free) {
             NO_CONTACT
@@ -86,7 +86,7 @@ impl Told<'_> {
             None if !self.bears() => self.without().to_owned(),
             _ => {
                 let confidence = 100.0 * self.experiment.identify.confidence;
-                let found = static_words(self.experiment, &self.friction.identified, confidence);
+                let found = describe_static(self.experiment, &self.friction.identified, confidence);
                 let [from, to] = static_friction::RATIOS;
                 match &self.friction.moves {
                     Some(Ok(fringes)) => format!(
@@ -100,26 +100,26 @@ impl Told<'_> {
 }
 
 /// Both coefficients and the simulation.
-fn answers(told: &Told<'_>, story: &mut Story) {
-    let (experiment, identified) = (told.experiment, &told.friction.identified);
+fn answers(results: &FrictionResults<'_>, report: &mut ExperimentReport) {
+    let (experiment, identified) = (results.experiment, &results.friction.identified);
     let confidence = 100.0 * experiment.identify.confidence;
     match &identified.dynamic {
         Some(fit) => {
-            story.answer(
+            report.answer(
                 "Dynamic friction μd",
-                dynamic_words(identified, fit, confidence),
+                describe_dynamic(identified, fit, confidence),
             );
         }
-        None if !told.bears() => story.answer("Dynamic friction μd", told.without()),
-        None => story.answer(
+        None if !results.bears() => report.answer("Dynamic friction μd", results.without()),
+        None => report.answer(
             "Dynamic friction μd",
             "not identifiable: no slip zone is recognised",
         ),
     }
-    story.answer("Static friction μs", told.of_static());
+    report.answer("Static friction μs", results.of_static());
     let explained = identified.is_explained();
     if let Some(simulation) = identified.simulation.as_ref().filter(|_| explained) {
-        story.text(format!(
+        report.text(format!(
             "Monte Carlo simulation of {} draws of the noise around the fit: mean {:.4}, standard deviation {:.4}, {confidence} % of them \
              between {:.4} and {:.4}.",
             simulation.samples,
@@ -132,28 +132,28 @@ fn answers(told: &Told<'_>, story: &mut Story) {
 }
 
 /// What half of the cells say.
-fn mesh(told: &Told<'_>, story: &mut Story) {
-    let coarser = match &told.friction.coarser {
+fn mesh(results: &FrictionResults<'_>, report: &mut ExperimentReport) {
+    let coarser = match &results.friction.coarser {
         Ok(Some(coarser)) => coarser,
         Ok(None) => return,
         Err(cause) => {
-            story.text(format!(
+            report.text(format!(
                 "The interval does not hold the error of the mesh, because half of the cells do not show it: {cause}."
             ));
             return;
         }
     };
-    let held = match told.friction.identified.mesh {
+    let held = match results.friction.identified.mesh {
         Some(_) => "Intervals hold this difference as an error of the mesh.",
         None => "The interval does not hold the error of the mesh.",
     };
     let dynamic = coarser.dynamic.as_ref().map(|fit| (fit.mu, fit.bounds));
-    let words = on_half_the_cells(coarser.cells, dynamic);
-    story.text(format!("{words} {held}"));
+    let text = on_half_the_cells(coarser.cells, dynamic);
+    report.text(format!("{text} {held}"));
 }
 
 /// The coefficient `fit` of all zones with its bounds, or why it has none.
-pub(super) fn dynamic_words(identified: &Identified, fit: &SlipFit, confidence: f64) -> String {
+pub(super) fn describe_dynamic(identified: &Identified, fit: &SlipFit, confidence: f64) -> String {
     if !identified.is_explained() {
         return format!(
             "{:.4} at best; no interval: one coefficient for all zones is rejected, χ² = {:.1} with {} degrees of freedom{}",
@@ -168,15 +168,15 @@ pub(super) fn dynamic_words(identified: &Identified, fit: &SlipFit, confidence: 
         );
     }
     let bounds = identified.dynamic_bounds().unwrap_or(Bounds::Nothing);
-    let told = words(bounds);
+    let interval = describe_bounds(bounds);
     match bounds {
-        Bounds::Between(..) => format!("{:.4}, {told} ({confidence} %)", fit.mu),
-        Bounds::AtMost(_) | Bounds::AtLeast(_) => format!("{told} ({confidence} %)"),
-        Bounds::Nothing => told,
+        Bounds::Between(..) => format!("{:.4}, {interval} ({confidence} %)", fit.mu),
+        Bounds::AtMost(_) | Bounds::AtLeast(_) => format!("{interval} ({confidence} %)"),
+        Bounds::Nothing => interval,
     }
 }
 
-fn static_words(experiment: &Experiment, identified: &Identified, confidence: f64) -> String {
+fn describe_static(experiment: &Experiment, identified: &Identified, confidence: f64) -> String {
     if let Some(grip) = identified.static_bound() {
         let [from, to] = grip.angles.map(f64::to_degrees);
         return format!(
@@ -186,12 +186,12 @@ fn static_words(experiment: &Experiment, identified: &Identified, confidence: f6
         );
     }
     let stuck = identified.grip.is_some() && identified.dynamic.is_some();
-    let words = if stuck {
+    let text = if stuck {
         "not identifiable: at least μd, and nothing sticks beyond doubt at a larger ratio than slip has"
     } else {
         "not identifiable: nothing that clearly sticks beside a slip zone is wide enough"
     };
-    words.to_owned()
+    text.to_owned()
 }
 
 fn table(experiment: &Experiment, analysed: &[Analysed], identified: &Identified) -> Table {
@@ -223,7 +223,7 @@ fn table(experiment: &Experiment, analysed: &[Analysed], identified: &Identified
 fn fit_cells(fit: &SlipFit, bounds: Option<Bounds>) -> [String; 4] {
     [
         format!("{:.4}", fit.mu),
-        bounds.map_or_else(|| REJECTED.to_owned(), words),
+        bounds.map_or_else(|| REJECTED.to_owned(), describe_bounds),
         format!("{:.1}", fit.chi_squared),
         fit.degrees.to_string(),
     ]
@@ -256,10 +256,10 @@ fn csv(experiment: &Experiment, analysed: &[Analysed]) -> Vec<u8> {
     csv::texts(rows)
 }
 
-fn entry(told: &Told<'_>) -> Value {
-    let (experiment, identified) = (told.experiment, &told.friction.identified);
+fn entry(results: &FrictionResults<'_>) -> Value {
+    let (experiment, identified) = (results.experiment, &results.friction.identified);
     let grip = identified.static_bound();
-    let bearings = told.analysed.iter().map(|found| {
+    let bearings = results.analysed.iter().map(|found| {
         let check = found.bearing_check(experiment.identify.bearing);
         json!({
             "state": experiment.states[found.state].name,
@@ -282,7 +282,7 @@ fn entry(told: &Told<'_>) -> Value {
     json!({
         "confidence": experiment.identify.confidence,
         "mu_dynamic": identified.dynamic.as_ref().map(|fit| fit_entry(fit, identified.dynamic_bounds())),
-        "half_the_cells": told.friction.coarser.as_ref().ok().and_then(Option::as_ref).map(|coarser| json!({
+        "half_the_cells": results.friction.coarser.as_ref().ok().and_then(Option::as_ref).map(|coarser| json!({
             "cells": coarser.cells,
             "mu_dynamic": coarser.dynamic.as_ref().map(|fit| fit_entry(fit, fit.is_consistent(CONSISTENT).then_some(fit.bounds))),
         })),
@@ -297,8 +297,8 @@ fn entry(told: &Told<'_>) -> Value {
             "low": grip.map(|grip| grip.at_least),
             "high": null,
             "by": grip.map(|grip| grip_entry(experiment, grip)),
-            "fringes": told.friction.moves.as_ref().and_then(|moves| moves.as_ref().ok()),
-            "in_words": told.of_static(),
+            "fringes": results.friction.moves.as_ref().and_then(|moves| moves.as_ref().ok()),
+            "in_words": results.of_static(),
         },
         "zones": zones.collect::<Vec<_>>(),
         "bearing": bearings.collect::<Vec<_>>(),
@@ -324,7 +324,7 @@ fn fit_entry(fit: &SlipFit, bounds: Option<Bounds>) -> Value {
         "chi_squared": fit.chi_squared,
         "degrees_of_freedom": fit.degrees,
         "rejected": bounds.is_none(),
-        "in_words": bounds.map_or_else(|| REJECTED.to_owned(), words),
+        "in_words": bounds.map_or_else(|| REJECTED.to_owned(), describe_bounds),
     })
 }
 

@@ -10,7 +10,7 @@ use stickslip_report::context;
 use stickslip_report::prose::{Prose, Value};
 use stickslip_report::table::{Column, Table};
 
-use crate::experiment::story::Story;
+use crate::experiment::report::ExperimentReport;
 use stickslip_measure::laws::{Fit, LawStage, Scale, ScaleSource};
 use stickslip_scene::experiment::Experiment;
 use stickslip_text::short;
@@ -19,62 +19,62 @@ use stickslip_text::short;
 const REJECTED: &str = "no interval: the model is rejected";
 
 /// Reports the fitted laws.
-pub fn tell(experiment: &Experiment, stage: &LawStage, story: &mut Story) {
+pub fn report(experiment: &Experiment, stage: &LawStage, report: &mut ExperimentReport) {
     let comparison = &stage.comparison;
     let best = comparison.best();
-    story.section("Friction laws fitted by contact solves");
-    story.prose(introduction(experiment, stage));
-    story.table(laws(stage));
-    story.table(parameters(experiment, stage));
-    pictures(experiment, stage, story);
+    report.section("Friction laws fitted by contact solves");
+    report.prose(introduction(experiment, stage));
+    report.table(laws(stage));
+    report.table(parameters(experiment, stage));
+    pictures(experiment, stage, report);
     if !stage.sensitivities.is_empty() {
-        story.table(sensitivities(experiment, stage));
+        report.table(sensitivities(experiment, stage));
     }
-    story.report(experiment, stage.located());
-    story.answer(
+    report.findings(experiment, stage.located());
+    report.answer(
         "Friction law",
-        format!("{}: {}", best.law.name, best.words()),
+        format!("{}: {}", best.law.name, best.describe()),
     );
     for (index, own) in best.calibration.estimates.iter().enumerate() {
         let name = format!("{} of {}", own.name, best.law.name);
-        story.answer(&name, words(experiment, best, index, own));
+        report.answer(&name, describe_parameter(experiment, best, index, own));
     }
-    story.file(
+    report.file(
         "laws.csv",
         "the fitted laws and their parameters",
         files::csv(experiment, stage),
     );
     for (observation, &state) in stage.states.iter().enumerate() {
         let name = &experiment.states[state].name;
-        story.file(
+        report.file(
             format!("law-fit-{name}.csv"),
             "measured and predicted displacements",
             files::fit_csv(experiment, stage, observation),
         );
     }
-    story.entry("laws", files::entry(experiment, stage));
+    report.entry("laws", files::entry(experiment, stage));
 }
 
 /// Profiles, residuals, predictions and the passage.
-fn pictures(experiment: &Experiment, stage: &LawStage, story: &mut Story) {
-    story.figure(
+fn pictures(experiment: &Experiment, stage: &LawStage, report: &mut ExperimentReport) {
+    report.figure(
         "law-profiles",
         "How much χ² grows when one parameter is held at a value and all others follow; the data rule out what lies above the line.",
         figures::profiles(experiment, stage),
     );
-    story.figure(
+    report.figure(
         "law-residuals",
         "What each law leaves of the measured displacements within 0.3 radii of the edge, means over 5°: a law that does not hold leaves \
          waves.",
         figures::residuals(experiment, stage),
     );
-    story.figure(
+    report.figure(
         "law-predictions",
         "Measured displacements within 0.3 radii of the edge and those of the best law, means over 5°.",
         figures::predictions(experiment, stage),
     );
     if let Some(figure) = passage::figure(experiment, stage) {
-        story.figure(
+        report.figure(
             "law-passage",
             &format!(
                 "The coefficient of a slipping point along its slip path, as far as the best law lets a point slip; dashed: {} %, by the \
@@ -123,7 +123,7 @@ fn scales(experiment: &Experiment, stage: &LawStage) -> Vec<Value> {
         context! {
             factor => short(scale.factor),
             state => &experiment.states[state].name,
-            source => scale.source.words(),
+            source => scale.source.describe(),
         }
     })
     .collect()
@@ -209,7 +209,7 @@ fn laws(stage: &LawStage) -> Table {
             format!("{:.1}", fit.distance),
             format!("{:.1}", fit.bic_distance),
             solves,
-            fit.words(),
+            fit.describe(),
         ]
     });
     let table = Table::headed("Laws compared", headings).with_rows(rows);
@@ -256,7 +256,7 @@ fn interval(bounds: Bounds, factor: f64) -> String {
     }
 }
 
-fn words(experiment: &Experiment, fit: &Fit, index: usize, own: &Estimate) -> String {
+fn describe_parameter(experiment: &Experiment, fit: &Fit, index: usize, own: &Estimate) -> String {
     let (factor, unit) = figures::unit(experiment, fit.law.dimensions[index]);
     let text = match fit.bounds(index) {
         None => format!("{} {unit} at best; {REJECTED}", short(factor * own.value)),

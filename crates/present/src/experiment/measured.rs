@@ -13,26 +13,26 @@ use stickslip_report::table::Table;
 use crate::csv;
 use crate::experiment::findings::yes_or_no;
 use crate::experiment::gallery::caption;
-use crate::experiment::story::Story;
+use crate::experiment::report::ExperimentReport;
 pub(super) use signs::signs;
 use stickslip_measure::measured::{Measured, repeated};
 use stickslip_scene::experiment::{Experiment, Method, Source, State};
 use stickslip_text::{counted, short, significant};
 
-/// Tells of the measured fields of all states.
-pub(crate) fn tell(experiment: &Experiment, fields: &[Measured], story: &mut Story) {
-    story.section("Measured fields");
-    story.prose(introduction(experiment));
-    story.table(table(experiment, fields));
-    story.report(experiment, repeated(experiment, fields));
+/// Reports the measured fields of all states.
+pub(crate) fn report(experiment: &Experiment, fields: &[Measured], report: &mut ExperimentReport) {
+    report.section("Measured fields");
+    report.prose(introduction(experiment));
+    report.table(table(experiment, fields));
+    report.findings(experiment, repeated(experiment, fields));
     if fields.iter().any(|measured| !measured.rotations.is_empty()) {
-        story.table(rotations(experiment, fields));
+        report.table(rotations(experiment, fields));
     }
     for measured in fields {
-        one(experiment, measured, story);
+        one(experiment, measured, report);
     }
     if fields.iter().any(|measured| !measured.symmetry.is_empty()) {
-        story.table(symmetry(experiment, fields));
+        report.table(symmetry(experiment, fields));
     }
     let valid: usize = fields
         .iter()
@@ -43,14 +43,14 @@ pub(crate) fn tell(experiment: &Experiment, fields: &[Measured], story: &mut Sto
                 .sum::<usize>()
         })
         .sum();
-    story.answer(
+    report.answer(
         "Measured fields",
         format!("{}, {valid} displacements", counted(fields.len(), "state")),
     );
-    for (names, words) in signs(experiment) {
-        story.answer(&format!("Signs of {names}"), words);
+    for (names, signs) in signs(experiment) {
+        report.answer(&format!("Signs of {names}"), signs);
     }
-    story.entry(
+    report.entry(
         "measured",
         fields
             .iter()
@@ -92,7 +92,7 @@ fn introduction(experiment: &Experiment) -> Prose {
     )
 }
 
-fn one(experiment: &Experiment, measured: &Measured, story: &mut Story) {
+fn one(experiment: &Experiment, measured: &Measured, report: &mut ExperimentReport) {
     let name = &experiment.states[measured.state].name;
     let what = caption(experiment, measured.state);
     if let Some(figure) = figures::phase(experiment, measured) {
@@ -105,18 +105,18 @@ fn one(experiment: &Experiment, measured: &Measured, story: &mut Story) {
         let text = format!(
             "Phase of the fringes{whose} less the carrier, {what}. Where loops of pixels do not close, orders depend on the path."
         );
-        story.figure(&format!("phase-{name}"), &text, figure);
+        report.figure(&format!("phase-{name}"), &text, figure);
     }
     if let Some(figure) = figures::orders(experiment, measured) {
         let text = format!("Fringe orders without carrier, {what}; each field up to a constant.");
-        story.figure(&format!("orders-{name}"), &text, figure);
+        report.figure(&format!("orders-{name}"), &text, figure);
     } else {
         let text = format!("Measured displacements, {what}.");
         let figure = figures::data(experiment, measured);
-        story.figure(&format!("data-{name}"), &text, figure);
+        report.figure(&format!("data-{name}"), &text, figure);
     }
-    story.report(experiment, measured.located(experiment));
-    story.file(
+    report.findings(experiment, measured.located(experiment));
+    report.file(
         format!("measured-{name}.csv"),
         "measured displacements; empty where masked",
         csv(experiment, measured),

@@ -6,59 +6,59 @@ use serde_json::{Value, json};
 use stickslip_hybrid::identify::SlipFit;
 use stickslip_report::table::Table;
 
-use super::identified::dynamic_words;
+use super::identified::describe_dynamic;
 use crate::csv;
-use crate::experiment::story::Story;
+use crate::experiment::report::ExperimentReport;
 use stickslip_measure::Finding;
 use stickslip_measure::chain::Edges;
 use stickslip_measure::finding::Located;
-use stickslip_measure::identified::{Identified, words};
+use stickslip_measure::identified::{Identified, describe_bounds};
 use stickslip_measure::whole::WholeState;
 use stickslip_scene::experiment::Experiment;
 use stickslip_text::short;
 
-/// Tells of the whole plate; nothing where there is no state of it.
-pub fn tell(experiment: &Experiment, edges: &Edges, story: &mut Story) {
+/// Reports the whole plate; nothing without a state of it.
+pub fn report(experiment: &Experiment, edges: &Edges, report: &mut ExperimentReport) {
     let findings = edges.plate_findings.iter().cloned();
     let located = findings.map(|own| Located::of_all(Finding::Model(own)));
-    story.report(experiment, located);
+    report.findings(experiment, located);
     let states = &edges.plates;
     let Some(friction) = &edges.plate_friction else {
         return;
     };
-    story.section("The whole plate without its pin");
-    story.text(include_str!("whole/text.txt").trim_end());
-    story.table(table(experiment, states));
-    story.table(zones(experiment, states, friction));
+    report.section("The whole plate without its pin");
+    report.text(include_str!("whole/text.txt").trim_end());
+    report.table(table(experiment, states));
+    report.table(zones(experiment, states, friction));
     let found = friction.dynamic.as_ref().map_or_else(
         || "no slip zone is recognised".to_owned(),
-        |fit| dynamic_words(friction, fit, 100.0 * experiment.identify.confidence),
+        |fit| describe_dynamic(friction, fit, 100.0 * experiment.identify.confidence),
     );
-    story.answer("Dynamic friction by the whole plate", found);
-    story.figure(
+    report.answer("Dynamic friction by the whole plate", found);
+    report.figure(
         "whole-plate-ratio",
         "Shear over pressure on the hole where the pressure is clear: level where the plate slips, with the sign of the friction, and \
          between where it sticks.",
         figures::ratio(experiment, states),
     );
-    story.figure(
+    report.figure(
         "whole-plate-tractions",
         "Pressure and shear on the hole with twice their standard deviation by the noise of the data.",
         figures::tractions(experiment, states),
     );
     for own in states {
         let name = &experiment.states[own.state].name;
-        story.file(
+        report.file(
             format!("whole-plate-{name}.csv"),
             "tractions on the hole of the whole plate",
             csv(experiment, own),
         );
     }
     let dynamic = friction.dynamic.as_ref().map(|fit| {
-        json!({ "mu": fit.mu, "words": words(fit.bounds), "chi_squared": fit.chi_squared, "degrees_of_freedom": fit.degrees })
+        json!({ "mu": fit.mu, "words": describe_bounds(fit.bounds), "chi_squared": fit.chi_squared, "degrees_of_freedom": fit.degrees })
     });
     let each: Vec<Value> = states.iter().map(|own| entry(experiment, own)).collect();
-    story.entry(
+    report.entry(
         "whole_plate",
         json!({ "dynamic_friction": dynamic, "states": each }),
     );
@@ -68,7 +68,7 @@ pub fn tell(experiment: &Experiment, edges: &Edges, story: &mut Story) {
 fn zones(experiment: &Experiment, states: &[WholeState], friction: &Identified) -> Table {
     let headings = "state | slips from [deg] | to [deg] | coefficient | χ² | degrees of freedom";
     let cells = |fit: &SlipFit| {
-        let [bounds, chi_squared] = [words(fit.bounds), short(fit.chi_squared)];
+        let [bounds, chi_squared] = [describe_bounds(fit.bounds), short(fit.chi_squared)];
         [bounds, chi_squared, fit.degrees.to_string()]
     };
     let mut table = Table::headed("Slip zones of the whole plate", headings);

@@ -210,8 +210,8 @@ impl<'a> EdgeView<'a> {
 
     /// Signed friction force `[N]`; `None` without contact, and on a circle without a bearing point.
     pub(super) fn friction_force(&self, step: usize) -> Option<f64> {
-        let told = !self.is_circle() || self.judged_from(step).is_some();
-        (self.geometry.contact && told).then(|| self.step(step).friction_force)
+        let reported = !self.is_circle() || self.judged_from(step).is_some();
+        (self.geometry.contact && reported).then(|| self.step(step).friction_force)
     }
 
     /// Friction over pressure, ∫q dA / ∫p dA; `None` without pressure.

@@ -133,7 +133,7 @@ impl Builder<'_> {
         bodies: &[String],
         materials: &Materials,
     ) {
-        let mut told: Vec<FailureError> = Vec::new();
+        let mut reported: Vec<FailureError> = Vec::new();
         for body in bodies {
             let Some(sheet) = self.sheet(body, materials).cloned() else {
                 continue;
@@ -148,9 +148,9 @@ impl Builder<'_> {
                         criterion.assess(layer.ply(), &none).map(|_| ())
                     });
                     if let Err(cause) = tried
-                        && !told.contains(&cause)
+                        && !reported.contains(&cause)
                     {
-                        told.push(cause.clone());
+                        reported.push(cause.clone());
                         let named = |name: &String| name == criterion.name();
                         let index = given.criteria.iter().position(named);
                         let key = if matches!(cause, FailureError::OpenSurface { .. }) {

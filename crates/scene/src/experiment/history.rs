@@ -198,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn forces_are_told_in_the_units_of_the_experiment() {
+    fn forces_are_reported_in_the_units_of_the_experiment() {
         let text = r#"
             version = 1
             units = { length = "in", force = "lbf", stress = "psi" }

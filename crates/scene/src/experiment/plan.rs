@@ -21,7 +21,7 @@ use crate::host::Host;
 use crate::limits::Limits;
 use crate::schema::DisplayUnits;
 
-pub use unused::Unheeded;
+pub use unused::IgnoredKey;
 
 /// Version of the experiment format that this program reads.
 pub const VERSION: u64 = 1;
@@ -73,7 +73,7 @@ pub struct Experiment {
     /// Friction laws to fit by contact solves.
     pub laws: Vec<LawPlan>,
     /// Ignored keys: stated, but without effect.
-    pub without_effect: Vec<Unheeded>,
+    pub without_effect: Vec<IgnoredKey>,
     /// Path of the file as given.
     pub source_name: String,
     /// Folder that its files are relative to.

@@ -59,8 +59,9 @@ fn findings(tail: &str, changes: &[(&str, &str)]) -> Vec<(String, String)> {
             text.replace(from, to)
         });
     let error = read(&text).unwrap_err();
-    let told = error.findings().iter();
-    told.map(|finding| (finding.key.clone(), finding.to_string()))
+    let findings = error.findings().iter();
+    findings
+        .map(|finding| (finding.key.clone(), finding.to_string()))
         .collect()
 }
 

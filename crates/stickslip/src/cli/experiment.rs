@@ -19,7 +19,7 @@ use crate::keep;
 use stickslip_engine::run::Progress;
 use stickslip_measure::ExperimentError;
 use stickslip_measure::chain::Depth;
-use stickslip_present::experiment::tell;
+use stickslip_present::experiment::report;
 use stickslip_scene::Format;
 use stickslip_scene::diagnostic::{SceneError, SourceText};
 use stickslip_scene::document::Document;
@@ -56,7 +56,7 @@ enum KeepError {
     Folder(#[from] FolderError),
     #[error(transparent)]
     #[diagnostic(code(experiment::output))]
-    Story(keep::KeepError),
+    Report(keep::KeepError),
 }
 
 impl OwnError for KeepError {}
@@ -65,7 +65,7 @@ impl From<keep::KeepError> for KeepError {
     fn from(error: keep::KeepError) -> Self {
         match error {
             keep::KeepError::Folder(error) => Self::Folder(error),
-            other => Self::Story(other),
+            other => Self::Report(other),
         }
     }
 }
@@ -86,13 +86,13 @@ pub(super) fn experiment(
     let folder =
         prepare(&path, arguments.force, Owner::Experiment, console).map_err(KeepError::from)?;
     let bar = bar(console);
-    let told = tell(&experiment, depth, folder.path(), &mut |progress| {
+    let found = report(&experiment, depth, folder.path(), &mut |progress| {
         show(&bar, progress);
     });
     bar.finish_and_clear();
-    let story = told.map_err(|error| at_its_line(&experiment, &error))?;
-    let (answers, summary) = (story.text_answers(), story.summary());
-    let path = keep::story(story, folder).map_err(KeepError::from)?;
+    let report = found.map_err(|error| at_its_line(&experiment, &error))?;
+    let (answers, summary) = (report.text_answers(), report.summary());
+    let path = keep::report(report, folder).map_err(KeepError::from)?;
     let text = || format!("{answers}\nresults in {}\n", path.display());
     console.result(text, &summary)
 }

@@ -151,7 +151,7 @@ mod tests {
         for template in &TEMPLATES {
             let name = format!("{}.toml", template.name);
             let (text, none) = (template.text, &[] as &[&str]);
-            let told = match template.kind {
+            let checked = match template.kind {
                 Kind::Scene => Scene::from_text_on(text, Format::Toml, &name, folder, none, HOST)
                     .map(|scene| (scene.title, scene.description)),
                 Kind::Experiment => {
@@ -160,7 +160,7 @@ mod tests {
                 }
             };
             let (title, description) =
-                told.unwrap_or_else(|error| panic!("{}", error.render(100, false)));
+                checked.unwrap_or_else(|error| panic!("{}", error.render(100, false)));
             assert!(
                 text.lines().filter(|line| line.contains('#')).count() >= 8,
                 "{name}: comments"

@@ -166,7 +166,7 @@ pub(super) fn joint(arguments: &JointArguments, console: Console) -> Result<(), 
         console.fail(&interrupted.into());
         exit(INTERRUPTED);
     }
-    told(&sweep, &rows)?;
+    report(&sweep, &rows)?;
     console.result(|| text(&sweep, &rows, &folder, &account), &summary)
 }
 
@@ -305,7 +305,7 @@ fn summary(sweep: &Sweep, rows: &[Row], account: &Account) -> Value {
 }
 
 /// A sweep without a single answer has failed.
-fn told(sweep: &Sweep, rows: &[Row]) -> Result<(), JointError> {
+fn report(sweep: &Sweep, rows: &[Row]) -> Result<(), JointError> {
     let reason = |row: &Row| match &row.outcome {
         crate::sweep::row::Outcome::Solved(_) => None,
         crate::sweep::row::Outcome::Unresolved(reason) => Some(reason.clone()),

@@ -116,7 +116,7 @@ fn init_writes_scenes_that_check_and_never_overwrites() {
 }
 
 #[test]
-fn the_template_of_a_laminate_tells_load_ply_and_mode() {
+fn the_template_of_a_laminate_reports_load_ply_and_mode() {
     let folder = TempDir::new().unwrap();
     succeeds(folder.path(), &["init", "laminate-joint"]);
     let run = ["run", "laminate-joint.toml", "--output", "out", "--set"];

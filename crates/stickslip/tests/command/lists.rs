@@ -146,7 +146,7 @@ fn list_names_columns_with_units_and_signs() {
 }
 
 #[test]
-fn senseless_arguments_are_told_in_json_too() {
+fn invalid_arguments_are_reported_in_json_too() {
     for (arguments, part) in [
         (&["--json", "solve"][..], "unrecognized subcommand 'solve'"),
         (&["check", "--json"], "<SCENE>"),

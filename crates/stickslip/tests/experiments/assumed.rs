@@ -13,7 +13,7 @@ smoothing = { order = 2, amount = 0.0 }
 "#;
 
 #[test]
-fn a_noise_factor_that_no_fit_tells_is_called_assumed() {
+fn a_noise_factor_that_no_fit_gives_is_called_assumed() {
     let experiment = format!("{TABLE}[reduce]\nmethod = \"linear\"\n{FINE}");
     let folder = folder_with(&[("e.toml", &experiment), ("up.csv", &grid("x,y,u,v", field))]);
     let summary = succeeds(folder.path(), &["hybrid", "e.toml"]);
@@ -60,7 +60,7 @@ fn nodes_that_data_do_not_cover_are_named_with_unit_and_angle() {
 
 /// Seventeen places, where the polynomials of the comparison need 24; the one kept out to check the fit lies outside of the region.
 #[test]
-fn a_comparison_that_the_data_do_not_give_is_told_of() {
+fn a_comparison_that_the_data_do_not_give_is_reported() {
     let mut table = "x,y,u,v\n".to_owned();
     for place in [4.0, 6.0, 8.0, 10.0].map(|x| [-6.0, -3.0, 0.0, 3.0, 6.0].map(|y| [x, y])) {
         for [x, y] in place {

@@ -101,8 +101,8 @@ fn fringe_lines_of_the_back_need_the_names_of_the_front() {
     let summary = super::succeeds(folder.path(), &["reduce", "e.toml"]);
     assert_eq!(summary["measured"][0]["u"]["symmetric"], true, "{summary}");
     for (found, field) in (findings(&summary, "lines_of_front_alone").iter()).zip(["U", "V"]) {
-        let told = (&found["field"], &found["lines"], &found["level"]);
-        assert_eq!(told, (&field.into(), &json!(["b"]), &"remark".into()));
+        let reported = (&found["field"], &found["lines"], &found["level"]);
+        assert_eq!(reported, (&field.into(), &json!(["b"]), &"remark".into()));
     }
     let page = fs::read_to_string(folder.path().join("e-results/index.html")).unwrap();
     assert!(page.contains("lines b of the U field are not on the back and were not compared."));

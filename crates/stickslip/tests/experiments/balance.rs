@@ -43,8 +43,11 @@ fn stresses_on_the_edge_carry_the_known_force_unless_the_material_is_wrong() {
             assert!(deviation > 0.0 && deviation < 50.0, "{force}");
             assert!(excess.abs() < 3.0 * deviation, "{force}");
         }
-        let told = force["excess_over_known"].as_array().unwrap();
-        assert_eq!(told.iter().filter_map(Value::as_f64).count(), components);
+        let reported = force["excess_over_known"].as_array().unwrap();
+        assert_eq!(
+            reported.iter().filter_map(Value::as_f64).count(),
+            components
+        );
         assert_eq!(found["warnings"].as_array().unwrap().len(), 0, "{found}");
     }
     let softer = [

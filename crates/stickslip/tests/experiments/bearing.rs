@@ -35,7 +35,7 @@ fn a_bearing_point_that_the_force_contradicts_is_reported() {
     succeeds(path, &["init", "experiment", "mine.toml"]);
     succeeds(path, &["init", "experiment", "turned.toml"]);
     turn(path);
-    let told = |file: &str, angles: [i32; 2], bearing: Option<i32>| {
+    let reported = |file: &str, angles: [i32; 2], bearing: Option<i32>| {
         let set = bearing.map(|at| format!("identify.bearing={at} deg"));
         let set: Vec<&str> = set.iter().map(String::as_str).collect();
         let summary = summary(path, file, angles, &set);
@@ -62,7 +62,7 @@ fn a_bearing_point_that_the_force_contradicts_is_reported() {
         ("turned.toml", turned(whole), None),
         ("turned.toml", turned(whole), Some(-270)),
     ] {
-        let found = told(file, angles, bearing);
+        let found = reported(file, angles, bearing);
         assert!(found.is_none(), "{file} {angles:?} {bearing:?}: {found:?}");
     }
     for (file, angles, bearing) in [
@@ -73,7 +73,7 @@ fn a_bearing_point_that_the_force_contradicts_is_reported() {
         ("turned.toml", half, None),
         ("turned.toml", turned(half), Some(-90)),
     ] {
-        let found = told(file, angles, bearing).expect("a warning");
+        let found = reported(file, angles, bearing).expect("a warning");
         assert_eq!(found["stated"], bearing.is_some(), "{found}");
         assert_eq!(found["is_whole"], angles == whole, "{found}");
         let at = found["bearing_degrees"].as_f64().unwrap();
@@ -82,7 +82,7 @@ fn a_bearing_point_that_the_force_contradicts_is_reported() {
             "{found}"
         );
     }
-    let found = told("turned.toml", turned(whole), Some(0)).unwrap();
+    let found = reported("turned.toml", turned(whole), Some(0)).unwrap();
     let direction = found["direction_degrees"].as_f64().unwrap();
     assert_eq!(direction.round(), 90.0, "{found}");
     let summary = summary(
@@ -112,14 +112,14 @@ fn a_force_of_another_size_than_the_load_is_reported() {
     let path = folder.path();
     succeeds(path, &["init", "experiment", "mine.toml"]);
     let half = [-10, 110];
-    let told = |angles: [i32; 2], set: &[&str]| {
+    let reported = |angles: [i32; 2], set: &[&str]| {
         let summary = summary(path, "mine.toml", angles, set);
         let ratio = &summary["edge_stresses"][0]["force"]["by_load"]["ratio"];
         (ratio.as_f64(), warning(&summary, "load_fails"))
     };
     // By symmetry half of the contact says what all of it does: 5516 N.
     for angles in [half, [-110, 110]] {
-        let (ratio, found) = told(angles, &[]);
+        let (ratio, found) = reported(angles, &[]);
         assert!(found.is_none(), "{found:?}");
         assert!((ratio.unwrap() - 1.0).abs() < 0.02, "{ratio:?}");
     }
@@ -131,7 +131,7 @@ fn a_force_of_another_size_than_the_load_is_reported() {
         ("states.0.load=1839 N", 3.0),
         ("identify.bearing=30 deg", 0.65),
     ] {
-        let (ratio, found) = told(half, &[set]);
+        let (ratio, found) = reported(half, &[set]);
         let found = found.expect(set);
         let ratio = ratio.unwrap();
         assert!((ratio / factor - 1.0).abs() < 0.03, "{set}: {ratio}");
@@ -166,12 +166,12 @@ fn an_edge_in_tension_is_reported() {
     let folder = folder_with(&[]);
     let path = folder.path();
     succeeds(path, &["init", "experiment", "mine.toml"]);
-    let told = |set: &[&str]| {
+    let reported = |set: &[&str]| {
         let summary = summary(path, "mine.toml", [-10, 110], set);
         warning(&summary, "pulled")
     };
-    assert_eq!(told(&[]), None);
-    let found = told(&["states.0.table.reversed=[true,true]"]).unwrap();
+    assert_eq!(reported(&[]), None);
+    let found = reported(&["states.0.table.reversed=[true,true]"]).unwrap();
     assert!(found["tension"].as_f64().unwrap() > 0.0, "{found}");
     let theta = found["theta_degrees"].as_f64().unwrap();
     assert!((-10.0..110.0).contains(&theta), "{found}");

@@ -9,7 +9,7 @@ const REGION: &str = "[region]\nsector = { angles = [\"-90 deg\", \"90 deg\"], o
 
 /// A field without noise, in whole micrometres: neighbours agree better than their digits can say.
 #[test]
-fn of_rounded_data_the_deviation_of_rounding_is_told() {
+fn of_rounded_data_the_deviation_of_rounding_is_reported() {
     let steps = |x: f64, y: f64| [(2.0 * x + y) / 1e3, -y / 1e3];
     let folder = folder_with(&[
         ("e.toml", &TABLE.replace(STATED, "")),
@@ -23,9 +23,9 @@ fn of_rounded_data_the_deviation_of_rounding_is_told() {
         0,
         "{summary}"
     );
-    let told = findings(&summary, "deviation");
-    assert_eq!(told.len(), 2, "{told:?}");
-    for (found, field) in told.iter().zip(["U", "V"]) {
+    let reported = findings(&summary, "deviation");
+    assert_eq!(reported.len(), 2, "{reported:?}");
+    for (found, field) in reported.iter().zip(["U", "V"]) {
         assert_eq!(
             (&found["field"], &found["by_digits"]),
             (&field.into(), &true.into())

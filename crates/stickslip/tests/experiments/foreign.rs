@@ -57,9 +57,9 @@ fn decimal_commas_and_units_are_read_and_units_are_compared_with_the_scale() {
     let summary = succeeds(path, &["reduce", "e.toml", "--force"]);
     let passed_over = findings(&summary, "unit_not_compared");
     for (found, column) in passed_over.iter().zip(["x", "y"]) {
-        let told = ["level", "line", "unit", "key"].map(|key| &found[key]);
+        let reported = ["level", "line", "unit", "key"].map(|key| &found[key]);
         let expected = [json!("remark"), json!(2), json!("px"), json!("scale")];
-        assert_eq!(told, expected.each_ref(), "{found}");
+        assert_eq!(reported, expected.each_ref(), "{found}");
         assert_eq!(found["column"], *column);
     }
     assert_eq!(passed_over.len(), 2, "{summary}");

@@ -49,13 +49,13 @@ fn checked(folder: &TempDir, keys: &[&str]) -> Value {
 const RING: &str = "states.0.lines.tracks.u.ring.circle={ centre = [\"0 mm\", \"0 mm\"] }";
 
 #[test]
-fn a_forgotten_track_is_told_of_and_single_lines_have_their_own() {
+fn a_forgotten_track_is_reported_and_single_lines_have_their_own() {
     let folder = folder(&centres());
     let found = checked(&folder, &[]);
-    let told = warnings(&found);
-    assert_eq!(told.len(), 2, "{told:?}");
+    let reported = warnings(&found);
+    assert_eq!(reported.len(), 2, "{reported:?}");
     check(
-        told[0],
+        reported[0],
         &[
             "state 'up': 'u.csv', line ",
             // The mean of the 13 sines is 0.5843, and the ends are the farthest.
@@ -64,10 +64,13 @@ fn a_forgotten_track_is_told_of_and_single_lines_have_their_own() {
             "or tracks for single lines",
         ],
     );
-    check(told[1], &["'v.csv', line "]);
+    check(reported[1], &["'v.csv', line "]);
     let found = checked(&folder, &[RING]);
-    let told = warnings(&found);
-    assert!(told.len() == 1 && told[0].contains("'v.csv'"), "{told:?}");
+    let reported = warnings(&found);
+    assert!(
+        reported.len() == 1 && reported[0].contains("'v.csv'"),
+        "{reported:?}"
+    );
     let drawn = "states.0.lines.tracks.v.ring=drawn";
     assert!(warnings(&checked(&folder, &[RING, drawn])).is_empty());
     // Who states a tolerance says how far off centres may be.
@@ -92,7 +95,7 @@ fn a_forgotten_track_is_told_of_and_single_lines_have_their_own() {
 }
 
 #[test]
-fn centres_that_make_no_line_are_told_in_the_numbers_of_their_rows() {
+fn centres_that_make_no_line_are_reported_by_the_numbers_of_their_rows() {
     let says = |text: &str| fails(folder(text).path(), &["check", "e.toml"]);
     check(
         &says(&format!("{}rest,80,80,1\n", centres())),
@@ -107,7 +110,7 @@ fn centres_that_make_no_line_are_told_in_the_numbers_of_their_rows() {
 }
 
 #[test]
-fn signs_that_were_assumed_are_told() {
+fn signs_that_were_assumed_are_reported() {
     let folder = folder(&centres());
     let signs = |keys: &[&str]| {
         let found = checked(&folder, keys);
@@ -129,7 +132,7 @@ fn signs_that_were_assumed_are_told() {
 }
 
 #[test]
-fn a_null_field_with_other_signs_is_told_of() {
+fn a_null_field_with_other_signs_is_reported() {
     let experiment = format!(
         "{TABLE}null.table = {{ file = \"up.csv\", scale = \"1 mm\", y_axis = \"up\", reversed = [true, true] }}\n"
     );

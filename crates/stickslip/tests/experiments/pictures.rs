@@ -42,8 +42,11 @@ fn loops_that_do_not_close_are_flagged_on_the_map() {
     assert!(field["open_loops"].as_u64().unwrap() >= 1, "{summary}");
     assert!(field["jumps"].as_u64().unwrap() >= 1, "{summary}");
     let open = &finding(&summary, "unwrapping", "warning")["fields"][0];
-    let told = ["field", "loops", "jumps"].map(|key| &open[key]);
-    assert_eq!(told, [&"U".into(), &field["open_loops"], &field["jumps"]]);
+    let reported = ["field", "loops", "jumps"].map(|key| &open[key]);
+    assert_eq!(
+        reported,
+        [&"U".into(), &field["open_loops"], &field["jumps"]]
+    );
     let map = fs::read_to_string(folder.path().join("e-results/figures/phase-up.svg")).unwrap();
     assert!(map.contains("loops that do not close: 1") && map.contains("jumps of half a fringe"));
     assert_eq!(summary["measured"][0]["v"]["valid"], 0);
@@ -80,7 +83,7 @@ fn a_picture_without_carrier_is_refused() {
 }
 
 #[test]
-fn a_carrier_that_nothing_tells_is_asked_for() {
+fn a_carrier_that_cannot_be_determined_is_refused() {
     let folder = folder_with(&[("e.toml", &experiment(""))]);
     write(&folder.path().join("u.png"), Some(&|x, _| 4.0 * x));
     let error = fails(folder.path(), &["reduce", "e.toml"]);
@@ -205,7 +208,7 @@ fn a_picture_in_colour_or_none_at_all_is_refused() {
 
 /// A table as null field of pictures, and the reverse: maps, marks and warnings of the pictures stay.
 #[test]
-fn pictures_and_tables_are_taken_off_each_other_with_what_pictures_tell() {
+fn pictures_and_tables_are_taken_off_each_other() {
     let dislocation = |x: f64, y: f64| 4.0 * x + (y - 1.0).atan2(x - 11.0) / TAU;
     let table =
         "table = { file = \"t.csv\", scale = \"1 mm\", y_axis = \"up\", deviation = \"1e-4 mm\" }";
@@ -288,7 +291,7 @@ fn one_warning_counts_the_loops_of_both_fields_and_of_the_null_field() {
 
 /// What the pictures of the back cannot be trusted in is said.
 #[test]
-fn warnings_of_the_back_are_told() {
+fn warnings_of_the_back_are_reported() {
     let back = "back.pictures = { u = \"b.png\", pixel = \"0.05 mm\", top_left = [\"6 mm\", \"5 mm\"], y_axis = \"up\"";
     let symmetry = "[reduce]\nleast_modulation = 0\nsymmetry = { from = [\"13 mm\", \"-4 mm\"], to = [\"15 mm\", \"-4 mm\"] }\n[grating]";
     let text = experiment(CARRIER).replace("[grating]", &format!("{back}{CARRIER} }}\n{symmetry}"));

@@ -56,7 +56,7 @@ fn all_ways_agree_off_the_hole() {
 
 /// Triangles do not reach into a concave edge: those that bridge it are gaps unless they are asked for.
 #[test]
-fn linear_interpolation_does_not_bridge_the_hole_unless_told() {
+fn linear_interpolation_does_not_bridge_the_hole_by_default() {
     let folder = sample();
     let arguments = [
         "hybrid",
@@ -72,9 +72,9 @@ fn linear_interpolation_does_not_bridge_the_hole_unless_told() {
     for part in ["in a gap of the data", "stand-off", "state 'up'"] {
         assert!(text.contains(part), "{part}: {text}");
     }
-    let mut told = arguments.to_vec();
-    told.extend(["--set", "reduce.longest_side=\"100 mm\""]);
-    succeeds(folder.path(), &told);
+    let mut reported = arguments.to_vec();
+    reported.extend(["--set", "reduce.longest_side=\"100 mm\""]);
+    succeeds(folder.path(), &reported);
 }
 
 #[test]

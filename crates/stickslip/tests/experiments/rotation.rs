@@ -155,7 +155,7 @@ fn a_null_field_that_turned_is_turned_back_by_its_own_angle() {
 
 /// A dilation of 1e-4 adds 10 MPa to the pressure of an aluminium plate: the edge clear of contact says how much it is, and takes it off.
 #[test]
-fn a_dilation_is_told_by_the_free_edge_and_taken_off_where_it_is_declared_free() {
+fn a_dilation_is_found_at_the_free_edge_and_taken_off_where_it_is_declared_free() {
     let folder = sample();
     let path = folder.path();
     moved(path, "dilated.csv", |_, seen| {
@@ -221,7 +221,7 @@ fn a_dilation_is_told_by_the_free_edge_and_taken_off_where_it_is_declared_free()
 
 /// A region that ends inside of the contact has no evidence of a dilation, and says so instead of taking the load for one.
 #[test]
-fn a_dilation_that_cannot_be_told_from_the_load_is_not_taken_off() {
+fn a_dilation_that_cannot_be_distinguished_from_the_load_is_not_taken_off() {
     let folder = sample();
     let path = folder.path();
     let sector = "region.sector={ angles = [\"0 deg\", \"60 deg\"], outer = \"13 mm\", cells = [14, 6], growth = 2.0 }";

@@ -54,7 +54,7 @@ fn a_load_that_is_not_that_of_its_step_is_refused() {
 }
 
 #[test]
-fn keys_that_nothing_heeds_are_told_of() {
+fn ignored_keys_are_reported() {
     let keys = "[reduce]\norder = 3\nneighbours = 12\nreach = \"1 mm\"\nlongest_side = \"3 mm\"\nstride = 2\nband = 0.5\nsettled = 0.01\n\
                 least_modulation = 0.1\ncommon_places = \"0.1 mm\"\noutliers = 9.0\n";
     let table = grid("x,y,u,v", |x, y| [1e-3 * x, -3e-4 * y]);
@@ -69,24 +69,32 @@ fn keys_that_nothing_heeds_are_told_of() {
         "common_places",
     ];
     let of_pictures = ["stride", "least_modulation", "band", "settled"];
-    let told = warnings(&checked);
-    assert_eq!(told.len(), own.len() + of_pictures.len(), "{told:?}");
+    let reported = warnings(&checked);
+    assert_eq!(
+        reported.len(),
+        own.len() + of_pictures.len(),
+        "{reported:?}"
+    );
     for key in own.iter().chain(&of_pictures) {
         let quoted = format!("'reduce.{key}' has no effect: ");
         assert!(
-            told.iter().any(|words| words.contains(&quoted)),
-            "{key}: {told:?}"
+            reported.iter().any(|words| words.contains(&quoted)),
+            "{key}: {reported:?}"
         );
     }
     assert_eq!(
-        told[0],
+        reported[0],
         "e.toml:10: 'reduce.order' has no effect: only reduce.method = \"polynomial\" heeds it; remove it, unless it waits for another \
          method or other data."
     );
     // The page and the summary say so too.
     let summary = succeeds(folder.path(), &["reduce", "e.toml"]);
     let all = summary["warnings"].as_array().unwrap();
-    assert!(told.iter().all(|words| all.iter().any(|own| own == words)));
+    assert!(
+        reported
+            .iter()
+            .all(|words| all.iter().any(|own| own == words))
+    );
 }
 
 #[test]
@@ -99,8 +107,9 @@ fn what_waits_for_another_method_is_heeded_by_it() {
     let with = |method: &str| {
         let set = format!("reduce.method={method}");
         let checked = succeeds(folder.path(), &["check", "e.toml", "--set", &set]);
-        let told = warnings(&checked).into_iter();
-        told.map(|words| words.split('\'').nth(1).unwrap().to_owned())
+        let reported = warnings(&checked).into_iter();
+        reported
+            .map(|words| words.split('\'').nth(1).unwrap().to_owned())
             .collect::<Vec<String>>()
     };
     assert_eq!(with("polynomial"), ["reduce.longest_side"]);

@@ -154,7 +154,7 @@ fn bands_of_calculated_data_are_those_of_the_stated_deviation_or_of_their_digits
 
 /// Contact of pictures: one line per state in the terminal, states by name, static friction alike as text.
 #[test]
-fn friction_is_told_by_the_names_of_states() {
+fn friction_is_reported_by_the_names_of_states() {
     let text = FRINGES.replace(
         "[[\"2 mm\", \"-5 mm\"], [\"12 mm\", \"5 mm\"]]",
         "[[\"-2 mm\", \"-9 mm\"], [\"9 mm\", \"9 mm\"]]",
@@ -166,10 +166,10 @@ fn friction_is_told_by_the_names_of_states() {
     ]);
     let path = folder.path();
     let output = stickslip(path, &["identify", "e.toml"]);
-    let told = String::from_utf8(output.stdout).unwrap();
+    let reported = String::from_utf8(output.stdout).unwrap();
     assert!(
-        told.contains("State 'up': peak pressure") && told.contains("largest shear τ_rθ"),
-        "{told} {}",
+        reported.contains("State 'up': peak pressure") && reported.contains("largest shear τ_rθ"),
+        "{reported} {}",
         String::from_utf8_lossy(&output.stderr)
     );
     let friction = fs::read_to_string(path.join("e-results/friction.csv")).unwrap();

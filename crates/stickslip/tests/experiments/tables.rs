@@ -221,7 +221,7 @@ fn a_null_field_that_lacks_a_component_is_refused() {
 
 /// Two gross errors, one of each kind people meet: a slipped decimal point, and a correlation that failed.
 #[test]
-fn outliers_of_a_table_are_masked_and_told_of() {
+fn outliers_of_a_table_are_masked_and_reported() {
     let spoil = |text: &str| {
         let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
         for (line, u) in [(101, "0.5"), (203, "-0.01")] {
@@ -300,7 +300,7 @@ fn outliers_of_a_table_are_masked_and_told_of() {
 
 /// Outliers of the null field are reported as its own.
 #[test]
-fn outliers_of_a_null_field_are_told_of_as_its_own() {
+fn outliers_of_a_null_field_are_reported_as_its_own() {
     let null = "null.table = { file = \"initial.csv\", scale = \"1 mm\", y_axis = \"up\", deviation = \"1e-4 mm\" }\n";
     let initial = grid("x,y,u,v", |x, y| {
         let [u, v] = linear(x, y);

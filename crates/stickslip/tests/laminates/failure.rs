@@ -211,7 +211,7 @@ fn a_half_model_stands_for_the_whole() {
 }
 
 #[test]
-fn a_cure_that_breaks_plies_is_told() {
+fn a_cure_that_breaks_plies_is_reported() {
     let results = solved(COUPON, &["materials.laminate.laminate.cure=-600 K"]);
     let found = first(&results, 0);
     assert!(found.reached && found.factor == 0.0 && load(&found) == 0.0);
@@ -227,7 +227,7 @@ fn without_load_nothing_fails() {
 
 /// A reserve factor multiplies all that presses the pin, which is no factor on the load where interference does.
 #[test]
-fn reserve_factors_beside_interference_are_told_of() {
+fn reserve_factors_beside_interference_are_reported() {
     let said = |changes: &[&str]| {
         let results = solved(PIN, changes);
         let about = |finding: &&Finding| matches!(finding, Finding::ReserveWithInterference { .. });

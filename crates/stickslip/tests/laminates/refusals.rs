@@ -6,7 +6,7 @@ use super::{COUPON, PIN, read};
 #[track_caller]
 fn refused(text: &str, change: &str, parts: &[&str]) {
     let error = read(text, &[change]).expect_err(change);
-    let told: Vec<String> = error
+    let reported: Vec<String> = error
         .findings()
         .iter()
         .map(|finding| {
@@ -19,8 +19,8 @@ fn refused(text: &str, change: &str, parts: &[&str]) {
             )
         })
         .collect();
-    let all = told.join("\n");
-    assert_eq!(told.len(), 1, "{change}:\n{all}");
+    let all = reported.join("\n");
+    assert_eq!(reported.len(), 1, "{change}:\n{all}");
     for part in parts {
         assert!(
             all.contains(part),
@@ -250,9 +250,9 @@ fn the_body_of_a_progressive_failure() {
     let failing = "failure.progressive={model={ply_discount={fibre=0.01,matrix=0.1}}}";
     let another = "bodies.pin.material=laminate";
     let error = read(PIN, &[failing, another]).unwrap_err();
-    let told = format!("{:?}", error.findings()[0].summary());
+    let reported = format!("{:?}", error.findings()[0].summary());
     assert!(
-        told.contains("body = ") && told.contains(" or body = "),
-        "{told}"
+        reported.contains("body = ") && reported.contains(" or body = "),
+        "{reported}"
     );
 }

@@ -25,7 +25,7 @@ fn show(found: &Comparison) {
             own.bic_distance,
             own.calibration.evaluations,
             own.calibration.refusals,
-            own.words()
+            own.describe()
         );
         for parameter in &own.calibration.estimates {
             println!(
@@ -80,7 +80,7 @@ fn the_dynamic_coefficient_is_found_and_the_static_one_has_an_upper_bound_alone(
     assert!((own.calibration.values()[1] - 0.25).abs() < 0.002);
     // It cannot be below the dynamic one, which is the law's word and not that of the data.
     assert!(matches!(bounds(own, "static"), Bounds::AtMost(high) if (0.35..0.5).contains(&high)));
-    assert!(own.words().contains("static is bounded on one side"));
+    assert!(own.describe().contains("static is bounded on one side"));
     // One coefficient explains the same data: the drop itself is not seen.
     assert!(found.fits[0].explains() && found.fits[0].distance < 4.0);
 }
@@ -128,7 +128,7 @@ fn a_full_passage_gives_all_parameters_of_the_slip_power_law_and_rules_the_other
 }
 
 #[test]
-fn a_coefficient_that_falls_with_pressure_is_told_from_a_constant_one() {
+fn a_coefficient_that_falls_with_pressure_is_distinguished_from_a_constant_one() {
     let (truth, model) = (aluminium(2.25), aluminium(4.5));
     let text =
         r#"{ "pressure_power": { "mu": 0.3, "reference_pressure": 100.0, "exponent": 0.8 } }"#;
@@ -145,7 +145,7 @@ fn a_coefficient_that_falls_with_pressure_is_told_from_a_constant_one() {
 }
 
 #[test]
-fn fibre_coverage_on_a_quasi_isotropic_plate_is_told_from_one_coefficient() {
+fn fibre_coverage_on_a_quasi_isotropic_plate_is_distinguished_from_one_coefficient() {
     let (truth, model) = (laminate(2.25), laminate(4.5));
     let free = [
         ("fibre.coulomb.mu", [0.0, 0.5]),

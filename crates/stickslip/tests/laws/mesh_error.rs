@@ -48,7 +48,7 @@ fn ends(found: &Comparison) -> [f64; 2] {
 }
 
 #[test]
-fn the_interval_of_a_coarser_model_holds_the_truth_and_the_amount_is_told() {
+fn the_interval_of_a_coarser_model_holds_the_truth_and_the_amount_is_reported() {
     let [without, with] = both(2.25, 4.5, &[dynamic()]);
     println!("{:?} {:?}", ends(&without), ends(&with));
     assert!(without.mesh_error.is_none());

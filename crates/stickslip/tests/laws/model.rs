@@ -10,7 +10,7 @@ use stickslip::experiment::laws::{
     ContactModel, Known, LawStage, Observation, Scale, ScaleSource, discrepancies, stage,
 };
 use stickslip::experiment::measured::Measured;
-use stickslip::experiment::story::Story;
+use stickslip::experiment::report::ExperimentReport;
 use stickslip::experiment::truth::Truth;
 use stickslip::host::HOST;
 use stickslip::scene::Format;
@@ -76,10 +76,10 @@ fn as_measured(fields: Vec<Measurement>) -> Vec<Measured> {
         .collect()
 }
 
-fn told(experiment: &Experiment, stage: &LawStage) -> String {
-    let mut story = Story::new(experiment);
-    stickslip_present::experiment::laws::tell(experiment, stage, &mut story);
-    story.text_answers() + &story.summary().to_string()
+fn reported(experiment: &Experiment, stage: &LawStage) -> String {
+    let mut report = ExperimentReport::new(experiment);
+    stickslip_present::experiment::laws::report(experiment, stage, &mut report);
+    report.text_answers() + &report.summary().to_string()
 }
 
 #[test]
@@ -104,7 +104,7 @@ fn a_model_has_a_mesh_of_its_own_and_whoever_gives_it_none_is_warned() {
         .unwrap()
         .unwrap();
     assert_eq!(found.findings, [ModelFinding::SharedMesh]);
-    assert!(told(&shared, &found).contains("model_overrides = [\\\"mesh.spacing="));
+    assert!(reported(&shared, &found).contains("model_overrides = [\\\"mesh.spacing="));
 }
 
 #[test]
@@ -174,7 +174,7 @@ fn the_discrepancy_is_none_on_the_same_mesh_and_falls_with_the_mesh() {
 }
 
 #[test]
-fn states_with_one_null_field_are_told_of_and_how_much_that_matters() {
+fn states_with_one_null_field_are_reported_with_their_effect() {
     let experiment = read(MEASURED).unwrap();
     let truth = aluminium(2.25);
     let law = Arc::clone(truth.own_law());
@@ -204,7 +204,7 @@ fn states_with_one_null_field_are_told_of_and_how_much_that_matters() {
     let fit = found.comparison.best();
     assert!(fit.explains(), "{}", fit.calibration.excess());
     assert!((fit.calibration.values()[0] - 0.25).abs() < 0.002);
-    let words = told(&experiment, &found);
+    let words = reported(&experiment, &found);
     assert!(
         words.contains("\"shared_nulls\":[{\"correlation\":0."),
         "{words}"

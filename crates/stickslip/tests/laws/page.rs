@@ -9,7 +9,7 @@ use stickslip::experiment::history::Untied;
 use stickslip::experiment::identified::identify;
 use stickslip::experiment::laws::Known;
 use stickslip::experiment::measured::Measured;
-use stickslip::experiment::story::Story;
+use stickslip::experiment::report::ExperimentReport;
 use stickslip::experiment::whole::WholeState;
 use stickslip::experiment::{Experiment, ExperimentError, laws, whole};
 use stickslip::folder::{Overwrite, ResultFolder};
@@ -78,10 +78,10 @@ fn fields() -> Vec<Measured> {
 }
 
 #[test]
-fn the_page_tells_of_laws_and_of_the_whole_plate() {
+fn the_page_shows_laws_and_the_whole_plate() {
     let experiment = experiment(EXPERIMENT);
     let fields = fields();
-    let mut story = Story::new(&experiment);
+    let mut report = ExperimentReport::new(&experiment);
     let (states, findings) = whole::stage(&experiment, &fields).unwrap();
     assert_eq!((states.len(), findings.len()), (2, 0));
     let bears: Vec<_> = states.iter().map(WholeState::edge).collect();
@@ -91,14 +91,14 @@ fn the_page_tells_of_laws_and_of_the_whole_plate() {
         plates: states,
         plate_findings: findings,
     };
-    page::whole::tell(&experiment, &edges, &mut story);
+    page::whole::report(&experiment, &edges, &mut report);
     let stage = laws::stage(&experiment, &fields, Known::default(), &mut |_| ())
         .unwrap()
         .unwrap();
-    page::laws::tell(&experiment, &stage, &mut story);
+    page::laws::report(&experiment, &stage, &mut report);
 
     assert_eq!(stage.comparison.best().law.name, "slip power");
-    let summary = story.summary();
+    let summary = report.summary();
     assert_eq!(summary["laws"]["best"], "slip power");
     // Free parameters stand in the order of their names.
     assert_eq!(
@@ -106,7 +106,7 @@ fn the_page_tells_of_laws_and_of_the_whole_plate() {
         "slip_scale"
     );
     assert_eq!(summary["laws"]["fits"][2]["parameters"][1]["unit"], "mm");
-    let answers = story.text_answers();
+    let answers = report.text_answers();
     assert!(
         answers.contains("Friction law: slip power: preferred"),
         "{answers}"
@@ -114,7 +114,7 @@ fn the_page_tells_of_laws_and_of_the_whole_plate() {
 
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("laws-page");
     let folder = ResultFolder::create(&path, Overwrite::Force(|_| None)).unwrap();
-    let path = keep::story(story, folder).unwrap();
+    let path = keep::report(report, folder).unwrap();
     for file in ["laws.csv", "law-fit-up.csv", "whole-plate-down.csv"] {
         assert!(path.join(file).exists(), "{file}");
     }
@@ -160,7 +160,7 @@ fn laws_that_cannot_be_fitted_are_refused_at_their_line() {
 }
 
 #[test]
-fn a_state_that_is_no_load_step_is_told_of_and_left_out() {
+fn a_state_that_is_no_load_step_is_reported_and_left_out() {
     let laws_begin = EXPERIMENT.find("[[laws]]\nname = \"static").unwrap();
     let text = EXPERIMENT[..laws_begin].replace("1210 lbf", "1240 lbf");
     let experiment = experiment(&text);

@@ -19,7 +19,7 @@ const SMOOTHING: Smoothing = Smoothing {
     amount: Amount::CrossValidated { share: 0.4 },
 };
 #[test]
-fn the_whole_plate_balances_its_load_and_tells_the_friction_of_the_truth() {
+fn the_whole_plate_balances_its_load_and_finds_the_friction_of_the_truth() {
     let truth = aluminium(1.125);
     let overrides = ["mesh.spacing=\"4.5 deg\"", "mesh.coarse_spacing=\"9 deg\""];
     let plate = WholePlate::new(&scene("pin-loaded-aluminium", &overrides)).unwrap();

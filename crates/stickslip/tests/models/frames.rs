@@ -242,8 +242,8 @@ fn page(results: &Results) -> (String, Vec<String>) {
     let page = without(&without(&page, "<style", "</style>"), "<svg", "</svg>");
     let captions = page.split("<figcaption").skip(1);
     let captions = captions.map(|rest| rest.split("</figcaption>").next().unwrap());
-    let captions = captions.map(|caption| told(&format!("<figcaption{caption}")));
-    (told(&page), captions.collect())
+    let captions = captions.map(|caption| reported(&format!("<figcaption{caption}")));
+    (reported(&page), captions.collect())
 }
 
 fn without(text: &str, start: &str, end: &str) -> String {
@@ -257,7 +257,7 @@ fn without(text: &str, start: &str, end: &str) -> String {
 }
 
 /// Text between tags, without where the bearing point lies from +x and without the scene's hash.
-fn told(text: &str) -> String {
+fn reported(text: &str) -> String {
     // Cells of tables stand apart.
     let text = without(&text.replace('<', " <"), "<", ">");
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -274,7 +274,7 @@ fn told(text: &str) -> String {
         .collect()
 }
 
-fn tell_the_same(one: &Results, other: &Results, what: &str) {
+fn assert_equal_captions(one: &Results, other: &Results, what: &str) {
     let ((text, captions), (other_text, other_captions)) = (page(one), page(other));
     assert_eq!(words(&text).0, words(&other_text).0, "{what}");
     assert_eq!(captions.len(), other_captions.len());
@@ -318,7 +318,7 @@ fn compare(changes: &[&str], motions: &[Motion]) {
                 &format!("{what} {part}"),
             );
         }
-        tell_the_same(&own, &image, &what);
+        assert_equal_captions(&own, &image, &what);
     }
 }
 
@@ -360,7 +360,7 @@ fn a_half_that_bears_behind_reads_as_its_mirror_image() {
     }
     assert_eq!(other["steps"][1]["bearing_angle_deg"], 180.0);
     assert!(number(&other["steps"][1]["stick_half_angle_deg"]) > 1.0);
-    tell_the_same(&ahead, &behind, "half");
+    assert_equal_captions(&ahead, &behind, "half");
 }
 
 #[test]

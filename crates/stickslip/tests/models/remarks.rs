@@ -45,7 +45,7 @@ fn a_plain_joint_needs_no_remark() {
 
 /// A contact that bears on one side and then on the other is reported; one that always bears on the far side needs no remark.
 #[test]
-fn a_bearing_point_that_wanders_is_told() {
+fn a_bearing_point_that_moves_is_reported() {
     let wanders = |finding: &ContactFinding| match *finding {
         ContactFinding::BearingPointWanders {
             step,
@@ -73,7 +73,7 @@ fn a_bearing_point_that_wanders_is_told() {
 }
 
 #[test]
-fn a_wide_clearance_is_told() {
+fn a_wide_clearance_is_reported() {
     let wide = model(BUSHING, &["bodies.pin.shape.disk.radius=4 mm"]);
     let clearance = on_contacts(&wide.findings, |finding| match *finding {
         ContactFinding::WideClearance { clearance } => Some(clearance),
@@ -86,7 +86,7 @@ fn a_wide_clearance_is_told() {
 }
 
 #[test]
-fn bodies_of_different_thickness_are_told() {
+fn bodies_of_different_thickness_are_reported() {
     let uneven = model(BUSHING, &["bodies.pin.thickness=1.5 mm"]).findings;
     let finding = ContactFinding::UnequalThickness {
         bodies: ["bushing", "pin"].map(String::from),
@@ -109,7 +109,7 @@ fn forces_that_cancel_are_nothing() {
 }
 
 #[test]
-fn an_end_of_contact_outside_the_fine_zone_is_told() {
+fn an_end_of_contact_outside_the_fine_zone_is_reported() {
     let beyond = |finding: &ContactFinding| match *finding {
         ContactFinding::BeyondFineMesh { step, limit, .. } => Some((step, degrees(limit))),
         _ => None,
@@ -170,7 +170,7 @@ fn a_bushing_without_friction_is_said_to_turn_freely() {
 
 /// A coefficient beyond the estimate of the bound of uniqueness is reported once, with the step in which contact is largest.
 #[test]
-fn friction_beyond_its_estimated_bound_is_told() {
+fn friction_beyond_its_estimated_bound_is_reported() {
     let bounds = |findings: &[Finding]| -> Vec<UniquenessBound> {
         let taken = findings.iter().map(|finding| match *finding {
             Finding::NearUniquenessBound(bound) => Some(bound),
@@ -202,7 +202,7 @@ fn friction_beyond_its_estimated_bound_is_told() {
 
 /// The status iteration cycles on a pin with friction of 0.2; the solver that takes over says so in one line.
 #[test]
-fn solvers_that_failed_on_the_way_are_told() {
+fn solvers_that_failed_on_the_way_are_reported() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/pin-benchmark.toml");
     let changes = [
         "analysis.solver=status",
@@ -276,7 +276,7 @@ fields = "none"
 /// Where one point stands at its bound and all others slip the pin may turn a little: CSLIP1 is one of many, in the whole model. Symmetry
 /// holds the pin of the half, and one that sticks in the other load holds itself.
 #[test]
-fn slip_that_friction_leaves_undetermined_is_told() {
+fn slip_that_friction_leaves_undetermined_is_reported() {
     let pull =
         "[[loads]]\non = \"plate.left\"\nforce = { direction = [-1, 0], steps = [\"5 N\"] }\n";
     let cooled = format!("{pull}[[loads]]\non = \"plate\"\ntemperature.steps = [\"-70 K\"]\n");

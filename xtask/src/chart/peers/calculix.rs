@@ -7,7 +7,7 @@ use stickslip_fem_core::mesh::ElementKind;
 
 use super::PeerRun;
 use super::job::{Cost, Job, POISSON, PSI, Part, Steps, YOUNG, wait};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// How contact is enforced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,7 +69,7 @@ pub(super) fn version() -> Option<String> {
 }
 
 /// Runs all families without and with friction.
-pub(super) fn runs(version: &str) -> Result<Vec<PeerRun>, Trouble> {
+pub(super) fn runs(version: &str) -> Result<Vec<PeerRun>, TaskError> {
     let mut runs = Vec::new();
     for mu in [0.0, 0.25] {
         for (contact, cell, kind, element, spacings) in FAMILIES {
@@ -85,7 +85,7 @@ pub(super) fn runs(version: &str) -> Result<Vec<PeerRun>, Trouble> {
 }
 
 /// Runs `deck`: what it took, and the plate's displacements at the end of each step.
-fn follow(deck: &str, job: &Job) -> Result<(Cost, Steps), Trouble> {
+fn follow(deck: &str, job: &Job) -> Result<(Cost, Steps), TaskError> {
     let folder = tempfile::tempdir()?;
     let input = folder.path().join("pin.inp");
     std::fs::write(&input, deck)?;
@@ -102,7 +102,7 @@ fn follow(deck: &str, job: &Job) -> Result<(Cost, Steps), Trouble> {
 }
 
 /// The input deck: meshes, contact pair with the hole as slave, supports, and one step for each load.
-fn deck(job: &Job, contact: Contact, cell: &str) -> Result<String, Trouble> {
+fn deck(job: &Job, contact: Contact, cell: &str) -> Result<String, TaskError> {
     let mut deck = String::from("*NODE, NSET=ALL\n");
     let (points, cells) = job.mesh();
     // Writing into a string does not fail.
@@ -153,7 +153,7 @@ fn deck(job: &Job, contact: Contact, cell: &str) -> Result<String, Trouble> {
 }
 
 /// The contact pair with the hole as slave, and its surfaces.
-fn contact_pair(job: &Job, contact: Contact) -> Result<String, Trouble> {
+fn contact_pair(job: &Job, contact: Contact) -> Result<String, TaskError> {
     let mut deck = String::new();
     for (name, part, set) in [("SHOLE", Part::Plate, "hole"), ("SRIM", Part::Pin, "rim")] {
         if contact == Contact::NodeToSurface && part == Part::Plate {

@@ -7,7 +7,7 @@ use stickslip_fem_core::mesh::{ElementKind, Point};
 
 use super::PeerRun;
 use super::job::{Cost, Job, POISSON, Part, Steps, YOUNG, wait};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 const SCRIPT: &str = include_str!("getfem.py");
 /// Contact, elements and spacings `[deg]` that it is run on.
@@ -71,7 +71,7 @@ struct Output {
 }
 
 /// Runs all families without and with friction.
-pub(super) fn runs(version: &str) -> Result<Vec<PeerRun>, Trouble> {
+pub(super) fn runs(version: &str) -> Result<Vec<PeerRun>, TaskError> {
     let mut runs = Vec::new();
     for mu in [0.0, 0.25] {
         for (contact, element, spacings) in FAMILIES {
@@ -96,7 +96,7 @@ pub(super) fn runs(version: &str) -> Result<Vec<PeerRun>, Trouble> {
 }
 
 /// Runs the script: what it found, unless it ended early, and what it took with all imports.
-fn follow(input: &Input) -> Result<(Option<Output>, Cost), Trouble> {
+fn follow(input: &Input) -> Result<(Option<Output>, Cost), TaskError> {
     let folder = tempfile::tempdir()?;
     let [script, job, result] =
         ["run.py", "job.json", "result.json"].map(|name| folder.path().join(name));
@@ -115,7 +115,7 @@ fn follow(input: &Input) -> Result<(Option<Output>, Cost), Trouble> {
     Ok((output, cost))
 }
 
-fn job_of(job: &Job, contact: &'static str) -> Result<Input, Trouble> {
+fn job_of(job: &Job, contact: &'static str) -> Result<Input, TaskError> {
     let [low, high] = job.body(Part::Plate).mesh().bounding_box();
     Ok(Input {
         contact,
@@ -132,10 +132,10 @@ fn job_of(job: &Job, contact: &'static str) -> Result<Input, Trouble> {
 }
 
 /// A body in its own numbering.
-fn body_of(job: &Job, part: Part) -> Result<Body, Trouble> {
+fn body_of(job: &Job, part: Part) -> Result<Body, TaskError> {
     let mesh = job.body(part).mesh();
     let [first, _] = job.offsets(part);
-    let own = |set: &str| -> Result<Vec<usize>, Trouble> {
+    let own = |set: &str| -> Result<Vec<usize>, TaskError> {
         let nodes = job.nodes(part, set)?;
         Ok(nodes.iter().map(|node| node - first).collect())
     };

@@ -11,7 +11,7 @@ use stickslip_fem_core::mesh::{EdgeRef, ElementKind, Point};
 use stickslip_laboratory::problems::{Pairing, Problem};
 
 use super::{LOAD_STEPS, PeerRun};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// 1 psi in MPa.
 pub(super) const PSI: f64 = 6.894757293168361e-3;
@@ -44,7 +44,7 @@ pub(super) enum Part {
 }
 
 impl Job {
-    pub(super) fn new(mu: f64, element: ElementKind, spacing: f64) -> Result<Self, Trouble> {
+    pub(super) fn new(mu: f64, element: ElementKind, spacing: f64) -> Result<Self, TaskError> {
         let problem = if mu == 0.0 {
             Problem::AluminiumFrictionless
         } else {
@@ -56,7 +56,7 @@ impl Job {
             let found = model.bodies.iter().find(|body| body.name == name);
             match found.map(|body| &body.kind) {
                 Some(ModelBodyKind::Elastic(body)) => Ok(Arc::clone(body)),
-                _ => Err(Trouble::from(format!(
+                _ => Err(TaskError::from(format!(
                     "the benchmark has no elastic {name}"
                 ))),
             }
@@ -106,7 +106,7 @@ impl Job {
     }
 
     /// Nodes of a named set of a part, in the common numbering from 0.
-    pub(super) fn nodes(&self, part: Part, set: &str) -> Result<Vec<usize>, Trouble> {
+    pub(super) fn nodes(&self, part: Part, set: &str) -> Result<Vec<usize>, TaskError> {
         let [first, _] = self.offsets(part);
         let mesh = self.body(part).mesh();
         let nodes = mesh.node_set(set)?;
@@ -114,7 +114,7 @@ impl Job {
     }
 
     /// Edges of a named set of a part; cells in the common numbering from 0.
-    pub(super) fn edges(&self, part: Part, set: &str) -> Result<Vec<EdgeRef>, Trouble> {
+    pub(super) fn edges(&self, part: Part, set: &str) -> Result<Vec<EdgeRef>, TaskError> {
         let [_, first] = self.offsets(part);
         let mesh = self.body(part).mesh();
         let edges = mesh.edge_set(set)?;
@@ -152,7 +152,7 @@ impl Job {
         element: String,
         cost: Cost,
         steps: &[Vec<[f64; 2]>],
-    ) -> Result<PeerRun, Trouble> {
+    ) -> Result<PeerRun, TaskError> {
         let compared = steps.get(COMPARED);
         let peak = compared.map(|u| self.peak_pressure(u)).transpose()?;
         let run = PeerRun {
@@ -183,7 +183,7 @@ impl Job {
 
     /// Largest contact pressure `[psi]` of the displacements `u` `[mm]` of the plate's nodes: nodal forces K u on the hole over
     /// the nodes' lengths of arc.
-    pub(super) fn peak_pressure(&self, u: &[[f64; 2]]) -> Result<f64, Trouble> {
+    pub(super) fn peak_pressure(&self, u: &[[f64; 2]]) -> Result<f64, TaskError> {
         let mesh = self.plate.mesh();
         if u.len() != mesh.nodes().len() {
             return Err("displacements of another mesh".into());
@@ -218,7 +218,7 @@ pub(super) struct Cost {
 }
 
 /// Runs `command` without output, at most as long as a run may take.
-pub(super) fn wait(command: &mut Command) -> Result<Cost, Trouble> {
+pub(super) fn wait(command: &mut Command) -> Result<Cost, TaskError> {
     let before = children_seconds();
     let start = Instant::now();
     let mut child = command

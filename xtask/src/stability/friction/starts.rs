@@ -3,7 +3,7 @@
 use stickslip_contact::{ContactState, InterfaceProblem};
 use stickslip_laboratory::discrete::{Discrete, commit};
 
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 use crate::stability::history::{Stages, increment};
 
 /// Coefficient of friction under which nothing slips.
@@ -15,9 +15,9 @@ pub(super) struct Stuck(ContactState);
 /// The state of the problem that `problem` makes for a coefficient of friction, at the end of `loads` under so much friction that
 /// nothing slips.
 pub(super) fn stuck(
-    problem: &dyn Fn(f64) -> Result<InterfaceProblem, Trouble>,
+    problem: &dyn Fn(f64) -> Result<InterfaceProblem, TaskError>,
     loads: &[Vec<f64>],
-) -> Result<Stuck, Trouble> {
+) -> Result<Stuck, TaskError> {
     let stages = Stages::follow(&problem(HIGH)?, loads);
     let last = stages.list.last().ok_or("a history without steps")?;
     let answer = last

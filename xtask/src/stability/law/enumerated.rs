@@ -8,7 +8,7 @@ use stickslip_friction::FrictionLaw;
 use stickslip_laboratory::discrete::{self, Discrete, commit};
 use toml::Table;
 
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 use crate::stability::methods::{Method, methods};
 use crate::stability::outcome::{Outcome, judge};
 use crate::study::record::fields;
@@ -29,7 +29,7 @@ pub(super) struct Shares {
 
 impl Shares {
     /// Adds the steps of the punch under `law`.
-    pub(super) fn add(&mut self, law: &Arc<dyn FrictionLaw>) -> Result<(), Trouble> {
+    pub(super) fn add(&mut self, law: &Arc<dyn FrictionLaw>) -> Result<(), TaskError> {
         let punch = discrete::flat_punch_under(NODES, Arc::clone(law))?;
         let push = punch.multipliers[1];
         let methods = methods();

@@ -10,7 +10,7 @@ use stickslip_fem_core::material::{Isotropic, Material, PlaneState};
 use stickslip_fem_core::mesh::{Curve, ElementKind, Mesh, MeshParts};
 use stickslip_fem_core::{ElasticBody, HeldDirection, LoadCase, RigidBody, Support};
 
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 use crate::stability::joint::coulomb;
 
 /// Radius of the cylinder.
@@ -92,7 +92,7 @@ pub(super) struct Pressed {
 
 impl Block {
     /// Presses with each of `indenters` of one shape in turn, without friction unless `mu` is positive.
-    pub(super) fn press(&self, indenters: &[Indenter], mu: f64) -> Result<Vec<Pressed>, Trouble> {
+    pub(super) fn press(&self, indenters: &[Indenter], mu: f64) -> Result<Vec<Pressed>, TaskError> {
         let first = indenters.first().ok_or("nothing presses")?;
         let (problem, _) = self.problem(first, mu)?;
         let steps = indenters.iter().map(|own| vec![own.force, 0.0]).collect();
@@ -114,7 +114,7 @@ impl Block {
         &self,
         indenter: &Indenter,
         mu: f64,
-    ) -> Result<(InterfaceProblem, Vec<Vec<f64>>), Trouble> {
+    ) -> Result<(InterfaceProblem, Vec<Vec<f64>>), TaskError> {
         let mesh = Arc::new(self.mesh()?);
         let path = mesh.edge_path("top")?;
         let weights = mesh.edge_weights(&path, Some(Curve::Line));
@@ -160,7 +160,7 @@ impl Block {
         Ok((problem, loads))
     }
 
-    fn mesh(&self) -> Result<Mesh, Trouble> {
+    fn mesh(&self) -> Result<Mesh, TaskError> {
         let mut rectangle = Rectangle::uniform(
             [-1.0, 1.0],
             [-1.0, 0.0],
@@ -203,7 +203,7 @@ impl Block {
 }
 
 /// The block, held at its bottom and at one corner along x, with a load case for each multiplier of the indenter.
-fn held(mesh: &Arc<Mesh>) -> Result<Arc<ElasticBody>, Trouble> {
+fn held(mesh: &Arc<Mesh>) -> Result<Arc<ElasticBody>, TaskError> {
     let material: Arc<dyn Material> = Arc::new(Isotropic::new(1.0, 0.3, PlaneState::Stress)?);
     let bottom = mesh.node_set("bottom")?.to_vec();
     let x = |node: &usize| mesh.nodes()[*node][0];

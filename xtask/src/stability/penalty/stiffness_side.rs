@@ -18,7 +18,7 @@ use stickslip_contact::state::TrialState;
 use stickslip_fem_core::InterfaceOperator;
 use stickslip_laboratory::discrete::Discrete;
 
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 use crate::stability::joint::Joint;
 
 /// Compliance and rigid motion of a node, relative to the largest, that are none: a motion that symmetry excludes.
@@ -38,7 +38,7 @@ pub(super) fn forces(
     given: &Discrete,
     answer: &TrialState,
     factor: f64,
-) -> Result<DVector<f64>, Trouble> {
+) -> Result<DVector<f64>, TaskError> {
     let compliance = given.problem.compliance();
     let spring = factor * compliance.nrows() as f64 / compliance.trace();
     let bodies = bodies(joint, given)?;
@@ -57,14 +57,14 @@ pub(super) fn forces(
     Ok(held - springs * (rest + bodies.relative * motion))
 }
 
-fn bodies(joint: &Joint, given: &Discrete) -> Result<Bodies, Trouble> {
+fn bodies(joint: &Joint, given: &Discrete) -> Result<Bodies, TaskError> {
     let count = 2 * given.problem.points().len();
     let parts = joint
         .operators
         .iter()
         .enumerate()
         .map(|(index, operator)| body(operator.interface(), index, given))
-        .collect::<Result<Vec<Bodies>, Trouble>>()?;
+        .collect::<Result<Vec<Bodies>, TaskError>>()?;
     let size = parts.iter().map(|part| part.carried.len()).sum();
     let mut whole = Bodies {
         stiffness: DMatrix::zeros(size, size),
@@ -90,7 +90,7 @@ fn body(
     operator: &dyn InterfaceOperator,
     index: usize,
     given: &Discrete,
-) -> Result<Bodies, Trouble> {
+) -> Result<Bodies, TaskError> {
     let all = operator
         .compliance()
         .ok_or("a rigid body has no stiffness")?;

@@ -13,7 +13,7 @@ use stickslip_hybrid::identify::Bounds;
 
 use super::data::Measurable;
 use super::lab::{Lab, Medium};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 use crate::torture::draw::Draw;
 
 /// Standard deviations on either side of a value that hold 95 % of errors.
@@ -41,7 +41,7 @@ pub(super) enum Outcome {
 }
 
 /// Asks the experiment of `lab`.
-pub(super) fn statements(lab: &Lab, data: &Measurable) -> Result<Vec<Statement>, Trouble> {
+pub(super) fn statements(lab: &Lab, data: &Measurable) -> Result<Vec<Statement>, TaskError> {
     let experiment = &data.asked;
     let fields = (0..experiment.states.len())
         .map(|own| state(experiment, own, &Shots::default()))
@@ -169,9 +169,9 @@ impl List {
     /// Where the edge bears and how much, as stated and otherwise.
     fn sizes(&mut self, lab: &Lab, data: &Measurable, analysed: &[Analysed]) {
         let mut draw = Draw::new(lab.seed, 17);
-        let fails = |failed: bool, words: String| {
+        let fails = |failed: bool, message: String| {
             if failed {
-                Outcome::Missed(1.0, words)
+                Outcome::Missed(1.0, message)
             } else {
                 Outcome::Held
             }

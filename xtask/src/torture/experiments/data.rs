@@ -16,7 +16,7 @@ use stickslip_hybrid::fringe::{self, Depth, PixelMap};
 
 use super::lab::{Lab, Medium};
 use super::parts::is_loading;
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 use crate::torture::quantity::{mm, text};
 
 /// Half of the window that is seen, over the radius of the hole.
@@ -35,7 +35,7 @@ pub(super) struct Measurable {
 
 impl Measurable {
     /// Solves the truth of `lab`, and writes what is measured into `folder`.
-    pub(super) fn new(lab: &Lab, folder: &Path) -> Result<Self, Trouble> {
+    pub(super) fn new(lab: &Lab, folder: &Path) -> Result<Self, TaskError> {
         std::fs::write(folder.join("scene.json"), lab.scene.to_string())?;
         let known = experiment(&known(lab), folder)?;
         let scene = known.specimen.scene.as_ref().ok_or("no scene")?;
@@ -83,7 +83,7 @@ impl Measurable {
     }
 }
 
-fn experiment(value: &Value, folder: &Path) -> Result<Experiment, Trouble> {
+fn experiment(value: &Value, folder: &Path) -> Result<Experiment, TaskError> {
     let none: [&str; 0] = [];
     let text = value.to_string();
     Ok(Experiment::from_text(
@@ -217,7 +217,7 @@ fn pictures(
     folder: &Path,
     name: &str,
     random: &mut StdRng,
-) -> Result<(), Trouble> {
+) -> Result<(), TaskError> {
     let Medium::Pictures {
         frequency,
         carrier,

@@ -168,7 +168,7 @@ impl Lab {
     }
 
     /// All of it in one file.
-    pub(super) fn told(&self) -> Value {
+    pub(super) fn values(&self) -> Value {
         json!({
             "seed": self.seed,
             "scene": self.scene,
@@ -190,7 +190,7 @@ mod tests {
 
     #[test]
     fn equal_seeds_draw_equal_laboratories() {
-        assert_eq!(Lab::new(7).told(), Lab::new(7).told());
-        assert_ne!(Lab::new(7).told(), Lab::new(8).told());
+        assert_eq!(Lab::new(7).values(), Lab::new(7).values());
+        assert_ne!(Lab::new(7).values(), Lab::new(8).values());
     }
 }

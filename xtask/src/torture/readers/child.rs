@@ -21,7 +21,7 @@ use stickslip::sweep::{Sweep, table};
 
 use super::corpus::{Reader, Target};
 use super::mutant;
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// What a mutant may take: the longest time, and the memory of its models \[byte\], which keeps meshes small.
 const LONGEST: Duration = Duration::from_secs(10);
@@ -44,7 +44,7 @@ pub(crate) struct Batch {
 static PANIC: Mutex<String> = Mutex::new(String::new());
 
 /// Reads the mutants, and says so before and after each.
-pub(crate) fn main(batch: &Batch) -> Result<bool, Trouble> {
+pub(crate) fn main(batch: &Batch) -> Result<bool, TaskError> {
     std::panic::set_hook(Box::new(|info| {
         let place = info.location().map(ToString::to_string);
         *PANIC.lock().unwrap_or_else(PoisonError::into_inner) = place.unwrap_or_default();
@@ -147,7 +147,7 @@ fn owned(folder: &Path) -> Read {
     let list = fs::read(folder.join("list")).unwrap_or_default();
     let said = String::from_utf8_lossy(&list).into_owned();
     let target = folder.join("results");
-    let replaced = || -> Result<(), Trouble> {
+    let replaced = || -> Result<(), TaskError> {
         fs::create_dir_all(target.join("deep"))?;
         for name in ["summary.json", "steps.csv"].into_iter().chain(OTHERS) {
             fs::write(target.join(name), "{}")?;

@@ -26,10 +26,10 @@ fn same(sample: &Sample, variant: &Value, back: impl Fn(Answer) -> Answer) -> Ve
 
 /// A variant that must have an answer has none.
 fn missing(sample: &Sample, none: &NoAnswer) -> Verdict {
-    let words = format!("the variant is {}", none.words());
+    let message = format!("the variant is {}", none.describe());
     match sample.declared() {
-        Some(note) => Verdict::Declared(format!("{words}; {note}")),
-        None => Verdict::Fails(words),
+        Some(note) => Verdict::Declared(format!("{message}; {note}")),
+        None => Verdict::Fails(message),
     }
 }
 
@@ -183,7 +183,7 @@ pub(super) fn path(sample: &Sample) -> Verdict {
         None => sample,
         Some(Ok(history)) => history,
         // Friction may be what holds a body.
-        Some(Err(none)) => return Verdict::Unanswered(none.words()),
+        Some(Err(none)) => return Verdict::Unanswered(none.describe()),
     };
     match solve(&transform::last_step(&smooth)) {
         Ok(last) => {
@@ -209,7 +209,7 @@ pub(super) fn another_solver(sample: &Sample) -> Verdict {
     scene["analysis"]["solver"] = json!(other);
     match solve(&scene) {
         Ok(found) => judge(sample, &found, &Answer::of(&found.results)),
-        Err(none) => Verdict::Unanswered(format!("{other}: {}", none.words())),
+        Err(none) => Verdict::Unanswered(format!("{other}: {}", none.describe())),
     }
 }
 
@@ -226,7 +226,7 @@ pub(super) fn key_order(sample: &Sample) -> Verdict {
     for (text, format) in texts {
         let scene = match read(&text, format) {
             Ok(scene) => scene,
-            Err(none) => return Verdict::Fails(none.words()),
+            Err(none) => return Verdict::Fails(none.describe()),
         };
         if scene.hash != sample.scene.hash {
             return Verdict::Fails(format!("{format:?}: another hash"));
@@ -234,7 +234,7 @@ pub(super) fn key_order(sample: &Sample) -> Verdict {
         match run(&scene) {
             Ok(results) if bits(&results) == bits(&sample.results) => {}
             Ok(_) => return Verdict::Fails(format!("{format:?}: other bits")),
-            Err(none) => return Verdict::Fails(none.words()),
+            Err(none) => return Verdict::Fails(none.describe()),
         }
     }
     Verdict::Holds
@@ -259,7 +259,7 @@ pub(super) fn threads(sample: &Sample) -> Verdict {
     match pool.install(|| run(&sample.scene)) {
         Ok(results) if bits(&results) == bits(&sample.results) => Verdict::Holds,
         Ok(_) => Verdict::Fails("other bits on three threads".into()),
-        Err(none) => Verdict::Fails(format!("on three threads {}", none.words())),
+        Err(none) => Verdict::Fails(format!("on three threads {}", none.describe())),
     }
 }
 
@@ -294,7 +294,7 @@ pub(super) fn another_mesh(sample: &Sample) -> Verdict {
     }
     let fine = match solve(&scene) {
         Ok(fine) => fine,
-        Err(none) => return Verdict::Unanswered(none.words()),
+        Err(none) => return Verdict::Unanswered(none.describe()),
     };
     let mut worst = (0.0, String::new());
     for (index, geometry) in sample.contacts() {

@@ -49,12 +49,12 @@ fn sample(value: Value) -> Result<Sample, String> {
         |none| {
             format!(
                 "{} (tables are looked for in {})",
-                none.words(),
+                none.describe(),
                 data_folder().display()
             )
         },
     )?;
-    let results = run(&scene).map_err(|none| none.words())?;
+    let results = run(&scene).map_err(|none| none.describe())?;
     Ok(Sample {
         value,
         scene,

@@ -36,7 +36,7 @@ impl NoAnswer {
     }
 
     /// As messages say it.
-    pub(super) fn words(&self) -> String {
+    pub(super) fn describe(&self) -> String {
         let (Self::Refused(why) | Self::Impossible(why) | Self::Unsolved(why)) = self;
         format!("{}: {why}", self.outcome())
     }

@@ -10,7 +10,7 @@ use stickslip::sweep::{Sweep, engine, table};
 
 use super::quantity;
 use super::sample::{Sample, Verdict, declared, run};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 
 /// Rounding and the solvers' residuals, as for relations: a sweep condenses a body of another size.
 const EXACT: f64 = 1e-7;
@@ -52,7 +52,7 @@ fn sweep_text(sample: &Sample) -> Option<Value> {
 
 /// The comparison with single runs, after the peak pressures of the sweep were multiplied by `factor`.
 #[cfg(test)]
-pub(super) fn tampered(sample: &Sample, factor: f64) -> Result<Verdict, Trouble> {
+pub(super) fn tampered(sample: &Sample, factor: f64) -> Result<Verdict, TaskError> {
     let text = sweep_text(sample).ok_or("no sweep")?;
     let (sweep, _folder) = made(sample, &text)?;
     let mut rows = rows(&sweep, &(0..sweep.cases()).collect::<Vec<_>>())?;
@@ -65,7 +65,7 @@ pub(super) fn tampered(sample: &Sample, factor: f64) -> Result<Verdict, Trouble>
 }
 
 /// The sweep, and the folder in which its scene lies.
-fn made(sample: &Sample, text: &Value) -> Result<(Sweep, tempfile::TempDir), Trouble> {
+fn made(sample: &Sample, text: &Value) -> Result<(Sweep, tempfile::TempDir), TaskError> {
     let folder = tempfile::tempdir()?;
     std::fs::write(folder.path().join("scene.json"), sample.value.to_string())?;
     let path = folder.path().join("sweep.json");
@@ -73,7 +73,7 @@ fn made(sample: &Sample, text: &Value) -> Result<(Sweep, tempfile::TempDir), Tro
     Ok((Sweep::from_file(&path, &[] as &[&str], HOST)?, folder))
 }
 
-fn compared(sample: &Sample, text: &Value) -> Result<Verdict, Trouble> {
+fn compared(sample: &Sample, text: &Value) -> Result<Verdict, TaskError> {
     let (sweep, _folder) = made(sample, text)?;
     let all: Vec<usize> = (0..sweep.cases()).collect();
     let whole = rows(&sweep, &all)?;
@@ -100,7 +100,7 @@ fn compared(sample: &Sample, text: &Value) -> Result<Verdict, Trouble> {
 }
 
 /// The rows of `cases`, by case.
-fn rows(sweep: &Sweep, cases: &[usize]) -> Result<Vec<Row>, Trouble> {
+fn rows(sweep: &Sweep, cases: &[usize]) -> Result<Vec<Row>, TaskError> {
     let mut rows = Vec::new();
     let stop = AtomicBool::new(false);
     let keep = &mut |row: Row| {
@@ -113,7 +113,7 @@ fn rows(sweep: &Sweep, cases: &[usize]) -> Result<Vec<Row>, Trouble> {
 }
 
 /// The first case that a single run answers otherwise.
-fn single(sweep: &Sweep, rows: &[Row]) -> Result<Verdict, Trouble> {
+fn single(sweep: &Sweep, rows: &[Row]) -> Result<Verdict, TaskError> {
     for row in rows {
         let scene = sweep.scene_of(row.case)?;
         let name = sweep.name_of(row.case);
@@ -123,7 +123,7 @@ fn single(sweep: &Sweep, rows: &[Row]) -> Result<Verdict, Trouble> {
             }
             (Outcome::Unresolved(_), Err(_)) => continue,
             (Outcome::Solved(_), Err(none)) => {
-                return Ok(Verdict::Fails(format!("{name}: alone {}", none.words())));
+                return Ok(Verdict::Fails(format!("{name}: alone {}", none.describe())));
             }
             (Outcome::Unresolved(why), Ok(_)) => {
                 return Ok(Verdict::Fails(format!("{name}: solved alone; {why}")));
@@ -139,8 +139,9 @@ fn single(sweep: &Sweep, rows: &[Row]) -> Result<Verdict, Trouble> {
         // The row is that of the largest load, whichever step that is.
         let near = peaks.map(|peak| (peak - found).abs()).fold(most, f64::min);
         if near > EXACT * most {
-            let words = format!("{name}: a peak of {found:e} MPa, alone none nearer than {near:e}");
-            return Ok(declared(&results).map_or(Verdict::Fails(words), Verdict::Declared));
+            let message =
+                format!("{name}: a peak of {found:e} MPa, alone none nearer than {near:e}");
+            return Ok(declared(&results).map_or(Verdict::Fails(message), Verdict::Declared));
         }
     }
     Ok(Verdict::Holds)

@@ -49,7 +49,7 @@ fn ring() -> Value {
 }
 
 fn sample(value: &Value) -> Sample {
-    solve(value).unwrap_or_else(|none| panic!("{}", none.words()))
+    solve(value).unwrap_or_else(|none| panic!("{}", none.describe()))
 }
 
 /// The scene in which a check concerns something.
@@ -193,7 +193,7 @@ fn drawn_scenes_read_and_repeat() {
         let scene = random::scene(seed);
         assert_eq!(scene, random::scene(seed));
         if let Err(none) = super::sample::read(&scene.to_string(), stickslip::scene::Format::Json) {
-            refused.push(format!("{seed}: {}", none.words()));
+            refused.push(format!("{seed}: {}", none.describe()));
         }
     }
     assert!(refused.len() <= 15, "{}", refused.join("\n"));

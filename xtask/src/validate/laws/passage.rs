@@ -5,7 +5,7 @@ use stickslip::experiment::laws::{Candidate, Comparison, Fit, coefficient};
 use stickslip_hybrid::identify::Bounds;
 
 use super::{PAIRS, Study, candidate, coulomb, drop_candidate, estimate, evaluations, law};
-use crate::publish::Trouble;
+use crate::publish::TaskError;
 use crate::validate::check::Checks;
 use crate::validate::check::Tolerance::Relative;
 
@@ -29,7 +29,11 @@ const KNOWN: [(&str, f64, Option<f64>); 4] = [
 const PASSAGE_STEPS: [usize; 4] = [2, 3, 6, 9];
 
 /// The slip power law with its length: its parameters over seeds and pairs of meshes, and once its rivals.
-pub(super) fn checks(checks: &mut Checks, studies: &[Study], seeds: u64) -> Result<usize, Trouble> {
+pub(super) fn checks(
+    checks: &mut Checks,
+    studies: &[Study],
+    seeds: u64,
+) -> Result<usize, TaskError> {
     let power = candidate_of_passage()?;
     let rivals = [coulomb()?, drop_candidate()?, power.clone()];
     let first = studies[1].fitted(PASSAGE, &rivals, &PASSAGE_STEPS, 1)?;
@@ -65,7 +69,7 @@ fn parameter(
     checks: &mut Checks,
     fits: &[Vec<Fit>],
     (name, truth, limit): (&str, f64, Option<f64>),
-) -> Result<(), Trouble> {
+) -> Result<(), TaskError> {
     let mut values = Vec::new();
     let mut counts = Vec::new();
     let mut two_ended = 0;
@@ -105,7 +109,7 @@ fn parameter(
 }
 
 /// The coefficient along the slip path, whose parameters make up for each other: the farthest from the truth in each study.
-fn curve(checks: &mut Checks, studies: &[Study], fits: &[Vec<Fit>]) -> Result<(), Trouble> {
+fn curve(checks: &mut Checks, studies: &[Study], fits: &[Vec<Fit>]) -> Result<(), TaskError> {
     let truth = law(PASSAGE)?;
     for (k, (study, own)) in studies.iter().zip(fits).enumerate() {
         let reach = study.slipped(PASSAGE, PASSAGE_STEPS[PASSAGE_STEPS.len() - 1])?;
@@ -148,7 +152,7 @@ fn fewest(count: usize) -> usize {
     count - missed
 }
 
-fn candidate_of_passage() -> Result<Candidate, Trouble> {
+fn candidate_of_passage() -> Result<Candidate, TaskError> {
     let free = [
         ("static", [0.0, 1.0]),
         ("dynamic", [0.0, 1.0]),

@@ -67,14 +67,14 @@ impl<'a> EdgePoints<'a> {
     pub(super) fn beside(&self, followed: &[f64], linear: &[f64]) -> Vec<EdgeStrain> {
         let both = self.polar(followed).into_iter().zip(self.polar(linear));
         let angles = self.points.iter().map(|&(_, angle)| angle);
-        let told = angles
+        let listed = angles
             .zip(both)
             .map(|(angle, (followed, linear))| EdgeStrain {
                 angle,
                 followed,
                 linear,
             });
-        told.collect()
+        listed.collect()
     }
 }
 

@@ -46,10 +46,10 @@ pub(super) fn table(experiment: &Experiment, analysed: &[Analysed]) -> Table {
         }
         row.push(imbalance(found).map_or_else(String::new, |part| format!("{:.1}", 100.0 * part)));
         for &axis in &known {
-            let told = found.checks.force[axis].map(|own| {
+            let compared = found.checks.force[axis].map(|own| {
                 [own.excess, own.deviation, own.explained].map(|value| short(unit.from_base(value)))
             });
-            row.extend(told.unwrap_or_default());
+            row.extend(compared.unwrap_or_default());
         }
         if by_load {
             let ratio = |own: LoadCheck| format!("{:.3}", own.force / own.load);

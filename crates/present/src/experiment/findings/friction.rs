@@ -2,7 +2,7 @@
 
 use stickslip_hybrid::identify::Bounds;
 use stickslip_measure::finding::{FrictionFinding, ModelFinding};
-use stickslip_measure::identified::words;
+use stickslip_measure::identified::describe_bounds;
 use stickslip_scene::experiment::Experiment;
 use stickslip_text::short;
 
@@ -56,7 +56,7 @@ pub(in crate::experiment) fn on_half_the_cells(
     dynamic: Option<(f64, Bounds)>,
 ) -> String {
     let given = match dynamic {
-        Some((mu, bounds)) => format!("μd is {mu:.4}, {}", words(bounds)),
+        Some((mu, bounds)) => format!("μd is {mu:.4}, {}", describe_bounds(bounds)),
         None => "no zone is recognised".to_owned(),
     };
     format!("On half of the cells, [{along}, {across}], {given}.")

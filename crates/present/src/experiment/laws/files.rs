@@ -74,7 +74,7 @@ pub(super) fn entry(experiment: &Experiment, stage: &LawStage) -> Value {
         "data": comparison.data,
         "effective_data": comparison.best().calibration.effective_data(),
         "variance_scales": stage.scales.iter().map(|own| own.factor).collect::<Vec<_>>(),
-        "variance_scales_by": stage.scales.iter().map(|own| own.source.words()).collect::<Vec<_>>(),
+        "variance_scales_by": stage.scales.iter().map(|own| own.source.describe()).collect::<Vec<_>>(),
         "shared_nulls": shared.map(|own| shared_null(experiment, own)).collect::<Vec<_>>(),
         "longest_slip_path": experiment.display.length.from_base(stage.slipped),
         "bounds_hold_mesh_error": mesh.is_some(),
@@ -112,7 +112,7 @@ fn law(experiment: &Experiment, fit: &Fit) -> Value {
         "solves": own.evaluations,
         "refused": own.refusals,
         "first_refusal": own.first_refusal,
-        "verdict": fit.words(),
+        "verdict": fit.describe(),
     })
 }
 

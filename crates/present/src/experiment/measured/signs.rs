@@ -6,16 +6,16 @@ use stickslip_scene::experiment::{
     Experiment, LineSource, PictureSource, Source, State, TableSource,
 };
 
-/// Signs and axes of the data of each state that are files, states with the same ones together: their names, and the words.
+/// Signs and axes of the data of each state that are files, states with the same ones together: their names, and the signs.
 pub(crate) fn signs(experiment: &Experiment) -> Vec<(String, String)> {
     let mut all: Vec<(String, String)> = Vec::new();
     for state in &experiment.states {
-        let Some(words) = of_state(state) else {
+        let Some(signs) = of_state(state) else {
             continue;
         };
-        match all.iter_mut().find(|(_, told)| *told == words) {
+        match all.iter_mut().find(|(_, listed)| *listed == signs) {
             Some((names, _)) => *names = format!("{names}, {}", state.name),
-            None => all.push((state.name.clone(), words)),
+            None => all.push((state.name.clone(), signs)),
         }
     }
     all
@@ -26,8 +26,8 @@ fn of_state(state: &State) -> Option<String> {
     let own = of_source(&state.source);
     let others = [("the null field", &state.null), ("the back", &state.back)];
     let others = others.into_iter().filter_map(|(name, source)| {
-        let words = of_source(source.as_ref()?)?;
-        (Some(&words) != own.as_ref()).then(|| format!("{name}: {words}"))
+        let signs = of_source(source.as_ref()?)?;
+        (Some(&signs) != own.as_ref()).then(|| format!("{name}: {signs}"))
     });
     let all: Vec<String> = own.iter().cloned().chain(others).collect();
     (!all.is_empty()).then(|| all.join("; "))

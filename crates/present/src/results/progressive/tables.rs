@@ -167,7 +167,7 @@ pub(super) const DEPARTURE: f64 = 0.1;
 /// Where the strains at the hole's edge are not those of the linear joint.
 pub(super) fn departures(own: &ProgressiveFailure) -> String {
     let ranges = own.departures(DEPARTURE);
-    let told: Vec<String> = (ranges.iter())
+    let listed: Vec<String> = (ranges.iter())
         .map(|range| {
             let [from, to] = range.map(|angle| decimals(Some(angle.to_degrees()), 0));
             if from == to {
@@ -179,11 +179,11 @@ pub(super) fn departures(own: &ProgressiveFailure) -> String {
             }
         })
         .collect();
-    if told.is_empty() {
+    if listed.is_empty() {
         return "Under the largest load no strain at the hole's edge differs from the linear one by a tenth of the largest.".to_owned();
     }
     format!(
         "Under the largest load the strains at the hole's edge leave the linear ones, by more than a tenth of the largest, {} from the bearing point.",
-        told.join(", ")
+        listed.join(", ")
     )
 }

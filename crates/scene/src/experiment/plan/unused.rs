@@ -10,7 +10,7 @@ type Entry = (&'static str, bool, &'static str);
 
 /// A key that is stated and has no effect.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Unheeded {
+pub struct IgnoredKey {
     /// The file, or the argument, that states it.
     pub file: String,
     /// Line of the file, counted from 1.
@@ -28,22 +28,22 @@ pub(super) fn without_effect(
     region: Option<&RegionPlan>,
     fringes: Option<&Fringes>,
     states: &[State],
-) -> Vec<Unheeded> {
+) -> Vec<IgnoredKey> {
     let mut entries = of_method(reduce, region, states);
     entries.extend(of_data(fringes, states));
-    let unheeded = entries
+    let ignored = entries
         .into_iter()
-        .filter(|(key, heeded, _)| !heeded && document.get(key).is_some());
-    unheeded
+        .filter(|(key, used, _)| !used && document.get(key).is_some());
+    ignored
         .map(|(key, _, why)| placed(document, key, why))
         .collect()
 }
 
-fn placed(document: &Document, key: &'static str, why: &'static str) -> Unheeded {
+fn placed(document: &Document, key: &'static str, why: &'static str) -> IgnoredKey {
     let problem = SceneProblem::conflict(why, "");
     let finding = document.finding(key, Part::Key, problem);
     let line = finding.position().map(|(line, _)| line);
-    Unheeded {
+    IgnoredKey {
         file: finding.source.name.clone(),
         line: line.filter(|_| !document.is_overridden(key)),
         key,

@@ -47,7 +47,7 @@ fn uncovered(experiment: &Experiment, node: &Uncovered) -> String {
         "{} at {}: {}",
         Field::BOTH[node.component].name(),
         at(experiment, node.place),
-        node.reason.told(&length)
+        node.reason.describe(&length)
     )
 }
 

@@ -15,10 +15,10 @@ use crate::PutFile;
 use stickslip_measure::finding::{Level, Located};
 use stickslip_scene::experiment::Experiment;
 
-/// Why a story cannot be kept.
+/// Why a report cannot be written.
 #[derive(Debug, Error)]
 #[non_exhaustive]
-pub enum StoryError {
+pub enum ReportError {
     /// What takes the files refuses one.
     #[error(transparent)]
     Put(#[from] Box<dyn std::error::Error + Send + Sync>),
@@ -41,7 +41,7 @@ pub enum StoryError {
 
 /// The page of an experiment with all its files. Stages append to it in their order.
 #[derive(Debug)]
-pub struct Story {
+pub struct ExperimentReport {
     page: Page,
     files: Vec<(String, Vec<u8>)>,
     notes: Vec<(Vec<String>, String)>,
@@ -49,8 +49,8 @@ pub struct Story {
     summary: Map<String, Value>,
 }
 
-impl Story {
-    /// A story without stages.
+impl ExperimentReport {
+    /// A report without stages.
     pub fn new(experiment: &Experiment) -> Self {
         let mut page = Page::new(&experiment.title, &experiment.source_name);
         page.notes.extend(experiment.description.clone());
@@ -89,8 +89,8 @@ impl Story {
     }
 
     /// A paragraph of the section.
-    pub fn text(&mut self, words: impl Into<String>) {
-        self.block(Block::Text(words.into()));
+    pub fn text(&mut self, text: impl Into<String>) {
+        self.block(Block::Text(text.into()));
     }
 
     /// Paragraphs of the section, from a template.
@@ -118,7 +118,7 @@ impl Story {
     /// A file of the folder, and what it holds; files with one `what` are listed together.
     pub fn file(&mut self, name: impl Into<String>, what: &str, bytes: Vec<u8>) {
         let name = name.into();
-        match self.notes.iter_mut().find(|(_, told)| told == what) {
+        match self.notes.iter_mut().find(|(_, listed)| listed == what) {
             Some((names, _)) => names.push(name.clone()),
             None => self.notes.push((vec![name.clone()], what.to_owned())),
         }
@@ -126,22 +126,22 @@ impl Story {
     }
 
     /// What a reader must know before trusting the numbers.
-    pub fn warn(&mut self, words: impl Into<String>) {
-        self.page.warnings.push(words.into());
+    pub fn warn(&mut self, text: impl Into<String>) {
+        self.page.warnings.push(text.into());
     }
 
     /// A choice, a default, or a source, below the answers.
-    pub fn note(&mut self, words: impl Into<String>) {
-        self.page.notes.push(words.into());
+    pub fn note(&mut self, text: impl Into<String>) {
+        self.page.notes.push(text.into());
     }
 
     /// Findings, as warnings and notes of the page and as data of the summary.
-    pub fn report(&mut self, experiment: &Experiment, found: impl IntoIterator<Item = Located>) {
+    pub fn findings(&mut self, experiment: &Experiment, found: impl IntoIterator<Item = Located>) {
         for own in found {
-            let words = sentence(experiment, &own);
+            let message = sentence(experiment, &own);
             match own.finding.level() {
-                Level::Warning => self.warn(words),
-                Level::Remark => self.note(words),
+                Level::Warning => self.warn(message),
+                Level::Remark => self.note(message),
             }
             self.findings.push(own);
         }
@@ -174,7 +174,7 @@ impl Story {
             self.page
                 .warnings
                 .iter()
-                .map(|words| format!("warning: {words}")),
+                .map(|message| format!("warning: {message}")),
         );
         lines.join("\n")
     }
@@ -182,8 +182,8 @@ impl Story {
     /// Hands all files to `put` one after the other, and returns the text of `summary.json`, which belongs last.
     ///
     /// # Errors
-    /// [`StoryError`].
-    pub fn write(mut self, put: &PutFile<'_>) -> Result<String, StoryError> {
+    /// [`ReportError`].
+    pub fn write(mut self, put: &PutFile<'_>) -> Result<String, ReportError> {
         self.list_files();
         for (name, bytes) in &self.files {
             put(name, bytes)?;
@@ -199,13 +199,13 @@ impl Story {
         let drawn = parallel::map(&figures, |figure| {
             let name = &figure.anchor;
             let png =
-                to_png(&figure.picture, DEFAULT_SCALE).map_err(|cause| StoryError::Picture {
+                to_png(&figure.picture, DEFAULT_SCALE).map_err(|cause| ReportError::Picture {
                     name: name.clone(),
                     cause,
                 })?;
-            Ok::<(), StoryError>(put(&format!("figures/{name}.png"), &png)?)
+            Ok::<(), ReportError>(put(&format!("figures/{name}.png"), &png)?)
         });
-        drawn.into_iter().collect::<Result<(), StoryError>>()?;
+        drawn.into_iter().collect::<Result<(), ReportError>>()?;
         put("index.html", self.page.render()?.as_bytes())?;
         Ok(serde_json::to_string_pretty(&self.summary())? + "\n")
     }
