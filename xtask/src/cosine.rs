@@ -74,7 +74,7 @@ fn joint(case: &Table) -> Result<Vec<Table>, TaskError> {
     let failure = results
         .failure
         .first()
-        .ok_or("nothing is asked of the plies")?;
+        .ok_or("the scene has no [failure]")?;
     for first in failure.first_ply.iter().flatten() {
         row.extend(first_ply(failure, first, &means));
     }

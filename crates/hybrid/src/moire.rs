@@ -33,7 +33,7 @@ pub enum MoireError {
     Angle(f64),
     /// Light of this wavelength makes no grating this fine.
     #[error(
-        "light of wavelength {wavelength} makes gratings of at most {most} lines per length; {frequency} were asked for"
+        "light of wavelength {wavelength} makes gratings of at most {most} lines per length, fewer than the {frequency} requested"
     )]
     TooFine {
         /// Requested lines per length `[1/length]`.

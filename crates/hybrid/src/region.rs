@@ -133,7 +133,7 @@ pub enum RegionError {
     SmoothingOrder(usize),
     /// The amount of smoothing is negative or not a number.
     #[error(
-        "{0} is no amount of smoothing, and no share of one: that is a finite number, not negative"
+        "{0} is not a valid amount or share of smoothing: give a finite number that is not negative"
     )]
     SmoothingAmount(f64),
     /// An eigenvalue decomposition did not converge.

@@ -308,7 +308,7 @@ fn what_cannot_be_fitted_is_refused() {
     let reversed = run(&[Parameter::new("a", [1.0, 0.0])], &standard);
     assert_eq!(
         reversed.to_string(),
-        "the range of 'a' from 1 to 0 is none: it must increase"
+        "the range of 'a' from 1 to 0 is not valid: it must increase"
     );
     let zero = run(&[Parameter::new("a", [0.0, 1.0]).logarithmic()], &standard);
     assert!(zero.to_string().ends_with("be positive, being logarithmic"));

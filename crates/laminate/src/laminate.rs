@@ -77,7 +77,7 @@ pub enum LaminateError {
         angle: f64,
     },
     /// A lay-up that names a ply which is not given.
-    #[error("layer {} asks for ply '{ply}', which is not among: {}", .layer + 1, .known.join(", "))]
+    #[error("layer {} names ply '{ply}', which is not among: {}", .layer + 1, .known.join(", "))]
     UnknownPly {
         /// Index of the layer, from the bottom, from 0; messages count from 1.
         layer: usize,

@@ -240,7 +240,7 @@ pub fn describe_bounds(bounds: Bounds) -> String {
     match bounds {
         Bounds::Between(low, high) => format!("between {low:.4} and {high:.4}"),
         Bounds::AtMost(high) => format!("at most {high:.4}; there may be no friction at all"),
-        Bounds::AtLeast(low) => format!("at least {low:.4}; no upper bound can be told"),
+        Bounds::AtLeast(low) => format!("at least {low:.4}; no upper bound is identifiable"),
         Bounds::Nothing => "not identifiable: no coefficient is ruled out".to_owned(),
     }
 }

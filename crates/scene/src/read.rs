@@ -244,7 +244,7 @@ impl<'de> MapAccess<'de> for Table<'_> {
 
     fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, ReadError> {
         let Some((name, value)) = self.value.take() else {
-            return Err(de::Error::custom("a value was asked for before its key"));
+            return Err(de::Error::custom("a value was read before its key"));
         };
         let key = child(self.key, name);
         seed.deserialize(Reader::new(value, &key))

@@ -13,7 +13,7 @@ pub(super) fn rows(case: &Table) -> Result<Vec<Table>, TaskError> {
     let failure = results
         .failure
         .first()
-        .ok_or("nothing is asked of the plies")?;
+        .ok_or("the scene has no [failure]")?;
     let edge = failure.edges.first().ok_or("no edge")?;
     let stress = |value: f64| results.units.stress.from_base(value);
     let looked_at = numbers(case, "looked_at");

@@ -28,7 +28,7 @@ pub struct BodyFailure {
     pub steps: Vec<Vec<FailurePoint>>,
     /// First-ply failure by each criterion; `None` where no load of any step fails a ply.
     pub first_ply: Vec<Option<FirstPly>>,
-    /// What its supports' ends, beside which no ply is asked for [`steps`](Self::steps) and [`first_ply`](Self::first_ply), hide; `None`
+    /// What its supports' ends, beside which no ply is checked for [`steps`](Self::steps) and [`first_ply`](Self::first_ply), hide; `None`
     /// where it has no such ends.
     pub beside_supports: Option<BesideSupports>,
     /// Ply stresses along its reported edges.
@@ -105,7 +105,7 @@ impl FirstPly {
 /// refined.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BesideSupports {
-    /// Within this distance of them no ply is asked `[mm]`.
+    /// Within this distance of them no ply is checked `[mm]`.
     pub distance: f64,
     /// First-ply failure there by each criterion, where it comes before that elsewhere.
     pub sooner: Vec<Option<FirstPly>>,

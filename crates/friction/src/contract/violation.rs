@@ -148,7 +148,7 @@ pub enum Breach {
     },
     /// Slip strengthens the contact, and the law does not say so.
     #[error(
-        "slip = {slip} exceeds stick = {stick}, and the law does not say that it strengthens, at {at}"
+        "slip = {slip} exceeds stick = {stick}, and the law does not declare that it strengthens, at {at}"
     )]
     SlipAboveStick {
         /// Traction of a slipping point.
@@ -185,7 +185,7 @@ pub enum Breach {
         at: State,
     },
     /// The same question has two answers.
-    #[error("asked twice, it answers {first:?} and {second:?} at {at}")]
+    #[error("evaluated twice, it gives {first:?} and {second:?} at {at}")]
     NotPure {
         /// First answer.
         first: Bound,

@@ -12,7 +12,7 @@ pub enum CalibrateError {
     #[error("{0} parameters cannot be fitted; from 1 to {MOST_PARAMETERS} can")]
     Parameters(usize),
     /// An empty or invalid range.
-    #[error("the range of '{name}' from {} to {} is none{}", range[0], range[1], if *logarithmic { ": it must increase and be positive, being logarithmic" } else { ": it must increase" })]
+    #[error("the range of '{name}' from {} to {} is not valid{}", range[0], range[1], if *logarithmic { ": it must increase and be positive, being logarithmic" } else { ": it must increase" })]
     Range {
         /// Name of the parameter.
         name: String,

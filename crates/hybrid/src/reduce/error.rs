@@ -14,7 +14,7 @@ const SHOWN: usize = 3;
 #[non_exhaustive]
 pub enum ReduceError {
     /// A node does not exist.
-    #[error("node {node} was asked for; there are {count} nodes")]
+    #[error("node {node} does not exist; there are {count} nodes")]
     NoSuchNode {
         /// Requested index.
         node: usize,

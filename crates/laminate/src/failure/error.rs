@@ -23,7 +23,7 @@ pub enum FailureError {
         ply: String,
     },
     /// A ply without any strength.
-    #[error("criterion '{criterion}' is asked of ply '{ply}', which gives no strengths at all")]
+    #[error("cannot evaluate criterion '{criterion}': ply '{ply}' has no strengths at all")]
     NoStrengths {
         /// Name of the criterion.
         criterion: &'static str,

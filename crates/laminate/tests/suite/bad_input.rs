@@ -66,7 +66,7 @@ fn laminates_name_layer_and_ply() {
     assert!(
         unknown
             .to_string()
-            .contains("layer 2 asks for ply 'glass', which is not among: carbon"),
+            .contains("layer 2 names ply 'glass', which is not among: carbon"),
         "{unknown}"
     );
     let huge = PlyConstants {

@@ -64,7 +64,7 @@ impl<'a> Workbench<'a> {
         let (mesh, radius) = meshed(plan, &specimen.hole, experiment.host())?;
         let mesh = Arc::new(mesh);
         let material = (specimen.material.in_plane(specimen.plane)).map_err(|cause| {
-            let what = format!("the specimen's material is none: {cause}");
+            let what = format!("the specimen's material is not valid: {cause}");
             ExperimentError::missing("specimen.material", what, "correct its constants")
         })?;
         let material: Arc<dyn Material> = Arc::from(material);

@@ -76,7 +76,7 @@ pub(super) fn remedy_of_region(cause: &RegionError) -> &'static str {
             "state the deviation that the measurement has: deviation = \"0.5 um\" in its table, in fringes in its lines"
         }
         RegionError::NotCovariance { .. } | RegionError::Eigenvalues { .. } => {
-            "the data weigh too differently for the digits of a number: take fewer cells, or state another amount of region.smoothing"
+            "the weights of the data differ too much for double precision: take fewer cells, or state another amount of region.smoothing"
         }
         RegionError::SmoothingOrder(_) | RegionError::SmoothingAmount(_) => {
             "correct region.smoothing"

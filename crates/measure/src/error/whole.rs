@@ -33,7 +33,7 @@ pub enum WholeError {
         body: String,
     },
     /// The plate is heated.
-    #[error("body '{body}' is heated, which the analysis of the whole plate does not know")]
+    #[error("body '{body}' is heated, which the analysis of the whole plate does not cover")]
     Heated {
         /// The body.
         body: String,

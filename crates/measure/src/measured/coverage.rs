@@ -108,7 +108,7 @@ fn without_deviation(scope: &Scope<'_>, field: Field) -> ExperimentError {
     ExperimentError::Missing {
         key: format!("{}{part}", scope.key),
         what: format!(
-            "state '{}': the {name} data do not scatter at all, as zeros everywhere do not, and tell no deviation to weigh them by",
+            "state '{}': the {name} data do not scatter at all, as with zeros everywhere, and give no standard deviation to weight them by",
             scope.name()
         ),
         remedy: remedy.to_owned(),

@@ -115,7 +115,7 @@ fn untold(scope: &Scope<'_>) -> ExperimentError {
     ExperimentError::Missing {
         key: scope.key.clone(),
         what: format!(
-            "state '{}': nothing tells the carrier's part of the fringes from the plate's mean strain",
+            "state '{}': nothing distinguishes the carrier's part of the fringes from the plate's mean strain",
             scope.name()
         ),
         remedy: "give the carrier = { u = [\"12 1/mm\", \"0 1/mm\"], v = [\"0 1/mm\", \"12 1/mm\"] }, or null = { pictures = … } of the \

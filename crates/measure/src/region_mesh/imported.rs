@@ -58,7 +58,7 @@ pub(super) fn mesh(
     };
     let bytes = host.read(&plan.file, Content::Table);
     let bytes = bytes.map_err(|cause| unreadable(cause.to_string()))?;
-    let other = || unreadable("it is no mesh of Gmsh's format 4.1".to_owned());
+    let other = || unreadable("it is not a mesh in Gmsh's format 4.1".to_owned());
     if !has_header(&bytes) {
         return Err(other());
     }

@@ -184,12 +184,10 @@ fn answer(experiment: &Experiment, found: &Analysed) -> String {
         reported.push(unresolved(found));
     }
     if found.is_free() {
-        reported.push("no contact: no pressure that counts beside the hoop stress".to_owned());
+        reported.push("no contact: every pressure is negligible beside the hoop stress".to_owned());
     } else if found.contact().is_none() {
-        reported.push(
-            "whether it is in contact cannot be told: no pressure exceeds its uncertainty"
-                .to_owned(),
-        );
+        reported
+            .push("contact is not identifiable: no pressure exceeds its uncertainty".to_owned());
     }
     reported.join("; ")
 }

@@ -154,7 +154,7 @@ impl<'a> Gallery<'a> {
         if !fringes.four && fringes.carrier.contains(&[0.0; 2]) {
             report.answer(
                 "measured.toml",
-                "not written: single pictures without a carrier cannot be read back, as they do not tell whether orders rise or fall. \
+                "not written: single pictures without a carrier cannot be read back, because they do not show whether orders rise or fall. \
                  State a carrier, or pictures = \"four\""
                     .to_owned(),
             );

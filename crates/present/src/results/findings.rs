@@ -107,7 +107,7 @@ fn near_bound(bound: &UniquenessBound) -> String {
         Some(1) => "enumeration found no other with the same points in contact".into(),
         Some(count) => format!("{count} were found by enumeration of the points in contact"),
         None if bound.other_solver_asked => {
-            "they were not enumerated, but another solver was asked".into()
+            "they were not enumerated, but another solver was tried".into()
         }
         None if beyond => "they were not enumerated, because too many points touch".into(),
         None => "none was looked for".into(),

@@ -260,8 +260,9 @@ pub(super) fn load_note(results: &Results) -> Option<String> {
     } else {
         own.join("; ")
     };
-    (loads.len() > 1)
-        .then(|| format!("Steps are told apart {own}; all loads of every step are in steps.csv."))
+    (loads.len() > 1).then(|| {
+        format!("Steps are distinguished {own}; all loads of every step are in steps.csv.")
+    })
 }
 
 /// A label within a sentence.

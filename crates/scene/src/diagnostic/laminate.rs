@@ -104,7 +104,7 @@ pub enum LaminateProblem {
         laminates: Vec<String>,
     },
     /// A question about failure in a scene without laminates.
-    #[error("[failure] asks about plies, but no body of this scene is made of a laminate")]
+    #[error("[failure] needs a laminate, but no body of this scene is made of a laminate")]
     #[diagnostic(
         code(scene::failure_bodies),
         help("give a body a material with [materials.NAME.laminate], or remove [failure]")

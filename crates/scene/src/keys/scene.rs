@@ -25,7 +25,7 @@ pub(super) const TABLES: &[Table] = &[
         lists("platens", NONE, "rigid plates glued to edges"),
         lists("loads", NONE, "loads and their history"),
         lists("edges", NONE, "further edges to report"),
-        table("failure", NONE, "what is asked about the plies of laminates"),
+        table("failure", NONE, "failure of the plies of laminates"),
         table("output", "all its defaults", "what is written beside the tables"),
     ]),
     Table::new("units", &[

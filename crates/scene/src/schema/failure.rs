@@ -13,7 +13,7 @@ pub struct Failure {
     pub criteria: Vec<Arc<dyn FailureCriterion>>,
     /// Bodies of a laminate, at least one, in the order of their names.
     pub bodies: Vec<String>,
-    /// Distance from the ends of supports within which no ply is asked `[mm]`, at least 0; a part of the body's size where not given.
+    /// Distance from the ends of supports within which no ply is checked `[mm]`, at least 0; a part of the body's size where not given.
     pub clear_of_supports: Option<f64>,
     /// Hypotheses on stresses at a distance from the hole.
     pub characteristic: Option<Characteristic>,

@@ -200,7 +200,7 @@ pub(super) fn located(scene: &Scene, error: &RunError) -> SceneError {
         ),
         RunError::Failure { .. } => (
             "failure".to_owned(),
-            "ask with other criteria or without failure.envelopes, or check the strengths of the plies",
+            "choose other criteria, remove failure.envelopes, or check the strengths of the plies",
         ),
         RunError::Progressive { .. } => (
             "failure.progressive".to_owned(),

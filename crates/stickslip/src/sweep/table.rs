@@ -255,7 +255,7 @@ fn row(sweep: &Sweep, cells: &[&str]) -> Result<Row, String> {
     let case = whole(cells.next())?;
     if case >= sweep.cases() {
         return Err(format!(
-            "case {case} is none of the {} of this sweep",
+            "case {case} does not exist: this sweep has {}",
             sweep.cases()
         ));
     }

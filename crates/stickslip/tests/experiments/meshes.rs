@@ -138,6 +138,6 @@ fn headers_with_other_sizes_of_numbers_are_refused() {
         let text = polar(1.0, OUTER).replacen("4.1 0 8", &header, 1);
         fs::write(path.join("region.msh"), text).unwrap();
         let error = fails(path, &["hybrid", "mine.toml", "--set", mesh]);
-        assert!(error.contains("no mesh of Gmsh's format 4.1"), "{error}");
+        assert!(error.contains("not a mesh in Gmsh's format 4.1"), "{error}");
     }
 }

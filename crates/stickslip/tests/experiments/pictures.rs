@@ -88,7 +88,7 @@ fn a_carrier_that_cannot_be_determined_is_refused() {
     write(&folder.path().join("u.png"), Some(&|x, _| 4.0 * x));
     let error = fails(folder.path(), &["reduce", "e.toml"]);
     assert!(
-        error.contains("nothing tells the carrier's part"),
+        error.contains("nothing distinguishes the carrier's part"),
         "{error}"
     );
     // With the initial load's picture it drops out.
@@ -137,7 +137,7 @@ fn errors_of_picture_files_come_first() {
         error.contains("u.png'") && error.contains("PNG or TIFF"),
         "{error}"
     );
-    assert!(!error.contains("nothing tells"), "{error}");
+    assert!(!error.contains("nothing distinguishes"), "{error}");
     // The other field's picture is missing, and this one has no fringes.
     write(&path.join("u.png"), None);
     let both = experiment(CARRIER).replace("u = \"u.png\"", "u = \"u.png\", v = \"gone.png\"");

@@ -241,7 +241,7 @@ fn states_and_settings_that_contradict_each_other_are_refused() {
     );
     check(
         &says(&free, &table),
-        &["'mu' is free between no two values", "laws.0.free.mu"],
+        &["'mu' is free without a valid range", "laws.0.free.mu"],
     );
     let region = format!(
         "{TABLE}[region]\nsector = {{ angles = [\"40 deg\", \"-40 deg\"], outer = \"11 mm\", cells = [4, 4] }}\n"

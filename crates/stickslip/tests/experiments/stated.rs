@@ -84,7 +84,7 @@ fn ignored_keys_are_reported() {
     }
     assert_eq!(
         reported[0],
-        "e.toml:10: 'reduce.order' has no effect: only reduce.method = \"polynomial\" heeds it; remove it, unless it waits for another \
+        "e.toml:10: 'reduce.order' has no effect: only reduce.method = \"polynomial\" uses it; remove it, unless it waits for another \
          method or other data."
     );
     // The page and the summary say so too.
@@ -98,7 +98,7 @@ fn ignored_keys_are_reported() {
 }
 
 #[test]
-fn what_waits_for_another_method_is_heeded_by_it() {
+fn what_waits_for_another_method_is_used_by_it() {
     let keys = "[reduce]\norder = 2\nlongest_side = \"3 mm\"\n[region]\nsmoothing = { order = 2 }\n\
                 sector = { angles = [\"-60 deg\", \"60 deg\"], outer = \"10 mm\", cells = [8, 3] }\n";
     let table = grid("x,y,u,v", |x, y| [1e-3 * x, -3e-4 * y]);

@@ -47,7 +47,7 @@ fn load_steps_fit_in_120_columns_below_a_row_of_units() {
 #[test]
 fn a_narrow_terminal_has_fewer_columns_and_whole_numbers() {
     let wide = table(&results(), WIDE);
-    assert!(!wide.contains("want of width"), "{wide}");
+    assert!(!wide.contains("No width left"), "{wide}");
     for width in [100, 80] {
         let text = table(&results(), width);
         assert!(
@@ -61,7 +61,7 @@ fn a_narrow_terminal_has_fewer_columns_and_whole_numbers() {
             lines[6].split_whitespace().take(4).collect::<Vec<_>>(),
             ["3", "899.24", "80.0", "40.0"]
         );
-        assert!(text.contains("For want of width without time"), "{text}");
+        assert!(text.contains("No width left for time"), "{text}");
     }
 }
 

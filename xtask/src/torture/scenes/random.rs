@@ -159,7 +159,7 @@ impl Draft {
         analysis
     }
 
-    /// What is asked about the plies of laminates.
+    /// Failure of the plies of laminates.
     fn failure(&mut self) -> Option<Value> {
         let (_, radius) = self.laminates.first().cloned()?;
         if !self.draw.chance(0.3) {

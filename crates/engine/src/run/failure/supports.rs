@@ -49,7 +49,7 @@ impl Subject<'_> {
             return Err(RunError::Model(ModelError::Unsupported {
                 key: "failure.clear_of_supports".to_owned(),
                 what: format!(
-                    "all of body '{}' lies within {length} of the ends of its supports, so no ply is left to ask",
+                    "all of body '{}' lies within {length} of the ends of its supports, so no ply is left to check",
                     self.name
                 ),
             }));

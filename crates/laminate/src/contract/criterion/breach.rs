@@ -48,7 +48,7 @@ pub enum CriterionBreach {
         name: &'static str,
     },
     /// The same question has two answers.
-    #[error("asked twice, it answers {first:?} and {second:?} at {loading:?}")]
+    #[error("evaluated twice, it gives {first:?} and {second:?} at {loading:?}")]
     NotPure {
         /// First answer.
         first: Assessment,

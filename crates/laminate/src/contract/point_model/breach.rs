@@ -51,7 +51,9 @@ pub enum PointBreach {
         strain: [f64; 3],
     },
     /// The same step from the same state has two answers.
-    #[error("asked again after a rejected step, it answers otherwise at the strain {strain:?}")]
+    #[error(
+        "evaluated again after a rejected step, it gives another answer at the strain {strain:?}"
+    )]
     NotPure {
         /// Requested strain.
         strain: [f64; 3],

@@ -52,8 +52,8 @@ pub(super) fn of_table(experiment: &Experiment, finding: &TableFinding) -> Strin
             places,
             worst,
         } => format!(
-            "{count} of {places} places of '{file}' do not go with their neighbours and are masked as outliers; the worst is in line {}, with \
-             {} = {} where its neighbours say {}. [reduce] outliers = false keeps them.",
+            "{count} of {places} places of '{file}' disagree with their neighbours and are masked as outliers; the worst is in line {}, with \
+             {} = {} where its neighbours give {}. [reduce] outliers = false keeps them.",
             worst.line,
             worst.field,
             shown(length, worst.value),

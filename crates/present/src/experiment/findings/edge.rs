@@ -31,8 +31,8 @@ pub(super) fn of_fit(experiment: &Experiment, finding: &FitFinding) -> String {
             format!("no direct interpolation to compare with: {cause}.")
         }
         FitFinding::NoiseFactorAssumed { factor, cause } => format!(
-            "the noise factor is assumed to be {}, for the fit whose residuals tell it fails: {cause}. Bands hold errors of the deviation \
-             alone, and are too narrow where errors are larger or go together.",
+            "the noise factor is assumed to be {}, because the fit whose residuals determine it fails: {cause}. Bands hold errors of the \
+             standard deviation alone, and are too narrow where errors are larger or correlated.",
             short(*factor)
         ),
         FitFinding::ManyParameters { data, parameters } => format!(
@@ -49,7 +49,7 @@ pub(super) fn of_fit(experiment: &Experiment, finding: &FitFinding) -> String {
             amount_stated,
         } => format!(
             "means of neighbouring residuals vary {} times as much as independent errors would make them, single residuals {}: errors of \
-             neighbours go together, as those of overlapping subsets or filtered data do. Bands follow, but {}.",
+             neighbours are correlated, as those of overlapping subsets or filtered data are. Bands follow, but {}.",
             short(*of_means),
             short(*of_singles),
             of_smoothing(*amount_stated)
@@ -113,8 +113,8 @@ fn of_smoothing(amount_stated: bool) -> &'static str {
 
 fn not_separable(experiment: &Experiment, motion: &str, pressure_per_unit: f64) -> String {
     format!(
-        "the {motion} of the picture is declared free, and cannot be told from the load: no part of the region's edge is clear of contact beyond \
-         doubt, or the tractions there are not those of such a motion, but of mesh, material or contact. It is not taken off; 1e-5 of it \
+        "the {motion} of the picture is declared free, and cannot be distinguished from the load: no part of the region's edge is \
+         certainly clear of contact, or mesh, material or contact cause the tractions there. It is not taken off; 1e-5 of it \
          changes the pressure by up to {}. Take a region whose edge goes on beyond the contact, and finer cells.",
         shown(experiment.display.stress, 1e-5 * pressure_per_unit)
     )

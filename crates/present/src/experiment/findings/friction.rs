@@ -19,8 +19,8 @@ pub(super) fn of_zones(finding: &FrictionFinding) -> String {
                 .to_owned()
         }
         FrictionFinding::ZoneWithoutEnd => {
-            "A slip zone reaches the bearing point, where friction turns: in this noise places that stick cannot be told from those that \
-             slip. Only the outer half of it is used, and μd may still be larger than its interval says. State [identify] zones near \
+            "A slip zone reaches the bearing point, where friction turns: in this noise sticking places cannot be distinguished from \
+             slipping ones. Only the outer half of it is used, and μd may still be larger than its interval says. State [identify] zones near \
              the end of contact, smooth more, or measure more data."
                 .to_owned()
         }
@@ -34,7 +34,7 @@ pub(super) fn of_zones(finding: &FrictionFinding) -> String {
             on_half_the_cells(*half_the_cells, Some((*mu_on_half, *bounds_on_half)))
         ),
         FrictionFinding::MovesUnknown { cause } => {
-            format!("How far static friction moves the edge is not told: {cause}.")
+            format!("How far static friction moves the edge is not known: {cause}.")
         }
         FrictionFinding::NoPressure { state } => {
             format!("state '{state}': no pressure exceeds its uncertainty.")
@@ -93,7 +93,7 @@ pub(super) fn of_model(experiment: &Experiment, finding: &ModelFinding) -> Strin
             value,
             cause,
         } => format!(
-            "How far the edge moves with '{parameter}' = {value} of law '{law}' is not told: {cause}."
+            "How far the edge moves with '{parameter}' = {value} of law '{law}' is not known: {cause}."
         ),
         ModelFinding::DropWithoutLength => {
             "The drop from static to dynamic friction has no length of its own: what the static coefficient does depends on the spacing of \

@@ -38,7 +38,7 @@ pub(super) fn fitted(mut table: Table, width: usize) -> String {
     }
     table.notes = notes;
     if !left_out.is_empty() {
-        let note = format!("For want of width without {}.", left_out.join(", "));
+        let note = format!("No width left for {}.", left_out.join(", "));
         table.notes.push(note);
     }
     table.to_text(None)

@@ -51,7 +51,7 @@ pub(super) fn read(
                     bounds: [low, high],
                 }),
                 _ => {
-                    let message = format!("'{parameter}' is free between no two values");
+                    let message = format!("'{parameter}' is free without a valid range");
                     let remedy = "give the least and the greatest value, with units where the parameter has one: [0.0, 1.0]";
                     return Err(refuse.conflict(&place, message, remedy));
                 }

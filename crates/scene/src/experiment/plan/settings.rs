@@ -165,7 +165,7 @@ fn smoothing(refuse: Refuse<'_>, given: Option<&SmoothingFormat>) -> Result<Smoo
             share: share.unwrap_or(SHARE),
         },
         (Some(_), Some(_)) => {
-            let message = "amount and share are two ways to say how much";
+            let message = "amount and share are both given";
             let remedy = "keep one of them";
             return Err(refuse.conflict("region.smoothing", message, remedy));
         }

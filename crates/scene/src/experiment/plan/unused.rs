@@ -58,29 +58,29 @@ fn of_method(reduce: &Reduce, region: Option<&RegionPlan>, states: &[State]) -> 
     let subtracted = states.iter().any(null_of_other_places);
     let interpolated = (subtracted && reduce.common_places.is_none())
         || states.iter().any(|state| state.back.is_some());
-    let of_polynomial = "only reduce.method = \"polynomial\" heeds it";
+    let of_polynomial = "only reduce.method = \"polynomial\" uses it";
     vec![
         ("reduce.order", polynomial, of_polynomial),
         ("reduce.neighbours", polynomial, of_polynomial),
         (
             "reduce.reach",
             lines,
-            "only reduce.method = \"lines\" heeds it",
+            "only reduce.method = \"lines\" uses it",
         ),
         (
             "reduce.longest_side",
             reduce.method == Method::Linear || interpolated,
-            "only reduce.method = \"linear\" heeds it, and the interpolation of null and back",
+            "only reduce.method = \"linear\" and the interpolation of null and back use it",
         ),
         (
             "reduce.free",
             region.is_some(),
-            "the free edge of a [region] tells what it names, and there is none",
+            "it is determined on the free edge of a [region], and no region is stated",
         ),
         (
             "region.smoothing",
             !lines || whole,
-            "reduce.method = \"lines\" fits nothing to the data, and region.whole_plate is not asked for",
+            "reduce.method = \"lines\" fits nothing to the data, and region.whole_plate is not set",
         ),
     ]
 }
