@@ -24,6 +24,7 @@ mod names;
 mod page;
 mod progressive;
 mod quantities;
+mod quantity;
 mod summary;
 mod tables;
 pub use findings::{joint_sentence, quoted, sentence};

@@ -1,4 +1,4 @@
-//! What can be wrong with a figure.
+//! What can be wrong with a figure or a page.
 
 use thiserror::Error;
 
@@ -124,5 +124,32 @@ pub(crate) fn check_cells<'a>(
             nodes,
         }),
         None => Ok(()),
+    }
+}
+
+/// A page that could not be written.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum PageError {
+    /// Two figures or sections share an anchor.
+    #[error("anchor '{anchor}' is used twice; links could reach only one of them")]
+    DuplicateAnchor {
+        /// The anchor.
+        anchor: String,
+    },
+    /// The page's template failed.
+    #[error("the page could not be put together")]
+    Template {
+        /// The template engine's reason.
+        #[source]
+        cause: Box<dyn std::error::Error + Send + Sync>,
+    },
+}
+
+impl From<minijinja::Error> for PageError {
+    fn from(cause: minijinja::Error) -> Self {
+        Self::Template {
+            cause: Box::new(cause),
+        }
     }
 }

@@ -5,39 +5,12 @@
 use std::collections::BTreeSet;
 
 use minijinja::{Environment, Value, context};
-use thiserror::Error;
 
+pub use crate::error::PageError;
 use crate::prose::Prose;
 use crate::svg::Svg;
 use crate::table::Table;
 use stickslip_text::plain::printable;
-
-/// A page that could not be written.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum PageError {
-    /// Two figures or sections share an anchor.
-    #[error("anchor '{anchor}' is used twice; links could reach only one of them")]
-    DuplicateAnchor {
-        /// The anchor.
-        anchor: String,
-    },
-    /// The page's template failed.
-    #[error("the page could not be put together")]
-    Template {
-        /// The template engine's reason.
-        #[source]
-        cause: Box<dyn std::error::Error + Send + Sync>,
-    },
-}
-
-impl From<minijinja::Error> for PageError {
-    fn from(cause: minijinja::Error) -> Self {
-        Self::Template {
-            cause: Box::new(cause),
-        }
-    }
-}
 
 /// A picture with a caption.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,7 +3,7 @@
 pub use minijinja::Value;
 use minijinja::{Environment, UndefinedBehavior};
 
-use crate::page::PageError;
+use crate::error::PageError;
 
 /// A template with its data.
 #[derive(Debug, Clone, PartialEq)]

@@ -192,6 +192,7 @@ fn no_typing_error_makes_it_panic() {
 fn a_body_takes_from_the_scene_what_its_own_mesh_leaves_out() {
     let with = |own: &str| {
         let text = SCENE
+            .replace("[bodies.plate]", "[bodies.plate]\nmesh = { layers = 4 }")
             .replace(
                 "[mesh]\nspacing = \"2 deg\"",
                 "[mesh]\nspacing = \"2 deg\"\nfine_to = \"90 deg\"\ncoarse_spacing = \"5 deg\"\nlayers = 9",
@@ -201,9 +202,15 @@ fn a_body_takes_from_the_scene_what_its_own_mesh_leaves_out() {
                 &format!("shape.disk = {{ radius = \"4.99 mm\" }}\nmesh = {{ {own} }}"),
             );
         let scene = read(&text).unwrap_or_else(|error| panic!("{error}"));
-        assert_eq!(scene.mesh_of("plate"), &scene.mesh);
+        assert_eq!(
+            (scene.mesh_of("plate").layers, scene.mesh.layers),
+            (Some(4), Some(9))
+        );
+        assert_eq!(scene.mesh_of("plate").division, scene.mesh.division);
         let again = read(scene.resolved()).unwrap();
-        assert_eq!(again.mesh_of("pin"), scene.mesh_of("pin"), "{own}");
+        for body in ["plate", "pin"] {
+            assert_eq!(again.mesh_of(body), scene.mesh_of(body), "{own}");
+        }
         scene
     };
     let graded = |scene: &Scene| match scene.mesh_of("pin").division {
@@ -221,9 +228,8 @@ fn a_body_takes_from_the_scene_what_its_own_mesh_leaves_out() {
     assert_eq!(graded(&scene), (2.0, Some(90.0), Some(5.0)));
     assert_eq!(scene.mesh_of("pin").layers, Some(9));
     assert_ne!(scene.mesh_of("pin").element, scene.mesh.element);
-    let scene = with("spacing = \"3 deg\", layers = 4");
+    let scene = with("spacing = \"3 deg\"");
     assert_eq!(graded(&scene), (3.0, Some(90.0), None));
-    assert_eq!(scene.mesh_of("pin").layers, Some(4));
     assert_eq!(
         graded(&with("fine_to = \"60 deg\"")),
         (2.0, Some(60.0), Some(5.0))

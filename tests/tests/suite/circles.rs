@@ -17,7 +17,7 @@ const FAMILIES: &[(&str, usize)] = &[
     ("measure", 1),
     ("present", 4),
     ("report", 3),
-    ("scene", 3),
+    ("scene", 2),
     ("stickslip", 4),
 ];
 

@@ -139,8 +139,9 @@ impl FringeLine {
 
     /// Refuses centres at one place and drawn lines that turn back; `sorted` has the indices of the centres as given.
     fn check_steps(&self, origin: &Origin<'_>, sorted: &[(f64, usize)]) -> Result<(), DataError> {
-        for (i, j) in self.pairs() {
-            if self.gap(i, j) <= 0.0 {
+        for ((i, j), step) in self.pairs().zip(self.steps()) {
+            // Centres at that of a circle have angles by the signs of their zeros, and no length between them.
+            if step.length <= 0.0 {
                 return Err(origin.repeated([sorted[i].1, sorted[j].1]));
             }
         }

@@ -122,6 +122,10 @@ fn faults_of_fringe_centres_are_reported_by_the_numbers_of_their_rows() {
         error("line,x,y,order\na,1,0,1\na,2,0,2\n", &around)
             .contains("at one place along it, (1, 0) and (2, 0)")
     );
+    // At the centre of the circle, with zeros of both signs.
+    assert!(
+        error("line,x,y,order\na,0,0,1\na,-0,-0,2\n", &around).contains("at one place along it")
+    );
 }
 
 /// A half circle of radius 10 whose track was forgotten is read as a straight line. Its centroid lies 10 · 2/π above the ends, near 6.

@@ -316,7 +316,7 @@ fn grip_entry(experiment: &Experiment, grip: &Grip) -> Value {
 
 /// A coefficient with its interval, if it has one.
 fn fit_entry(fit: &SlipFit, bounds: Option<Bounds>) -> Value {
-    let [low, high] = limits(bounds);
+    let [low, high] = bounds.map_or([None; 2], Bounds::ends);
     json!({
         "best": fit.mu,
         "low": low,
@@ -326,14 +326,4 @@ fn fit_entry(fit: &SlipFit, bounds: Option<Bounds>) -> Value {
         "rejected": bounds.is_none(),
         "in_words": bounds.map_or_else(|| REJECTED.to_owned(), describe_bounds),
     })
-}
-
-/// The lower and the upper limit of an interval, where it has them.
-pub(super) fn limits(bounds: Option<Bounds>) -> [Option<f64>; 2] {
-    match bounds {
-        Some(Bounds::Between(low, high)) => [Some(low), Some(high)],
-        Some(Bounds::AtMost(high)) => [None, Some(high)],
-        Some(Bounds::AtLeast(low)) => [Some(low), None],
-        Some(Bounds::Nothing) | None => [None, None],
-    }
 }

@@ -6,7 +6,7 @@ use stickslip_report::table::Columns;
 use stickslip_text::{decimals, short, significant, tidy};
 
 use super::display::EdgeView;
-use super::summary::Quantity;
+use super::quantity::Quantity;
 use crate::csv::number;
 
 /// One number of an edge.

@@ -11,8 +11,8 @@ use super::display::EdgeView;
 use super::failure::{self, FailureView};
 use super::findings;
 use super::quantities::SummaryQuantities;
+use super::quantity::Quantity;
 use super::zones::{contact_ranges, stick_ranges, zone_ranges};
-pub(crate) use keys::Quantity;
 use keys::{
     Body, Choice, ContactZone, Cycle, Edge, EdgeStep, FORMAT_VERSION, Failed, Load, OtherAnswer,
     OwnEdgeStep, Program, SlipZone, SolverNotes, Step, Summary, Units, Vector, Zones,

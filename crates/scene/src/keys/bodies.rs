@@ -21,7 +21,7 @@ const MESH: [Key; 6] = [
     spacing("fine_to", "everywhere; line contact: half_length/8", r#""100 deg""#,
         "distance from θ = 0 or from the contact point, to both sides, up to which `spacing` holds; beyond it the spacing \
         grows from cell to cell by 15 % on circles and 12 % in line contacts; not of rectangles").range(POSITIVE),
-    spacing("coarse_spacing", "4 × `spacing`", r#""4.5 deg""#,
+    spacing("coarse_spacing", "4 × `spacing`", r#""9 deg""#,
         "on circles the spacing that it grows to; needs `fine_to`").range(POSITIVE),
     integer("layers", "by the number of angles and the width of a ring, for cells about as deep as wide", "24",
         "layers of cells around the hole of a plate or ring; other shapes choose their own").range(FROM_ONE),

@@ -1,5 +1,6 @@
 //! τ/p along the edge with slip zones and the coefficient that they share.
 
+use stickslip_hybrid::identify::Bounds;
 use stickslip_report::FigureError;
 use stickslip_report::axis::Axis;
 use stickslip_report::chart::{Band, Dash, LineChart, Panels, ReferenceLine, Series, SeriesStyle};
@@ -8,7 +9,6 @@ use stickslip_report::svg::Svg;
 
 use crate::experiment::analysed::figures::{TRUTH, angle_axis, truth_within};
 use crate::experiment::gallery::caption;
-use crate::experiment::identified::limits;
 use stickslip_measure::analysed::{Analysed, TruePlace};
 use stickslip_measure::identified::{Identified, ratio};
 use stickslip_scene::experiment::Experiment;
@@ -128,7 +128,8 @@ fn with_coefficient(mut chart: LineChart, identified: &Identified, sign: f64) ->
     let name = format!("μd {}", signed(sign * fit.mu));
     chart = chart.reference(ReferenceLine::horizontal(name, sign * fit.mu).color(color));
     let faint = color.tint(0.6);
-    for end in limits(identified.dynamic_bounds()).into_iter().flatten() {
+    let ends = identified.dynamic_bounds().map(Bounds::ends);
+    for end in ends.into_iter().flatten().flatten() {
         chart = chart.reference(ReferenceLine::horizontal("", sign * end).color(faint));
     }
     chart

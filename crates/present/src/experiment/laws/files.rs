@@ -6,7 +6,6 @@ use stickslip_hybrid::identify::Bounds;
 
 use super::figures;
 use crate::csv;
-use crate::experiment::identified::limits;
 use stickslip_measure::laws::{Discrepancy, Fit, LawStage, MeshError, SharedNull};
 use stickslip_scene::experiment::Experiment;
 
@@ -18,7 +17,10 @@ pub(super) fn csv(experiment: &Experiment, stage: &LawStage) -> Vec<u8> {
         for (index, own) in calibration.estimates.iter().enumerate() {
             let (factor, unit) = figures::unit(experiment, fit.law.dimensions[index]);
             let scaled = |value: Option<f64>| number(value.map(|value| factor * value));
-            let [low, high] = limits(fit.bounds(index)).map(scaled);
+            let [low, high] = fit
+                .bounds(index)
+                .map_or([None; 2], Bounds::ends)
+                .map(scaled);
             rows.push(vec![
                 fit.law.name.clone(),
                 own.name.clone(),
@@ -89,7 +91,10 @@ fn law(experiment: &Experiment, fit: &Fit) -> Value {
     let own = &fit.calibration;
     let parameter = |(index, estimate): (usize, &Estimate)| {
         let (factor, unit) = figures::unit(experiment, fit.law.dimensions[index]);
-        let [low, high] = limits(fit.bounds(index)).map(|end| end.map(|end| factor * end));
+        let [low, high] = fit
+            .bounds(index)
+            .map_or([None; 2], Bounds::ends)
+            .map(|end| end.map(|end| factor * end));
         json!({
             "name": estimate.name,
             "unit": unit,

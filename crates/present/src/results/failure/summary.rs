@@ -6,7 +6,7 @@ use super::FailureView;
 use super::tables::hypotheses;
 use crate::results::progressive::ProgressiveView;
 use crate::results::progressive::summary::{Progressive, progressive};
-use crate::results::summary::Quantity;
+use crate::results::quantity::Quantity;
 use stickslip_engine::results::{FailurePoint, FirstPly, PlyGroup};
 use stickslip_text::tidy;
 

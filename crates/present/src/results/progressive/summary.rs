@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::tables::DEPARTURE;
 use super::{ProgressiveView, mode_name};
 use crate::results::findings::{Entry, entries};
-use crate::results::summary::Quantity;
+use crate::results::quantity::Quantity;
 use stickslip_engine::results::{CurvePoint, PlyLoss, ProgressiveEnd};
 use stickslip_text::tidy;
 

@@ -1,6 +1,5 @@
 //! The keys of `summary.json` in their order.
 
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use serde::Serialize;
@@ -10,6 +9,7 @@ use stickslip_text::tidy;
 use crate::results::failure::summary::Failure;
 use crate::results::findings::Entry;
 use crate::results::quantities::SummaryQuantities;
+use crate::results::quantity::Quantity;
 
 /// Version of the format; a change that could break a reader raises it.
 pub(super) const FORMAT_VERSION: u32 = 2;
@@ -89,27 +89,6 @@ pub(super) struct Edge<'a> {
     pub(super) bearing_found: Option<String>,
     pub(super) nodes: usize,
     pub(super) half: bool,
-}
-
-/// A number with its unit, null where it is not finite.
-#[derive(Debug, Serialize)]
-pub(crate) struct Quantity {
-    value: Option<f64>,
-    unit: Cow<'static, str>,
-}
-
-impl Quantity {
-    pub(crate) fn new(value: f64, unit: impl Into<Cow<'static, str>>) -> Self {
-        Self {
-            value: tidy(value),
-            unit: unit.into(),
-        }
-    }
-
-    /// A number of base units in `unit`.
-    pub(crate) fn of(unit: &Unit, value: f64) -> Self {
-        Self::new(unit.from_base(value), unit.name)
-    }
 }
 
 /// A place or a force.
