@@ -41,7 +41,7 @@ pub(super) fn summary(results: &Results) -> Summary<'_> {
         source: &results.source,
         scene_hash: &results.scene_hash,
         program: Program {
-            name: env!("CARGO_PKG_NAME"),
+            name: "stickslip",
             version: env!("CARGO_PKG_VERSION"),
         },
         units: Units {

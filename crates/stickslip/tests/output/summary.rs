@@ -25,6 +25,7 @@ fn the_first_contact_edge_stands_in_each_step() {
     assert_eq!(summary["format"], "stickslip-summary");
     assert_eq!(summary["format_version"], 2);
     assert_eq!(summary["edge"], "pin");
+    assert_eq!(summary["program"]["name"], "stickslip");
     assert_eq!(summary["program"]["version"], env!("CARGO_PKG_VERSION"));
     assert_eq!(summary["steps"].as_array().unwrap().len(), LOADS.len());
     let step = &summary["steps"][2];
