@@ -20,7 +20,7 @@ use std::path::Path;
 use serde_json::Value;
 
 use super::document::{Document, Part, child};
-use super::format::SceneFormat;
+use super::format::{AnalysisFormat, SceneFormat};
 use super::open::stem;
 use super::overrides::mistyped;
 use super::scene::Scene;
@@ -237,24 +237,32 @@ impl Builder<'_> {
     }
 
     fn analysis(&mut self, format: &SceneFormat) -> Analysis {
-        let analysis = &format.analysis;
-        let solver = analysis.solver.info();
-        if solver.experimental && !analysis.experimental {
+        // Without `..`, so that no key is read and then forgotten.
+        let AnalysisFormat {
+            plane,
+            model,
+            solver,
+            experimental,
+            substeps,
+            ramp,
+        } = format.analysis;
+        let info = solver.info();
+        if info.experimental && !experimental {
             self.conflict(
                 "analysis.solver",
                 format!(
                     "the solver \"{}\" is experimental: its answers may be inexact, or it may stop at few points",
-                    solver.name
+                    info.name
                 ),
                 "set analysis.experimental = true, or leave the solver out",
             );
         }
         Analysis {
-            plane: analysis.plane,
-            model: analysis.model,
-            solver: analysis.solver,
-            substeps: analysis.substeps,
-            ramp: analysis.ramp,
+            plane,
+            model,
+            solver,
+            substeps,
+            ramp,
         }
     }
 

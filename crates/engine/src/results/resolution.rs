@@ -12,8 +12,9 @@ const CARRIES: f64 = 0.1;
 impl EdgeGeometry {
     /// Number of nodes over two element edges, which a contact must touch to be resolved.
     pub fn nodes_to_resolve(&self) -> usize {
-        let linear = self.corner.iter().all(|&corner| corner);
-        if linear { 3 } else { 5 }
+        let inner = self.corner.split(|&corner| corner).map(<[_]>::len);
+        let order = 1 + inner.max().unwrap_or(0);
+        2 * order + 1
     }
 }
 
@@ -72,9 +73,10 @@ mod tests {
     use super::super::{ContactFrame, EdgeKind, EdgeRow};
     use super::*;
 
-    fn fewest(half: bool, closed: bool, pressures: &[f64]) -> Option<usize> {
-        let last = (pressures.len() - 1) as f64;
-        let parameter = (0..pressures.len()).map(|k| {
+    /// An edge of `nodes` corners.
+    fn edge(half: bool, closed: bool, nodes: usize) -> EdgeGeometry {
+        let last = (nodes - 1) as f64;
+        let parameter = (0..nodes).map(|k| {
             let part = k as f64 / last;
             if half {
                 part * std::f64::consts::PI
@@ -82,7 +84,7 @@ mod tests {
                 part * 6.0 - 3.0
             }
         });
-        let geometry = EdgeGeometry {
+        EdgeGeometry {
             name: String::new(),
             contact: true,
             body: String::new(),
@@ -95,12 +97,15 @@ mod tests {
                 EdgeKind::Line
             },
             parameter: parameter.collect(),
-            corner: vec![true; pressures.len()],
+            corner: vec![true; nodes],
             half,
             bearing_area: None,
             law: String::new(),
             frame: ContactFrame::NONE,
-        };
+        }
+    }
+
+    fn fewest(half: bool, closed: bool, pressures: &[f64]) -> Option<usize> {
         let row = |&pressure: &f64| EdgeRow {
             pressure,
             shear: 0.0,
@@ -115,11 +120,11 @@ mod tests {
             sigma_tangential: 0.0,
             tau: 0.0,
         };
-        let edge = EdgeResults {
+        let results = EdgeResults {
             rows: pressures.iter().map(row).collect(),
             ..EdgeResults::default()
         };
-        edge.fewest_contact_nodes(&geometry)
+        results.fewest_contact_nodes(&edge(half, closed, pressures.len()))
     }
 
     #[test]
@@ -132,5 +137,15 @@ mod tests {
         assert_eq!(fewest(true, true, &[1.0, 1.0, 1.0]), Some(4));
         // A touch of next to nothing beside a wide contact.
         assert_eq!(fewest(false, false, &[0.01, 0.0, 2.0, 2.0, 1.0]), Some(3));
+    }
+
+    #[test]
+    fn two_element_edges_have_2p_and_one_nodes() {
+        for (order, nodes) in [(1, 3), (2, 5), (3, 7), (8, 17)] {
+            let mut geometry = edge(false, false, 5 * order + 1);
+            let corners = geometry.corner.iter_mut().enumerate();
+            corners.for_each(|(k, corner)| *corner = k % order == 0);
+            assert_eq!(geometry.nodes_to_resolve(), nodes, "order {order}");
+        }
     }
 }
