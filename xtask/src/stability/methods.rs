@@ -30,7 +30,8 @@ impl Method {
     }
 }
 
-/// Every method, in the order of the maps: the default first, then from the fastest to the slowest.
+/// Every method of the studies, in the order of the maps: the default first, then from the fastest to the slowest. A new solver of the contact
+/// crate is added by hand, because variants of one solver stand here too.
 pub(crate) fn methods() -> Vec<Method> {
     vec![
         Method::new(CHAIN, Chain::default()),
