@@ -3,7 +3,6 @@
 //! Run with `cargo run --release -p stickslip-measure --example friction`. The program has no files: what is read is held in memory.
 
 use std::error::Error;
-use std::io::{self, ErrorKind};
 use std::path::Path;
 
 use stickslip_measure::ExperimentError;
@@ -11,8 +10,7 @@ use stickslip_measure::chain::{Album, Depth, run};
 use stickslip_measure::synthesis::{Camera, Shots};
 use stickslip_scene::Format;
 use stickslip_scene::experiment::Experiment;
-use stickslip_scene::host::{Host, System};
-use stickslip_scene::limits::Limits;
+use stickslip_scene::host::{Host, MemoryFiles};
 
 const SCENE: &str = r#"
 version = 1
@@ -68,27 +66,6 @@ sector = { angles = ["-8 deg", "108 deg"], outer = "12.5 mm", cells = [48, 12], 
 smoothing = { order = 2, amount = 10.0 }
 "#;
 
-/// A machine that has one file and no clock.
-#[derive(Debug)]
-struct OneFile;
-
-impl System for OneFile {
-    fn read(&self, path: &Path, _most: u64) -> io::Result<Vec<u8>> {
-        match path.file_name() {
-            Some(name) if name == "pin.toml" => Ok(SCENE.into()),
-            _ => Err(ErrorKind::NotFound.into()),
-        }
-    }
-
-    fn length(&self, path: &Path) -> io::Result<u64> {
-        self.read(path, u64::MAX).map(|bytes| bytes.len() as u64)
-    }
-
-    fn seconds(&self) -> f64 {
-        0.0
-    }
-}
-
 /// Keeps no picture.
 struct NoAlbum;
 
@@ -101,10 +78,7 @@ impl Album for NoAlbum {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let host = Host {
-        limits: Limits::NONE,
-        system: &OneFile,
-    };
+    let host = Host::of(MemoryFiles::from_iter([("pin.toml", SCENE)]));
     let folder = Path::new("");
     let overrides: [&str; 0] = [];
     let experiment = Experiment::from_text(

@@ -3,9 +3,10 @@
 //! In this workspace only the command opens files and reads the clock. A program without files, such as one in a browser, hands
 //! over a [`System`] of its own, or none.
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::io::{self, ErrorKind};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::limits::{Content, Limits, amount};
 
@@ -48,6 +49,44 @@ impl System for Nothing {
     }
 }
 
+/// Files held in memory by their paths, and a clock that stands still.
+#[derive(Clone, Debug, Default)]
+pub struct MemoryFiles(BTreeMap<PathBuf, Vec<u8>>);
+
+impl<P: Into<PathBuf>, B: Into<Vec<u8>>> FromIterator<(P, B)> for MemoryFiles {
+    fn from_iter<I: IntoIterator<Item = (P, B)>>(files: I) -> Self {
+        let files = files.into_iter();
+        Self(
+            files
+                .map(|(path, bytes)| (path.into(), bytes.into()))
+                .collect(),
+        )
+    }
+}
+
+impl MemoryFiles {
+    fn bytes(&self, path: &Path) -> io::Result<&[u8]> {
+        let bytes = self.0.get(path).map(Vec::as_slice);
+        bytes.ok_or_else(|| ErrorKind::NotFound.into())
+    }
+}
+
+impl System for MemoryFiles {
+    fn read(&self, path: &Path, most: u64) -> io::Result<Vec<u8>> {
+        let bytes = self.bytes(path)?;
+        let most = usize::try_from(most).unwrap_or(usize::MAX);
+        Ok(bytes[..bytes.len().min(most)].to_vec())
+    }
+
+    fn length(&self, path: &Path) -> io::Result<u64> {
+        self.bytes(path).map(|bytes| bytes.len() as u64)
+    }
+
+    fn seconds(&self) -> f64 {
+        0.0
+    }
+}
+
 /// The machine as a scene or an experiment sees it.
 #[derive(Clone, Copy, Debug)]
 pub struct Host {
@@ -63,6 +102,14 @@ impl Host {
         limits: Limits::NONE,
         system: &Nothing,
     };
+
+    /// No limit, and the files and the clock of `system`, which stays until the program ends.
+    pub fn of(system: impl System + 'static) -> Self {
+        Self {
+            system: Box::leak(Box::new(system)),
+            ..Self::NONE
+        }
+    }
 
     /// Equal parts of the memory for `count` things that are done at the same time.
     #[must_use]

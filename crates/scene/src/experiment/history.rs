@@ -163,39 +163,12 @@ impl<'a> History<'a> {
 
 #[cfg(test)]
 mod tests {
-    use std::io;
     use std::path::Path;
 
     use super::*;
     use crate::Format;
     use crate::experiment::Experiment;
-    use crate::host::{Host, System};
-    use crate::limits::Limits;
-
-    /// One file, whatever its name.
-    #[derive(Debug)]
-    struct OneFile(String);
-
-    impl System for OneFile {
-        fn read(&self, _: &Path, _: u64) -> io::Result<Vec<u8>> {
-            Ok(self.0.clone().into_bytes())
-        }
-
-        fn length(&self, _: &Path) -> io::Result<u64> {
-            Ok(self.0.len() as u64)
-        }
-
-        fn seconds(&self) -> f64 {
-            0.0
-        }
-    }
-
-    fn host(text: &str) -> Host {
-        Host {
-            limits: Limits::NONE,
-            system: Box::leak(Box::new(OneFile(text.to_owned()))),
-        }
-    }
+    use crate::host::{Host, MemoryFiles};
 
     #[test]
     fn forces_are_reported_in_the_units_of_the_experiment() {
@@ -211,13 +184,14 @@ mod tests {
             table = { file = "up.csv", scale = "1 mm", y_axis = "up" }
         "#;
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
-        let scene = std::fs::read_to_string(folder.join("pin-loaded-aluminium.toml")).unwrap();
+        let scene = folder.join("pin-loaded-aluminium.toml");
+        let text_of_scene = std::fs::read_to_string(&scene).unwrap();
+        let host = Host::of(MemoryFiles::from_iter([(scene, text_of_scene)]));
         for units in ["\"lbf\"", "\"kN\""] {
             let text = text.replace("\"lbf\"", units);
             let none: [&str; 0] = [];
             let own =
-                Experiment::from_text(&text, Format::Toml, "e.toml", &folder, &none, host(&scene))
-                    .unwrap();
+                Experiment::from_text(&text, Format::Toml, "e.toml", &folder, &none, host).unwrap();
             let history = History::of(&own.specimen.model.as_ref().unwrap().scene);
             let state = State {
                 load: Some(1e5),

@@ -1,12 +1,10 @@
 //! Meshes of sectors, written as Gmsh writes them and read again.
 
 use std::fmt::Write as _;
-use std::io;
-use std::path::Path;
+use std::path::PathBuf;
 
 use stickslip_hybrid::region::sector::ArcSector;
-use stickslip_scene::host::System;
-use stickslip_scene::limits::Limits;
+use stickslip_scene::host::MemoryFiles;
 
 use super::*;
 
@@ -72,34 +70,10 @@ fn text(mesh: &Mesh, scale: f64) -> String {
     text + "$EndElements\n"
 }
 
-/// One file, whatever its name.
-#[derive(Debug)]
-struct OneFile(String);
-
-impl System for OneFile {
-    fn read(&self, _: &Path, _: u64) -> io::Result<Vec<u8>> {
-        Ok(self.0.clone().into_bytes())
-    }
-
-    fn length(&self, _: &Path) -> io::Result<u64> {
-        Ok(self.0.len() as u64)
-    }
-
-    fn seconds(&self) -> f64 {
-        0.0
-    }
-}
-
-fn host(text: &str) -> Host {
-    Host {
-        limits: Limits::NONE,
-        system: Box::leak(Box::new(OneFile(text.to_owned()))),
-    }
-}
-
 fn read(text: &str, scale: f64) -> Result<Mesh, ExperimentError> {
-    let file = "region.msh".into();
-    mesh(&MeshPlan { file, scale }, &HOLE, "inner", host(text))
+    let file = PathBuf::from("region.msh");
+    let host = Host::of(MemoryFiles::from_iter([(&file, text)]));
+    mesh(&MeshPlan { file, scale }, &HOLE, "inner", host)
 }
 
 #[test]
