@@ -173,7 +173,8 @@ impl KindVisitor for Extrapolation {
         });
         let at_nodes = DMatrix::from_fn(N, terms, |a, k| basis(E::NODES[a])[k]);
         let gram = &weighted * sampled.transpose();
-        // Each basis is unisolvent on its points, so the Gram matrix is positive definite.
+        // The basis of every kind is unisolvent on its quadrature points, so the Gram matrix is positive definite; the test
+        // `every_kind_extrapolates_its_basis` visits all kinds.
         let coefficients = gram
             .lu()
             .solve(&weighted)
@@ -206,4 +207,33 @@ fn legendre(degree: usize, x: f64) -> Vec<f64> {
         values.push((odd * x * values[k - 1] - (k_th - 1.0) * values[k - 2]) / k_th);
     }
     values
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Largest difference at the nodes between a term of the basis and its extrapolation.
+    struct Error;
+
+    impl KindVisitor for Error {
+        type Output = f64;
+
+        fn visit<const N: usize, E: Element<N>>(self) -> f64 {
+            let at = |places: &[Point]| {
+                let columns: Vec<_> = places.iter().map(|&xi| basis(E::KIND, xi)).collect();
+                DMatrix::from_fn(columns.len(), columns[0].len(), |a, k| columns[a][k])
+            };
+            let points: Vec<Point> = E::QUADRATURE.iter().map(|point| point.at).collect();
+            (extrapolation(E::KIND) * at(&points) - at(&E::NODES)).amax()
+        }
+    }
+
+    #[test]
+    fn every_kind_extrapolates_its_basis() {
+        for kind in ElementKind::ALL {
+            let error = with_element(kind, Error);
+            assert!(error < 1e-12, "{kind:?}: {error:.1e}");
+        }
+    }
 }

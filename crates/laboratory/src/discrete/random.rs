@@ -85,8 +85,9 @@ fn problem(draw: &mut Draw, count: usize, floating: usize) -> InterfaceProblem {
     } else {
         FRICTION * draw.part()
     };
-    // The coefficient is not negative, and all numbers are finite.
+    // The coefficient is 0 or FRICTION times a part from 0 to 1.
     let law = Coulomb::new(mu).expect("μ ≥ 0");
+    // There are as many points as pairs of unknowns, their normals have length 1, and all numbers are finite.
     on_ground(&body, &points, Arc::new(law)).expect("the points are a valid pair")
 }
 
