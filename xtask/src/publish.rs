@@ -1,6 +1,7 @@
 //! What tasks share: options of studies, cases solved side by side, and the files that are written in the end.
 
 use std::collections::BTreeMap;
+use std::fmt::Debug;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus};
@@ -32,10 +33,17 @@ pub(crate) struct Options {
     pub(crate) output: Option<PathBuf>,
 }
 
+/// What was `read` of a text that is compiled in.
+pub(crate) fn compiled_in<T, E: Debug>(read: Result<T, E>) -> T {
+    // The text is part of the program, and a test of the module that names it reads it.
+    read.expect("tests read every text that is compiled in")
+}
+
 /// The list under `key` of a TOML text.
 pub(crate) fn listed<T: DeserializeOwned>(text: &str, key: &str) -> Result<Vec<T>, TaskError> {
     let mut all: BTreeMap<String, Vec<T>> = toml::from_str(text)?;
-    Ok(all.remove(key).unwrap_or_default())
+    let list = all.remove(key);
+    list.ok_or_else(|| format!("there is no list '{key}'").into())
 }
 
 /// Makes this program the command, under its name.

@@ -153,8 +153,8 @@ mod tests {
     fn each_kind_of_file_has_its_subcommand() {
         let verb = |text: &str| {
             let table = toml::from_str(text).expect("a table");
-            let file = Path::new("/root/scenes/a/b.toml");
-            case(Path::new("/root"), Path::new("/none"), file, &table).expect("a case")
+            let file = Path::new("/tree/scenes/a/b.toml");
+            case(Path::new("/tree"), Path::new("/none"), file, &table).expect("a case")
         };
         let expected = |verb| Case {
             file: "scenes/a/b.toml".into(),

@@ -6,6 +6,7 @@ use serde::Deserialize;
 use serde_json::{Map, Value, json};
 
 use super::corpus::{Form, Target};
+use crate::publish::compiled_in;
 use crate::torture::draw::Draw;
 
 /// What is put into texts.
@@ -16,7 +17,7 @@ struct Mutations {
 }
 
 static MUTATIONS: LazyLock<Mutations> =
-    LazyLock::new(|| toml::from_str(include_str!("mutations.toml")).expect("tests read it"));
+    LazyLock::new(|| compiled_in(toml::from_str(include_str!("mutations.toml"))));
 
 const LONGEST: usize = 200_000;
 
