@@ -21,7 +21,7 @@ impl SceneProblem {
         }
     }
 
-    /// A choice `found` that is none of the `known` ones.
+    /// A choice `found` that is not among the `known` ones.
     pub fn unknown_name<'a>(
         what: &str,
         found: &str,
@@ -36,7 +36,7 @@ impl SceneProblem {
         }
     }
 
-    /// A key that is none of the `known` ones.
+    /// A key that is not among the `known` ones.
     pub fn unknown_key<'a>(key: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
         let known = owned(known);
         Self::UnknownKey {
@@ -46,7 +46,7 @@ impl SceneProblem {
         }
     }
 
-    /// A name of something that is none of the `known` ones.
+    /// A name of something that is not among the `known` ones.
     pub fn undefined(what: &'static str, name: &str, known: Vec<String>) -> Self {
         Self::Undefined {
             what,

@@ -26,7 +26,7 @@ impl Refuse<'_> {
         self.at(key, SceneProblem::conflict(message, remedy))
     }
 
-    /// A name of something that is none of the `known` ones.
+    /// A name of something that is not among the `known` ones.
     pub(super) fn undefined(
         self,
         what: &'static str,

@@ -17,7 +17,7 @@ pub(super) fn conflict(
     document.error(key, Part::Value, problem)
 }
 
-/// A name that is none of `known`.
+/// A name that is not among `known`.
 pub(super) fn unknown<'a>(
     document: &Document,
     key: &str,
