@@ -9,14 +9,18 @@ use std::ops::Range;
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
-/// Computes `f(item)` for each of `items`, in their order.
+/// Computes `f(item)` for each of `items`, in their order. Each item may go to another thread, so that few large ones keep all busy.
 ///
 /// ```
 /// let squares = stickslip_fem_core::parallel::map(&[1, 2, 3], |x| x * x);
 /// assert_eq!(squares, [1, 4, 9]);
 /// ```
 pub fn map<T: Sync, R: Send>(items: &[T], f: impl Fn(&T) -> R + Sync + Send) -> Vec<R> {
-    map_range(0..items.len(), |k| f(&items[k]))
+    #[cfg(feature = "parallel")]
+    if items.len() > 1 {
+        return items.par_iter().with_max_len(1).map(f).collect();
+    }
+    items.iter().map(f).collect()
 }
 
 /// Computes `f(k)` for each k of `range`, in their order. A single k is computed on the calling thread.

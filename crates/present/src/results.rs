@@ -37,7 +37,6 @@ use stickslip_fem_core::parallel;
 use stickslip_fem_core::vtk::VtkError;
 use stickslip_report::FigureError;
 use stickslip_report::page::PageError;
-use stickslip_report::raster::{DEFAULT_SCALE, to_png};
 use thiserror::Error;
 
 use crate::PutFile;
@@ -181,17 +180,13 @@ fn write_pictures(
     if !figures {
         return Ok((Vec::new(), Vec::new()));
     }
-    let (drawings, failures) = figures::draw(results);
+    let (drawings, failures) = figures::draw(results)?;
     let written = parallel::map(&drawings, |drawing| {
-        let Drawing { name, picture, .. } = drawing;
-        let png = to_png(picture, DEFAULT_SCALE).map_err(|cause| OutputError::Picture {
-            name: name.clone(),
-            cause,
-        })?;
-        put(&format!("figures/{name}.svg"), picture.as_str().as_bytes())?;
-        Ok::<(), OutputError>(put(&format!("figures/{name}.png"), &png)?)
+        let name = format!("figures/{}", drawing.name);
+        put(&format!("{name}.svg"), drawing.picture.as_str().as_bytes())?;
+        put(&format!("{name}.png"), &drawing.png)
     });
-    written.into_iter().collect::<Result<(), OutputError>>()?;
+    written.into_iter().collect::<Result<(), _>>()?;
     Ok((drawings, failures))
 }
 

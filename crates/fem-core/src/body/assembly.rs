@@ -1,5 +1,7 @@
 //! Assembly of the stiffness matrix: cells in parallel, the sum in one fixed order.
 
+use std::array;
+
 use super::constraints::NodeConstraint;
 use super::elastic::ElasticBody;
 use super::equations::{BodyStructure, HELD};
@@ -11,6 +13,8 @@ use crate::parallel;
 
 /// Cells whose matrices are held at once; bounds the memory beside the matrix.
 const CHUNK: usize = 2048;
+/// Nodal forces of cells that are held at once \[numbers\].
+const HELD_FORCES: usize = 1 << 20;
 
 /// The assembled matrix, and the forces that unit movement of the supports exerts on the unknowns.
 pub(super) struct Assembled {
@@ -200,20 +204,36 @@ pub(super) fn internal_forces_of(body: &ElasticBody, u: &[Vec<f64>]) -> Vec<Vec<
     impl KindVisitor for Visit<'_> {
         type Output = ();
         fn visit<const N: usize, E: Element<N>>(self) {
+            let size = 2 * N * self.u.len();
+            let count = (HELD_FORCES / size.max(1)).clamp(1, CHUNK);
+            let mut buffer = vec![0.0; count.min(self.connectivity.len() / N) * size];
+            for cells in self.connectivity.chunks(count * N) {
+                let buffer = &mut buffer[..cells.len() / N * size];
+                parallel::for_each_chunk(buffer, size, |index, sums| {
+                    self.of_cell::<N, E>(&cells[index * N..(index + 1) * N], sums);
+                });
+                for (sums, cell) in buffer.chunks_exact(size).zip(cells.chunks_exact(N)) {
+                    for (sums, forces) in sums.chunks_exact(2 * N).zip(self.forces.iter_mut()) {
+                        for (pair, &node) in sums.chunks_exact(2).zip(cell) {
+                            forces[2 * node] += pair[0];
+                            forces[2 * node + 1] += pair[1];
+                        }
+                    }
+                }
+            }
+        }
+    }
+    impl Visit<'_> {
+        /// The forces of one cell, `sums`, state by state.
+        fn of_cell<const N: usize, E: Element<N>>(&self, cell: &[usize], sums: &mut [f64]) {
             let mut local = vec![0.0; 4 * N * N];
-            let mut held = [[0.0; 2]; N];
-            for cell in self.connectivity.chunks_exact(N) {
-                let x = gather::<N>(self.body.mesh.nodes(), cell);
-                stiffness::<N, E>(&x, self.stiffness, self.body.thickness, &mut local);
-                for (u, forces) in self.u.iter().zip(self.forces.iter_mut()) {
-                    for (slot, &node) in held.iter_mut().zip(cell) {
-                        *slot = [u[2 * node], u[2 * node + 1]];
-                    }
-                    for (row, line) in local.chunks_exact(2 * N).enumerate() {
-                        let pairs = line.chunks_exact(2).zip(&held);
-                        let sum: f64 = pairs.map(|(k, u)| k[0] * u[0] + k[1] * u[1]).sum();
-                        forces[2 * cell[row / 2] + row % 2] += sum;
-                    }
+            let x = gather::<N>(self.body.mesh.nodes(), cell);
+            stiffness::<N, E>(&x, self.stiffness, self.body.thickness, &mut local);
+            for (u, sums) in self.u.iter().zip(sums.chunks_exact_mut(2 * N)) {
+                let held: [[f64; 2]; N] = array::from_fn(|k| [u[2 * cell[k]], u[2 * cell[k] + 1]]);
+                for (line, sum) in local.chunks_exact(2 * N).zip(sums) {
+                    let pairs = line.chunks_exact(2).zip(&held);
+                    *sum = pairs.map(|(k, u)| k[0] * u[0] + k[1] * u[1]).sum();
                 }
             }
         }

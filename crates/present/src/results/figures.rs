@@ -7,10 +7,14 @@ mod history;
 mod map;
 
 use stickslip_contact::Status;
+use stickslip_fem_core::parallel;
+use stickslip_report::FigureError;
 use stickslip_report::chart::Band;
 use stickslip_report::color::Color;
+use stickslip_report::raster::{DEFAULT_SCALE, to_png};
 use stickslip_report::svg::Svg;
 
+use super::OutputError;
 use super::attempt::Attempt;
 use super::display::EdgeView;
 use super::failure::{self, FailureView};
@@ -26,6 +30,7 @@ pub(super) struct Drawing {
     /// File name without ending, and anchor on the page.
     pub(super) name: String,
     pub(super) picture: Svg,
+    pub(super) png: Vec<u8>,
     pub(super) caption: String,
     pub(super) group: Group,
 }
@@ -41,100 +46,54 @@ pub(super) enum Group {
     Field,
 }
 
-/// All figures that apply, and a line for each that could not be drawn: a picture is not worth losing a result.
-pub(super) fn draw(results: &Results) -> (Vec<Drawing>, Vec<String>) {
-    let mut gallery = Gallery::default();
-    for view in EdgeView::all(results) {
-        add_edge(&mut gallery, &view);
-    }
-    for view in FailureView::all(results) {
-        add_failure(&mut gallery, &view);
-    }
-    for (stem, attempt) in fields::all(results) {
-        gallery.add(Group::Field, &stem, attempt);
-    }
-    (gallery.drawings, gallery.failures)
+/// A figure that can be drawn beside others.
+struct Plan<'a> {
+    group: Group,
+    /// File name before it is made safe and different from others.
+    stem: String,
+    draw: Box<dyn Fn() -> Attempt + Sync + 'a>,
 }
 
-/// Figures of an edge.
-fn add_edge(gallery: &mut Gallery, view: &EdgeView<'_>) {
-    let (name, contact) = (view.geometry.name.as_str(), view.geometry.contact);
-    gallery.add_of(name, Group::Edge, [("stresses", edge::chart(view))]);
-    if contact {
-        let tractions = [
-            ("pressure", families::pressure(view)),
-            ("shear", families::shear(view)),
-        ];
-        gallery.add_of(name, Group::Edge, tractions);
-    }
-    gallery.add_of(name, Group::Edge, [("hoop", families::hoop(view))]);
-    if contact {
-        let history = [
-            ("map", map::chart(view)),
-            ("extent", history::extent_and_peak(view)),
-            ("friction", history::friction(view)),
-        ];
-        gallery.add_of(name, Group::History, history);
-    }
-}
-
-/// Figures of a laminated body.
-fn add_failure(gallery: &mut Gallery, view: &FailureView<'_>) {
-    use failure::figures::{characteristic, envelopes, index_along, stresses_along};
-    for edge in &view.failure.edges {
-        let figures = [
-            ("ply-index", index_along(view, edge)),
-            ("ply-stresses", stresses_along(view, edge)),
-        ];
-        let name = &view.results.edges[edge.edge].name;
-        gallery.add_of(name, Group::Failure, figures);
-    }
-    let figures = [
-        ("characteristic", characteristic(view)),
-        ("envelope-normal", envelopes(view, EnvelopePlane::Normal)),
-        ("envelope-shear", envelopes(view, EnvelopePlane::Shear)),
-    ];
-    gallery.add_of(view.body(), Group::Failure, figures);
-    if let Some(joint) = ProgressiveView::of(*view) {
-        let figures = [
-            ("load-displacement", progressive::figures::curve(&joint)),
-            ("edge-strains", progressive::figures::edge_strains(&joint)),
-            ("damage", progressive::damage_map(&joint)),
-        ];
-        gallery.add_of(view.body(), Group::Joint, figures);
-    }
-    for map in &view.failure.maps {
-        let name = format!("{}-step-{:02}", view.body(), map.step + 1);
-        let figure = ("ply-map", failure::index_map(view, map));
-        gallery.add_of(&name, Group::Failure, [figure]);
-    }
-}
-
-#[derive(Debug, Default)]
-struct Gallery {
-    names: FileNames,
-    drawings: Vec<Drawing>,
-    failures: Vec<String>,
-}
-
-impl Gallery {
-    /// Adds figures of what is called `name`, each with what it shows.
-    fn add_of(
-        &mut self,
-        name: &str,
-        group: Group,
-        figures: impl IntoIterator<Item = (&'static str, Attempt)>,
-    ) {
-        for (what, attempt) in figures {
-            self.add(group, &format!("{what}-{name}"), attempt);
+impl<'a> Plan<'a> {
+    fn new(group: Group, stem: String, draw: impl Fn() -> Attempt + Sync + 'a) -> Self {
+        Self {
+            group,
+            stem,
+            draw: Box::new(draw),
         }
     }
+}
 
-    fn add(&mut self, group: Group, stem: &str, attempt: Attempt) {
-        match attempt {
-            Ok(Some((picture, caption))) => {
-                let name = self.names.unique(stem);
-                self.drawings.push(Drawing {
+/// All figures that apply, and a line for each that could not be drawn: a picture is not worth losing a result.
+///
+/// # Errors
+/// [`OutputError::Picture`] for a figure that cannot be written as PNG.
+pub(super) fn draw(results: &Results) -> Result<(Vec<Drawing>, Vec<String>), OutputError> {
+    let edges = EdgeView::all(results);
+    let failing = FailureView::all(results);
+    let mut plans: Vec<Plan<'_>> = edges.iter().flat_map(of_edge).collect();
+    plans.extend(failing.iter().flat_map(of_failure));
+    plans.extend(fields::all(results));
+    let drawn = parallel::map(&plans, |plan| {
+        let made = (plan.draw)()?;
+        Ok::<_, FigureError>(made.map(|(picture, caption)| {
+            let png = to_png(&picture, DEFAULT_SCALE);
+            (picture, caption, png)
+        }))
+    });
+
+    let mut names = FileNames::default();
+    let (mut drawings, mut failures) = (Vec::new(), Vec::new());
+    for (Plan { group, stem, .. }, drawn) in plans.into_iter().zip(drawn) {
+        match drawn {
+            Ok(Some((picture, caption, png))) => {
+                let name = names.unique(&stem);
+                let failed = |cause| OutputError::Picture {
+                    name: name.clone(),
+                    cause,
+                };
+                drawings.push(Drawing {
+                    png: png.map_err(failed)?,
                     name,
                     picture,
                     caption,
@@ -142,11 +101,82 @@ impl Gallery {
                 });
             }
             Ok(None) => {}
-            Err(cause) => self
-                .failures
-                .push(format!("The figure '{stem}' could not be drawn: {cause}.")),
+            Err(cause) => {
+                failures.push(format!("The figure '{stem}' could not be drawn: {cause}."));
+            }
         }
     }
+    Ok((drawings, failures))
+}
+
+/// Figures of an edge.
+fn of_edge<'a>(view: &'a EdgeView<'_>) -> Vec<Plan<'a>> {
+    let plan = |group, what: &str, draw: fn(&EdgeView<'_>) -> Attempt| {
+        let stem = format!("{what}-{}", view.geometry.name);
+        Plan::new(group, stem, move || draw(view))
+    };
+    let mut plans = vec![plan(Group::Edge, "stresses", edge::chart)];
+    if view.geometry.contact {
+        plans.push(plan(Group::Edge, "pressure", families::pressure));
+        plans.push(plan(Group::Edge, "shear", families::shear));
+    }
+    plans.push(plan(Group::Edge, "hoop", families::hoop));
+    if view.geometry.contact {
+        plans.push(plan(Group::History, "map", map::chart));
+        plans.push(plan(Group::History, "extent", history::extent_and_peak));
+        plans.push(plan(Group::History, "friction", history::friction));
+    }
+    plans
+}
+
+/// Figures of a laminated body.
+fn of_failure<'a>(view: &'a FailureView<'a>) -> Vec<Plan<'a>> {
+    use failure::figures::{characteristic, envelopes, index_along, stresses_along};
+    let mut plans = Vec::new();
+    for edge in &view.failure.edges {
+        let stem = |what: &str| format!("{what}-{}", view.results.edges[edge.edge].name);
+        plans.extend([
+            Plan::new(Group::Failure, stem("ply-index"), || {
+                index_along(view, edge)
+            }),
+            Plan::new(Group::Failure, stem("ply-stresses"), || {
+                stresses_along(view, edge)
+            }),
+        ]);
+    }
+    let stem = |what: &str| format!("{what}-{}", view.body());
+    let envelope = |plane| move || envelopes(view, plane);
+    plans.extend([
+        Plan::new(Group::Failure, stem("characteristic"), || {
+            characteristic(view)
+        }),
+        Plan::new(
+            Group::Failure,
+            stem("envelope-normal"),
+            envelope(EnvelopePlane::Normal),
+        ),
+        Plan::new(
+            Group::Failure,
+            stem("envelope-shear"),
+            envelope(EnvelopePlane::Shear),
+        ),
+    ]);
+    if let Some(joint) = ProgressiveView::of(*view) {
+        let plan = |what: &str, draw: fn(&ProgressiveView<'_>) -> Attempt| {
+            Plan::new(Group::Joint, stem(what), move || draw(&joint))
+        };
+        plans.extend([
+            plan("load-displacement", progressive::figures::curve),
+            plan("edge-strains", progressive::figures::edge_strains),
+            plan("damage", progressive::damage_map),
+        ]);
+    }
+    let maps = view.failure.maps.iter().map(|map| {
+        let stem = format!("ply-map-{}-step-{:02}", view.body(), map.step + 1);
+        Plan::new(Group::Failure, stem, || failure::index_map(view, map))
+    });
+    plans.extend(maps);
+    plans
 }
 
 /// The largest of `values` by `size`; of those that are equal but for rounding the last.

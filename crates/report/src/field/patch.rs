@@ -2,6 +2,8 @@
 //!
 //! Quadrilaterals live on (ξ, η) ∈ \[0, 1\]², triangles on ξ, η ≥ 0, ξ + η ≤ 1.
 
+use std::array;
+
 use super::{FieldPlot, Mirror};
 use crate::axis::extent;
 
@@ -35,6 +37,20 @@ impl Patch {
 
     pub(crate) fn is_quadratic(&self) -> bool {
         self.count > 4
+    }
+
+    /// Points of the patch beside those of the flat patch with the same corners: the middle of each side, and of a quadrilateral.
+    pub(crate) fn departures(&self) -> impl Iterator<Item = [[f64; 3]; 2]> {
+        let corners = if self.is_triangle() { 3 } else { 4 };
+        let stride = self.count / corners;
+        let corner = move |k: usize| self.nodes[k % corners * stride];
+        let sides = (0..corners)
+            .filter(move |_| stride == 2)
+            .map(move |k| [self.nodes[2 * k + 1], mean([corner(k), corner(k + 1)])]);
+        // Two triangles take one diagonal or the other.
+        let middle =
+            (corners == 4).then(|| [mean([corner(0), corner(2)]), mean([corner(1), corner(3)])]);
+        sides.chain(middle)
     }
 
     /// x, y and value at (ξ, η).
@@ -87,6 +103,10 @@ impl Patch {
     }
 }
 
+fn mean([a, b]: [[f64; 3]; 2]) -> [f64; 3] {
+    array::from_fn(|k| 0.5 * (a[k] + b[k]))
+}
+
 /// N of corners (0,0), (1,0), (1,1), (0,1).
 fn bilinear(xi: f64, eta: f64) -> [f64; 4] {
     [
@@ -120,7 +140,7 @@ fn serendipity(xi: f64, eta: f64) -> [f64; 8] {
         (1.0 - xi) * middle(eta),
     ];
     let corners = bilinear(xi, eta);
-    std::array::from_fn(|k| {
+    array::from_fn(|k| {
         let side = k / 2;
         if k % 2 == 1 {
             sides[side]

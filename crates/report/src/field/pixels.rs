@@ -1,13 +1,15 @@
 //! Large meshes, painted into an image of indexed colours.
 
+use std::ops::Range;
+
 use super::patch::Patch;
 use super::shading::{NO_VALUE, Paint};
 use crate::axis::ends;
 use crate::color::Color;
 use crate::image::Image;
 
-/// Image pixels per figure pixel.
-pub(crate) const SCALE: f64 = 3.0;
+/// Image pixels per figure pixel, as many as a PNG file has, so that none of its pixels blends two of these.
+pub(crate) const SCALE: f64 = crate::raster::DEFAULT_SCALE;
 /// Cells from which on a mesh is painted.
 const MANY_CELLS: usize = 20_000;
 /// Pieces from which on a mesh is painted; each takes about 30 bytes as a path.
@@ -26,7 +28,7 @@ pub(crate) fn painted(paint: &Paint<'_>, patches: &[Patch]) -> Option<Image> {
     }
     let mut picture = Picture::new(paint);
     for patch in patches {
-        patch.pieces(paint.cuts(patch), |corners| {
+        patch.pieces(paint.cuts_for_pixels(patch), |corners| {
             for k in 1..corners.len() - 1 {
                 picture.triangle(paint, [corners[0], corners[k], corners[k + 1]]);
             }
@@ -71,11 +73,10 @@ impl Picture {
         let Some(triangle) = Triangle::new(points) else {
             return;
         };
-        let columns = triangle.reach(0, self.width);
         for row in triangle.reach(1, self.height) {
             let along = triangle.along_row(row as f64);
             let pixels = &mut self.indices[row * self.width..][..self.width];
-            for column in columns.clone() {
+            for column in triangle.columns(along, self.width) {
                 let weights = along.map(|[rise, start]| rise * column as f64 + start);
                 let pixel = &mut pixels[column];
                 let inside = weights.iter().all(|weight| *weight >= 0.0);
@@ -144,12 +145,32 @@ impl Triangle {
     }
 
     /// Rows (axis 1) or columns (axis 0) of the image that the triangle may reach.
-    fn reach(&self, axis: usize, count: usize) -> std::ops::Range<usize> {
+    fn reach(&self, axis: usize, count: usize) -> Range<usize> {
         let [low, high] = ends(self.points.map(|point| point[axis]));
-        // Casts saturate: what is left of the image becomes 0, what is right its end.
-        let end = ((high + SLIT).floor() + 1.0) as usize;
-        (low - SLIT).ceil() as usize..end.min(count)
+        whole(low - SLIT, high + SLIT, count)
     }
+
+    /// Columns of the row with the weights `along` that may be near.
+    fn columns(&self, along: [[f64; 2]; 3], count: usize) -> Range<usize> {
+        let [mut low, mut high] = ends(self.points.map(|point| point[0]));
+        (low, high) = (low - SLIT, high + SLIT);
+        for ([rise, start], margin) in along.into_iter().zip(self.margins) {
+            let end = -(margin + start) / rise;
+            if rise > 0.0 {
+                low = low.max(end - 1.0);
+            } else if rise < 0.0 {
+                high = high.min(end + 1.0);
+            }
+        }
+        whole(low, high, count)
+    }
+}
+
+/// Pixels of a line of `count` from `low` to `high`.
+fn whole(low: f64, high: f64, count: usize) -> Range<usize> {
+    // Casts saturate: what is before the line becomes 0, what is after it its end.
+    let end = (high.floor() + 1.0) as usize;
+    low.ceil() as usize..end.min(count)
 }
 
 fn index_of(paint: &Paint<'_>, value: f64) -> u8 {

@@ -56,21 +56,47 @@ impl<'a> Paint<'a> {
             .unwrap_or([self.frame.area.left, self.frame.area.top])
     }
 
-    /// Into how many parts the sides of `patch` are cut: enough for one colour step per
+    /// Into how many parts the sides of `patch` are cut for pieces of one colour: enough for one colour step per
     /// piece, and for smooth curves, but no smaller than can be seen.
     pub(crate) fn cuts(&self, patch: &Patch) -> usize {
-        let nodes = patch.corners();
-        let pixels: Vec<[f64; 2]> = nodes.iter().map(|&node| self.pixel(node)).collect();
-        let reach = |axis: usize| spread(pixels.iter().map(|pixel| pixel[axis]));
-        let most = (reach(0).max(reach(1)) / SMALLEST_PIECE)
-            .ceil()
-            .clamp(1.0, MOST_CUTS);
-        let steps = LEVELS as f64 * spread(nodes.iter().filter_map(|node| self.fraction(node[2])));
+        let values = patch
+            .corners()
+            .iter()
+            .filter_map(|node| self.fraction(node[2]));
+        let steps = LEVELS as f64 * spread(values);
         let needed = if patch.is_quadratic() {
             (1.5 * steps).max(CURVED_CUTS)
         } else {
             steps
         };
+        self.cuts_of(patch, needed)
+    }
+
+    /// Into how many parts the sides of `patch` are cut for pieces with a value in each pixel: enough that interpolation between their
+    /// corners, whose error falls with the square of the number, stays within half a pixel and half a colour step.
+    pub(crate) fn cuts_for_pixels(&self, patch: &Patch) -> usize {
+        let seen = |node: [f64; 3]| {
+            let [x, y] = self.pixel(node);
+            [x, y, LEVELS as f64 * self.fraction(node[2]).unwrap_or(0.0)]
+        };
+        let error = patch.departures().map(|[from, to]| {
+            let [from, to] = [seen(from), seen(to)];
+            (0..3).map(|k| (from[k] - to[k]).abs()).fold(0.0, f64::max)
+        });
+        self.cuts_of(patch, (2.0 * error.fold(0.0, f64::max)).sqrt())
+    }
+
+    /// `needed` cuts, at most so many that each piece can be seen.
+    fn cuts_of(&self, patch: &Patch, needed: f64) -> usize {
+        let pixels: Vec<[f64; 2]> = patch
+            .corners()
+            .iter()
+            .map(|&node| self.pixel(node))
+            .collect();
+        let reach = |axis: usize| spread(pixels.iter().map(|pixel| pixel[axis]));
+        let most = (reach(0).max(reach(1)) / SMALLEST_PIECE)
+            .ceil()
+            .clamp(1.0, MOST_CUTS);
         needed.ceil().clamp(1.0, most) as usize
     }
 }

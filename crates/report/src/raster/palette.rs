@@ -11,6 +11,7 @@
 
 use std::collections::HashMap;
 
+use foldhash::fast::FixedState;
 use tiny_skia::PremultipliedColorU8;
 
 use crate::color::Color;
@@ -19,82 +20,69 @@ use crate::image::Image;
 /// Most colours of a palette.
 const MOST: usize = 256;
 
-/// A colour that occurs, and what stands for it.
-struct Occurring {
-    color: Color,
-    pixels: u64,
-    /// Place in the palette of the nearest colour, and its squared distance.
-    index: usize,
-    distance: u64,
-}
-
 /// The picture of opaque `pixels`, `width` in a row, with a palette.
 pub(super) fn reduced(pixels: &[PremultipliedColorU8], width: usize) -> Image {
-    let (mut occurring, numbers) = counted(pixels);
-    let palette = chosen(&mut occurring);
-    let index = |number: u32| occurring[number as usize].index as u8;
+    let (occurring, numbers) = counted(pixels);
+    let (palette, nearest) = chosen(&occurring);
     Image {
         width,
         palette,
         is_first_transparent: false,
-        indices: numbers.into_iter().map(index).collect(),
+        indices: numbers
+            .into_iter()
+            .map(|number| nearest[number as usize])
+            .collect(),
     }
 }
 
-/// The colours in the order in which they are met, and the number of each pixel's among them.
-fn counted(pixels: &[PremultipliedColorU8]) -> (Vec<Occurring>, Vec<u32>) {
-    let mut occurring: Vec<Occurring> = Vec::new();
+/// The colours in the order in which they are met, with how many pixels have each, and the number of each pixel's among them.
+fn counted(pixels: &[PremultipliedColorU8]) -> (Vec<(Color, u32)>, Vec<u32>) {
+    let mut occurring: Vec<(Color, u32)> = Vec::new();
     let mut numbers = Vec::with_capacity(pixels.len());
-    let mut known: HashMap<Color, u32> = HashMap::new();
-    let mut last: Option<(Color, u32)> = None;
-    for pixel in pixels {
-        let color = Color::rgb(pixel.red(), pixel.green(), pixel.blue());
-        let number = match last {
-            // Most pixels have the colour of the one before.
-            Some((same, number)) if same == color => number,
-            _ => *known.entry(color).or_insert_with(|| {
-                occurring.push(Occurring {
-                    color,
-                    pixels: 0,
-                    index: 0,
-                    distance: u64::MAX,
-                });
+    let mut known: HashMap<u32, u32, FixedState> = HashMap::default();
+    // Most pixels have the colour of the one before.
+    for run in pixels.chunk_by(|a, b| a == b) {
+        let [red, green, blue] = [run[0].red(), run[0].green(), run[0].blue()];
+        let number = *known
+            .entry(u32::from_be_bytes([0, red, green, blue]))
+            .or_insert_with(|| {
+                occurring.push((Color::rgb(red, green, blue), 0));
                 occurring.len() as u32 - 1
-            }),
-        };
-        occurring[number as usize].pixels += 1;
-        numbers.push(number);
-        last = Some((color, number));
+            });
+        occurring[number as usize].1 += run.len() as u32;
+        numbers.resize(numbers.len() + run.len(), number);
     }
     (occurring, numbers)
 }
 
-/// The palette; every occurring colour learns its nearest one.
-fn chosen(occurring: &mut [Occurring]) -> Vec<Color> {
-    let mut palette = Vec::new();
-    let mut next = occurring
-        .iter()
-        .max_by_key(|one| one.pixels)
-        .map(|one| one.color);
-    while let Some(color) = next.take_if(|_| palette.len() < MOST) {
+/// The palette, and the place in it of the nearest colour to each that occurs.
+fn chosen(occurring: &[(Color, u32)]) -> (Vec<Color>, Vec<u8>) {
+    let mut palette: Vec<Color> = Vec::new();
+    let mut nearest = vec![0; occurring.len()];
+    let mut distances = vec![u32::MAX; occurring.len()];
+    let mut next = (0..occurring.len()).max_by_key(|&k| occurring[k].1);
+    while let Some(found) = next.take_if(|_| palette.len() < MOST) {
+        let color = occurring[found].0;
+        let place = palette.len() as u8;
+        palette.push(color);
         let mut worst = 0;
-        for one in occurring.iter_mut() {
-            let distance = distance(one.color, color);
-            if distance < one.distance {
-                (one.distance, one.index) = (distance, palette.len());
+        let known = distances.iter_mut().zip(&mut nearest);
+        for (k, ((one, pixels), (least, nearest))) in occurring.iter().zip(known).enumerate() {
+            let distance = distance(*one, color);
+            if distance < *least {
+                (*least, *nearest) = (distance, place);
             }
-            let loss = one.pixels * one.distance;
+            let loss = u64::from(*pixels) * u64::from(*least);
             if loss > worst {
-                (worst, next) = (loss, Some(one.color));
+                (worst, next) = (loss, Some(k));
             }
         }
-        palette.push(color);
     }
-    palette
+    (palette, nearest)
 }
 
-fn distance(a: Color, b: Color) -> u64 {
-    let squared = |a: u8, b: u8| u64::from(a.abs_diff(b)).pow(2);
+fn distance(a: Color, b: Color) -> u32 {
+    let squared = |a: u8, b: u8| u32::from(a.abs_diff(b)).pow(2);
     squared(a.red, b.red) + squared(a.green, b.green) + squared(a.blue, b.blue)
 }
 
@@ -136,6 +124,6 @@ mod tests {
 
     #[test]
     fn nothing_has_no_colours() {
-        assert!(chosen(&mut []).is_empty());
+        assert!(chosen(&[]).0.is_empty());
     }
 }

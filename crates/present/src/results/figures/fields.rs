@@ -7,6 +7,7 @@ use stickslip_report::color::Colormap;
 use stickslip_report::field::{FieldPlot, Mirror};
 
 use super::edge::all_contact;
+use super::{Group, Plan};
 use crate::results::attempt::Attempt;
 use crate::results::display::EdgeView;
 use crate::results::vtk_files::{polar_stresses, von_mises_stresses};
@@ -19,7 +20,7 @@ const HOLE_WINDOW: f64 = 3.0;
 const LINE_WINDOW: f64 = 4.0;
 
 /// Pictures of the largest load and of the last step, where they have fields.
-pub(super) fn all(results: &Results) -> Vec<(String, Attempt)> {
+pub(super) fn all(results: &Results) -> Vec<Plan<'_>> {
     let Some(edge) = EdgeView::main(results) else {
         return Vec::new();
     };
@@ -32,14 +33,16 @@ pub(super) fn all(results: &Results) -> Vec<(String, Attempt)> {
         .collect();
     steps.retain(with_fields);
     steps.dedup();
-    let scene = |step: usize| Scene::new(&edge, step);
+    let plan = |field: &str, step: usize, draw: fn(&Scene<'_>) -> Attempt| {
+        let stem = format!("field-{field}-step-{:02}", step + 1);
+        Plan::new(Group::Field, stem, move || draw(&Scene::new(&edge, step)))
+    };
     steps
         .into_iter()
         .flat_map(|step| {
-            let name = |field: &str| format!("field-{field}-step-{:02}", step + 1);
             [
-                (name("von-mises"), scene(step).von_mises()),
-                (name("normal-stress"), scene(step).normal_stress()),
+                plan("von-mises", step, von_mises),
+                plan("normal-stress", step, normal_stress),
             ]
         })
         .collect()
@@ -100,62 +103,6 @@ impl<'a> Scene<'a> {
 
     fn record(&self) -> &'a StepResults {
         &self.edge.results().steps[self.step]
-    }
-
-    fn von_mises(&self) -> Attempt {
-        let values: Vec<f64> = shown(self.edge, self.record())
-            .flat_map(von_mises_stresses)
-            .map(|stress| self.edge.stress(stress))
-            .collect();
-        let unit = self.edge.units().stress.name;
-        let largest = self.largest(&values);
-        let mut plot = self.plot("Von Mises stress", format!("σ_vM [{unit}]"), &values);
-        if largest > 0.0 {
-            plot = plot.between(0.0, largest);
-        }
-        let thick = shown(self.edge, self.record())
-            .flat_map(|fields| &fields.thickness_stress)
-            .any(|&stress| stress != 0.0);
-        let formula = if thick {
-            "Von Mises stress of σ_xx, σ_yy, τ_xy and σ_zz, which holds ε_zz = 0 in plane strain,"
-        } else {
-            "√(σ_xx² − σ_xx σ_yy + σ_yy² + 3 τ_xy²), as σ_zz = 0 in plane stress,"
-        };
-        let text = format!(
-            "{formula} at {}. Its largest value in sight in '{}' is {} {unit}.",
-            self.edge.load().step_text(self.step),
-            self.edge.geometry.body,
-            significant(largest, 4),
-        );
-        Ok(Some((plot.render()?, text + self.remark())))
-    }
-
-    fn normal_stress(&self) -> Attempt {
-        let symbol = self.edge.stress_symbols()[0];
-        let values = self.values(|polar, stress| polar.map_or(stress[1], |polar| polar[0]));
-        let label = format!("{symbol} [{}]", self.edge.units().stress.name);
-        let title = if self.edge.is_circle() {
-            "Radial stress about the hole's centre"
-        } else {
-            "Stress normal to the contact"
-        };
-        let largest = self.largest(&values);
-        let mut plot = self
-            .plot(title, label, &values)
-            .colormap(Colormap::BlueWhiteRed);
-        if largest > 0.0 {
-            plot = plot.between(-largest, largest);
-        }
-        let contact = if self.edge.geometry.contact && !self.edge.is_circle() {
-            " Where the bodies touch it passes from one to the other without a jump."
-        } else {
-            ""
-        };
-        let text = format!(
-            "{symbol} at {}: compression blue, tension red.{contact}",
-            self.edge.load().step_text(self.step),
-        );
-        Ok(Some((plot.render()?, text + self.remark())))
     }
 
     /// A value per node in the display unit, from its polar (on circles) and its Cartesian stress `[MPa]`.
@@ -228,6 +175,62 @@ impl<'a> Scene<'a> {
             " Shape before deformation. Beyond the ends of the colour bar the colour stays."
         }
     }
+}
+
+fn von_mises(scene: &Scene<'_>) -> Attempt {
+    let values: Vec<f64> = shown(scene.edge, scene.record())
+        .flat_map(von_mises_stresses)
+        .map(|stress| scene.edge.stress(stress))
+        .collect();
+    let unit = scene.edge.units().stress.name;
+    let largest = scene.largest(&values);
+    let mut plot = scene.plot("Von Mises stress", format!("σ_vM [{unit}]"), &values);
+    if largest > 0.0 {
+        plot = plot.between(0.0, largest);
+    }
+    let thick = shown(scene.edge, scene.record())
+        .flat_map(|fields| &fields.thickness_stress)
+        .any(|&stress| stress != 0.0);
+    let formula = if thick {
+        "Von Mises stress of σ_xx, σ_yy, τ_xy and σ_zz, which holds ε_zz = 0 in plane strain,"
+    } else {
+        "√(σ_xx² − σ_xx σ_yy + σ_yy² + 3 τ_xy²), as σ_zz = 0 in plane stress,"
+    };
+    let text = format!(
+        "{formula} at {}. Its largest value in sight in '{}' is {} {unit}.",
+        scene.edge.load().step_text(scene.step),
+        scene.edge.geometry.body,
+        significant(largest, 4),
+    );
+    Ok(Some((plot.render()?, text + scene.remark())))
+}
+
+fn normal_stress(scene: &Scene<'_>) -> Attempt {
+    let symbol = scene.edge.stress_symbols()[0];
+    let values = scene.values(|polar, stress| polar.map_or(stress[1], |polar| polar[0]));
+    let label = format!("{symbol} [{}]", scene.edge.units().stress.name);
+    let title = if scene.edge.is_circle() {
+        "Radial stress about the hole's centre"
+    } else {
+        "Stress normal to the contact"
+    };
+    let largest = scene.largest(&values);
+    let mut plot = scene
+        .plot(title, label, &values)
+        .colormap(Colormap::BlueWhiteRed);
+    if largest > 0.0 {
+        plot = plot.between(-largest, largest);
+    }
+    let contact = if scene.edge.geometry.contact && !scene.edge.is_circle() {
+        " Where the bodies touch it passes from one to the other without a jump."
+    } else {
+        ""
+    };
+    let text = format!(
+        "{symbol} at {}: compression blue, tension red.{contact}",
+        scene.edge.load().step_text(scene.step),
+    );
+    Ok(Some((plot.render()?, text + scene.remark())))
 }
 
 /// The loops of nodes around the parts of a cell that pictures show, of quadratic edges corner, mid-side, corner; `first` is the number
