@@ -20,7 +20,7 @@ use std::path::Path;
 use serde_json::Value;
 
 use super::document::{Document, Part, child};
-use super::format::{AnalysisFormat, SceneFormat};
+use super::format::SceneFormat;
 use super::open::stem;
 use super::overrides::mistyped;
 use super::scene::Scene;
@@ -237,17 +237,9 @@ impl Builder<'_> {
     }
 
     fn analysis(&mut self, format: &SceneFormat) -> Analysis {
-        // Without `..`, so that no key is read and then forgotten.
-        let AnalysisFormat {
-            plane,
-            model,
-            solver,
-            experimental,
-            substeps,
-            ramp,
-        } = format.analysis;
-        let info = solver.info();
-        if info.experimental && !experimental {
+        let analysis = format.analysis;
+        let info = analysis.solver.info();
+        if info.experimental && !analysis.experimental {
             self.conflict(
                 "analysis.solver",
                 format!(
@@ -257,13 +249,7 @@ impl Builder<'_> {
                 "set analysis.experimental = true, or leave the solver out",
             );
         }
-        Analysis {
-            plane,
-            model,
-            solver,
-            substeps,
-            ramp,
-        }
+        analysis
     }
 
     fn edges(&mut self, format: &SceneFormat) -> Vec<SetRef> {

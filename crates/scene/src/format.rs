@@ -11,12 +11,9 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use stickslip_fem_core::material::PlaneState;
 use stickslip_fem_core::mesh::ElementKind;
 
-use super::schema::{
-    Axis, DisplayUnits, GapKind, ModelChoice, Output, ProjectionChoice, Ramp, SolverChoice,
-};
+use super::schema::{Analysis, Axis, DisplayUnits, GapKind, Output, ProjectionChoice};
 use crate::shape::ShapeFormat;
 use crate::units::{
     Angle, AngleOrLength, Force, Length, PerTemperature, Quantity, Stress, UnitName,
@@ -36,7 +33,7 @@ pub(super) struct SceneFormat {
     #[serde(default)]
     pub(super) units: UnitsFormat,
     #[serde(default)]
-    pub(super) analysis: AnalysisFormat,
+    pub(super) analysis: Analysis,
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub(super) plies: BTreeMap<String, PlyFormat>,
     #[serde(default)]
@@ -83,89 +80,6 @@ impl Default for UnitsFormat {
             length: UnitName::base(),
             force: UnitName::base(),
             stress: UnitName::base(),
-        }
-    }
-}
-
-#[derive(Debug, Clone, Deserialize, Serialize)]
-#[serde(default, deny_unknown_fields)]
-pub(super) struct AnalysisFormat {
-    pub(super) plane: PlaneState,
-    pub(super) model: ModelChoice,
-    #[serde(with = "solver_name")]
-    pub(super) solver: SolverChoice,
-    /// Left out where it is false, so that it is no part of other scenes.
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
-    pub(super) experimental: bool,
-    pub(super) substeps: usize,
-    pub(super) ramp: Ramp,
-}
-
-impl Default for AnalysisFormat {
-    fn default() -> Self {
-        Self {
-            plane: PlaneState::Stress,
-            model: ModelChoice::Auto,
-            solver: SolverChoice::Auto,
-            experimental: false,
-            substeps: 1,
-            ramp: Ramp::Linear,
-        }
-    }
-}
-
-/// A solver by its name in the list of the contact crate.
-mod solver_name {
-    use std::fmt;
-
-    use serde::de::{
-        Deserialize, Deserializer, EnumAccess, Error as _, VariantAccess as _, Visitor,
-    };
-    use serde::ser::Serializer;
-
-    use super::SolverChoice;
-
-    #[expect(
-        clippy::trivially_copy_pass_by_ref,
-        reason = "serde hands over references"
-    )]
-    pub(super) fn serialize<S: Serializer>(
-        solver: &SolverChoice,
-        serializer: S,
-    ) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(solver.info().name)
-    }
-
-    pub(super) fn deserialize<'de, D: Deserializer<'de>>(
-        deserializer: D,
-    ) -> Result<SolverChoice, D::Error> {
-        deserializer.deserialize_enum("SolverChoice", &SolverChoice::NAMES, Names)
-    }
-
-    struct Names;
-
-    impl<'de> Visitor<'de> for Names {
-        type Value = SolverChoice;
-
-        fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-            formatter.write_str("enum SolverChoice")
-        }
-
-        fn visit_enum<A: EnumAccess<'de>>(self, data: A) -> Result<SolverChoice, A::Error> {
-            let (Name(solver), variant) = data.variant()?;
-            variant.unit_variant()?;
-            Ok(solver)
-        }
-    }
-
-    struct Name(SolverChoice);
-
-    impl<'de> Deserialize<'de> for Name {
-        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-            let name = String::deserialize(deserializer)?;
-            let solver = SolverChoice::named(&name);
-            let unknown = || D::Error::unknown_variant(&name, &SolverChoice::NAMES);
-            solver.map(Self).ok_or_else(unknown)
         }
     }
 }

@@ -3,6 +3,7 @@
 //! Base units throughout: mm, N, MPa, rad, K. Angles are counter-clockwise from +x, the load axis; names of bodies, materials and
 //! sets refer to things that exist.
 
+mod analysis;
 mod bearing;
 mod failure;
 mod progressive;
@@ -11,13 +12,13 @@ use std::fmt;
 use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
-use stickslip_fem_core::material::PlaneState;
 use stickslip_fem_core::mesh::ElementKind;
 use stickslip_friction::FrictionLaw;
 
 pub use super::material::{LaminateSheet, Material, OutOfPlane};
 pub use crate::shape::Shape;
 use crate::units::Unit;
+pub use analysis::{Analysis, ModelChoice, Ramp, SolverChoice};
 pub use bearing::BearingLaw;
 pub use failure::{Characteristic, EnvelopePlane, Envelopes, Failure};
 pub use progressive::{Control, Progressive, ProgressiveModel};
@@ -31,45 +32,6 @@ pub struct DisplayUnits {
     pub force: &'static Unit,
     /// Of stresses; `stress.from_base(MPa)` converts.
     pub stress: &'static Unit,
-}
-
-/// How the model is solved.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Analysis {
-    /// Plane stress or plane strain.
-    pub plane: PlaneState,
-    /// Half or whole model.
-    pub model: ModelChoice,
-    /// Solver of the contact problem.
-    pub solver: SolverChoice,
-    /// Equal sub-steps from one load step to the next, at least 1.
-    pub substeps: usize,
-    /// How the load grows within the first step.
-    pub ramp: Ramp,
-}
-
-/// How much of the bodies is modelled.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum ModelChoice {
-    /// Half where shapes, materials, friction laws, supports and loads are symmetric about the x axis, otherwise whole.
-    Auto,
-    /// The half y ≥ 0.
-    Half,
-    /// The whole.
-    Whole,
-}
-
-pub use stickslip_contact::SolverKind as SolverChoice;
-
-/// How the load P grows over the n sub-steps k of the first step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Ramp {
-    /// P k/n.
-    Linear,
-    /// P (k/n)²: small steps while contact spreads fast.
-    Quadratic,
 }
 
 /// A body.

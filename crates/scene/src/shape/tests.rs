@@ -131,6 +131,51 @@ fn all(check: impl Fn(&str, &Shape, &Mesh, Extent, &[Point])) {
     }
 }
 
+/// A body that is similar to all of its kind is condensed once for all sizes.
+#[test]
+fn a_shape_that_is_similar_is_scaled_by_any_of_its_sizes() {
+    let mut compared = 0;
+    for example in EXAMPLES {
+        let given: toml::Table = toml::from_str(example).unwrap();
+        let read = |table: &toml::Table| {
+            let given: ShapeFormat = table.clone().try_into().unwrap();
+            given.read("shape", &mut Right)
+        };
+        let own = read(&given);
+        if !own.is_similar() {
+            continue;
+        }
+        let nodes = |shape: &Shape| {
+            let mesh = mesh(shape, ElementKind::Q8, Extent::Whole, [0.0; 2]);
+            let size = mesh
+                .nodes()
+                .iter()
+                .map(|node| node[0].abs())
+                .fold(0.0, f64::max);
+            mesh.nodes()
+                .iter()
+                .map(|node| node.map(|x| x / size))
+                .collect::<Vec<_>>()
+        };
+        let before = nodes(&own);
+        let (name, keys) = given.iter().next().unwrap();
+        for (key, value) in keys.as_table().unwrap() {
+            let (number, unit) = value.as_str().unwrap().split_once(' ').unwrap();
+            let other = format!("{} {unit}", 3.0 * number.parse::<f64>().unwrap());
+            let mut changed = given.clone();
+            changed[name][key] = other.into();
+            let after = nodes(&read(&changed));
+            assert_eq!(before.len(), after.len(), "{name}.{key}");
+            compared += 1;
+            for (a, b) in before.iter().zip(&after) {
+                let apart = (a[0] - b[0]).hypot(a[1] - b[1]);
+                assert!(apart < EXACT, "{name}.{key}: {a:?} {b:?}");
+            }
+        }
+    }
+    assert!(compared > 0);
+}
+
 /// Whether a half model of `shape` has no part of the edge.
 fn left_out(shape: &Shape, edge: &Edge, extent: Extent) -> bool {
     let level = shape.mirror().and_then(|across| edge.level(across));

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use stickslip_engine::model::obstacle_to_half;
 use stickslip_scene::Scene;
 use stickslip_scene::open::sha256;
-use stickslip_scene::schema::{Body, LoadKind, Material, Substance};
+use stickslip_scene::schema::{Analysis, Body, Contact, LoadKind, Material, Substance};
 
 /// The key of the elastic body `name`; `None` for a rigid one, and for one whose material cannot be modelled.
 pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
@@ -18,16 +18,24 @@ pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
         return None;
     };
     let constants = scene.materials.get(material)?;
-    let elastic = constants.in_plane(scene.analysis.plane).ok()?;
+    // Without `..`, so that no key is forgotten: what is not named does not change a body.
+    let Analysis {
+        plane,
+        model,
+        solver: _,
+        experimental: _,
+        substeps: _,
+        ramp: _,
+    } = scene.analysis;
+    let elastic = constants.in_plane(plane).ok()?;
     let mut text = format!(
-        "{name} {thickness} {:?} {:?} {:?}",
+        "{name} {thickness} {:?} {:?} {:?} {model:?}",
         elastic.stiffness(),
         elastic.thermal_strain(1.0),
         scene.mesh_of(name)
     );
-    // Writing into a string does not fail.
-    let _ = write!(text, " {:?}", scene.analysis.model);
     let shape = body.shape;
+    // Writing into a string does not fail.
     let _ = if shape.is_similar() && size_does_not_matter(scene, name) {
         write!(text, " {}", shape.name())
     } else {
@@ -78,11 +86,16 @@ pub(super) fn model_key(scene: &Scene) -> String {
         }
     }
     for contact in &scene.contacts {
-        let _ = write!(
-            text,
-            "\n{} {} {} {:?} {:?}",
-            contact.name, contact.first, contact.second, contact.gap, contact.projection
-        );
+        let Contact {
+            name,
+            first,
+            second,
+            gap,
+            projection,
+            interference: _,
+            law: _,
+        } = contact;
+        let _ = write!(text, "\n{name} {first} {second} {gap:?} {projection:?}");
     }
     sha256(&text)
 }
@@ -112,20 +125,14 @@ fn holders<'a>(scene: &'a Scene, name: &str) -> Vec<Option<&'a Body>> {
 
 /// A load without its history; "-" where it acts on another body.
 fn acting(kind: &LoadKind, name: &str) -> String {
-    match kind {
-        LoadKind::Force { on, direction, .. } if on.body == name => {
-            format!("force {on} {direction:?}")
-        }
+    let (body, text) = match kind {
+        LoadKind::Force { on, direction, .. } => (&on.body, format!("force {on} {direction:?}")),
         LoadKind::Bearing {
             on, direction, law, ..
-        } if on.body == name => {
-            format!("bearing {on} {direction:?} {law:?}")
-        }
-        LoadKind::Pressure { on, .. } if on.body == name => format!("pressure {on}"),
-        LoadKind::PolarTraction { on, table, .. } if on.body == name => {
-            format!("traction {on} {table:?}")
-        }
-        LoadKind::Temperature { body, .. } if body == name => "temperature".to_owned(),
-        _ => "-".to_owned(),
-    }
+        } => (&on.body, format!("bearing {on} {direction:?} {law:?}")),
+        LoadKind::Pressure { on, .. } => (&on.body, format!("pressure {on}")),
+        LoadKind::PolarTraction { on, table, .. } => (&on.body, format!("traction {on} {table:?}")),
+        LoadKind::Temperature { body, .. } => (body, "temperature".to_owned()),
+    };
+    if body == name { text } else { "-".to_owned() }
 }

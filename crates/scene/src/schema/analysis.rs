@@ -1,0 +1,118 @@
+//! How a scene is solved.
+
+use serde::{Deserialize, Serialize};
+use stickslip_fem_core::material::PlaneState;
+
+/// How the model is solved: `[analysis]`, whose keys its fields are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Analysis {
+    /// Plane stress or plane strain.
+    pub plane: PlaneState,
+    /// Half or whole model.
+    pub model: ModelChoice,
+    /// Solver of the contact problem.
+    #[serde(with = "solver_name")]
+    pub solver: SolverChoice,
+    /// Whether solvers may be used whose answers may be inexact.
+    // Left out where it is false, so that it is no part of other scenes.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub experimental: bool,
+    /// Equal sub-steps from one load step to the next, at least 1.
+    pub substeps: usize,
+    /// How the load grows within the first step.
+    pub ramp: Ramp,
+}
+
+impl Default for Analysis {
+    fn default() -> Self {
+        Self {
+            plane: PlaneState::Stress,
+            model: ModelChoice::Auto,
+            solver: SolverChoice::Auto,
+            experimental: false,
+            substeps: 1,
+            ramp: Ramp::Linear,
+        }
+    }
+}
+
+/// How much of the bodies is modelled.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ModelChoice {
+    /// Half where shapes, materials, friction laws, supports and loads are symmetric about the x axis, otherwise whole.
+    Auto,
+    /// The half y ≥ 0.
+    Half,
+    /// The whole.
+    Whole,
+}
+
+pub use stickslip_contact::SolverKind as SolverChoice;
+
+/// How the load P grows over the n sub-steps k of the first step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Ramp {
+    /// P k/n.
+    Linear,
+    /// P (k/n)²: small steps while contact spreads fast.
+    Quadratic,
+}
+
+/// A solver by its name in the list of the contact crate.
+mod solver_name {
+    use std::fmt;
+
+    use serde::de::{
+        Deserialize, Deserializer, EnumAccess, Error as _, VariantAccess as _, Visitor,
+    };
+    use serde::ser::Serializer;
+
+    use super::SolverChoice;
+
+    #[expect(
+        clippy::trivially_copy_pass_by_ref,
+        reason = "serde hands over references"
+    )]
+    pub(super) fn serialize<S: Serializer>(
+        solver: &SolverChoice,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(solver.info().name)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(
+        deserializer: D,
+    ) -> Result<SolverChoice, D::Error> {
+        deserializer.deserialize_enum("SolverChoice", &SolverChoice::NAMES, Names)
+    }
+
+    struct Names;
+
+    impl<'de> Visitor<'de> for Names {
+        type Value = SolverChoice;
+
+        fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+            formatter.write_str("enum SolverChoice")
+        }
+
+        fn visit_enum<A: EnumAccess<'de>>(self, data: A) -> Result<SolverChoice, A::Error> {
+            let (Name(solver), variant) = data.variant()?;
+            variant.unit_variant()?;
+            Ok(solver)
+        }
+    }
+
+    struct Name(SolverChoice);
+
+    impl<'de> Deserialize<'de> for Name {
+        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+            let name = String::deserialize(deserializer)?;
+            let solver = SolverChoice::named(&name);
+            let unknown = || D::Error::unknown_variant(&name, &SolverChoice::NAMES);
+            solver.map(Self).ok_or_else(unknown)
+        }
+    }
+}
