@@ -58,12 +58,14 @@ impl Residuals {
         }
     }
 
-    /// The larger ones of both.
-    pub(crate) fn worse(self, other: Self) -> Self {
+    /// The larger ones of both; what is no number stays.
+    #[must_use]
+    pub fn worse(self, other: Self) -> Self {
+        let worse = |a: f64, b: f64| if a.is_nan() || a > b { a } else { b };
         Self {
-            complementarity: self.complementarity.max(other.complementarity),
-            cone: self.cone.max(other.cone),
-            balance: self.balance.max(other.balance),
+            complementarity: worse(self.complementarity, other.complementarity),
+            cone: worse(self.cone, other.cone),
+            balance: worse(self.balance, other.balance),
         }
     }
 }

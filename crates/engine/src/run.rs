@@ -374,6 +374,7 @@ fn findings(
 ) -> Vec<Finding> {
     let mut findings = model.findings.clone();
     findings.extend(remarks::of_steps(model, edges, steps));
+    findings.extend(doubts::of_verification(&solved.records));
     findings.extend(doubts::of_steps(model, steps));
     findings.extend(remarks::of_freedom(model, &solved.interface));
     findings.extend(remarks::of_reserve(model));

@@ -67,6 +67,7 @@ fn add(whole: &mut StepRecord, part: &Part, record: &StepRecord) {
 
     whole.work += record.work;
     whole.residuals = whole.residuals.worse(record.residuals);
+    whole.verified &= record.verified;
     whole.doubtful += record.doubtful;
     for solver in &record.solvers {
         if !whole.solvers.contains(solver) {

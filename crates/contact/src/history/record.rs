@@ -7,7 +7,7 @@ use super::{Increment, Recovery};
 use crate::audit::Audit;
 use crate::freedom::{loose_pairs, sliding_pairs};
 use crate::problem::InterfaceProblem;
-use crate::solver::{InterfaceSolver, Residuals, Step, StepFailure, StepSolution, Work};
+use crate::solver::{InterfaceSolver, Residuals, Step, StepFailure, StepSolution, Stop, Work};
 use crate::state::ContactState;
 
 /// One accepted load step, of one problem or of all parts of an [`Interface`](crate::interface::Interface).
@@ -19,6 +19,8 @@ pub struct StepRecord {
     pub work: Work,
     /// Largest residuals of its increments.
     pub residuals: Residuals,
+    /// Whether the conditions of contact were verified in all its increments; only experimental solvers return others.
+    pub verified: bool,
     /// Largest number of points in doubt in an increment.
     pub doubtful: usize,
     /// Solvers that found its increments.
@@ -61,6 +63,7 @@ impl StepRecord {
             state,
             work: Work::default(),
             residuals: Residuals::default(),
+            verified: true,
             doubtful: 0,
             solvers: Vec::new(),
             recovery: Recovery::default(),
@@ -92,6 +95,7 @@ impl StepRecord {
             audit: Audit::of(problem, &state),
             work: solution.work,
             residuals,
+            verified: solution.stop == Stop::Verified,
             doubtful: solution.doubtful,
             solvers: vec![solution.solver],
             recovery: Recovery::of(&solution.attempts),
@@ -147,6 +151,7 @@ impl StepRecord {
     fn append(&mut self, next: Self) {
         self.work += next.work;
         self.residuals = self.residuals.worse(next.residuals);
+        self.verified &= next.verified;
         self.doubtful = self.doubtful.max(next.doubtful);
         for solver in next.solvers {
             if !self.solvers.contains(&solver) {

@@ -45,6 +45,15 @@ pub enum Finding {
         /// Largest number of such points in a step.
         points: usize,
     },
+    /// An experimental solver returned an answer that does not meet the conditions of contact to rounding.
+    Unverified {
+        /// Load steps with such answers.
+        steps: Vec<usize>,
+        /// Solvers of these steps.
+        solvers: Vec<&'static str>,
+        /// Largest residual, as a part of the scales of penetration, friction and balance.
+        residual: f64,
+    },
     /// The first solver failed before a step was solved.
     FurtherSolvers(FurtherSolvers),
     /// An increment has several solutions, which were enumerated.
@@ -204,6 +213,13 @@ pub enum JointFinding {
         cells: usize,
         /// Size of a cell from which on it does `[mm]`.
         cell_size: Quantity,
+    },
+    /// An experimental solver returned answers that do not meet the conditions of contact to rounding.
+    Unverified {
+        /// Solvers of these increments.
+        solvers: Vec<&'static str>,
+        /// Largest residual, as a part of the scales of penetration, friction and balance.
+        residual: f64,
     },
     /// `analysis.substeps` and `analysis.ramp` do not divide the joint's increments.
     SubstepsIgnored,

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use stickslip_contact::history::{Difference, Missing};
+use stickslip_contact::solver::Residuals;
 use stickslip_contact::{ContactPair, ContactPoint, Stencil, StepRecord};
 
 use super::Solved;
@@ -25,6 +26,34 @@ pub(super) fn of_steps(model: &Model, steps: &[StepResults]) -> Vec<Finding> {
         .chain(unbalanced(steps))
         .chain(edges.filter_map(|(index, edge)| unresolved(&edge.geometry, index, steps)))
         .collect()
+}
+
+/// Where the answer of an experimental solver is not verified.
+pub(super) fn of_verification(records: &[StepRecord]) -> Option<Finding> {
+    let steps = steps_where(records, |record| !record.verified)?;
+    let (solvers, residual) = unverified(records)?;
+    Some(Finding::Unverified {
+        steps,
+        solvers,
+        residual,
+    })
+}
+
+/// The solvers of answers that are not verified, and the largest residual that they leave.
+pub(super) fn unverified<'a>(
+    records: impl IntoIterator<Item = &'a StepRecord>,
+) -> Option<(Vec<&'static str>, f64)> {
+    let mut solvers: Vec<&'static str> = Vec::new();
+    let mut worst = Residuals::default();
+    for record in records.into_iter().filter(|record| !record.verified) {
+        worst = worst.worse(record.residuals);
+        for solver in &record.solvers {
+            if !solvers.contains(solver) {
+                solvers.push(solver);
+            }
+        }
+    }
+    (!solvers.is_empty()).then(|| (solvers, worst.largest()))
 }
 
 /// Where the increment was cut back, and what that changed.

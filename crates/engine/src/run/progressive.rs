@@ -408,7 +408,7 @@ impl<'a> Subject<'a> {
             half: followed.half,
             frame: ContactFrame::NONE,
             free_travel: 0.0,
-            findings: findings::of(self, model, followed),
+            findings: findings::of(self, model, followed, &history.records),
         }
     }
 

@@ -23,6 +23,16 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
              not slipped before.",
             numbers(steps)
         ),
+        Finding::Unverified {
+            steps,
+            solvers,
+            residual,
+        } => format!(
+            "The answer is not verified in load step {}: the experimental solver {} leaves a residual of up to {residual:.1e} in the conditions of \
+             contact and friction, where others stop below 1e-10.",
+            numbers(steps),
+            quoted(solvers)
+        ),
         Finding::FurtherSolvers(found) => further_solvers(found),
         Finding::SeveralSolutions { steps, solutions } => format!(
             "The answer is not unique in load step {}: an increment has up to {solutions} solutions with the same loads. That was taken \

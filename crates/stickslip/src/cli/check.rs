@@ -6,7 +6,7 @@ use stickslip_laminate::Curvature;
 use super::SceneArguments;
 use super::console::Console;
 use super::experiment::{self, Kind, kind_of};
-use super::failure::Failure;
+use super::failure::{CommandError, Failure};
 use super::located::locate;
 use stickslip_engine::model::{Model, ModelBodyKind};
 use stickslip_present::results::sentence;
@@ -24,8 +24,15 @@ const DEGREE: Unit = Unit {
 
 /// Prints the resolved scene, or what an experiment says. The summary of a scene stands in comments, so that the output is a scene again.
 pub(super) fn check(arguments: &SceneArguments, console: Console) -> Result<(), Failure> {
-    if kind_of(&arguments.scene) == Some(Kind::Experiment) {
-        return experiment::check(&arguments.scene, &arguments.overrides, console);
+    match kind_of(&arguments.scene) {
+        Some(Kind::Experiment) => {
+            return experiment::check(&arguments.scene, &arguments.overrides, console);
+        }
+        Some(Kind::Sweep) => {
+            let path = arguments.scene.display().to_string();
+            return Err(CommandError::SweepGiven { path }.into());
+        }
+        Some(Kind::Scene) | None => {}
     }
     let scene = arguments.read()?;
     let model = Model::build(&scene).map_err(|error| locate(&scene, &error))?;

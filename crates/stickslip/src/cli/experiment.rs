@@ -76,9 +76,11 @@ pub(super) fn experiment(
     depth: Depth,
     console: Console,
 ) -> Result<(), Failure> {
-    if kind_of(&arguments.experiment) == Some(Kind::Scene) {
-        let path = arguments.experiment.display().to_string();
-        return Err(CommandError::SceneGiven { path }.into());
+    let path = arguments.experiment.display().to_string();
+    match kind_of(&arguments.experiment) {
+        Some(Kind::Scene) => return Err(CommandError::SceneGiven { path }.into()),
+        Some(Kind::Sweep) => return Err(CommandError::SweepGiven { path }.into()),
+        Some(Kind::Experiment) | None => {}
     }
     let experiment = Experiment::from_file(&arguments.experiment, &arguments.overrides, host())?;
     let path = results_folder(arguments.output.as_ref(), &arguments.experiment);
@@ -178,6 +180,7 @@ fn at_its_line(experiment: &Experiment, error: &ExperimentError) -> SceneError {
 pub(super) enum Kind {
     Scene,
     Experiment,
+    Sweep,
 }
 
 /// What a file is, if it can be read so far.
@@ -192,6 +195,8 @@ pub(super) fn kind_of(path: &Path) -> Option<Kind> {
         Some(Kind::Experiment)
     } else if has("bodies") {
         Some(Kind::Scene)
+    } else if has("scene") && has("axes") {
+        Some(Kind::Sweep)
     } else {
         None
     }

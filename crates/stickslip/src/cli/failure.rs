@@ -68,6 +68,15 @@ pub(super) enum CommandError {
         )
     )]
     ExperimentGiven { path: String },
+    /// A sweep where a scene or an experiment is asked for.
+    #[error("'{path}' is a sweep: it varies a scene")]
+    #[diagnostic(
+        code(run::sweep),
+        help(
+            "`stickslip joint {path}` solves its cases; `stickslip check` and `stickslip run` take its scene"
+        )
+    )]
+    SweepGiven { path: String },
     /// Arguments that make no sense.
     #[error("{message}")]
     #[diagnostic(code(command::usage), help("{usage}"))]

@@ -16,7 +16,7 @@ use super::located::located;
 use crate::folder::FolderError;
 use crate::keep;
 use stickslip_engine::run::{Progress, run as solve};
-use stickslip_present::results as output;
+use stickslip_present::results::{self as output, sentence};
 use stickslip_scene::Scene;
 
 /// Histories with fewer steps are over before a bar helps.
@@ -67,9 +67,11 @@ impl From<keep::KeepError> for KeepError {
 
 /// Solves the scene. The folder is made first, so that a long run does not end in front of a closed door.
 pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Failure> {
-    if kind_of(&arguments.scene.scene) == Some(Kind::Experiment) {
-        let path = arguments.scene.scene.display().to_string();
-        return Err(CommandError::ExperimentGiven { path }.into());
+    let path = arguments.scene.scene.display().to_string();
+    match kind_of(&arguments.scene.scene) {
+        Some(Kind::Experiment) => return Err(CommandError::ExperimentGiven { path }.into()),
+        Some(Kind::Sweep) => return Err(CommandError::SweepGiven { path }.into()),
+        Some(Kind::Scene) | None => {}
     }
     let scene = arguments.scene.read()?;
     let path = results_folder(arguments.output.as_ref(), &arguments.scene.scene);
@@ -81,11 +83,14 @@ pub(super) fn run(arguments: &RunArguments, console: Console) -> Result<(), Fail
     let path = keep::results(&results, folder, scene.output.figures).map_err(KeepError::from)?;
     let table = output::summary_table(&results, Console::width())
         .map_err(|error| KeepError::Output(error.into()))?;
+    let warnings: String = (results.findings.iter())
+        .map(|finding| ["warning: ", &sentence(finding, results.units), "\n\n"].concat())
+        .collect();
     // As large as the results of a long history: made for those who read it only.
     let summary = console.json.then(|| output::summary_json(&results));
     let summary = (summary.transpose()).map_err(|error| KeepError::Output(error.into()))?;
     console.result(
-        || format!("{table}\nresults in {}\n", path.display()),
+        || format!("{table}\n{warnings}results in {}\n", path.display()),
         &summary,
     )
 }

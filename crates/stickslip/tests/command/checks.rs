@@ -21,6 +21,24 @@ fn scenes() -> Vec<PathBuf> {
 }
 
 #[test]
+fn run_prints_its_warnings_below_the_table() {
+    let folder = folder_with("pin.toml", SCENE);
+    let run = ["run", "pin.toml", "--output", "out", "--set"];
+    let penalty = [
+        "analysis.solver=penalty",
+        "--set",
+        "analysis.experimental=true",
+    ];
+    let printed = succeeds(folder.path(), &[&run[..], &penalty[..]].concat());
+    let after = printed.split_once("\n\nwarning: The answer is not verified in load step 1");
+    let (table, rest) = after.unwrap_or_else(|| panic!("{printed}"));
+    assert!(
+        table.contains("Contact '") && rest.contains("\n\nresults in out\n"),
+        "{printed}"
+    );
+}
+
+#[test]
 fn every_scene_passes_its_check_and_says_what_it_shows() {
     for scene in scenes() {
         let printed = succeeds(Path::new("."), &["check", scene.to_str().unwrap()]);

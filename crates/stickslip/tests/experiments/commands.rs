@@ -32,6 +32,15 @@ fn run_and_the_chain_say_which_command_reads_a_file() {
             assert!(error.contains(part), "{part}: {error}");
         }
     }
+    let sweep =
+        "version = 1\nscene = \"scene.toml\"\n[[axes]]\nname = \"friction\"\nvalues = [0.1]\n";
+    std::fs::write(path.join("s.toml"), sweep).unwrap();
+    for command in ["run", "check", "hybrid"] {
+        let error = fails(path, &[command, "s.toml"]);
+        for part in ["'s.toml' is a sweep", "stickslip joint s.toml"] {
+            assert!(error.contains(part), "{command}: {error}");
+        }
+    }
     // Nothing was begun.
     assert!(!path.join("e-results").exists() && !path.join("scene-results").exists());
 }

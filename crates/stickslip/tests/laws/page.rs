@@ -118,6 +118,13 @@ fn the_page_shows_laws_and_the_whole_plate() {
     for file in ["laws.csv", "law-fit-up.csv", "whole-plate-down.csv"] {
         assert!(path.join(file).exists(), "{file}");
     }
+    let fitted = std::fs::read_to_string(path.join("law-fit-up.csv")).unwrap();
+    let headings = fitted.lines().next().unwrap();
+    assert!(
+        headings.starts_with("x [mm],y [mm],\"component (0: u, 1: v)\",measured [mm],"),
+        "{headings}"
+    );
+    assert!(!headings.contains("\"\""), "{headings}");
     for figure in [
         "law-profiles",
         "law-residuals",

@@ -230,6 +230,34 @@ fn solvers_that_failed_on_the_way_are_reported() {
     assert!(cycles.all(|(points, places)| points == places && points > 0));
 }
 
+/// The penalty method lets bodies overlap: what it leaves of the conditions is a finding.
+#[test]
+fn answers_that_are_not_verified_are_reported() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/pin-benchmark.toml");
+    let coarse = ["mesh.spacing=9 deg", "output.fields=none"];
+    let verified = results(&Scene::from_file(&path, &coarse, HOST).unwrap());
+    let is_unverified = |finding: &&Finding| matches!(finding, Finding::Unverified { .. });
+    assert_eq!(verified.findings.iter().find(is_unverified), None);
+
+    let penalty = ["analysis.solver=penalty", "analysis.experimental=true"];
+    let changes = [&coarse[..], &penalty[..]].concat();
+    let run = results(&Scene::from_file(&path, &changes, HOST).unwrap());
+    let Some(Finding::Unverified {
+        steps,
+        solvers,
+        residual,
+    }) = run.findings.iter().find(is_unverified)
+    else {
+        panic!("{:?}", run.findings);
+    };
+    assert_eq!(
+        (steps.len(), solvers.as_slice()),
+        (run.steps.len(), &["penalty"][..])
+    );
+    // Verified answers leave at most 1e-10, and none of the scales is less than what stands in it.
+    assert!((1e-10..1.0).contains(residual), "{residual}");
+}
+
 /// A soft pin in a hole, with the numbers of a scene that random trials found.
 fn pressed_pin(spacing: &str, loads: &str) -> String {
     format!(

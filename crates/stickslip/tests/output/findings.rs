@@ -64,6 +64,11 @@ fn of_the_run() -> Vec<Finding> {
             too_dear: steps.clone(),
             unsolved: vec![1],
         },
+        Finding::Unverified {
+            steps: steps.clone(),
+            solvers: vec!["penalty"],
+            residual: 1.2e-3,
+        },
         Finding::Unbalanced {
             steps: steps.clone(),
             residual: 2.8e-7,
@@ -126,7 +131,7 @@ fn of_a_contact() -> Vec<Finding> {
 }
 
 /// One of every kind that concerns a followed joint.
-fn of_a_joint() -> [JointFinding; 5] {
+fn of_a_joint() -> [JointFinding; 6] {
     let [row_width, cell_size, largest_cell] = [25.4, 50.8, 12.7].map(Quantity::Length);
     [
         JointFinding::CrackBandIdle {
@@ -140,6 +145,10 @@ fn of_a_joint() -> [JointFinding; 5] {
             lowered_cells: 27,
             cells: 78,
             cell_size,
+        },
+        JointFinding::Unverified {
+            solvers: vec!["penalty"],
+            residual: 1.2e-3,
         },
         JointFinding::SubstepsIgnored,
         JointFinding::ClearOfSupportsIgnored,

@@ -1,15 +1,25 @@
 //! What the scene asks for and the followed joint has less of.
 
 use stickslip_fem_core::QuadraturePoints;
+use stickslip_joint::JointRecord;
 
 use super::{Subject, crack_band};
 use crate::model::Model;
 use crate::results::{JointFinding, Quantity};
+use crate::run::doubts::unverified;
 use stickslip_scene::schema::Ramp;
 
 /// Findings on the joint that is followed on `followed`, instead of the scene's own `model`.
-pub(super) fn of(subject: &Subject<'_>, model: &Model, followed: &Model) -> Vec<JointFinding> {
+pub(super) fn of(
+    subject: &Subject<'_>,
+    model: &Model,
+    followed: &Model,
+    records: &[JointRecord],
+) -> Vec<JointFinding> {
     let mut findings = bands(subject, followed).unwrap_or_default();
+    if let Some((solvers, residual)) = unverified(records.iter().map(|record| &record.contact)) {
+        findings.push(JointFinding::Unverified { solvers, residual });
+    }
     let contact = &model.request.analysis;
     if contact.substeps != 1 || contact.ramp != Ramp::Linear {
         findings.push(JointFinding::SubstepsIgnored);

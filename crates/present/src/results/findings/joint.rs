@@ -1,5 +1,6 @@
 //! What a followed joint has less of than the scene asks for, as sentences.
 
+use super::quoted;
 use stickslip_engine::results::{JointFinding, Quantity};
 use stickslip_scene::schema::DisplayUnits;
 
@@ -28,6 +29,11 @@ pub fn joint_sentence(finding: &JointFinding, units: DisplayUnits) -> String {
             "crack_band.{energy} lowers strengths in {lowered_cells} of {cells} cells, those larger than {}; in the others the ply's own strength \
              stays, and a crack takes less energy.",
             show(cell_size)
+        ),
+        JointFinding::Unverified { solvers, residual } => format!(
+            "The answers of the experimental solver {} are not verified: they leave a residual of up to {residual:.1e} in the conditions of contact \
+             and friction, where others stop below 1e-10.",
+            quoted(solvers)
         ),
         JointFinding::SubstepsIgnored => {
             "analysis.substeps and analysis.ramp divide the load steps of the contact analysis; the joint is followed in the increments of \
