@@ -1,8 +1,8 @@
 //! Draws every kind of figure from made-up data, as SVG and PNG:
-//! `cargo run --release -p stickslip-report --example gallery -- FOLDER`.
+//! `cargo run --release -p stickslip-report --example gallery -- FOLDER`; without a folder it draws all and prints their sizes.
 
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use stickslip_report::axis::Axis;
 use stickslip_report::chart::{
@@ -20,12 +20,6 @@ const SLIP: Color = Color::rgb(0xe0, 0x7b, 0x1a);
 const OPEN: Color = Color::rgb(0x88, 0x88, 0x88);
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let folder = PathBuf::from(
-        std::env::args()
-            .nth(1)
-            .ok_or("name a folder for the pictures")?,
-    );
-    std::fs::create_dir_all(&folder)?;
     let mut pictures = vec![
         ("traction", hole_edge_traction().render()?),
         ("family", load_steps().render()?),
@@ -33,25 +27,27 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("panels", panels().render()?),
     ];
     pictures.extend(ring_fields()?);
+    let folder = std::env::args().nth(1).map(PathBuf::from);
+    let mut bytes = [0; 2];
     for (name, picture) in &pictures {
-        save(&folder, name, picture)?;
+        let png = to_png(picture, DEFAULT_SCALE)?;
+        bytes[0] += picture.as_str().len();
+        bytes[1] += png.len();
+        if let Some(folder) = &folder {
+            std::fs::create_dir_all(folder)?;
+            std::fs::write(folder.join(format!("{name}.svg")), picture.as_str())?;
+            std::fs::write(folder.join(format!("{name}.png")), png)?;
+        }
     }
-    std::fs::write(
-        folder.join("page.html"),
-        page(pictures).render()?.as_bytes(),
-    )?;
-    Ok(())
-}
-
-fn save(folder: &Path, name: &str, picture: &Svg) -> Result<(), Box<dyn Error>> {
-    std::fs::write(
-        folder.join(format!("{name}.svg")),
-        picture.as_str().as_bytes(),
-    )?;
-    std::fs::write(
-        folder.join(format!("{name}.png")),
-        to_png(picture, DEFAULT_SCALE)?,
-    )?;
+    let [svg, png] = bytes.map(|bytes| bytes / 1000);
+    println!(
+        "{} figures, {svg} kB as SVG, {png} kB as PNG",
+        pictures.len()
+    );
+    let page = page(pictures).render()?;
+    if let Some(folder) = &folder {
+        std::fs::write(folder.join("page.html"), page)?;
+    }
     Ok(())
 }
 

@@ -205,7 +205,7 @@ pub(super) fn internal_forces_of(body: &ElasticBody, u: &[Vec<f64>]) -> Vec<Vec<
         type Output = ();
         fn visit<const N: usize, E: Element<N>>(self) {
             let size = 2 * N * self.u.len();
-            let count = (HELD_FORCES / size.max(1)).clamp(1, CHUNK);
+            let count = (HELD_FORCES / size).clamp(1, CHUNK);
             let mut buffer = vec![0.0; count.min(self.connectivity.len() / N) * size];
             for cells in self.connectivity.chunks(count * N) {
                 let buffer = &mut buffer[..cells.len() / N * size];
@@ -239,6 +239,9 @@ pub(super) fn internal_forces_of(body: &ElasticBody, u: &[Vec<f64>]) -> Vec<Vec<
         }
     }
     let mut forces: Vec<Vec<f64>> = u.iter().map(|u| vec![0.0; u.len()]).collect();
+    if u.is_empty() {
+        return forces;
+    }
     for (block, stiffness) in body.mesh.blocks().iter().zip(&body.stiffnesses()) {
         let visit = Visit {
             body,

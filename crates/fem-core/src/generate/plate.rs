@@ -220,8 +220,9 @@ impl Generate for PlateWithHole {
         } else {
             fan
         };
-        let Surround::Box(frame) = self.surround(&rim)? else {
-            return Ok(fan.estimate(self.kind));
+        let frame = match self.surround(&rim)? {
+            Surround::Box(frame) => frame,
+            Surround::Circle { .. } => return Ok(fan.estimate(self.kind)),
         };
         let far = frame.joins().into_iter().filter(|join| join.end.is_some());
         let count = far.fold(fan, |sum, join| {

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::DVector;
 use stickslip_fem_core::body::BodyError;
+use stickslip_fem_core::interface::contract::{Known, check};
 use stickslip_fem_core::material::{PlaneStiffness, apply};
 use stickslip_fem_core::mesh::{ElementKind, Mesh};
 use stickslip_fem_core::points::{internal_forces, strains};
@@ -114,6 +115,11 @@ fn a_linearised_body_is_in_equilibrium() {
         let tangent = TangentBody::new(Arc::clone(&body), structure, tangents).unwrap();
         let tangent = Arc::new(tangent);
         let linear = tangent.about(&before, &stress).unwrap();
+        let known = Known {
+            placed: true,
+            resultants: &[],
+        };
+        assert_eq!(check(&linear, known), Ok(()), "{kind:?}");
         let u = linear.displacements(&forces, &multipliers, &[]);
         let after: Vec<[f64; 3]> = (strains(mesh, &u).iter().zip(&before))
             .zip(tangent.tangents().iter().zip(&stress))

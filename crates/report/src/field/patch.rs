@@ -39,7 +39,8 @@ impl Patch {
         self.count > 4
     }
 
-    /// Points of the patch beside those of the flat patch with the same corners: the middle of each side, and of a quadrilateral.
+    /// Points of the patch beside those of the flat triangles with the same corners: the middle of each side, and of a quadrilateral on both
+    /// diagonals, of which a cut takes one.
     pub(crate) fn departures(&self) -> impl Iterator<Item = [[f64; 3]; 2]> {
         let corners = if self.is_triangle() { 3 } else { 4 };
         let stride = self.count / corners;
@@ -47,10 +48,10 @@ impl Patch {
         let sides = (0..corners)
             .filter(move |_| stride == 2)
             .map(move |k| [self.nodes[2 * k + 1], mean([corner(k), corner(k + 1)])]);
-        // Two triangles take one diagonal or the other.
-        let middle =
-            (corners == 4).then(|| [mean([corner(0), corner(2)]), mean([corner(1), corner(3)])]);
-        sides.chain(middle)
+        let diagonals = (0..corners - 2)
+            .filter(move |_| corners == 4)
+            .map(move |k| [self.at(0.5, 0.5), mean([corner(k), corner(k + 2)])]);
+        sides.chain(diagonals)
     }
 
     /// x, y and value at (ξ, η).
@@ -259,6 +260,49 @@ mod tests {
                 });
                 assert_eq!(count, cuts * cuts);
                 assert!((sum - total).abs() < 1e-13);
+            }
+        }
+    }
+
+    /// The error of flat triangles falls with the square of the cuts from what the departures say.
+    #[test]
+    fn departures_bound_the_error_of_flat_pieces() {
+        let bent = |patch: Patch| {
+            let bend =
+                |[x, y, v]: [f64; 3]| [x + 0.2 * y * y - 0.1 * x * y, y + 0.15 * x * (1.0 - x), v];
+            let nodes: Vec<[f64; 3]> = patch.corners().iter().map(|&node| bend(node)).collect();
+            Patch::new(&nodes).unwrap()
+        };
+        let apart =
+            |a: [f64; 3], b: [f64; 3]| (a[0] - b[0]).hypot(a[1] - b[1]).max((a[2] - b[2]).abs());
+        for patch in [bent(square(4)), bent(square(8))] {
+            let departure = patch
+                .departures()
+                .map(|[a, b]| apart(a, b))
+                .fold(0.0, f64::max);
+            for cuts in [1_u32, 2, 5] {
+                let side = 1.0 / f64::from(cuts);
+                let mut worst: f64 = 0.0;
+                for (i, j) in (0..cuts).flat_map(|i| (0..cuts).map(move |j| (i, j))) {
+                    let at = |s: f64, t: f64| {
+                        patch.at((f64::from(i) + s) * side, (f64::from(j) + t) * side)
+                    };
+                    for (s, t) in [(0.5, 0.0), (0.5, 0.5), (0.75, 0.25), (0.3, 0.2), (0.9, 0.6)] {
+                        // The half below the diagonal from the first corner.
+                        let flat = array::from_fn(|k| {
+                            (1.0 - s) * at(0.0, 0.0)[k]
+                                + (s - t) * at(1.0, 0.0)[k]
+                                + t * at(1.0, 1.0)[k]
+                        });
+                        worst = worst.max(apart(at(s, t), flat));
+                    }
+                }
+                let bound = 1.5 * departure * side * side;
+                assert!(worst <= bound, "{cuts} cuts: {worst} > {bound}");
+                assert!(
+                    departure * side * side <= 3.0 * worst,
+                    "{departure} {worst}"
+                );
             }
         }
     }

@@ -73,15 +73,15 @@ impl<'a> Paint<'a> {
     }
 
     /// Into how many parts the sides of `patch` are cut for pieces with a value in each pixel: enough that interpolation between their
-    /// corners, whose error falls with the square of the number, stays within half a pixel and half a colour step.
+    /// corners, whose error falls with the square of the number, stays within about half a pixel and half a colour step.
     pub(crate) fn cuts_for_pixels(&self, patch: &Patch) -> usize {
         let seen = |node: [f64; 3]| {
             let [x, y] = self.pixel(node);
             [x, y, LEVELS as f64 * self.fraction(node[2]).unwrap_or(0.0)]
         };
         let error = patch.departures().map(|[from, to]| {
-            let [from, to] = [seen(from), seen(to)];
-            (0..3).map(|k| (from[k] - to[k]).abs()).fold(0.0, f64::max)
+            let ([x, y, value], [u, v, other]) = (seen(from), seen(to));
+            (x - u).hypot(y - v).max((value - other).abs())
         });
         self.cuts_of(patch, (2.0 * error.fold(0.0, f64::max)).sqrt())
     }
