@@ -169,6 +169,18 @@ const CRATES: &[Crate] = &[
         name: "rayon",
         only: &["crates/fem-core", "crates/stickslip", "xtask"],
     },
+    Crate {
+        name: "tiny-skia",
+        only: &["crates/report"],
+    },
+    Crate {
+        name: "rustybuzz",
+        only: &["crates/report"],
+    },
+    Crate {
+        name: "comfy-table",
+        only: &["crates/report"],
+    },
 ];
 
 fn root() -> PathBuf {
@@ -203,7 +215,13 @@ fn letter(byte: u8) -> bool {
 
 /// The code of a source: comments and the insides of text left out, and what follows a test module's attribute.
 fn code(source: &str) -> String {
-    let end = source.find("#[cfg(test)]\nmod ").unwrap_or(source.len());
+    // A test module inside the file ends it; `mod tests;` does not.
+    let modules = source.match_indices("#[cfg(test)]\nmod ");
+    let mut inside = modules.filter(|(at, mark)| {
+        let name = &source[at + mark.len()..];
+        name.chars().find(|c| "{;".contains(*c)) == Some('{')
+    });
+    let end = inside.next().map_or(source.len(), |(at, _)| at);
     let bytes = &source.as_bytes()[..end];
     let at = |k: usize, mark: &str| bytes[k.min(end)..].starts_with(mark.as_bytes());
     let (mut kept, mut k) = (Vec::new(), 0);
@@ -386,6 +404,7 @@ fn sources_are_read_as_code() {
         ("use std::{io::{Read, Write}, fs};", "std::fs"),
         ("let s = \"a\"; println!(\"b\");", "println!"),
         ("use rayon::prelude::*;", "rayon"),
+        ("#[cfg(test)]\nmod tests;\nuse std::fs;", "std::fs"),
     ] {
         assert_eq!(used(foul, marks), Some(mark), "{foul}");
     }
