@@ -1,4 +1,4 @@
-//! The methods under test: one table, so that a new solver appears in every study and map.
+//! The methods under test, one table for every study and map.
 
 use stickslip_contact::solver::FailureCause;
 use stickslip_contact::{

@@ -322,12 +322,13 @@ fn report(sweep: &Sweep, rows: &[Row]) -> Result<(), JointError> {
 
 fn text(sweep: &Sweep, rows: &[Row], folder: &Path, account: &Account) -> String {
     format!(
-        "{}\n{}\n{} cases in {:.1} s, {} workers, {} bodies condensed\nresults in {}\n",
+        "{}\n{}\n{} cases in {:.1} s, {} worker{}, {} bodies condensed\nresults in {}\n",
         sweep.title,
         verdict(sweep, rows),
         account.solved_now,
         account.seconds,
         account.jobs,
+        if account.jobs == 1 { "" } else { "s" },
         account.effort.condensed,
         folder.display()
     )

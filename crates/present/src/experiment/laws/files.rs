@@ -51,7 +51,7 @@ pub(super) fn fit_csv(experiment: &Experiment, stage: &LawStage, observation: us
     header.push("component (0: u, 1: v)".to_owned());
     header.push(format!("measured [{}]", unit.name));
     let names = stage.comparison.fits.iter().map(|fit| &fit.law.name);
-    header.extend(names.map(|name| format!("\"{} [{}]\"", name.replace('"', "\"\""), unit.name)));
+    header.extend(names.map(|name| format!("{name} [{}]", unit.name)));
     let own = &stage.observations[observation];
     let rows = own.values.iter().enumerate().map(|(datum, value)| {
         let [x, y] = stage.place(observation, datum);
