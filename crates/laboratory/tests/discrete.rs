@@ -134,8 +134,8 @@ fn random_problems_are_deterministic_and_supported_ones_have_an_odd_number_of_so
     let (mut unsolvable, mut several) = (0, 0);
     for seed in 0..300 {
         let floating = (seed % 3) as usize;
-        let discrete = random(seed, floating);
-        let again = random(seed, floating);
+        let discrete = random(seed, floating).unwrap();
+        let again = random(seed, floating).unwrap();
         assert_eq!(discrete.multipliers, again.multipliers);
         assert_eq!(discrete.committed, again.committed);
         assert_eq!(discrete.problem.compliance(), again.problem.compliance());
@@ -152,11 +152,12 @@ fn random_problems_are_deterministic_and_supported_ones_have_an_odd_number_of_so
         several += usize::from(all.states.len() > 1);
     }
     assert!(unsolvable > 10 && several > 10, "{unsolvable} {several}");
+    assert!(random(0, 3).is_err());
 }
 
 #[test]
 fn the_next_step_starts_where_the_last_one_ended() {
-    let discrete = random(4, 0);
+    let discrete = random(4, 0).unwrap();
     let first = enumerate(&discrete).states[0].clone();
     let next = discrete.next(&first, vec![0.5, -0.5]);
     assert_eq!(next.committed.forces, first.forces);

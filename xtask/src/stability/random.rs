@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 use stickslip_contact::problem::ProblemPoint;
 use stickslip_contact::{ContactState, InterfaceProblem};
+use stickslip_laboratory::LaboratoryError;
 use stickslip_laboratory::discrete::{self, Known};
 use stickslip_report::color::Color;
 use stickslip_report::map::{Category, Group, OutcomeMap};
@@ -84,16 +85,17 @@ pub(super) fn run(context: &Context) -> Result<Found, TaskError> {
     let problems = context.sized(PROBLEMS[0], PROBLEMS[1]);
     let batches: Vec<u64> = (0..problems / BATCH).collect();
     context.progress.set_length(problems);
-    let trials: Vec<Trial> = batches
+    let trials: Vec<Vec<Trial>> = batches
         .par_iter()
-        .flat_map_iter(|&batch| {
+        .map(|&batch| {
             let methods = methods();
             let seeds = batch * BATCH..(batch + 1) * BATCH;
-            let trials: Vec<Trial> = seeds.flat_map(|seed| tried(seed, &methods)).collect();
+            let trials: Result<Vec<_>, _> = seeds.map(|seed| tried(seed, &methods)).collect();
             context.progress.inc(BATCH);
-            trials
+            Ok(trials?.into_iter().flatten().collect())
         })
-        .collect();
+        .collect::<Result<_, LaboratoryError>>()?;
+    let trials: Vec<Trial> = trials.into_iter().flatten().collect();
     let names: Vec<&str> = methods().iter().map(|method| method.name).collect();
     Ok(Found {
         more: vec![
@@ -116,8 +118,8 @@ fn floating(seed: u64) -> usize {
     }
 }
 
-fn tried(seed: u64, methods: &[Method]) -> Vec<Trial> {
-    let mut given = discrete::random(seed, floating(seed));
+fn tried(seed: u64, methods: &[Method]) -> Result<Vec<Trial>, LaboratoryError> {
+    let mut given = discrete::random(seed, floating(seed))?;
     let all = discrete::enumerate(&given);
     let complete = !all.singular && !all.borderline;
     let class = match (given.coercive, all.states.is_empty()) {
@@ -149,7 +151,7 @@ fn tried(seed: u64, methods: &[Method]) -> Vec<Trial> {
             note: row.note,
         }
     };
-    methods[..chosen].iter().enumerate().map(trial).collect()
+    Ok(methods[..chosen].iter().enumerate().map(trial).collect())
 }
 
 /// μ of a problem with one Coulomb law.

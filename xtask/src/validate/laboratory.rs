@@ -124,7 +124,7 @@ impl Laboratory {
             .replace('"', "");
         let path = root().join("scenes").join(format!("{name}.toml"));
         let mut scene = Scene::from_file(&path, overrides, HOST)?;
-        self.mutation.change_laws(&mut scene);
+        self.mutation.change_laws(&mut scene)?;
         let solver = self.mutation.solver(&scene);
         let outcome = run_with(&scene, solver.as_ref(), &mut |_| {});
         eprintln!("  {label}  {:.2} s", start.elapsed().as_secs_f64());

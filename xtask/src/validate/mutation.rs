@@ -16,6 +16,8 @@ use stickslip_contact::solver::{Step, StepFailure, StepSolution};
 use stickslip_contact::{InterfaceSolver, SemismoothNewton};
 use stickslip_friction::{Bound, Coulomb, FrictionLaw, History, Mirror, Place};
 
+use crate::publish::TaskError;
+
 /// What is wrong with friction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Mutation {
@@ -48,12 +50,11 @@ impl Mutation {
     }
 
     /// Makes the mistake in the laws of `scene`.
-    pub(crate) fn change_laws(self, scene: &mut Scene) {
+    pub(crate) fn change_laws(self, scene: &mut Scene) -> Result<(), TaskError> {
         for contact in &mut scene.contacts {
             match self {
                 Self::None | Self::ForgottenHistory => {}
-                // Zero is a coefficient that Coulomb's law accepts.
-                Self::Frictionless => contact.law = Box::new(Coulomb::new(0.0).expect("0 ≥ 0")),
+                Self::Frictionless => contact.law = Box::new(Coulomb::new(0.0)?),
                 Self::WrongDirection => {
                     contact.law = Box::new(WrongDirection {
                         law: contact.law.clone(),
@@ -61,6 +62,7 @@ impl Mutation {
                 }
             }
         }
+        Ok(())
     }
 
     /// The solver of `scene`, with the mistake. Where friction acts along the slip there may be no equilibrium, and safer

@@ -12,6 +12,7 @@ use stickslip_fem_core::GivenBody;
 use stickslip_friction::Coulomb;
 
 use super::{Discrete, GroundPoint, enumerate, on_ground};
+use crate::error::LaboratoryError;
 
 /// Largest number of points.
 const POINTS: usize = 3;
@@ -21,15 +22,18 @@ const FRICTION: f64 = 3.0;
 /// The problem that belongs to `seed`, of a body that floats along `floating` ≤ 2 rigid motions: a random step after a random
 /// past of at most two steps, each the first of its solutions.
 ///
-/// # Panics
-/// If `floating` is more than the points' degrees of freedom can show, 2.
-pub fn random(seed: u64, floating: usize) -> Discrete {
-    assert!(floating <= 2, "at most 2 rigid motions");
+/// # Errors
+/// [`LaboratoryError`] if `floating` is more than 2, the motions that a single point can show.
+pub fn random(seed: u64, floating: usize) -> Result<Discrete, LaboratoryError> {
+    if floating > 2 {
+        let what = format!("a random problem has at most 2 rigid motions, not {floating}");
+        return Err(LaboratoryError::Missing(what));
+    }
     let mut draw = Draw(seed);
     let least = floating.max(1);
     let count = least + (draw.part() * (POINTS + 1 - least) as f64) as usize;
     let count = count.min(POINTS);
-    let problem = problem(&mut draw, count, floating);
+    let problem = problem(&mut draw, count, floating)?;
     let mut discrete = Discrete {
         name: format!("random problem {seed}"),
         committed: ContactState::unloaded(&problem),
@@ -46,10 +50,14 @@ pub fn random(seed: u64, floating: usize) -> Discrete {
     }
     let scale = if floating == 0 { 2.0 } else { 1.0 };
     discrete.multipliers = vec![scale * draw.sign(), scale * draw.sign()];
-    discrete
+    Ok(discrete)
 }
 
-fn problem(draw: &mut Draw, count: usize, floating: usize) -> InterfaceProblem {
+fn problem(
+    draw: &mut Draw,
+    count: usize,
+    floating: usize,
+) -> Result<InterfaceProblem, LaboratoryError> {
     let size = 2 * count;
     let factor = DMatrix::from_fn(size, size, |_, _| draw.sign());
     let floor = 1e-3 + 0.02 * draw.part();
@@ -61,9 +69,7 @@ fn problem(draw: &mut Draw, count: usize, floating: usize) -> InterfaceProblem {
     };
     let (responses, mode_loads) = (vectors(size, 2.0), vectors(floating, 1.0));
     let modes = DMatrix::from_fn(size, floating, |_, _| draw.sign());
-    // All of them are made of `size` and `floating` here, and all numbers are finite.
-    let body =
-        GivenBody::floating(compliance, modes, responses, mode_loads).expect("the shapes fit");
+    let body = GivenBody::floating(compliance, modes, responses, mode_loads)?;
     let points: Vec<GroundPoint> = (0..count)
         .map(|_| {
             let angle = PI * draw.sign();
@@ -85,10 +91,8 @@ fn problem(draw: &mut Draw, count: usize, floating: usize) -> InterfaceProblem {
     } else {
         FRICTION * draw.part()
     };
-    // The coefficient is 0 or FRICTION times a part from 0 to 1.
-    let law = Coulomb::new(mu).expect("μ ≥ 0");
-    // There are as many points as pairs of unknowns, their normals have length 1, and all numbers are finite.
-    on_ground(&body, &points, Arc::new(law)).expect("the points are a valid pair")
+    let law = Coulomb::new(mu).map_err(|cause| LaboratoryError::Missing(cause.to_string()))?;
+    Ok(on_ground(&body, &points, Arc::new(law))?)
 }
 
 /// `SplitMix64` (Steele, Lea & Flood 2014).
