@@ -14,6 +14,7 @@
 //! | r_k | resultants of load case k in those motions, Rᵀ over the whole body | f | force |
 
 pub mod contract;
+mod misfit;
 
 use std::fmt::Debug;
 
@@ -21,6 +22,8 @@ use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
 use crate::mesh::Point;
+pub use misfit::Misfit;
+use misfit::fits;
 
 /// A body reduced to its contact points; how it was made is its own affair.
 pub trait InterfaceOperator: Debug + Send + Sync {
@@ -124,20 +127,9 @@ impl InterfaceOperator for RigidBody {
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum GivenBodyError {
-    /// A matrix or a vector does not fit the others.
-    #[error("{what} is {rows} × {columns}, where {expected_rows} × {expected_columns} is needed")]
-    Shape {
-        /// What it is.
-        what: String,
-        /// Its rows.
-        rows: usize,
-        /// Its columns.
-        columns: usize,
-        /// The rows that fit.
-        expected_rows: usize,
-        /// The columns that fit.
-        expected_columns: usize,
-    },
+    /// A matrix or a vector does not fit the others, or is not finite.
+    #[error(transparent)]
+    Misfit(#[from] Misfit),
     /// The numbers of load cases differ.
     #[error("{responses} responses and {mode_loads} resultants of load cases")]
     LoadCases {
@@ -145,12 +137,6 @@ pub enum GivenBodyError {
         responses: usize,
         /// Number of resultants.
         mode_loads: usize,
-    },
-    /// A number is infinite or none.
-    #[error("{what} is not finite")]
-    NotFinite {
-        /// Where it stands.
-        what: String,
     },
 }
 
@@ -191,8 +177,9 @@ impl GivenBody {
     ) -> Result<Self, GivenBodyError> {
         let count = compliance.nrows() / 2;
         let (size, free) = (2 * count, modes.ncols());
-        fits("the compliance", &compliance, [size, size])?;
-        fits("the matrix of rigid motions", &modes, [size, free])?;
+        let name = |what: &'static str| move || what.to_owned();
+        fits(name("the compliance"), &compliance, [size, size])?;
+        fits(name("the matrix of rigid motions"), &modes, [size, free])?;
         if responses.len() != mode_loads.len() {
             return Err(GivenBodyError::LoadCases {
                 responses: responses.len(),
@@ -200,17 +187,9 @@ impl GivenBody {
             });
         }
         for (case, (response, load)) in responses.iter().zip(&mode_loads).enumerate() {
-            let case = case + 1;
-            fits(
-                &format!("the response to load case {case}"),
-                response,
-                [size, 1],
-            )?;
-            fits(
-                &format!("the resultant of load case {case}"),
-                load,
-                [free, 1],
-            )?;
+            let name = |what: &'static str| move || format!("{what} load case {}", case + 1);
+            fits(name("the response to"), response, [size, 1])?;
+            fits(name("the resultant of"), load, [free, 1])?;
         }
         Ok(Self {
             points: (0..count).map(|k| [0.0, k as f64]).collect(),
@@ -219,33 +198,6 @@ impl GivenBody {
             responses,
             mode_loads,
         })
-    }
-}
-
-fn fits<C, S>(
-    what: &str,
-    values: &nalgebra::Matrix<f64, nalgebra::Dyn, C, S>,
-    [expected_rows, expected_columns]: [usize; 2],
-) -> Result<(), GivenBodyError>
-where
-    C: nalgebra::Dim,
-    S: nalgebra::RawStorage<f64, nalgebra::Dyn, C>,
-{
-    let (rows, columns) = values.shape();
-    let what = what.to_owned();
-    if [rows, columns] != [expected_rows, expected_columns] {
-        return Err(GivenBodyError::Shape {
-            what,
-            rows,
-            columns,
-            expected_rows,
-            expected_columns,
-        });
-    }
-    if values.iter().all(|value| value.is_finite()) {
-        Ok(())
-    } else {
-        Err(GivenBodyError::NotFinite { what })
     }
 }
 

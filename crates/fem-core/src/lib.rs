@@ -68,6 +68,6 @@ pub use nalgebra;
 pub use body::{
     BodyError, BodyStructure, CondensedBody, ElasticBody, Linearised, LoadCase, TangentBody,
 };
-pub use interface::{GivenBody, GivenBodyError, InterfaceOperator, RigidBody};
+pub use interface::{GivenBody, GivenBodyError, InterfaceOperator, Misfit, RigidBody};
 pub use points::QuadraturePoints;
 pub use support::{HeldDirection, Platen, Support};

@@ -10,6 +10,7 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use thiserror::Error;
 
 use super::InterfaceOperator;
+use super::misfit::{Misfit, fits};
 use crate::mesh::Point;
 
 /// Part of the largest entry up to which an asymmetry is rounding.
@@ -34,26 +35,9 @@ pub struct Known<'a> {
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum Breach {
-    /// A matrix or a vector does not fit the number of points or of free motions.
-    #[error("{what} is {rows} × {columns}, where {expected_rows} × {expected_columns} is needed")]
-    Shape {
-        /// What it is.
-        what: &'static str,
-        /// Its rows.
-        rows: usize,
-        /// Its columns.
-        columns: usize,
-        /// The rows that fit.
-        expected_rows: usize,
-        /// The columns that fit.
-        expected_columns: usize,
-    },
-    /// A number is not finite.
-    #[error("{what} holds a number that is not finite")]
-    NotFinite {
-        /// Where it stands.
-        what: &'static str,
-    },
+    /// A matrix or a vector does not fit the number of points or of free motions, or is not finite.
+    #[error(transparent)]
+    Misfit(#[from] Misfit),
     /// The compliance is not symmetric.
     #[error("the compliance is asymmetric by {difference:.1e} of its largest entry")]
     Asymmetric {
@@ -108,51 +92,25 @@ pub enum Breach {
 pub fn check(operator: &dyn InterfaceOperator, known: Known<'_>) -> Result<(), Breach> {
     let size = 2 * operator.points().len();
     let free = operator.modes().ncols();
+    let name = |what: &'static str| move || what.to_owned();
     if let Some(compliance) = operator.compliance() {
-        fits("the compliance", compliance, [size, size])?;
+        fits(name("the compliance"), compliance, [size, size])?;
         check_compliance(compliance)?;
     }
-    fits("the matrix of free motions", operator.modes(), [size, free])?;
+    let modes = operator.modes();
+    fits(name("the matrix of free motions"), modes, [size, free])?;
     for case in 0..operator.load_cases() {
+        let name = |what: &'static str| move || format!("{what} load case {case}");
         if let Some(response) = operator.load_response(case) {
-            fits("the response to a load case", response, [size, 1])?;
+            fits(name("the response to"), response, [size, 1])?;
         }
-        fits(
-            "the resultants of a load case",
-            operator.mode_load(case),
-            [free, 1],
-        )?;
+        let load = operator.mode_load(case);
+        fits(name("the resultants of"), load, [free, 1])?;
     }
     if known.placed {
         check_motions(operator, known.resultants)?;
     }
     Ok(())
-}
-
-fn fits<C, S>(
-    what: &'static str,
-    values: &nalgebra::Matrix<f64, nalgebra::Dyn, C, S>,
-    [expected_rows, expected_columns]: [usize; 2],
-) -> Result<(), Breach>
-where
-    C: nalgebra::Dim,
-    S: nalgebra::RawStorage<f64, nalgebra::Dyn, C>,
-{
-    let (rows, columns) = values.shape();
-    if [rows, columns] != [expected_rows, expected_columns] {
-        return Err(Breach::Shape {
-            what,
-            rows,
-            columns,
-            expected_rows,
-            expected_columns,
-        });
-    }
-    if values.iter().all(|value| value.is_finite()) {
-        Ok(())
-    } else {
-        Err(Breach::NotFinite { what })
-    }
 }
 
 fn check_compliance(compliance: &DMatrix<f64>) -> Result<(), Breach> {
