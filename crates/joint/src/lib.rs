@@ -118,6 +118,6 @@ pub use damage::{PlyDamage, PlyEvent, PlyEventKind, damage_map};
 pub use error::{Halt, JointError};
 pub use gauge::{Gauge, Mark, Pull};
 pub use joint::{Joint, Options};
-pub use mode_call::{DamageSite, Hole, JointMode, ModeCall, call_mode};
+pub use mode_call::{Basis, DamageSite, Hole, JointMode, ModeCall, ModeRule, Reserve, call_mode};
 pub use record::{Ending, JointHistory, JointRecord};
 pub use state::{BodyState, Energy, JointState};

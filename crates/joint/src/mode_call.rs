@@ -18,7 +18,6 @@
 //! net section in net tension.
 
 mod evidence;
-mod reasons;
 mod zones;
 
 use std::fmt;
@@ -27,8 +26,8 @@ use stickslip_fem_core::mesh::Point;
 
 use crate::damage::PlyEvent;
 use crate::record::{Ending, JointHistory, JointRecord};
+pub use evidence::Basis;
 use evidence::{Evidence, reach};
-use reasons::{Reserve, Without};
 
 /// A mode of failure of a pinned joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -102,6 +101,10 @@ pub struct DamageSite {
 pub struct ModeCall {
     /// The mode.
     pub mode: JointMode,
+    /// Which damage decides.
+    pub basis: Basis,
+    /// The rule that decided.
+    pub rule: ModeRule,
     /// Shares of the deciding damage in [`JointMode::PURE`], by volume; they sum to 1 or less, the rest lying elsewhere.
     pub shares: [f64; 3],
     /// How much of each mode's path, from the hole to the side or end, damage of the deciding kind covers, in fifths.
@@ -114,26 +117,59 @@ pub struct ModeCall {
     /// one path more or less, or if the collapse did not count; of mixed damage also those with a fifth of it or more, and where most of
     /// it happened in the collapse those with a tenth.
     pub others: Vec<JointMode>,
-    /// The reasons, one sentence each.
-    pub reasons: Vec<String>,
+    /// How `others` were found.
+    pub reserve: Reserve,
+    /// Part of the peak load that the joint still bore at the end of its history, if that went beyond the peak.
+    pub retained: Option<f64>,
 }
 
-/// Part of the peak load from which on damage is late.
-const LATE: f64 = 0.95;
-/// Share that makes a mode the governing one.
-const GOVERNS: f64 = 0.6;
+/// Which rule decided a mode.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ModeRule {
+    /// The path of shear-out or net tension is severed.
+    Severed,
+    /// The end is split ahead of the pin.
+    Split,
+    /// One mode has [`ModeCall::GOVERNS`] of the deciding damage.
+    Share,
+    /// The damage stays at the hole's edge, most of it ahead of the pin.
+    Confined,
+    /// No mode has that share.
+    NoShare,
+}
+
+/// How near the damage is to that of other modes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Reserve {
+    /// Other modes that the rules would call if the damage differed slightly.
+    pub near: Vec<JointMode>,
+    /// Where the share alone counts: that part of the damage, and the other modes that hold it or more.
+    pub part: Option<(f64, Vec<JointMode>)>,
+    /// Whether `near` includes what is called without all that failed in the collapse.
+    pub without_collapse: bool,
+    /// Whether `near` includes what is called without what the collapse covers of the paths.
+    pub without_its_paths: bool,
+}
+
+impl ModeCall {
+    /// Part of the peak load from which on damage is late.
+    pub const LATE: f64 = 0.95;
+    /// Share that makes a mode the governing one.
+    pub const GOVERNS: f64 = 0.6;
+    /// Part of its path at which a net section or a shear-out plug has come apart.
+    pub const SEVERED: f64 = 0.8;
+    /// Parts of a path that are looked at one by one.
+    pub const PARTS: usize = 5;
+    /// Part of the deciding damage that may lie elsewhere on another mesh or under another control.
+    pub const MAY_SHIFT: f64 = 0.1;
+}
+
 /// Share from which on a mode takes part.
 const TAKES_PART: f64 = 0.2;
-/// Part of its path at which a net section or a shear-out plug has come apart.
-const SEVERED: f64 = 0.8;
 /// Part of the paths to side and end within which damage is confined to the hole's edge.
 const CONFINED: f64 = 0.25;
 /// Share ahead of the pin that makes confined damage bearing.
 const CRUSHED: f64 = 0.45;
-/// Parts of a path that are looked at one by one.
-const PARTS: usize = 5;
-/// Part of the deciding damage that may lie elsewhere on another mesh or under another control.
-const MAY_SHIFT: f64 = 0.1;
 /// Part of the deciding damage in the collapse from which on the collapse, which follows no equilibrium, is what decides.
 const MOSTLY: f64 = 0.5;
 
@@ -154,22 +190,22 @@ pub fn call_mode(hole: &Hole, sites: &[DamageSite], retained: Option<f64>) -> Op
         .collect();
     let counted = followed.iter().filter(|site| basis.kind(site));
     let followed_reach = reach(hole, counted);
-    let (mode, why) = decide(shares, covered);
+    let (mode, rule) = decide(shares, covered);
     let mut near = evidence.neighbours();
-    let mut without = Without::default();
+    let mut reserve = Reserve::default();
     if let Some(before) = Evidence::of(hole, &followed)
         && before.basis.fibre == basis.fibre
     {
         near.push(decide(before.shares, before.reach).0);
-        without.collapse = evidence.collapse > 0.0;
+        reserve.without_collapse = evidence.collapse > 0.0;
     }
     let mostly = evidence.collapse > MOSTLY;
     if mostly {
         near.push(decide(shares, followed_reach).0);
-        without.its_ways = true;
+        reserve.without_its_paths = true;
     }
     let least = match mode {
-        _ if mostly => Some(MAY_SHIFT),
+        _ if mostly => Some(ModeCall::MAY_SHIFT),
         JointMode::Mixed => Some(TAKES_PART),
         _ => None,
     };
@@ -179,42 +215,30 @@ pub fn call_mode(hole: &Hole, sites: &[DamageSite], retained: Option<f64>) -> Op
         all.filter(|other| *other != mode && found.contains(other))
             .collect()
     };
-    let reserve = Reserve {
-        near: others(&near),
-        part: least.map(|least| (least, others(&part))),
-        without,
-    };
-    let mut call = ModeCall {
+    reserve.near = others(&near);
+    reserve.part = least.map(|least| (least, others(&part)));
+    Some(ModeCall {
         mode,
+        basis,
+        rule,
         shares,
         reach: covered,
         followed_reach,
         collapse: evidence.collapse,
         others: others(&[near, part].concat()),
-        reasons: Vec::new(),
-    };
-    call.reasons = reasons::of(&call, basis, why, &reserve, retained);
-    Some(call)
-}
-
-/// Which rule decided.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Why {
-    Severed,
-    Split,
-    Share,
-    Confined,
-    NoShare,
+        reserve,
+        retained,
+    })
 }
 
 /// A severed path first, then the share, then whether the damage stays at the hole's edge.
-fn decide(shares: [f64; 3], reach: [f64; 3]) -> (JointMode, Why) {
-    let severed = |mode: usize| reach[mode] >= SEVERED && shares[mode] >= TAKES_PART;
+fn decide(shares: [f64; 3], reach: [f64; 3]) -> (JointMode, ModeRule) {
+    let severed = |mode: usize| reach[mode] >= ModeCall::SEVERED && shares[mode] >= TAKES_PART;
     // What is crushed ahead of the pin is not parted; what is split ahead of it to the end is.
     match [severed(0) || severed(1), severed(2)] {
-        [true, false] if severed(1) => return (JointMode::ShearOut, Why::Severed),
-        [true, false] => return (JointMode::ShearOut, Why::Split),
-        [false, true] => return (JointMode::NetTension, Why::Severed),
+        [true, false] if severed(1) => return (JointMode::ShearOut, ModeRule::Severed),
+        [true, false] => return (JointMode::ShearOut, ModeRule::Split),
+        [false, true] => return (JointMode::NetTension, ModeRule::Severed),
         _ => {}
     }
     let largest = (0..3).fold(0, |best, mode| {
@@ -225,12 +249,12 @@ fn decide(shares: [f64; 3], reach: [f64; 3]) -> (JointMode, Why) {
         }
     });
     let confined = reach[1] < CONFINED && reach[2] < CONFINED;
-    if shares[largest] >= GOVERNS {
-        (JointMode::PURE[largest], Why::Share)
+    if shares[largest] >= ModeCall::GOVERNS {
+        (JointMode::PURE[largest], ModeRule::Share)
     } else if largest == 0 && shares[0] >= CRUSHED && confined {
-        (JointMode::Bearing, Why::Confined)
+        (JointMode::Bearing, ModeRule::Confined)
     } else {
-        (JointMode::Mixed, Why::NoShare)
+        (JointMode::Mixed, ModeRule::NoShare)
     }
 }
 
@@ -238,7 +262,7 @@ impl JointHistory {
     /// The failures of body `body`, as [`call_mode`] takes them, those of the collapse at the end included.
     pub fn damage_sites(&self, body: usize) -> Vec<DamageSite> {
         let peak = self.peak();
-        let enough = LATE * self.records[peak].load;
+        let enough = ModeCall::LATE * self.records[peak].load;
         let late = |(index, record): (usize, &JointRecord)| index > peak || record.load >= enough;
         let followed = (self.records.iter().enumerate()).flat_map(|(index, record)| {
             record

@@ -1,13 +1,17 @@
 //! What a mode is called by: which damage decides, how it is shared out, and how far it covers each path.
 
 use super::zones::zone_weights;
-use super::{DamageSite, Hole, JointMode, MAY_SHIFT, PARTS, decide};
+use super::{DamageSite, Hole, JointMode, ModeCall, decide};
 
-/// Damage that decides.
+const PARTS: usize = ModeCall::PARTS;
+
+/// Which damage decides a mode: broken fibres before cracks, late damage before early.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Basis {
-    pub(super) fibre: bool,
-    pub(super) late: bool,
+pub struct Basis {
+    /// Broken fibres alone, and not matrix damage.
+    pub fibre: bool,
+    /// Damage from [`ModeCall::LATE`] of the peak load on alone.
+    pub late: bool,
 }
 
 impl Basis {
@@ -70,7 +74,7 @@ impl Evidence {
         for from in 0..4 {
             for to in (0..4).filter(|to| *to != from) {
                 let mut moved = [bearing, shear, tension, elsewhere];
-                let part = MAY_SHIFT.min(moved[from]);
+                let part = ModeCall::MAY_SHIFT.min(moved[from]);
                 moved[from] -= part;
                 moved[to] += part;
                 shares.push([moved[0], moved[1], moved[2]]);

@@ -3,6 +3,7 @@
 pub(super) mod csv_files;
 pub(super) mod figures;
 mod maps;
+mod reasons;
 pub(super) mod summary;
 pub(super) mod tables;
 

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::reasons::reasons;
 use super::tables::DEPARTURE;
 use super::{ProgressiveView, mode_name};
 use crate::results::findings::{Entry, entries};
@@ -17,7 +18,7 @@ pub(crate) struct Progressive<'a> {
     first_fibre: Option<Loss<'a>>,
     peak: Option<Point>,
     strength: Option<Quantity>,
-    mode: Option<Call<'a>>,
+    mode: Option<Call>,
     end: &'static str,
     end_reason: Option<&'a str>,
     bearing_angle_deg: Option<f64>,
@@ -50,14 +51,14 @@ struct Loss<'a> {
 }
 
 #[derive(Debug, Serialize)]
-struct Call<'a> {
+struct Call {
     mode: &'static str,
     bearing: Option<f64>,
     shear_out: Option<f64>,
     net_tension: Option<f64>,
     collapse: Option<f64>,
     others: Vec<&'static str>,
-    reasons: &'a [String],
+    reasons: Vec<String>,
 }
 
 /// The entry of a followed joint.
@@ -90,7 +91,7 @@ pub(crate) fn progressive<'a>(view: &ProgressiveView<'a>) -> Progressive<'a> {
                 net_tension,
                 collapse: tidy(call.collapse),
                 others: call.others.iter().map(|mode| mode.name()).collect(),
-                reasons: &call.reasons,
+                reasons: reasons(call),
             }
         }),
         end,

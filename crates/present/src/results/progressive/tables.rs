@@ -3,6 +3,7 @@
 use stickslip_joint::{JointMode, ModeCall};
 use stickslip_report::table::Table;
 
+use super::reasons::reasons;
 use super::{ProgressiveView, mode_name};
 use stickslip_engine::results::{PlyLoss, ProgressiveEnd, ProgressiveFailure};
 use stickslip_text::{decimals, significant};
@@ -94,7 +95,7 @@ fn near(call: &ModeCall) -> String {
 pub(crate) fn verdict(view: &ProgressiveView<'_>) -> Vec<String> {
     let own = view.progressive;
     let mut sentences = vec![strength(view)];
-    let reasons = own.mode.iter().flat_map(|call| &call.reasons);
+    let reasons = own.mode.iter().flat_map(reasons);
     sentences.extend(reasons.map(|reason| format!("– {reason}")));
     if !own.edge.is_empty() {
         sentences.push(departures(own));
