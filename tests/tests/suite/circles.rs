@@ -11,7 +11,7 @@ const FAMILIES: &[(&str, usize)] = &[
     ("engine", 20),
     ("fem-core", 5),
     ("friction", 2),
-    ("joint", 4),
+    ("joint", 3),
     ("laboratory", 4),
     ("laminate", 2),
     ("measure", 10),
