@@ -199,14 +199,25 @@ pub struct ModelEdge {
     pub areas: Vec<f64>,
     /// Polynomial order of the edge.
     pub order: usize,
-    /// Unit normal per node: e_r, or e_n of a line.
+    /// Arc length per node along e_t, the normal turned by +90° `[mm]`.
+    pub along: Vec<f64>,
+    /// Unit normal per node: e_r on a circle, otherwise that of the edge with a part along +y.
     pub normals: Vec<[f64; 2]>,
+    /// Tractions (σ_nn, τ_nt) per node of a unit reaction there along x and along y `[1/mm²]`; empty where nothing holds it.
+    pub reactions: Vec<[[f64; 2]; 2]>,
     /// Index of the contact pair.
     pub pair: Option<usize>,
     /// Up to where from the bearing point θ = 0 or x = 0 the mesh along it is fine `[rad or mm]`; `None` for all of it.
     pub fine_to: Option<f64>,
-    /// Tractions of the loads on an edge without contact: load case, and (σ_nn, τ_nt) per node for a multiplier of one.
+    /// Tractions of the loads on it: load case, and (σ_nn, τ_nt) per node for a multiplier of one.
     pub tractions: Vec<(usize, Vec<[f64; 2]>)>,
+}
+
+impl ModelEdge {
+    /// Whether it belongs to the body with the index `body` and something holds it.
+    pub fn is_held_on(&self, body: usize) -> bool {
+        self.body == body && !self.reactions.is_empty()
+    }
 }
 
 /// What is known of a contact beside its points.

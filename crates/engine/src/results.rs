@@ -153,7 +153,7 @@ pub struct EdgeGeometry {
 /// One node of an edge at the end of a load step. What is rounding beside the largest of the history is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EdgeRow {
-    /// Contact pressure, ≥ 0 `[MPa]`.
+    /// Contact pressure, ≥ 0; on an edge without contact that of all that acts on it, of any sign `[MPa]`.
     pub pressure: f64,
     /// Tangential traction λ_t on the first body along e_t `[MPa]`.
     pub shear: f64,
@@ -163,9 +163,9 @@ pub struct EdgeRow {
     pub slip: f64,
     /// Status.
     pub status: Status,
-    /// σ_r (circle) or σ_yy (line) `[MPa]`.
+    /// σ_r (circle) or σ_yy (line; across an arc), of contact, loads and reactions together `[MPa]`.
     pub sigma_normal: f64,
-    /// σ_θ or σ_xx `[MPa]`.
+    /// σ_θ or σ_xx (along an arc) `[MPa]`.
     pub sigma_tangential: f64,
     /// τ_rθ or τ_xy `[MPa]`.
     pub tau: f64,

@@ -12,10 +12,10 @@ use stickslip_fem_core::mesh::Point;
 use self::edge::{EdgeNodes, edge_nodes};
 use self::geometry::Geometry;
 use self::projection::{Side, Tied};
-use super::plan::{ContactPlan, Plan};
+use super::plan::{ContactPlan, Placed, Plan};
 use super::{Meshes, ModelEdge, ModelError, loads};
 use crate::results::Choice;
-use stickslip_scene::schema::{Contact, DisplayUnits};
+use stickslip_scene::schema::{Contact, DisplayUnits, SetRef};
 
 /// Pairs, edges, and each body's contact points.
 #[derive(Debug, Default)]
@@ -53,8 +53,8 @@ pub(super) fn build(
         }
         let body = &plan.bodies[reported.body];
         let edge = edge_nodes(reported, meshes, half)?;
-        let mut edge = edge.into_model_edge(reported, body, half, None);
-        edge.tractions = loads::edge_tractions(plan, reported, &edge);
+        let edge = edge.into_model_edge(reported, body, half, None);
+        let mut edge = loaded(plan, reported, edge);
         edge.geometry.frame = loads::frame(plan, reported.of, half);
         contacts.edges.push(edge);
     }
@@ -111,6 +111,7 @@ impl Contacts {
         let (points, chosen) = tied.tie(&above, &below)?;
         let local = above.local.clone().collect();
         let edge = upper.into_model_edge(first, body, half, Some(self.pairs.len()));
+        let edge = loaded(plan, first, edge);
         self.edges.push(in_contact(edge, contact, local, &points));
         self.pairs.push(ContactPair {
             name: contact.name.clone(),
@@ -138,6 +139,13 @@ impl Contacts {
         };
         [above, below]
     }
+}
+
+/// `edge` with what else than contact acts on it.
+fn loaded(plan: &Plan<'_>, on: &Placed<'_, SetRef>, mut edge: ModelEdge) -> ModelEdge {
+    edge.tractions = loads::edge_tractions(plan, on, &edge);
+    edge.reactions = loads::edge_reactions(plan, on, &edge);
+    edge
 }
 
 fn refused(contact: &Contact, what: String) -> ModelError {

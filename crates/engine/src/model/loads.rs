@@ -298,6 +298,43 @@ pub(super) fn edge_tractions(
     all
 }
 
+/// Tractions (σ_nn, τ_nt) at each node of a reported edge of a unit reaction there along x and along y `[1/mm²]`, as far as supports
+/// and platens of this edge take it; empty where none does.
+pub(super) fn edge_reactions(
+    plan: &Plan<'_>,
+    placed: &Placed<'_, SetRef>,
+    edge: &ModelEdge,
+) -> Vec<[[f64; 2]; 2]> {
+    let held = plan.held_along(placed.of);
+    let Some(&first) = held.first() else {
+        return Vec::new();
+    };
+    let outward = sign(placed);
+    let parallel = |other: &[f64; 2]| (first[0] * other[1] - first[1] * other[0]).abs() < 1e-9;
+    let all = !held.iter().all(parallel);
+    let taken = |force: [f64; 2]| {
+        let share = first[0] * force[0] + first[1] * force[1];
+        if all {
+            force
+        } else {
+            first.map(|part| share * part)
+        }
+    };
+    // On the line of symmetry of a half the other part of the reaction is what that line takes.
+    let ends = edge.nodes.len() - 1;
+    let round = edge.geometry.closed().is_some();
+    let symmetric = |k: usize| edge.geometry.half && (k == 0 || (round && k == ends));
+    let of_node = |k: usize| {
+        let ([nx, ny], area) = (edge.normals[k], edge.areas[k]);
+        [[1.0, 0.0], [0.0, 1.0]].map(|unit| {
+            let [x, y] = taken(unit).map(|force| outward * force / area);
+            let along = if symmetric(k) { 0.0 } else { y * nx - x * ny };
+            [x * nx + y * ny, along]
+        })
+    };
+    (0..=ends).map(of_node).collect()
+}
+
 /// A rigid body slides along the axes in which nothing holds it, and never turns.
 fn rigid(plan: &Plan<'_>, index: usize, half: bool, points: &[Point]) -> RigidBody {
     let mut free = plan.free_axes(index);

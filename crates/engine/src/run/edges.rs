@@ -27,7 +27,15 @@ pub(super) fn all(
         let mut rows = (0..reported.len())
             .map(|step| {
                 let moved = &recovered[step].free_edges[index];
-                rows(model, solved, &reported[step], moved, step, edge)
+                let reactions = &recovered[step].reactions[index];
+                rows(
+                    model,
+                    solved,
+                    &reported[step],
+                    (moved, reactions),
+                    step,
+                    edge,
+                )
             })
             .collect::<Result<Vec<_>, _>>()?;
         clear_stresses(&mut rows);
@@ -50,12 +58,13 @@ pub(super) fn all(
     Ok((geometries, steps))
 }
 
-/// One row per node of `edge` in load step `step`; `moved` are the displacements of an edge without contact.
+/// One row per node of `edge` in load step `step`; `moved` are the displacements of an edge without contact, `reactions` the tractions
+/// of its supports.
 fn rows(
     model: &Model,
     solved: &Solved,
     reported: &Reported,
-    moved: &[[f64; 2]],
+    (moved, reactions): (&[[f64; 2]], &[[f64; 2]]),
     step: usize,
     edge: &ModelEdge,
 ) -> Result<Vec<EdgeRow>, StressError> {
@@ -63,7 +72,8 @@ fn rows(
         Some(_) => interface_displacement(solved, &solved.records[step], edge),
         None => moved.to_vec(),
     };
-    let mut rows = contact_rows(solved, reported, edge);
+    let further = further_tractions(edge, &reported.state.multipliers, reactions);
+    let mut rows = bare_rows(solved, reported, edge, &further);
     let initial = match &model.bodies[edge.body].kind {
         ModelBodyKind::Elastic(body) => body.initial_strain(&reported.state.multipliers),
         ModelBodyKind::Rigid(_) => Vec::new(),
@@ -72,6 +82,7 @@ fn rows(
         model,
         edge,
         &displacement,
+        edge.pair.map(|_| further.as_slice()),
         initial.first().copied().unwrap_or_default(),
         &mut rows,
     )?;
@@ -102,7 +113,32 @@ fn interface_displacement(solved: &Solved, record: &StepRecord, edge: &ModelEdge
         .collect()
 }
 
-fn contact_rows(solved: &Solved, reported: &Reported, edge: &ModelEdge) -> Vec<EdgeRow> {
+/// Tractions (σ_nn, τ_nt) per node of `edge` beside those of its contact: of its loads, and its reactions.
+fn further_tractions(
+    edge: &ModelEdge,
+    multipliers: &[f64],
+    reactions: &[[f64; 2]],
+) -> Vec<[f64; 2]> {
+    let mut all = vec![[0.0; 2]; edge.nodes.len()];
+    let mut add = |factor: f64, values: &[[f64; 2]]| {
+        for (sum, value) in all.iter_mut().zip(values) {
+            *sum = [0, 1].map(|part| sum[part] + factor * value[part]);
+        }
+    };
+    for (case, values) in &edge.tractions {
+        add(multipliers.get(*case).copied().unwrap_or(0.0), values);
+    }
+    add(1.0, reactions);
+    all
+}
+
+/// The rows without stresses: those of the contact, or where there is none all tractions as pressure and shear.
+fn bare_rows(
+    solved: &Solved,
+    reported: &Reported,
+    edge: &ModelEdge,
+    further: &[[f64; 2]],
+) -> Vec<EdgeRow> {
     let state = &reported.state;
     let free = EdgeRow {
         pressure: 0.0,
@@ -115,19 +151,12 @@ fn contact_rows(solved: &Solved, reported: &Reported, edge: &ModelEdge) -> Vec<E
         tau: 0.0,
     };
     let Some(pair) = edge.pair else {
-        let multiplier = |case: usize| state.multipliers.get(case).copied().unwrap_or(0.0);
-        let sum = |k: usize, part: usize| -> f64 {
-            edge.tractions
-                .iter()
-                .map(|(case, values)| multiplier(*case) * values[k][part])
-                .sum()
-        };
-        let row = |k| EdgeRow {
-            pressure: -sum(k, 0),
-            shear: -sum(k, 1),
+        let row = |&[normal, shear]: &[f64; 2]| EdgeRow {
+            pressure: -normal,
+            shear: -shear,
             ..free
         };
-        return (0..edge.nodes.len()).map(row).collect();
+        return further.iter().map(row).collect();
     };
     let contacts = solved.interface.contacts();
     contacts
@@ -150,23 +179,32 @@ fn contact_rows(solved: &Solved, reported: &Reported, edge: &ModelEdge) -> Vec<E
         .collect()
 }
 
+/// Adds the stresses that follow from the tractions of `rows`, with the tractions (σ_nn, τ_nt) `further` that these do not hold, and from
+/// the strain along the edge.
 fn add_stresses(
     model: &Model,
     edge: &ModelEdge,
     displacement: &[[f64; 2]],
+    further: Option<&[[f64; 2]]>,
     initial_strain: [f64; 3],
     rows: &mut [EdgeRow],
 ) -> Result<(), StressError> {
     let ModelBodyKind::Elastic(body) = &model.bodies[edge.body].kind else {
         return Ok(());
     };
-    let (parameter, ends) = path(&edge.geometry);
-    let normal_stress: Vec<f64> = rows.iter().map(|row| -row.pressure).collect();
-    let shear_stress: Vec<f64> = rows.iter().map(|row| -row.shear).collect();
+    let of_rows = rows.iter().map(|row| [-row.pressure, -row.shear]);
+    let mut tractions: Vec<[f64; 2]> = of_rows.collect();
+    for (sum, more) in tractions.iter_mut().zip(further.unwrap_or_default()) {
+        *sum = [sum[0] + more[0], sum[1] + more[1]];
+    }
+    let (normal_stress, shear_stress): (Vec<f64>, Vec<f64>) = tractions
+        .into_iter()
+        .map(|[normal, shear]| (normal, shear))
+        .unzip();
     let data = EdgeData {
         order: edge.order,
-        ends,
-        parameter: &parameter,
+        ends: ends(&edge.geometry),
+        parameter: &edge.along,
         displacement,
         normal: &edge.normals,
         normal_stress: &normal_stress,
@@ -190,32 +228,16 @@ fn add_stresses(
     Ok(())
 }
 
-/// Arc length of each node along e_t, and how the edge continues at its ends.
-fn path(geometry: &EdgeGeometry) -> (Vec<f64>, PathEnds) {
-    let places = geometry.parameter.iter();
-    match geometry.kind {
-        EdgeKind::Circle { radius, .. } => {
-            let mirror = PathEnd::Mirror { axis: [1.0, 0.0] };
-            let closed = PathEnds::Closed {
-                length: std::f64::consts::TAU * radius,
-            };
-            let ends = if geometry.half {
-                PathEnds::Open([mirror; 2])
-            } else {
-                closed
-            };
-            (places.map(|theta| radius * theta).collect(), ends)
-        }
-        EdgeKind::Line => {
-            let start = if geometry.half {
-                PathEnd::Mirror { axis: [0.0, 1.0] }
-            } else {
-                PathEnd::Free
-            };
-            // e_t = −e_x for a normal along +y.
-            let ends = PathEnds::Open([start, PathEnd::Free]);
-            (places.map(|x| -x).collect(), ends)
-        }
+/// How the edge continues at its ends.
+fn ends(geometry: &EdgeGeometry) -> PathEnds {
+    let mirror = |axis| PathEnd::Mirror { axis };
+    match (geometry.kind, geometry.half) {
+        (EdgeKind::Circle { radius, .. }, false) => PathEnds::Closed {
+            length: std::f64::consts::TAU * radius,
+        },
+        (EdgeKind::Circle { .. }, true) => PathEnds::Open([mirror([1.0, 0.0]); 2]),
+        (EdgeKind::Line, false) => PathEnds::Open([PathEnd::Free; 2]),
+        (EdgeKind::Line, true) => PathEnds::Open([mirror([0.0, 1.0]), PathEnd::Free]),
     }
 }
 

@@ -25,6 +25,8 @@ pub(super) struct Recovered {
     pub(super) displacement: Vec<Vec<f64>>,
     /// The same at the nodes of each of the model's edges without contact; empty for others.
     pub(super) free_edges: Vec<Vec<[f64; 2]>>,
+    /// Tractions (σ_nn, τ_nt) of the reactions at the nodes of each of the model's edges that is held; empty for others.
+    pub(super) reactions: Vec<Vec<[f64; 2]>>,
     /// Amounts of each body's free rigid motions.
     motions: Vec<Vec<f64>>,
     /// Balance per body; `None` for a rigid one.
@@ -42,6 +44,24 @@ impl Recovered {
             worst.max(body.force).max(body.moment).max(body.nodal)
         })
     }
+
+    /// Takes over what the reactions among the nodal forces `residual` of the body `index` are as tractions on its held edges.
+    fn add_reactions(&mut self, model: &Model, index: usize, residual: &[f64]) {
+        for (edge, tractions) in model.edges.iter().zip(&mut self.reactions) {
+            if !edge.is_held_on(index) {
+                continue;
+            }
+            let of_node = |(&node, [x, y]): (&usize, &[[f64; 2]; 2])| {
+                [0, 1].map(|part| residual[2 * node] * x[part] + residual[2 * node + 1] * y[part])
+            };
+            *tractions = edge
+                .nodes
+                .iter()
+                .zip(&edge.reactions)
+                .map(of_node)
+                .collect();
+        }
+    }
 }
 
 /// Recovers the displacements of all bodies at the end of every load step, and audits their balance: one pass over each
@@ -58,9 +78,18 @@ pub(super) fn recover(model: &Model, solved: &Solved) -> Vec<Recovered> {
     })
 }
 
-/// Recovers the displacements of the bodies with the indices `wanted` alone, without an audit.
+/// Recovers the displacements of the bodies with the indices `wanted` alone, and the reactions on edges in contact, without an audit.
 pub(super) fn recover_some(model: &Model, solved: &Solved, wanted: &[usize]) -> Vec<Recovered> {
-    pass(model, solved, wanted, false, HELD, |_| true)
+    let in_contact = model.edges.iter().filter(|edge| edge.pair.is_some());
+    let held = in_contact.filter(|edge| edge.is_held_on(edge.body));
+    let mut all: Vec<usize> = wanted
+        .iter()
+        .copied()
+        .chain(held.map(|edge| edge.body))
+        .collect();
+    all.sort_unstable();
+    all.dedup();
+    pass(model, solved, &all, false, HELD, |_| true)
 }
 
 /// Recovers the bodies `wanted`, about `held` numbers at once.
@@ -79,6 +108,7 @@ fn pass(
         .map(|record| Recovered {
             displacement: vec![Vec::new(); bodies],
             free_edges: vec![Vec::new(); model.edges.len()],
+            reactions: vec![Vec::new(); model.edges.len()],
             motions: motions(solved, record),
             balance: vec![None; bodies],
             multipliers: record.state.multipliers.clone(),
@@ -94,11 +124,12 @@ fn pass(
             let forces = forces_on(solved, records, index);
             let states = loads_on(records, &forces);
             let displacements = body.displacements_of(&states);
-            if audits {
+            if audits || model.edges.iter().any(|edge| edge.is_held_on(index)) {
                 let residuals = body.residual_forces_of(&displacements, &states);
                 let balances = body.balances_of(&residuals, &states);
-                for (step, balance) in steps.iter_mut().zip(balances) {
-                    step.balance[index] = Some(balance);
+                for ((step, balance), residual) in steps.iter_mut().zip(balances).zip(residuals) {
+                    step.balance[index] = audits.then_some(balance);
+                    step.add_reactions(model, index, &residual);
                 }
             }
             for (step, u) in steps.iter_mut().zip(displacements) {

@@ -11,7 +11,7 @@ use tempfile::TempDir;
 use super::{BUSHING, difference, model, results, scene, scene_in, solved, tractions, upper};
 
 /// A cylinder that is pressed on a block.
-const ROLLER: &str = r#"
+pub(super) const ROLLER: &str = r#"
 version = 1
 [analysis]
 plane = "strain"

@@ -2,6 +2,7 @@
 
 mod bearing;
 mod chains;
+mod edges;
 mod frames;
 mod halves;
 mod mortar;

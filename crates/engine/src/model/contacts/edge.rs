@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use stickslip_fem_core::mesh::Curve;
+use stickslip_fem_core::mesh::{Curve, Point};
 
 use crate::model::plan::{BodyPlan, Placed};
 use crate::model::{Meshes, ModelEdge, ModelError};
@@ -13,6 +13,8 @@ use stickslip_scene::schema::SetRef;
 pub(super) struct EdgeNodes {
     pub(super) kind: EdgeKind,
     pub(super) parameter: Vec<f64>,
+    /// Arc length along e_t, and e_n there.
+    path: Vec<(f64, [f64; 2])>,
     pub(super) nodes: Vec<usize>,
     pub(super) corner: Vec<bool>,
     pub(super) weights: Vec<f64>,
@@ -38,6 +40,7 @@ pub(super) fn edge_nodes(
         let corner = (0..walk.nodes.len()).map(|k| k % walk.order == 0).collect();
         let mut nodes = EdgeNodes {
             kind: EdgeKind::Circle { centre, radius },
+            path: Vec::new(),
             parameter,
             nodes: walk.nodes,
             corner,
@@ -47,12 +50,18 @@ pub(super) fn edge_nodes(
         if !half {
             nodes.start_at_minus_pi();
         }
+        let places = nodes.parameter.iter();
+        nodes.path = places
+            .map(|&at| (radius * at, [at.cos(), at.sin()]))
+            .collect();
         return Ok(nodes);
     }
     let weights = mesh.edge_weights(&path, curve);
     let x = |node: usize| mesh.nodes()[node][0];
+    let places = path.nodes.iter().map(|&node| mesh.nodes()[node]);
     let mut nodes = EdgeNodes {
         kind: EdgeKind::Line,
+        path: places.map(|place| on_line(place, curve)).collect(),
         parameter: path.nodes.iter().map(|&node| x(node)).collect(),
         corner: (0..path.nodes.len()).map(|k| k % path.order == 0).collect(),
         weights,
@@ -61,11 +70,24 @@ pub(super) fn edge_nodes(
     };
     if nodes.parameter.first() > nodes.parameter.last() {
         nodes.parameter.reverse();
+        nodes.path.reverse();
         nodes.nodes.reverse();
         nodes.corner.reverse();
         nodes.weights.reverse();
     }
     Ok(nodes)
+}
+
+/// Arc length along e_t, which leads to smaller x, and e_n at `place` of an edge whose results stand over x: a straight line along x,
+/// or an arc that crosses the line through its centre along y.
+fn on_line(place: Point, curve: Option<Curve>) -> (f64, [f64; 2]) {
+    let Some(Curve::Arc { centre, .. }) = curve else {
+        return (-place[0], [0.0, 1.0]);
+    };
+    let [x, y] = [place[0] - centre[0], place[1] - centre[1]];
+    let radius = x.hypot(y);
+    let upwards = y.signum() / radius;
+    (-radius * x.atan2(y.abs()), [x * upwards, y * upwards])
 }
 
 impl EdgeNodes {
@@ -99,7 +121,7 @@ impl EdgeNodes {
         half: bool,
         pair: Option<usize>,
     ) -> ModelEdge {
-        let normals = self.parameter.iter().map(|&at| self.normal(at)).collect();
+        let (along, normals) = self.path.into_iter().unzip();
         let thickness = body.thickness();
         // A side along the line of symmetry lies wholly in the half or wholly out of it.
         let own = edge.edge.zip(body.shape.mirror());
@@ -131,7 +153,9 @@ impl EdgeNodes {
                 .map(|weight| weight * thickness)
                 .collect(),
             order: self.order,
+            along,
             normals,
+            reactions: Vec::new(),
             pair,
             fine_to: body.fine_to(),
             tractions: Vec::new(),

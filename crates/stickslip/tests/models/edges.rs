@@ -1,0 +1,204 @@
+//! Stresses along edges on which contact, loads and supports act together.
+
+use stickslip::results::{EdgeRow, Results};
+
+use super::{difference, model, solved, upper};
+use crate::halves::ROLLER;
+
+/// A ring that is held at its outer edge, under pressure in its hole.
+const RING: &str = r#"
+version = 1
+[materials.metal.isotropic]
+young = "70 GPa"
+poisson = 0.3
+[bodies.ring]
+material = "metal"
+thickness = "2 mm"
+shape.plate_with_hole = { hole_radius = "5 mm", outline.ring.radius = "20 mm" }
+[mesh]
+spacing = "3 deg"
+[[supports]]
+on = "ring.outer"
+fix = ["x", "y"]
+[[loads]]
+on = "ring.hole"
+pressure.steps = ["100 MPa", "0 MPa"]
+[[edges]]
+on = "ring.hole"
+[[edges]]
+on = "ring.outer"
+[output]
+fields = "none"
+figures = false
+"#;
+
+/// A pin that is pressed towards +x in its hole.
+const PIN: [&str; 2] = [
+    r#"
+[bodies.pin]
+material = "metal"
+thickness = "2 mm"
+shape.disk = { radius = "4.95 mm" }
+[[contacts]]
+first = "ring.hole"
+second = "pin.rim"
+friction.coulomb.mu = 0.2
+"#,
+    r#"
+[[loads]]
+on = "pin.rim"
+force = { direction = [1, 0], steps = ["2 kN", "2 kN"] }
+"#,
+];
+
+fn ring_with_pin() -> String {
+    let text = format!("{RING}{}{}", PIN[0], PIN[1]);
+    text.replacen("[[edges]]\non = \"ring.hole\"\n", "", 1)
+}
+
+/// Sum of a traction over an edge `[N]`.
+fn total(areas: &[f64], rows: &[EdgeRow], of: fn(&EdgeRow) -> f64) -> f64 {
+    let shares = areas.iter().zip(rows).map(|(area, row)| area * of(row));
+    shares.sum()
+}
+
+/// σ_xx + σ_yy of the fields at the nodes of edge `edge`, which no turn of the axes changes.
+fn trace_of_field(results: &Results, step: usize, body: usize, nodes: &[usize]) -> Vec<f64> {
+    let fields = &results.steps[step].fields;
+    let own = fields.iter().find(|fields| fields.body == body).unwrap();
+    let at = |&node: &usize| own.stress[node][0] + own.stress[node][1];
+    nodes.iter().map(at).collect()
+}
+
+#[test]
+fn a_held_edge_carries_the_reaction_of_lame() {
+    let results = solved(RING, &[]);
+    let (nu, inner, outer, pressure) = (0.3, 5.0_f64, 20.0_f64, 100.0);
+    // u = A (r − b²/r) vanishes at b; σ_r = E/(1 − ν²) (u′ + ν u/r) in plane stress.
+    let shape = |r: f64| [1.0 + (outer / r).powi(2), 1.0 - (outer / r).powi(2)];
+    let stress = |[along, across]: [f64; 2]| along + nu * across;
+    let factor = -pressure / stress(shape(inner));
+    let expected = factor * stress(shape(outer));
+    let rows = &results.steps[0].edges[1].rows;
+    for row in rows {
+        assert!((row.sigma_normal / expected - 1.0).abs() < 3e-4, "{row:?}");
+        assert!((row.sigma_tangential / (nu * row.sigma_normal) - 1.0).abs() < 1e-9);
+        assert!(row.tau.abs() < 1e-9 * pressure && row.pressure == -row.sigma_normal);
+    }
+    let hoop = factor * (shape(inner)[1] + nu * shape(inner)[0]);
+    for row in &results.steps[0].edges[0].rows {
+        assert_eq!(row.sigma_normal, -pressure);
+        assert!((row.sigma_tangential / hoop - 1.0).abs() < 1e-3, "{row:?}");
+    }
+    let unloaded = results.steps[1].edges.iter().flat_map(|edge| &edge.rows);
+    assert!(unloaded.into_iter().all(|row| row.sigma_normal == 0.0));
+}
+
+#[test]
+fn loads_on_an_edge_in_contact_count_in_its_stresses() {
+    let changes = [
+        "loads.0.pressure.steps=[\"0 MPa\", \"100 MPa\"]",
+        "mesh.spacing=\"1.5 deg\"",
+        "output.fields=\"last\"",
+    ];
+    let text = ring_with_pin();
+    let (loaded, results) = (model(&text, &changes), solved(&text, &changes));
+    let edge = &results.steps[1].edges[0];
+    assert!(edge.rows.iter().any(|row| row.pressure == 0.0));
+    for row in &edge.rows {
+        assert!((row.sigma_normal + row.pressure + 100.0).abs() < 1e-9);
+    }
+    let nodes = &loaded.edges[0].nodes;
+    let field = trace_of_field(&results, 1, loaded.edges[0].body, nodes);
+    let traces = edge
+        .rows
+        .iter()
+        .map(|row| row.sigma_normal + row.sigma_tangential);
+    // Fields are smooth over patches, tractions have a kink where contact ends.
+    let end = edge
+        .rows
+        .iter()
+        .rposition(|row| row.pressure > 0.0)
+        .unwrap();
+    let compared = (0..nodes.len()).filter(|k| k.abs_diff(end) > 6);
+    let pairs: Vec<(f64, f64)> = field.into_iter().zip(traces).collect();
+    let (field, traces): (Vec<f64>, Vec<f64>) = compared.map(|k| pairs[k]).unzip();
+    let apart = difference(field, traces);
+    assert!(apart < 0.02, "{apart}");
+}
+
+#[test]
+fn a_held_circle_balances_the_pin() {
+    for kind in ["half", "whole"] {
+        let kind_of = format!("analysis.model=\"{kind}\"");
+        let (text, changes) = (ring_with_pin(), [kind_of.as_str()]);
+        let (model, results) = (model(&text, &changes), solved(&text, &changes));
+        for step in &results.steps {
+            let (edge, normals) = (&model.edges[1], &model.edges[1].normals);
+            let along = edge.areas.iter().zip(normals).zip(&step.edges[1].rows);
+            let force: f64 = along
+                .map(|((area, [x, y]), row)| area * (x * row.sigma_normal - y * row.tau))
+                .sum();
+            let whole = if model.half { 2.0 * force } else { force };
+            assert!((whole + 2e3).abs() < 1e-6, "{kind}: {whole}");
+        }
+    }
+}
+
+#[test]
+fn block_and_platen_balance_the_roller_by_half_and_whole() {
+    let edges = "edges=[{ on = \"block.bottom\" }, { on = \"roller.top\" }]";
+    let [half, whole] = ["half", "whole"].map(|kind| {
+        let changes = [edges, &format!("analysis.model=\"{kind}\"")];
+        (model(ROLLER, &changes), solved(ROLLER, &changes))
+    });
+    for (step, force) in [300.0, 600.0, 200.0].into_iter().enumerate() {
+        for edge in [1, 2] {
+            for ((model, results), share) in [&half, &whole].into_iter().zip([0.5, 1.0]) {
+                let rows = &results.steps[step].edges[edge].rows;
+                let sum = total(&model.edges[edge].areas, rows, |row| row.sigma_normal);
+                assert!((sum + share * force).abs() < 1e-6, "{sum}");
+            }
+            let [one, other] = [&half, &whole].map(|of| upper(&of.1, step, edge));
+            for of in [
+                |row: &EdgeRow| row.sigma_normal,
+                |row: &EdgeRow| row.sigma_tangential,
+                |row: &EdgeRow| row.tau,
+            ] {
+                let apart = difference(one.iter().map(of), other.iter().map(of));
+                assert!(apart < 1e-6, "{apart} on edge {edge}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_roller_support_takes_no_shear() {
+    let changes = [
+        "supports.0.fix=[\"y\"]",
+        "edges=[{ on = \"block.bottom\" }]",
+    ];
+    let rows = &solved(ROLLER, &changes).steps[1].edges[1].rows;
+    assert!(rows.iter().all(|row| row.tau == 0.0));
+}
+
+#[test]
+fn stresses_along_an_arc_are_those_of_the_body() {
+    let changes = [
+        "output.fields=\"all\"",
+        "bodies.roller.shape.cylinder.radius=\"20 mm\"",
+    ];
+    let (model, results) = (model(ROLLER, &changes), solved(ROLLER, &changes));
+    let (edge, rows) = (&model.edges[0], &results.steps[1].edges[0].rows);
+    let field = trace_of_field(&results, 1, edge.body, &edge.nodes);
+    // Fields are smooth over patches, tractions have a kink where contact ends.
+    let free = rows
+        .iter()
+        .zip(field)
+        .filter(|(row, _)| (0.1..3.0).contains(&row.gap));
+    let (traces, field): (Vec<f64>, Vec<f64>) = free
+        .map(|(row, field)| (row.sigma_tangential, field))
+        .unzip();
+    let apart = difference(field, traces);
+    assert!(apart < 0.02, "{apart}");
+}
