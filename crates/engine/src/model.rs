@@ -189,8 +189,6 @@ pub enum ModelBodyKind {
 pub struct ModelEdge {
     /// What does not change from step to step.
     pub geometry: EdgeGeometry,
-    /// Index of the body whose stresses are reported.
-    pub body: usize,
     /// Mesh nodes along the edge, by ascending parameter.
     pub nodes: Vec<usize>,
     /// Position of each node among the body's contact points; empty for an edge without contact.
@@ -216,7 +214,7 @@ pub struct ModelEdge {
 impl ModelEdge {
     /// Whether it belongs to the body with the index `body` and something holds it.
     pub fn is_held_on(&self, body: usize) -> bool {
-        self.body == body && !self.reactions.is_empty()
+        self.geometry.body == body && !self.reactions.is_empty()
     }
 }
 

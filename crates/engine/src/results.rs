@@ -132,8 +132,8 @@ pub struct EdgeGeometry {
     pub name: String,
     /// Whether it is a contact edge.
     pub contact: bool,
-    /// Name of the body whose stresses are given (the first body of a contact).
-    pub body: String,
+    /// Index of the body whose stresses are given (the first body of a contact).
+    pub body: usize,
     /// Circle or line.
     pub kind: EdgeKind,
     /// Place of each node along the edge: θ `[rad]` or x `[mm]`, ascending.

@@ -390,7 +390,7 @@ fn parts(model: &Model) -> Vec<ResultPart> {
         let edges = model.edges.iter().enumerate();
         let own_edges = edges.filter(|(_, edge)| match edge.pair {
             Some(pair) => group.pairs.contains(&pair),
-            None => group.bodies.contains(&edge.body),
+            None => group.bodies.contains(&edge.geometry.body),
         });
         ResultPart {
             edges: own_edges.map(|(index, _)| index).collect(),

@@ -90,7 +90,7 @@ impl WholePlate {
         let mut scene = (*own.scene).clone();
         scene.analysis.model = ModelChoice::Whole;
         let model = Model::build(&scene)?;
-        let found = model.bodies.iter().find(|body| body.name == own.body);
+        let found = own.index().map(|index| &model.bodies[index]);
         let Some(ModelBodyKind::Elastic(body)) = found.map(|body| &body.kind) else {
             return Err(WholeError::Rigid { body: name() });
         };

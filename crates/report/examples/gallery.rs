@@ -9,7 +9,7 @@ use stickslip_report::chart::{
     Band, Dash, Legend, LineChart, Panels, ReferenceLine, Series, SeriesStyle,
 };
 use stickslip_report::color::{Color, Colormap, loading_sequence, unloading_sequence};
-use stickslip_report::field::{FieldPlot, Mirror};
+use stickslip_report::field::FieldPlot;
 use stickslip_report::page::{Block, Figure, Page, Section};
 use stickslip_report::raster::{DEFAULT_SCALE, to_png};
 use stickslip_report::svg::Svg;
@@ -293,7 +293,7 @@ fn ring_fields() -> Result<Vec<(&'static str, Svg)>, Box<dyn Error>> {
         &hoop_coarse,
     )
     .subtitle("100 MPa along x, half model completed by symmetry")
-    .mirror(Mirror::Symmetric)
+    .mirror([1.0, -1.0, 1.0])
     .with_mesh();
     let signed = FieldPlot::new(
         "Plate with a hole",
@@ -304,7 +304,7 @@ fn ring_fields() -> Result<Vec<(&'static str, Svg)>, Box<dyn Error>> {
         &shear_coarse,
     )
     .colormap(Colormap::BlueWhiteRed)
-    .mirror(Mirror::Antisymmetric);
+    .mirror([1.0, -1.0, -1.0]);
     let zoom = FieldPlot::new(
         "Hole edge",
         label,

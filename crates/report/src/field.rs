@@ -27,17 +27,6 @@ use crate::svg::{Canvas, Svg};
 use layout::Layout;
 use patch::Patch;
 
-/// How a half model is completed below the x axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Mirror {
-    /// Not at all.
-    None,
-    /// v(x, −y) = v(x, y): normal stresses, u_x, magnitudes.
-    Symmetric,
-    /// v(x, −y) = −v(x, y): shear stress τ_xy, u_y.
-    Antisymmetric,
-}
-
 /// A scalar field on a mesh of cells.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FieldPlot<'a> {
@@ -66,8 +55,9 @@ pub struct FieldPlot<'a> {
     /// Whether mesh lines are drawn; they are left out where cells are so small
     /// (3 px) that lines would hide the field.
     pub draw_mesh: bool,
-    /// Completes a half model.
-    pub mirror: Mirror,
+    /// Factors of x, y and the value in the mirror image that completes a half model: `[1, −1, 1]` a normal stress over y ≥ 0,
+    /// `[−1, 1, −1]` a shear stress over x ≥ 0.
+    pub mirror: Option<[f64; 3]>,
     /// Largest width of the whole figure \[px\].
     pub width: f64,
 }
@@ -94,7 +84,7 @@ impl<'a> FieldPlot<'a> {
             range: None,
             window: None,
             draw_mesh: false,
-            mirror: Mirror::None,
+            mirror: None,
             width: 720.0,
         }
     }
@@ -134,10 +124,10 @@ impl<'a> FieldPlot<'a> {
         self
     }
 
-    /// Completes a half model.
+    /// Completes a half model by its image, given by the factors of x, y and the value.
     #[must_use]
-    pub fn mirror(mut self, mirror: Mirror) -> Self {
-        self.mirror = mirror;
+    pub fn mirror(mut self, factors: [f64; 3]) -> Self {
+        self.mirror = Some(factors);
         self
     }
 

@@ -8,6 +8,7 @@ mod contacts;
 mod declared;
 mod failure;
 mod holds;
+mod idle;
 mod laminates;
 mod loads;
 mod mesh;
@@ -69,6 +70,7 @@ pub(super) fn build(
         numbers: &numbers,
     };
     let failure = builder.failure(&format, &materials, &surroundings);
+    builder.loads_act(&surroundings);
     builder.everything_is_held(&contacts, &supports, &platens);
     if !failure.as_ref().is_some_and(Failure::is_driven) {
         builder.something_happens(&contacts, &supports, &loads);

@@ -230,6 +230,24 @@ pub struct Axes {
     pub y: bool,
 }
 
+impl Axes {
+    /// Their unit vectors.
+    pub fn directions(self) -> Vec<[f64; 2]> {
+        let all = [(self.x, [1.0, 0.0]), (self.y, [0.0, 1.0])];
+        let among = all.into_iter().filter(|(is_among, _)| *is_among);
+        among.map(|(_, direction)| direction).collect()
+    }
+
+    /// Those that are not among them.
+    #[must_use]
+    pub fn others(self) -> Self {
+        Self {
+            x: !self.x,
+            y: !self.y,
+        }
+    }
+}
+
 /// Nodes whose displacement is given.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Support {
@@ -248,6 +266,16 @@ pub enum Hold {
     Axes(Axes),
     /// Along the direction at this angle `[rad]` from +x.
     Direction(f64),
+}
+
+impl Hold {
+    /// The unit vectors along which it holds, one or two.
+    pub fn directions(self) -> Vec<[f64; 2]> {
+        match self {
+            Self::Axes(axes) => axes.directions(),
+            Self::Direction(angle) => vec![[angle.cos(), angle.sin()]],
+        }
+    }
 }
 
 /// A rigid plate that an edge is glued to. It does not rotate.

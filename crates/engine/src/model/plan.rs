@@ -109,9 +109,11 @@ impl<'a> Plan<'a> {
     pub(super) fn held_along(&self, on: &SetRef) -> Vec<[f64; 2]> {
         let supports = self.supports.iter().map(|support| support.of);
         let holds = supports.filter(|support| support.on == *on);
-        let mut held: Vec<[f64; 2]> = holds.flat_map(|support| directions(support.hold)).collect();
+        let mut held: Vec<[f64; 2]> = holds
+            .flat_map(|support| support.hold.directions())
+            .collect();
         if self.platens.iter().any(|platen| platen.of.on == *on) {
-            held.extend(AXES);
+            held.extend([[1.0, 0.0], [0.0, 1.0]]);
         }
         held
     }
@@ -165,19 +167,6 @@ impl BodyPlan<'_> {
                 self.shape.fine_to(grading.fine_to)
             }
             Division::AngleList(_) => None,
-        }
-    }
-}
-
-const AXES: [[f64; 2]; 2] = [[1.0, 0.0], [0.0, 1.0]];
-
-fn directions(hold: Hold) -> Vec<[f64; 2]> {
-    match hold {
-        Hold::Direction(angle) => vec![[angle.cos(), angle.sin()]],
-        Hold::Axes(axes) => {
-            let held = AXES.into_iter().zip([axes.x, axes.y]);
-            held.filter_map(|(axis, held)| held.then_some(axis))
-                .collect()
         }
     }
 }

@@ -22,7 +22,8 @@ fn uneven(plan: &Plan<'_>, contact: &ContactPlan<'_>) -> Option<ContactFinding> 
     let bodies = [0, 1].map(|side| &plan.bodies[contact.sides[side].body]);
     let first = bodies[0].elastic?.thickness;
     let second = bodies[1].elastic?.thickness;
-    (first != second).then(|| ContactFinding::UnequalThickness {
+    let apart = (first - second).abs();
+    (apart > 1e-9 * first).then(|| ContactFinding::UnequalThickness {
         bodies: bodies.map(|body| body.name.to_owned()),
         thickness: [first, second].map(Quantity::Length),
     })

@@ -87,7 +87,7 @@ mod tests {
         EdgeGeometry {
             name: String::new(),
             contact: true,
-            body: String::new(),
+            body: 0,
             kind: if closed {
                 EdgeKind::Circle {
                     centre: [0.0; 2],

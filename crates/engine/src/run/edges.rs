@@ -74,7 +74,7 @@ fn rows(
     };
     let further = further_tractions(edge, &reported.state.multipliers, reactions);
     let mut rows = bare_rows(solved, reported, edge, &further);
-    let initial = match &model.bodies[edge.body].kind {
+    let initial = match &model.bodies[edge.geometry.body].kind {
         ModelBodyKind::Elastic(body) => body.initial_strain(&reported.state.multipliers),
         ModelBodyKind::Rigid(_) => Vec::new(),
     };
@@ -91,10 +91,10 @@ fn rows(
 
 /// Displacements of a contact edge's nodes that strain its first body: u = C λ + Σ m_k u_k, no sparse solve.
 fn interface_displacement(solved: &Solved, record: &StepRecord, edge: &ModelEdge) -> Vec<[f64; 2]> {
-    let operator = solved.operators[edge.body].interface();
+    let operator = solved.operators[edge.geometry.body].interface();
     let count = operator.points().len();
     let forces = DVector::from_vec(solved.interface.forces_on_body(
-        edge.body,
+        edge.geometry.body,
         count,
         &record.state.forces,
     ));
@@ -189,7 +189,7 @@ fn add_stresses(
     initial_strain: [f64; 3],
     rows: &mut [EdgeRow],
 ) -> Result<(), StressError> {
-    let ModelBodyKind::Elastic(body) = &model.bodies[edge.body].kind else {
+    let ModelBodyKind::Elastic(body) = &model.bodies[edge.geometry.body].kind else {
         return Ok(());
     };
     let of_rows = rows.iter().map(|row| [-row.pressure, -row.shear]);

@@ -148,7 +148,7 @@ impl<'a> Subject<'a> {
         )?;
         let mut stress = field.patch_recovery().averaged();
         for (edge, results) in self.model.edges.iter().zip(edges) {
-            if edge.body != self.index {
+            if edge.geometry.body != self.index {
                 continue;
             }
             let places = edge.nodes.iter().zip(&edge.geometry.parameter);
@@ -247,7 +247,7 @@ impl<'a> Subject<'a> {
 
     fn edges(&self, steps: &[Sites]) -> Result<Vec<EdgePlies>, RunError> {
         let own = self.model.edges.iter().enumerate();
-        own.filter(|(_, edge)| edge.body == self.index)
+        own.filter(|(_, edge)| edge.geometry.body == self.index)
             .map(|(index, edge)| {
                 let geometry = &edge.geometry;
                 let points = whole_edge(geometry.kind, &geometry.parameter, geometry.half);
@@ -315,7 +315,8 @@ impl<'a> Subject<'a> {
             EdgeKind::Line => false,
         };
         let edges = self.model.edges.iter().zip(&results.edges);
-        let own = edges.filter(|(edge, geometry)| edge.body == self.index && same(geometry.kind));
+        let own = edges
+            .filter(|(edge, geometry)| edge.geometry.body == self.index && same(geometry.kind));
         let found = own.map(|(_, geometry)| geometry.frame);
         let found = found.filter(|frame| frame.bearing.is_some());
         ContactFrame {

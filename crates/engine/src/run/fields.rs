@@ -81,11 +81,11 @@ pub(super) fn recover(model: &Model, solved: &Solved) -> Vec<Recovered> {
 /// Recovers the displacements of the bodies with the indices `wanted` alone, and the reactions on edges in contact, without an audit.
 pub(super) fn recover_some(model: &Model, solved: &Solved, wanted: &[usize]) -> Vec<Recovered> {
     let in_contact = model.edges.iter().filter(|edge| edge.pair.is_some());
-    let held = in_contact.filter(|edge| edge.is_held_on(edge.body));
+    let held = in_contact.filter(|edge| edge.is_held_on(edge.geometry.body));
     let mut all: Vec<usize> = wanted
         .iter()
         .copied()
-        .chain(held.map(|edge| edge.body))
+        .chain(held.map(|edge| edge.geometry.body))
         .collect();
     all.sort_unstable();
     all.dedup();
@@ -134,7 +134,7 @@ fn pass(
             }
             for (step, u) in steps.iter_mut().zip(displacements) {
                 for (edge, moved) in model.edges.iter().zip(&mut step.free_edges) {
-                    if edge.body == index && edge.pair.is_none() {
+                    if edge.geometry.body == index && edge.pair.is_none() {
                         let at = |&node: &usize| [u[2 * node], u[2 * node + 1]];
                         *moved = edge.nodes.iter().map(at).collect();
                     }

@@ -317,7 +317,7 @@ impl<'a> Subject<'a> {
         let mesh = self.mesh(model)?;
         let touches = |pair: &ContactPair| pair.first == own || pair.second == own;
         let pair = (model.edges.iter())
-            .filter(|edge| edge.body == own)
+            .filter(|edge| edge.geometry.body == own)
             .find_map(|edge| edge.pair)
             .or_else(|| model.pairs.iter().position(touches))?;
         let ContactPair { first, second, .. } = model.pairs[pair];

@@ -28,9 +28,9 @@ pub enum LayupError {
         /// What could.
         expected: &'static str,
     },
-    /// An angle that is not a number.
+    /// An angle that is not a number from −180 to 180.
     #[error(
-        "lay-up '{layup}', character {position}: '{found}' is not an angle; write a number of degrees such as 45, -60 or 22.5"
+        "lay-up '{layup}', character {position}: '{found}' is not an angle; write a number of degrees from -180 to 180, such as 45, -60 or 22.5"
     )]
     Angle {
         /// The text.

@@ -187,7 +187,7 @@ impl Parser<'_> {
             self.at += 1;
         }
         let angle: Option<f64> = digits.parse().ok();
-        let Some(angle) = angle.filter(|angle| angle.is_finite()) else {
+        let Some(angle) = angle.filter(|angle| *angle <= 180.0) else {
             let ends = |c: &char| {
                 matches!(c, '/' | ',' | ']' | ')' | '_' | '~' | ':') || c.is_whitespace()
             };

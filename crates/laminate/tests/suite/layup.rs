@@ -76,6 +76,7 @@ fn errors_name_the_place_and_the_way_out() {
         ("[0/abc/90]", 4, "'abc' is not an angle"),
         ("[0/nan]", 4, "'nan' is not an angle"),
         ("[0/1.2.3]", 4, "'1.2.3' is not an angle"),
+        ("[0/900]", 4, "'900' is not an angle"),
         ("[0/--45]", 5, "'-45' is not an angle"),
         ("[0_0/90]", 4, "'0' is not a number of plies"),
         ("[0_/90]", 4, "a number of plies after _"),

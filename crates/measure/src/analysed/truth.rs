@@ -29,7 +29,7 @@ pub fn true_edge(experiment: &Experiment, truth: Option<&Truth>, state: usize) -
     let edges = &truth.results.edges;
     let index = edges
         .iter()
-        .position(|edge| edge.body == own.body && is_hole(&edge.kind));
+        .position(|edge| Some(edge.body) == own.index() && is_hole(&edge.kind));
     let (Some(index), Some(found)) = (index, truth.results.steps.get(*step)) else {
         return Vec::new();
     };

@@ -61,13 +61,12 @@ impl ContactModel {
         let rigid = || LawsError::Rigid {
             body: own.body.clone(),
         };
-        let body = (model.bodies.iter())
-            .position(|body| body.name == own.body)
-            .ok_or_else(rigid)?;
+        let body = own.index().ok_or_else(rigid)?;
         let Operator::Elastic(specimen) = &operators[body] else {
             return Err(rigid());
         };
-        let edge = (model.edges.iter()).find(|edge| edge.pair == Some(pair) && edge.body == body);
+        let edge =
+            (model.edges.iter()).find(|edge| edge.pair == Some(pair) && edge.geometry.body == body);
         let nodes = specimen.body().mesh().nodes();
         let place = |edge: &stickslip_engine::model::ModelEdge| {
             let along = edge.geometry.parameter.iter().zip(&edge.nodes);

@@ -42,6 +42,11 @@ impl<'a> EdgeView<'a> {
         self.results
     }
 
+    /// Name of the body whose stresses are given.
+    pub(super) fn body(&self) -> &'a str {
+        &self.results.bodies[self.geometry.body].name
+    }
+
     /// What its steps are counted by.
     pub(super) fn load(&self) -> LoadScale {
         LoadScale::of_edge(self.results, self.index)

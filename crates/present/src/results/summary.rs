@@ -115,7 +115,7 @@ fn edge<'a>(view: &EdgeView<'a>) -> Edge<'a> {
         name: &geometry.name,
         kind: if view.is_circle() { "circle" } else { "line" },
         contact: geometry.contact,
-        body: &geometry.body,
+        body: view.body(),
         law: geometry.contact.then_some(geometry.law.as_str()),
         load_name: view.load().name,
         radius,

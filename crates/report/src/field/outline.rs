@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::{FieldPlot, Mirror};
+use super::FieldPlot;
 use crate::color::Color;
 use crate::frame::Frame;
 use crate::markup::push_point;
@@ -58,12 +58,16 @@ pub(crate) fn draw(canvas: &mut Canvas, plot: &FieldPlot<'_>, frame: &Frame, vis
         let Some(count) = uses.remove(&edge.key()) else {
             continue;
         };
-        let on_axis = edge.ends.iter().all(|&node| plot.nodes[node][1] == 0.0);
-        let inside = count > 1 || (plot.mirror != Mirror::None && on_axis);
+        let image = plot.mirror.map(|[x, y, _]| [x, y]);
+        let stays = |factors: [f64; 2]| {
+            let on_axis = |&node: &usize| scaled(plot.nodes[node], factors) == plot.nodes[node];
+            edge.ends.iter().all(on_axis)
+        };
+        let inside = count > 1 || image.is_some_and(stays);
         let data = if inside { &mut mesh } else { &mut outline };
-        add_edge(data, plot, frame, edge, 1.0);
-        if plot.mirror != Mirror::None && !on_axis {
-            add_edge(data, plot, frame, edge, -1.0);
+        add_edge(data, plot, frame, edge, [1.0; 2]);
+        if let Some(factors) = image.filter(|&factors| !stays(factors)) {
+            add_edge(data, plot, frame, edge, factors);
         }
     }
     let cell = (frame.area.width * frame.area.height / visible.max(1) as f64).sqrt();
@@ -73,13 +77,14 @@ pub(crate) fn draw(canvas: &mut Canvas, plot: &FieldPlot<'_>, frame: &Frame, vis
     canvas.stroked_path(&outline, &Stroke::solid(OUTLINE, 1.0));
 }
 
-/// Appends one edge, with y times `sign`. The parabola through a mid-side node is the
+fn scaled([x, y]: [f64; 2], factors: [f64; 2]) -> [f64; 2] {
+    [factors[0] * x, factors[1] * y]
+}
+
+/// Appends one edge, with x and y times `factors`. The parabola through a mid-side node is the
 /// quadratic Bézier curve with control point 2 m − (a + b) / 2.
-fn add_edge(data: &mut String, plot: &FieldPlot<'_>, frame: &Frame, edge: Edge, sign: f64) {
-    let pixel = |node: usize| {
-        let [x, y] = plot.nodes[node];
-        frame.pixel([x, sign * y])
-    };
+fn add_edge(data: &mut String, plot: &FieldPlot<'_>, frame: &Frame, edge: Edge, factors: [f64; 2]) {
+    let pixel = |node: usize| frame.pixel(scaled(plot.nodes[node], factors));
     let (Some(a), Some(b)) = (pixel(edge.ends[0]), pixel(edge.ends[1])) else {
         return;
     };

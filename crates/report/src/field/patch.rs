@@ -4,7 +4,7 @@
 
 use std::array;
 
-use super::{FieldPlot, Mirror};
+use super::FieldPlot;
 use crate::axis::extent;
 
 /// One cell, or one triangle of a polygon: nodes as (x, y, value).
@@ -161,13 +161,11 @@ pub(crate) fn visible(plot: &FieldPlot<'_>) -> Vec<Patch> {
         };
         let corners: Vec<[f64; 3]> = cell.iter().map(node).collect();
         add_cell(&corners, &mut patches);
-        let sign = match plot.mirror {
-            Mirror::None => continue,
-            Mirror::Symmetric => 1.0,
-            Mirror::Antisymmetric => -1.0,
-        };
-        let mirrored: Vec<[f64; 3]> = corners.iter().map(|&[x, y, v]| [x, -y, sign * v]).collect();
-        add_cell(&mirrored, &mut patches);
+        if let Some(factors) = plot.mirror {
+            let image = |corner: &[f64; 3]| array::from_fn(|part| factors[part] * corner[part]);
+            let mirrored: Vec<[f64; 3]> = corners.iter().map(image).collect();
+            add_cell(&mirrored, &mut patches);
+        }
     }
     if let Some(window) = plot.window {
         patches.retain(|patch| patch.meets(window));

@@ -64,6 +64,11 @@ pub struct SpecimenScene {
 }
 
 impl SpecimenScene {
+    /// Index of the body among those of the scene and its model; `None` where the scene lacks it.
+    pub fn index(&self) -> Option<usize> {
+        self.scene.bodies.keys().position(|name| *name == self.body)
+    }
+
     /// Index of the contact of the scene at the hole's edge; `None` where nothing touches it.
     pub fn contact(&self) -> Option<usize> {
         let at_edge = |set: &SetRef| set.body == self.body && set.set == self.edge;

@@ -242,6 +242,49 @@ fn supports_and_loads() {
 }
 
 #[test]
+fn loads_that_are_held() {
+    let held = "on = \"plate.left\"\nfix = [\"x\"]";
+    let (message, help, line, shown) =
+        refused("[[loads]]", &format!("[[supports]]\n{held}\n[[loads]]"));
+    assert_eq!(
+        message,
+        "'plate.left' is held against load 'load1', which therefore changes nothing"
+    );
+    assert!(help.starts_with("load another edge"), "{help}");
+    assert_eq!((line, shown.as_str()), (29, "\"plate.left\""));
+    let across = format!(
+        "[[supports]]\n{}\n[[loads]]",
+        held.replace("[\"x\"]", "[\"y\"]")
+    );
+    read(&SCENE.replace("[[loads]]", &across)).unwrap();
+    let pressure = "pressure.steps = [\"1 MPa\"]\n";
+    let force = SCENE.find("force = {").unwrap();
+    read(&format!(
+        "{}{pressure}",
+        SCENE[..force].replace("[[loads]]", &format!("[[supports]]\n{held}\n[[loads]]"))
+    ))
+    .unwrap();
+    let platen = "[[platens]]\non = \"plate.left\"\nfree = [\"y\"]\n[[loads]]";
+    let (message, ..) = refused("[[loads]]", platen);
+    assert!(message.contains("held against load"), "{message}");
+}
+
+#[test]
+fn loads_on_a_held_rigid_body() {
+    let rigid = SCENE.replace(
+        "[bodies.pin]\nmaterial = \"steel\"\nthickness = \"2 mm\"\n",
+        "[bodies.pin]\nrigid = true\n",
+    );
+    let more = "[[loads]]\non = \"pin.rim\"\nforce = { direction = [1, 1], steps = [\"1 kN\", \"2 kN\"] }\n";
+    let error = read(&format!("{rigid}{more}")).unwrap_err().to_string();
+    assert!(
+        error.contains("'pin.rim' is held against load 'load2'"),
+        "{error}"
+    );
+    read(&format!("{SCENE}{more}")).unwrap();
+}
+
+#[test]
 fn bearing_loads() {
     use miette::Diagnostic as _;
 
@@ -357,7 +400,7 @@ fn mesh_keys_that_no_shape_uses() {
              [bodies.first]\nmaterial = \"steel\"\nthickness = \"2 mm\"\nshape.{first}\n\
              [bodies.second]\nmaterial = \"steel\"\nthickness = \"2 mm\"\nshape.{second}\n\
              [mesh]\nspacing = \"1 mm\"\n{setting}\n\
-             [[platens]]\non = \"first.top\"\nfree = []\n[[platens]]\non = \"second.bottom\"\nfree = []\n\
+             [[platens]]\non = \"first.top\"\nfree = [\"y\"]\n[[platens]]\non = \"second.bottom\"\nfree = []\n\
              [[loads]]\non = \"first.top\"\npressure.steps = [\"1 MPa\"]\n"
         );
         let error = read(&text).err();

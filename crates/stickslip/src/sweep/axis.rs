@@ -177,18 +177,14 @@ impl Axis {
 }
 
 /// `count` values from `from` to `to`, in equal steps: numbers, or quantities in the unit of `from`. `None` for ends that are neither,
-/// or are not alike.
+/// or are not alike, and for a `count` below 2.
 pub(super) fn between(from: &Value, to: &Value, count: usize) -> Option<Vec<Value>> {
     let ((low, unit), (high, other)) = (number(from)?, number(to)?);
-    if unit.map(|unit| unit.dimension) != other.map(|unit| unit.dimension) {
+    if unit.map(|unit| unit.dimension) != other.map(|unit| unit.dimension) || count < 2 {
         return None;
     }
     let value = |k: usize| {
-        let part = if count > 1 {
-            k as f64 / (count - 1) as f64
-        } else {
-            0.0
-        };
+        let part = k as f64 / (count - 1) as f64;
         let value = (1.0 - part) * low + part * high;
         match unit {
             Some(unit) => Value::String(format!("{} {}", tidy(unit.from_base(value)), unit.name)),

@@ -262,7 +262,7 @@ fn modelled(scene: &Scene, last: &mut LastModel) -> Result<Model, ModelError> {
 fn needed(model: &Model) -> Vec<usize> {
     let shows = |index: usize| {
         let mut free = model.edges.iter().filter(|edge| edge.pair.is_none());
-        free.any(|edge| edge.body == index)
+        free.any(|edge| edge.geometry.body == index)
     };
     let all = 0..model.bodies.len();
     all.filter(|&index| model.is_asked_for_failure(index) || shows(index))

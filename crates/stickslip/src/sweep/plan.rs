@@ -150,37 +150,45 @@ impl Sweep {
         Ok(scene)
     }
 
-    /// The scene with these values: (axis, value). Keys of the scene come first, because e/D, W/D and clearance need the hole's size.
+    /// The scene with these values: (axis, value).
     fn scene_with(&self, chosen: &[(usize, usize)]) -> Result<Scene, SceneError> {
+        let overrides = self.overrides_of(chosen)?.into_iter();
+        let overrides: Vec<String> = overrides.map(|(_, text)| text).collect();
+        self.base.scene(&overrides)
+    }
+
+    /// What these values set: (axis, override). Keys of the scene come first, because e/D, W/D and clearance need the hole's size.
+    fn overrides_of(&self, chosen: &[(usize, usize)]) -> Result<Vec<(usize, String)>, SceneError> {
         let mut overrides = Vec::new();
         let mut derived = Vec::new();
         for &(axis, value) in chosen {
             let given = &self.axes[axis].values[value];
             match &self.axes[axis].key {
-                AxisKey::Scene(key) => overrides.push(assignment(key, given)),
+                AxisKey::Scene(key) => overrides.push((axis, assignment(key, given))),
                 AxisKey::Friction => {
                     let key = format!("contacts.{}.friction.coulomb.mu", self.contact);
-                    overrides.push(assignment(&key, given));
+                    overrides.push((axis, assignment(&key, given)));
                 }
                 _ => derived.push((axis, value)),
             }
         }
         if derived.is_empty() {
-            return self.base.scene(&overrides);
+            return Ok(overrides);
         }
         // Only other bodies have other holes.
         let reshaped =
             |key: &AxisKey| matches!(key, AxisKey::Scene(key) if key.starts_with("bodies"));
         let other = if self.axes.iter().any(|axis| reshaped(&axis.key)) {
-            Some(self.base.scene(&overrides)?)
+            let texts: Vec<String> = overrides.iter().map(|(_, text)| text.clone()).collect();
+            Some(self.base.scene(&texts)?)
         } else {
             None
         };
         let scene = other.as_ref().unwrap_or(&self.scene);
         for (axis, value) in derived {
-            overrides.push(self.derived(scene, axis, value)?);
+            overrides.push((axis, self.derived(scene, axis, value)?));
         }
-        self.base.scene(&overrides)
+        Ok(overrides)
     }
 
     /// The override that a named axis makes in `scene`.

@@ -109,7 +109,7 @@ fn loads_on_an_edge_in_contact_count_in_its_stresses() {
         assert!((row.sigma_normal + row.pressure + 100.0).abs() < 1e-9);
     }
     let nodes = &loaded.edges[0].nodes;
-    let field = trace_of_field(&results, 1, loaded.edges[0].body, nodes);
+    let field = trace_of_field(&results, 1, loaded.edges[0].geometry.body, nodes);
     let traces = edge
         .rows
         .iter()
@@ -190,7 +190,7 @@ fn stresses_along_an_arc_are_those_of_the_body() {
     ];
     let (model, results) = (model(ROLLER, &changes), solved(ROLLER, &changes));
     let (edge, rows) = (&model.edges[0], &results.steps[1].edges[0].rows);
-    let field = trace_of_field(&results, 1, edge.body, &edge.nodes);
+    let field = trace_of_field(&results, 1, edge.geometry.body, &edge.nodes);
     // Fields are smooth over patches, tractions have a kink where contact ends.
     let free = rows
         .iter()

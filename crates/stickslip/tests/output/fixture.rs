@@ -120,7 +120,7 @@ fn circle() -> EdgeGeometry {
     EdgeGeometry {
         name: "pin".into(),
         contact: true,
-        body: "plate".into(),
+        body: 1,
         kind: EdgeKind::Circle {
             centre: [0.0, 0.0],
             radius: RADIUS,
@@ -140,7 +140,7 @@ fn line(name: &str, contact: bool) -> EdgeGeometry {
     EdgeGeometry {
         name: name.into(),
         contact,
-        body: "plate".into(),
+        body: 1,
         kind: EdgeKind::Line,
         parameter: (-20..=20).map(|k| f64::from(k) * 0.25).collect(),
         corner: vec![true; 41],

@@ -113,12 +113,43 @@ fn an_axis_has_values_or_ends() {
     says(
         &with("from = 2\nto = 3\ncount = 0"),
         8,
-        &["count = 0", "from 1 to"],
+        &["count = 0", "from 2 to"],
+    );
+    says(
+        &with("from = 2\nto = 3\ncount = 1"),
+        8,
+        &["count = 1", "values = [2]"],
     );
     let twice = SWEEP
         .replace("\"mu\"", "\"e_over_d\"")
         .replace("[0, 0.3]", "[3]");
     says(&twice, 8, &["two axes 'e_over_d'"]);
+}
+
+#[test]
+fn axes_set_different_keys() {
+    let with = |one: &str, values: &str| {
+        let own = SWEEP.replace("\"e_over_d\"", &format!("\"{one}\""));
+        own.replace("[2, 4, 5]", values)
+    };
+    says(
+        &with("contacts.0.friction.coulomb.mu", "[0.1]"),
+        8,
+        &["both set contacts.0.friction.coulomb.mu", "leave one"],
+    );
+    says(
+        &with("contacts.0.friction", "[{ coulomb = { mu = 0.2 } }]"),
+        8,
+        &["'contacts.0.friction' and 'mu'"],
+    );
+    let radius = with("bodies.pin.shape.disk.radius", "[\"2.9 mm\"]");
+    says(
+        &radius
+            .replace("\"mu\"", "\"clearance\"")
+            .replace("[0, 0.3]", "[\"0.01 mm\"]"),
+        8,
+        &["'bodies.pin.shape.disk.radius' and 'clearance'"],
+    );
 }
 
 #[test]

@@ -52,7 +52,8 @@ impl Contact<'_> {
         let EdgeKind::Circle { radius, .. } = self.geometry.kind else {
             return None;
         };
-        let scale = radius * sample.thickness(&self.geometry.body)?;
+        let body = &sample.results.bodies[self.geometry.body].name;
+        let scale = radius * sample.thickness(body)?;
         let areas = areas(self.geometry, scale)?;
         let steps = (self.geometry.parameter.windows(2)).map(|pair| pair[1] - pair[0]);
         let is_quadratic = self.geometry.corner.contains(&false);

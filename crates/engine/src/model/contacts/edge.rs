@@ -135,7 +135,7 @@ impl EdgeNodes {
             geometry: EdgeGeometry {
                 name: edge.of.to_string(),
                 contact: pair.is_some(),
-                body: edge.of.body.clone(),
+                body: edge.body,
                 kind: self.kind,
                 parameter: self.parameter,
                 corner: self.corner,
@@ -144,7 +144,6 @@ impl EdgeNodes {
                 law: String::new(),
                 frame: ContactFrame::NONE,
             },
-            body: edge.body,
             nodes: self.nodes,
             local: Vec::new(),
             areas: self

@@ -32,7 +32,8 @@ pub(super) fn chart(view: &EdgeView<'_>) -> Attempt {
         |stress: f64| bearing.map_or_else(|| view.stress(stress), |bearing| stress / bearing);
     let title = format!(
         "Stresses of '{}' along '{}'",
-        view.geometry.body, view.geometry.name
+        view.body(),
+        view.geometry.name
     );
     let mut chart = LineChart::new(
         title,

@@ -4,7 +4,7 @@
 use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_report::axis::extent;
 use stickslip_report::color::Colormap;
-use stickslip_report::field::{FieldPlot, Mirror};
+use stickslip_report::field::FieldPlot;
 
 use super::edge::all_contact;
 use super::{Group, Plan};
@@ -53,8 +53,7 @@ fn shown<'a>(
     edge: &'a EdgeView<'_>,
     record: &'a StepResults,
 ) -> impl Iterator<Item = &'a BodyFields> {
-    let bodies = &edge.results().bodies;
-    let own = move |fields: &&BodyFields| bodies[fields.body].name == edge.geometry.body;
+    let own = move |fields: &&BodyFields| fields.body == edge.geometry.body;
     record
         .fields
         .iter()
@@ -85,7 +84,7 @@ impl<'a> Scene<'a> {
             let body = &edge.results().bodies[fields.body];
             let Some(mesh) = &body.mesh else { continue };
             let first = scene.nodes.len();
-            let leads = body.name == edge.geometry.body;
+            let leads = fields.body == edge.geometry.body;
             scene
                 .leads
                 .extend(std::iter::repeat_n(leads, mesh.nodes().len()));
@@ -131,7 +130,8 @@ impl<'a> Scene<'a> {
             .subtitle(format!("At {}", self.edge.load().step_text(self.step)))
             .window(self.window());
         if self.edge.geometry.half {
-            plot = plot.mirror(Mirror::Symmetric);
+            let [x, y] = self.image();
+            plot = plot.mirror([x, y, 1.0]);
         }
         plot
     }
@@ -151,13 +151,25 @@ impl<'a> Scene<'a> {
                 })
             }
         };
-        let [left, right, low, high] = extent(self.nodes.iter().copied());
-        let low = if self.edge.geometry.half {
-            low.min(-high)
+        let images = self.nodes.iter().map(|&[x, y]| {
+            let [along, across] = self.image();
+            [along * x, across * y]
+        });
+        let images = images.filter(|_| self.edge.geometry.half);
+        around(
+            extent(self.nodes.iter().copied().chain(images)),
+            centre,
+            [reach; 2],
+        )
+    }
+
+    /// Factors of x and y in the mirror image of a half.
+    fn image(&self) -> [f64; 2] {
+        if self.edge.is_circle() {
+            [1.0, -1.0]
         } else {
-            low
-        };
-        around([left, right, low, high], centre, [reach; 2])
+            [-1.0, 1.0]
+        }
     }
 
     /// Largest magnitude in sight in the edge's body.
@@ -168,12 +180,15 @@ impl<'a> Scene<'a> {
         shown.map(|(_, value)| value.abs()).fold(0.0, f64::max)
     }
 
-    fn remark(&self) -> &'static str {
-        if self.edge.geometry.half {
-            " Shape before deformation; y < 0 is the mirror image of the model. Beyond the ends of the colour bar the colour stays."
-        } else {
-            " Shape before deformation. Beyond the ends of the colour bar the colour stays."
-        }
+    fn remark(&self) -> String {
+        let image = match (self.edge.geometry.half, self.edge.is_circle()) {
+            (false, _) => "",
+            (true, true) => "; y < 0 is the mirror image of the model",
+            (true, false) => "; x < 0 is the mirror image of the model",
+        };
+        format!(
+            " Shape before deformation{image}. Beyond the ends of the colour bar the colour stays."
+        )
     }
 }
 
@@ -199,10 +214,10 @@ fn von_mises(scene: &Scene<'_>) -> Attempt {
     let text = format!(
         "{formula} at {}. Its largest value in sight in '{}' is {} {unit}.",
         scene.edge.load().step_text(scene.step),
-        scene.edge.geometry.body,
+        scene.edge.body(),
         significant(largest, 4),
     );
-    Ok(Some((plot.render()?, text + scene.remark())))
+    Ok(Some((plot.render()?, text + &scene.remark())))
 }
 
 fn normal_stress(scene: &Scene<'_>) -> Attempt {
@@ -230,7 +245,7 @@ fn normal_stress(scene: &Scene<'_>) -> Attempt {
         "{symbol} at {}: compression blue, tension red.{contact}",
         scene.edge.load().step_text(scene.step),
     );
-    Ok(Some((plot.render()?, text + scene.remark())))
+    Ok(Some((plot.render()?, text + &scene.remark())))
 }
 
 /// The loops of nodes around the parts of a cell that pictures show, of quadratic edges corner, mid-side, corner; `first` is the number

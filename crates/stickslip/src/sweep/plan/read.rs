@@ -140,8 +140,8 @@ fn values(document: &Document, key: &str, axis: &AxisFormat) -> Result<Vec<Value
         )),
         (Some(values), None, None, None) => Ok(values.clone()),
         (None, Some(from), Some(to), Some(count)) => {
-            if !(1..=LONGEST_AXIS).contains(&count) {
-                let allowed = format!("from 1 to {LONGEST_AXIS}");
+            if !(2..=LONGEST_AXIS).contains(&count) {
+                let allowed = format!("from 2 to {LONGEST_AXIS}, or values = [{from}]");
                 return Err(out_of_range(
                     document,
                     key,
@@ -191,6 +191,37 @@ fn out_of_range(
         allowed: allowed.to_owned(),
     };
     document.error(&format!("{table}.{key}"), Part::Value, problem)
+}
+
+/// Refuses two axes of which one would overwrite what the other sets.
+fn apart(sweep: &Sweep) -> Result<(), SceneError> {
+    let chosen: Vec<(usize, usize)> = (0..sweep.axes.len()).map(|axis| (axis, 0)).collect();
+    // What is wrong with the values is said of each of them later.
+    let Ok(overrides) = sweep.overrides_of(&chosen) else {
+        return Ok(());
+    };
+    let key = |text: &str| format!("{}.", text.split('=').next().unwrap_or(text));
+    let keys: Vec<(usize, String)> = (overrides.iter())
+        .map(|(axis, text)| (*axis, key(text)))
+        .collect();
+    for (one, own) in &keys {
+        let others = keys.iter().filter(|(axis, _)| axis > one);
+        for (other, theirs) in others {
+            if own.starts_with(theirs.as_str()) || theirs.starts_with(own.as_str()) {
+                let names = [one, other].map(|axis| sweep.axes[*axis].key.name());
+                let message = format!(
+                    "the axes '{}' and '{}' both set {}",
+                    names[0],
+                    names[1],
+                    own.trim_end_matches('.')
+                );
+                let remedy = "leave one of them out";
+                let place = format!("axes.{other}.key");
+                return Err(conflict(&sweep.document, &place, message, remedy));
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Named axes have values of their own kind; those of scene keys are the scene's matter.
@@ -265,6 +296,7 @@ fn map(
 
 /// Every value must give a scene, alone or with the first or last values of the other axes.
 fn check(sweep: &Sweep) -> Result<(), SceneError> {
+    apart(sweep)?;
     for (index, axis) in sweep.axes.iter().enumerate() {
         for value in 0..axis.values.len() {
             let alone = match sweep.scene_with(&[(index, value)]) {
