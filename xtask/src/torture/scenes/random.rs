@@ -211,7 +211,7 @@ impl Draft {
             "mesh": mesh,
             "output": { "fields": fields, "figures": false },
         });
-        if !self.laminates.is_empty() {
+        if self.materials.keys().any(|name| self.is_laminate(name)) {
             scene["plies"] = materials::plies();
         }
         if let Some(failure) = self.failure() {

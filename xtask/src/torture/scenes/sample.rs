@@ -66,7 +66,7 @@ pub(super) enum Verdict {
 
 /// Where tables that scenes name lie.
 pub(super) fn data_folder() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../crates/stickslip/src/templates")
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../crates/scene/src/templates")
 }
 
 /// Reads a scene from `text`.

@@ -203,12 +203,9 @@ impl Draft {
                 let direction = self.direction();
                 self.pull(&edge, direction, sizes.force);
             }
-            // The plate is held and the pin pushed.
-            2 => {
-                self.hold(&edge);
-                let direction = self.direction();
-                self.pull(&format!("{}.rim", pin.name), direction, sizes.force);
-            }
+            // The plate is held and the pin pushed; a rigid pin that is held takes no load, and all of a ring is held.
+            2 => self.push_pin([&edge, &pin.name], sizes.force),
+            4 if ring && pin.made.is_none() => self.push_pin([&edge, &pin.name], sizes.force),
             // The pin is moved.
             3 if pin.made.is_some() => {
                 self.hold(&edge);
@@ -221,7 +218,7 @@ impl Draft {
                 };
                 self.displace(&centre, "y", across);
                 if !ring && self.draw.chance(0.5) {
-                    self.press(&format!("{}.right", plate.name), sizes.stress);
+                    self.press_beside(&plate.name, &edge, sizes.stress);
                 }
             }
             // Both are held: pressure on the plate, heat or interference.
@@ -231,8 +228,7 @@ impl Draft {
                 if ring {
                     self.pull(&format!("{}.rim", pin.name), [1.0, 0.0], sizes.force);
                 } else {
-                    let side = self.draw.pick(&["left", "right", "top"]);
-                    self.press(&format!("{}.{side}", plate.name), sizes.stress);
+                    self.press_beside(&plate.name, &edge, sizes.stress);
                 }
             }
         }
@@ -265,9 +261,24 @@ impl Draft {
         );
     }
 
-    fn press(&mut self, edge: &str, stress: f64) {
+    /// Holds `edge` and pushes the pin.
+    fn push_pin(&mut self, [edge, pin]: [&str; 2], force: f64) {
+        self.hold(edge);
+        let direction = self.direction();
+        self.pull(&format!("{pin}.rim"), direction, force);
+    }
+
+    /// Presses on a side of a strip other than the one that is held.
+    fn press_beside(&mut self, plate: &str, held: &str, stress: f64) {
+        let sides = ["left", "right", "top", "bottom"].map(|side| format!("{plate}.{side}"));
+        let free: Vec<&str> = sides
+            .iter()
+            .map(String::as_str)
+            .filter(|side| *side != held)
+            .collect();
+        let side = free[self.draw.whole(0, free.len() - 1)];
         let steps = self.history(digits(stress, 4), "MPa");
-        self.load(edge, json!({ "pressure": { "steps": steps } }));
+        self.load(side, json!({ "pressure": { "steps": steps } }));
     }
 
     fn maybe_heat(&mut self, part: &Part) {
