@@ -205,7 +205,7 @@ impl Draft {
             }
             // The plate is held and the pin pushed; a rigid pin that is held takes no load, and all of a ring is held.
             2 => self.push_pin([&edge, &pin.name], sizes.force),
-            4 if ring && pin.made.is_none() => self.push_pin([&edge, &pin.name], sizes.force),
+            3 | 4 if ring && pin.made.is_none() => self.push_pin([&edge, &pin.name], sizes.force),
             // The pin is moved.
             3 if pin.made.is_some() => {
                 self.hold(&edge);
