@@ -270,6 +270,11 @@ pub(super) fn entries<T: Serialize>(findings: &[T], units: DisplayUnits) -> Vec<
     findings.iter().map(entry).collect()
 }
 
+/// `findings` as the entry `findings` of `summary.json`, with quantities in `units`.
+pub fn findings_json(findings: &[Finding], units: DisplayUnits) -> Value {
+    json!(entries(findings, units))
+}
+
 /// `value` with at most twelve digits, its lengths in `units` and its angles in degrees.
 fn displayed(value: Value, units: DisplayUnits) -> Value {
     match value {
