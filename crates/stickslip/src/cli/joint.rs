@@ -232,7 +232,7 @@ fn check_identity(sweep: &Sweep, text: &str) -> Result<(), SweepError> {
         what: what.to_owned(),
     };
     let value: Value =
-        serde_json::from_str(text).map_err(|_| other("its sweep.json is no JSON"))?;
+        serde_json::from_str(text).map_err(|_| other("its sweep.json is not JSON"))?;
     if value["hash"] == sweep.hash.as_str() {
         return Ok(());
     }

@@ -300,7 +300,7 @@ fn row(sweep: &Sweep, cells: &[&str]) -> Result<Row, String> {
     measures.findings = findings_of(cells.next());
     let outcome = match outcome {
         SOLVED => Outcome::Solved(Box::new(measures)),
-        "" => return Err("there is no outcome".to_owned()),
+        "" => return Err("the outcome is missing".to_owned()),
         reason => Outcome::Unresolved(reason.to_owned()),
     };
     Ok(Row {
@@ -327,7 +327,7 @@ impl<'a> Cells<'a> {
         let value = cell.parse::<f64>();
         value
             .map(Some)
-            .map_err(|_| format!("'{cell}' is no number"))
+            .map_err(|_| format!("'{cell}' is not a number"))
     }
 
     fn first_ply(&mut self) -> Result<Option<PlyFailure>, String> {
@@ -357,14 +357,14 @@ impl<'a> Cells<'a> {
                 reached: found == REACHED,
             })),
             None if mode.is_empty() => Ok(None),
-            None => Err(format!("'{mode}' is no failure mode with an angle")),
+            None => Err(format!("'{mode}' is not a failure mode with an angle")),
         }
     }
 }
 
 fn whole(cell: &str) -> Result<usize, String> {
     cell.parse()
-        .map_err(|_| format!("'{cell}' is no number of a case"))
+        .map_err(|_| format!("'{cell}' is not the number of a case"))
 }
 
 fn pair(first: Option<f64>, second: Option<f64>) -> Option<[f64; 2]> {
