@@ -21,7 +21,7 @@ pub(crate) const STUDY: Study = Study {
     complete: |_| {},
 };
 
-/// Biases below this are none `[MPa]`.
+/// Biases below this count as zero `[MPa]`.
 const ROUNDING: f64 = 1e-9;
 
 fn solve(cases: &[Table]) -> Result<Tables, TaskError> {

@@ -185,7 +185,7 @@ fn is_manifest(path: &Path) -> bool {
 }
 
 /// Texts between the sources from which pages and messages are made; TOML is counted by itself, and tables, programs of others and what
-/// tasks read or mutate in folders named `inputs` are none.
+/// tasks read or mutate in folders named `inputs` do not count.
 fn is_template(path: &Path) -> bool {
     let other = ["rs", "toml", "csv", "py"];
     let is_in = |name: &str| path.iter().any(|folder| folder == name);

@@ -76,7 +76,7 @@ fn compared(module: &Path) -> Result<String, TaskError> {
     }
 }
 
-/// Largest difference over the largest number; not-a-number where one of the numbers is none.
+/// Largest difference over the largest number; NaN where one of the numbers is NaN.
 fn difference(first: &[f64], second: &[f64]) -> f64 {
     let largest = |most: f64, number: f64| {
         if most.is_nan() || number.abs() <= most {

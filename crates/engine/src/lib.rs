@@ -19,5 +19,11 @@ pub mod model;
 pub mod results;
 pub mod run;
 
+/// The crates of scenes, bodies, laws, contacts, laminates and joints that models and results hold.
+pub use {
+    stickslip_contact, stickslip_fem_core, stickslip_friction, stickslip_joint, stickslip_laminate,
+    stickslip_scene,
+};
+
 pub use load_scale::LoadScale;
 pub use results::{ContactFinding, Finding, JointFinding};

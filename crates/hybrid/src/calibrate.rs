@@ -93,7 +93,7 @@ impl Default for Settings {
 /// prediction, and the search goes round the place.
 ///
 /// # Errors
-/// [`CalibrateError`]: parameters, ranges or settings that are none, not more data than unknowns, predictions of another length, a model
+/// [`CalibrateError`]: invalid parameters, ranges or settings, not more data than unknowns, predictions of another length, a model
 /// that predicts nothing anywhere.
 pub fn calibrate<E: std::fmt::Display>(
     model: &(impl Fn(&[f64]) -> Result<Vec<f64>, E> + Sync),

@@ -131,7 +131,7 @@ impl Bounds {
     }
 
     /// The same with ends whose distances from `best` hold a further error `by` of the value, squares added. An end at or below `least`, the
-    /// least value that there is, is none.
+    /// least possible value, is left out.
     #[must_use]
     pub fn widened(self, best: f64, by: f64, least: f64) -> Self {
         let [low, high] = self.ends();

@@ -107,7 +107,8 @@ impl ProgressiveBody {
         Self::with_models(body, interface, models)
     }
 
-    /// `body` with one model per cell of its mesh, as [`CrackBand`](crate::CrackBand) makes them.
+    /// Makes a body with one model per cell of its mesh, as [`CrackBand`](crate::CrackBand) makes them. `interface`: indices of the mesh nodes
+    /// in contact, in the order that pairs refer to.
     ///
     /// # Errors
     /// [`JointError::ModelCount`]; [`JointError::Mesh`] for supports, an interface or parts that [`ElasticBody::analyse`] refuses.

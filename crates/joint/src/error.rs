@@ -74,7 +74,7 @@ pub enum JointError {
         /// Index of the load case.
         case: usize,
     },
-    /// Load or displacement is asked for where there is none.
+    /// The gauge reads a body, pair, node or point that does not exist.
     #[error("the gauge names {what} {index}, which the joint does not have")]
     Gauge {
         /// What it names: body, pair, node or point.

@@ -59,7 +59,10 @@ impl Joint {
         let cases = self.load_cases();
         let refuse = |step, what| Err(JointError::Load { step, what });
         if steps.is_empty() {
-            return refuse(0, "there is none".to_owned());
+            return refuse(
+                0,
+                "missing; a history needs at least one load step".to_owned(),
+            );
         }
         for (step, multipliers) in steps.iter().enumerate() {
             if multipliers.len() != cases {
@@ -105,7 +108,7 @@ impl Joint {
 }
 
 /// Where the joint begins to bear: the displacement without load on the line through the first two points of `curve`, pairs of load and
-/// displacement, that climb under load. The gauge's own zero is none: a pin may meet the hole before or after it.
+/// displacement, that climb under load. The gauge's own zero does not count: a pin may meet the hole before or after it.
 fn onset(curve: &[[f64; 2]]) -> Option<f64> {
     let largest = curve
         .iter()

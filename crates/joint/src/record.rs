@@ -105,7 +105,7 @@ impl JointHistory {
     }
 
     /// The largest load `[force]` that the joint bore, if the history shows that it cannot bear more: no equilibrium was found beyond,
-    /// the joint was severed, or the load has fallen to the part of it at which a history ends. A dip is none: the load may climb again.
+    /// the joint was severed, or the load has fallen to the part of it at which a history ends. A dip shows no strength: the load may climb again.
     pub fn strength(&self) -> Option<f64> {
         let shown = !matches!(self.ending, Ending::Completed);
         shown.then(|| self.records[self.peak()].load)

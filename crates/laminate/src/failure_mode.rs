@@ -24,7 +24,7 @@ pub enum FailureMode {
 }
 
 impl FailureMode {
-    /// Tells whether fibres fail; in all other modes the matrix does.
+    /// Checks whether fibres fail; in all other modes the matrix does.
     pub fn is_fibre(self) -> bool {
         matches!(self, Self::FibreTension | Self::FibreCompression)
     }

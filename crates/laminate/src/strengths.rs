@@ -213,7 +213,7 @@ impl Strengths {
         }
     }
 
-    /// Tells whether no strength at all is known.
+    /// Checks whether no strength at all is known.
     pub fn is_empty(&self) -> bool {
         Strength::ALL.iter().all(|&name| self.get(name).is_none())
     }

@@ -109,7 +109,7 @@ pub enum LawsError {
     /// A law refuses its parameters.
     #[error(transparent)]
     Law(#[from] RefusedLaw),
-    /// The data are none.
+    /// The data are invalid.
     #[error("the measured displacements: {0}")]
     Data(#[source] CalibrateError),
     /// A law cannot be fitted.

@@ -32,5 +32,13 @@ pub mod synthesis;
 pub mod truth;
 pub mod whole;
 
+/// The crate whose vectors and matrices findings hold.
+pub use nalgebra;
+/// The crates of experiments, runs, meshes, laws, contacts and measured data that findings hold.
+pub use {
+    stickslip_contact, stickslip_engine, stickslip_fem_core, stickslip_friction, stickslip_hybrid,
+    stickslip_scene,
+};
+
 pub use error::ExperimentError;
 pub use finding::Finding;

@@ -122,7 +122,7 @@ pub struct PictureField {
 /// The measured field of a state; `shots` are its synthetic pictures.
 ///
 /// # Errors
-/// [`ExperimentError`]: files that cannot be read, data that are none, pictures without fringes, a region without data.
+/// [`ExperimentError`]: files that cannot be read, invalid data, pictures without fringes, a region without data.
 pub fn state(
     experiment: &Experiment,
     state: usize,

@@ -27,7 +27,7 @@ mod quantities;
 mod quantity;
 mod summary;
 mod tables;
-pub use findings::{joint_sentence, quoted, sentence};
+pub use findings::{findings_json, joint_sentence, quoted, sentence};
 pub use tables::signs;
 mod vtk_files;
 mod zones;

@@ -99,7 +99,7 @@ impl Colormap {
         }
     }
 
-    /// Tells whether the map's middle stands for zero.
+    /// Checks whether the map's middle stands for zero.
     pub fn is_diverging(self) -> bool {
         self == Self::BlueWhiteRed
     }

@@ -60,5 +60,13 @@ pub mod units;
 #[cfg(test)]
 mod tests;
 
+/// The crates whose values documents are made of, and whose diagnostics errors are.
+pub use {miette, serde_json};
+/// The crates of bodies, laws, contacts, laminates, joints and measured data that scenes and experiments hold.
+pub use {
+    stickslip_contact, stickslip_fem_core, stickslip_friction, stickslip_hybrid, stickslip_joint,
+    stickslip_laminate,
+};
+
 pub use document::Format;
 pub use scene::{Scene, VERSION};

@@ -84,7 +84,7 @@ enum Command {
     Check(SceneArguments),
     /// Write a commented scene to start from; never overwrites
     Init(init::InitArguments),
-    /// List friction laws with their parameters, templates, elements, solvers, units, and the signs of results
+    /// List friction laws, loads, lay-ups, failure criteria, point models, templates, presets, elements, solvers, units, signs of results and keys
     List(list::ListArguments),
 }
 

@@ -42,4 +42,4 @@ mod verdict;
 
 pub use error::SweepError;
 pub use plan::Sweep;
-pub use verdict::verdict;
+pub use verdict::{findings, verdict, warning};

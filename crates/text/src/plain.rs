@@ -5,7 +5,7 @@
 
 use std::borrow::Cow;
 
-/// Tells whether a character steers a terminal or the direction of text rather than being shown; line breaks and tabs do not.
+/// Checks whether a character steers a terminal or the direction of text rather than being shown; line breaks and tabs do not.
 pub fn is_control(letter: char) -> bool {
     let turns = matches!(letter, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     let breaks = matches!(letter, '\u{2028}' | '\u{2029}');

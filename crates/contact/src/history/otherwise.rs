@@ -10,8 +10,6 @@ use crate::solver::{InterfaceSolver, Pivoting, SemismoothNewton};
 use crate::state::ContactState;
 use crate::uniqueness::{NEAR_BOUND, bound_with_turns_held};
 
-/// Floating-point operations of pivoting that all comparisons of one problem's history may take.
-const EFFORT: f64 = 1e9;
 /// Part of the largest motion up to which a difference of slips is rounding.
 const ROUNDING: f64 = 1e-9;
 /// Number of increments up to which a step that was cut back is walked again in twice as many.
@@ -89,6 +87,9 @@ pub struct Otherwise {
 }
 
 impl Otherwise {
+    /// Floating-point operations of pivoting that all comparisons of one problem's history may take.
+    pub const EFFORT: f64 = 1e9;
+
     /// Of both, what differs more.
     fn or_worse(self, other: Self) -> Self {
         let more = |one: Option<Difference>, other: Option<Difference>| {
@@ -146,7 +147,7 @@ impl LoadHistory {
             record.uniqueness.or_else(held)
         });
         let unloaded = ContactState::unloaded(problem);
-        let mut effort = EFFORT;
+        let mut effort = Otherwise::EFFORT;
         let mut all = Vec::with_capacity(records.len());
         for (index, &record) in records.iter().enumerate() {
             let mut found = Otherwise::default();

@@ -16,7 +16,7 @@ use crate::state::{ContactState, Status};
 
 /// Part of an increment in which driven bodies travel nowhere.
 const NOWHERE: f64 = 1e-6;
-/// Gaps up to this part of the largest are closed, forces up to this part of the largest are none.
+/// Gaps up to this part of the largest are closed, forces up to this part of the largest are zero.
 const CLOSED: f64 = 1e-9;
 /// Halvings in search of the part at which driven bodies touch.
 const HALVINGS: usize = 30;

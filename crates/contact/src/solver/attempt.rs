@@ -69,7 +69,7 @@ impl<'a> Attempt<'a> {
     }
 
     /// Turns `trial` into a solution if it meets the conditions to 1e-10 of their scales. Where all that is left of the last
-    /// forces is rounding, and none is needed, there are none, and no slip.
+    /// forces is rounding, and no forces are needed, forces and slip are zero.
     pub(super) fn accept(&mut self, trial: TrialState) -> Result<StepSolution, FailureCause> {
         let rounding = FADED * self.step.committed.forces.amax();
         let negligible = trial.forces.amax() <= rounding && self.step.mode_load.amax() <= rounding;

@@ -12,7 +12,7 @@ use nalgebra::{Matrix3, Vector3};
 use stickslip_fem_core::load::edge_load;
 use stickslip_fem_core::mesh::{Curve, EdgeSet, Mesh, Point};
 
-/// Centre of the circle that `edge` is part of, the origin where it is none.
+/// Centre of the circle that `edge` is part of, the origin for an edge of another shape.
 pub(super) fn centre_of(edge: &EdgeSet) -> Point {
     match edge.curve {
         Some(Curve::Arc { centre, .. }) => centre,

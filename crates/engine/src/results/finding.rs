@@ -78,6 +78,8 @@ pub enum Finding {
     NoOtherSolver {
         /// Load steps that would take more work than comparisons may.
         too_dear: Vec<usize>,
+        /// Floating-point operations that comparisons of a history may take.
+        limit: f64,
         /// Load steps that the other solver did not solve.
         unsolved: Vec<usize>,
     },

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use stickslip_contact::history::{Difference, Missing};
+use stickslip_contact::history::{Difference, Missing, Otherwise};
 use stickslip_contact::solver::Residuals;
 use stickslip_contact::{ContactPair, ContactPoint, Stencil, StepRecord};
 
@@ -119,6 +119,7 @@ fn no_other_solver(steps: &[StepResults]) -> Option<Finding> {
         .map(|why| steps_where(steps, |step| step.notes.otherwise.missing == Some(why)));
     (too_dear.is_some() || unsolved.is_some()).then(|| Finding::NoOtherSolver {
         too_dear: too_dear.unwrap_or_default(),
+        limit: Otherwise::EFFORT,
         unsolved: unsolved.unwrap_or_default(),
     })
 }

@@ -46,7 +46,7 @@ pub enum Breach {
     },
     /// A force does negative work.
     #[error(
-        "the compliance has an eigenvalue of {ratio:.1e} times the largest: the body would give work off"
+        "the compliance has an eigenvalue of {ratio:.1e} times the largest: the body would release energy"
     )]
     Indefinite {
         /// Least eigenvalue over the largest.

@@ -21,7 +21,7 @@ pub enum Misfit {
         /// The columns that fit.
         expected_columns: usize,
     },
-    /// It holds a number that is infinite or none.
+    /// It holds an infinite or undefined number.
     #[error("{what} is not finite")]
     NotFinite {
         /// What it is.
@@ -29,7 +29,7 @@ pub enum Misfit {
     },
 }
 
-/// Checks that `values`, of which `what` tells the name, are as many as expected and finite.
+/// Checks that `values`, named by `what`, are as many as expected and finite.
 pub(super) fn fits<C: Dim, S: RawStorage<f64, Dyn, C>>(
     what: impl FnOnce() -> String,
     values: &Matrix<f64, Dyn, C, S>,

@@ -91,7 +91,7 @@ impl Data {
     /// Checks and whitens `blocks`.
     ///
     /// # Errors
-    /// [`CalibrateError::Length`], [`CalibrateError::Value`] and [`CalibrateError::Covariance`] where a block is none.
+    /// [`CalibrateError::Length`], [`CalibrateError::Value`] and [`CalibrateError::Covariance`] where a block is invalid.
     pub fn new(blocks: Vec<Block>) -> Result<Self, CalibrateError> {
         let whitened = blocks.into_iter().enumerate();
         let blocks = whitened
@@ -106,7 +106,7 @@ impl Data {
     /// large takes away all that the data say along it, as a nuisance does.
     ///
     /// # Errors
-    /// [`CalibrateError::Length`] and [`CalibrateError::Value`] where a shape is none; blocks beyond `shapes` keep their errors.
+    /// [`CalibrateError::Length`] and [`CalibrateError::Value`] where a shape is invalid; blocks beyond `shapes` keep their errors.
     pub fn with_shapes(mut self, shapes: &[Vec<f64>]) -> Result<Self, CalibrateError> {
         for (index, (block, shape)) in self.blocks.iter_mut().zip(shapes).enumerate() {
             length("shape", index, block.values.len(), shape)?;

@@ -254,7 +254,7 @@ impl Table {
     }
 }
 
-/// Whether a field is a number; a name such as `inf` is none.
+/// Whether a field is a number; a name such as `inf` is not a number.
 fn is_number(text: &str) -> bool {
     text.contains(|c: char| c.is_ascii_digit()) && text.parse::<f64>().is_ok()
 }

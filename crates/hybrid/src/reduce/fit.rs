@@ -46,7 +46,7 @@ pub(super) fn weights(places: &[Point], at: Point, radius: f64, order: usize) ->
             let before = dot(&column, &column).sqrt();
             let taken = orthogonalise(&mut column, &columns);
             let left = dot(&column, &column).sqrt();
-            // A column of zeros, or of numbers that are none, fails as well.
+            // A column of zeros or with NaN fails as well.
             if left.is_nan() || left <= RANK * before {
                 return None;
             }

@@ -358,7 +358,7 @@ fn rows_know_their_lines_and_the_step_of_their_digits() {
         ..Reading::default()
     };
     assert!((rows(text, &scaled).step[0] - 5e-4).abs() < 1e-15);
-    // Digits beyond those of a number are none.
+    // Digits beyond double precision are ignored.
     let all = "x,y,u,v\n0,0,0.30000000000000004441,0\n";
     let [u, v] = rows(all, &Reading::default()).step;
     assert!((u / (0.3 * f64::EPSILON) - 1.0).abs() < 1e-12 && v == 0.0);

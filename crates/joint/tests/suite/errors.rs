@@ -98,7 +98,7 @@ fn load_steps_fit_the_load_cases() {
             .unwrap_err()
             .to_string()
     };
-    assert!(follow(&[]).contains("there is none"));
+    assert!(follow(&[]).contains("load step 1: missing"));
     assert!(follow(&[vec![0.0], vec![1.0, 2.0]]).contains("load step 2: 2 multipliers for 1"));
     assert!(follow(&[vec![f64::INFINITY]]).contains("inf"));
 }

@@ -61,7 +61,7 @@ impl Assessment {
         self.reserve_factor - 1.0
     }
 
-    /// Tells whether the ply fails at the load as given or before.
+    /// Checks whether the ply fails at the load as given or before.
     pub fn fails(&self) -> bool {
         self.reserve_factor <= 1.0
     }

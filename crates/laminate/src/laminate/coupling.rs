@@ -27,7 +27,7 @@ pub struct Coupling {
 }
 
 impl Coupling {
-    /// Tells whether a membrane analysis is exact: no coupling of stretching with bending beyond rounding (10⁻¹⁰).
+    /// Checks whether a membrane analysis is exact: no coupling of stretching with bending beyond rounding (10⁻¹⁰).
     pub fn is_symmetric(&self) -> bool {
         self.bending_extension <= SYMMETRIC
     }

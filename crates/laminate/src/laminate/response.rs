@@ -31,7 +31,7 @@ impl LaminateLoad {
         }
     }
 
-    /// Tells whether every number is finite.
+    /// Checks whether every number is finite.
     pub fn is_finite(&self) -> bool {
         let resultants = self.force.iter().chain(&self.moment);
         resultants

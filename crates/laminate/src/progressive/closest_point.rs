@@ -184,7 +184,13 @@ impl YieldSurface {
     }
 
     /// Computes the end of a step from the hardening variable `hardening` = λ_n `[stress]` with the trial elastic strain `trial`, in material
-    /// axes.
+    /// axes:
+    ///
+    /// ```text
+    /// S σ + μ P σ = ε*,     μ = Δλ/φ,     φ (1 − H μ) = 1 + H λ_n
+    /// ```
+    ///
+    /// with the compliance S, φ² = σ · P σ and the hardening H. Source: Simo & Hughes, *Computational Inelasticity* (1998), 3.4.
     ///
     /// # Errors
     /// The distance from the surface, relative to the yield stress, and the iterations, if the iteration fails; for finite input of

@@ -18,7 +18,7 @@ pub(super) const CONTACT: [f64; 2] = [3.0, 0.05];
 /// Part of the largest hoop stress that the largest pressure has to exceed as well: what noise and smoothing leave on the edge of an
 /// open hole does not.
 const OPEN: f64 = 0.03;
-/// Part of the largest hoop stress below which a pressure with its uncertainty is none.
+/// Part of the largest hoop stress below which a pressure with its uncertainty counts as zero.
 const HIDDEN: f64 = 0.1;
 /// Angle from θ = 0 from which on a contact bears elsewhere `[rad]`.
 const ELSEWHERE: f64 = 5.0 * PI / 180.0;

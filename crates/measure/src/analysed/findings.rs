@@ -20,7 +20,8 @@ const CORRELATED: f64 = 0.5;
 /// The axes of forces.
 const AXES: [&str; 2] = ["x", "y"];
 
-/// What is declared free in the pictures, where more than the region takes displacements.
+/// Reports that `reduce.free` holds in the region alone, although the whole plate or fitted laws take displacements of the pictures too; `None`
+/// where nothing is declared free, or the region alone takes displacements.
 pub fn free_in_region_only(experiment: &Experiment) -> Option<Located> {
     let whole = experiment
         .region

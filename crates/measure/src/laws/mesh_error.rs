@@ -124,7 +124,7 @@ impl<'a> Coarser<'a> {
     }
 
     /// δ at the data of each observation. `fine`: displacements of the model at all data under the same law. A place that the coarser
-    /// polygon does not hold has none.
+    /// polygon does not hold has no δ.
     pub(super) fn shapes(
         &self,
         law: Box<dyn FrictionLaw>,

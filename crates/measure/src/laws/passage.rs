@@ -14,7 +14,7 @@ use super::Fit;
 use stickslip_scene::experiment::SpecimenScene;
 
 /// Computes the coefficient |τ|/p `[1]` of a slipping point with slip path `slip` `[mm]`; `None` where it depends on the pressure as
-/// well, or is none.
+/// well, or is not finite.
 pub fn coefficient(law: &dyn FrictionLaw, slip: f64) -> Option<f64> {
     /// Pressures `[MPa]` at which a coefficient of the slip path alone is the same.
     const PRESSURES: [f64; 2] = [1.0, 100.0];

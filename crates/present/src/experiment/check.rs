@@ -6,17 +6,26 @@ use super::findings::line;
 use super::measured::signs;
 use stickslip_measure::ExperimentError;
 use stickslip_measure::analysed::Workbench;
-use stickslip_measure::finding::{Level, ignored_keys};
+use stickslip_measure::finding::{Level, Located, ignored_keys};
 use stickslip_measure::measured::{self, Measured};
 use stickslip_measure::synthesis::Shots;
 use stickslip_scene::experiment::{Experiment, RegionShape, Source};
 use stickslip_text::short;
 
-/// Reads all data that are files, and meshes the region; what was found, in lines of a name and a text. Synthetic states are not solved.
+/// What an experiment says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Checked {
+    /// Lines for a reader, each a name and a text.
+    pub lines: Vec<(&'static str, String)>,
+    /// Findings on the data; the warnings among them are lines too.
+    pub findings: Vec<Located>,
+}
+
+/// Reads all data that are files, and meshes the region. Synthetic states are not solved.
 ///
 /// # Errors
-/// [`ExperimentError`]: files that cannot be read, data that are none or do not cover the region, a region that cannot be analysed.
-pub fn check(experiment: &Experiment) -> Result<Vec<(&'static str, String)>, ExperimentError> {
+/// [`ExperimentError`]: files that cannot be read, invalid data or data that do not cover the region, a region that cannot be analysed.
+pub fn check(experiment: &Experiment) -> Result<Checked, ExperimentError> {
     let mut lines = vec![
         (
             "experiment",
@@ -66,7 +75,7 @@ pub fn check(experiment: &Experiment) -> Result<Vec<(&'static str, String)>, Exp
     lines.extend(warnings.map(|own| ("warning", line(experiment, own))));
     lines.push(("next", next(experiment)));
     lines.push(("hash", experiment.hash.clone()));
-    Ok(lines)
+    Ok(Checked { lines, findings })
 }
 
 fn specimen(experiment: &Experiment) -> String {

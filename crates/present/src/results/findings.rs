@@ -42,7 +42,11 @@ pub fn sentence(finding: &Finding, units: DisplayUnits) -> String {
         Finding::NearUniquenessBound(bound) => near_bound(bound),
         Finding::CutBack { steps, effect } => cut_back(steps, *effect),
         Finding::SolverDependent(other) => solver_dependent(other),
-        Finding::NoOtherSolver { too_dear, unsolved } => no_other_solver(too_dear, unsolved),
+        Finding::NoOtherSolver {
+            too_dear,
+            limit,
+            unsolved,
+        } => no_other_solver(too_dear, *limit, unsolved),
         Finding::Unbalanced {
             steps,
             residual,
@@ -178,11 +182,11 @@ fn solver_dependent(other: &SolverDependence) -> String {
     )
 }
 
-fn no_other_solver(too_dear: &[usize], unsolved: &[usize]) -> String {
+fn no_other_solver(too_dear: &[usize], limit: f64, unsolved: &[usize]) -> String {
     let mut reasons = Vec::new();
     if !too_dear.is_empty() {
         reasons.push(format!(
-            "load step {} would take more work than comparisons of a history may, 1e9 operations",
+            "load step {} would take more work than comparisons of a history may, {limit:.0e} operations",
             numbers(too_dear)
         ));
     }
@@ -268,6 +272,11 @@ pub(super) fn entries<T: Serialize>(findings: &[T], units: DisplayUnits) -> Vec<
         }
     };
     findings.iter().map(entry).collect()
+}
+
+/// `findings` as the entry `findings` of `summary.json`, with quantities in `units`.
+pub fn findings_json(findings: &[Finding], units: DisplayUnits) -> Value {
+    json!(entries(findings, units))
 }
 
 /// `value` with at most twelve digits, its lengths in `units` and its angles in degrees.

@@ -40,7 +40,7 @@ pub struct Reduce {
     pub stride: Option<usize>,
     /// Radius of the band around the carrier, part of the way to the background.
     pub band: f64,
-    /// Fringes of at most this amplitude are none, a part of their median.
+    /// Least amplitude of a fringe, a part of the median amplitude.
     pub least_modulation: f64,
     /// Filling of missing pixels ends when a pass changes them by less than this part of the fringes' amplitude.
     pub settled: f64,

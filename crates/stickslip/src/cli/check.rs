@@ -9,7 +9,7 @@ use super::experiment::{self, Kind, kind_of};
 use super::failure::{CommandError, Failure};
 use super::located::locate;
 use stickslip_engine::model::{Model, ModelBodyKind};
-use stickslip_present::results::sentence;
+use stickslip_present::results::{findings_json, sentence};
 use stickslip_report::axis::ends;
 use stickslip_scene::Scene;
 use stickslip_scene::schema::{Body, Division, LoadKind, MeshSettings, Substance};
@@ -42,11 +42,11 @@ pub(super) fn check(arguments: &SceneArguments, console: Console) -> Result<(), 
         let comments: Vec<_> = outline.iter().map(comment).collect();
         format!("{}\n\n{}", comments.join("\n"), scene.resolved())
     };
-    console.result(text, &summary(&scene, &outline))
+    console.result(text, &summary(&scene, &model, &outline))
 }
 
-fn summary(scene: &Scene, outline: &[(&str, String)]) -> Value {
-    let model: Vec<_> = outline
+fn summary(scene: &Scene, model: &Model, outline: &[(&str, String)]) -> Value {
+    let lines: Vec<_> = outline
         .iter()
         .map(|(name, text)| json!({ "what": name, "text": text }))
         .collect();
@@ -57,7 +57,8 @@ fn summary(scene: &Scene, outline: &[(&str, String)]) -> Value {
         "title": scene.title,
         "hash": scene.hash,
         "steps": scene.steps(),
-        "model": model,
+        "model": lines,
+        "findings": findings_json(&model.findings, scene.display),
         "resolved": resolved,
     })
 }

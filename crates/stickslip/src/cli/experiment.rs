@@ -209,10 +209,10 @@ pub(super) fn check(path: &Path, overrides: &[String], console: Console) -> Resu
     let checked = stickslip_present::experiment::check::check(&experiment).map_err(refuse)?;
     let text = || {
         let line = |(name, text): &(&str, String)| format!("{name:10} {text}");
-        let lines: Vec<String> = checked.iter().map(line).collect();
+        let lines: Vec<String> = checked.lines.iter().map(line).collect();
         lines.join("\n") + "\n"
     };
-    let lines: Vec<_> = (checked.iter())
+    let lines: Vec<_> = (checked.lines.iter())
         .map(|(name, text)| json!({ "what": name, "text": text }))
         .collect();
     let summary = json!({
@@ -220,6 +220,7 @@ pub(super) fn check(path: &Path, overrides: &[String], console: Console) -> Resu
         "title": experiment.title,
         "hash": experiment.hash,
         "checked": lines,
+        "findings": checked.findings,
     });
     console.result(text, &summary)
 }

@@ -27,7 +27,7 @@ use crate::sweep::engine::run;
 use crate::sweep::figures::{Drawing, draw};
 use crate::sweep::page::{Account, page};
 use crate::sweep::row::Row;
-use crate::sweep::{Sweep, SweepError, table, verdict};
+use crate::sweep::{Sweep, SweepError, findings, table, verdict, warning};
 use stickslip_scene::limits::Content;
 
 const TABLE: &str = "cases.csv";
@@ -232,7 +232,7 @@ fn check_identity(sweep: &Sweep, text: &str) -> Result<(), SweepError> {
         what: what.to_owned(),
     };
     let value: Value =
-        serde_json::from_str(text).map_err(|_| other("its sweep.json is no JSON"))?;
+        serde_json::from_str(text).map_err(|_| other("its sweep.json is not JSON"))?;
     if value["hash"] == sweep.hash.as_str() {
         return Ok(());
     }
@@ -297,6 +297,7 @@ fn summary(sweep: &Sweep, rows: &[Row], account: &Account) -> Value {
         "solved": solved,
         "unresolved": rows.len() - solved,
         "verdict": verdict(sweep, rows),
+        "findings": findings(rows),
         "solved_in_this_run": account.solved_now,
         "wall_time_s": account.seconds,
         "workers": account.jobs,
@@ -321,8 +322,9 @@ fn report(sweep: &Sweep, rows: &[Row]) -> Result<(), JointError> {
 }
 
 fn text(sweep: &Sweep, rows: &[Row], folder: &Path, account: &Account) -> String {
+    let warning = warning(rows).map_or_else(String::new, |text| format!("warning: {text}\n"));
     format!(
-        "{}\n{}\n{} cases in {:.1} s, {} worker{}, {} bodies condensed\nresults in {}\n",
+        "{}\n{}\n{warning}{} cases in {:.1} s, {} worker{}, {} bodies condensed\nresults in {}\n",
         sweep.title,
         verdict(sweep, rows),
         account.solved_now,

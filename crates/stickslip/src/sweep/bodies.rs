@@ -71,7 +71,7 @@ pub(super) fn model_key(scene: &Scene) -> String {
         "{:?} {:?} {:?} {:?}",
         scene.analysis, scene.supports, scene.platens, scene.edges
     );
-    // A half model under one law is none under another that does not mirror. Writing into a string does not fail.
+    // A law that does not mirror needs a whole model where another law needs half of it. Writing into a string does not fail.
     let _ = write!(text, "{:?}", obstacle_to_half(scene));
     for (name, body) in &scene.bodies {
         let angle = match &body.substance {

@@ -10,7 +10,7 @@ use super::engine::Effort;
 use super::figures::Drawing;
 use super::row::{Measures, Outcome, Row};
 use super::verdict::ORDER;
-use super::{Sweep, verdict};
+use super::{Sweep, verdict, warning};
 use stickslip_engine::results::JointMode;
 use stickslip_text::{counted, short};
 
@@ -50,6 +50,7 @@ pub fn page(
             sweep.cases()
         ));
     }
+    page.warnings.extend(warning(rows));
     page.warnings.extend_from_slice(remarks);
     page.summary = summary(rows, account);
     page.notes.extend(sweep.description.clone());
@@ -195,7 +196,7 @@ fn unresolved(sweep: &Sweep, rows: &[Row]) -> Table {
 
 fn files(sweep: &Sweep) -> Section {
     let cases = format!(
-        "one row per case: {} axes, contact, hoop stress, first ply, failure of the joint, time, outcome",
+        "one row per case: {} axes, contact, hoop stress, first ply, failure of the joint, time, outcome, findings",
         sweep.axes.len()
     );
     Section::of_files([

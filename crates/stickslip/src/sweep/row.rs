@@ -3,7 +3,7 @@
 use super::Sweep;
 use super::axis::tidy;
 use stickslip_engine::LoadScale;
-use stickslip_engine::results::{BodyFailure, FirstPly, JointMode, LoadValue, Results};
+use stickslip_engine::results::{BodyFailure, Finding, FirstPly, JointMode, LoadValue, Results};
 
 /// A case.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,6 +55,8 @@ pub struct Measures {
     pub first_ply: Option<PlyFailure>,
     /// Failure on the characteristic curve.
     pub joint: Option<JointLoad>,
+    /// Kinds of the findings of its run, each once; `None` in rows of versions that kept none.
+    pub findings: Option<Vec<String>>,
 }
 
 /// The first ply to fail.
@@ -93,8 +95,12 @@ impl Measures {
     /// The numbers of a solved case of `sweep`; each to twelve digits, as tables have them.
     pub fn of(results: &Results, sweep: &Sweep) -> Self {
         let scale = LoadScale::of_edge(results, sweep.contact);
+        let findings = Some(kinds(&results.findings));
         let Some(step) = scale.peak_step() else {
-            return Self::default();
+            return Self {
+                findings,
+                ..Self::default()
+            };
         };
         let value = |load: Option<&LoadValue>| {
             load.filter(|load| load.unit == sweep.load_unit)
@@ -125,8 +131,22 @@ impl Measures {
                 .map(|(most, place)| [stress(most), degrees(seen(place))]),
             first_ply: failure.and_then(|failure| first_ply(failure, &value)),
             joint: failure.and_then(|failure| joint(failure, results, sweep, &value)),
+            findings,
         }
     }
+}
+
+/// Kinds of `findings` as `summary.json` names them, each once.
+fn kinds(findings: &[Finding]) -> Vec<String> {
+    let mut kinds = Vec::new();
+    for finding in findings {
+        let entry = serde_json::to_value(finding).unwrap_or_default();
+        let kind = entry["kind"].as_str().unwrap_or_default().to_owned();
+        if !kinds.contains(&kind) {
+            kinds.push(kind);
+        }
+    }
+    kinds
 }
 
 /// The least load of all criteria; where no load is known, the first criterion's.

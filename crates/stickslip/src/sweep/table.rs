@@ -11,9 +11,10 @@
 //! | `joint_load`, `joint_bearing_stress`, `joint_mode`, `joint_angle`, `joint_found` | failure on the characteristic curve |
 //! | `seconds` | time of the case on its core |
 //! | `outcome` | `solved`, or why not |
+//! | `findings` | kinds of the findings of its run, `none` where there are no findings |
 //!
 //! `…_found` is `reached` where the history fails a ply, `projected` where its largest load was multiplied. What does not exist is
-//! an empty cell.
+//! an empty cell. Tables of versions without `findings` are read too.
 
 use std::io::Write;
 
@@ -26,6 +27,10 @@ use super::{Sweep, SweepError};
 
 /// Outcome of a case that has numbers.
 const SOLVED: &str = "solved";
+/// Cell of a case without findings; an empty cell says that they are not known.
+const NO_FINDINGS: &str = "none";
+/// Stands between kinds of findings.
+const SEPARATOR: &str = "; ";
 /// Words for a failure that the history reaches, and for one beyond it.
 const REACHED: &str = "reached";
 const PROJECTED: &str = "projected";
@@ -59,6 +64,23 @@ fn columns(sweep: &Sweep) -> Columns<'_, &Row> {
             Outcome::Solved(_) => SOLVED.to_owned(),
             Outcome::Unresolved(reason) => reason.clone(),
         })
+        .with("findings", "", |row| {
+            let kinds = row.measures().and_then(|own| own.findings.as_deref());
+            kinds.map_or_else(String::new, findings_cell)
+        })
+}
+
+fn findings_cell(kinds: &[String]) -> String {
+    if kinds.is_empty() {
+        NO_FINDINGS.to_owned()
+    } else {
+        kinds.join(SEPARATOR)
+    }
+}
+
+fn findings_of(cell: &str) -> Option<Vec<String>> {
+    let kinds = cell.split(SEPARATOR).filter(|kind| *kind != NO_FINDINGS);
+    (!cell.is_empty()).then(|| kinds.map(str::to_owned).collect())
 }
 
 /// A number as a cell, empty where there is none.
@@ -204,7 +226,7 @@ pub fn read(sweep: &Sweep, text: &str) -> Result<Vec<Row>, SweepError> {
         .flexible(true)
         .has_headers(false)
         .from_reader(complete.as_bytes());
-    let expected = headings(sweep);
+    let mut expected = headings(sweep);
     let mut rows: Vec<Row> = Vec::new();
     for (index, record) in reader.records().enumerate() {
         let fail = |what: String| SweepError::Row {
@@ -214,6 +236,8 @@ pub fn read(sweep: &Sweep, text: &str) -> Result<Vec<Row>, SweepError> {
         let record = record.map_err(|cause| fail(cause.to_string()))?;
         let found: Vec<&str> = record.iter().map(csv_text).collect();
         if index == 0 {
+            // Earlier versions had no findings, the last column.
+            expected.truncate(found.len().max(expected.len() - 1));
             if found
                 .iter()
                 .copied()
@@ -262,18 +286,21 @@ fn row(sweep: &Sweep, cells: &[&str]) -> Result<Row, String> {
     for _ in &sweep.axes {
         cells.next();
     }
-    let measures = Measures {
+    let mut measures = Measures {
         load: cells.number()?,
         peak_pressure: cells.number()?,
         contact_half_angle: cells.number()?,
         peak_hoop: pair(cells.number()?, cells.number()?),
         first_ply: cells.first_ply()?,
         joint: cells.joint()?,
+        findings: None,
     };
     let seconds = cells.number()?.unwrap_or_default();
-    let outcome = match cells.next() {
+    let outcome = cells.next();
+    measures.findings = findings_of(cells.next());
+    let outcome = match outcome {
         SOLVED => Outcome::Solved(Box::new(measures)),
-        "" => return Err("there is no outcome".to_owned()),
+        "" => return Err("the outcome is missing".to_owned()),
         reason => Outcome::Unresolved(reason.to_owned()),
     };
     Ok(Row {
@@ -300,7 +327,7 @@ impl<'a> Cells<'a> {
         let value = cell.parse::<f64>();
         value
             .map(Some)
-            .map_err(|_| format!("'{cell}' is no number"))
+            .map_err(|_| format!("'{cell}' is not a number"))
     }
 
     fn first_ply(&mut self) -> Result<Option<PlyFailure>, String> {
@@ -330,14 +357,14 @@ impl<'a> Cells<'a> {
                 reached: found == REACHED,
             })),
             None if mode.is_empty() => Ok(None),
-            None => Err(format!("'{mode}' is no failure mode with an angle")),
+            None => Err(format!("'{mode}' is not a failure mode with an angle")),
         }
     }
 }
 
 fn whole(cell: &str) -> Result<usize, String> {
     cell.parse()
-        .map_err(|_| format!("'{cell}' is no number of a case"))
+        .map_err(|_| format!("'{cell}' is not the number of a case"))
 }
 
 fn pair(first: Option<f64>, second: Option<f64>) -> Option<[f64; 2]> {

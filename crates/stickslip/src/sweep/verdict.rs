@@ -1,9 +1,12 @@
-//! What governs, in a sentence or two.
+//! What governs, in a sentence or two, and how many cases have findings.
+
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
 
 use super::Sweep;
 use super::row::{JointLoad, Row};
 use stickslip_engine::results::JointMode;
-use stickslip_text::short;
+use stickslip_text::{counted, short};
 
 /// The modes from bearing to net tension.
 pub(super) const ORDER: [JointMode; 5] = [
@@ -48,6 +51,37 @@ pub fn verdict(sweep: &Sweep, rows: &[Row]) -> String {
         sentences.push("A sweep draws none of the scene's failure.envelopes.".to_owned());
     }
     sentences.join(" ")
+}
+
+/// Number of cases with each kind of finding.
+pub fn findings(rows: &[Row]) -> BTreeMap<&str, usize> {
+    let mut counts = BTreeMap::new();
+    for kind in rows.iter().flat_map(kinds) {
+        *counts.entry(kind.as_str()).or_default() += 1;
+    }
+    counts
+}
+
+/// How many cases have findings, and of which kinds; `None` if no case has any.
+pub fn warning(rows: &[Row]) -> Option<String> {
+    let doubtful = rows.iter().filter(|row| !kinds(row).is_empty()).count();
+    let mut counts: Vec<_> = findings(rows).into_iter().collect();
+    counts.sort_by_key(|(_, count)| Reverse(*count));
+    let counts = counts.iter().map(|(kind, count)| format!("{kind} {count}"));
+    let counts: Vec<String> = counts.collect();
+    (doubtful > 0).then(|| {
+        format!(
+            "Findings in {doubtful} of {}: {}; see the column findings of cases.csv.",
+            counted(rows.len(), "case"),
+            counts.join(", ")
+        )
+    })
+}
+
+/// Kinds of the findings of a case.
+fn kinds(row: &Row) -> &[String] {
+    let findings = row.measures().and_then(|own| own.findings.as_deref());
+    findings.unwrap_or_default()
 }
 
 fn modes(sweep: &Sweep, failed: &[(usize, &JointLoad)]) -> String {

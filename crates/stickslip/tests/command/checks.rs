@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use super::{SCENE, fails, folder_with, succeeds};
 
@@ -77,6 +77,21 @@ fn check_in_json_and_quietly() {
     );
     assert_eq!(value["resolved"]["mesh"]["element"], "Q8");
     assert_eq!(value["hash"].as_str().unwrap().len(), 64);
+    assert_eq!(value["findings"], json!([]));
+    let wide = [
+        "check",
+        "pin.toml",
+        "--json",
+        "--set",
+        "bodies.pin.thickness=1 mm",
+    ];
+    let value: Value = serde_json::from_str(&succeeds(folder.path(), &wide)).unwrap();
+    let finding = &value["findings"][0];
+    assert_eq!(finding["kind"], "unequal_thickness");
+    assert_eq!(
+        finding["thickness"][1],
+        json!({ "value": 1.0, "unit": "mm" })
+    );
     assert_eq!(
         succeeds(folder.path(), &["check", "pin.toml", "--quiet"]),
         ""

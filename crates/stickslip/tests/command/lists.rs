@@ -45,6 +45,18 @@ fn list_names_laws_with_their_parameters() {
 }
 
 #[test]
+fn help_names_every_topic_of_list() {
+    let help = succeeds(Path::new("."), &["list", "--help"]);
+    let first = help.lines().next().unwrap();
+    let topics: Value =
+        serde_json::from_str(&succeeds(Path::new("."), &["list", "--json"])).unwrap();
+    for topic in topics.as_object().unwrap().keys() {
+        let topic = topic.replace("layups", "lay-ups");
+        assert!(first.contains(&topic), "'{topic}' is missing in: {first}");
+    }
+}
+
+#[test]
 fn list_shows_layups_and_criteria_with_their_strengths() {
     let printed = succeeds(Path::new("."), &["list", "layups"]);
     assert!(printed.contains("[0/±45/90]s") && printed.contains("0, 45, -45, 90, 90, -45, 45, 0"));

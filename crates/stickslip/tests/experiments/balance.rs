@@ -63,7 +63,7 @@ fn stresses_on_the_edge_carry_the_known_force_unless_the_material_is_wrong() {
 }
 
 /// The region of one half of the contact ends where pressure is greatest and stresses are not trusted. The forces on its nodes show a modulus
-/// that is a tenth off; where the nodes at the ends bear much of them, the check says that it is none.
+/// that is a tenth off; where the nodes at the ends bear much of them, the check says that it is no evidence.
 #[test]
 fn a_region_that_cuts_the_contact_sees_a_wrong_modulus_or_says_that_it_cannot() {
     let folder = sample();

@@ -70,6 +70,11 @@ fn check_reads_an_experiment_with_its_data() {
         summary["checked"].as_array().unwrap().len() > 4,
         "{summary}"
     );
+    let findings = summary["findings"].as_array().unwrap();
+    assert!(
+        findings.iter().any(|finding| finding["kind"] == "outliers"),
+        "{summary}"
+    );
     // What is wrong with the data shows as in the chain.
     let error = fails(
         path,

@@ -212,7 +212,7 @@ fn states_and_settings_that_contradict_each_other_are_refused() {
     check(&says(&two, &table), &["two states 'up'"]);
     check(
         &says(&TABLE.replace("name = \"up\"", "name = \"a/b\""), &table),
-        &["no name of a state"],
+        &["not a valid name of a state"],
     );
     check(
         &says(&format!("{TABLE}step = 1\n"), &table),

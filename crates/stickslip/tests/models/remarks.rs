@@ -159,6 +159,7 @@ fn a_bushing_without_friction_is_said_to_turn_freely() {
             // The other solver would take more work than comparisons may.
             Finding::NoOtherSolver {
                 too_dear: vec![1, 2, 3],
+                limit: 1e9,
                 unsolved: Vec::new(),
             },
             Finding::FreeTogether {

@@ -62,6 +62,7 @@ fn of_the_run() -> Vec<Finding> {
         }),
         Finding::NoOtherSolver {
             too_dear: steps.clone(),
+            limit: 2e9,
             unsolved: vec![1],
         },
         Finding::Unverified {
@@ -171,6 +172,7 @@ fn sentences_hold_steps_parts_and_display_units() {
         "More than the first solver was needed in load step 2–4, 7: status iteration: cycled (×2). In the first cycle the statuses of 5 points repeated with period 2.",
         "Friction of up to 0.900 is near 1.000, the estimate of the coefficient of friction up to which load step 3 ",
         "The increment was cut back in load step 2–4, 7. Smaller increments give the same tractions. Slip counts from the increment in which a point closes: in 8 equal increments CSLIP1 of load step 7 changes by up to 1.2 % of its largest, the work of friction by 50 %.",
+        "Whether another solver finds another answer is not known where friction, cut-back or loose contact allow one: load step 2–4, 7 would take more work than comparisons of a history may, 2e9 operations; the other solver did not solve load step 1.",
         "Forces balance to 2.8e-7 of the load only in load step 2–4, 7, where 1e-8 is usual:",
         "Body 'pin' can slide freely: its translation and CSLIP1 on 'a', 'b' and 'c' are not unique.",
         "Contact 'pin': 'plate' is 1 in thick and 'pin' 2 in.",

@@ -2,7 +2,7 @@
 
 use stickslip::host::HOST;
 use stickslip::sweep::row::Outcome;
-use stickslip::sweep::{Sweep, SweepError, figures, table, verdict};
+use stickslip::sweep::{Sweep, SweepError, figures, findings, table, verdict, warning};
 
 use super::{COARSE, SWEEP, folder_with, read, scenes, solved};
 
@@ -48,6 +48,48 @@ fn a_table_is_read_again_as_it_was_written() {
     let torn = &text[..text.len() - 20];
     assert_eq!(table::read(&sweep, torn).unwrap().len(), 5);
     assert!(table::read(&sweep, "").unwrap().is_empty());
+}
+
+#[test]
+fn rows_keep_the_kinds_of_findings() {
+    let folder = folder_with(SWEEP);
+    let penalty = ["analysis.solver=penalty", "analysis.experimental=true"];
+    let overrides = [COARSE, penalty[0], penalty[1]];
+    let sweep = Sweep::from_file(&folder.path().join("sweep.toml"), &overrides, HOST).unwrap();
+    let rows = solved(&sweep, &[0, 1]);
+    assert_eq!(findings(&rows)["unverified"], 2);
+    let warning = warning(&rows).unwrap();
+    for part in ["Findings in 2 of 2 cases: ", "unverified 2", "cases.csv"] {
+        assert!(warning.contains(part), "{warning}");
+    }
+    let text = String::from_utf8(table::text(&sweep, &rows).unwrap()).unwrap();
+    assert!(text.lines().next().unwrap().ends_with(",outcome,findings"));
+    let again = table::read(&sweep, &text).unwrap();
+    assert_eq!(again[1].outcome, rows[1].outcome);
+}
+
+#[test]
+fn a_table_without_findings_is_read() {
+    let sweep = read(&folder_with(SWEEP));
+    let mut rows = solved(&sweep, &[0, 1]);
+    let Outcome::Solved(measures) = &mut rows[1].outcome else {
+        panic!("{rows:?}");
+    };
+    measures.findings = Some(Vec::new());
+    let text = String::from_utf8(table::text(&sweep, &rows).unwrap()).unwrap();
+    assert!(text.ends_with(",solved,none\n"), "{text}");
+    assert_eq!(
+        table::read(&sweep, &text).unwrap()[1].outcome,
+        rows[1].outcome
+    );
+    let lines = text.lines().filter_map(|line| line.rsplit_once(','));
+    let old: String = lines.map(|(line, _)| format!("{line}\n")).collect();
+    let old = table::read(&sweep, &old).unwrap();
+    let known: Vec<bool> = (old.iter())
+        .map(|row| row.measures().unwrap().findings.is_some())
+        .collect();
+    assert_eq!(known, [false, false]);
+    assert!(findings(&old).is_empty() && warning(&old).is_none());
 }
 
 #[test]

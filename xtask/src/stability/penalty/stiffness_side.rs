@@ -21,7 +21,7 @@ use stickslip_laboratory::discrete::Discrete;
 use crate::publish::TaskError;
 use crate::stability::joint::Joint;
 
-/// Compliance and rigid motion of a node, relative to the largest, that are none: a motion that symmetry excludes.
+/// Compliance and rigid motion of a node, relative to the largest, that count as zero: a motion that symmetry excludes.
 const NEGLIGIBLE: f64 = 1e-12;
 
 /// Stiffness of the bodies side by side, what they carry without contact, and how their nodes move the contact points.

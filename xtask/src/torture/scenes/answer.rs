@@ -2,7 +2,7 @@
 //!
 //! Each number is measured by the largest of its kind on its edge in the whole history of both answers: stresses by the largest
 //! pressure or stress, gaps and slips by the largest of both or by what the largest pressure gives the softest body, forces by the
-//! largest force. Stresses and forces below a millionth of what the largest motion would give if it were strain are none.
+//! largest force. Stresses and forces below a millionth of what the largest motion would give if it were strain count as zero.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 

@@ -154,11 +154,11 @@ impl Prepared {
     }
 }
 
-/// The row of a sweep without the column that says how long it took, the last but one.
+/// The row of a sweep without the column that says how long it took, the third from the end.
 fn without_time(line: &str) -> String {
     let mut cells: Vec<&str> = line.trim_end().split(',').collect();
-    if cells.len() > 1 {
-        cells.remove(cells.len() - 2);
+    if cells.len() > 2 {
+        cells.remove(cells.len() - 3);
     }
     cells.join(",")
 }

@@ -61,7 +61,7 @@ impl Subject<'_> {
         })
     }
 
-    /// Ends of supported edges and platens, and points that are held. An end on the line of symmetry is none.
+    /// Ends of supported edges and platens, and points that are held. An end on the line of symmetry does not count.
     fn singular_places(&self) -> Vec<Point> {
         let line = ROUNDING * self.smaller_dimension();
         let inner = |place: &Point| self.model.half && place[self.across].abs() <= line;

@@ -34,7 +34,7 @@ pub enum CriterionBreach {
         cause: FailureError,
     },
     /// The index is infinite or NaN, or the reserve factor negative or NaN.
-    #[error("index and reserve factor of {found:?} are no answer at {loading:?}")]
+    #[error("index or reserve factor of {found:?} is not a valid number at {loading:?}")]
     NoAnswer {
         /// The answer.
         found: Assessment,

@@ -194,7 +194,8 @@ impl Scope<'_> {
         let plain = |c: char| c.is_alphanumeric() || "-_.+".contains(c);
         let place = format!("{key}.name");
         if name.is_empty() || name.len() > LONGEST_NAME || !name.chars().all(plain) {
-            let message = format!("'{name}' is no name of a state, which is a part of file names");
+            let message =
+                format!("'{name}' is not a valid name of a state, which is a part of file names");
             let remedy =
                 format!("take letters, digits, '-', '_', '+' and '.', {LONGEST_NAME} at most");
             return Err(self.refuse.conflict(&place, message, remedy));
