@@ -21,7 +21,7 @@ use std::path::Path;
 use serde_json::Value;
 
 use super::document::{Document, Part, child};
-use super::format::SceneFormat;
+use super::format::{EdgeFormat, SceneFormat};
 use super::open::stem;
 use super::overrides::mistyped;
 use super::scene::Scene;
@@ -77,11 +77,29 @@ pub(super) fn build(
     }
     let bodies = builder.finished()?;
     let source_name = document.source.name.clone();
-    let title = format.title.clone();
+    // The version has been checked, and the tables that are not named here have been built above.
+    let SceneFormat {
+        version: _,
+        title,
+        description,
+        units,
+        analysis: _,
+        plies: _,
+        materials: _,
+        bodies: _,
+        mesh: _,
+        contacts: _,
+        supports: _,
+        platens: _,
+        loads: _,
+        edges: _,
+        failure: _,
+        output,
+    } = &format;
     Ok(Scene {
-        title: title.unwrap_or_else(|| stem(&source_name)),
-        description: format.description.clone(),
-        display: format.units.display(),
+        title: title.clone().unwrap_or_else(|| stem(&source_name)),
+        description: description.clone(),
+        display: units.display(),
         analysis,
         materials,
         bodies,
@@ -93,7 +111,7 @@ pub(super) fn build(
         loads,
         edges,
         failure,
-        output: format.output,
+        output: *output,
         source_name,
         base_dir: base.to_owned(),
         resolved: written::resolved(&document, &format)?,
@@ -256,8 +274,8 @@ impl Builder<'_> {
 
     fn edges(&mut self, format: &SceneFormat) -> Vec<SetRef> {
         let mut edges = Vec::new();
-        for (index, edge) in format.edges.iter().enumerate() {
-            let found = self.set(&format!("edges.{index}.on"), &edge.on, Fits::Edges);
+        for (index, EdgeFormat { on }) in format.edges.iter().enumerate() {
+            let found = self.set(&format!("edges.{index}.on"), on, Fits::Edges);
             edges.extend(found.filter(|set| !edges.contains(set)));
         }
         edges

@@ -18,10 +18,15 @@ use crate::shape::ShapeFormat;
 use crate::units::{
     Angle, AngleOrLength, Force, Length, PerTemperature, Quantity, Stress, UnitName,
 };
-pub(super) use laminate::{FailureFormat, LaminateFormat, PlyFormat, StrengthsFormat};
-pub(super) use loads::{BearingFormat, ForceFormat, LoadFormat, PolarTractionFormat};
+pub(super) use laminate::{
+    CharacteristicFormat, DiscountFormat, EnvelopesFormat, FailureFormat, LaminateFormat,
+    PlyFormat, StrengthsFormat,
+};
+pub(super) use loads::{
+    BearingFormat, ForceFormat, LoadFormat, PolarTractionFormat, PressureFormat, TemperatureFormat,
+};
 pub(super) use progressive::{
-    ControlFormat, CrackBandFormat, DisplacementFormat, ProgressiveFormat,
+    ControlFormat, CrackBandFormat, DisplacementFormat, LoadsFormat, ProgressiveFormat,
 };
 
 #[derive(Debug, Clone, Deserialize, Serialize)]
@@ -66,10 +71,15 @@ pub(crate) struct UnitsFormat {
 impl UnitsFormat {
     /// The units of results.
     pub(crate) fn display(&self) -> DisplayUnits {
+        let Self {
+            length,
+            force,
+            stress,
+        } = self;
         DisplayUnits {
-            length: self.length.unit(),
-            force: self.force.unit(),
-            stress: self.stress.unit(),
+            length: length.unit(),
+            force: force.unit(),
+            stress: stress.unit(),
         }
     }
 }

@@ -150,10 +150,14 @@ pub(crate) struct PlateWithHoleFormat {
 
 impl PlateWithHoleFormat {
     fn read(&self, table: &str, sizes: &mut dyn Sizes) -> Shape {
+        let Self {
+            hole_radius,
+            outline,
+        } = self;
         let hole = Hole {
-            radius: self.hole_radius.value(),
-            text: self.hole_radius.text(),
+            radius: hole_radius.value(),
+            text: hole_radius.text(),
         };
-        self.outline.read(&child(table, "outline"), &hole, sizes)
+        outline.read(&child(table, "outline"), &hole, sizes)
     }
 }

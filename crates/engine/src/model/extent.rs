@@ -92,7 +92,7 @@ fn of_supports(plan: &Plan<'_>, across: usize) -> Option<String> {
 
 fn of_edges(plan: &Plan<'_>, across: usize) -> Option<String> {
     let mut edges = plan.edges.iter();
-    let below = edges.find(|edge| lateral(edge, across).is_some_and(|at| at < 0.0))?;
+    let below = edges.find(|edge| lateral(edge, across) == Some(-1.0))?;
     let half = if across == 1 { "y ≥ 0" } else { "x ≥ 0" };
     Some(format!(
         "{} is to be reported, and the half {half} does not have it",
@@ -129,9 +129,9 @@ fn of_law(plan: &Plan<'_>, contact: &ContactPlan<'_>) -> Option<String> {
     })
 }
 
-/// Where a straight edge that lies wholly on one side of the line of symmetry does so; a half model leaves out the negative side.
+/// The side of the line of symmetry on which all of an edge lies; a half model leaves out the negative side.
 fn lateral<T>(placed: &Placed<'_, T>, across: usize) -> Option<f64> {
-    placed.edge?.level(across)
+    placed.edge?.side(across)
 }
 
 fn mirrors(material: &Material) -> bool {
@@ -142,4 +142,71 @@ fn mirrors(material: &Material) -> bool {
     let quarter_turns = material.angle() / FRAC_PI_2;
     matches!(material, Material::Isotropic { .. })
         || (quarter_turns - quarter_turns.round()).abs() < 1e-12
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::model::limits;
+    use stickslip_fem_core::mesh::Point;
+    use stickslip_scene::shape::Curve;
+    use stickslip_scene::templates::TEMPLATES;
+    use stickslip_scene::{Format, Scene};
+
+    /// Ends of a slanted side above the line of symmetry y = 0.
+    const ABOVE: [Point; 2] = [[0.0, 10.0], [-90.0, 20.0]];
+
+    /// A pin-loaded plate whose left side is supported, and whose right side is glued to a platen.
+    fn scene() -> Scene {
+        let changes = [
+            "supports=[{ on = \"plate.left\", fix = [\"y\"] }, { on = \"pin.centre\", fix = [\"x\", \"y\"] }]",
+            "platens=[{ on = \"plate.right\", free = [\"x\"] }]",
+            "edges=[{ on = \"plate.top\" }]",
+        ];
+        let text = TEMPLATES[0].text;
+        Scene::from_text(text, Format::Toml, "pin.toml", Path::new(""), &changes).unwrap()
+    }
+
+    /// Moves the edge of `placed`.
+    fn put<T>(placed: &mut Placed<'_, T>, ends: [Point; 2]) {
+        placed.edge.as_mut().unwrap().curve = Curve::Segment { ends };
+    }
+
+    /// What `change` breaks of the symmetry.
+    fn broken(change: impl Fn(&mut Plan<'_>)) -> String {
+        let scene = scene();
+        let mut plan = Plan::of(&scene);
+        assert_eq!(obstacle(&plan), None);
+        change(&mut plan);
+        obstacle(&plan).unwrap()
+    }
+
+    #[test]
+    fn what_is_on_a_slanted_side_has_no_mirror_image() {
+        for (what, found) in [
+            ("load", broken(|plan| put(&mut plan.loads[0], ABOVE))),
+            ("support", broken(|plan| put(&mut plan.supports[0], ABOVE))),
+            ("platen", broken(|plan| put(&mut plan.platens[0], ABOVE))),
+        ] {
+            assert!(found.contains(what), "{found}");
+        }
+    }
+
+    #[test]
+    fn a_slanted_side_below_the_line_is_left_out_of_a_half() {
+        let below = ABOVE.map(|[x, y]| [x, -y]);
+        let found = broken(|plan| put(&mut plan.edges[0], below));
+        assert!(found.contains("does not have it"), "{found}");
+    }
+
+    #[test]
+    fn a_slanted_side_is_not_reported() {
+        let scene = scene();
+        let mut plan = Plan::of(&scene);
+        assert!(limits::check(&plan).is_ok());
+        put(&mut plan.edges[0], ABOVE);
+        assert!(limits::check(&plan).is_err());
+    }
 }

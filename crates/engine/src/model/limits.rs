@@ -81,8 +81,9 @@ fn reported(plan: &Plan<'_>, index: usize, edge: &Placed<'_, SetRef>) -> Result<
         let what = format!("{on} belongs to a rigid body, which has no stresses");
         return refuse(key, what);
     }
-    if edge.edge.is_some_and(|own| own.level(0).is_some()) {
-        let what = format!("{on} runs along y; only circles and edges along x are reported");
+    if edge.edge.is_some_and(|own| !own.is_reportable()) {
+        let what =
+            format!("{on} does not run along x; only circles and edges along x are reported");
         return refuse(key, what);
     }
     Ok(())

@@ -19,10 +19,15 @@ fn expansion(given: Option<&Quantity<PerTemperature>>) -> f64 {
 }
 
 fn isotropic(given: &IsotropicFormat) -> Material {
+    let IsotropicFormat {
+        young,
+        poisson,
+        expansion: by_heat,
+    } = given;
     Material::Isotropic {
-        young: given.young.value(),
-        poisson: given.poisson,
-        expansion: expansion(given.expansion.as_ref()),
+        young: young.value(),
+        poisson: *poisson,
+        expansion: expansion(by_heat.as_ref()),
     }
 }
 
@@ -68,24 +73,37 @@ impl Builder<'_> {
         plane: PlaneState,
     ) -> Material {
         let table = child(table, "orthotropic");
+        let OrthotropicFormat {
+            e1,
+            e2,
+            g12,
+            nu12,
+            angle,
+            expansion1,
+            expansion2,
+            e3,
+            nu13,
+            nu23,
+            expansion3,
+        } = given;
         let constants = OrthotropicConstants {
-            e1: given.e1.value(),
-            e2: given.e2.value(),
-            g12: given.g12.value(),
-            nu12: given.nu12,
+            e1: e1.value(),
+            e2: e2.value(),
+            g12: g12.value(),
+            nu12: *nu12,
         };
-        let e3 = given.e3.as_ref().map(Quantity::value);
-        let out_of_plane = match (e3, given.nu13, given.nu23) {
+        let e3 = e3.as_ref().map(Quantity::value);
+        let out_of_plane = match (e3, *nu13, *nu23) {
             (Some(e3), Some(nu13), Some(nu23)) => Some(OutOfPlane {
                 e3,
                 nu13,
                 nu23,
-                alpha3: expansion(given.expansion3.as_ref()),
+                alpha3: expansion(expansion3.as_ref()),
             }),
             _ => None,
         };
         if plane == PlaneState::Strain {
-            let present = [e3.is_some(), given.nu13.is_some(), given.nu23.is_some()];
+            let present = [e3.is_some(), nu13.is_some(), nu23.is_some()];
             for (name, _) in ["e3", "nu13", "nu23"]
                 .into_iter()
                 .zip(present)
@@ -96,10 +114,10 @@ impl Builder<'_> {
         }
         Material::Orthotropic {
             constants,
-            angle: given.angle.as_ref().map_or(0.0, Quantity::value),
+            angle: angle.as_ref().map_or(0.0, Quantity::value),
             expansion: [
-                expansion(given.expansion1.as_ref()),
-                expansion(given.expansion2.as_ref()),
+                expansion(expansion1.as_ref()),
+                expansion(expansion2.as_ref()),
             ],
             out_of_plane,
         }
@@ -128,9 +146,17 @@ impl Builder<'_> {
         for (name, body) in &format.bodies {
             self.name("bodies", name);
             let table = child("bodies", name);
-            let substance = self.substance(&table, body, materials);
-            let shape = body.shape.read(&child(&table, "shape"), self);
             // The division is read when all bodies are known.
+            let BodyFormat {
+                material,
+                rigid,
+                thickness,
+                shape,
+                mesh: _,
+            } = body;
+            let material = material.as_ref().filter(|_| !rigid);
+            let substance = self.substance(&table, material, thickness.as_ref(), materials);
+            let shape = shape.read(&child(&table, "shape"), self);
             let body = Body {
                 substance,
                 shape,
@@ -140,10 +166,15 @@ impl Builder<'_> {
         }
     }
 
-    fn substance(&mut self, table: &str, body: &BodyFormat, materials: &Materials) -> Substance {
-        let thickness = body.thickness.as_ref().map(Quantity::value);
-        // Both or none has been reported.
-        let (Some(material), false) = (&body.material, body.rigid) else {
+    fn substance(
+        &mut self,
+        table: &str,
+        material: Option<&String>,
+        given: Option<&Quantity<Length>>,
+        materials: &Materials,
+    ) -> Substance {
+        // A material and `rigid`, or none of both, has been reported.
+        let Some(material) = material else {
             return Substance::Rigid;
         };
         // A laminate that was refused for itself needs no second message.
@@ -154,13 +185,13 @@ impl Builder<'_> {
         }
         let thickness = match materials.get(material) {
             Some(Material::Laminate(sheet)) => {
-                self.laminate_thickness(table, material, body.thickness.as_ref(), sheet)
+                self.laminate_thickness(table, material, given, sheet)
             }
             found => {
-                if thickness.is_none() && (found.is_some() || !written) {
+                if given.is_none() && (found.is_some() || !written) {
                     self.missing(table, "thickness");
                 }
-                thickness.unwrap_or(1.0)
+                given.map_or(1.0, Quantity::value)
             }
         };
         Substance::Elastic {

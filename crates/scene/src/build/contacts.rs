@@ -91,10 +91,19 @@ impl Builder<'_> {
         given: &mut ContactFormat,
         materials: &Materials,
     ) -> Option<Contact> {
-        let first = self.set(&format!("{key}.first"), &given.first, Fits::Edges);
-        let second = self.set(&format!("{key}.second"), &given.second, Fits::Edges);
+        let ContactFormat {
+            name: _,
+            first,
+            second,
+            gap,
+            projection,
+            interference,
+            friction,
+        } = given;
+        let first = self.set(&format!("{key}.first"), first, Fits::Edges);
+        let second = self.set(&format!("{key}.second"), second, Fits::Edges);
         let law_key = format!("{key}.friction");
-        let law = match &given.friction {
+        let law = match friction {
             None => {
                 self.report(
                     key,
@@ -114,7 +123,7 @@ impl Builder<'_> {
                     .and_then(|first| self.ply_fractions(first, materials)),
             ) {
                 Ok(read) => {
-                    given.friction = Some(read.shown);
+                    *table = read.shown;
                     Some(read.law)
                 }
                 Err(finding) => {
@@ -126,16 +135,15 @@ impl Builder<'_> {
         let (first, second) = (first?, second?);
         // Contact of a body with itself is refused elsewhere.
         if first.body != second.body {
-            self.pair(key, given, &first, &second);
+            self.pair(key, *interference, &first, &second);
         }
-        let (gap, interference) = (given.gap, given.interference);
         Some(Contact {
             name,
             first,
             second,
-            gap,
-            projection: given.projection,
-            interference,
+            gap: *gap,
+            projection: *projection,
+            interference: *interference,
             law: law?,
         })
     }
@@ -149,9 +157,9 @@ impl Builder<'_> {
         Some(sheet.ply_fractions())
     }
 
-    fn pair(&mut self, key: &str, given: &ContactFormat, first: &SetRef, second: &SetRef) {
+    fn pair(&mut self, key: &str, interference: bool, first: &SetRef, second: &SetRef) {
         match self.touch(first, second) {
-            Some(Touch::Circles { radii }) => self.circles(given, [first, second], radii),
+            Some(Touch::Circles { radii }) => self.circles(interference, [first, second], radii),
             Some(Touch::Cylinder { .. }) => self.divided_together(key, [first, second]),
             None => self.no_pair(key, first, second),
         }
@@ -201,7 +209,7 @@ impl Builder<'_> {
     }
 
     /// Refuses two circles that overlap without being meant to, or that small displacements or gaps along radii cannot join.
-    fn circles(&mut self, given: &ContactFormat, edges: [&SetRef; 2], [hole, inner]: [f64; 2]) {
+    fn circles(&mut self, interference: bool, edges: [&SetRef; 2], [hole, inner]: [f64; 2]) {
         let [hole_key, inner_key] = edges.map(|edge| self.radius_key(edge));
         let text = |key: &str| {
             let value = self.document.get(key).and_then(serde_json::Value::as_str);
@@ -214,7 +222,7 @@ impl Builder<'_> {
         let second = self.bodies.get(&edges[1].body);
         let hollow = second.and_then(|body| body.shape.edge_with(Role::Hole));
         let part = if hollow.is_some() { "bushing" } else { "pin" };
-        if inner > hole && !given.interference {
+        if inner > hole && !interference {
             let problem = SceneProblem::PinTooLarge {
                 part,
                 hole: hole_text,

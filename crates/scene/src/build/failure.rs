@@ -8,7 +8,9 @@ use stickslip_laminate::{Degradation, FailureCriterion, FailureError};
 use super::{Builder, Materials, Surroundings};
 use crate::diagnostic::{LaminateProblem, SceneProblem};
 use crate::document::{Part, child};
-use crate::format::{FailureFormat, SceneFormat};
+use crate::format::{
+    CharacteristicFormat, DiscountFormat, EnvelopesFormat, FailureFormat, SceneFormat,
+};
 use crate::schema::{Body, Characteristic, Envelopes, Failure, LaminateSheet, Substance};
 use crate::shape::Role;
 use crate::units::Quantity;
@@ -21,22 +23,37 @@ impl Builder<'_> {
         surroundings: &Surroundings<'_>,
     ) -> Option<Failure> {
         let given = format.failure.as_ref()?;
+        // The keys that are not named here are read with the criteria, the bodies and the progressive failure.
+        let FailureFormat {
+            criteria: _,
+            bodies: _,
+            clear_of_supports,
+            tsai_wu_interaction: _,
+            hashin_shear_weight: _,
+            characteristic,
+            envelopes,
+            progressive: _,
+        } = given;
         let criteria = self.criteria(given);
         let bodies = self.failing_bodies(given, materials);
         self.strengths(given, &criteria, &bodies, materials);
-        let characteristic = given.characteristic.as_ref().map(|distances| {
+        let characteristic = characteristic.as_ref().map(|distances| {
             self.holes(given, &bodies);
+            let CharacteristicFormat {
+                tension,
+                compression,
+            } = distances;
             Characteristic {
-                tension: distances.tension.value(),
-                compression: distances.compression.value(),
+                tension: tension.value(),
+                compression: compression.value(),
             }
         });
-        let envelopes = self.envelopes(given);
+        let envelopes = envelopes.as_ref().map(|given| self.envelopes(given));
         let progressive = self.progressive(given, &bodies, materials, surroundings);
         Some(Failure {
             criteria,
             bodies,
-            clear_of_supports: given.clear_of_supports.as_ref().map(Quantity::value),
+            clear_of_supports: clear_of_supports.as_ref().map(Quantity::value),
             characteristic,
             envelopes,
             progressive,
@@ -179,10 +196,15 @@ impl Builder<'_> {
         }
     }
 
-    fn envelopes(&mut self, given: &FailureFormat) -> Option<Envelopes> {
-        let envelopes = given.envelopes.as_ref()?;
-        let last_ply = envelopes.last_ply.as_ref().and_then(|factors| {
-            match Degradation::new(factors.fibre, factors.matrix) {
+    fn envelopes(&mut self, given: &EnvelopesFormat) -> Envelopes {
+        let EnvelopesFormat {
+            planes,
+            directions,
+            last_ply,
+        } = given;
+        let last_ply = last_ply.as_ref().and_then(|factors| {
+            let DiscountFormat { fibre, matrix } = *factors;
+            match Degradation::new(fibre, matrix) {
                 Ok(degradation) => Some(degradation),
                 Err(cause) => {
                     let key = child("failure.envelopes.last_ply", cause.name);
@@ -192,13 +214,13 @@ impl Builder<'_> {
                 }
             }
         });
-        let mut planes = envelopes.planes.clone();
+        let mut planes = planes.clone();
         planes.dedup();
-        Some(Envelopes {
+        Envelopes {
             planes,
-            directions: envelopes.directions,
+            directions: *directions,
             last_ply,
-        })
+        }
     }
 }
 

@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use super::{Builder, Fits};
 use crate::diagnostic::SceneProblem;
 use crate::document::Part;
-use crate::format::{SceneFormat, SupportFormat};
+use crate::format::{PlatenFormat, SceneFormat, SupportFormat};
 use crate::schema::{Axes, Axis, Contact, Hold, Platen, Support};
-use crate::units::Quantity;
+use crate::units::{Angle, Quantity};
 
 fn axes(list: &[Axis]) -> Axes {
     Axes {
@@ -17,8 +17,8 @@ fn axes(list: &[Axis]) -> Axes {
 }
 
 /// What a support holds; `None` where that has been reported.
-fn hold(given: &SupportFormat) -> Option<Hold> {
-    match (&given.fix, &given.normal) {
+fn hold(fix: Option<&[Axis]>, normal: Option<&Quantity<Angle>>) -> Option<Hold> {
+    match (fix, normal) {
         (Some(list), None) if !list.is_empty() => Some(Hold::Axes(axes(list))),
         (None, Some(normal)) => Some(Hold::Direction(normal.value())),
         _ => None,
@@ -30,9 +30,15 @@ impl Builder<'_> {
         let mut supports = Vec::new();
         for (index, given) in format.supports.iter().enumerate() {
             let key = format!("supports.{index}");
-            let on = self.set(&format!("{key}.on"), &given.on, Fits::EdgesAndPoints);
-            let hold = hold(given);
-            let displacement = given.displacement.as_ref().map_or(0.0, Quantity::value);
+            let SupportFormat {
+                on,
+                fix,
+                normal,
+                displacement,
+            } = given;
+            let on = self.set(&format!("{key}.on"), on, Fits::EdgesAndPoints);
+            let hold = hold(fix.as_deref(), normal.as_ref());
+            let displacement = displacement.as_ref().map_or(0.0, Quantity::value);
             if displacement != 0.0 && matches!(hold, Some(Hold::Axes(Axes { x: true, y: true }))) {
                 let message = "one displacement is given, but two directions are fixed";
                 let remedy = "write one support for x and one for y, each with its displacement";
@@ -51,9 +57,9 @@ impl Builder<'_> {
 
     pub(super) fn platens(&mut self, format: &SceneFormat, contacts: &[Contact]) -> Vec<Platen> {
         let mut platens: Vec<Platen> = Vec::new();
-        for (index, given) in format.platens.iter().enumerate() {
+        for (index, PlatenFormat { on, free }) in format.platens.iter().enumerate() {
             let key = format!("platens.{index}.on");
-            let Some(on) = self.set(&key, &given.on, Fits::Edges) else {
+            let Some(on) = self.set(&key, on, Fits::Edges) else {
                 continue;
             };
             if let Some(other) = platens.iter().find(|other| other.on.body == on.body) {
@@ -76,7 +82,7 @@ impl Builder<'_> {
             }
             platens.push(Platen {
                 on,
-                free: axes(&given.free),
+                free: axes(free),
             });
         }
         platens

@@ -40,16 +40,26 @@ impl Builder<'_> {
 
     fn ply(&mut self, table: &str, name: &str, given: &PlyFormat) -> Result<Ply, PlyError> {
         let expansion = |given: &Option<Quantity<_>>| given.as_ref().map_or(0.0, Quantity::value);
+        let PlyFormat {
+            e1,
+            e2,
+            g12,
+            nu12,
+            thickness,
+            expansion1,
+            expansion2,
+            strengths,
+        } = given;
         let constants = PlyConstants {
-            e1: given.e1.value(),
-            e2: given.e2.value(),
-            g12: given.g12.value(),
-            nu12: given.nu12,
-            alpha1: expansion(&given.expansion1),
-            alpha2: expansion(&given.expansion2),
-            thickness: given.thickness.value(),
+            e1: e1.value(),
+            e2: e2.value(),
+            g12: g12.value(),
+            nu12: *nu12,
+            alpha1: expansion(expansion1),
+            alpha2: expansion(expansion2),
+            thickness: thickness.value(),
         };
-        let strengths = given.strengths.as_ref().map(|given| {
+        let strengths = strengths.as_ref().map(|given| {
             if given.is_empty() {
                 self.missing(&child(table, "strengths"), "xt");
             }
@@ -75,7 +85,14 @@ impl Builder<'_> {
             let problem = LaminateProblem::PlaneStrain { material };
             self.report(&table, Part::Key, problem.into());
         }
-        let layup: Layup = match given.layup.parse() {
+        let LaminateFormat {
+            layup,
+            ply,
+            angle,
+            cure,
+            held_flat,
+        } = given;
+        let layup: Layup = match layup.parse() {
             Ok(layup) => layup,
             Err(cause) => {
                 let material = material();
@@ -84,10 +101,11 @@ impl Builder<'_> {
                 return None;
             }
         };
-        let default = self.default_ply(&table, &layup, given, plies)?;
+        let default = self.default_ply(&table, &layup, ply.as_ref(), plies)?;
         let named: Vec<Ply> = plies.values().cloned().collect();
-        let angle = given.angle.as_ref().map_or(0.0, Quantity::value);
-        match sheet(&layup, &default, &named, angle, given) {
+        let angle = angle.as_ref().map_or(0.0, Quantity::value);
+        let cure = cure.as_ref().map_or(0.0, Quantity::value);
+        match sheet(&layup, &default, &named, [angle, cure], *held_flat) {
             Ok(sheet) => Some(sheet),
             Err(cause) => {
                 let material = material();
@@ -103,11 +121,11 @@ impl Builder<'_> {
         &mut self,
         table: &str,
         layup: &Layup,
-        given: &LaminateFormat,
+        given: Option<&String>,
         plies: &BTreeMap<String, Ply>,
     ) -> Option<Ply> {
         let unnamed = layup.stack().iter().any(|stacked| stacked.ply.is_none());
-        match &given.ply {
+        match given {
             Some(name) => {
                 let found = plies.get(name);
                 // A ply that is refused for itself needs no second message.
@@ -164,8 +182,8 @@ fn sheet(
     layup: &Layup,
     default: &Ply,
     named: &[Ply],
-    angle: f64,
-    given: &LaminateFormat,
+    [angle, cure]: [f64; 2],
+    held_flat: bool,
 ) -> Result<LaminateSheet, LaminateError> {
     let own = Laminate::of_plies(layup, default, named)?;
     let layers = own.layers().iter();
@@ -178,7 +196,7 @@ fn sheet(
     } else {
         Laminate::from_layers(turned)?
     };
-    let membrane = if given.held_flat {
+    let membrane = if held_flat {
         laminate.flat_membrane_material()
     } else {
         laminate.membrane_material()?
@@ -188,7 +206,7 @@ fn sheet(
         laminate,
         membrane,
         angle,
-        cure: given.cure.as_ref().map_or(0.0, Quantity::value),
+        cure,
     })
 }
 
@@ -214,21 +232,38 @@ impl StrengthsFormat {
 
     fn given(&self) -> Strengths {
         let stress = |given: &Option<Quantity<Stress>>| given.as_ref().map(Quantity::value);
+        let Self {
+            xt,
+            xc,
+            yt,
+            yc,
+            s12,
+            zt,
+            zc,
+            s13,
+            s23,
+            strain_1t,
+            strain_1c,
+            strain_2t,
+            strain_2c,
+            strain_12,
+            linear_strain_limits: _,
+        } = self;
         Strengths {
-            xt: stress(&self.xt),
-            xc: stress(&self.xc),
-            yt: stress(&self.yt),
-            yc: stress(&self.yc),
-            s12: stress(&self.s12),
-            zt: stress(&self.zt),
-            zc: stress(&self.zc),
-            s13: stress(&self.s13),
-            s23: stress(&self.s23),
-            strain_1t: self.strain_1t,
-            strain_1c: self.strain_1c,
-            strain_2t: self.strain_2t,
-            strain_2c: self.strain_2c,
-            strain_12: self.strain_12,
+            xt: stress(xt),
+            xc: stress(xc),
+            yt: stress(yt),
+            yc: stress(yc),
+            s12: stress(s12),
+            zt: stress(zt),
+            zc: stress(zc),
+            s13: stress(s13),
+            s23: stress(s23),
+            strain_1t: *strain_1t,
+            strain_1c: *strain_1c,
+            strain_2t: *strain_2t,
+            strain_2c: *strain_2c,
+            strain_12: *strain_12,
         }
     }
 

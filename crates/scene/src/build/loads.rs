@@ -5,7 +5,10 @@ use std::path::Path;
 use super::{Builder, Fits, Materials};
 use crate::diagnostic::SceneProblem;
 use crate::document::{Part, child};
-use crate::format::{BearingFormat, ForceFormat, LoadFormat, PolarTractionFormat, SceneFormat};
+use crate::format::{
+    BearingFormat, ForceFormat, LoadFormat, PolarTractionFormat, PressureFormat, SceneFormat,
+    TemperatureFormat,
+};
 use crate::schema::{Load, LoadKind, PolarTable, SetRef, Substance};
 use crate::shape::Role;
 use crate::table;
@@ -26,10 +29,8 @@ impl Builder<'_> {
         let mut loads: Vec<(usize, Load)> = Vec::new();
         for (index, given) in format.loads.iter().enumerate() {
             let key = format!("loads.{index}");
-            let name = given
-                .name
-                .clone()
-                .unwrap_or_else(|| format!("load{}", index + 1));
+            let name = given.name.clone();
+            let name = name.unwrap_or_else(|| format!("load{}", index + 1));
             let Some(kind) = self.kind(&key, given, materials, base) else {
                 continue;
             };
@@ -69,28 +70,33 @@ impl Builder<'_> {
         if self.is_refused_at(key) {
             return None;
         }
-        if let Some(temperature) = &given.temperature {
-            let body = self.heated(key, &given.on, materials)?;
+        let LoadFormat {
+            name: _,
+            on,
+            force,
+            bearing,
+            pressure,
+            polar_traction,
+            temperature,
+        } = given;
+        if let Some(TemperatureFormat { steps }) = temperature {
             return Some(LoadKind::Temperature {
-                body,
-                steps: values(&temperature.steps),
+                body: self.heated(key, on, materials)?,
+                steps: values(steps),
             });
         }
-        let on = self.set(&child(key, "on"), &given.on, Fits::Edges)?;
-        if let Some(force) = &given.force {
+        let on = self.set(&child(key, "on"), on, Fits::Edges)?;
+        if let Some(force) = force {
             return self.force(key, on, force);
         }
-        if let Some(bearing) = &given.bearing {
+        if let Some(bearing) = bearing {
             return self.bearing(key, on, bearing);
         }
-        if let Some(pressure) = &given.pressure {
-            return Some(LoadKind::Pressure {
-                on,
-                steps: values(&pressure.steps),
-            });
+        if let Some(PressureFormat { steps }) = pressure {
+            let steps = values(steps);
+            return Some(LoadKind::Pressure { on, steps });
         }
-        let traction = given.polar_traction.as_ref()?;
-        self.polar(key, on, traction, base)
+        self.polar(key, on, polar_traction.as_ref()?, base)
     }
 
     /// The unit vector of a direction given at `key`.
@@ -112,11 +118,11 @@ impl Builder<'_> {
     }
 
     fn force(&mut self, key: &str, on: SetRef, force: &ForceFormat) -> Option<LoadKind> {
-        let direction = self.direction(&child(key, "force.direction"), &force.direction)?;
+        let ForceFormat { direction, steps } = force;
         Some(LoadKind::Force {
             on,
-            direction,
-            steps: values(&force.steps),
+            direction: self.direction(&child(key, "force.direction"), direction)?,
+            steps: values(steps),
         })
     }
 
@@ -128,12 +134,16 @@ impl Builder<'_> {
             return None;
         }
         let key = child(key, "bearing");
-        let direction = self.direction(&child(&key, "direction"), &bearing.direction)?;
+        let BearingFormat {
+            direction,
+            law,
+            steps,
+        } = bearing;
         Some(LoadKind::Bearing {
             on,
-            direction,
-            law: bearing.law,
-            steps: values(&bearing.steps),
+            direction: self.direction(&child(&key, "direction"), direction)?,
+            law: *law,
+            steps: values(steps),
         })
     }
 
@@ -190,12 +200,16 @@ impl Builder<'_> {
             return None;
         }
         let key = child(key, "polar_traction");
-        let file = base.join(&given.file);
-        let columns = [
-            given.theta.as_str(),
-            given.radial.as_str(),
-            given.shear.as_str(),
-        ];
+        let PolarTractionFormat {
+            file,
+            stress,
+            theta,
+            radial,
+            shear,
+            steps,
+        } = given;
+        let file = base.join(file);
+        let columns = [theta, radial, shear].map(String::as_str);
         let read = table::read(&file, columns, self.document.host)
             .and_then(|columns| table::check_angles(&columns[0]).map(|()| columns));
         let [theta, radial, shear] = match read {
@@ -211,7 +225,7 @@ impl Builder<'_> {
                 return None;
             }
         };
-        let in_base = given.stress.unit().in_base;
+        let in_base = stress.unit().in_base;
         let scaled = |column: Vec<f64>| column.into_iter().map(|value| value * in_base).collect();
         let theta = theta.into_iter().map(f64::to_radians).collect();
         let table = PolarTable {
@@ -223,7 +237,7 @@ impl Builder<'_> {
         Some(LoadKind::PolarTraction {
             on,
             table,
-            steps: given.steps.clone(),
+            steps: steps.clone(),
         })
     }
 }

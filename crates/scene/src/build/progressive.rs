@@ -12,7 +12,8 @@ use super::{Builder, Fits, Materials, Surroundings};
 use crate::diagnostic::{LaminateProblem, SceneProblem};
 use crate::document::{Part, child};
 use crate::format::{
-    ControlFormat, CrackBandFormat, DisplacementFormat, FailureFormat, ProgressiveFormat,
+    ControlFormat, CrackBandFormat, DisplacementFormat, FailureFormat, LoadsFormat,
+    ProgressiveFormat,
 };
 use crate::point_model;
 use crate::schema::{
@@ -32,27 +33,32 @@ impl Builder<'_> {
         materials: &Materials,
         around: &Surroundings<'_>,
     ) -> Option<Progressive> {
-        let given = failure.progressive.as_ref()?;
-        let body = self.progressive_body(given, bodies);
+        let ProgressiveFormat {
+            body,
+            model,
+            crack_band,
+            control,
+        } = failure.progressive.as_ref()?;
+        let body = self.progressive_body(body.as_ref(), bodies);
         if let Some(body) = &body {
             self.one_pin(body, around);
         }
         self.no_heating(around);
-        let parameters =
-            match point_model::read(self.document, &child(TABLE, "model"), &given.model) {
-                Ok(parameters) => Some(parameters),
-                Err(finding) => {
-                    self.findings.push(*finding);
-                    None
-                }
-            };
+        let parameters = match point_model::read(self.document, &child(TABLE, "model"), model) {
+            Ok(parameters) => Some(parameters),
+            Err(finding) => {
+                self.findings.push(*finding);
+                None
+            }
+        };
         let sheet = body.as_ref().and_then(|body| self.sheet(body, materials));
         let model = match (parameters.clone(), sheet.cloned()) {
             (Some(parameters), Some(sheet)) => self.progressive_model(parameters, failure, &sheet),
             _ => None,
         };
-        let crack_band = self.crack_band(given, parameters.as_deref());
-        let control = self.control(given, around);
+        let crack_band = crack_band.as_ref();
+        let crack_band = crack_band.and_then(|own| self.crack_band(own, parameters.as_deref()));
+        let control = self.control(control, around);
         Some(Progressive {
             body: body?,
             model: model?,
@@ -61,9 +67,9 @@ impl Builder<'_> {
         })
     }
 
-    fn progressive_body(&mut self, given: &ProgressiveFormat, bodies: &[String]) -> Option<String> {
+    fn progressive_body(&mut self, given: Option<&String>, bodies: &[String]) -> Option<String> {
         let key = child(TABLE, "body");
-        match (&given.body, bodies) {
+        match (given, bodies) {
             (Some(name), _) if bodies.contains(name) => Some(name.clone()),
             (Some(name), _) => {
                 self.undefined(&key, "body of [failure]", name, bodies.to_vec());
@@ -175,11 +181,10 @@ impl Builder<'_> {
     /// The fracture energies, which the model with `parameters` can use if they are known.
     fn crack_band(
         &mut self,
-        given: &ProgressiveFormat,
+        energies: &CrackBandFormat,
         parameters: Option<&dyn PointModelParameters>,
     ) -> Option<FractureEnergies> {
         let table = child(TABLE, "crack_band");
-        let energies = given.crack_band.as_ref()?;
         let kept = parameters.and_then(PointModelParameters::degradation);
         if let (Some(parameters), None) = (parameters, kept) {
             let message = format!(
@@ -216,11 +221,11 @@ impl Builder<'_> {
         })
     }
 
-    fn control(&mut self, given: &ProgressiveFormat, around: &Surroundings<'_>) -> Option<Control> {
+    fn control(&mut self, given: &ControlFormat, around: &Surroundings<'_>) -> Option<Control> {
         let table = child(TABLE, "control");
-        match &given.control {
-            ControlFormat::Loads(loads) => Some(Control::Loads {
-                increments: loads.increments,
+        match given {
+            ControlFormat::Loads(LoadsFormat { increments }) => Some(Control::Loads {
+                increments: *increments,
             }),
             ControlFormat::Displacement(displacement) => {
                 self.driven(&child(&table, "displacement"), displacement, around)
@@ -234,16 +239,23 @@ impl Builder<'_> {
         given: &DisplacementFormat,
         around: &Surroundings<'_>,
     ) -> Option<Control> {
+        let DisplacementFormat {
+            on,
+            axis,
+            end,
+            increments,
+            drop,
+        } = given;
         let key = child(table, "on");
-        let on = self.set(&key, &given.on, Fits::EdgesAndPoints)?;
-        self.can_be_driven(&key, &on, given.axis, around);
-        self.nothing_else_loads(&key, &on, given.axis, around);
+        let on = self.set(&key, on, Fits::EdgesAndPoints)?;
+        self.can_be_driven(&key, &on, *axis, around);
+        self.nothing_else_loads(&key, &on, *axis, around);
         Some(Control::Displacement {
             on,
-            axis: given.axis,
-            end: given.end.value(),
-            increments: given.increments,
-            drop: given.drop,
+            axis: *axis,
+            end: end.value(),
+            increments: *increments,
+            drop: *drop,
         })
     }
 

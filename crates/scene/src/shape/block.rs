@@ -29,9 +29,10 @@ pub(super) const EXAMPLE: &str = r#"block = { half_length = "20 mm", depth = "18
 
 impl Keys {
     pub(super) fn read(&self, _: &str, _: &mut dyn Sizes) -> Block {
+        let Self { half_length, depth } = self;
         Block {
-            half_length: self.half_length.value(),
-            depth: self.depth.value(),
+            half_length: half_length.value(),
+            depth: depth.value(),
         }
     }
 }

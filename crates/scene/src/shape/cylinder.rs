@@ -34,17 +34,22 @@ pub(super) const EXAMPLE: &str =
 
 impl Keys {
     pub(super) fn read(&self, table: &str, sizes: &mut dyn Sizes) -> Cylinder {
+        let Self {
+            radius,
+            half_length,
+            depth,
+        } = self;
         let cylinder = Cylinder {
-            radius: self.radius.value(),
-            half_length: self.half_length.value(),
-            depth: self.depth.value(),
+            radius: radius.value(),
+            half_length: half_length.value(),
+            depth: depth.value(),
         };
         if cylinder.half_length >= cylinder.radius {
-            let allowed = format!("less than the radius, {}", self.radius.text());
-            sizes.refuse(&child(table, "half_length"), &self.half_length, &allowed);
+            let allowed = format!("less than the radius, {}", radius.text());
+            sizes.refuse(&child(table, "half_length"), half_length, &allowed);
         } else if cylinder.depth <= cylinder.rise() {
             let allowed = "greater than the arc's rise at its ends, R − sqrt(R² − half_length²)";
-            sizes.refuse(&child(table, "depth"), &self.depth, allowed);
+            sizes.refuse(&child(table, "depth"), depth, allowed);
         }
         cylinder
     }

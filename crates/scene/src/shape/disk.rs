@@ -26,8 +26,9 @@ pub(super) const EXAMPLE: &str = r#"disk = { radius = "5 mm" }"#;
 
 impl Keys {
     pub(super) fn read(&self, _: &str, _: &mut dyn Sizes) -> Disk {
+        let Self { radius } = self;
         Disk {
-            radius: self.radius.value(),
+            radius: radius.value(),
         }
     }
 }

@@ -96,7 +96,7 @@ pub enum Curve {
         /// Its radius.
         radius: f64,
     },
-    /// A part of a circle.
+    /// A part of a circle, less than half of it.
     Arc {
         /// Centre of the circle.
         centre: Point,
@@ -110,6 +110,43 @@ pub enum Curve {
         /// Its ends; on the way from the first to the second the body is on the left.
         ends: [Point; 2],
     },
+}
+
+impl Curve {
+    /// The least and the greatest coordinate along `axis` (0 for x, 1 for y).
+    fn range(&self, axis: usize) -> [f64; 2] {
+        let points = match *self {
+            Self::Circle { radius } => return [-radius, radius],
+            Self::Segment { ends } => ends.to_vec(),
+            Self::Arc {
+                centre,
+                radius,
+                ends,
+            } => {
+                let extremes = [-radius, radius].map(|step| {
+                    let mut extreme = centre;
+                    extreme[axis] += step;
+                    extreme
+                });
+                let own = extremes
+                    .into_iter()
+                    .filter(|&at| is_between(centre, ends, at));
+                own.chain(ends).collect()
+            }
+        };
+        let along = points.iter().map(|point| point[axis]);
+        along.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], at| {
+            [least.min(at), most.max(at)]
+        })
+    }
+}
+
+/// Whether the point `at` of a circle is on its arc between `ends`, less than half of it: beyond the chord as seen from the centre.
+fn is_between(centre: Point, [from, to]: [Point; 2], at: Point) -> bool {
+    let middle = [0, 1].map(|axis| 0.5 * (from[axis] + to[axis]) - centre[axis]);
+    let depth =
+        |point: Point| (point[0] - centre[0]) * middle[0] + (point[1] - centre[1]) * middle[1];
+    depth(at) > depth(from)
 }
 
 /// The part of an edge in contacts, or in the size of a plate around a hole. A hole takes a rim; a cap takes a surface, and the two bodies
@@ -197,6 +234,32 @@ impl Edge {
         match self.curve {
             Curve::Segment { ends: [from, to] } if from[axis] == to[axis] => Some(from[axis]),
             _ => None,
+        }
+    }
+
+    /// The side of the line `axis` = 0 (0 for x, 1 for y) on which the whole edge lies: 1 for coordinates ≥ 0, −1 for coordinates ≤ 0;
+    /// `None` for a circle and an edge that crosses the line.
+    pub fn side(&self, axis: usize) -> Option<f64> {
+        let [least, most] = self.curve.range(axis);
+        if least >= 0.0 && most > 0.0 {
+            Some(1.0)
+        } else if most <= 0.0 && least < 0.0 {
+            Some(-1.0)
+        } else {
+            None
+        }
+    }
+
+    /// Whether results can be written along the edge: along a circle, or over x with the normal +y or, on an arc above or below its
+    /// centre, ±e_r.
+    pub fn is_reportable(&self) -> bool {
+        match self.curve {
+            Curve::Circle { .. } => true,
+            Curve::Arc { centre, ends, .. } => {
+                let [from, to] = ends.map(|end| end[1] - centre[1]);
+                from * to > 0.0
+            }
+            Curve::Segment { .. } => self.level(1).is_some(),
         }
     }
 
@@ -300,4 +363,68 @@ pub enum DivisionError {
 pub(crate) trait Sizes {
     /// Reports the size at `key`, which is not what is `allowed`.
     fn refuse(&mut self, key: &str, size: &Quantity<Length>, allowed: &str);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn segment(from: Point, to: Point) -> Edge {
+        Edge::straight("edge", [from, to])
+    }
+
+    fn arc(centre: Point, radius: f64, ends: [Point; 2]) -> Edge {
+        let curve = Curve::Arc {
+            centre,
+            radius,
+            ends,
+        };
+        Edge {
+            curve,
+            ..segment([0.0; 2], [0.0; 2])
+        }
+    }
+
+    #[test]
+    fn an_edge_is_on_the_side_of_all_of_its_points() {
+        for (edge, sides) in [
+            (segment([-1.0, 2.0], [3.0, 2.0]), [None, Some(1.0)]),
+            (segment([-1.0, 2.0], [-3.0, 5.0]), [Some(-1.0), Some(1.0)]),
+            (segment([0.0, -2.0], [3.0, 0.0]), [Some(1.0), Some(-1.0)]),
+            (segment([0.0, -2.0], [0.0, 1.0]), [None, None]),
+            (
+                Edge::circular("rim", Role::Rim, 2.0, "radius"),
+                [None, None],
+            ),
+            // A quarter, an arc that dips under y = 0 between its ends, and one with both ends at y = 0.
+            (
+                arc([2.0, 1.0], 1.0, [[2.0, 0.0], [3.0, 1.0]]),
+                [Some(1.0), Some(1.0)],
+            ),
+            (
+                arc([0.0, 4.0], 5.0, [[-4.0, 1.0], [4.0, 1.0]]),
+                [None, None],
+            ),
+            (
+                arc([0.0, 3.0], 5.0, [[-4.0, 0.0], [4.0, 0.0]]),
+                [None, Some(-1.0)],
+            ),
+        ] {
+            assert_eq!([0, 1].map(|axis| edge.side(axis)), sides, "{edge:?}");
+        }
+    }
+
+    #[test]
+    fn results_are_written_over_x_where_the_normal_is_known() {
+        for (edge, reportable) in [
+            (Edge::circular("rim", Role::Rim, 2.0, "radius"), true),
+            (segment([-1.0, 2.0], [3.0, 2.0]), true),
+            (segment([2.0, -1.0], [2.0, 3.0]), false),
+            (segment([-1.0, 2.0], [3.0, 2.5]), false),
+            (arc([0.0, 4.0], 5.0, [[-4.0, 1.0], [4.0, 1.0]]), true),
+            (arc([4.0, 0.0], 5.0, [[1.0, 4.0], [1.0, -4.0]]), false),
+        ] {
+            assert_eq!(edge.is_reportable(), reportable, "{edge:?}");
+        }
+    }
 }

@@ -28,9 +28,10 @@ pub(super) const EXAMPLE: &str = r#"rectangle = { width = "60 mm", height = "20 
 
 impl Keys {
     pub(super) fn read(&self, _: &str, _: &mut dyn Sizes) -> Rectangle {
+        let Self { width, height } = self;
         Rectangle {
-            width: self.width.value(),
-            height: self.height.value(),
+            width: width.value(),
+            height: height.value(),
         }
     }
 }

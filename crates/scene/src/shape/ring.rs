@@ -32,10 +32,11 @@ pub(super) const EXAMPLE: &str =
 
 impl Keys {
     pub(super) fn read(&self, table: &str, hole: &Hole<'_>, sizes: &mut dyn Sizes) -> Ring {
-        let radius = self.radius.value();
+        let Self { radius: given } = self;
+        let radius = given.value();
         if radius > 0.0 && radius <= hole.radius {
             let allowed = format!("greater than the hole's radius, {}", hole.text);
-            sizes.refuse(&child(table, "radius"), &self.radius, &allowed);
+            sizes.refuse(&child(table, "radius"), given, &allowed);
         }
         Ring {
             hole_radius: hole.radius,

@@ -42,6 +42,11 @@ pub(super) const EXAMPLE: &str = r#"plate_with_hole = { hole_radius = "5 mm", ou
 
 impl Keys {
     pub(super) fn read(&self, table: &str, hole: &Hole<'_>, sizes: &mut dyn Sizes) -> Strip {
+        let Self {
+            half_width,
+            left,
+            right,
+        } = self;
         let mut beyond = |name: &str, size: &Quantity<Length>| {
             let value = size.value();
             if value > 0.0 && value <= hole.radius {
@@ -52,9 +57,9 @@ impl Keys {
         };
         Strip {
             hole_radius: hole.radius,
-            half_width: beyond("half_width", &self.half_width),
-            left: beyond("left", &self.left),
-            right: beyond("right", &self.right),
+            half_width: beyond("half_width", half_width),
+            left: beyond("left", left),
+            right: beyond("right", right),
         }
     }
 }

@@ -178,8 +178,8 @@ fn a_shape_that_is_similar_is_scaled_by_any_of_its_sizes() {
 
 /// Whether a half model of `shape` has no part of the edge.
 fn left_out(shape: &Shape, edge: &Edge, extent: Extent) -> bool {
-    let level = shape.mirror().and_then(|across| edge.level(across));
-    extent == Extent::Half && level.is_some_and(|level| level < 0.0)
+    let side = shape.mirror().and_then(|across| edge.side(across));
+    extent == Extent::Half && side == Some(-1.0)
 }
 
 #[test]
@@ -309,11 +309,29 @@ fn whole_meshes_have_the_symmetry_that_the_shape_claims() {
 }
 
 #[test]
+fn edges_on_the_line_of_symmetry_are_their_own_images() {
+    for shape in shapes() {
+        let Some(across) = shape.mirror() else {
+            continue;
+        };
+        let crossing = (shape.edges().into_iter()).filter(|edge| edge.side(across).is_none());
+        for edge in crossing {
+            let (Curve::Segment { ends } | Curve::Arc { ends, .. }) = edge.curve else {
+                continue;
+            };
+            let [from, mut image] = ends;
+            image[across] *= -1.0;
+            assert_eq!(from, image, "{shape:?} {edge:?}");
+        }
+    }
+}
+
+#[test]
 fn normals_point_in_where_the_edge_says() {
     all(|name, shape, mesh, extent, nodes| {
         for edge in shape.edges() {
-            // Results take e_r of circles and +y of other edges; edges along y are not reported.
-            if left_out(shape, &edge, extent) || edge.level(0).is_some() {
+            // Results take e_r of circles and +y of other edges.
+            if left_out(shape, &edge, extent) || !edge.is_reportable() {
                 continue;
             }
             let path = mesh.edge_path(edge.name).unwrap();

@@ -123,9 +123,9 @@ impl EdgeNodes {
     ) -> ModelEdge {
         let (along, normals) = self.path.into_iter().unzip();
         let thickness = body.thickness();
-        // A side along the line of symmetry lies wholly in the half or wholly out of it.
+        // An edge beside the line of symmetry lies wholly in the half or wholly out of it.
         let own = edge.edge.zip(body.shape.mirror());
-        let aside = own.and_then(|(own, across)| own.level(across));
+        let aside = own.and_then(|(own, across)| own.side(across));
         let half = half && aside.is_none();
         let bearing_area = match self.kind {
             EdgeKind::Circle { radius, .. } => Some(2.0 * radius * thickness),
