@@ -50,7 +50,7 @@ pub enum ElementKind {
 enum Shown {
     /// The cell itself, by the cell type number of the VTK file formats.
     Whole(u8),
-    /// The bilinear quadrilaterals between neighbouring nodes of its tensor grid.
+    /// The bilinear quadrilaterals between neighbouring nodes of its tensor grid: of a quadrilateral with (order + 1)² nodes.
     Grid,
 }
 
@@ -103,6 +103,16 @@ const TABLE: [Facts; 13] = {
         facts(P7, "P7", "Gauss–Lobatto quadrilateral, order 7", [4, 7, 64], Grid),
         facts(P8, "P8", "Gauss–Lobatto quadrilateral, order 8", [4, 8, 81], Grid),
     ]
+};
+
+// Only tensor grids are shown as grids.
+const _: () = {
+    let mut k = 0;
+    while k < TABLE.len() {
+        let row = TABLE[k].order + 1;
+        assert!(matches!(TABLE[k].shown, Shown::Whole(_)) || TABLE[k].nodes == row * row);
+        k += 1;
+    }
 };
 
 /// An edge in a cell's local node numbers.

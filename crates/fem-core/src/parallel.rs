@@ -1,8 +1,8 @@
 //! Independent pieces of work, side by side with the feature `parallel`, one after the other without it.
 //!
-//! The only module of the libraries that knows threads. Each function returns results in the order of its input and sums nothing, so
-//! the answer has the same bits with any number of threads and without the feature. Threads are those of the rayon pool in which the
-//! caller runs.
+//! The only module of the libraries that knows threads, beside the yardstick of the benches. Each function returns results in the order
+//! of its input and sums nothing, so the answer has the same bits with any number of threads and without the feature. Threads are those
+//! of the rayon pool in which the caller runs.
 
 use std::ops::Range;
 

@@ -123,6 +123,7 @@ const PATHS: &[Absence] = &[
             "contact.name ==",
             "load.name ==",
             "node_set",
+            "edge_set",
             "edge_path",
         ],
         below: &["crates/engine/src"],

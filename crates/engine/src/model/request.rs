@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use stickslip_fem_core::mesh::{Mesh, MeshError};
+use stickslip_fem_core::mesh::{Curve, Mesh, MeshError};
 use stickslip_scene::Scene;
 use stickslip_scene::schema::{
     Analysis, Axes, Axis, Control, DisplayUnits, Failure, FieldOutput, Hold, LaminateSheet,
@@ -13,6 +13,7 @@ use stickslip_scene::shape::Role;
 use super::load_table::LoadTable;
 use super::plan::Plan;
 use super::{Model, ModelBody, ModelBodyKind, ModelError, loads};
+use crate::failure::Region;
 use crate::results::ContactFrame;
 
 /// What is to be reported, and how.
@@ -56,8 +57,8 @@ pub struct FailingBody {
     pub across: usize,
     /// Nodes where stresses have no bound: the ends of supported edges and of platens, and points that are held.
     pub singular: Vec<usize>,
-    /// Name of its hole's edge.
-    pub hole: Option<&'static str>,
+    /// Its hole.
+    pub(crate) hole: Option<Region>,
     /// Frame of the assumed bearing load on its hole; +x without one.
     pub frame: ContactFrame,
     /// How its failure is followed until the load path is lost.
@@ -114,13 +115,16 @@ impl FailureRequest {
             else {
                 continue;
             };
-            let singular = singular(plan, index, elastic.mesh());
-            let singular = singular.map_err(|cause| ModelError::Mesh {
+            let mesh_error = |cause| ModelError::Mesh {
                 body: body.name.clone(),
                 cause,
-            })?;
-            let hole = planned.shape.edge_with(Role::Hole).map(|edge| edge.name);
-            let frame = hole.map_or(ContactFrame::NONE, |set| {
+            };
+            let mesh = elastic.mesh();
+            let singular = singular(plan, index, mesh).map_err(mesh_error)?;
+            let edge = planned.shape.edge_with(Role::Hole).map(|edge| edge.name);
+            let hole = edge.map(|set| region(mesh, set)).transpose();
+            let hole = hole.map_err(mesh_error)?.flatten();
+            let frame = edge.map_or(ContactFrame::NONE, |set| {
                 let (body, set) = (body.name.clone(), set.to_owned());
                 loads::frame(plan, &SetRef { body, set }, half)
             });
@@ -141,6 +145,15 @@ impl FailureRequest {
             bodies: failing,
         })
     }
+}
+
+/// The circle that the edge `set` is part of; `None` where it is none.
+fn region(mesh: &Mesh, set: &str) -> Result<Option<Region>, MeshError> {
+    let curve = mesh.edge_set(set)?.curve;
+    Ok(curve.and_then(|curve| match curve {
+        Curve::Arc { centre, radius } => Some(Region { centre, radius }),
+        _ => None,
+    }))
 }
 
 /// Ends of supported edges and platens of a body, and points that are held.

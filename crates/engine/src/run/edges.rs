@@ -327,6 +327,11 @@ fn summarise(
         normal_force: if half { 2.0 } else { 1.0 } * normal,
         rows,
         zones,
-        ..EdgeResults::default()
+        // What `bearing::find` fills.
+        bearing: None,
+        peak_pressure: None,
+        peak_hoop: None,
+        hoop_at_bearing_point: None,
+        friction_force: 0.0,
     }
 }

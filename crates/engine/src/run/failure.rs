@@ -9,14 +9,14 @@ use std::sync::Arc;
 
 use stickslip_contact::InterfaceSolver;
 use stickslip_fem_core::material::Material;
-use stickslip_fem_core::mesh::{Curve, Mesh, Point};
+use stickslip_fem_core::mesh::{Mesh, Point};
 use stickslip_fem_core::parallel;
 use stickslip_fem_core::stress::{ElasticField, StressError, cartesian};
 use stickslip_laminate::{FailureCriterion, FailureError};
 
 use super::fields::Recovered;
 use super::{RunError, progressive};
-use crate::failure::{PlyStresses, Region, Sites, Tracker};
+use crate::failure::{PlyStresses, Sites, Tracker};
 use crate::load_scale::LoadScale;
 use crate::model::{FailingBody, Model, ModelBodyKind};
 use crate::results::{
@@ -211,7 +211,7 @@ impl<'a> Subject<'a> {
             cure: self.sheet.cure,
             plies: self.plies.shown().to_vec(),
             criteria: self.criteria().map(FailureCriterion::name).collect(),
-            centre: self.hole().map(|hole| hole.centre),
+            centre: self.own.hole.map(|hole| hole.centre),
             frame: ContactFrame::NONE,
             steps,
             first_ply,
@@ -305,7 +305,7 @@ impl<'a> Subject<'a> {
     /// From where angles about the hole are measured: the bearing point of the contact that loads it, or of its bearing load. Counter-
     /// clockwise also for a half, because plies are no mirror images of each other.
     fn frame(&self, results: &Results) -> ContactFrame {
-        let Some(hole) = self.hole() else {
+        let Some(hole) = self.own.hole else {
             return ContactFrame::NONE;
         };
         let same = |kind: EdgeKind| match kind {
@@ -322,14 +322,6 @@ impl<'a> Subject<'a> {
         ContactFrame {
             clockwise: false,
             ..found.into_iter().next().unwrap_or(self.own.frame)
-        }
-    }
-
-    fn hole(&self) -> Option<Region> {
-        let edge = self.mesh.edge_set(self.own.hole?).ok()?;
-        match edge.curve {
-            Some(Curve::Arc { centre, radius }) => Some(Region { centre, radius }),
-            _ => None,
         }
     }
 }

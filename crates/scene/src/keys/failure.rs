@@ -1,9 +1,9 @@
 //! Settings of the failure analysis of laminates.
 
-use super::quoted;
+use super::{coded, quoted};
 use crate::declaration::{
     NONE, POSITIVE, REQUIRED, Range, Table, counts, energy, filled, integer, length, names, number,
-    numbers, set, table, table_as, text, words,
+    numbers, set, table, table_as, words,
 };
 
 const NOT_NEGATIVE: Range = numbers(" ≥ 0", "at least 0 mm", |value| value >= 0.0);
@@ -47,23 +47,10 @@ pub(super) const TABLES: &[Table] = &[
     Table::new("failure.progressive", &[
         words("body", "body", "the only one of `failure.bodies`", r#""coupon""#,
             "the body whose plies fail; one contact touches its hole"),
-        table_as("model", REQUIRED, ".ply_discount = { fibre = 0.01, matrix = 0.1 }", "how plies lose stiffness"),
+        names("model", models, REQUIRED, ".ply_discount = { fibre = 0.01, matrix = 0.1 }",
+            "how plies lose stiffness: the point model by name, with its parameters; those of other crates too"),
         table("crack_band", NONE, "fracture energies that scale strengths with the cells, by ply discount only"),
         table_as("control", "the loads, in 10 increments each", ".loads = {}", "what is raised"),
-    ]),
-    Table::new("failure.progressive.model", &[
-        table("ply_discount", NONE, "stiffness is lost at once"),
-        table("plasticity", NONE, "plies flow from the Tsai–Hill surface on"),
-    ]),
-    Table::new("failure.progressive.model.ply_discount", &[
-        text("criterion", "the first of `failure.criteria`", r#""max_stress""#, "the criterion by which plies fail"),
-        number("fibre", REQUIRED, "0.01",
-            "factor on E1 after fibre failure; on E2 and G12 the smaller of both").noted(" from 10⁻⁹ to 1"),
-        number("matrix", REQUIRED, "0.1", "factor on E2 and G12 after failure of the matrix").noted(" from 10⁻⁹ to 1"),
-    ]),
-    Table::new("failure.progressive.model.plasticity", &[
-        words("hardening", "stress ≥ 0", REQUIRED, r#""500 MPa""#,
-            "plastic shear modulus dτ/dγᵖ of a ply, by the shear strength of the first ply; 0 is perfect plasticity"),
     ]),
     Table::new("failure.progressive.crack_band", &[
         energy("fibre_tension", NONE, r#""90 kJ/m2""#, "fibres in tension").range(POSITIVE),
@@ -95,4 +82,10 @@ pub(super) const TABLES: &[Table] = &[
 fn criteria() -> String {
     let names = stickslip_laminate::failure::criteria().map(|own| own.name);
     format!("list of {}", quoted(names))
+}
+
+/// The registered point models, each a table.
+fn models() -> String {
+    let names = stickslip_laminate::progressive::point_models().map(|own| own.name);
+    format!("table {}", coded(names))
 }

@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 
 use serde::Deserialize;
 use serde_json::{Value, json};
-use stickslip_laminate::progressive::point_models;
 
 use super::*;
 use crate::declaration::*;
@@ -15,9 +14,6 @@ use crate::format::SceneFormat;
 use crate::read::Reader;
 use crate::templates::{Kind as TemplateKind, TEMPLATES};
 use crate::units::Expected;
-
-/// Tables that the registry of point models reads.
-const REGISTERED: &str = "failure.progressive.model";
 
 fn names(table: &Table) -> BTreeSet<String> {
     table.keys.iter().map(|key| key.name.to_owned()).collect()
@@ -71,7 +67,7 @@ fn scenes() -> Vec<Value> {
 
 #[test]
 fn scenes_have_the_declared_keys() {
-    for table in tables().filter(|table| !table.path.starts_with(REGISTERED)) {
+    for table in tables() {
         assert_eq!(names(&table), known(&table), "[{}]", table.path);
     }
     let scenes = scenes();
@@ -82,25 +78,6 @@ fn scenes_have_the_declared_keys() {
             let own: BTreeSet<_> = value.as_object().unwrap().keys().cloned().collect();
             assert!(own.is_subset(&names(&table)), "{place}: {own:?}");
         }
-    }
-}
-
-#[test]
-fn point_models_have_the_declared_keys() {
-    for table in tables().filter(|table| table.path.starts_with(REGISTERED)) {
-        let rest = table
-            .path
-            .trim_start_matches(REGISTERED)
-            .trim_start_matches('.');
-        let registered: BTreeSet<String> = match point_models().find(|info| info.name == rest) {
-            Some(info) => info
-                .parameters
-                .iter()
-                .map(|own| own.path.to_owned())
-                .collect(),
-            None => point_models().map(|info| info.name.to_owned()).collect(),
-        };
-        assert_eq!(names(&table), registered, "[{}]", table.path);
     }
 }
 
@@ -127,7 +104,7 @@ fn asked(kind: Kind) -> Option<String> {
 #[test]
 fn the_reader_asks_for_the_declared_types() {
     let mut count = 0;
-    for table in tables().filter(|table| !table.path.starts_with(REGISTERED)) {
+    for table in tables() {
         for key in table.keys {
             let Some(wanted) = asked(key.kind) else {
                 continue;

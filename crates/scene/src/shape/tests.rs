@@ -103,13 +103,7 @@ fn distance(curve: Curve, [x, y]: Point) -> f64 {
 /// Every shape, element and extent that makes a mesh, with its nodes about the body's centre.
 fn all(check: impl Fn(&str, &Shape, &Mesh, Extent, &[Point])) {
     for shape in shapes() {
-        for kind in [
-            ElementKind::T3,
-            ElementKind::T6,
-            ElementKind::Q4,
-            ElementKind::Q8,
-            ElementKind::Q9,
-        ] {
+        for kind in ElementKind::ALL {
             for extent in [Extent::Half, Extent::Whole] {
                 if extent == Extent::Half && shape.mirror().is_none() {
                     continue;

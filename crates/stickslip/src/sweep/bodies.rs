@@ -9,16 +9,21 @@ use stickslip_scene::schema::{Analysis, Body, Contact, LoadKind, Material, Subst
 
 /// The key of the elastic body `name`; `None` for a rigid one, and for one whose material cannot be modelled.
 pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
-    let body = scene.bodies.get(name)?;
+    // Without `..`, here and below, so that no key is forgotten: what is named `_` does not change a body. The mesh is that of the scene
+    // where the body has none of its own.
+    let Body {
+        substance,
+        shape,
+        mesh: _,
+    } = scene.bodies.get(name)?;
     let Substance::Elastic {
         material,
         thickness,
-    } = &body.substance
+    } = substance
     else {
         return None;
     };
     let constants = scene.materials.get(material)?;
-    // Without `..`, so that no key is forgotten: what is not named does not change a body.
     let Analysis {
         plane,
         model,
@@ -34,7 +39,6 @@ pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
         elastic.thermal_strain(1.0),
         scene.mesh_of(name)
     );
-    let shape = body.shape;
     // Writing into a string does not fail.
     let _ = if shape.is_similar() && size_does_not_matter(scene, name) {
         write!(text, " {}", shape.name())
@@ -126,13 +130,24 @@ fn holders<'a>(scene: &'a Scene, name: &str) -> Vec<Option<&'a Body>> {
 /// A load without its history; "-" where it acts on another body.
 fn acting(kind: &LoadKind, name: &str) -> String {
     let (body, text) = match kind {
-        LoadKind::Force { on, direction, .. } => (&on.body, format!("force {on} {direction:?}")),
+        LoadKind::Force {
+            on,
+            direction,
+            steps: _,
+        } => (&on.body, format!("force {on} {direction:?}")),
         LoadKind::Bearing {
-            on, direction, law, ..
+            on,
+            direction,
+            law,
+            steps: _,
         } => (&on.body, format!("bearing {on} {direction:?} {law:?}")),
-        LoadKind::Pressure { on, .. } => (&on.body, format!("pressure {on}")),
-        LoadKind::PolarTraction { on, table, .. } => (&on.body, format!("traction {on} {table:?}")),
-        LoadKind::Temperature { body, .. } => (body, "temperature".to_owned()),
+        LoadKind::Pressure { on, steps: _ } => (&on.body, format!("pressure {on}")),
+        LoadKind::PolarTraction {
+            on,
+            table,
+            steps: _,
+        } => (&on.body, format!("traction {on} {table:?}")),
+        LoadKind::Temperature { body, steps: _ } => (body, "temperature".to_owned()),
     };
     if body == name { text } else { "-".to_owned() }
 }

@@ -88,9 +88,11 @@ fn turns(scene: &Value) -> bool {
         .flatten()
         .filter_map(|(_, body)| body.get("mesh"));
     let equal = meshes.chain(own).all(|mesh| {
-        let quads = mesh
-            .get("element")
-            .is_none_or(|element| element.as_str().is_some_and(|name| name.starts_with('Q')));
+        let quads = mesh.get("element").is_none_or(|element| {
+            element
+                .as_str()
+                .is_some_and(|name| name.starts_with(['Q', 'P']))
+        });
         let spacing = super::quantity::number(mesh, "/spacing");
         // The core of a pin has its corners at 45°.
         let eighth = spacing.map(|spacing| 45.0 / spacing);

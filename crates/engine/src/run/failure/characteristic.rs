@@ -20,7 +20,8 @@ impl Subject<'_> {
             what: why,
         };
         let hole = self
-            .hole()
+            .own
+            .hole
             .ok_or_else(|| outside(format!("body '{}' has no hole to measure from", self.name)))?;
         let (angles, places): (Vec<f64>, Vec<Point>) =
             curve(hole, distances, self.model.half, frame)
