@@ -1,0 +1,83 @@
+//! Why no operator can be made.
+
+use thiserror::Error;
+
+/// Why no operator can be made. Angles in rad, lengths in those of the body.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum SeriesError {
+    /// Fewer nodes than hats need.
+    #[error("{count} node{}; at least 2 are needed", if *count == 1 { "" } else { "s" })]
+    Count {
+        /// Number of nodes.
+        count: usize,
+    },
+    /// An angle that is not finite or lies outside of where nodes may be.
+    #[error("the angle {angle} is not one of a node here")]
+    Angle {
+        /// The angle `[rad]`.
+        angle: f64,
+    },
+    /// Neighbours that are too close, too far or in the wrong order.
+    #[error("nodes {} and {} are {spacing} rad apart: 1e-7 to 0.785 are possible", node + 1, node + 2)]
+    Spacing {
+        /// The first of the two nodes.
+        node: usize,
+        /// Their distance `[rad]`.
+        spacing: f64,
+    },
+    /// A length that is not positive.
+    #[error("the {what} is {value}, not a positive length")]
+    Length {
+        /// What it is the length of.
+        what: &'static str,
+        /// The value `[length]`.
+        value: f64,
+    },
+    /// A load that is not a finite number.
+    #[error("load case {case}: {what} is {value}")]
+    LoadNotFinite {
+        /// Index of the load case.
+        case: usize,
+        /// What it is.
+        what: &'static str,
+        /// The value.
+        value: f64,
+    },
+    /// A load that does not mirror itself in the axis of a half model.
+    #[error("load case {case}: {what} is {value}; in a half model it must be 0")]
+    NotSymmetric {
+        /// Index of the load case.
+        case: usize,
+        /// What it is.
+        what: &'static str,
+        /// The value.
+        value: f64,
+    },
+    /// A load that a support takes up at once.
+    #[error("load case {case}: {what} acts where the body is held")]
+    LoadOnSupport {
+        /// Index of the load case.
+        case: usize,
+        /// What acts.
+        what: &'static str,
+    },
+    /// A motion of a support that the body does not have.
+    #[error("load case {case}: {what} acts on a body that floats")]
+    NoSupport {
+        /// Index of the load case.
+        case: usize,
+        /// What acts.
+        what: &'static str,
+    },
+    /// The circle whose mean displacement stands for that of the centre is too large.
+    #[error(
+        "the circle about the centre has {ratio} of the disk's radius: more than 0 and at most {largest} are possible"
+    )]
+    CentreCircle {
+        /// Its radius over that of the disk.
+        ratio: f64,
+        /// The largest one.
+        largest: f64,
+    },
+}

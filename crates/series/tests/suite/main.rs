@@ -1,0 +1,5 @@
+//! Tests of operators as contact uses them.
+
+mod contacts;
+mod contract;
+mod persson;
