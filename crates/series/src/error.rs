@@ -80,4 +80,59 @@ pub enum SeriesError {
         /// The largest one.
         largest: f64,
     },
+    /// An outline that does not go around the hole.
+    #[error("edge {edge} of the outline {what}")]
+    Outline {
+        /// Index of the edge.
+        edge: usize,
+        /// What is wrong with it.
+        what: &'static str,
+    },
+    /// A hole that reaches the outline.
+    #[error("the outline comes within {distance} of the hole's centre, the hole reaches {radius}")]
+    HoleOutside {
+        /// Distance of the outline from the hole's centre `[length]`.
+        distance: f64,
+        /// The hole's radius `[length]`.
+        radius: f64,
+    },
+    /// A ligament between hole and outline that is too thin for a series.
+    #[error(
+        "a ligament of {ligament:.4} beside a hole of radius {radius} needs {needed} modes of at most {largest}: use finite elements"
+    )]
+    Ligament {
+        /// Width of the ligament `[length]`.
+        ligament: f64,
+        /// The hole's radius `[length]`.
+        radius: f64,
+        /// Modes that it needs.
+        needed: f64,
+        /// The largest number.
+        largest: i64,
+    },
+    /// A half model in an outline that is not symmetric.
+    #[error(
+        "the outline is not symmetric about the x axis through the hole's centre: use nodes of the whole circle"
+    )]
+    NotMirrored,
+    /// A load on an edge that is not there.
+    #[error("load case {case}: the outline has {edges} edges, none with the index {edge}")]
+    UnknownEdge {
+        /// Index of the load case.
+        case: usize,
+        /// The index given.
+        edge: usize,
+        /// Number of edges.
+        edges: usize,
+    },
+    /// A fit that leaves too much of the load on the outer edge.
+    #[error(
+        "polynomials of degree {degree} leave {residual:.1e} of the mean traction on the outer edge"
+    )]
+    NotFitted {
+        /// What is left, relative.
+        residual: f64,
+        /// The largest degree.
+        degree: usize,
+    },
 }

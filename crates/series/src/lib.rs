@@ -14,6 +14,7 @@
 //! | --- | --- |
 //! | [`Nodes`] | nodes on a circle, uniform or graded, whole, part or one half of a symmetric body |
 //! | [`Hole`] | hole in an infinite plate |
+//! | [`Plate`] | hole in a plate with straight outer edges, [`Outline`] |
 //! | [`Disk`] | pin, loaded and held at its centre or over its area |
 //!
 //! Signs: tension positive; forces λ and tractions q act on the body. θ counts from x, counter-clockwise. Any consistent units.
@@ -28,9 +29,11 @@ mod gauss;
 mod hole;
 mod kernel;
 mod nodes;
+mod plate;
 
 pub use circle::Circle;
 pub use disk::{Anchor, Disk, DiskLoad};
 pub use error::SeriesError;
 pub use hole::{FarLoad, Hole};
 pub use nodes::Nodes;
+pub use plate::{Accuracy, EdgeLoad, Fit, Outline, Plate};

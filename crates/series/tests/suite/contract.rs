@@ -7,7 +7,10 @@ use stickslip_fem_core::InterfaceOperator;
 use stickslip_fem_core::interface::contract::{Known, check};
 use stickslip_fem_core::material::{Isotropic, PlaneState};
 use stickslip_fem_core::nalgebra::{DMatrix, DVector};
-use stickslip_series::{Anchor, Circle, Disk, DiskLoad, FarLoad, Hole, Nodes, SeriesError};
+use stickslip_series::{
+    Accuracy, Anchor, Circle, Disk, DiskLoad, EdgeLoad, FarLoad, Hole, Nodes, Outline, Plate,
+    SeriesError,
+};
 
 /// Angles on 0 to `end` whose spacings differ by up to a factor of 100.
 fn angles(end: f64) -> impl Strategy<Value = Vec<f64>> {
@@ -92,6 +95,38 @@ proptest! {
         prop_assert_eq!(check(&plate, placed), Ok(()));
         let pin = Disk::held(nodes, &material, circle, anchor, &[]).unwrap();
         prop_assert_eq!(check(&pin, placed), Ok(()));
+    }
+
+    /// A plate of four corners around the hole, or a strip around it.
+    #[test]
+    fn plates_keep_the_contract(
+        nodes in nodes(),
+        material in material(),
+        circle in circle(),
+        reach in prop::array::uniform4(2.0..4.0_f64),
+        force in prop::array::uniform2(-5.0..5.0_f64),
+    ) {
+        let [a, b, c, d] = reach;
+        let [x, y] = circle.centre;
+        let place = |[px, py]: [f64; 2]| [x + circle.radius * px, y + circle.radius * py];
+        let corners = if nodes.is_mirrored() {
+            [[-a, -c], [b, -c], [b, c], [-a, c]]
+        } else {
+            [[-a, -b], [b, -c], [c, d], [-d, a]]
+        };
+        let outline = Outline::new(corners.map(place).to_vec());
+        let skew = if nodes.is_mirrored() { 0.0 } else { 1.0 };
+        let force = [force[0], skew * force[1]];
+        let loads = [vec![EdgeLoad { edge: 1, force }]];
+        let [start, end] = outline.edge(1);
+        let middle = [0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1])];
+        let moment = skew * (middle[0] * force[1] - middle[1] * force[0]);
+        let part = if nodes.is_mirrored() { 0.5 } else { 1.0 };
+        let resultants = [[part * force[0], part * force[1], moment]];
+        let known = Known { placed: true, resultants: &resultants };
+        let coarse = Accuracy { tolerance: 0.05, degree: 58 };
+        let plate = Plate::new(nodes, &material, circle, &outline, &loads, coarse).unwrap();
+        prop_assert_eq!(check(&plate, known), Ok(()));
     }
 
     /// A plane body of another size has the same compliance, one of another stiffness or thickness its inverse.

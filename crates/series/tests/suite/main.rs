@@ -3,3 +3,4 @@
 mod contacts;
 mod contract;
 mod persson;
+mod strip;

@@ -1,0 +1,392 @@
+//! A plate with straight outer edges around a circular hole.
+//!
+//! ```text
+//! u = C λ + Σ_k m_k u_k + R α,     C = P (C_∞ + V E X Vᵀ) Pᵀ,     P = 1 − R Sᵀ,   Rᵀ S = 1
+//! ```
+//!
+//! C_∞ is the hole in the infinite plate; V Xᵀ.. the polynomials that a least-squares fit adds to keep the outer edge free, of as many columns as the
+//! hole has modes there (R/d)^K, so C differs from C_∞ by a matrix of low rank. The plate floats: forces S α, even tractions on the hole, balance every
+//! load before it is fitted, and displacements are counted from their mean on the hole. What the fit leaves on the outer edge is known,
+//! [`Fit::residual`]; by Saint-Venant's principle it does less on the hole.
+
+mod arnoldi;
+mod fit;
+mod least_squares;
+mod outline;
+
+use std::f64::consts::PI;
+
+use nalgebra::{Complex, DMatrix, DVector};
+use stickslip_fem_core::InterfaceOperator;
+use stickslip_fem_core::material::Isotropic;
+use stickslip_fem_core::mesh::Point;
+
+use crate::channel::{Channel, Unit, hat_means, sides};
+use crate::circle::{Circle, Kolosov, Side, compliance};
+use crate::error::SeriesError;
+use crate::hole::check_load;
+use crate::nodes::Nodes;
+use fit::{OuterFit, Task};
+pub use outline::Outline;
+use outline::Surrounding;
+
+/// Largest number of the hole's modes.
+const LARGEST_ORDER: i64 = 400;
+/// Degrees of the polynomials that are tried, each until the residual is small enough.
+const DEGREES: [usize; 8] = [20, 30, 42, 58, 80, 110, 150, 200];
+/// Residual from which on a fit means nothing.
+const USELESS: f64 = 0.1;
+
+/// A force on an outer edge, as an even traction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EdgeLoad {
+    /// Index of the edge.
+    pub edge: usize,
+    /// Its whole force `[force]`, also in a half model.
+    pub force: [f64; 2],
+}
+
+/// How well the outer edge is fitted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Accuracy {
+    /// Residual to stop at, see [`Fit::residual`].
+    pub tolerance: f64,
+    /// Largest degree of the polynomials, at which the fit stops whatever it leaves.
+    pub degree: usize,
+}
+
+impl Default for Accuracy {
+    /// 2e-3, at most degree 150. On the hole that leaves about a thousandth of it, 2e-6.
+    fn default() -> Self {
+        Self {
+            tolerance: 2e-3,
+            degree: 150,
+        }
+    }
+}
+
+/// What the fit of an outer edge took and what it left.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fit {
+    /// Real unknowns.
+    pub columns: usize,
+    /// Points at which tractions are fitted.
+    pub points: usize,
+    /// Largest order |K| of the hole's modes at the outer edge.
+    pub orders: usize,
+    /// Largest traction left on the outer edge, at points between those of the fit, relative to the mean one: of load cases over the loaded edges, of
+    /// tractions on the hole over the outline under a net force on the hole.
+    pub residual: f64,
+}
+
+/// A plate with straight outer edges around a circular hole, free but for loads on its edges. It floats: translations along x and y and the turn about
+/// the hole divided by its radius are its rigid motions, in a half model the translation along x.
+///
+/// ```
+/// use stickslip_fem_core::InterfaceOperator;
+/// use stickslip_fem_core::material::{Isotropic, PlaneState};
+/// use stickslip_series::{Accuracy, Circle, EdgeLoad, Nodes, Outline, Plate};
+///
+/// let aluminium = Isotropic::new(10.4e6, 0.33, PlaneState::Stress)?;
+/// let circle = Circle { centre: [0.0, 0.0], radius: 0.375, thickness: 0.06 };
+/// let strip = Outline::strip(5.5, 1.5, 1.5);
+/// let pull = vec![EdgeLoad { edge: 3, force: [-1240.0, 0.0] }];
+/// let nodes = Nodes::uniform_half(61)?;
+/// let plate = Plate::new(nodes, &aluminium, circle, &strip, &[pull], Accuracy::default())?;
+/// assert_eq!(plate.mode_load(0)[0], -620.0);
+/// assert!(plate.fit().residual < 2e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Plate {
+    nodes: Nodes,
+    circle: Circle,
+    fits: Vec<OuterFit>,
+    points: Vec<Point>,
+    compliance: DMatrix<f64>,
+    modes: DMatrix<f64>,
+    responses: Vec<Option<DVector<f64>>>,
+    mode_loads: Vec<DVector<f64>>,
+}
+
+impl Plate {
+    /// The plate with `outline` around `circle`, with the forces `loads[k]` in load case k.
+    ///
+    /// # Errors
+    /// [`SeriesError::Length`] for a length that is not positive; [`SeriesError::Outline`], [`SeriesError::HoleOutside`] for an outline that does not go
+    /// around the hole, [`SeriesError::Ligament`] where it comes so close that the modes of the hole do not decay; [`SeriesError::NotMirrored`] for a half model
+    /// in an outline that is not symmetric about the x axis through the hole; [`SeriesError::UnknownEdge`], [`SeriesError::LoadNotFinite`],
+    /// [`SeriesError::NotSymmetric`] for a load that does not fit; [`SeriesError::NotFitted`] where a tenth of the load is left on the outer edge.
+    pub fn new(
+        nodes: Nodes,
+        material: &Isotropic,
+        circle: Circle,
+        outline: &Outline,
+        loads: &[Vec<EdgeLoad>],
+        accuracy: Accuracy,
+    ) -> Result<Self, SeriesError> {
+        let circle = circle.checked()?;
+        let surrounding = Surrounding::new(outline, circle)?;
+        if nodes.is_mirrored() && surrounding.images.is_none() {
+            return Err(SeriesError::NotMirrored);
+        }
+        let actions = actions(&nodes, circle, outline, &surrounding, loads)?;
+        let material = Kolosov::from(material);
+        let points = circle.places(&nodes);
+        let modes = circle.motions(&nodes, &points);
+        let hold = Hold::new(&nodes, modes);
+        let mode_loads: Vec<DVector<f64>> = (actions.resultants.iter())
+            .map(|[x, y, moment]| circle.resultants(&nodes, [*x, *y], *moment))
+            .collect();
+        // Nodal forces that balance the load cases.
+        let free = hold.motions.ncols();
+        let resultants = DMatrix::from_fn(free, loads.len(), |i, case| mode_loads[case][i]);
+        let balance = -&hold.forces * resultants;
+        let orders = orders(&surrounding, circle, accuracy.tolerance)?;
+        let to_traction = sides(&nodes) / (2.0 * PI * circle.radius * circle.thickness);
+        let reactions = |channels: &[Channel]| {
+            hat_means(&nodes, channels).transpose() * &balance * -to_traction
+        };
+        let mut fits = Vec::new();
+        for units in unit_sets(&nodes, &surrounding) {
+            let task = Task {
+                surrounding: &surrounding,
+                units,
+                orders,
+                kappa: material.kappa,
+                tractions: &actions.tractions,
+                reactions: &reactions,
+            };
+            fits.push(fitted(&task, accuracy)?);
+        }
+        let mut compliance = compliance(&nodes, material, Side::Outside, circle.thickness);
+        let mut responses = &compliance * &balance;
+        let unit = circle.radius / (2.0 * material.shear);
+        for fit in &fits {
+            let means = hat_means(&nodes, &fit.channels);
+            let motions = &means * &fit.displacements * unit;
+            let by_tractions = &fit.by_channels * means.transpose() * -to_traction;
+            compliance.gemm(1.0, &motions, &by_tractions, 1.0);
+            responses.gemm(1.0, &motions, &fit.by_loads, 1.0);
+        }
+        hold.measure(&mut responses);
+        Ok(Self {
+            compliance: hold.symmetric(compliance),
+            responses: responses
+                .column_iter()
+                .map(|column| Some(column.into_owned()))
+                .collect(),
+            modes: hold.motions,
+            mode_loads,
+            points,
+            fits,
+            nodes,
+            circle,
+        })
+    }
+
+    /// What the fit of the outer edge took and left; of an outline that is symmetric while the nodes are whole, the sums and the largest of both parts.
+    pub fn fit(&self) -> Fit {
+        let orders = |fit: &OuterFit| fit.channels.iter().map(|channel| channel.order).max();
+        Fit {
+            columns: self.fits.iter().map(|fit| fit.terms.len()).sum(),
+            points: self.fits.iter().map(|fit| fit.points).sum(),
+            orders: self.fits.iter().filter_map(orders).max().unwrap_or(0) as usize,
+            residual: self.fits.iter().map(|fit| fit.residual).fold(0.0, f64::max),
+        }
+    }
+
+    /// The nodes.
+    pub fn nodes(&self) -> &Nodes {
+        &self.nodes
+    }
+
+    /// The hole's circle.
+    pub fn circle(&self) -> Circle {
+        self.circle
+    }
+}
+
+/// Forces S that hold a floating body, and the motion that is counted as its rigid one: even tractions, and the mean motion of the hole.
+#[derive(Clone, Debug)]
+struct Hold {
+    motions: DMatrix<f64>,
+    forces: DMatrix<f64>,
+}
+
+impl Hold {
+    fn new(nodes: &Nodes, motions: DMatrix<f64>) -> Self {
+        let mut weighted = motions.clone();
+        for (node, weight) in nodes.weights().into_iter().enumerate() {
+            weighted.rows_mut(2 * node, 2).scale_mut(weight);
+        }
+        let gram = weighted.tr_mul(&motions);
+        // Motions of two or more places are independent, so the matrix has an inverse; places of a hole are not one.
+        let inverse = gram
+            .try_inverse()
+            .unwrap_or_else(|| DMatrix::zeros(motions.ncols(), motions.ncols()));
+        Self {
+            forces: weighted * inverse,
+            motions,
+        }
+    }
+
+    /// Counts the displacements in each column from their rigid motion.
+    fn measure(&self, displacements: &mut DMatrix<f64>) {
+        let rigid = self.forces.tr_mul(displacements);
+        displacements.gemm(-1.0, &self.motions, &rigid, 1.0);
+    }
+
+    /// P C Pᵀ, whose asymmetry is an error of the fit, without it.
+    fn symmetric(&self, mut compliance: DMatrix<f64>) -> DMatrix<f64> {
+        self.measure(&mut compliance);
+        let held = &compliance * &self.forces;
+        compliance.gemm(-1.0, &held, &self.motions.transpose(), 1.0);
+        let transposed = compliance.transpose();
+        (compliance + transposed) * 0.5
+    }
+}
+
+/// Load cases as tractions on edges and as resultants about the hole's centre: force along x and y, moment.
+struct Actions {
+    tractions: Vec<Vec<Complex<f64>>>,
+    resultants: Vec<[f64; 3]>,
+}
+
+fn actions(
+    nodes: &Nodes,
+    circle: Circle,
+    outline: &Outline,
+    surrounding: &Surrounding,
+    loads: &[Vec<EdgeLoad>],
+) -> Result<Actions, SeriesError> {
+    let mut found = Actions {
+        tractions: Vec::with_capacity(loads.len()),
+        resultants: Vec::with_capacity(loads.len()),
+    };
+    for (case, forces) in loads.iter().enumerate() {
+        let mut tractions = vec![Complex::new(0.0, 0.0); outline.edges()];
+        let mut resultant = [0.0; 3];
+        for &EdgeLoad { edge, force } in forces {
+            let [x, y] = force;
+            check_load(
+                case,
+                false,
+                &[("a force along x", x, false), ("a force along y", y, false)],
+            )?;
+            let edges = outline.edges();
+            let side = surrounding.sides.get(edge);
+            let side = side.ok_or(SeriesError::UnknownEdge { case, edge, edges })?;
+            let area = side.length * circle.radius * circle.thickness;
+            tractions[edge] += Complex::new(x, y) / area;
+            let [start, end] = outline.edge(edge);
+            let arm: Point = std::array::from_fn(|i| 0.5 * (start[i] + end[i]) - circle.centre[i]);
+            let own = [x, y, arm[0] * y - arm[1] * x];
+            resultant
+                .iter_mut()
+                .zip(own)
+                .for_each(|(sum, part)| *sum += part);
+        }
+        if let (true, Some(images)) = (nodes.is_mirrored(), &surrounding.images) {
+            let largest = tractions.iter().map(|t| t.norm()).fold(0.0, f64::max);
+            for (edge, &image) in images.iter().enumerate() {
+                let difference = (tractions[edge] - tractions[image].conj()).norm();
+                if difference > 1e-9 * largest {
+                    return Err(SeriesError::NotSymmetric {
+                        case,
+                        what: "the traction of an edge less the image of that on the opposite edge",
+                        value: difference,
+                    });
+                }
+            }
+        }
+        found.tractions.push(tractions);
+        found.resultants.push(resultant);
+    }
+    Ok(found)
+}
+
+/// The units of coefficients that are fitted together.
+fn unit_sets(nodes: &Nodes, surrounding: &Surrounding) -> Vec<&'static [Unit]> {
+    if nodes.is_mirrored() {
+        vec![&[Unit::Real]]
+    } else if surrounding.images.is_some() {
+        vec![&[Unit::Real], &[Unit::Imaginary]]
+    } else {
+        vec![&[Unit::Real, Unit::Imaginary]]
+    }
+}
+
+/// The largest order K of the hole's modes that matters at the outer edge, (R/d)^K a thousandth of the tolerance.
+fn orders(surrounding: &Surrounding, circle: Circle, tolerance: f64) -> Result<i64, SeriesError> {
+    let digits = (1e3 / tolerance.clamp(1e-13, 1.0)).ln();
+    let needed = (digits / surrounding.distance.ln()).ceil() + 2.0;
+    if needed > LARGEST_ORDER as f64 {
+        return Err(SeriesError::Ligament {
+            ligament: (surrounding.distance - 1.0) * circle.radius,
+            radius: circle.radius,
+            needed,
+            largest: LARGEST_ORDER,
+        });
+    }
+    Ok(needed as i64)
+}
+
+fn fitted(task: &Task<'_>, accuracy: Accuracy) -> Result<OuterFit, SeriesError> {
+    let smaller = DEGREES
+        .iter()
+        .copied()
+        .filter(|degree| *degree < accuracy.degree);
+    let mut best: Option<OuterFit> = None;
+    for degree in smaller.chain([accuracy.degree]) {
+        let next = OuterFit::new(task, degree);
+        let better = best
+            .as_ref()
+            .is_none_or(|best| next.residual < best.residual);
+        let stalled = !better;
+        if better {
+            best = Some(next);
+        }
+        if stalled
+            || best
+                .as_ref()
+                .is_some_and(|best| best.residual <= accuracy.tolerance)
+        {
+            break;
+        }
+    }
+    let residual = best.as_ref().map_or(f64::NAN, |best| best.residual);
+    match best {
+        Some(best) if residual <= USELESS.max(accuracy.tolerance) => Ok(best),
+        _ => Err(SeriesError::NotFitted {
+            residual,
+            degree: accuracy.degree,
+        }),
+    }
+}
+
+impl InterfaceOperator for Plate {
+    fn points(&self) -> &[Point] {
+        &self.points
+    }
+
+    fn compliance(&self) -> Option<&DMatrix<f64>> {
+        Some(&self.compliance)
+    }
+
+    fn modes(&self) -> &DMatrix<f64> {
+        &self.modes
+    }
+
+    fn load_cases(&self) -> usize {
+        self.responses.len()
+    }
+
+    fn load_response(&self, case: usize) -> Option<&DVector<f64>> {
+        self.responses[case].as_ref()
+    }
+
+    fn mode_load(&self, case: usize) -> &DVector<f64> {
+        &self.mode_loads[case]
+    }
+}
