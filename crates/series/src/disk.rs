@@ -21,12 +21,14 @@
 
 use nalgebra::{DMatrix, DVector};
 use stickslip_fem_core::InterfaceOperator;
+use stickslip_fem_core::body::BodyLoad;
 use stickslip_fem_core::material::Isotropic;
 use stickslip_fem_core::mesh::Point;
 
 use crate::channel::{Unit, channels, hat_means, sides};
 use crate::circle::{Circle, Kolosov, Side, compliance};
 use crate::error::SeriesError;
+use crate::field::{Body, Field, Ingredients, Inside, check};
 use crate::hole::check_load;
 use crate::nodes::Nodes;
 
@@ -82,6 +84,7 @@ pub struct DiskLoad {
 pub struct Disk {
     nodes: Nodes,
     circle: Circle,
+    material: Kolosov,
     anchor: Anchor,
     loads: Vec<DiskLoad>,
     points: Vec<Point>,
@@ -180,8 +183,46 @@ impl Disk {
             loads: loads.to_vec(),
             nodes,
             circle,
+            material,
             anchor,
         })
+    }
+
+    /// The field under nodal forces, load cases and rigid motions: 2n forces `[force]`, one multiplier of each load case, one amount of each rigid motion.
+    ///
+    /// # Errors
+    /// [`SeriesError::State`] for numbers that are too few or too many.
+    pub fn field(&self, state: &BodyLoad<'_>) -> Result<Field, SeriesError> {
+        check(
+            state,
+            [2 * self.points.len(), self.loads.len(), self.modes.ncols()],
+        )?;
+        let of = Ingredients {
+            nodes: &self.nodes,
+            circle: self.circle,
+            material: self.material,
+            forces: state.forces,
+            inside: true,
+        };
+        let hats = of.hats();
+        let kappa = self.material.kappa;
+        let inside = Inside::new(&hats, matches!(self.anchor, Anchor::Centre { .. }));
+        let (translation, turn) = inside.rigid(kappa, support(self.anchor, kappa));
+        let unit = self.circle.radius / (2.0 * self.material.shear);
+        // What a held disk does not have are translations.
+        let all = if self.nodes.is_mirrored() { 1 } else { 3 };
+        let mut rigid = [0.0; 3];
+        let held = all - self.modes.ncols();
+        rigid[held..all].copy_from_slice(state.motions);
+        rigid[0] += unit * translation.re;
+        rigid[1] += unit * translation.im;
+        rigid[2] += unit * turn;
+        for (load, factor) in self.loads.iter().zip(state.multipliers) {
+            for (sum, part) in rigid.iter_mut().zip(load.displacement) {
+                *sum += factor * part;
+            }
+        }
+        Ok(Field::new(&of, hats, Body::Inside(inside), rigid))
     }
 
     /// The nodes.

@@ -135,4 +135,20 @@ pub enum SeriesError {
         /// The largest degree.
         degree: usize,
     },
+    /// A state whose vectors do not fit the body.
+    #[error("{found} {what} of a body that has {expected}")]
+    State {
+        /// What they are.
+        what: &'static str,
+        /// How many were given.
+        found: usize,
+        /// How many fit.
+        expected: usize,
+    },
+    /// A point that the body does not have.
+    #[error("the point ({}, {}) is outside of the body", point[0], point[1])]
+    OutsideBody {
+        /// The point `[length]`.
+        point: [f64; 2],
+    },
 }

@@ -1,13 +1,15 @@
 //! A circular hole in an infinite plate.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{Complex, DMatrix, DVector};
 use stickslip_fem_core::InterfaceOperator;
+use stickslip_fem_core::body::BodyLoad;
 use stickslip_fem_core::material::Isotropic;
 use stickslip_fem_core::mesh::Point;
 
 use crate::channel::{Channel, Unit, channels, hat_means};
 use crate::circle::{Circle, Kolosov, Side, compliance};
 use crate::error::SeriesError;
+use crate::field::{Body, Field, Ingredients, Outside, check, motions};
 use crate::nodes::Nodes;
 
 /// What acts on the plate far from the hole. In a half model it is that on the whole plate, and has no force along y, moment or shear.
@@ -83,6 +85,7 @@ pub(crate) fn check_load(
 pub struct Hole {
     nodes: Nodes,
     circle: Circle,
+    material: Kolosov,
     loads: Vec<FarLoad>,
     points: Vec<Point>,
     compliance: DMatrix<f64>,
@@ -146,7 +149,48 @@ impl Hole {
             loads: loads.to_vec(),
             nodes,
             circle,
+            material,
         })
+    }
+
+    /// The field under nodal forces, load cases and rigid motions: 2n forces `[force]`, one multiplier of each load case, one amount of each rigid motion.
+    ///
+    /// # Errors
+    /// [`SeriesError::State`] for numbers that are too few or too many.
+    pub fn field(&self, state: &BodyLoad<'_>) -> Result<Field, SeriesError> {
+        check(
+            state,
+            [2 * self.points.len(), self.loads.len(), self.modes.ncols()],
+        )?;
+        let of = Ingredients {
+            nodes: &self.nodes,
+            circle: self.circle,
+            material: self.material,
+            forces: state.forces,
+            inside: false,
+        };
+        let mut stress = [0.0; 3];
+        for (load, factor) in self.loads.iter().zip(state.multipliers) {
+            for (sum, part) in stress.iter_mut().zip(load.stress) {
+                *sum += factor * part;
+            }
+        }
+        let [xx, yy, xy] = stress;
+        let (phi, psi) = (
+            Complex::new(0.25 * (xx + yy), 0.0),
+            Complex::new(0.5 * (yy - xx), xy),
+        );
+        let outside = Outside {
+            modes: vec![(1, -2.0 * phi), (-1, psi.conj())],
+            even: [phi, psi],
+            ..Outside::default()
+        };
+        Ok(Field::new(
+            &of,
+            of.hats(),
+            Body::Outside(outside),
+            motions(state.motions),
+        ))
     }
 
     /// The nodes.

@@ -16,6 +16,7 @@
 //! | [`Hole`] | hole in an infinite plate |
 //! | [`Plate`] | hole in a plate with straight outer edges, [`Outline`] |
 //! | [`Disk`] | pin, loaded and held at its centre or over its area |
+//! | [`Field`] | stresses and displacements anywhere in a body |
 //!
 //! Signs: tension positive; forces λ and tractions q act on the body. θ counts from x, counter-clockwise. Any consistent units.
 //!
@@ -25,6 +26,7 @@ mod channel;
 mod circle;
 mod disk;
 mod error;
+mod field;
 mod gauss;
 mod hole;
 mod kernel;
@@ -34,6 +36,7 @@ mod plate;
 pub use circle::Circle;
 pub use disk::{Anchor, Disk, DiskLoad};
 pub use error::SeriesError;
+pub use field::{Field, PolarStress};
 pub use hole::{FarLoad, Hole};
 pub use nodes::Nodes;
 pub use plate::{Accuracy, EdgeLoad, Fit, Outline, Plate};

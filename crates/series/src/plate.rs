@@ -18,17 +18,21 @@ use std::f64::consts::PI;
 
 use nalgebra::{Complex, DMatrix, DVector};
 use stickslip_fem_core::InterfaceOperator;
+use stickslip_fem_core::body::BodyLoad;
 use stickslip_fem_core::material::Isotropic;
 use stickslip_fem_core::mesh::Point;
 
 use crate::channel::{Channel, Unit, hat_means, sides};
 use crate::circle::{Circle, Kolosov, Side, compliance};
 use crate::error::SeriesError;
+use crate::field::{Body, Field, Ingredients, Outside, check, combined};
 use crate::hole::check_load;
 use crate::nodes::Nodes;
+pub(crate) use arnoldi::Basis;
+pub(crate) use fit::corner;
 use fit::{OuterFit, Task};
 pub use outline::Outline;
-use outline::Surrounding;
+pub(crate) use outline::Surrounding;
 
 /// Largest number of the hole's modes.
 const LARGEST_ORDER: i64 = 400;
@@ -101,10 +105,17 @@ pub struct Fit {
 pub struct Plate {
     nodes: Nodes,
     circle: Circle,
+    material: Kolosov,
+    surrounding: Surrounding,
     fits: Vec<OuterFit>,
+    /// Even tractions on the hole that balance forces.
+    hold: Hold,
+    /// Nodal forces that balance each load case.
+    balance: Vec<DVector<f64>>,
+    /// Rigid motions that were taken off the displacements by balanced nodal forces, f × 2n, and by load cases, f × cases.
+    taken: [DMatrix<f64>; 2],
     points: Vec<Point>,
     compliance: DMatrix<f64>,
-    modes: DMatrix<f64>,
     responses: Vec<Option<DVector<f64>>>,
     mode_loads: Vec<DVector<f64>>,
 }
@@ -169,19 +180,26 @@ impl Plate {
             compliance.gemm(1.0, &motions, &by_tractions, 1.0);
             responses.gemm(1.0, &motions, &fit.by_loads, 1.0);
         }
-        hold.measure(&mut responses);
+        let by_loads = hold.measure(&mut responses);
+        let by_forces = hold.measure(&mut compliance);
         Ok(Self {
             compliance: hold.symmetric(compliance),
+            taken: [by_forces, by_loads],
+            balance: (0..loads.len())
+                .map(|case| balance.column(case).into_owned())
+                .collect(),
             responses: responses
                 .column_iter()
                 .map(|column| Some(column.into_owned()))
                 .collect(),
-            modes: hold.motions,
             mode_loads,
             points,
             fits,
+            hold,
+            surrounding,
             nodes,
             circle,
+            material,
         })
     }
 
@@ -194,6 +212,49 @@ impl Plate {
             orders: self.fits.iter().filter_map(orders).max().unwrap_or(0) as usize,
             residual: self.fits.iter().map(|fit| fit.residual).fold(0.0, f64::max),
         }
+    }
+
+    /// The field under nodal forces, load cases and rigid motions: 2n forces `[force]`, one multiplier of each load case, one amount of each rigid motion. A resultant of
+    /// the forces that the load cases do not balance is left out, as an even traction on the hole.
+    ///
+    /// # Errors
+    /// [`SeriesError::State`] for numbers that are too few or too many.
+    pub fn field(&self, state: &BodyLoad<'_>) -> Result<Field, SeriesError> {
+        let hold = &self.hold;
+        let size = 2 * self.points.len();
+        check(state, [size, self.responses.len(), hold.motions.ncols()])?;
+        let given = DVector::from_column_slice(state.forces);
+        let balanced = &given - &hold.forces * hold.motions.tr_mul(&given);
+        let multipliers = DVector::from_column_slice(state.multipliers);
+        let taken = &self.taken[0] * &balanced + &self.taken[1] * &multipliers;
+        let forces = &balanced + combined(state.multipliers, &self.balance, size);
+        let mut rigid = [0.0; 3];
+        for (k, (amount, taken)) in state.motions.iter().zip(taken.iter()).enumerate() {
+            rigid[k] = amount - taken;
+        }
+        let of = Ingredients {
+            nodes: &self.nodes,
+            circle: self.circle,
+            material: self.material,
+            forces: forces.as_slice(),
+            inside: false,
+        };
+        let mut outside = Outside {
+            outline: Some(self.surrounding.clone()),
+            ..Outside::default()
+        };
+        for fit in &self.fits {
+            let means = hat_means(&self.nodes, &fit.channels);
+            let tractions = means.tr_mul(&balanced) * -self.to_traction();
+            let amounts = &fit.by_channels * tractions + &fit.by_loads * &multipliers;
+            fit.add_to(&mut outside, &amounts);
+        }
+        Ok(Field::new(&of, of.hats(), Body::Outside(outside), rigid))
+    }
+
+    /// Traction in a channel by nodal forces, the factor s/2πRt.
+    fn to_traction(&self) -> f64 {
+        sides(&self.nodes) / (2.0 * PI * self.circle.radius * self.circle.thickness)
     }
 
     /// The nodes.
@@ -231,15 +292,15 @@ impl Hold {
         }
     }
 
-    /// Counts the displacements in each column from their rigid motion.
-    fn measure(&self, displacements: &mut DMatrix<f64>) {
+    /// Takes its rigid motion off the displacements in each column, and returns it.
+    fn measure(&self, displacements: &mut DMatrix<f64>) -> DMatrix<f64> {
         let rigid = self.forces.tr_mul(displacements);
         displacements.gemm(-1.0, &self.motions, &rigid, 1.0);
+        rigid
     }
 
-    /// P C Pᵀ, whose asymmetry is an error of the fit, without it.
+    /// P C Pᵀ from P C, without its asymmetry, an error of the fit.
     fn symmetric(&self, mut compliance: DMatrix<f64>) -> DMatrix<f64> {
-        self.measure(&mut compliance);
         let held = &compliance * &self.forces;
         compliance.gemm(-1.0, &held, &self.motions.transpose(), 1.0);
         let transposed = compliance.transpose();
@@ -375,7 +436,7 @@ impl InterfaceOperator for Plate {
     }
 
     fn modes(&self) -> &DMatrix<f64> {
-        &self.modes
+        &self.hold.motions
     }
 
     fn load_cases(&self) -> usize {

@@ -65,6 +65,11 @@ impl Basis {
         (basis, found)
     }
 
+    /// Degree of the last polynomial.
+    pub(crate) fn degree(&self) -> usize {
+        self.recurrence.len()
+    }
+
     /// Values at other points.
     pub(crate) fn at(&self, points: &[C64]) -> Values {
         let mut found = self.start(points);

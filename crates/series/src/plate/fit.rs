@@ -16,12 +16,13 @@
 
 use std::cmp::Ordering;
 
-use nalgebra::{Complex, DMatrix};
+use nalgebra::{Complex, DMatrix, DVector};
 
 use super::arnoldi::{Basis, Values};
 use super::least_squares::least_squares;
 use super::outline::{EdgePoint, Surrounding};
 use crate::channel::{Channel, Unit};
+use crate::field::{Outer, Outside};
 
 type C64 = Complex<f64>;
 
@@ -119,6 +120,46 @@ impl OuterFit {
             answers,
             residual,
         }
+    }
+}
+
+impl OuterFit {
+    /// Adds the terms times `amounts`, and the series that keep the hole free of them.
+    pub(crate) fn add_to(&self, outside: &mut Outside, amounts: &DVector<f64>) {
+        let zero = C64::new(0.0, 0.0);
+        let count = 1 + self.basis.degree();
+        let [mut phi, mut psi] = [vec![zero; count], vec![zero; count]];
+        let mut corners = Vec::new();
+        for (term, &amount) in self.terms.iter().zip(amounts.iter()) {
+            match *term {
+                Term::Polynomial {
+                    potential,
+                    degree,
+                    unit,
+                } => match potential {
+                    Potential::Phi => phi[degree] += unit.value() * amount,
+                    Potential::Psi => psi[degree] += unit.value() * amount,
+                },
+                Term::Corner { place, image } => {
+                    corners.push((place, amount));
+                    if image != 0.0 {
+                        corners.push((place.conj(), image * amount));
+                    }
+                }
+            }
+        }
+        let answers = &self.answers * amounts;
+        for (channel, &amount) in self.channels.iter().zip(answers.iter()) {
+            outside
+                .modes
+                .push((channel.order, channel.unit.value() * amount));
+        }
+        outside.outer.push(Outer {
+            basis: self.basis.clone(),
+            phi,
+            psi,
+            corners,
+        });
     }
 }
 

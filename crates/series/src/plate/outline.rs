@@ -173,6 +173,17 @@ impl Surrounding {
         })
     }
 
+    /// Whether `place` is on the inner side of the outline, or on it.
+    pub(crate) fn contains(&self, place: C64) -> bool {
+        let faces = |side: &&Side| {
+            let [start, end] = [side.start, side.at(side.length)];
+            (start.conj() * place).im >= 0.0 && (place.conj() * end).im >= 0.0
+        };
+        let inside =
+            |side: &Side| (side.normal().conj() * place).re <= side.distance() * (1.0 + SAME);
+        self.sides.iter().filter(faces).any(inside)
+    }
+
     /// The corners, of a symmetric outline those that are not below the x axis.
     pub(crate) fn corners(&self) -> impl Iterator<Item = C64> {
         let all = self.sides.iter().map(|side| side.start);

@@ -2,5 +2,7 @@
 
 mod contacts;
 mod contract;
+mod fields;
+mod howland;
 mod persson;
 mod strip;

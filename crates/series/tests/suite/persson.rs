@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use stickslip_fem_core::body::BodyLoad;
 use stickslip_fem_core::material::{Isotropic, PlaneState};
 use stickslip_series::{Anchor, Circle, Disk, DiskLoad, FarLoad, Hole, Nodes};
 
@@ -118,4 +119,63 @@ fn how_the_pin_is_loaded_changes_no_pressure() {
         "{:e}",
         difference(&over_area)
     );
+}
+
+/// θ `[deg]` and σ_θ R t/Q of the closed form on the edge at 65°, six digits (table R1).
+const HOOP: [[f64; 2]; 7] = [
+    [0.0, 0.126568],
+    [30.0, 0.159236],
+    [60.0, 0.351279],
+    [75.0, 0.485043],
+    [90.0, 0.373824],
+    [135.0, 0.069967],
+    [180.0, -0.055894],
+];
+/// θ `[deg]`, σ_r, σ_θ and τ_rθ times R t/Q at five radii, at 65°, eight digits (table R1).
+const RING: [[f64; 4]; 5] = [
+    [0.0, -0.075580056, 0.01886026, 0.0],
+    [45.0, -0.044490442, 0.01561923, 9.0317831e-05],
+    [90.0, 0.0071295043, 0.0077223206, 0.011253758],
+    [135.0, 0.02921881, -0.00056574129, 0.014247418],
+    [180.0, 0.032050644, -0.0045989619, 2.8161244e-18],
+];
+
+/// Hoop stresses on the edge and stresses five radii away. The table is for a plate that is balanced far away, as a held hole is.
+#[test]
+fn stresses_of_the_plate_are_those_of_the_closed_form() {
+    let material = Isotropic::new(1.0, 0.3, PlaneState::Stress).unwrap();
+    let nodes = Nodes::uniform_half(121).unwrap();
+    let p = solve(&nodes, CLOSED_FORM[2][1], Anchor::default());
+    let plate = Hole::held(nodes.clone(), &material, UNIT, &[]).unwrap();
+    let weights = nodes.weights();
+    let forces: Vec<f64> = (nodes.angles().iter().zip(&p).zip(&weights))
+        .flat_map(|((angle, p), weight)| [p * weight * angle.cos(), p * weight * angle.sin()])
+        .collect();
+    let state = BodyLoad {
+        forces: &forces,
+        multipliers: &[],
+        motions: &[],
+    };
+    let field = plate.field(&state).unwrap();
+    for [angle, expected] in HOOP {
+        let found = field.edge(angle.to_radians()).hoop;
+        // At 60° the nodes see the cusp at the end of contact.
+        let bound = if angle == 60.0 { 3e-3 } else { 2e-4 };
+        assert!((found - expected).abs() < bound, "{angle}°: {found}");
+    }
+    for [angle, radial, hoop, shear] in RING {
+        let theta = angle.to_radians();
+        let found = field
+            .stress([5.0 * theta.cos(), 5.0 * theta.sin()])
+            .unwrap();
+        let errors = [
+            found.radial - radial,
+            found.hoop - hoop,
+            found.shear - shear,
+        ];
+        assert!(
+            errors.iter().all(|error| error.abs() < 2e-6),
+            "{angle}°: {errors:?}"
+        );
+    }
 }
