@@ -116,7 +116,7 @@ fn a_turned_strip_is_the_same_strip() {
             assert!(error < 1e-5, "{error:e}");
         }
     }
-    let unit = [own.compliance().unwrap(), turned.compliance().unwrap()].map(|c| c.norm());
+    let unit = [&own, &turned].map(|plate| plate.compliance().unwrap().norm());
     assert!((unit[0] / unit[1] - 1.0).abs() < 1e-6);
     assert!(own.fit().residual < 2e-3 && turned.fit().residual < 2e-3);
 }
