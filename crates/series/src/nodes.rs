@@ -8,6 +8,8 @@
 //! resultant: λ_i = R t w_i q_i, acting at the mean place ⟨x⟩_i, which lies inside of the circle by a twelfth of the squared spacing.
 //! The displacement of a node is the mean ⟨u⟩_i, which is the one that λ_i works on.
 
+mod parts;
+
 use std::f64::consts::{PI, TAU};
 
 use nalgebra::Complex;
@@ -15,11 +17,7 @@ use stickslip_fem_core::mesh::Point;
 
 use crate::error::SeriesError;
 use crate::gauss::rule;
-
-/// Least distance of neighbouring nodes `[rad]`.
-pub(crate) const LEAST_SPACING: f64 = 1e-7;
-/// Largest distance of neighbouring nodes `[rad]`: eight nodes on a circle.
-pub(crate) const LARGEST_SPACING: f64 = TAU / 8.0 + 1e-9;
+use parts::{LEAST_SPACING, chain, check, element, half_hats, own_knots, spacing, spacing_below};
 
 /// Nodes on a circle, in the order of their angles.
 ///
@@ -303,82 +301,6 @@ impl Nodes {
             *sum /= knot.weight;
         }
         sums
-    }
-}
-
-/// ∫ (1 − s) e^{iκs} ds and ∫ s e^{iκs} ds over 0 to 1.
-fn half_hats(kappa: f64) -> [Complex<f64>; 2] {
-    let turn = Complex::from_polar(1.0, kappa);
-    let rising = if kappa.abs() < 1.0 {
-        // Σ (iκ)^n / (n! (n + 2))
-        let (mut term, mut sum) = (Complex::new(1.0, 0.0), Complex::new(0.5, 0.0));
-        for n in 1..18 {
-            term *= Complex::new(0.0, kappa / f64::from(n));
-            sum += term / f64::from(n + 2);
-        }
-        sum
-    } else {
-        (turn - 1.0) / (kappa * kappa) - turn * Complex::new(0.0, 1.0 / kappa)
-    };
-    [turn * rising.conj(), rising]
-}
-
-fn own_knots(angles: &[f64]) -> Vec<Knot> {
-    let knot = |(node, &angle)| Knot {
-        angle,
-        node,
-        image: node,
-        weight: 0.0,
-    };
-    angles.iter().enumerate().map(knot).collect()
-}
-
-fn element(knots: [usize; 2], [start, end]: [f64; 2]) -> Element {
-    Element {
-        knots,
-        start,
-        length: end - start,
-    }
-}
-
-/// The elements between neighbours of `angles`, whose first is knot `first`.
-fn chain(angles: &[f64], first: usize) -> Vec<Element> {
-    let pairs = angles.windows(2).enumerate();
-    pairs
-        .map(|(k, ends)| element([first + k, first + k + 1], [ends[0], ends[1]]))
-        .collect()
-}
-
-fn check(angles: &[f64]) -> Result<(), SeriesError> {
-    if angles.len() < 2 {
-        return Err(SeriesError::Count {
-            count: angles.len(),
-        });
-    }
-    if let Some(&angle) = angles
-        .iter()
-        .find(|angle| angle.is_nan() || angle.abs() > 2.0 * TAU)
-    {
-        return Err(SeriesError::Angle { angle });
-    }
-    let gaps = angles.windows(2).enumerate();
-    gaps.into_iter()
-        .try_for_each(|(k, ends)| spacing(k, ends[1] - ends[0]))
-}
-
-fn spacing(node: usize, spacing: f64) -> Result<(), SeriesError> {
-    if (LEAST_SPACING..=LARGEST_SPACING).contains(&spacing) {
-        Ok(())
-    } else {
-        Err(SeriesError::Spacing { node, spacing })
-    }
-}
-
-fn spacing_below(node: usize, spacing: f64) -> Result<(), SeriesError> {
-    if spacing >= LEAST_SPACING {
-        Ok(())
-    } else {
-        Err(SeriesError::Spacing { node, spacing })
     }
 }
 

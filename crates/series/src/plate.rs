@@ -11,12 +11,14 @@
 
 mod arnoldi;
 mod fit;
+mod hold;
 mod least_squares;
+mod loads;
 mod outline;
 
 use std::f64::consts::PI;
 
-use nalgebra::{Complex, DMatrix, DVector};
+use nalgebra::{DMatrix, DVector};
 use stickslip_fem_core::InterfaceOperator;
 use stickslip_fem_core::body::BodyLoad;
 use stickslip_fem_core::material::Isotropic;
@@ -26,11 +28,13 @@ use crate::channel::{Channel, Unit, hat_means, sides};
 use crate::circle::{Circle, Kolosov, Side, compliance};
 use crate::error::SeriesError;
 use crate::field::{Body, Field, Ingredients, Outside, check, combined};
-use crate::hole::check_load;
 use crate::nodes::Nodes;
 pub(crate) use arnoldi::Basis;
 pub(crate) use fit::corner;
 use fit::{OuterFit, Task};
+use hold::Hold;
+pub use loads::EdgeLoad;
+use loads::actions;
 pub use outline::Outline;
 pub(crate) use outline::Surrounding;
 
@@ -40,15 +44,6 @@ const LARGEST_ORDER: i64 = 400;
 const DEGREES: [usize; 8] = [20, 30, 42, 58, 80, 110, 150, 200];
 /// Residual from which on a fit means nothing.
 const USELESS: f64 = 0.1;
-
-/// A force on an outer edge, as an even traction.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EdgeLoad {
-    /// Index of the edge.
-    pub edge: usize,
-    /// Its whole force `[force]`, also in a half model.
-    pub force: [f64; 2],
-}
 
 /// How well the outer edge is fitted.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -207,7 +202,7 @@ impl Plate {
     pub fn fit(&self) -> Fit {
         let orders = |fit: &OuterFit| fit.channels.iter().map(|channel| channel.order).max();
         Fit {
-            columns: self.fits.iter().map(|fit| fit.terms.len()).sum(),
+            columns: self.fits.iter().map(OuterFit::columns).sum(),
             points: self.fits.iter().map(|fit| fit.points).sum(),
             orders: self.fits.iter().filter_map(orders).max().unwrap_or(0) as usize,
             residual: self.fits.iter().map(|fit| fit.residual).fold(0.0, f64::max),
@@ -266,105 +261,6 @@ impl Plate {
     pub fn circle(&self) -> Circle {
         self.circle
     }
-}
-
-/// Forces S that hold a floating body, and the motion that is counted as its rigid one: even tractions, and the mean motion of the hole.
-#[derive(Clone, Debug)]
-struct Hold {
-    motions: DMatrix<f64>,
-    forces: DMatrix<f64>,
-}
-
-impl Hold {
-    fn new(nodes: &Nodes, motions: DMatrix<f64>) -> Self {
-        let mut weighted = motions.clone();
-        for (node, weight) in nodes.weights().into_iter().enumerate() {
-            weighted.rows_mut(2 * node, 2).scale_mut(weight);
-        }
-        let gram = weighted.tr_mul(&motions);
-        // Motions of two or more places are independent, so the matrix has an inverse; places of a hole are not one.
-        let inverse = gram
-            .try_inverse()
-            .unwrap_or_else(|| DMatrix::zeros(motions.ncols(), motions.ncols()));
-        Self {
-            forces: weighted * inverse,
-            motions,
-        }
-    }
-
-    /// Takes its rigid motion off the displacements in each column, and returns it.
-    fn measure(&self, displacements: &mut DMatrix<f64>) -> DMatrix<f64> {
-        let rigid = self.forces.tr_mul(displacements);
-        displacements.gemm(-1.0, &self.motions, &rigid, 1.0);
-        rigid
-    }
-
-    /// P C Pᵀ from P C, without its asymmetry, an error of the fit.
-    fn symmetric(&self, mut compliance: DMatrix<f64>) -> DMatrix<f64> {
-        let held = &compliance * &self.forces;
-        compliance.gemm(-1.0, &held, &self.motions.transpose(), 1.0);
-        let transposed = compliance.transpose();
-        (compliance + transposed) * 0.5
-    }
-}
-
-/// Load cases as tractions on edges and as resultants about the hole's centre: force along x and y, moment.
-struct Actions {
-    tractions: Vec<Vec<Complex<f64>>>,
-    resultants: Vec<[f64; 3]>,
-}
-
-fn actions(
-    nodes: &Nodes,
-    circle: Circle,
-    outline: &Outline,
-    surrounding: &Surrounding,
-    loads: &[Vec<EdgeLoad>],
-) -> Result<Actions, SeriesError> {
-    let mut found = Actions {
-        tractions: Vec::with_capacity(loads.len()),
-        resultants: Vec::with_capacity(loads.len()),
-    };
-    for (case, forces) in loads.iter().enumerate() {
-        let mut tractions = vec![Complex::new(0.0, 0.0); outline.edges()];
-        let mut resultant = [0.0; 3];
-        for &EdgeLoad { edge, force } in forces {
-            let [x, y] = force;
-            check_load(
-                case,
-                false,
-                &[("a force along x", x, false), ("a force along y", y, false)],
-            )?;
-            let edges = outline.edges();
-            let side = surrounding.sides.get(edge);
-            let side = side.ok_or(SeriesError::UnknownEdge { case, edge, edges })?;
-            let area = side.length * circle.radius * circle.thickness;
-            tractions[edge] += Complex::new(x, y) / area;
-            let [start, end] = outline.edge(edge);
-            let arm: Point = std::array::from_fn(|i| 0.5 * (start[i] + end[i]) - circle.centre[i]);
-            let own = [x, y, arm[0] * y - arm[1] * x];
-            resultant
-                .iter_mut()
-                .zip(own)
-                .for_each(|(sum, part)| *sum += part);
-        }
-        if let (true, Some(images)) = (nodes.is_mirrored(), &surrounding.images) {
-            let largest = tractions.iter().map(|t| t.norm()).fold(0.0, f64::max);
-            for (edge, &image) in images.iter().enumerate() {
-                let difference = (tractions[edge] - tractions[image].conj()).norm();
-                if difference > 1e-9 * largest {
-                    return Err(SeriesError::NotSymmetric {
-                        case,
-                        what: "the traction of an edge less the image of that on the opposite edge",
-                        value: difference,
-                    });
-                }
-            }
-        }
-        found.tractions.push(tractions);
-        found.resultants.push(resultant);
-    }
-    Ok(found)
 }
 
 /// The units of coefficients that are fitted together.

@@ -34,8 +34,15 @@ impl Basis {
     pub(crate) fn new(points: &[C64], degree: usize, symmetric: bool) -> (Self, Values) {
         let count = points.len() as f64;
         let product = |a: &[C64], b: &[C64]| {
-            let sum: C64 = a.iter().zip(b).map(|(a, b)| a.conj() * b).sum();
-            let sum = if symmetric { sum.re.into() } else { sum };
+            let pairs = a.iter().zip(b);
+            let sum: C64 = if symmetric {
+                pairs
+                    .map(|(a, b)| a.re * b.re + a.im * b.im)
+                    .sum::<f64>()
+                    .into()
+            } else {
+                pairs.map(|(a, b)| a.conj() * b).sum()
+            };
             sum / count
         };
         let scale = points.iter().map(|point| point.norm()).fold(0.0, f64::max);
@@ -125,8 +132,15 @@ impl Basis {
 }
 
 fn subtract(from: &mut [C64], part: C64, other: &[C64]) {
-    for (value, other) in from.iter_mut().zip(other) {
-        *value -= part * other;
+    let pairs = from.iter_mut().zip(other);
+    if part.im == 0.0 {
+        for (value, other) in pairs {
+            *value -= other * part.re;
+        }
+    } else {
+        for (value, other) in pairs {
+            *value -= part * other;
+        }
     }
 }
 
