@@ -121,34 +121,54 @@ pub(crate) enum Side {
     Inside,
 }
 
+/// How a circle's edge gives: u(θ) = (R/π) ∫ (A L − B S) q dφ with the symmetric matrix A and B = [0 odd; −odd 0] `[1/stress]`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Surface {
+    /// A.
+    pub(crate) log: [[f64; 2]; 2],
+    /// The entry xy of B.
+    pub(crate) odd: f64,
+}
+
+impl Surface {
+    /// That of an isotropic body, A = (1 + κ)/4G, B = ±(1 − κ)/4G.
+    pub(crate) fn new(material: Kolosov, side: Side) -> Self {
+        let kappa = material.kappa;
+        let unit = 0.25 / material.shear;
+        let log = unit * (1.0 + kappa);
+        let odd = match side {
+            Side::Outside => unit * (1.0 - kappa),
+            Side::Inside => unit * (kappa - 1.0),
+        };
+        Self {
+            log: [[log, 0.0], [0.0, log]],
+            odd,
+        }
+    }
+
+    fn at(&self, [log, odd]: [f64; 2]) -> [[f64; 2]; 2] {
+        let [[a, b], [c, d]] = self.log.map(|row| row.map(|value| value * log));
+        let turn = self.odd * odd;
+        [[a, b - turn], [c + turn, d]]
+    }
+}
+
 /// The compliance `[length/force]` of the kernels L and S, 2n × 2n.
-pub(crate) fn compliance(
-    nodes: &Nodes,
-    material: Kolosov,
-    side: Side,
-    thickness: f64,
-) -> DMatrix<f64> {
-    let kappa = material.kappa;
-    let unit = 1.0 / (4.0 * PI * material.shear * thickness);
-    let turn = match side {
-        Side::Outside => 1.0 - kappa,
-        Side::Inside => kappa - 1.0,
-    };
+pub(crate) fn compliance(nodes: &Nodes, surface: Surface, thickness: f64) -> DMatrix<f64> {
+    let unit = 1.0 / (PI * thickness);
     let means = Means::new(nodes);
-    let block = |node: usize, knot: usize| {
-        let [log, odd] = means.at(node, knot);
-        [unit * (1.0 + kappa) * log, unit * turn * odd]
-    };
     let count = nodes.len();
     let mut matrix = DMatrix::zeros(2 * count, 2 * count);
     for j in 0..count {
         for i in 0..count {
-            let [a, b] = block(i, j);
-            let mut entries = [[a, -b], [b, a]];
+            let mut entries = surface.at(means.at(i, j));
             if nodes.is_mirrored() {
-                // A force on the half has its image on the other half, x + iy its conjugate; both are one place on the axis.
-                let [c, d] = block(i, nodes.knots()[j].image);
-                entries = [[a + c, d - b], [b + d, a - c]];
+                // A force on the half has its image on the other half, −y for y; both are one place on the axis.
+                let image = surface.at(means.at(i, nodes.knots()[j].image));
+                for (row, [x, y]) in entries.iter_mut().zip(image) {
+                    row[0] += x;
+                    row[1] -= y;
+                }
                 if nodes.on_axis(i) {
                     entries[1] = [0.0; 2];
                 }
@@ -159,7 +179,7 @@ pub(crate) fn compliance(
             }
             for row in 0..2 {
                 for column in 0..2 {
-                    matrix[(2 * i + row, 2 * j + column)] = entries[row][column];
+                    matrix[(2 * i + row, 2 * j + column)] = unit * entries[row][column];
                 }
             }
         }
@@ -203,7 +223,7 @@ mod tests {
             Nodes::mirrored(angles).unwrap(),
         ] {
             for side in [Side::Outside, Side::Inside] {
-                let found = compliance(&nodes, material, side, 1.0);
+                let found = compliance(&nodes, Surface::new(material, side), 1.0);
                 let expected = by_modes(&nodes, material, side);
                 let error = (&found - expected).amax() / found.amax();
                 assert!(error < 1e-9, "{side:?} {error:e}");

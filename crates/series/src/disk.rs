@@ -26,7 +26,7 @@ use stickslip_fem_core::material::Isotropic;
 use stickslip_fem_core::mesh::Point;
 
 use crate::channel::{Unit, channels, hat_means, sides};
-use crate::circle::{Circle, Kolosov, Side, compliance};
+use crate::circle::{Circle, Kolosov, Side, Surface, compliance};
 use crate::error::SeriesError;
 use crate::field::{Body, Field, Ingredients, Inside, check};
 use crate::hole::check_load;
@@ -166,7 +166,11 @@ impl Disk {
             check_load(case, nodes.is_mirrored(), &values)?;
         }
         let material = Kolosov::from(material);
-        let mut compliance = compliance(&nodes, material, Side::Inside, circle.thickness);
+        let mut compliance = compliance(
+            &nodes,
+            Surface::new(material, Side::Inside),
+            circle.thickness,
+        );
         add_low_modes(&mut compliance, &nodes, material, anchor, circle.thickness);
         let points = circle.places(&nodes);
         let modes = circle.motions(&nodes, &points);

@@ -151,4 +151,10 @@ pub enum SeriesError {
         /// The point `[length]`.
         point: [f64; 2],
     },
+    /// A material that the body cannot have.
+    #[error("the material {what}")]
+    Material {
+        /// What is wrong with it.
+        what: &'static str,
+    },
 }

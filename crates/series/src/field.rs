@@ -21,7 +21,7 @@ use stickslip_fem_core::mesh::Point;
 use crate::circle::{Circle, Kolosov};
 use crate::error::SeriesError;
 use crate::nodes::Nodes;
-use hats::Hats;
+pub(crate) use hats::Hats;
 pub(crate) use inside::Inside;
 pub(crate) use outside::{Outer, Outside};
 
@@ -90,24 +90,28 @@ impl Ingredients<'_> {
     /// Stresses σ_rr + iσ_rθ on the circle by the nodal forces.
     pub(crate) fn hats(&self) -> Hats {
         let sign = if self.inside { 1.0 } else { -1.0 };
-        let area = self.circle.radius * self.circle.thickness;
-        let value = |node: usize| {
-            let [x, y] = [self.forces[2 * node], self.forces[2 * node + 1]];
-            let axis = self.nodes.on_axis(node);
-            // Half of a force on the axis acts on the half; what is along y there is taken up by symmetry.
-            let whole = if axis {
-                C64::new(2.0 * x, 0.0)
-            } else {
-                C64::new(x, y)
-            };
-            sign * whole / (area * self.nodes.knots()[node].weight)
-        };
-        let knots = self.nodes.knots().iter().enumerate().map(|(k, knot)| {
-            let own = value(knot.node);
-            if k == knot.node { own } else { own.conj() }
-        });
-        Hats::new(self.nodes, &knots.collect::<Vec<_>>())
+        hats(self.nodes, self.circle, self.forces, sign)
     }
+}
+
+/// Stresses σ_rr + iσ_rθ on a circle, along x and y, by nodal forces `forces` (2n) times `sign`.
+pub(crate) fn hats(nodes: &Nodes, circle: Circle, forces: &[f64], sign: f64) -> Hats {
+    let area = circle.radius * circle.thickness;
+    let value = |node: usize| {
+        let [x, y] = [forces[2 * node], forces[2 * node + 1]];
+        // Half of a force on the axis acts on the half; what is along y there is taken up by symmetry.
+        let whole = if nodes.on_axis(node) {
+            C64::new(2.0 * x, 0.0)
+        } else {
+            C64::new(x, y)
+        };
+        sign * whole / (area * nodes.knots()[node].weight)
+    };
+    let knots = nodes.knots().iter().enumerate().map(|(k, knot)| {
+        let own = value(knot.node);
+        if k == knot.node { own } else { own.conj() }
+    });
+    Hats::new(nodes, &knots.collect::<Vec<_>>())
 }
 
 impl Field {

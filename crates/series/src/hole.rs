@@ -7,7 +7,7 @@ use stickslip_fem_core::material::Isotropic;
 use stickslip_fem_core::mesh::Point;
 
 use crate::channel::{Channel, Unit, channels, hat_means};
-use crate::circle::{Circle, Kolosov, Side, compliance};
+use crate::circle::{Circle, Kolosov, Side, Surface, compliance};
 use crate::error::SeriesError;
 use crate::field::{Body, Field, Ingredients, Outside, check, motions};
 use crate::nodes::Nodes;
@@ -24,7 +24,17 @@ pub struct FarLoad {
 }
 
 impl FarLoad {
-    fn check(&self, case: usize, mirrored: bool) -> Result<(), SeriesError> {
+    /// Checks a load of a plate that is held far away.
+    pub(crate) fn check_held(&self, case: usize, mirrored: bool) -> Result<(), SeriesError> {
+        self.check(case, mirrored)?;
+        if self.force != [0.0; 2] || self.moment != 0.0 {
+            let what = "the force or moment far away";
+            return Err(SeriesError::LoadOnSupport { case, what });
+        }
+        Ok(())
+    }
+
+    pub(crate) fn check(&self, case: usize, mirrored: bool) -> Result<(), SeriesError> {
         let [xx, yy, xy] = self.stress;
         let [x, y] = self.force;
         let values = [
@@ -95,8 +105,8 @@ pub struct Hole {
 }
 
 impl Hole {
-    /// A hole in a plate that is held far away, with `loads[k]` load case k. It has no rigid motion; a net force on the hole moves its edge as
-    /// far as is not told, here by 0.
+    /// A hole in a plate that is held far away, with `loads[k]` load case k. It has no rigid motion. The mean displacement of the edge by a net force,
+    /// infinite against a hold infinitely far away, is left out.
     ///
     /// # Errors
     /// [`SeriesError::Length`] for a length that is not positive; [`SeriesError::LoadNotFinite`], [`SeriesError::NotSymmetric`] for a load that
@@ -108,11 +118,7 @@ impl Hole {
         loads: &[FarLoad],
     ) -> Result<Self, SeriesError> {
         for (case, load) in loads.iter().enumerate() {
-            load.check(case, nodes.is_mirrored())?;
-            if load.force != [0.0; 2] || load.moment != 0.0 {
-                let what = "the force or moment far away";
-                return Err(SeriesError::LoadOnSupport { case, what });
-            }
+            load.check_held(case, nodes.is_mirrored())?;
         }
         let mut hole = Self::floating(nodes, plate, circle, loads)?;
         hole.modes = hole.modes.columns(0, 0).into_owned();
@@ -141,7 +147,11 @@ impl Hole {
         let responses = responses(&nodes, material, circle.radius, loads);
         let resultants = |load: &FarLoad| circle.resultants(&nodes, load.force, load.moment);
         Ok(Self {
-            compliance: compliance(&nodes, material, Side::Outside, circle.thickness),
+            compliance: compliance(
+                &nodes,
+                Surface::new(material, Side::Outside),
+                circle.thickness,
+            ),
             mode_loads: loads.iter().map(resultants).collect(),
             responses,
             points,

@@ -14,6 +14,7 @@
 //! | --- | --- |
 //! | [`Nodes`] | nodes on a circle, uniform or graded, whole, part or one half of a symmetric body |
 //! | [`Hole`] | hole in an infinite plate |
+//! | [`AnisotropicHole`] | the same in a plate of any linear material |
 //! | [`Plate`] | hole in a plate with straight outer edges, [`Outline`] |
 //! | [`Disk`] | pin, loaded and held at its centre or over its area |
 //! | [`Field`] | stresses and displacements anywhere in a body |
@@ -22,6 +23,7 @@
 //!
 //! Source: Muskhelishvili, *Some Basic Problems of the Mathematical Theory of Elasticity* (1953), §§ 54–59.
 
+mod anisotropic;
 mod channel;
 mod circle;
 mod disk;
@@ -30,9 +32,11 @@ mod field;
 mod gauss;
 mod hole;
 mod kernel;
+mod lekhnitskii;
 mod nodes;
 mod plate;
 
+pub use anisotropic::{AnisotropicHole, EdgeStress};
 pub use circle::Circle;
 pub use disk::{Anchor, Disk, DiskLoad};
 pub use error::SeriesError;

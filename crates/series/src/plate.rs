@@ -4,10 +4,15 @@
 //! u = C λ + Σ_k m_k u_k + R α,     C = P (C_∞ + V E X Vᵀ) Pᵀ,     P = 1 − R Sᵀ,   Rᵀ S = 1
 //! ```
 //!
-//! C_∞ is the hole in the infinite plate; V Xᵀ.. the polynomials that a least-squares fit adds to keep the outer edge free, of as many columns as the
-//! hole has modes there (R/d)^K, so C differs from C_∞ by a matrix of low rank. The plate floats: forces S α, even tractions on the hole, balance every
-//! load before it is fitted, and displacements are counted from their mean on the hole. What the fit leaves on the outer edge is known,
-//! [`Fit::residual`]; by Saint-Venant's principle it does less on the hole.
+//! C_∞ is that of the hole in the infinite plate. X Vᵀ λ are the amounts of polynomials that keep the outer edge free, by a least-squares fit, and V E the
+//! motion of the hole that they make. Modes of the hole reach the outer edge as (R/d)^K, so the second part has low rank. The plate floats: even tractions S on the
+//! hole balance every load before it is fitted, and displacements are counted from the mean motion of the hole. The traction that the fit leaves on the outer
+//! edge is known, [`Fit::residual`]; by Saint-Venant's principle it does much less on the hole.
+//!
+//! Corners of any angle take any even tractions. Fits converge fastest where corners have 90°, more slowly where they are wider; a strip much longer than wide
+//! needs a high degree.
+//!
+//! Source: Muskhelishvili, *Some Basic Problems* (1953), §§ 56–59; Brubeck, Nakatsukasa & Trefethen, SIAM Rev. 63 (2021) 405–415.
 
 mod arnoldi;
 mod fit;
@@ -25,7 +30,7 @@ use stickslip_fem_core::material::Isotropic;
 use stickslip_fem_core::mesh::Point;
 
 use crate::channel::{Channel, Unit, hat_means, sides};
-use crate::circle::{Circle, Kolosov, Side, compliance};
+use crate::circle::{Circle, Kolosov, Side, Surface, compliance};
 use crate::error::SeriesError;
 use crate::field::{Body, Field, Ingredients, Outside, check, combined};
 use crate::nodes::Nodes;
@@ -153,8 +158,7 @@ impl Plate {
         let reactions = |channels: &[Channel]| {
             hat_means(&nodes, channels).transpose() * &balance * -to_traction
         };
-        let mut fits = Vec::new();
-        for units in unit_sets(&nodes, &surrounding) {
+        let fit = |units| {
             let task = Task {
                 surrounding: &surrounding,
                 units,
@@ -163,18 +167,26 @@ impl Plate {
                 tractions: &actions.tractions,
                 reactions: &reactions,
             };
-            fits.push(fitted(&task, accuracy)?);
-        }
-        let mut compliance = compliance(&nodes, material, Side::Outside, circle.thickness);
+            fitted(&task, accuracy)
+        };
+        let fits = unit_sets(&nodes, &surrounding)
+            .into_iter()
+            .map(fit)
+            .collect::<Result<Vec<OuterFit>, SeriesError>>()?;
+        let mut compliance = compliance(
+            &nodes,
+            Surface::new(material, Side::Outside),
+            circle.thickness,
+        );
         let mut responses = &compliance * &balance;
         let unit = circle.radius / (2.0 * material.shear);
-        for fit in &fits {
-            let means = hat_means(&nodes, &fit.channels);
-            let motions = &means * &fit.displacements * unit;
-            let by_tractions = &fit.by_channels * means.transpose() * -to_traction;
-            compliance.gemm(1.0, &motions, &by_tractions, 1.0);
-            responses.gemm(1.0, &motions, &fit.by_loads, 1.0);
-        }
+        add_outer(
+            &nodes,
+            &fits,
+            [unit, to_traction],
+            &mut compliance,
+            &mut responses,
+        );
         let by_loads = hold.measure(&mut responses);
         let by_forces = hold.measure(&mut compliance);
         Ok(Self {
@@ -260,6 +272,23 @@ impl Plate {
     /// The hole's circle.
     pub fn circle(&self) -> Circle {
         self.circle
+    }
+}
+
+/// Adds to compliance and load cases the motion of the nodes that the outer edge causes. The two units are R/2G and the factor from nodal forces to tractions.
+fn add_outer(
+    nodes: &Nodes,
+    fits: &[OuterFit],
+    [unit, to_traction]: [f64; 2],
+    compliance: &mut DMatrix<f64>,
+    responses: &mut DMatrix<f64>,
+) {
+    for fit in fits {
+        let means = hat_means(nodes, &fit.channels);
+        let motions = &means * &fit.displacements * unit;
+        let by_tractions = &fit.by_channels * means.transpose() * -to_traction;
+        compliance.gemm(1.0, &motions, &by_tractions, 1.0);
+        responses.gemm(1.0, &motions, &fit.by_loads, 1.0);
     }
 }
 

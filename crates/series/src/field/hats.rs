@@ -35,7 +35,7 @@ struct Kink {
 }
 
 /// Σ k t_k x^k, Σ t_k x^k, Σ t_k x^k/k over k ≥ 1.
-pub(super) type Sums = [C64; 3];
+pub(crate) type Sums = [C64; 3];
 
 impl Hats {
     /// The hats on `nodes` with the tractions `values` of its knots.
@@ -79,7 +79,7 @@ impl Hats {
     }
 
     /// The traction at `angle` `[rad]`, 0 between hats.
-    pub(super) fn at(&self, angle: f64) -> C64 {
+    pub(crate) fn at(&self, angle: f64) -> C64 {
         let found = self.parts.iter().find_map(|&(start, length, [a, b])| {
             let along = (angle - start).rem_euclid(TAU) / length;
             (along <= 1.0 + 1e-12).then(|| a + (b - a) * along)
@@ -88,12 +88,12 @@ impl Hats {
     }
 
     /// The sums over t_k for `x` with |x| ≤ 1.
-    pub(super) fn positive(&self, x: C64) -> Sums {
+    pub(crate) fn positive(&self, x: C64) -> Sums {
         self.sums(|kink| (x * kink.direction.conj(), kink.jump))
     }
 
     /// The sums over t_−k.
-    pub(super) fn negative(&self, x: C64) -> Sums {
+    pub(crate) fn negative(&self, x: C64) -> Sums {
         self.sums(|kink| (x * kink.direction, -kink.jump))
     }
 

@@ -4,5 +4,6 @@ mod contacts;
 mod contract;
 mod fields;
 mod howland;
+mod orthotropic;
 mod persson;
 mod strip;
