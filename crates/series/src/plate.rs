@@ -137,10 +137,7 @@ impl Plate {
         accuracy: Accuracy,
     ) -> Result<Self, SeriesError> {
         let circle = circle.checked()?;
-        let surrounding = Surrounding::new(outline, circle)?;
-        if nodes.is_mirrored() && surrounding.images.is_none() {
-            return Err(SeriesError::NotMirrored);
-        }
+        let surrounding = Surrounding::new(outline, circle)?.fitting(&nodes)?;
         let actions = actions(&nodes, circle, outline, &surrounding, loads)?;
         let material = Kolosov::from(material);
         let points = circle.places(&nodes);
@@ -149,10 +146,7 @@ impl Plate {
         let mode_loads: Vec<DVector<f64>> = (actions.resultants.iter())
             .map(|[x, y, moment]| circle.resultants(&nodes, [*x, *y], *moment))
             .collect();
-        // Nodal forces that balance the load cases.
-        let free = hold.motions.ncols();
-        let resultants = DMatrix::from_fn(free, loads.len(), |i, case| mode_loads[case][i]);
-        let balance = -&hold.forces * resultants;
+        let balance = hold.balance(&mode_loads);
         let orders = orders(&surrounding, circle, accuracy.tolerance)?;
         let to_traction = sides(&nodes) / (2.0 * PI * circle.radius * circle.thickness);
         let reactions = |channels: &[Channel]| {
@@ -173,11 +167,8 @@ impl Plate {
             .into_iter()
             .map(fit)
             .collect::<Result<Vec<OuterFit>, SeriesError>>()?;
-        let mut compliance = compliance(
-            &nodes,
-            Surface::new(material, Side::Outside),
-            circle.thickness,
-        );
+        let surface = Surface::new(material, Side::Outside);
+        let mut compliance = compliance(&nodes, surface, circle.thickness);
         let mut responses = &compliance * &balance;
         let unit = circle.radius / (2.0 * material.shear);
         add_outer(
@@ -192,13 +183,8 @@ impl Plate {
         Ok(Self {
             compliance: hold.symmetric(compliance),
             taken: [by_forces, by_loads],
-            balance: (0..loads.len())
-                .map(|case| balance.column(case).into_owned())
-                .collect(),
-            responses: responses
-                .column_iter()
-                .map(|column| Some(column.into_owned()))
-                .collect(),
+            balance: columns(&balance),
+            responses: columns(&responses).into_iter().map(Some).collect(),
             mode_loads,
             points,
             fits,
@@ -273,6 +259,11 @@ impl Plate {
     pub fn circle(&self) -> Circle {
         self.circle
     }
+}
+
+fn columns(matrix: &DMatrix<f64>) -> Vec<DVector<f64>> {
+    let columns = 0..matrix.ncols();
+    columns.map(|k| matrix.column(k).into_owned()).collect()
 }
 
 /// Adds to compliance and load cases the motion of the nodes that the outer edge causes. The two units are R/2G and the factor from nodal forces to tractions.

@@ -1,6 +1,6 @@
 //! What holds a floating body while its operator is made.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use crate::nodes::Nodes;
 
@@ -26,6 +26,13 @@ impl Hold {
             forces: weighted * inverse,
             motions,
         }
+    }
+
+    /// Nodal forces that balance each of the resultants, 2n × cases.
+    pub(super) fn balance(&self, resultants: &[DVector<f64>]) -> DMatrix<f64> {
+        let free = self.motions.ncols();
+        let given = DMatrix::from_fn(free, resultants.len(), |i, case| resultants[case][i]);
+        -&self.forces * given
     }
 
     /// Takes its rigid motion off the displacements in each column, and returns it.

@@ -7,6 +7,7 @@ use stickslip_fem_core::mesh::Point;
 
 use crate::circle::Circle;
 use crate::error::SeriesError;
+use crate::nodes::Nodes;
 
 type C64 = Complex<f64>;
 
@@ -171,6 +172,14 @@ impl Surrounding {
             sides,
             distance,
         })
+    }
+
+    /// The same if it has the symmetry of `nodes`.
+    pub(crate) fn fitting(self, nodes: &Nodes) -> Result<Self, SeriesError> {
+        if nodes.is_mirrored() && self.images.is_none() {
+            return Err(SeriesError::NotMirrored);
+        }
+        Ok(self)
     }
 
     /// Whether `place` is on the inner side of the outline, or on it.
