@@ -11,6 +11,7 @@ const LIBRARIES: &[&str] = &[
     "crates/fem-core/src",
     "crates/friction/src",
     "crates/contact/src",
+    "crates/series/src",
     "crates/laminate/src",
     "crates/joint/src",
     "crates/hybrid/src",

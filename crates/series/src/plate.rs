@@ -1,0 +1,369 @@
+//! A plate with straight outer edges around a circular hole.
+//!
+//! ```text
+//! u = C λ + Σ_k m_k u_k + R α,     C = P (C_∞ + V E X Vᵀ) Pᵀ,     P = 1 − R Sᵀ,   Rᵀ S = 1
+//! ```
+//!
+//! C_∞ is that of the hole in the infinite plate. X Vᵀ λ are the amounts of polynomials that keep the outer edge free, by a least-squares fit, and V E the
+//! motion of the hole that they make. Modes of the hole reach the outer edge as (R/d)^K, so the second part has low rank. The plate floats: even tractions S on the
+//! hole balance every load before it is fitted, and displacements are counted from the mean motion of the hole. The traction that the fit leaves on the outer
+//! edge is known, [`Fit::residual`]; by Saint-Venant's principle it does much less on the hole.
+//!
+//! Corners of any angle take any even tractions. Fits converge fastest where corners have 90°, more slowly where they are wider; a strip much longer than wide
+//! needs a high degree.
+//!
+//! Source: Muskhelishvili, *Some Basic Problems* (1953), §§ 56–59; Brubeck, Nakatsukasa & Trefethen, SIAM Rev. 63 (2021) 405–415.
+
+mod arnoldi;
+mod fit;
+mod hold;
+mod least_squares;
+mod loads;
+mod outline;
+
+use std::f64::consts::PI;
+
+use nalgebra::{DMatrix, DVector};
+use stickslip_fem_core::InterfaceOperator;
+use stickslip_fem_core::body::BodyLoad;
+use stickslip_fem_core::material::Isotropic;
+use stickslip_fem_core::mesh::Point;
+
+use crate::channel::{Channel, Unit, hat_means, sides};
+use crate::circle::{Circle, Kolosov, Side, Surface, compliance};
+use crate::error::SeriesError;
+use crate::field::{Body, Field, Ingredients, Outside, check, combined};
+use crate::nodes::Nodes;
+pub(crate) use arnoldi::Basis;
+pub(crate) use fit::corner;
+use fit::{OuterFit, Task};
+use hold::Hold;
+pub use loads::EdgeLoad;
+use loads::actions;
+pub use outline::Outline;
+pub(crate) use outline::Surrounding;
+
+/// Largest number of the hole's modes.
+const LARGEST_ORDER: i64 = 400;
+/// Degrees of the polynomials that are tried, each until the residual is small enough.
+const DEGREES: [usize; 8] = [20, 30, 42, 58, 80, 110, 150, 200];
+/// Residual from which on a fit means nothing.
+const USELESS: f64 = 0.1;
+
+/// How well the outer edge is fitted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Accuracy {
+    /// Residual to stop at, see [`Fit::residual`].
+    pub tolerance: f64,
+    /// Largest degree of the polynomials, at which the fit stops whatever it leaves.
+    pub degree: usize,
+}
+
+impl Default for Accuracy {
+    /// 2e-3, at most degree 150. On the hole that leaves about a thousandth of it, 2e-6.
+    fn default() -> Self {
+        Self {
+            tolerance: 2e-3,
+            degree: 150,
+        }
+    }
+}
+
+/// What the fit of an outer edge took and what it left.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fit {
+    /// Real unknowns.
+    pub columns: usize,
+    /// Points at which tractions are fitted.
+    pub points: usize,
+    /// Largest order |K| of the hole's modes at the outer edge.
+    pub orders: usize,
+    /// Largest traction left on the outer edge, at points between those of the fit, relative to the mean one: of load cases over the loaded edges, of
+    /// tractions on the hole over the outline under a net force on the hole.
+    pub residual: f64,
+}
+
+/// A plate with straight outer edges around a circular hole, free but for loads on its edges. It floats: translations along x and y and the turn about
+/// the hole divided by its radius are its rigid motions, in a half model the translation along x.
+///
+/// ```
+/// use stickslip_fem_core::InterfaceOperator;
+/// use stickslip_fem_core::material::{Isotropic, PlaneState};
+/// use stickslip_series::{Accuracy, Circle, EdgeLoad, Nodes, Outline, Plate};
+///
+/// let aluminium = Isotropic::new(10.4e6, 0.33, PlaneState::Stress)?;
+/// let circle = Circle { centre: [0.0, 0.0], radius: 0.375, thickness: 0.06 };
+/// let strip = Outline::strip(5.5, 1.5, 1.5);
+/// let pull = vec![EdgeLoad { edge: 3, force: [-1240.0, 0.0] }];
+/// let nodes = Nodes::uniform_half(61)?;
+/// let plate = Plate::new(nodes, &aluminium, circle, &strip, &[pull], Accuracy::default())?;
+/// assert_eq!(plate.mode_load(0)[0], -620.0);
+/// assert!(plate.fit().residual < 2e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Plate {
+    nodes: Nodes,
+    circle: Circle,
+    material: Kolosov,
+    surrounding: Surrounding,
+    fits: Vec<OuterFit>,
+    /// Even tractions on the hole that balance forces.
+    hold: Hold,
+    /// Nodal forces that balance each load case.
+    balance: Vec<DVector<f64>>,
+    /// Rigid motions that were taken off the displacements by balanced nodal forces, f × 2n, and by load cases, f × cases.
+    taken: [DMatrix<f64>; 2],
+    points: Vec<Point>,
+    compliance: DMatrix<f64>,
+    responses: Vec<Option<DVector<f64>>>,
+    mode_loads: Vec<DVector<f64>>,
+}
+
+impl Plate {
+    /// The plate with `outline` around `circle`, with the forces `loads[k]` in load case k.
+    ///
+    /// # Errors
+    /// [`SeriesError::Length`] for a length that is not positive; [`SeriesError::Outline`], [`SeriesError::HoleOutside`] for an outline that does not go
+    /// around the hole, [`SeriesError::Ligament`] where it comes so close that the modes of the hole do not decay; [`SeriesError::NotMirrored`] for a half model
+    /// in an outline that is not symmetric about the x axis through the hole; [`SeriesError::UnknownEdge`], [`SeriesError::LoadNotFinite`],
+    /// [`SeriesError::NotSymmetric`] for a load that does not fit; [`SeriesError::NotFitted`] where a tenth of the load is left on the outer edge.
+    pub fn new(
+        nodes: Nodes,
+        material: &Isotropic,
+        circle: Circle,
+        outline: &Outline,
+        loads: &[Vec<EdgeLoad>],
+        accuracy: Accuracy,
+    ) -> Result<Self, SeriesError> {
+        let circle = circle.checked()?;
+        let surrounding = Surrounding::new(outline, circle)?.fitting(&nodes)?;
+        let actions = actions(&nodes, circle, outline, &surrounding, loads)?;
+        let material = Kolosov::from(material);
+        let points = circle.places(&nodes);
+        let modes = circle.motions(&nodes, &points);
+        let hold = Hold::new(&nodes, modes);
+        let mode_loads: Vec<DVector<f64>> = (actions.resultants.iter())
+            .map(|[x, y, moment]| circle.resultants(&nodes, [*x, *y], *moment))
+            .collect();
+        let balance = hold.balance(&mode_loads);
+        let orders = orders(&surrounding, circle, accuracy.tolerance)?;
+        let to_traction = sides(&nodes) / (2.0 * PI * circle.radius * circle.thickness);
+        let reactions = |channels: &[Channel]| {
+            hat_means(&nodes, channels).transpose() * &balance * -to_traction
+        };
+        let fit = |units| {
+            let task = Task {
+                surrounding: &surrounding,
+                units,
+                orders,
+                kappa: material.kappa,
+                tractions: &actions.tractions,
+                reactions: &reactions,
+            };
+            fitted(&task, accuracy)
+        };
+        let fits = unit_sets(&nodes, &surrounding)
+            .into_iter()
+            .map(fit)
+            .collect::<Result<Vec<OuterFit>, SeriesError>>()?;
+        let surface = Surface::new(material, Side::Outside);
+        let mut compliance = compliance(&nodes, surface, circle.thickness);
+        let mut responses = &compliance * &balance;
+        let unit = circle.radius / (2.0 * material.shear);
+        add_outer(
+            &nodes,
+            &fits,
+            [unit, to_traction],
+            &mut compliance,
+            &mut responses,
+        );
+        let by_loads = hold.measure(&mut responses);
+        let by_forces = hold.measure(&mut compliance);
+        Ok(Self {
+            compliance: hold.symmetric(compliance),
+            taken: [by_forces, by_loads],
+            balance: columns(&balance),
+            responses: columns(&responses).into_iter().map(Some).collect(),
+            mode_loads,
+            points,
+            fits,
+            hold,
+            surrounding,
+            nodes,
+            circle,
+            material,
+        })
+    }
+
+    /// What the fit of the outer edge took and left; of an outline that is symmetric while the nodes are whole, the sums and the largest of both parts.
+    pub fn fit(&self) -> Fit {
+        let orders = |fit: &OuterFit| fit.channels.iter().map(|channel| channel.order).max();
+        Fit {
+            columns: self.fits.iter().map(OuterFit::columns).sum(),
+            points: self.fits.iter().map(|fit| fit.points).sum(),
+            orders: self.fits.iter().filter_map(orders).max().unwrap_or(0) as usize,
+            residual: self.fits.iter().map(|fit| fit.residual).fold(0.0, f64::max),
+        }
+    }
+
+    /// The field under nodal forces, load cases and rigid motions: 2n forces `[force]`, one multiplier of each load case, one amount of each rigid motion. A resultant of
+    /// the forces that the load cases do not balance is left out, as an even traction on the hole.
+    ///
+    /// # Errors
+    /// [`SeriesError::State`] for numbers that are too few or too many.
+    pub fn field(&self, state: &BodyLoad<'_>) -> Result<Field, SeriesError> {
+        let hold = &self.hold;
+        let size = 2 * self.points.len();
+        check(state, [size, self.responses.len(), hold.motions.ncols()])?;
+        let given = DVector::from_column_slice(state.forces);
+        let balanced = &given - &hold.forces * hold.motions.tr_mul(&given);
+        let multipliers = DVector::from_column_slice(state.multipliers);
+        let taken = &self.taken[0] * &balanced + &self.taken[1] * &multipliers;
+        let forces = &balanced + combined(state.multipliers, &self.balance, size);
+        let mut rigid = [0.0; 3];
+        for (k, (amount, taken)) in state.motions.iter().zip(taken.iter()).enumerate() {
+            rigid[k] = amount - taken;
+        }
+        let of = Ingredients {
+            nodes: &self.nodes,
+            circle: self.circle,
+            material: self.material,
+            forces: forces.as_slice(),
+            inside: false,
+        };
+        let mut outside = Outside {
+            outline: Some(self.surrounding.clone()),
+            ..Outside::default()
+        };
+        for fit in &self.fits {
+            let means = hat_means(&self.nodes, &fit.channels);
+            let tractions = means.tr_mul(&balanced) * -self.to_traction();
+            let amounts = &fit.by_channels * tractions + &fit.by_loads * &multipliers;
+            fit.add_to(&mut outside, &amounts);
+        }
+        Ok(Field::new(&of, of.hats(), Body::Outside(outside), rigid))
+    }
+
+    /// Traction in a channel by nodal forces, the factor s/2πRt.
+    fn to_traction(&self) -> f64 {
+        sides(&self.nodes) / (2.0 * PI * self.circle.radius * self.circle.thickness)
+    }
+
+    /// The nodes.
+    pub fn nodes(&self) -> &Nodes {
+        &self.nodes
+    }
+
+    /// The hole's circle.
+    pub fn circle(&self) -> Circle {
+        self.circle
+    }
+}
+
+fn columns(matrix: &DMatrix<f64>) -> Vec<DVector<f64>> {
+    let columns = 0..matrix.ncols();
+    columns.map(|k| matrix.column(k).into_owned()).collect()
+}
+
+/// Adds to compliance and load cases the motion of the nodes that the outer edge causes. The two units are R/2G and the factor from nodal forces to tractions.
+fn add_outer(
+    nodes: &Nodes,
+    fits: &[OuterFit],
+    [unit, to_traction]: [f64; 2],
+    compliance: &mut DMatrix<f64>,
+    responses: &mut DMatrix<f64>,
+) {
+    for fit in fits {
+        let means = hat_means(nodes, &fit.channels);
+        let motions = &means * &fit.displacements * unit;
+        let by_tractions = &fit.by_channels * means.transpose() * -to_traction;
+        compliance.gemm(1.0, &motions, &by_tractions, 1.0);
+        responses.gemm(1.0, &motions, &fit.by_loads, 1.0);
+    }
+}
+
+/// The units of coefficients that are fitted together.
+fn unit_sets(nodes: &Nodes, surrounding: &Surrounding) -> Vec<&'static [Unit]> {
+    if nodes.is_mirrored() {
+        vec![&[Unit::Real]]
+    } else if surrounding.images.is_some() {
+        vec![&[Unit::Real], &[Unit::Imaginary]]
+    } else {
+        vec![&[Unit::Real, Unit::Imaginary]]
+    }
+}
+
+/// The largest order K of the hole's modes that matters at the outer edge, (R/d)^K a thousandth of the tolerance.
+fn orders(surrounding: &Surrounding, circle: Circle, tolerance: f64) -> Result<i64, SeriesError> {
+    let digits = (1e3 / tolerance.clamp(1e-13, 1.0)).ln();
+    let needed = (digits / surrounding.distance.ln()).ceil() + 2.0;
+    if needed > LARGEST_ORDER as f64 {
+        return Err(SeriesError::Ligament {
+            ligament: (surrounding.distance - 1.0) * circle.radius,
+            radius: circle.radius,
+            needed,
+            largest: LARGEST_ORDER,
+        });
+    }
+    Ok(needed as i64)
+}
+
+fn fitted(task: &Task<'_>, accuracy: Accuracy) -> Result<OuterFit, SeriesError> {
+    let smaller = DEGREES
+        .iter()
+        .copied()
+        .filter(|degree| *degree < accuracy.degree);
+    let mut best: Option<OuterFit> = None;
+    for degree in smaller.chain([accuracy.degree]) {
+        let next = OuterFit::new(task, degree);
+        let better = best
+            .as_ref()
+            .is_none_or(|best| next.residual < best.residual);
+        let stalled = !better;
+        if better {
+            best = Some(next);
+        }
+        if stalled
+            || best
+                .as_ref()
+                .is_some_and(|best| best.residual <= accuracy.tolerance)
+        {
+            break;
+        }
+    }
+    let residual = best.as_ref().map_or(f64::NAN, |best| best.residual);
+    match best {
+        Some(best) if residual <= USELESS.max(accuracy.tolerance) => Ok(best),
+        _ => Err(SeriesError::NotFitted {
+            residual,
+            degree: accuracy.degree,
+        }),
+    }
+}
+
+impl InterfaceOperator for Plate {
+    fn points(&self) -> &[Point] {
+        &self.points
+    }
+
+    fn compliance(&self) -> Option<&DMatrix<f64>> {
+        Some(&self.compliance)
+    }
+
+    fn modes(&self) -> &DMatrix<f64> {
+        &self.hold.motions
+    }
+
+    fn load_cases(&self) -> usize {
+        self.responses.len()
+    }
+
+    fn load_response(&self, case: usize) -> Option<&DVector<f64>> {
+        self.responses[case].as_ref()
+    }
+
+    fn mode_load(&self, case: usize) -> &DVector<f64> {
+        &self.mode_loads[case]
+    }
+}

@@ -1,0 +1,367 @@
+//! Fields against the operators that they belong to, and against Hooke's law and the loads.
+
+use std::f64::consts::PI;
+
+use stickslip_fem_core::InterfaceOperator;
+use stickslip_fem_core::body::BodyLoad;
+use stickslip_fem_core::material::{Isotropic, Material, PlaneState};
+use stickslip_fem_core::nalgebra::DVector;
+use stickslip_series::{
+    Accuracy, Anchor, Circle, Disk, DiskLoad, EdgeLoad, FarLoad, Field, Hole, Nodes, Outline, Plate,
+};
+
+const CIRCLE: Circle = Circle {
+    centre: [0.3, 0.0],
+    radius: 2.0,
+    thickness: 0.5,
+};
+
+fn material() -> Isotropic {
+    Isotropic::new(3.0, 0.25, PlaneState::Strain).unwrap()
+}
+
+fn node_sets() -> Vec<Nodes> {
+    let graded = vec![0.0, 0.001, 0.01, 0.1, 0.4, 0.9, 1.5, 2.1, 2.5, 2.9, PI];
+    vec![
+        Nodes::uniform_half(13).unwrap(),
+        Nodes::mirrored(graded.clone()).unwrap(),
+        Nodes::uniform_circle(16).unwrap(),
+        Nodes::arc(graded).unwrap(),
+    ]
+}
+
+/// Forces on the nodes by tractions that jump from node to node, without those that symmetry takes up.
+fn forces(nodes: &Nodes) -> DVector<f64> {
+    let weights = nodes.weights();
+    let traction = |row: usize| ((row * row + 3) % 7) as f64 - 2.5;
+    let mut forces = DVector::from_fn(2 * nodes.len(), |row, _| weights[row / 2] * traction(row));
+    if nodes.is_mirrored() {
+        for (k, angle) in nodes.angles().iter().enumerate() {
+            if [0.0, PI].contains(angle) {
+                forces[2 * k + 1] = 0.0;
+            }
+        }
+    }
+    forces
+}
+
+/// A body, its field and the displacements of its nodes by the operator, under forces that balance its loads.
+struct Case {
+    nodes: Nodes,
+    field: Field,
+    expected: DVector<f64>,
+}
+
+fn case(
+    operator: &dyn InterfaceOperator,
+    nodes: &Nodes,
+    mut forces: DVector<f64>,
+    field: impl Fn(&BodyLoad<'_>) -> Field,
+) -> Case {
+    let multiplier = 0.7;
+    let modes = operator.modes();
+    let motions = DVector::from_fn(modes.ncols(), |row, _| 0.3 - row as f64);
+    if modes.ncols() > 0 {
+        let wanted = operator.mode_load(0) * multiplier + modes.transpose() * &forces;
+        let gram = (modes.transpose() * modes).try_inverse().unwrap();
+        forces -= modes * (gram * wanted);
+    }
+    let mut expected = operator.compliance().unwrap() * &forces + modes * &motions;
+    if let Some(response) = operator.load_response(0) {
+        expected += response * multiplier;
+    }
+    let state = BodyLoad {
+        forces: forces.as_slice(),
+        multipliers: &[multiplier],
+        motions: motions.as_slice(),
+    };
+    Case {
+        nodes: nodes.clone(),
+        field: field(&state),
+        expected,
+    }
+}
+
+fn holes() -> Vec<Case> {
+    let mut found = Vec::new();
+    for nodes in node_sets() {
+        let skew = if nodes.is_mirrored() { 0.0 } else { 1.0 };
+        let far = FarLoad {
+            force: [3.0, 2.0 * skew],
+            moment: 1.5 * skew,
+            stress: [1.0, -0.4, 0.3 * skew],
+        };
+        let hole = Hole::floating(nodes.clone(), &material(), CIRCLE, &[far]).unwrap();
+        found.push(case(&hole, &nodes, forces(&nodes), |state| {
+            hole.field(state).unwrap()
+        }));
+    }
+    found
+}
+
+fn disks() -> Vec<Case> {
+    let mut found = Vec::new();
+    for nodes in node_sets() {
+        let skew = if nodes.is_mirrored() { 0.0 } else { 1.0 };
+        for anchor in [Anchor::Area, Anchor::default()] {
+            let load = DiskLoad {
+                force: [3.0, 2.0 * skew],
+                moment: 1.5 * skew,
+                ..DiskLoad::default()
+            };
+            let disk = Disk::floating(nodes.clone(), &material(), CIRCLE, anchor, &[load]).unwrap();
+            found.push(case(&disk, &nodes, forces(&nodes), |state| {
+                disk.field(state).unwrap()
+            }));
+            let moved = DiskLoad {
+                displacement: [0.2, 0.1 * skew],
+                ..DiskLoad::default()
+            };
+            let disk = Disk::held(nodes.clone(), &material(), CIRCLE, anchor, &[moved]).unwrap();
+            found.push(case(&disk, &nodes, forces(&nodes), |state| {
+                disk.field(state).unwrap()
+            }));
+        }
+    }
+    found
+}
+
+fn outline() -> Outline {
+    Outline::new(vec![[-5.0, -4.0], [7.0, -4.0], [7.0, 4.0], [-5.0, 4.0]])
+}
+
+fn edge_loads(nodes: &Nodes) -> Vec<EdgeLoad> {
+    let skew = if nodes.is_mirrored() { 0.0 } else { 1.0 };
+    vec![
+        EdgeLoad {
+            edge: 1,
+            force: [3.0, 2.0 * skew],
+        },
+        EdgeLoad {
+            edge: 2,
+            force: [skew, -1.0],
+        },
+        EdgeLoad {
+            edge: 0,
+            force: [0.0, 1.0],
+        },
+    ]
+}
+
+fn plates() -> Vec<Case> {
+    let accuracy = Accuracy {
+        tolerance: 1e-4,
+        degree: 80,
+    };
+    let mut found = Vec::new();
+    for nodes in node_sets() {
+        let loads = [edge_loads(&nodes)];
+        let plate = Plate::new(
+            nodes.clone(),
+            &material(),
+            CIRCLE,
+            &outline(),
+            &loads,
+            accuracy,
+        )
+        .unwrap();
+        found.push(case(&plate, &nodes, forces(&nodes), |state| {
+            plate.field(state).unwrap()
+        }));
+    }
+    found
+}
+
+fn at(theta: f64, ratio: f64) -> [f64; 2] {
+    let [x, y] = CIRCLE.centre;
+    [
+        x + ratio * CIRCLE.radius * theta.cos(),
+        y + ratio * CIRCLE.radius * theta.sin(),
+    ]
+}
+
+/// Means over hats of the field on the edge are the displacements of the nodes.
+fn agrees_with_the_operator(cases: &[Case], tolerance: f64) {
+    for Case {
+        nodes,
+        field,
+        expected,
+    } in cases
+    {
+        let means = [0, 1]
+            .map(|axis| nodes.mean(|theta| field.displacement(at(theta, 1.0)).unwrap()[axis]));
+        for (node, angle) in nodes.angles().iter().enumerate() {
+            for axis in 0..2 {
+                let on_axis = nodes.is_mirrored() && axis == 1 && [0.0, PI].contains(angle);
+                let error = (means[axis][node] - expected[2 * node + axis]).abs();
+                assert!(
+                    on_axis || error < tolerance * expected.amax(),
+                    "{node} {axis} {error:e} {}",
+                    expected.amax()
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn edges_move_as_the_operators_say() {
+    // Gauss's rule of 8 points on each element, with s² ln s at its ends, s ln s where a traction jumps.
+    agrees_with_the_operator(&holes(), 3e-5);
+    agrees_with_the_operator(&disks(), 3e-5);
+    agrees_with_the_operator(&plates(), 3e-5);
+}
+
+/// Stresses are Hooke's law of central differences of displacements, and go over into those of the edge.
+fn obeys_hooke(cases: &[Case], ratios: &[f64]) {
+    let stiffness = material().stiffness();
+    for Case { field, .. } in cases {
+        for &ratio in ratios {
+            let step = 1e-3 * CIRCLE.radius * ratio.min((ratio - 1.0).abs()).min(1.0);
+            for theta in [0.05, 1.0, 2.3, 3.5, 5.9] {
+                let [x, y] = at(theta, ratio);
+                let u = |dx: f64, dy: f64| field.displacement([x + dx, y + dy]).unwrap();
+                let [east, west, north, south] =
+                    [u(step, 0.0), u(-step, 0.0), u(0.0, step), u(0.0, -step)];
+                let slope =
+                    |a: [f64; 2], b: [f64; 2], axis: usize| (a[axis] - b[axis]) / (2.0 * step);
+                let strain = [
+                    slope(east, west, 0),
+                    slope(north, south, 1),
+                    slope(east, west, 1) + slope(north, south, 0),
+                ];
+                let [xx, yy, xy] =
+                    stiffness.map(|row| (0..3).map(|k| row[k] * strain[k]).sum::<f64>());
+                let (sin, cos) = theta.sin_cos();
+                let found = field.stress([x, y]).unwrap();
+                let expected = [
+                    xx * cos * cos + yy * sin * sin + 2.0 * xy * sin * cos,
+                    xx * sin * sin + yy * cos * cos - 2.0 * xy * sin * cos,
+                    (yy - xx) * sin * cos + xy * (cos * cos - sin * sin),
+                ];
+                let size = expected.iter().fold(1.0, |size: f64, s| size.max(s.abs()));
+                for (found, expected) in
+                    [found.radial, found.hoop, found.shear].iter().zip(expected)
+                {
+                    // Differences err by the square of the step over the distance to the edge or to the centre, and by rounding.
+                    assert!(
+                        (found - expected).abs() < 2e-5 * size,
+                        "{ratio} {theta} {found} {expected}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn stresses_are_those_of_the_displacements() {
+    obeys_hooke(&holes(), &[1.05, 1.7, 30.0]);
+    obeys_hooke(&disks(), &[0.01, 0.1, 0.49, 0.51, 0.8, 0.95]);
+    obeys_hooke(&plates(), &[1.05, 1.5, 1.9]);
+}
+
+#[test]
+fn stresses_inside_go_over_into_those_of_the_edge() {
+    for (cases, side) in [(holes(), 1.0), (disks(), -1.0), (plates(), 1.0)] {
+        for Case { field, .. } in cases {
+            for theta in [0.05, 1.0, 2.3, 3.5, 5.9] {
+                let edge = field.edge(theta);
+                let near = field.stress(at(theta, 1.0 + side * 1e-9)).unwrap();
+                let size = edge.hoop.abs() + edge.radial.abs() + 1.0;
+                for (a, b) in [
+                    (edge.hoop, near.hoop),
+                    (edge.radial, near.radial),
+                    (edge.shear, near.shear),
+                ] {
+                    assert!((a - b).abs() < 2e-5 * size, "{theta} {edge:?} {near:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn outer_edges_carry_their_loads() {
+    for Case { nodes, field, .. } in plates() {
+        let lengths = [12.0, 8.0, 12.0, 8.0];
+        let edges: [fn(f64) -> [f64; 2]; 4] = [
+            |t| [-5.0 + 12.0 * t, -4.0],
+            |t| [7.0, -4.0 + 8.0 * t],
+            |t| [7.0 - 12.0 * t, 4.0],
+            |t| [-5.0, 4.0 - 8.0 * t],
+        ];
+        for (edge, place) in edges.iter().enumerate() {
+            let normal = [[0.0, -1.0], [1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]][edge];
+            let force = edge_loads(&nodes)
+                .into_iter()
+                .find(|load| load.edge == edge);
+            let force = force.map_or([0.0; 2], |load| load.force);
+            for t in [0.1, 0.33, 0.5, 0.8] {
+                let [x, y] = place(t);
+                let theta = (y - CIRCLE.centre[1]).atan2(x - CIRCLE.centre[0]);
+                let s = field.stress([x, y]).unwrap();
+                // Traction in the polar frame, then along x and y.
+                let (sin, cos) = theta.sin_cos();
+                let [nr, nt] = [
+                    normal[0] * cos + normal[1] * sin,
+                    normal[1] * cos - normal[0] * sin,
+                ];
+                let [tr, tt] = [s.radial * nr + s.shear * nt, s.shear * nr + s.hoop * nt];
+                let traction = [tr * cos - tt * sin, tr * sin + tt * cos];
+                for axis in 0..2 {
+                    let expected = 0.7 * force[axis] / (lengths[edge] * CIRCLE.thickness);
+                    let error = (traction[axis] - expected).abs();
+                    assert!(
+                        error < 2e-4,
+                        "{edge} {t} {axis}: {} {expected}",
+                        traction[axis]
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn states_and_points_that_do_not_fit_are_refused() {
+    let nodes = Nodes::uniform_half(9).unwrap();
+    let disk = Disk::held(nodes.clone(), &material(), CIRCLE, Anchor::Area, &[]).unwrap();
+    let state = BodyLoad {
+        forces: &[0.0; 18],
+        multipliers: &[1.0],
+        motions: &[],
+    };
+    assert_eq!(
+        disk.field(&state).unwrap_err().to_string(),
+        "1 multipliers of a body that has 0"
+    );
+    let state = BodyLoad {
+        forces: &[0.0; 18],
+        multipliers: &[],
+        motions: &[],
+    };
+    let field = disk.field(&state).unwrap();
+    assert_eq!(
+        field.stress([0.0, 5.0]).unwrap_err().to_string(),
+        "the point (0, 5) is outside of the body"
+    );
+    let plate = Plate::new(
+        nodes,
+        &material(),
+        CIRCLE,
+        &outline(),
+        &[],
+        Accuracy::default(),
+    )
+    .unwrap();
+    let state = BodyLoad {
+        forces: &[0.0; 18],
+        multipliers: &[],
+        motions: &[0.0],
+    };
+    let field = plate.field(&state).unwrap();
+    assert!(field.displacement([0.3, 0.0]).is_err());
+    assert!(field.displacement([7.1, 0.0]).is_err());
+    assert!(field.displacement([6.9, 3.9]).is_ok());
+}

@@ -1,0 +1,9 @@
+//! Tests of operators as contact uses them.
+
+mod contacts;
+mod contract;
+mod fields;
+mod howland;
+mod orthotropic;
+mod persson;
+mod strip;
