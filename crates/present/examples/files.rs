@@ -1,4 +1,4 @@
-//! Solves a ring under pressure and prints the files that show its results, with their sizes.
+//! Solves a ring under pressure and prints the files that show its results, with their sizes, and the hoop stress that they show.
 //!
 //! Run with `cargo run --release -p stickslip-present --example files`.
 
@@ -8,6 +8,7 @@ use std::sync::Mutex;
 
 use stickslip_engine::run::run;
 use stickslip_present::results::write;
+use stickslip_present::serde_json::{self, Value};
 use stickslip_scene::{Format, Scene};
 
 const TEXT: &str = r#"
@@ -48,5 +49,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (name, bytes) in files {
         println!("{bytes:>8} bytes  {name}");
     }
+    let summary: Value = serde_json::from_str(&summary)?;
+    let hoop = summary["steps"][0]["peak_hoop"]["value"].as_f64();
+    let hoop = hoop.ok_or("no hoop stress")?;
+    // Lamé: p ((1 − ν) b² − (1 + ν) a²)/((1 − ν) b² + (1 + ν) a²) with a fixed rim.
+    assert!((hoop / 7.92 - 1.0).abs() < 0.01);
+    println!("hoop stress on the hole: {hoop:.3} MPa");
     Ok(())
 }

@@ -1,5 +1,5 @@
-//! Draws every kind of figure from made-up data, as SVG and PNG:
-//! `cargo run --release -p stickslip-report --example gallery -- FOLDER`; without a folder it draws all and prints their sizes.
+//! Draws every kind of figure from made-up data and Kirsch's stresses around a hole, as SVG and PNG:
+//! `cargo run --release -p stickslip-report --example gallery -- FOLDER`; without a folder it draws all and prints their sizes and the peak stress.
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -18,6 +18,8 @@ use stickslip_report::table::{Column, Table};
 const STICK: Color = Color::rgb(0x1f, 0x6f, 0xb4);
 const SLIP: Color = Color::rgb(0xe0, 0x7b, 0x1a);
 const OPEN: Color = Color::rgb(0x88, 0x88, 0x88);
+/// Radius of the hole [mm].
+const HOLE: f64 = 4.76;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut pictures = vec![
@@ -48,6 +50,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     if let Some(folder) = &folder {
         std::fs::write(folder.join("page.html"), page)?;
     }
+    let peak = Ring::new(8, 24)
+        .values(hoop)
+        .into_iter()
+        .fold(0.0, f64::max);
+    // Three times the remote stress.
+    assert!((peak - 300.0).abs() < 1e-9);
+    println!("largest hoop stress beside the hole: {peak:.1} MPa");
     Ok(())
 }
 
@@ -227,7 +236,7 @@ struct Ring {
 impl Ring {
     /// Radii 4.76 mm to 19 mm, `radial` × `around` cells.
     fn new(radial: usize, around: usize) -> Self {
-        let (inner, outer) = (4.76_f64, 19.0_f64);
+        let (inner, outer) = (HOLE, 19.0_f64);
         let columns = 2 * radial + 1;
         let mut nodes = Vec::new();
         for j in 0..=2 * around {
@@ -271,15 +280,18 @@ impl Ring {
     }
 }
 
-/// Hoop and shear stress around a hole in a pulled plate, after Kirsch (1898).
+/// Hoop stress around a hole in a plate that 100 MPa pull along x, after Kirsch (1898).
+fn hoop(r: f64, t: f64) -> f64 {
+    let part = HOLE / r;
+    50.0 * (1.0 + part.powi(2)) - 50.0 * (1.0 + 3.0 * part.powi(4)) * (2.0 * t).cos()
+}
+
+/// Hoop and shear stress around that hole.
 fn ring_fields() -> Result<Vec<(&'static str, Svg)>, Box<dyn Error>> {
     let (coarse, fine) = (Ring::new(8, 24), Ring::new(80, 300));
-    let a = 4.76_f64;
-    let hoop = move |r: f64, t: f64| {
-        50.0 * (1.0 + (a / r).powi(2)) - 50.0 * (1.0 + 3.0 * (a / r).powi(4)) * (2.0 * t).cos()
-    };
-    let shear = move |r: f64, t: f64| {
-        -50.0 * (1.0 + 2.0 * (a / r).powi(2) - 3.0 * (a / r).powi(4)) * (2.0 * t).sin()
+    let shear = |r: f64, t: f64| {
+        let part = HOLE / r;
+        -50.0 * (1.0 + 2.0 * part.powi(2) - 3.0 * part.powi(4)) * (2.0 * t).sin()
     };
     let (hoop_coarse, hoop_fine) = (coarse.values(hoop), fine.values(hoop));
     let shear_coarse = coarse.values(shear);

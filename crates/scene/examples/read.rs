@@ -1,4 +1,4 @@
-//! Reads a scene from a text, changes a key, and shows what is reported about mistakes.
+//! Reads a scene from a text, changes a key, and shows what is reported about mistakes and which pressure the model gets.
 //!
 //! Run with `cargo run --release -p stickslip-scene --example read`.
 
@@ -31,15 +31,16 @@ fn read(overrides: &[&str]) -> Result<Scene, SceneError> {
 }
 
 fn main() -> Result<(), SceneError> {
-    let scene = read(&["loads.0.pressure.steps=[\"3 ksi\"]"])?;
-    for load in &scene.loads {
-        println!("{}: {:?} MPa", load.name, load.kind.steps());
-    }
     if let Err(error) = read(&["mesh.spacing=5 mm", "materials.steel.isotropic.poisson=0.6"]) {
         println!("{error}");
         for finding in error.findings() {
             println!("  {}: {}", finding.key, finding.problem);
         }
     }
+    let scene = read(&["loads.0.pressure.steps=[\"3 ksi\"]"])?;
+    let pressure = scene.loads[0].kind.steps()[0];
+    // 1 psi is 6.894757 kPa.
+    assert!((pressure - 20.684271).abs() < 1e-5);
+    println!("{}: {pressure:.3} MPa", scene.loads[0].name);
     Ok(())
 }
