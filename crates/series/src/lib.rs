@@ -24,6 +24,7 @@
 //! Source: Muskhelishvili, *Some Basic Problems of the Mathematical Theory of Elasticity* (1953), §§ 54–59.
 
 mod anisotropic;
+mod arnoldi;
 mod channel;
 mod circle;
 mod disk;
@@ -34,6 +35,7 @@ mod hole;
 mod kernel;
 mod lekhnitskii;
 mod nodes;
+mod outline;
 mod plate;
 
 pub use anisotropic::{AnisotropicHole, EdgeStress};
@@ -43,4 +45,5 @@ pub use error::SeriesError;
 pub use field::{Field, PolarStress};
 pub use hole::{FarLoad, Hole};
 pub use nodes::Nodes;
-pub use plate::{Accuracy, EdgeLoad, Fit, Outline, Plate};
+pub use outline::Outline;
+pub use plate::{Accuracy, EdgeLoad, Fit, Plate};

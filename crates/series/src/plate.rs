@@ -14,12 +14,10 @@
 //!
 //! Source: Muskhelishvili, *Some Basic Problems* (1953), §§ 56–59; Brubeck, Nakatsukasa & Trefethen, SIAM Rev. 63 (2021) 405–415.
 
-mod arnoldi;
 mod fit;
 mod hold;
 mod least_squares;
 mod loads;
-mod outline;
 
 use std::f64::consts::PI;
 
@@ -34,14 +32,11 @@ use crate::circle::{Circle, Kolosov, Side, Surface, compliance};
 use crate::error::SeriesError;
 use crate::field::{Body, Field, Ingredients, Outside, check, combined};
 use crate::nodes::Nodes;
-pub(crate) use arnoldi::Basis;
-pub(crate) use fit::corner;
+use crate::outline::{Outline, Surrounding};
 use fit::{OuterFit, Task};
 use hold::Hold;
 pub use loads::EdgeLoad;
 use loads::actions;
-pub use outline::Outline;
-pub(crate) use outline::Surrounding;
 
 /// Largest number of the hole's modes.
 const LARGEST_ORDER: i64 = 400;

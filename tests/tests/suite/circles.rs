@@ -18,6 +18,7 @@ const FAMILIES: &[(&str, usize)] = &[
     ("present", 23),
     ("report", 13),
     ("scene", 6),
+    ("series", 6),
     ("stickslip", 12),
 ];
 

@@ -11,8 +11,9 @@ use nalgebra::Complex;
 
 use super::Local;
 use super::hats::Hats;
+use crate::arnoldi::Basis;
 use crate::gauss::rule;
-use crate::plate::{Basis, Surrounding, corner};
+use crate::outline::{Surrounding, corner};
 
 type C64 = Complex<f64>;
 

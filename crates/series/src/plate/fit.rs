@@ -20,12 +20,11 @@ use std::cmp::Ordering;
 
 use nalgebra::{Complex, DMatrix, DVector};
 
-use super::arnoldi::{Basis, Values};
 use super::least_squares::least_squares;
-use super::outline::{EdgePoint, Surrounding};
+use crate::arnoldi::{Basis, Values};
 use crate::channel::{Channel, Unit};
 use crate::field::{Outer, Outside};
-pub(crate) use terms::corner;
+use crate::outline::{EdgePoint, Surrounding, corner};
 use terms::{Potential, Term, answers, coefficients, displacements, terms};
 
 type C64 = Complex<f64>;

@@ -3,11 +3,11 @@
 use nalgebra::Complex;
 use stickslip_fem_core::mesh::Point;
 
-use super::outline::{Outline, Surrounding};
 use crate::circle::Circle;
 use crate::error::SeriesError;
 use crate::hole::check_load;
 use crate::nodes::Nodes;
+use crate::outline::{Outline, Surrounding};
 
 /// A force on an outer edge, as an even traction.
 #[derive(Clone, Copy, Debug, PartialEq)]

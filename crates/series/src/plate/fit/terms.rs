@@ -57,13 +57,6 @@ pub(super) fn terms(task: &Task<'_>, degree: usize) -> Vec<Term> {
     terms
 }
 
-/// φ′, φ″ and ψ′ of a corner's term at `z`.
-pub(crate) fn corner(place: C64, z: C64) -> [C64; 3] {
-    let i = C64::new(0.0, 1.0);
-    let slope = -i / (place - z);
-    [i * (1.0 - z / place).ln(), slope, -place.conj() * slope]
-}
-
 /// Taylor coefficients at 0 of a term's φ′ and ψ′, as many as those of the polynomials.
 pub(super) fn coefficients(term: Term, taylor: &[Vec<C64>]) -> [Vec<C64>; 2] {
     match term {

@@ -311,3 +311,10 @@ impl Piece {
         (self.foot + self.scale * stretched.sinh()).clamp(self.ends[0], self.ends[1])
     }
 }
+
+/// φ′, φ″ and ψ′ of a corner's term at `z`.
+pub(crate) fn corner(place: C64, z: C64) -> [C64; 3] {
+    let i = C64::new(0.0, 1.0);
+    let slope = -i / (place - z);
+    [i * (1.0 - z / place).ln(), slope, -place.conj() * slope]
+}

@@ -1,6 +1,6 @@
 //! A frictionless pin with clearance in an infinite plate: peak pressure beside the closed form of Persson (1964).
 //!
-//! Run with `cargo run --release -p stickslip-series --example pin`. Lengths in units of the radius, stresses in units of Q/Rt.
+//! Run with `cargo run --release -p stickslip-series --example persson`. Lengths in units of the radius, stresses in units of Q/Rt.
 
 use std::error::Error;
 use std::sync::Arc;
