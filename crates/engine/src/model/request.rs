@@ -152,7 +152,7 @@ fn region(mesh: &Mesh, set: &str) -> Result<Option<Region>, MeshError> {
     let curve = mesh.edge_set(set)?.curve;
     Ok(curve.and_then(|curve| match curve {
         Curve::Arc { centre, radius } => Some(Region { centre, radius }),
-        _ => None,
+        Curve::Line => None,
     }))
 }
 
