@@ -124,6 +124,33 @@ pub enum FailureCause {
         /// Operations that the search may take.
         limit: u64,
     },
+    /// Contact on the deformed geometry does not settle.
+    #[error(
+        "contact on the deformed geometry changes by {change:.1e} of its scale after {passes} passes"
+    )]
+    Geometry {
+        /// Passes made.
+        passes: usize,
+        /// Change of a gap relative to the largest motion, or of a normal [rad], in the last one.
+        change: f64,
+    },
+    /// A contact point faces no place on the deformed second edge.
+    #[error("contact point {point} faces no place on the deformed edge of the second body")]
+    Unfaced {
+        /// Index of the point.
+        point: usize,
+    },
+    /// Bodies have moved so far along each other that the closest points are not known well.
+    #[error(
+        "closest points of the deformed edges are known to {error:.1e} of the largest motion, more than {limit:.0e}: bodies moved too far along \
+         each other"
+    )]
+    Apart {
+        /// Error relative to the largest motion.
+        error: f64,
+        /// The largest that is accepted.
+        limit: f64,
+    },
     /// A floating body's load cannot be balanced: a rigid motion along which the load works separates, or slides along,
     /// every contact.
     #[error("the load cannot be balanced: nothing stops a rigid motion on which it does work{}", if *proved { " (proved)" } else { "" })]
@@ -148,6 +175,9 @@ impl FailureCause {
             Self::NoSolution { .. } => "no solution among all statuses",
             Self::TooManyPoints { .. } => "too many points",
             Self::Effort { .. } => "work limit",
+            Self::Geometry { .. } => "unsettled geometry",
+            Self::Unfaced { .. } => "no closest point",
+            Self::Apart { .. } => "closest points too far",
             Self::Unbalanced { .. } => "no balance",
         }
     }

@@ -1,6 +1,7 @@
 //! Load histories: from one load step to the next by sub-steps, cut back by a [`Walker`] where a solver fails. The parts of an [`Interface`] walk each
 //! step side by side and are cut back each for itself; a history ends where the first of them does.
 
+mod course;
 mod frictionless;
 mod increment;
 mod merged;
@@ -15,13 +16,15 @@ use std::convert::Infallible;
 use stickslip_fem_core::parallel;
 
 use crate::audit::LargestScales;
+use crate::deformed::Kinematics;
 use crate::error::ContactError;
-use crate::interface::{Interface, Part};
+use crate::interface::Interface;
 use crate::problem::InterfaceProblem;
 use crate::solver::{FailureCause, InterfaceSolver, StepFailure};
 use crate::state::ContactState;
 use crate::uniqueness::uniqueness_bound;
 
+use course::Course;
 pub use increment::Increment;
 pub use otherwise::{Difference, Missing, Otherwise};
 pub use record::StepRecord;
@@ -114,25 +117,25 @@ impl LoadHistory {
         mut observe: impl FnMut(&StepRecord),
     ) -> Result<Vec<StepRecord>, ContactError> {
         let observe = |records: &[StepRecord]| records.iter().for_each(&mut observe);
-        let steps = self.follow_all(&[problem], solver, observe);
+        let steps = self.follow_all(&[Course::small(problem)], solver, observe);
         let steps = steps.map_err(|ended| *ended.error)?;
         Ok(steps.into_iter().flatten().collect())
     }
 
-    /// Walks the history of all parts of `interface` with `solver`, one record of the whole for each step; `observe` is called as soon
-    /// as a step is accepted. The result does not depend on the number of threads.
+    /// Walks the history of all parts of `interface` with `solver`, with contact as `kinematics` says, one record of the whole for each
+    /// step; `observe` is called as soon as a step is accepted. The result does not depend on the number of threads.
     ///
     /// # Errors
     /// As [`follow`](Self::follow), for the part that comes to its end first, with its bodies.
     pub fn follow_parts(
         &self,
         interface: &Interface,
+        kinematics: &Kinematics<'_>,
         solver: &dyn InterfaceSolver,
         mut observe: impl FnMut(),
     ) -> Result<Vec<StepRecord>, ContactError> {
-        let problems: Vec<&InterfaceProblem> =
-            interface.parts().iter().map(Part::problem).collect();
-        let steps = self.follow_all(&problems, solver, |_| observe());
+        let courses = Course::of_parts(interface, kinematics);
+        let steps = self.follow_all(&courses, solver, |_| observe());
         let steps = steps.map_err(|ended| interface.ended(ended.part, *ended.error))?;
         Ok(steps
             .into_iter()
@@ -140,24 +143,22 @@ impl LoadHistory {
             .collect())
     }
 
-    /// The records of each step, one for each of `problems`; or the problem that comes to its end first, and why.
+    /// The records of each step, one for each of `courses`; or the problem that comes to its end first, and why.
     fn follow_all(
         &self,
-        problems: &[&InterfaceProblem],
+        courses: &[Course<'_>],
         solver: &dyn InterfaceSolver,
         mut observe: impl FnMut(&[StepRecord]),
     ) -> Result<Vec<Vec<StepRecord>>, Ended> {
-        let unloaded: Vec<ContactState> = problems
-            .iter()
-            .map(|problem| ContactState::unloaded(problem))
-            .collect();
-        let mut scales = vec![LargestScales::default(); problems.len()];
+        let unloaded = |course: &Course<'_>| StepRecord::at(ContactState::unloaded(course.problem));
+        let unloaded: Vec<StepRecord> = courses.iter().map(unloaded).collect();
+        let mut scales = vec![LargestScales::default(); courses.len()];
         let mut steps: Vec<Vec<StepRecord>> = Vec::with_capacity(self.steps.len());
         for (index, target) in self.steps.iter().enumerate() {
             let last = steps.last();
-            let walked = each(problems, |part, problem| {
-                let start = last.map_or(&unloaded[part], |records| &records[part].state);
-                self.walk(problem, solver, start, index, target)
+            let walked = each(courses, |part, course| {
+                let start = last.map_or(&unloaded[part], |records| &records[part]);
+                self.walk(course, solver, start, index, target)
             });
             let mut records = all_or_first_end(walked)?;
             for (record, scales) in records.iter_mut().zip(&mut scales) {
@@ -171,8 +172,8 @@ impl LoadHistory {
                 scales.measure(&mut record.audit);
             }
         }
-        let bounds = each(problems, |part, problem| {
-            estimate_uniqueness(problem, steps.iter().map(|records| &records[part]))
+        let bounds = each(courses, |part, course| {
+            estimate_uniqueness(course.problem, steps.iter().map(|records| &records[part]))
         });
         for (part, bound) in bounds.into_iter().enumerate() {
             if let Some((step, bound)) = bound {
@@ -212,14 +213,14 @@ impl LoadHistory {
 
     fn walk(
         &self,
-        problem: &InterfaceProblem,
+        course: &Course<'_>,
         solver: &dyn InterfaceSolver,
-        start: &ContactState,
+        start: &StepRecord,
         index: usize,
         target: &[f64],
     ) -> Result<StepRecord, ContactError> {
-        if target.len() != problem.load_cases() {
-            let (given, cases) = (target.len(), problem.load_cases());
+        if target.len() != course.problem.load_cases() {
+            let (given, cases) = (target.len(), course.problem.load_cases());
             let what = format!("{given} multipliers for {cases} load cases");
             return Err(ContactError::InvalidLoad { step: index, what });
         }
@@ -230,12 +231,12 @@ impl LoadHistory {
         };
         let mut path = StepPath {
             history: self,
-            problem,
+            course,
             solver,
-            start,
+            start: &start.state,
             index,
             target,
-            record: StepRecord::at(start.clone()),
+            record: start.at_its_end(),
         };
         for substep in 0..self.substeps {
             let ends = [substep, substep + 1].map(|k| k as f64 * walker.whole);
@@ -250,7 +251,7 @@ impl LoadHistory {
 /// A load step on its way.
 struct StepPath<'a> {
     history: &'a LoadHistory,
-    problem: &'a InterfaceProblem,
+    course: &'a Course<'a>,
     solver: &'a dyn InterfaceSolver,
     start: &'a ContactState,
     index: usize,
@@ -267,7 +268,7 @@ impl LoadPath for StepPath<'_> {
     fn attempt(&mut self, increment: &LoadIncrement) -> Result<Progress<Infallible>, StepFailure> {
         let to = (self.history).multipliers(self.index, self.start, self.target, increment.to);
         let quickly = increment.is_between();
-        (self.record).advance(self.problem, self.solver, quickly, &to)?;
+        (self.record).advance(self.course, self.solver, quickly, &to)?;
         let easily = increment.refusals == 0 && increment.steady > 0;
         Ok(if easily {
             Progress::Grow
@@ -301,12 +302,12 @@ fn failed(step: usize, blocked: Blocked<StepFailure>) -> ContactError {
     }
 }
 
-/// `of` each of `problems` with its number, side by side where there are several.
+/// `of` each of `courses` with its number, side by side where there are several.
 fn each<T: Send>(
-    problems: &[&InterfaceProblem],
-    of: impl Fn(usize, &InterfaceProblem) -> T + Sync + Send,
+    courses: &[Course<'_>],
+    of: impl Fn(usize, &Course<'_>) -> T + Sync + Send,
 ) -> Vec<T> {
-    parallel::map_range(0..problems.len(), |part| of(part, problems[part]))
+    parallel::map_range(0..courses.len(), |part| of(part, &courses[part]))
 }
 
 /// Where a history ends before its last step.

@@ -12,6 +12,7 @@
 //! | --- | --- |
 //! | [`gap`] | initial gaps from the true geometry |
 //! | [`mortar`] | contact points between edges whose nodes do not match |
+//! | [`deformed`] | contact points on the deformed geometry |
 //! | [`problem`] | pairs, points, and the operators of bodies in one problem |
 //! | [`interface`] | all contacts, in independent parts |
 //! | [`state`] | what is known at the end of a step |
@@ -66,6 +67,7 @@
 //! body; λ_n ≥ 0 presses; Δs is the motion of the first body against the second along e_t.
 
 pub mod audit;
+pub mod deformed;
 mod error;
 mod failure;
 pub mod freedom;
@@ -84,6 +86,7 @@ pub use nalgebra;
 /// The crates of bodies and friction laws that contacts are between.
 pub use {stickslip_fem_core, stickslip_friction};
 
+pub use deformed::{DeformedGaps, Facing, Kinematics};
 pub use error::ContactError;
 pub use history::{Increment, LoadHistory, Ramp, StepRecord};
 pub use interface::Interface;

@@ -22,13 +22,13 @@ use nalgebra::{DMatrix, DVector, Matrix2};
 use stickslip_fem_core::InterfaceOperator;
 use stickslip_friction::{FrictionLaw, History};
 
+pub(crate) use contacts::frame;
 pub use contacts::{ContactPair, ContactPoint, Contacts, ProblemPoint};
 pub use free_motions::FreeMotions;
 pub use stencil::{BodyRows, Stencil, StencilTerm};
 
 use crate::error::ContactError;
 use crate::state::{ContactState, Status};
-use contacts::frame;
 
 /// The assembled interface problem: everything that solvers of one load step see.
 #[derive(Clone, Debug)]
@@ -62,24 +62,52 @@ impl InterfaceProblem {
             mode_offsets.push(mode_offsets[mode_offsets.len() - 1] + body.modes().ncols());
         }
         let contacts = Contacts::new(pairs, bodies);
-        let size = 2 * contacts.points().len();
+        let mut problem = Self::assembled(bodies, contacts, cases, mode_offsets);
+        problem.equilibrate_modes();
+        problem.find_sliding_points();
+        problem.compliance_unit = power_of_two_near(problem.compliance.diagonal().amax());
+        Ok(problem)
+    }
+
+    /// The same bodies with their contact points where `pairs` has them: as many in each pair, with other frames, gaps and stencils. Units,
+    /// and which points slide, stay as they are.
+    pub(crate) fn with_points(
+        &self,
+        bodies: &[&dyn InterfaceOperator],
+        pairs: Vec<ContactPair>,
+    ) -> Self {
+        let mut contacts = Contacts::new(pairs, bodies);
+        for (point, own) in contacts.points_mut().iter_mut().zip(self.points()) {
+            point.slides = own.slides;
+        }
+        let cases = self.load_cases();
+        let mut problem = Self::assembled(bodies, contacts, cases, self.mode_offsets.clone());
+        problem.compliance_unit = self.compliance_unit;
+        problem.count_modes_in(self.mode_units.clone());
+        problem
+    }
+
+    fn assembled(
+        bodies: &[&dyn InterfaceOperator],
+        contacts: Contacts,
+        cases: usize,
+        mode_offsets: Vec<usize>,
+    ) -> Self {
+        let (size, modes) = (2 * contacts.points().len(), mode_offsets[bodies.len()]);
         let mut problem = Self {
             compliance: DMatrix::zeros(size, size),
             compliance_unit: 1.0,
-            modes: DMatrix::zeros(size, mode_offsets[bodies.len()]),
-            mode_units: vec![1.0; mode_offsets[bodies.len()]],
+            modes: DMatrix::zeros(size, modes),
+            mode_units: vec![1.0; modes],
             case_motion: vec![DVector::zeros(size); cases],
-            case_mode_load: vec![DVector::zeros(mode_offsets[bodies.len()]); cases],
+            case_mode_load: vec![DVector::zeros(modes); cases],
             contacts,
             mode_offsets,
         };
         for (index, body) in bodies.iter().enumerate() {
             problem.add_body(index, *body);
         }
-        problem.equilibrate_modes();
-        problem.find_sliding_points();
-        problem.compliance_unit = power_of_two_near(problem.compliance.diagonal().amax());
-        Ok(problem)
+        problem
     }
 
     fn add_body(&mut self, index: usize, body: &dyn InterfaceOperator) {
@@ -145,38 +173,25 @@ impl InterfaceProblem {
 
     /// The rows of B of body `index`, of the points where it touches, in their order.
     pub fn body_rows(&self, index: usize) -> Vec<BodyRows> {
-        let mut rows = Vec::new();
-        for (pair, number) in self.pairs().iter().zip(0..) {
-            if ![pair.first, pair.second].contains(&index) {
-                continue;
-            }
-            for (point, k) in pair.points.iter().zip(self.pair_points(number)) {
-                let frame = frame(point.normal);
-                let mut terms = Vec::new();
-                if pair.first == index {
-                    let of = |term: &StencilTerm| (term.node, term.matrix() * frame);
-                    terms.extend(point.first.terms().iter().map(of));
-                }
-                if pair.second == index {
-                    let of = |term: &StencilTerm| (term.node, -(term.matrix() * frame));
-                    terms.extend(point.second.terms().iter().map(of));
-                }
-                rows.push(BodyRows { point: k, terms });
-            }
-        }
-        rows
+        self.contacts.body_rows(index)
     }
 
     /// Counts each rigid motion in a unit in which it moves the contact points by about 1, so that neither pivots nor resultants
     /// depend on the units of a body: a turn in radians moves them by their distance, in millimetres or in metres.
     fn equilibrate_modes(&mut self) {
-        for (mode, unit) in self.mode_units.iter_mut().enumerate() {
-            *unit = unit_of_motion(self.modes.column(mode).amax());
+        let columns = self.modes.column_iter();
+        let units = columns.map(|mode| unit_of_motion(mode.amax())).collect();
+        self.count_modes_in(units);
+    }
+
+    fn count_modes_in(&mut self, units: Vec<f64>) {
+        for (mode, unit) in units.iter().enumerate() {
             self.modes.column_mut(mode).scale_mut(*unit);
             for load in &mut self.case_mode_load {
                 load[mode] *= *unit;
             }
         }
+        self.mode_units = units;
     }
 
     fn find_sliding_points(&mut self) {
@@ -301,16 +316,7 @@ impl InterfaceProblem {
     /// Forces `[force]` on the contact points of body `index` (2 × `count`, xy interleaved) by contact forces `forces`
     /// (2n, normal and tangential interleaved).
     pub fn forces_on_body(&self, index: usize, count: usize, forces: &DVector<f64>) -> Vec<f64> {
-        let mut on_body = vec![0.0; 2 * count];
-        for row in self.body_rows(index) {
-            let at_point = forces.fixed_rows::<2>(2 * row.point);
-            for (node, weight) in row.terms {
-                let force = weight.transpose() * at_point;
-                on_body[2 * node] += force[0];
-                on_body[2 * node + 1] += force[1];
-            }
-        }
-        on_body
+        self.contacts.forces_on_body(index, count, forces)
     }
 }
 

@@ -130,6 +130,18 @@ pub struct Solved {
     pub phases: Vec<(&'static str, f64)>,
 }
 
+impl Solved {
+    /// Forces `[N]` on the contact points of body `body` at the end of the load step `record`, interleaved, at the places where they act.
+    pub fn forces_on_body(&self, record: &StepRecord, body: usize) -> Vec<f64> {
+        let count = self.operators[body].interface().points().len();
+        let forces = &record.state.forces;
+        match &record.contacts {
+            Some(contacts) => contacts.forces_on_body(body, count, forces),
+            None => self.interface.forces_on_body(body, count, forces),
+        }
+    }
+}
+
 /// Runs `scene` and reports to `progress`.
 ///
 /// # Errors
@@ -199,7 +211,9 @@ pub fn follow(
     let total = model.history.steps().len();
     let mut step_seconds = Vec::with_capacity(total);
     let mut last = start;
-    let records = (model.history).follow_parts(&interface, solver, || {
+    let faces: Vec<&dyn InterfaceOperator> = operators.iter().map(Operator::interface).collect();
+    let kinematics = model.kinematics(&faces)?;
+    let records = (model.history).follow_parts(&interface, &kinematics, solver, || {
         let now = model.host.seconds();
         step_seconds.push(now - last);
         last = now;
@@ -208,6 +222,8 @@ pub fn follow(
             total,
         });
     })?;
+    drop(kinematics);
+    drop(faces);
     Ok(Solved {
         operators,
         interface,
@@ -252,12 +268,25 @@ pub fn results(
 ) -> Result<Results, RunError> {
     let start = model.host.seconds();
     let recovered = fields::recover(model, &solved);
-    let otherwise = (model.history).walked_otherwise(&solved.interface, solver, &solved.records);
+    let otherwise = otherwise(model, solver, &solved)?;
     solved
         .records
         .iter_mut()
         .for_each(|record| record.parts.clear());
     reported(model, solver, solved, recovered, &otherwise, start)
+}
+
+/// How each load step ends on other ways to it.
+fn otherwise(
+    model: &Model,
+    solver: &dyn InterfaceSolver,
+    solved: &Solved,
+) -> Result<Vec<Otherwise>, ContactError> {
+    let faces: Vec<&dyn InterfaceOperator> =
+        solved.operators.iter().map(Operator::interface).collect();
+    let kinematics = model.kinematics(&faces)?;
+    let (interface, records) = (&solved.interface, &solved.records);
+    Ok((model.history).walked_otherwise(interface, &kinematics, solver, records))
 }
 
 /// As [`results`], but displacements are recovered of `bodies` alone and no balance is audited but that of the interface problem:

@@ -18,7 +18,7 @@ use stickslip_friction::FrictionLaw;
 pub use super::material::{LaminateSheet, Material, OutOfPlane};
 pub use crate::shape::Shape;
 use crate::units::Unit;
-pub use analysis::{Analysis, ModelChoice, Ramp, SolverChoice};
+pub use analysis::{Analysis, KinematicsChoice, ModelChoice, Ramp, SolverChoice};
 pub use bearing::BearingLaw;
 pub use failure::{Characteristic, EnvelopePlane, Envelopes, Failure};
 pub use progressive::{Control, Progressive, ProgressiveModel};

@@ -1,5 +1,7 @@
 //! The records of all parts of an interface as one record of the whole.
 
+use std::sync::Arc;
+
 use nalgebra::DVector;
 use stickslip_friction::History;
 
@@ -7,6 +9,7 @@ use super::{Cycle, Recovery, StepRecord};
 use crate::audit::{FloatingBalance, PairSums};
 use crate::error::ContactError;
 use crate::interface::{Interface, Part};
+use crate::problem::Contacts;
 use crate::state::{ContactState, Status};
 
 impl Interface {
@@ -30,12 +33,25 @@ impl Interface {
         for (part, record) in self.parts().iter().zip(&parts) {
             add(&mut whole, part, record);
         }
+        whole.contacts = self.merged_contacts(&parts);
         near_its_bound(&mut whole, &parts);
         whole.loose.sort_unstable();
         whole.sliding.sort_unstable();
         whole.audit.bodies.sort_by_key(|balance| balance.body);
         whole.parts = parts;
         whole
+    }
+
+    /// The contact points on the deformed geometry, where the records of `parts` have them.
+    fn merged_contacts(&self, parts: &[StepRecord]) -> Option<Arc<Contacts>> {
+        let mut whole: Option<Contacts> = None;
+        for (part, record) in self.parts().iter().zip(parts) {
+            if let Some(contacts) = &record.contacts {
+                let whole = whole.get_or_insert_with(|| self.contacts().clone());
+                whole.take_points(contacts, &part.group().pairs);
+            }
+        }
+        whole.map(Arc::new)
     }
 
     /// The end of a history as it is reported of the whole: with the bodies of its part `part`.

@@ -3,8 +3,10 @@
 //!
 //! Neither solution is cut back, so a step that the other solver or the smaller increments do not solve has no comparison.
 
+use super::course::Course;
 use super::{LoadHistory, StepRecord, each};
-use crate::interface::{Interface, Part};
+use crate::deformed::Kinematics;
+use crate::interface::Interface;
 use crate::problem::InterfaceProblem;
 use crate::solver::{InterfaceSolver, Pivoting, SemismoothNewton};
 use crate::state::ContactState;
@@ -112,14 +114,14 @@ impl LoadHistory {
     pub fn walked_otherwise(
         &self,
         interface: &Interface,
+        kinematics: &Kinematics<'_>,
         solver: &dyn InterfaceSolver,
         records: &[StepRecord],
     ) -> Vec<Otherwise> {
-        let problems: Vec<&InterfaceProblem> =
-            interface.parts().iter().map(Part::problem).collect();
-        let parts = each(&problems, |part, problem| {
+        let courses = Course::of_parts(interface, kinematics);
+        let parts = each(&courses, |part, course| {
             let own: Vec<&StepRecord> = records.iter().map(|record| record.part(part)).collect();
-            self.problem_otherwise(problem, solver, &own)
+            self.problem_otherwise(course, solver, &own)
         });
         let mut all = vec![Otherwise::default(); records.len()];
         for part in parts {
@@ -132,10 +134,11 @@ impl LoadHistory {
 
     fn problem_otherwise(
         &self,
-        problem: &InterfaceProblem,
+        course: &Course<'_>,
         solver: &dyn InterfaceSolver,
         records: &[&StepRecord],
     ) -> Vec<Otherwise> {
+        let problem = course.problem;
         let touching = |record: &&StepRecord| {
             let status = record.state.status.iter();
             status.filter(|status| status.touches()).count()
@@ -146,18 +149,16 @@ impl LoadHistory {
             let held = || bound_with_turns_held(problem, &record.state.status);
             record.uniqueness.or_else(held)
         });
-        let unloaded = ContactState::unloaded(problem);
+        let unloaded = StepRecord::at(ContactState::unloaded(problem));
         let mut effort = Otherwise::EFFORT;
         let mut all = Vec::with_capacity(records.len());
         for (index, &record) in records.iter().enumerate() {
             let mut found = Otherwise::default();
-            let start = index
-                .checked_sub(1)
-                .map_or(&unloaded, |k| &records[k].state);
+            let start = index.checked_sub(1).map_or(&unloaded, |k| records[k]);
             if record.coefficient > 0.0 {
                 let again = Again {
                     history: self,
-                    problem,
+                    course,
                     start,
                     index,
                     record,
@@ -218,8 +219,8 @@ fn falls_with_slip(problem: &InterfaceProblem, record: &StepRecord) -> bool {
 /// A load step to be walked again.
 struct Again<'a> {
     history: &'a LoadHistory,
-    problem: &'a InterfaceProblem,
-    start: &'a ContactState,
+    course: &'a Course<'a>,
+    start: &'a StepRecord,
     index: usize,
     record: &'a StepRecord,
 }
@@ -235,7 +236,7 @@ impl Again<'_> {
             return found.ok_or(Missing::Answer);
         }
         // Of order three times the number of points, with about two pivots per unknown.
-        let order = 3.0 * self.problem.points().len() as f64;
+        let order = 3.0 * self.course.problem.points().len() as f64;
         let cost = 4.0 * order.powi(3) * parts as f64;
         if cost > *effort {
             return Err(Missing::Effort);
@@ -252,13 +253,12 @@ impl Again<'_> {
         increments: usize,
     ) -> Option<Difference> {
         let target = &self.history.steps[self.index];
-        let mut walk = StepRecord::at(self.start.clone());
+        let mut walk = self.start.at_its_end();
         for part in 1..=increments {
             let part = part as f64 / increments as f64;
-            let multipliers = self
-                .history
-                .multipliers(self.index, self.start, target, part);
-            walk.advance(self.problem, solver, false, &multipliers)
+            let start = &self.start.state;
+            let multipliers = self.history.multipliers(self.index, start, target, part);
+            walk.advance(self.course, solver, false, &multipliers)
                 .ok()?;
         }
         Some(self.difference(&walk, name, increments))
@@ -266,7 +266,7 @@ impl Again<'_> {
 
     fn difference(&self, walk: &StepRecord, solver: &'static str, increments: usize) -> Difference {
         let (state, other) = (&self.record.state, &walk.state);
-        let points = self.problem.points().iter().enumerate();
+        let points = self.course.problem.points().iter().enumerate();
         let (mut peak, mut other_peak, mut traction) = (0.0_f64, 0.0_f64, 0.0_f64);
         for (k, point) in points {
             peak = peak.max(state.normal_force(k) / point.area);

@@ -1,12 +1,14 @@
 //! What is reported of a load step: its increments, merged.
 
+use std::sync::Arc;
+
 use nalgebra::DVector;
 
-use super::travel::{parts, travelled};
+use super::course::Course;
 use super::{Increment, Recovery};
 use crate::audit::Audit;
 use crate::freedom::{loose_pairs, sliding_pairs};
-use crate::problem::InterfaceProblem;
+use crate::problem::Contacts;
 use crate::solver::{InterfaceSolver, Residuals, Step, StepFailure, StepSolution, Stop, Work};
 use crate::state::ContactState;
 
@@ -15,6 +17,8 @@ use crate::state::ContactState;
 pub struct StepRecord {
     /// Contact at its end.
     pub state: ContactState,
+    /// The contact points on the deformed geometry of its end; `None` where contact is found on the undeformed one.
+    pub contacts: Option<Arc<Contacts>>,
     /// Work of all its increments, failed attempts included.
     pub work: Work,
     /// Largest residuals of its increments.
@@ -61,6 +65,7 @@ impl StepRecord {
         Self {
             slip: DVector::zeros(state.status.len()),
             state,
+            contacts: None,
             work: Work::default(),
             residuals: Residuals::default(),
             verified: true,
@@ -81,6 +86,14 @@ impl StepRecord {
         }
     }
 
+    /// The record of a step that begins where this one ends.
+    pub(super) fn at_its_end(&self) -> Self {
+        Self {
+            contacts: self.contacts.clone(),
+            ..Self::at(self.state.clone())
+        }
+    }
+
     /// The record of the one increment that `solution` solves: `step` with that end. Whether contact parted is left open.
     pub fn of(step: &Step<'_>, solution: StepSolution) -> Self {
         let (problem, start) = (step.problem, step.committed);
@@ -93,6 +106,7 @@ impl StepRecord {
         } = Increment::accept(step, solution.trial);
         Self {
             audit: Audit::of(problem, &state),
+            contacts: None,
             work: solution.work,
             residuals,
             verified: solution.stop == Stop::Verified,
@@ -114,27 +128,15 @@ impl StepRecord {
         }
     }
 
-    /// Goes on from its end to the load multipliers `multipliers` with `solver`, by its cheapest means only if `quickly`.
+    /// Goes on along `course` from its end to the load multipliers `multipliers` with `solver`, by its cheapest means only if `quickly`.
     pub(super) fn advance(
         &mut self,
-        problem: &InterfaceProblem,
+        course: &Course<'_>,
         solver: &dyn InterfaceSolver,
         quickly: bool,
         multipliers: &[f64],
     ) -> Result<(), StepFailure> {
-        let ends = [&*self.state.multipliers, multipliers];
-        let travelled = travelled(problem, &self.state, ends);
-        let start = travelled.as_ref().unwrap_or(&self.state);
-        let step = Step::new(problem, start, multipliers);
-        let solution = if quickly {
-            solver.try_quickly(&step)?
-        } else {
-            solver.solve(&step)?
-        };
-        let increment = Self {
-            parted: parts(&start.forces, &solution.trial.forces),
-            ..Self::of(&step, solution)
-        };
+        let increment = course.increment(self, solver, quickly, multipliers)?;
         self.append(increment);
         Ok(())
     }
@@ -175,7 +177,13 @@ impl StepRecord {
         self.dissipation += next.dissipation;
         self.slip += next.slip;
         self.state = next.state;
+        self.contacts = next.contacts;
         self.audit = next.audit;
+    }
+
+    /// The contact points of its end, those of the undeformed geometry being `undeformed`.
+    pub fn contacts_of<'a>(&'a self, undeformed: &'a Contacts) -> &'a Contacts {
+        self.contacts.as_deref().unwrap_or(undeformed)
     }
 
     /// The record of part `part`.

@@ -3,12 +3,12 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use nalgebra::Matrix2;
+use nalgebra::{DVector, Matrix2};
 use stickslip_fem_core::InterfaceOperator;
 use stickslip_fem_core::mesh::Point;
 use stickslip_friction::{FrictionLaw, Place};
 
-use super::Stencil;
+use super::{BodyRows, Stencil, StencilTerm};
 use crate::error::ContactError;
 
 /// One contact point of a pair: a node of the first body against a node of the second, or a weighted share of both edges.
@@ -90,6 +90,21 @@ impl Contacts {
         &mut self.points
     }
 
+    /// Takes over the points of `own`, whose pairs are those with the numbers `pairs` here.
+    pub(crate) fn take_points(&mut self, own: &Self, pairs: &[usize]) {
+        for (local, &pair) in pairs.iter().enumerate() {
+            self.pairs[pair].points.clone_from(&own.pairs[local].points);
+            let range = self.pair_points(pair);
+            let points = &own.points[own.pair_points(local)];
+            for (point, taken) in self.points[range].iter_mut().zip(points) {
+                *point = ProblemPoint {
+                    pair,
+                    ..taken.clone()
+                };
+            }
+        }
+    }
+
     /// Replaces the friction of pair `pair`.
     pub(super) fn set_law(
         &mut self,
@@ -117,6 +132,45 @@ impl Contacts {
         self.offsets[pair]..self.offsets[pair + 1]
     }
 
+    /// The rows of B of body `index`, of the points where it touches, in their order.
+    pub fn body_rows(&self, index: usize) -> Vec<BodyRows> {
+        let mut rows = Vec::new();
+        for (pair, number) in self.pairs().iter().zip(0..) {
+            if ![pair.first, pair.second].contains(&index) {
+                continue;
+            }
+            for (point, k) in pair.points.iter().zip(self.pair_points(number)) {
+                let frame = frame(point.normal);
+                let mut terms = Vec::new();
+                if pair.first == index {
+                    let of = |term: &StencilTerm| (term.node, term.matrix() * frame);
+                    terms.extend(point.first.terms().iter().map(of));
+                }
+                if pair.second == index {
+                    let of = |term: &StencilTerm| (term.node, -(term.matrix() * frame));
+                    terms.extend(point.second.terms().iter().map(of));
+                }
+                rows.push(BodyRows { point: k, terms });
+            }
+        }
+        rows
+    }
+
+    /// Forces `[force]` on the contact points of body `index` (2 × `count`, xy interleaved) by contact forces `forces`
+    /// (2n, normal and tangential interleaved).
+    pub fn forces_on_body(&self, index: usize, count: usize, forces: &DVector<f64>) -> Vec<f64> {
+        let mut on_body = vec![0.0; 2 * count];
+        for row in self.body_rows(index) {
+            let at_point = forces.fixed_rows::<2>(2 * row.point);
+            for (node, weight) in row.terms {
+                let force = weight.transpose() * at_point;
+                on_body[2 * node] += force[0];
+                on_body[2 * node + 1] += force[1];
+            }
+        }
+        on_body
+    }
+
     /// Friction law at point `point`.
     pub fn law(&self, point: usize) -> &dyn FrictionLaw {
         self.pairs[self.points[point].pair].law.as_ref()
@@ -124,7 +178,7 @@ impl Contacts {
 }
 
 /// Rows e_n and e_t.
-pub(super) fn frame(normal: [f64; 2]) -> Matrix2<f64> {
+pub(crate) fn frame(normal: [f64; 2]) -> Matrix2<f64> {
     Matrix2::new(normal[0], normal[1], -normal[1], normal[0])
 }
 

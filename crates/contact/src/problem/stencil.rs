@@ -52,6 +52,15 @@ impl Stencil {
         &self.0
     }
 
+    /// The node that it is, if it is a single one.
+    pub fn node(&self) -> Option<usize> {
+        const WHOLE: [[f64; 2]; 2] = [[1.0, 0.0], [0.0, 1.0]];
+        match self.0[..] {
+            [term] if term.weights == WHOLE => Some(term.node),
+            _ => None,
+        }
+    }
+
     /// Mean position `[length]` of its nodes among `points`, weighted as the normal motion is.
     pub(super) fn position(&self, points: &[Point]) -> Point {
         if let [term] = self.0[..] {
@@ -74,7 +83,7 @@ impl From<usize> for Stencil {
 }
 
 impl StencilTerm {
-    pub(super) fn matrix(&self) -> Matrix2<f64> {
+    pub(crate) fn matrix(&self) -> Matrix2<f64> {
         let [[nn, nt], [tn, tt]] = self.weights;
         Matrix2::new(nn, nt, tn, tt)
     }

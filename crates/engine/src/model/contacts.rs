@@ -1,12 +1,13 @@
 //! Contact pairs with their frames and exact gaps, and the edges that results are reported on.
 
 mod edge;
+mod facing;
 mod geometry;
 mod projection;
 
 use std::sync::Arc;
 
-use stickslip_contact::{ContactPair, ContactPoint};
+use stickslip_contact::{ContactPair, ContactPoint, Facing};
 use stickslip_fem_core::mesh::Point;
 
 use self::edge::{EdgeNodes, edge_nodes};
@@ -15,12 +16,14 @@ use self::projection::{Side, Tied};
 use super::plan::{ContactPlan, Placed, Plan};
 use super::{Meshes, ModelEdge, ModelError, loads};
 use crate::results::Choice;
-use stickslip_scene::schema::{Contact, DisplayUnits, SetRef};
+use stickslip_scene::schema::{Contact, DisplayUnits, KinematicsChoice, SetRef};
 
 /// Pairs, edges, and each body's contact points.
 #[derive(Debug, Default)]
 pub(super) struct Contacts {
     pub(super) pairs: Vec<ContactPair>,
+    /// The undeformed edges of each pair, where gaps follow the displacement.
+    pub(super) facings: Vec<Facing>,
     pub(super) edges: Vec<ModelEdge>,
     /// Mesh nodes of each body's contact points.
     pub(super) interfaces: Vec<Vec<usize>>,
@@ -109,6 +112,10 @@ impl Contacts {
             material_angle: body.material_angle(),
         };
         let (points, chosen) = tied.tie(&above, &below)?;
+        if plan.analysis.kinematics == KinematicsChoice::DeformedGaps {
+            let facing = tied.facing(self.pairs.len(), [&above, &below], &points)?;
+            self.facings.push(facing);
+        }
         let local = above.local.clone().collect();
         let edge = upper.into_model_edge(first, body, half, Some(self.pairs.len()));
         let edge = loaded(plan, first, edge);

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use stickslip_fem_core::mesh::{Curve, Mesh, MeshError};
 use stickslip_scene::Scene;
 use stickslip_scene::schema::{
-    Analysis, Axes, Axis, Control, DisplayUnits, Failure, FieldOutput, Hold, LaminateSheet,
-    Progressive, SetRef, Support,
+    Analysis, Axes, Axis, Control, DisplayUnits, Failure, FieldOutput, Hold, KinematicsChoice,
+    LaminateSheet, Progressive, SetRef, Support,
 };
 use stickslip_scene::shape::Role;
 
@@ -129,6 +129,14 @@ impl FailureRequest {
                 loads::frame(plan, &SetRef { body, set }, half)
             });
             let progressive = settings.progressive.as_ref();
+            if progressive.is_some() && plan.analysis.kinematics != KinematicsChoice::Small {
+                return Err(ModelError::Unsupported {
+                    key: "analysis.kinematics".into(),
+                    what: "progressive failure is followed with gaps on the undeformed geometry: say analysis.kinematics = \"small\", or leave \
+                           failure.progressive out"
+                        .into(),
+                });
+            }
             let own = progressive.filter(|asked| asked.body == body.name);
             failing.push(FailingBody {
                 body: index,

@@ -93,11 +93,7 @@ fn rows(
 fn interface_displacement(solved: &Solved, record: &StepRecord, edge: &ModelEdge) -> Vec<[f64; 2]> {
     let operator = solved.operators[edge.geometry.body].interface();
     let count = operator.points().len();
-    let forces = DVector::from_vec(solved.interface.forces_on_body(
-        edge.geometry.body,
-        count,
-        &record.state.forces,
-    ));
+    let forces = DVector::from_vec(solved.forces_on_body(record, edge.geometry.body));
     let mut u = operator.compliance().map_or_else(
         || DVector::zeros(2 * count),
         |compliance| compliance * &forces,

@@ -176,10 +176,7 @@ fn values_of(body: &CondensedBody) -> usize {
 
 /// Contact forces on the elastic body `index`, for each of `records`.
 fn forces_on(solved: &Solved, records: &[StepRecord], index: usize) -> Vec<Vec<f64>> {
-    let count = solved.operators[index].interface().points().len();
-    let interface = &solved.interface;
-    let of_step =
-        |record: &StepRecord| interface.forces_on_body(index, count, &record.state.forces);
+    let of_step = |record: &StepRecord| solved.forces_on_body(record, index);
     records.iter().map(of_step).collect()
 }
 

@@ -51,7 +51,7 @@ pub(super) fn reported(contacts: &Contacts, records: &[StepRecord]) -> Vec<Repor
                 }
             }
             Reported {
-                sums: PairSums::of(contacts, &state),
+                sums: PairSums::of(record.contacts_of(contacts), &state),
                 slip: seen,
                 state,
             }

@@ -39,6 +39,9 @@ pub(super) const TABLES: &[Table] = &[
             "half: y ≥ 0 of round shapes, x ≥ 0 of a line contact; auto takes it where shapes, materials, supports, platens, \
             loads and friction laws are symmetric and it has all `edges`; half is refused where they are not; a rectangle has \
             no half"),
+        words("kinematics", r#"`"small"`, `"deformed-gaps"`"#, r#"`"small"`"#, r#""deformed-gaps""#,
+            "small: contact is found on the undeformed geometry; deformed-gaps: gaps, normals and closest points follow the displacement, \
+            between linear bodies, for exact gaps and matching meshes; not for progressive failure and experiments"),
         names("solver", solvers,
             r#"`"auto"`"#, r#""pivoting""#,
             "auto and newton: semismooth Newton, then pivoting where it fails; status: iteration of statuses before these \

@@ -11,6 +11,10 @@ pub struct Analysis {
     pub plane: PlaneState,
     /// Half or whole model.
     pub model: ModelChoice,
+    /// On which geometry contact is found.
+    // Left out where it is small, so that it is no part of other scenes.
+    #[serde(skip_serializing_if = "KinematicsChoice::is_small")]
+    pub kinematics: KinematicsChoice,
     /// Solver of the contact problem.
     #[serde(with = "solver_name")]
     pub solver: SolverChoice,
@@ -29,6 +33,7 @@ impl Default for Analysis {
         Self {
             plane: PlaneState::Stress,
             model: ModelChoice::Auto,
+            kinematics: KinematicsChoice::Small,
             solver: SolverChoice::Auto,
             experimental: false,
             substeps: 1,
@@ -47,6 +52,26 @@ pub enum ModelChoice {
     Half,
     /// The whole.
     Whole,
+}
+
+/// On which geometry contact is found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum KinematicsChoice {
+    /// The undeformed one.
+    Small,
+    /// The deformed one, between linear bodies.
+    DeformedGaps,
+}
+
+impl KinematicsChoice {
+    #[expect(
+        clippy::trivially_copy_pass_by_ref,
+        reason = "serde hands over references"
+    )]
+    fn is_small(&self) -> bool {
+        *self == Self::Small
+    }
 }
 
 pub use stickslip_contact::SolverKind as SolverChoice;

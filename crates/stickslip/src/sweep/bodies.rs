@@ -27,6 +27,7 @@ pub(super) fn key(scene: &Scene, name: &str) -> Option<String> {
     let Analysis {
         plane,
         model,
+        kinematics: _,
         solver: _,
         experimental: _,
         substeps: _,

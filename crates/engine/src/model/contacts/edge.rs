@@ -15,6 +15,8 @@ pub(super) struct EdgeNodes {
     pub(super) parameter: Vec<f64>,
     /// Arc length along e_t, and e_n there.
     path: Vec<(f64, [f64; 2])>,
+    /// Centre of its circle or arc.
+    pub(super) centre: Option<Point>,
     pub(super) nodes: Vec<usize>,
     pub(super) corner: Vec<bool>,
     pub(super) weights: Vec<f64>,
@@ -42,6 +44,7 @@ pub(super) fn edge_nodes(
             kind: EdgeKind::Circle { centre, radius },
             path: Vec::new(),
             parameter,
+            centre: Some(centre),
             nodes: walk.nodes,
             corner,
             weights,
@@ -66,6 +69,10 @@ pub(super) fn edge_nodes(
         corner: (0..path.nodes.len()).map(|k| k % path.order == 0).collect(),
         weights,
         order: path.order,
+        centre: match curve {
+            Some(Curve::Arc { centre, .. }) => Some(centre),
+            _ => None,
+        },
         nodes: path.nodes,
     };
     if nodes.parameter.first() > nodes.parameter.last() {

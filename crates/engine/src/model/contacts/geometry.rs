@@ -1,5 +1,6 @@
 //! The curves that face each other in a contact.
 
+use stickslip_contact::deformed::CurveShape;
 use stickslip_contact::gap;
 use stickslip_fem_core::mesh::Point;
 
@@ -34,6 +35,23 @@ impl Geometry {
             },
             Touch::Cylinder { radius } => Self::Cylinder { radius },
         })
+    }
+
+    /// The second curve, where the centre of the first one's circle or arc is `centre`.
+    pub(super) fn second(&self, centre: Point) -> CurveShape {
+        match self {
+            Self::Circles {
+                radius,
+                clearance,
+                offset,
+            } => CurveShape::Circle {
+                centre: [centre[0] + offset[0], centre[1] + offset[1]],
+                radius: radius - clearance,
+            },
+            Self::Cylinder { radius } => CurveShape::Level {
+                level: centre[1] - radius,
+            },
+        }
     }
 
     /// Length `[mm]` of the contact per unit of the parameter, an angle or a length.

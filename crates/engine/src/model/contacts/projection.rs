@@ -60,7 +60,8 @@ impl<'a> Side<'a> {
         }
     }
 
-    fn position(&self, k: usize) -> Point {
+    /// Position of its node `k` `[mm]`.
+    pub(super) fn position(&self, k: usize) -> Point {
         self.positions[self.local.start + k]
     }
 
@@ -170,7 +171,7 @@ impl Tied<'_> {
         Ok((points, [value.to_owned(), reason]))
     }
 
-    fn refuse(&self, what: String) -> ModelError {
+    pub(super) fn refuse(&self, what: String) -> ModelError {
         ModelError::Projection {
             contact: self.contact.name.clone(),
             what,

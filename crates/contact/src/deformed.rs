@@ -1,0 +1,181 @@
+//! Gaps on the deformed geometry, between linear bodies.
+//!
+//! Node k of the first body stands at x₁ = X₁ + u₁; the edge of the second body is the curve x₂(s), the true one of the undeformed body and
+//! the displacements of its nodes between them,
+//!
+//! ```text
+//! x₂(s) = X₂(s) + Σ_j w_j(s) u₂ⱼ,      (x₁ − x₂(s)) · x₂′(s) = 0,      x₁ = x₂(s) + g n,      n ⊥ x₂′(s),      t = n turned by +90°
+//! ```
+//!
+//! The weights w_j are cubic, of the two nodes on either side of s, so that the curve and its normal are continuous and go through the nodes. The
+//! closest point s, the normal n and the gap g follow the displacement. To first order the gap changes by n · (δu₁ − Σ w_j δu₂ⱼ): the motion of the closest
+//! point along the curve does not count, because n ⊥ x₂′. So contact on a given geometry is an interface problem like any other, with
+//! stencil w, frame (n, t) and initial gap
+//!
+//! ```text
+//! g₀ = g(u*) − n · (u₁* − Σ w_j u₂ⱼ*)        exact at the displacement u* of the geometry,
+//! ```
+//!
+//! and its compliance is a congruence transform of those of the bodies: nothing is factorised. An increment of load repeats
+//!
+//! 1. the geometry at the last displacement, that of the last accepted state at first;
+//! 2. the step from the last accepted state on it, by any [`InterfaceSolver`](crate::InterfaceSolver);
+//!
+//! until neither gaps nor normals change beyond [`TOLERANCE`]. What it leaves out of the linearisation, the turn of n and the motion of s under the
+//! forces that act, is smaller than the compliance by the size of the strains, which is the factor by which the error falls from pass
+//! to pass. An increment that does not settle fails as [`FailureCause::Geometry`](crate::solver::FailureCause::Geometry) and is cut back.
+//!
+//! | quantity | geometry |
+//! | --- | --- |
+//! | gap, normal, tangent, closest point | deformed |
+//! | slip of an increment | t · [Δu₁ − Σ w_j Δu₂ⱼ] from the last accepted state, at the end's frame and closest point |
+//! | forces on the bodies | λ_n n + λ_t t at X₁ and −(λ_n n + λ_t t) at the nodes of w: equal and opposite, in one line |
+//! | resultants, moments and balances | deformed normals and closest points at their undeformed places, as the linear bodies take forces |
+//! | areas, tractions | undeformed |
+//! | stiffness and loads of bodies | undeformed, linear; large turns of bodies are not covered |
+//!
+//! A circle that turns about its centre stays where it is. So the mean turn of the edge of a body that is free to turn is left out of x₁ and
+//! x₂: contact forces keep their place on the body, and a pin that has rolled has the lever arms that it had before. On a line of symmetry
+//! points stay, with the normal along it.
+//!
+//! Points of the first body are single nodes; mortar stencils are refused. Sources: Wriggers (2006), *Computational Contact Mechanics*, ch. 4 and 9,
+//! node to segment with smooth surfaces; Poulios & Renard (2015), slip on the deformed geometry.
+
+mod curve;
+mod geometry;
+
+use nalgebra::DVector;
+use stickslip_fem_core::InterfaceOperator;
+use stickslip_fem_core::mesh::Point;
+
+use crate::error::ContactError;
+use crate::interface::Group;
+use crate::problem::{ContactPair, Contacts, InterfaceProblem};
+use crate::state::ContactState;
+
+pub use curve::{Curve, CurveEnds, CurveShape};
+pub(crate) use geometry::{Geometry, Unfaced};
+
+/// Change of a gap relative to the largest motion of a point, and of a normal `[rad]`, up to which a geometry is settled.
+pub const TOLERANCE: f64 = 1e-6;
+/// Passes after which an increment that does not settle is refused.
+pub const PASSES: usize = 12;
+
+/// Error of a closest point relative to the largest motion of a point up to which an increment is accepted.
+pub const LARGEST_ERROR: f64 = 1e-2;
+
+/// On which geometry contact is found.
+#[derive(Clone, Debug, Default)]
+pub enum Kinematics<'a> {
+    /// The undeformed one.
+    #[default]
+    Small,
+    /// The deformed one.
+    DeformedGaps(DeformedGaps<'a>),
+}
+
+/// The undeformed edges of a contact pair.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Facing {
+    /// Places `[length]` of the pair's points on the first edge.
+    pub first: Vec<Point>,
+    /// Centre of the first edge's circle `[length]`; `None` for a straight edge.
+    pub centre: Option<Point>,
+    /// The second edge.
+    pub second: Curve,
+}
+
+/// Bodies, and the undeformed edges of every pair.
+#[derive(Clone, Debug)]
+pub struct DeformedGaps<'a> {
+    bodies: Vec<&'a dyn InterfaceOperator>,
+    facings: Vec<&'a Facing>,
+}
+
+impl<'a> DeformedGaps<'a> {
+    /// The edges `facings` of `pairs` between `bodies`.
+    ///
+    /// # Errors
+    /// [`ContactError::InvalidPair`] where edges and pairs differ in number, a pair has not as many places as points, a point of the first body is not
+    /// a single node, or a curve has fewer than three nodes, one that its body lacks, or parameters that do not ascend.
+    pub fn new(
+        bodies: &[&'a dyn InterfaceOperator],
+        pairs: &[ContactPair],
+        facings: &'a [Facing],
+    ) -> Result<Self, ContactError> {
+        let refuse = |pair: &ContactPair, point: usize, what: String| ContactError::InvalidPair {
+            pair: pair.name.clone(),
+            point,
+            what,
+        };
+        for (index, pair) in pairs.iter().enumerate() {
+            let facing = facings.get(index).ok_or_else(|| {
+                let what = format!("{} pairs of edges for {} pairs", facings.len(), pairs.len());
+                refuse(pair, 0, what)
+            })?;
+            if facing.first.len() != pair.points.len() {
+                let (places, points) = (facing.first.len(), pair.points.len());
+                let what = format!("{places} places on the first edge for {points} points");
+                return Err(refuse(pair, 0, what));
+            }
+            if let Some(k) = (pair.points.iter()).position(|point| point.first.node().is_none()) {
+                let what = "gaps on the deformed geometry need a single node of the first body";
+                return Err(refuse(pair, k, what.to_owned()));
+            }
+            let nodes = facing.second.nodes();
+            if nodes.len() != pair.points.len() {
+                let (nodes, points) = (nodes.len(), pair.points.len());
+                let what = format!("{nodes} nodes on the second edge for {points} points");
+                return Err(refuse(pair, 0, what));
+            }
+            let count = bodies
+                .get(pair.second)
+                .map_or(0, |body| body.points().len());
+            if let Some(k) = nodes.iter().position(|&node| node >= count) {
+                let what = format!("node {} of {count} on the second edge", nodes[k]);
+                return Err(refuse(pair, k, what));
+            }
+        }
+        Ok(Self {
+            bodies: bodies.to_vec(),
+            facings: facings.iter().collect(),
+        })
+    }
+
+    /// Those of the bodies and pairs of `group`.
+    pub(crate) fn of_group(&self, group: &Group) -> Self {
+        Self {
+            bodies: group.bodies.iter().map(|&body| self.bodies[body]).collect(),
+            facings: group.pairs.iter().map(|&pair| self.facings[pair]).collect(),
+        }
+    }
+
+    pub(crate) fn bodies(&self) -> &[&'a dyn InterfaceOperator] {
+        &self.bodies
+    }
+
+    /// Displacements `[length]` of the contact points of each body in `state` of `problem`, whose contacts are `contacts`.
+    pub(crate) fn displacements(
+        &self,
+        problem: &InterfaceProblem,
+        contacts: &Contacts,
+        state: &ContactState,
+    ) -> Vec<DVector<f64>> {
+        let displacement = |(index, body): (usize, &&dyn InterfaceOperator)| {
+            let count = body.points().len();
+            let amounts = DVector::from_vec(problem.motions_of_body(index, &state.rigid));
+            let mut displacement = body.modes() * amounts;
+            if let Some(compliance) = body.compliance() {
+                let forces = contacts.forces_on_body(index, count, &state.forces);
+                displacement.gemv(1.0, compliance, &DVector::from_vec(forces), 1.0);
+            }
+            for (case, &factor) in state.multipliers.iter().enumerate() {
+                if let Some(response) = body.load_response(case) {
+                    displacement.axpy(factor, response, 1.0);
+                }
+            }
+            displacement
+        };
+        self.bodies.iter().enumerate().map(displacement).collect()
+    }
+}

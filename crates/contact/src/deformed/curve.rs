@@ -1,0 +1,385 @@
+//! The second edge of a pair as a curve through its displaced nodes.
+
+use std::f64::consts::TAU;
+
+use stickslip_fem_core::mesh::Point;
+
+/// An undeformed edge with the nodes at which its displacements are known.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    shape: CurveShape,
+    nodes: Vec<usize>,
+    parameter: Vec<f64>,
+    ends: CurveEnds,
+    /// For each node the weights of nodes, by their positions along the edge, in the derivative of the displacement by the parameter.
+    slopes: Vec<Vec<(usize, f64)>>,
+}
+
+/// The shape of an undeformed edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CurveShape {
+    /// X(s) = centre + radius e_r(s), s an angle `[rad]`; its body lies inside.
+    Circle {
+        /// Centre `[length]`.
+        centre: Point,
+        /// Radius `[length]`.
+        radius: f64,
+    },
+    /// X(s) = (s, level), s a length; its body lies below.
+    Level {
+        /// Coordinate y of the edge `[length]`.
+        level: f64,
+    },
+}
+
+/// How an edge continues at its ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CurveEnds {
+    /// It is closed, with the period 2π.
+    Closed,
+    /// It ends there.
+    Open {
+        /// Whether its first and its last node lie on a line of symmetry.
+        mirrored: [bool; 2],
+    },
+}
+
+/// A place on the displaced curve, with the derivatives by the parameter.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Local {
+    pub(super) place: Point,
+    pub(super) tangent: Point,
+    curvature: Point,
+}
+
+/// Iterations in search of a closest point.
+const ITERATIONS: usize = 40;
+
+impl Curve {
+    /// The edge through `nodes`, indices among the contact points of its body, at `parameter`, ascending, in cells of the polynomial order
+    /// `order`. A closed one begins at a corner node.
+    ///
+    /// # Errors
+    /// What is wrong, where nodes and parameters differ in number, make no whole cells, or the parameter does not ascend within its period.
+    pub fn new(
+        shape: CurveShape,
+        nodes: Vec<usize>,
+        parameter: Vec<f64>,
+        order: usize,
+        ends: CurveEnds,
+    ) -> Result<Self, String> {
+        let count = nodes.len();
+        if parameter.len() != count {
+            let parameters = parameter.len();
+            return Err(format!("{parameters} parameters for {count} nodes"));
+        }
+        let cells = match ends {
+            CurveEnds::Closed => count,
+            CurveEnds::Open { .. } => count.saturating_sub(1),
+        };
+        if order == 0 || cells == 0 || !cells.is_multiple_of(order) {
+            return Err(format!("{count} nodes make no cells of order {order}"));
+        }
+        let end = parameter[0] + TAU;
+        let closing = (ends == CurveEnds::Closed).then_some(&end);
+        let next = parameter[1..].iter().chain(closing);
+        let ascends = |(at, next): (&f64, &f64)| at < next;
+        if !parameter.iter().zip(next).all(ascends) {
+            return Err("the parameter does not ascend".to_owned());
+        }
+        Ok(Self {
+            slopes: slopes(&parameter, order, ends),
+            shape,
+            nodes,
+            parameter,
+            ends,
+        })
+    }
+
+    /// Its nodes, as indices among the contact points of its body.
+    pub fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    /// Centre of its circle.
+    pub(super) fn centre(&self) -> Option<Point> {
+        match self.shape {
+            CurveShape::Circle { centre, .. } => Some(centre),
+            CurveShape::Level { .. } => None,
+        }
+    }
+
+    /// The undeformed place of the node at `position`.
+    pub(super) fn node(&self, position: usize) -> Point {
+        self.undeformed(self.parameter[position])[0]
+    }
+
+    /// Whether the node at `position` stands on a line of symmetry.
+    pub(super) fn is_mirrored(&self, position: usize) -> bool {
+        let last = self.nodes.len() - 1;
+        match self.ends {
+            CurveEnds::Closed => false,
+            CurveEnds::Open { mirrored } => {
+                (mirrored[0] && position == 0) || (mirrored[1] && position == last)
+            }
+        }
+    }
+
+    /// X, X′ and X″ of the undeformed curve.
+    fn undeformed(&self, s: f64) -> [Point; 3] {
+        match self.shape {
+            CurveShape::Circle {
+                centre: [x, y],
+                radius,
+            } => {
+                let (sine, cosine) = s.sin_cos();
+                let [along, up] = [radius * cosine, radius * sine];
+                [[x + along, y + up], [-up, along], [-along, -up]]
+            }
+            CurveShape::Level { level } => [[s, level], [1.0, 0.0], [0.0, 0.0]],
+        }
+    }
+
+    /// Unit normal out of the body, where the tangent x′ is `tangent`.
+    pub(super) fn normal(&self, [x, y]: Point) -> Point {
+        let length = x.hypot(y);
+        match self.shape {
+            CurveShape::Circle { .. } => [y / length, -x / length],
+            CurveShape::Level { .. } => [-y / length, x / length],
+        }
+    }
+
+    /// Weights of nodes, by their positions, in the derivative of the displacement at the node `position`.
+    pub(super) fn slope(&self, position: usize) -> &[(usize, f64)] {
+        &self.slopes[position]
+    }
+
+    /// The place `by` beyond the node at `position` of the curve whose nodes are displaced by `moved`.
+    pub(super) fn local(&self, moved: &[Point], position: usize, by: f64) -> Local {
+        let [mut place, mut tangent, curvature] = self.undeformed(self.parameter[position] + by);
+        let own = moved[position];
+        place = [place[0] + own[0], place[1] + own[1]];
+        for &(node, weight) in &self.slopes[position] {
+            for i in 0..2 {
+                let slope = weight * moved[node][i];
+                place[i] += by * slope;
+                tangent[i] += slope;
+            }
+        }
+        Local {
+            place,
+            tangent,
+            curvature,
+        }
+    }
+
+    /// How far beyond the node at `position` the place nearest to `to` lies on the curve whose nodes are displaced by `moved`; `None` where the
+    /// search does not end.
+    pub(super) fn nearest(&self, moved: &[Point], to: Point, position: usize) -> Option<f64> {
+        let close = 1e-14 * (self.parameter[self.parameter.len() - 1] - self.parameter[0]);
+        let mut by = 0.0;
+        for _ in 0..ITERATIONS {
+            let Local {
+                place,
+                tangent,
+                curvature,
+            } = self.local(moved, position, by);
+            let away = [to[0] - place[0], to[1] - place[1]];
+            let slope = dot(away, curvature) - dot(tangent, tangent);
+            let step = dot(away, tangent) / slope;
+            if !step.is_finite() {
+                return None;
+            }
+            by -= step;
+            if step.abs() <= close {
+                return Some(by);
+            }
+        }
+        None
+    }
+
+    /// Second derivative of the displacements `moved` at the node `position`.
+    pub(super) fn bend(&self, moved: &[Point], position: usize) -> Point {
+        let mut bend = [0.0; 2];
+        for &(node, weight) in &self.slopes[position] {
+            for &(further, second) in &self.slopes[node] {
+                for i in 0..2 {
+                    bend[i] += weight * second * moved[further][i];
+                }
+            }
+        }
+        bend
+    }
+}
+
+/// The derivative in each node's cell, at a corner the mean of both cells by their lengths.
+fn slopes(parameter: &[f64], order: usize, ends: CurveEnds) -> Vec<Vec<(usize, f64)>> {
+    let count = parameter.len();
+    let mut slopes: Vec<Vec<(usize, f64)>> = vec![Vec::new(); count];
+    let lengths = |first: usize| parameter_at(parameter, first + order) - parameter[first];
+    let last = match ends {
+        CurveEnds::Closed => count,
+        CurveEnds::Open { .. } => count - 1,
+    };
+    for first in (0..last).step_by(order) {
+        let at: Vec<f64> = (first..=first + order)
+            .map(|k| parameter_at(parameter, k))
+            .collect();
+        for (own, weights) in derivatives(&at).into_iter().enumerate() {
+            let node = (first + own) % count;
+            let neighbour = match (own, ends) {
+                (0, CurveEnds::Closed) => Some((first + count - order) % count),
+                (0, CurveEnds::Open { .. }) => first.checked_sub(order),
+                (_, CurveEnds::Closed) if own == order => Some(node),
+                (_, CurveEnds::Open { .. }) if own == order && node < last => Some(node),
+                _ => None,
+            };
+            let length = lengths(first);
+            let share = neighbour.map_or(1.0, |other| length / (length + lengths(other)));
+            for (k, weight) in weights.into_iter().enumerate() {
+                let position = (first + k) % count;
+                match slopes[node]
+                    .iter_mut()
+                    .find(|(known, _)| *known == position)
+                {
+                    Some((_, sum)) => *sum += share * weight,
+                    None => slopes[node].push((position, share * weight)),
+                }
+            }
+        }
+    }
+    let negligible = |own: &[(usize, f64)]| {
+        1e-12
+            * own
+                .iter()
+                .fold(0.0, |most: f64, (_, weight)| most.max(weight.abs()))
+    };
+    for own in &mut slopes {
+        let least = negligible(own);
+        own.retain(|(_, weight)| weight.abs() > least);
+    }
+    slopes
+}
+
+/// Parameter of the node `k`, which may be beyond the period.
+fn parameter_at(parameter: &[f64], k: usize) -> f64 {
+    let count = parameter.len();
+    parameter[k % count] + TAU * (k / count) as f64
+}
+
+/// Derivatives of Lagrange's polynomials of the places `at`, at each place those of all.
+fn derivatives(at: &[f64]) -> Vec<Vec<f64>> {
+    let others = |k: usize| (0..at.len()).filter(move |&other| other != k);
+    let product = |k: usize| -> f64 { others(k).map(|other| at[k] - at[other]).product() };
+    let entry = |own: usize, of: usize| {
+        if own == of {
+            others(own).map(|other| (at[own] - at[other]).recip()).sum()
+        } else {
+            product(own) / (product(of) * (at[own] - at[of]))
+        }
+    };
+    let row = |own: usize| (0..at.len()).map(|of| entry(own, of)).collect();
+    (0..at.len()).map(row).collect()
+}
+
+fn dot(a: Point, b: Point) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn closed(cells: usize, order: usize) -> Curve {
+        let count = cells * order;
+        let parameter = (0..count).map(|k| TAU * (k as f64 / count as f64) - 3.0);
+        let shape = CurveShape::Circle {
+            centre: [0.3, -0.2],
+            radius: 2.0,
+        };
+        let parameter = parameter.collect();
+        Curve::new(
+            shape,
+            (0..count).collect(),
+            parameter,
+            order,
+            CurveEnds::Closed,
+        )
+        .unwrap()
+    }
+
+    fn level(parameter: &[f64], order: usize) -> Result<Curve, String> {
+        let ends = CurveEnds::Open {
+            mirrored: [true, false],
+        };
+        let nodes = (0..parameter.len()).collect();
+        let shape = CurveShape::Level { level: 0.0 };
+        Curve::new(shape, nodes, parameter.to_vec(), order, ends)
+    }
+
+    fn values(slope: &[(usize, f64)], of: impl Fn(usize) -> f64) -> f64 {
+        slope.iter().map(|&(node, weight)| weight * of(node)).sum()
+    }
+
+    /// Parabolas in quadratic cells of uneven length, and their derivatives.
+    #[test]
+    fn slopes_are_those_of_the_cells() {
+        let at = [0.0, 0.5, 1.0, 1.2, 1.4, 2.1, 2.8];
+        let curve = level(&at, 2).unwrap();
+        for (position, &s) in at.iter().enumerate() {
+            let slope = values(curve.slope(position), |k| {
+                0.2 - 0.7 * at[k] + 0.3 * at[k] * at[k]
+            });
+            assert!((slope - (0.6 * s - 0.7)).abs() < 1e-13, "{position}");
+        }
+        let uniform = closed(6, 2);
+        let ratio: Vec<f64> = (uniform.slope(2).iter())
+            .map(|(_, weight)| weight * TAU / 12.0)
+            .collect();
+        let expected = [0.25, -1.0, 1.0, -0.25];
+        assert!((ratio.iter().zip(expected)).all(|(found, wanted)| (found - wanted).abs() < 1e-13));
+    }
+
+    /// Uniform pressure stays uniform when it moves along a closed edge: Σ_k A_k D_kj = 0, with the areas A of the nodes in their cells.
+    #[test]
+    fn uniform_pressure_moves_along_as_uniform_pressure() {
+        for (order, areas) in [(1, [1.0, 1.0]), (2, [1.0, 2.0])] {
+            let curve = closed(8, order);
+            let mut sums = vec![0.0; curve.nodes().len()];
+            for k in 0..sums.len() {
+                for &(node, weight) in curve.slope(k) {
+                    sums[node] += areas[k % order] * weight;
+                }
+            }
+            assert!(sums.iter().all(|sum| sum.abs() < 1e-12), "{order} {sums:?}");
+        }
+    }
+
+    /// A circle that is shifted and blown up is a circle, on which the nearest place is known; cells of order 2 miss sine and cosine by
+    /// the third power of their length.
+    #[test]
+    fn the_nearest_place_on_a_circle_is_along_its_radius() {
+        let curve = closed(60, 2);
+        let (shift, growth) = ([0.02, -0.01], 0.01);
+        let away = |s: f64| [s.cos(), s.sin()];
+        let moved: Vec<Point> = (curve.parameter.iter())
+            .map(|&s| std::array::from_fn(|i| shift[i] + growth * away(s)[i]))
+            .collect();
+        let centre = [0.3 + shift[0], -0.2 + shift[1]];
+        for position in [0, 7, 40, 90, 119] {
+            let angle = curve.parameter[position] + 0.01;
+            let to = std::array::from_fn(|i| centre[i] + 2.1 * away(angle)[i]);
+            let by = curve.nearest(&moved, to, position).unwrap();
+            assert!((by - 0.01).abs() < 1e-5, "{by}");
+            let normal = curve.normal(curve.local(&moved, position, by).tangent);
+            assert!((0..2).all(|i| (normal[i] - away(angle)[i]).abs() < 1e-5));
+        }
+    }
+
+    #[test]
+    fn nodes_that_make_no_cells_are_refused() {
+        assert!(level(&[0.0, 0.5, 1.0, 1.5], 2).is_err());
+        assert!(level(&[0.0, 0.5, 0.5], 2).is_err());
+        assert!(level(&[0.0, 0.5, 1.0], 0).is_err());
+    }
+}
