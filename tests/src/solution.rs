@@ -48,10 +48,7 @@ impl Solution {
 
     /// Contact forces `[N]` on the contact points of a body, interleaved, in the order of its interface.
     pub fn contact_forces(&self, body: usize, record: &StepRecord) -> Vec<f64> {
-        let count = self.solved.operators[body].interface().points().len();
-        self.solved
-            .interface
-            .forces_on_body(body, count, &record.state.forces)
+        self.solved.forces_on_body(record, body)
     }
 
     /// Displacements of all nodes of an elastic body `[mm]`, interleaved.

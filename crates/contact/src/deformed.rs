@@ -167,7 +167,11 @@ impl<'a> DeformedGaps<'a> {
             let mut displacement = body.modes() * amounts;
             if let Some(compliance) = body.compliance() {
                 let forces = contacts.forces_on_body(index, count, &state.forces);
-                displacement.gemv(1.0, compliance, &DVector::from_vec(forces), 1.0);
+                for (column, &force) in forces.iter().enumerate() {
+                    if force != 0.0 {
+                        displacement.axpy(force, &compliance.column(column), 1.0);
+                    }
+                }
             }
             for (case, &factor) in state.multipliers.iter().enumerate() {
                 if let Some(response) = body.load_response(case) {

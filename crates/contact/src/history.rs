@@ -6,6 +6,7 @@ mod frictionless;
 mod increment;
 mod merged;
 mod otherwise;
+mod passes;
 mod record;
 mod recovery;
 mod travel;

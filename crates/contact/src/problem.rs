@@ -62,52 +62,66 @@ impl InterfaceProblem {
             mode_offsets.push(mode_offsets[mode_offsets.len() - 1] + body.modes().ncols());
         }
         let contacts = Contacts::new(pairs, bodies);
-        let mut problem = Self::assembled(bodies, contacts, cases, mode_offsets);
-        problem.equilibrate_modes();
-        problem.find_sliding_points();
-        problem.compliance_unit = power_of_two_near(problem.compliance.diagonal().amax());
-        Ok(problem)
-    }
-
-    /// The same bodies with their contact points where `pairs` has them: as many in each pair, with other frames, gaps and stencils. Units,
-    /// and which points slide, stay as they are.
-    pub(crate) fn with_points(
-        &self,
-        bodies: &[&dyn InterfaceOperator],
-        pairs: Vec<ContactPair>,
-    ) -> Self {
-        let mut contacts = Contacts::new(pairs, bodies);
-        for (point, own) in contacts.points_mut().iter_mut().zip(self.points()) {
-            point.slides = own.slides;
-        }
-        let cases = self.load_cases();
-        let mut problem = Self::assembled(bodies, contacts, cases, self.mode_offsets.clone());
-        problem.compliance_unit = self.compliance_unit;
-        problem.count_modes_in(self.mode_units.clone());
-        problem
-    }
-
-    fn assembled(
-        bodies: &[&dyn InterfaceOperator],
-        contacts: Contacts,
-        cases: usize,
-        mode_offsets: Vec<usize>,
-    ) -> Self {
-        let (size, modes) = (2 * contacts.points().len(), mode_offsets[bodies.len()]);
+        let size = 2 * contacts.points().len();
         let mut problem = Self {
             compliance: DMatrix::zeros(size, size),
             compliance_unit: 1.0,
-            modes: DMatrix::zeros(size, modes),
-            mode_units: vec![1.0; modes],
+            modes: DMatrix::zeros(size, mode_offsets[bodies.len()]),
+            mode_units: vec![1.0; mode_offsets[bodies.len()]],
             case_motion: vec![DVector::zeros(size); cases],
-            case_mode_load: vec![DVector::zeros(modes); cases],
+            case_mode_load: vec![DVector::zeros(mode_offsets[bodies.len()]); cases],
             contacts,
             mode_offsets,
         };
         for (index, body) in bodies.iter().enumerate() {
             problem.add_body(index, *body);
         }
-        problem
+        problem.equilibrate_modes();
+        problem.find_sliding_points();
+        problem.compliance_unit = power_of_two_near(problem.compliance.diagonal().amax());
+        Ok(problem)
+    }
+
+    /// Moves the contact points to those of `pairs`: as many in each pair, with other frames, gaps and stencils. The compliance is that of
+    /// the new points between those that are `in_play`; other entries stay as they are. Units, and which points slide, stay too.
+    pub(crate) fn move_points(
+        &mut self,
+        bodies: &[&dyn InterfaceOperator],
+        pairs: Vec<ContactPair>,
+        in_play: &[bool],
+    ) {
+        let mut contacts = Contacts::new(pairs, bodies);
+        for (point, own) in contacts.points_mut().iter_mut().zip(self.points()) {
+            point.slides = own.slides;
+        }
+        self.contacts = contacts;
+        let chosen: Vec<usize> = (0..in_play.len()).filter(|&k| in_play[k]).collect();
+        for &pushed in &chosen {
+            for &seen in &chosen {
+                let block = &mut self.compliance;
+                block.fixed_view_mut::<2, 2>(2 * seen, 2 * pushed).fill(0.0);
+            }
+        }
+        self.modes.fill(0.0);
+        self.case_motion
+            .iter_mut()
+            .for_each(|motion| motion.fill(0.0));
+        for (index, body) in bodies.iter().enumerate() {
+            let mut rows = self.body_rows(index);
+            self.add_motions(index, *body, &rows);
+            rows.retain(|row| in_play[row.point]);
+            if let Some(compliance) = body.compliance() {
+                self.add_compliance(&rows, compliance);
+            }
+        }
+        for (mode, unit) in self.mode_units.iter().enumerate() {
+            self.modes.column_mut(mode).scale_mut(*unit);
+        }
+    }
+
+    /// Sets the initial gap `[length]` of every point.
+    pub(crate) fn set_gaps(&mut self, gaps: &[f64]) {
+        self.contacts.set_gaps(gaps);
     }
 
     fn add_body(&mut self, index: usize, body: &dyn InterfaceOperator) {
@@ -115,22 +129,29 @@ impl InterfaceProblem {
         if let Some(compliance) = body.compliance() {
             self.add_compliance(&rows, compliance);
         }
-        let first_mode = self.mode_offsets[index];
-        let count = body.modes().ncols();
-        for row in &rows {
+        self.add_motions(index, body, &rows);
+        let modes = self.body_modes(index);
+        for (case, load) in self.case_mode_load.iter_mut().enumerate() {
+            load.rows_mut(modes.start, modes.len())
+                .copy_from(body.mode_load(case));
+        }
+    }
+
+    /// Adds the rigid motions and the responses to loads of body `index`, whose rows are `rows`.
+    fn add_motions(&mut self, index: usize, body: &dyn InterfaceOperator, rows: &[BodyRows]) {
+        let modes = self.body_modes(index);
+        for row in rows {
             for (node, weight) in &row.terms {
                 let motion = weight * body.modes().rows(2 * node, 2);
-                let mut target = self.modes.view_mut((2 * row.point, first_mode), (2, count));
+                let place = (2 * row.point, modes.start);
+                let mut target = self.modes.view_mut(place, (2, modes.len()));
                 target += motion;
             }
         }
-        for case in 0..self.case_motion.len() {
-            self.case_mode_load[case]
-                .rows_mut(first_mode, count)
-                .copy_from(body.mode_load(case));
+        for (case, motion) in self.case_motion.iter_mut().enumerate() {
             if let Some(response) = body.load_response(case) {
-                for row in &rows {
-                    let mut target = self.case_motion[case].fixed_rows_mut::<2>(2 * row.point);
+                for row in rows {
+                    let mut target = motion.fixed_rows_mut::<2>(2 * row.point);
                     for (node, weight) in &row.terms {
                         target += weight * response.fixed_rows::<2>(2 * node);
                     }
@@ -141,15 +162,26 @@ impl InterfaceProblem {
 
     /// Adds B C Bᵀ: for each point the body's motion C Bᵀ under unit contact forces there, seen from the points after it.
     fn add_compliance(&mut self, rows: &[BodyRows], compliance: &DMatrix<f64>) {
+        let nodes = || {
+            rows.iter()
+                .flat_map(|row| &row.terms)
+                .map(|(node, _)| *node)
+        };
+        let (Some(first), Some(last)) = (nodes().min(), nodes().max()) else {
+            return;
+        };
+        let (start, length) = (2 * first, 2 * (last + 1 - first));
         let mut motion = DMatrix::zeros(compliance.nrows(), 2);
         for (j, pushed) in rows.iter().enumerate() {
             motion.fill(0.0);
             for (node, weight) in &pushed.terms {
                 for component in 0..2 {
                     let mut column = motion.column_mut(component);
+                    let mut column = column.rows_range_mut(start..start + length);
                     for axis in 0..2 {
                         let factor = weight[(component, axis)];
-                        column.axpy(factor, &compliance.column(2 * node + axis), 1.0);
+                        let unit = compliance.column(2 * node + axis);
+                        column.axpy(factor, &unit.rows(start, length), 1.0);
                     }
                 }
             }
@@ -179,19 +211,13 @@ impl InterfaceProblem {
     /// Counts each rigid motion in a unit in which it moves the contact points by about 1, so that neither pivots nor resultants
     /// depend on the units of a body: a turn in radians moves them by their distance, in millimetres or in metres.
     fn equilibrate_modes(&mut self) {
-        let columns = self.modes.column_iter();
-        let units = columns.map(|mode| unit_of_motion(mode.amax())).collect();
-        self.count_modes_in(units);
-    }
-
-    fn count_modes_in(&mut self, units: Vec<f64>) {
-        for (mode, unit) in units.iter().enumerate() {
+        for (mode, unit) in self.mode_units.iter_mut().enumerate() {
+            *unit = unit_of_motion(self.modes.column(mode).amax());
             self.modes.column_mut(mode).scale_mut(*unit);
             for load in &mut self.case_mode_load {
                 load[mode] *= *unit;
             }
         }
-        self.mode_units = units;
     }
 
     fn find_sliding_points(&mut self) {
@@ -294,6 +320,23 @@ impl InterfaceProblem {
     /// Relative motion Σ m_k d_k `[length]` of the points by the loads alone, 2n.
     pub fn load_motion(&self, multipliers: &[f64]) -> DVector<f64> {
         combine(&self.case_motion, multipliers, 2 * self.points().len())
+    }
+
+    /// Relative motion `[length]` of the points, 2n, by contact forces `[force]`, rigid motions and loads: what is added to gaps.
+    pub(crate) fn relative_motion(
+        &self,
+        forces: &DVector<f64>,
+        rigid: &DVector<f64>,
+        multipliers: &[f64],
+    ) -> DVector<f64> {
+        let mut motion = self.load_motion(multipliers);
+        for (column, &force) in forces.iter().enumerate() {
+            if force != 0.0 {
+                motion.axpy(force, &self.compliance.column(column), 1.0);
+            }
+        }
+        motion.gemv(1.0, &self.modes, rigid, 1.0);
+        motion
     }
 
     /// Resultants Σ m_k r_k `[force]` of the loads in the rigid motions, m. What is left by rounding where load cases cancel

@@ -43,6 +43,11 @@ pub enum ConventionalError {
     /// Its factor does not fit in memory.
     #[error(transparent)]
     Factor(#[from] FactorError),
+    /// Contact is to be found on the deformed geometry.
+    #[error(
+        "the conventional path finds contact on the undeformed geometry: say analysis.kinematics = \"small\""
+    )]
+    DeformedGaps,
     /// The problem was made for other bodies.
     #[error("the problem has {expected} rigid motions, the bodies have {found}")]
     OtherBodies {

@@ -9,7 +9,7 @@ use stickslip::scene::Scene;
 use stickslip_contact::{InterfaceProblem, InterfaceSolver};
 use stickslip_fem_core::InterfaceOperator;
 
-use crate::conventional::{ConventionalNewton, Settings};
+use crate::conventional::{ConventionalError, ConventionalNewton, Settings};
 use crate::error::LaboratoryError;
 use crate::measure::thread_seconds;
 
@@ -83,6 +83,9 @@ pub fn run(scene: &Scene, path: Path<'_>) -> Result<Run, LaboratoryError> {
     let whole;
     let solver: &dyn InterfaceSolver = match path {
         Path::Condensed(solver) => solver,
+        Path::Conventional(_) if !model.facings.is_empty() => {
+            return Err(ConventionalError::DeformedGaps.into());
+        }
         Path::Conventional(settings) => {
             whole = ConventionalNewton::new(&operators, &problem, *settings)?;
             [seconds.setup, processor.setup] = clock.lap();

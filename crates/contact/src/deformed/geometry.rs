@@ -12,7 +12,7 @@ use crate::problem::{ContactPair, ContactPoint, Stencil, frame};
 #[derive(Clone, Debug)]
 pub(crate) struct Geometry {
     pairs: Vec<ContactPair>,
-    /// The most that a closest point may be away from where it is taken for `[length]`.
+    /// What second derivatives of displacements add to closest points at most `[length]`.
     bend: f64,
 }
 
@@ -49,47 +49,38 @@ impl Geometry {
         Ok(Self { pairs: found, bend })
     }
 
-    /// The pairs with their points.
+    /// The pairs with their points, whose gaps are those at the displacement.
     pub(crate) fn pairs(&self) -> &[ContactPair] {
         &self.pairs
     }
 
-    /// Gap and tangential motion `[length]` of all points, interleaved, where the bodies are displaced by `moved`.
-    pub(crate) fn motion(&self, moved: &[DVector<f64>]) -> DVector<f64> {
-        let points = self
-            .pairs
-            .iter()
-            .flat_map(|pair| pair.points.iter().map(move |point| (pair, point)));
-        let motion = points.flat_map(|(pair, point)| {
-            let [normal, tangential] = relative(point, &moved[pair.first], &moved[pair.second]);
-            [point.gap + normal, tangential]
-        });
-        DVector::from_vec(motion.collect())
+    fn points(&self) -> impl Iterator<Item = (&ContactPair, &ContactPoint)> {
+        let points = |pair: &'_ ContactPair| pair.points.len();
+        let all = self.pairs.iter();
+        all.flat_map(move |pair| (0..points(pair)).map(move |k| (pair, &pair.points[k])))
     }
 
-    /// The largest change to `other` of a gap, relative to the largest motion, where the bodies are displaced by `moved`, or of a normal.
-    pub(crate) fn change(&self, other: &Self, moved: &[DVector<f64>]) -> f64 {
-        let [motion, next] = [self, other].map(|geometry| geometry.motion(moved));
-        let size = motion.amax().max(next.amax());
-        let gaps = (0..motion.len()).step_by(2);
-        let gap = gaps.fold(0.0, |most: f64, k| most.max((next[k] - motion[k]).abs()));
-        let turn = self.normals().zip(other.normals()).map(|(one, next)| {
-            let [x, y] = [0, 1].map(|i| next[i] - one[i]);
-            x.hypot(y)
-        });
-        let relative = if size > 0.0 { gap / size } else { 0.0 };
-        turn.fold(relative, f64::max)
+    /// Gaps `[length]` of all points.
+    pub(crate) fn gaps(&self) -> Vec<f64> {
+        self.points().map(|(_, point)| point.gap).collect()
     }
 
-    /// By how much a closest point is away from where it is taken for, relative to the largest motion where the bodies are displaced by `moved`.
-    pub(crate) fn error(&self, moved: &[DVector<f64>]) -> f64 {
-        let size = self.motion(moved).amax();
-        if size > 0.0 { self.bend / size } else { 0.0 }
+    /// Normals of all points.
+    pub(crate) fn normals(&self) -> Vec<[f64; 2]> {
+        self.points().map(|(_, point)| point.normal).collect()
     }
 
-    fn normals(&self) -> impl Iterator<Item = [f64; 2]> {
-        let points = self.pairs.iter().flat_map(|pair| &pair.points);
-        points.map(|point| point.normal)
+    /// Normal and tangential motion `[length]` of all points where the bodies are displaced by `moved`.
+    pub(crate) fn relative(&self, moved: &[DVector<f64>]) -> Vec<[f64; 2]> {
+        let motion = |(pair, point): (&ContactPair, &ContactPoint)| {
+            relative(point, &moved[pair.first], &moved[pair.second])
+        };
+        self.points().map(motion).collect()
+    }
+
+    /// By how much a closest point may be away from where it is taken for `[length]`.
+    pub(crate) fn error(&self) -> f64 {
+        self.bend
     }
 }
 
@@ -112,8 +103,6 @@ fn motion(stencil: &Stencil, normal: [f64; 2], moved: &DVector<f64>) -> [f64; 2]
 /// The two displaced edges of a pair, without turns about their centres of bodies that are free to turn.
 struct Edges<'a> {
     facing: &'a Facing,
-    /// Displacements of the two bodies.
-    bodies: [&'a DVector<f64>; 2],
     /// Displacements of the points of the first edge, and of the nodes of the second.
     first: Vec<Point>,
     second: Vec<Point>,
@@ -124,7 +113,7 @@ impl<'a> Edges<'a> {
         gaps: &DeformedGaps<'_>,
         pair: &ContactPair,
         facing: &'a Facing,
-        moved: &'a [DVector<f64>],
+        moved: &[DVector<f64>],
     ) -> Self {
         let bodies = [pair.first, pair.second].map(|body| &moved[body]);
         let turns = [pair.first, pair.second].map(|body| is_free_to_turn(gaps.bodies[body]));
@@ -144,7 +133,6 @@ impl<'a> Edges<'a> {
         }
         Self {
             facing,
-            bodies,
             first,
             second,
         }
@@ -180,17 +168,14 @@ impl<'a> Edges<'a> {
         } else {
             curve.normal(local.tangent)
         };
-        let mut found = ContactPoint {
-            second: stencil(curve, k, by),
-            normal,
-            gap: 0.0,
-            ..point.clone()
-        };
         let to = self.place(k);
         let away = [to[0] - local.place[0], to[1] - local.place[1]];
-        let [linear, _] = relative(&found, self.bodies[0], self.bodies[1]);
-        found.gap = away[0] * normal[0] + away[1] * normal[1] - linear;
-        found
+        ContactPoint {
+            second: stencil(curve, k, by),
+            normal,
+            gap: away[0] * normal[0] + away[1] * normal[1],
+            ..point.clone()
+        }
     }
 }
 

@@ -90,6 +90,14 @@ impl Contacts {
         &mut self.points
     }
 
+    /// Sets the initial gap `[length]` of every point.
+    pub(crate) fn set_gaps(&mut self, gaps: &[f64]) {
+        let own = self.pairs.iter_mut().flat_map(|pair| &mut pair.points);
+        for ((point, own), &gap) in self.points.iter_mut().zip(own).zip(gaps) {
+            (point.gap, own.gap) = (gap, gap);
+        }
+    }
+
     /// Takes over the points of `own`, whose pairs are those with the numbers `pairs` here.
     pub(crate) fn take_points(&mut self, own: &Self, pairs: &[usize]) {
         for (local, &pair) in pairs.iter().enumerate() {

@@ -2,6 +2,7 @@
 
 mod audit;
 mod contract;
+mod deformed;
 mod discrete;
 mod family;
 mod freedom;

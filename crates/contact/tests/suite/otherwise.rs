@@ -3,7 +3,7 @@
 use stickslip_contact::history::Otherwise;
 use stickslip_contact::solver::{FailureCause, Step, StepFailure, StepSolution, Work};
 use stickslip_contact::{
-    InterfaceSolver, LoadHistory, Pivoting, Ramp, SemismoothNewton, StepRecord,
+    InterfaceSolver, Kinematics, LoadHistory, Pivoting, Ramp, SemismoothNewton, StepRecord,
 };
 
 use crate::scaling::disk;
@@ -37,7 +37,7 @@ fn walk(solver: &dyn InterfaceSolver) -> (Vec<StepRecord>, Vec<Otherwise>) {
     let steps = vec![START.to_vec(), END.to_vec()];
     let history = LoadHistory::new(steps, 1, Ramp::Linear).unwrap();
     let records = history.follow(&problem, solver, |_| {}).unwrap();
-    let otherwise = history.walked_otherwise(&problem.into(), solver, &records);
+    let otherwise = history.walked_otherwise(&problem.into(), &Kinematics::Small, solver, &records);
     (records, otherwise)
 }
 

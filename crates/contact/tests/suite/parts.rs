@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, DVector};
 use stickslip_contact::interface::{Group, groups};
 use stickslip_contact::{
-    Chain, ContactError, ContactPair, ContactPoint, Interface, InterfaceProblem, LoadHistory, Ramp,
-    StepRecord,
+    Chain, ContactError, ContactPair, ContactPoint, Interface, InterfaceProblem, Kinematics,
+    LoadHistory, Ramp, StepRecord,
 };
 use stickslip_fem_core::{GivenBody, InterfaceOperator, RigidBody};
 
@@ -139,7 +139,9 @@ fn parts_walk_as_each_does_alone() {
     assert_eq!(interface.parts().len(), loads.len());
     let mut seen = 0;
     let together = history(&steps)
-        .follow_parts(&interface, &Chain::default(), || seen += 1)
+        .follow_parts(&interface, &Kinematics::Small, &Chain::default(), || {
+            seen += 1
+        })
         .unwrap();
     assert_eq!((seen, together.len()), (3, 3));
     for (k, &load) in loads.iter().enumerate() {
@@ -192,7 +194,9 @@ fn a_history_ends_with_the_part_that_ends_first() {
     let failure = |interface: &Interface| {
         let mut seen = 0;
         let error = history(&steps)
-            .follow_parts(interface, &Chain::default(), || seen += 1)
+            .follow_parts(interface, &Kinematics::Small, &Chain::default(), || {
+                seen += 1
+            })
             .unwrap_err();
         let ContactError::StepFailed {
             step,
@@ -207,7 +211,12 @@ fn a_history_ends_with_the_part_that_ends_first() {
         assert!(cause.is_proved_impossible(), "{cause}");
         (bodies, reached)
     };
-    let held = history(&steps).follow_parts(&loads([0.5; 3]), &Chain::default(), || {});
+    let held = history(&steps).follow_parts(
+        &loads([0.5; 3]),
+        &Kinematics::Small,
+        &Chain::default(),
+        || {},
+    );
     assert!(held.is_ok());
     let (bodies, reached) = failure(&loads([0.5, 1.5, 0.5]));
     assert_eq!(bodies, [1, 4, 6]);

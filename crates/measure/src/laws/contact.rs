@@ -18,11 +18,11 @@ use stickslip_friction::{FrictionLaw, Mirror};
 use stickslip_hybrid::region::locate::Locator;
 
 use super::{Candidate, LawsError, Observation};
-use stickslip_engine::model::Model;
+use stickslip_engine::model::{Model, ModelError};
 use stickslip_engine::run::{Operator, RunError, condense, solver};
 use stickslip_scene::experiment::SpecimenScene;
 use stickslip_scene::host::Host;
-use stickslip_scene::schema::ModelChoice;
+use stickslip_scene::schema::{KinematicsChoice, ModelChoice};
 
 /// A scene whose bodies are condensed, for any number of friction laws in one of its contacts.
 #[derive(Debug)]
@@ -53,6 +53,14 @@ impl ContactModel {
         let pair = own.contact().ok_or_else(|| LawsError::NoContact {
             edge: format!("{}.{}", own.body, own.edge),
         })?;
+        if scene.analysis.kinematics != KinematicsChoice::Small {
+            return Err(RunError::from(ModelError::Unsupported {
+                key: "analysis.kinematics".into(),
+                what: "friction laws are fitted with gaps on the undeformed geometry: say analysis.kinematics = \"small\" in the scene"
+                    .into(),
+            })
+            .into());
+        }
         let model = Model::build(scene).map_err(RunError::from)?;
         let operators = condense(&model)?;
         let faces: Vec<&dyn InterfaceOperator> =
