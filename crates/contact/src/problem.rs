@@ -22,8 +22,8 @@ use nalgebra::{DMatrix, DVector, Matrix2};
 use stickslip_fem_core::InterfaceOperator;
 use stickslip_friction::{FrictionLaw, History};
 
-pub(crate) use contacts::frame;
 pub use contacts::{ContactPair, ContactPoint, Contacts, ProblemPoint};
+pub(crate) use contacts::{Couple, frame};
 pub use free_motions::FreeMotions;
 pub use stencil::{BodyRows, Stencil, StencilTerm};
 
@@ -82,15 +82,16 @@ impl InterfaceProblem {
         Ok(problem)
     }
 
-    /// Moves the contact points to those of `pairs`: as many in each pair, with other frames, gaps and stencils. The compliance is that of
-    /// the new points between those that are `in_play`; other entries stay as they are. Units, and which points slide, stay too.
+    /// Moves the contact points to those of `pairs`: as many in each pair, with other frames, gaps and stencils, and `couples`. The compliance
+    /// is that of the new points between those that are `in_play`; other entries stay as they are. Units, and which points slide, stay too.
     pub(crate) fn move_points(
         &mut self,
         bodies: &[&dyn InterfaceOperator],
         pairs: Vec<ContactPair>,
+        couples: Vec<Couple>,
         in_play: &[bool],
     ) {
-        let mut contacts = Contacts::new(pairs, bodies);
+        let mut contacts = Contacts::new(pairs, bodies).with_couples(couples);
         for (point, own) in contacts.points_mut().iter_mut().zip(self.points()) {
             point.slides = own.slides;
         }
@@ -113,9 +114,79 @@ impl InterfaceProblem {
             if let Some(compliance) = body.compliance() {
                 self.add_compliance(&rows, compliance);
             }
+            self.add_couples(index, *body, &rows, &chosen);
         }
         for (mode, unit) in self.mode_units.iter().enumerate() {
             self.modes.column_mut(mode).scale_mut(*unit);
+        }
+    }
+
+    /// Adds what the couples of body `index` do, whose rows are `rows`, those of the points `chosen` in play. With D and T the columns of d and τ,
+    ///
+    /// ```text
+    /// (B + D Tᵀ) C (B + D Tᵀ)ᵀ = B C Bᵀ + Y Dᵀ + D Yᵀ,      Y = (B + ½ D Tᵀ) C T
+    /// ```
+    fn add_couples(
+        &mut self,
+        index: usize,
+        body: &dyn InterfaceOperator,
+        rows: &[BodyRows],
+        chosen: &[usize],
+    ) {
+        let couples: Vec<Couple> = (self.contacts.couples().iter())
+            .filter(|couple| couple.body == index)
+            .cloned()
+            .collect();
+        let modes = self.body_modes(index);
+        let size = 2 * self.points().len();
+        let column = |couple: &Couple| {
+            let mut column = DVector::zeros(size);
+            for &(point, row) in &couple.rows {
+                column.fixed_rows_mut::<2>(2 * point).copy_from_slice(&row);
+            }
+            column
+        };
+        let columns: Vec<DVector<f64>> = couples.iter().map(column).collect();
+        for (couple, own) in couples.iter().zip(&columns) {
+            for (mode, motion) in modes.clone().zip(body.modes().column_iter()) {
+                let turn = couple.turn_of(motion.as_slice());
+                self.modes.column_mut(mode).axpy(turn, own, 1.0);
+            }
+            for (case, motion) in self.case_motion.iter_mut().enumerate() {
+                if let Some(response) = body.load_response(case) {
+                    motion.axpy(couple.turn_of(response.as_slice()), own, 1.0);
+                }
+            }
+            let Some(compliance) = body.compliance() else {
+                continue;
+            };
+            let mut moved = DVector::zeros(compliance.nrows());
+            for (node, turn) in &couple.turn {
+                for (axis, factor) in turn.iter().enumerate() {
+                    moved.axpy(*factor, &compliance.column(2 * node + axis), 1.0);
+                }
+            }
+            let mut seen = DVector::zeros(size);
+            for row in rows {
+                let mut target = seen.fixed_rows_mut::<2>(2 * row.point);
+                for (node, weight) in &row.terms {
+                    target += weight * moved.fixed_rows::<2>(2 * node);
+                }
+            }
+            for (other, column) in couples.iter().zip(&columns) {
+                seen.axpy(0.5 * other.turn_of(moved.as_slice()), column, 1.0);
+            }
+            self.add_product(own, &seen, chosen);
+        }
+    }
+
+    /// Adds a bᵀ + b aᵀ to the compliance between the points `chosen`.
+    fn add_product(&mut self, a: &DVector<f64>, b: &DVector<f64>, chosen: &[usize]) {
+        let rows = || chosen.iter().flat_map(|k| [2 * k, 2 * k + 1]);
+        for column in rows().filter(|&row| a[row] != 0.0 || b[row] != 0.0) {
+            for row in rows() {
+                self.compliance[(row, column)] += a[row] * b[column] + b[row] * a[column];
+            }
         }
     }
 

@@ -6,12 +6,13 @@ use stickslip_fem_core::mesh::Point;
 
 use super::curve::Curve;
 use super::{DeformedGaps, Facing};
-use crate::problem::{ContactPair, ContactPoint, Stencil, frame};
+use crate::problem::{ContactPair, ContactPoint, Couple, Stencil, frame};
 
 /// All contact points of a problem at one displacement of its bodies.
 #[derive(Clone, Debug)]
 pub(crate) struct Geometry {
     pairs: Vec<ContactPair>,
+    couples: Vec<Couple>,
     /// What second derivatives of displacements add to closest points at most `[length]`.
     bend: f64,
 }
@@ -30,28 +31,41 @@ impl Geometry {
         pairs: &[ContactPair],
         moved: &[DVector<f64>],
     ) -> Result<Self, Unfaced> {
-        let (mut before, mut bend) = (0, 0.0_f64);
+        let (mut before, mut bend, mut couples) = (0, 0.0_f64, Vec::new());
         let mut found = Vec::with_capacity(pairs.len());
         for (pair, facing) in pairs.iter().zip(&gaps.facings) {
             let edges = Edges::new(gaps, pair, facing, moved);
             let mut points = Vec::with_capacity(pair.points.len());
+            let mut arms = Vec::with_capacity(pair.points.len());
             for (k, point) in pair.points.iter().enumerate() {
                 let by = edges.closest(k).ok_or(Unfaced { point: before + k })?;
                 bend = bend.max(edges.bend(k, by));
-                points.push(edges.point(k, point, by));
+                let (point, arm) = edges.point(k, point, by);
+                points.push(point);
+                arms.push(arm);
             }
+            couples.extend(edges.couples(pair, &points, &arms, before));
             before += points.len();
             found.push(ContactPair {
                 points,
                 ..pair.clone()
             });
         }
-        Ok(Self { pairs: found, bend })
+        Ok(Self {
+            pairs: found,
+            couples,
+            bend,
+        })
     }
 
     /// The pairs with their points, whose gaps are those at the displacement.
     pub(crate) fn pairs(&self) -> &[ContactPair] {
         &self.pairs
+    }
+
+    /// How turns of edges enter the motion of the points.
+    pub(crate) fn couples(&self) -> &[Couple] {
+        &self.couples
     }
 
     fn points(&self) -> impl Iterator<Item = (&ContactPair, &ContactPoint)> {
@@ -75,7 +89,16 @@ impl Geometry {
         let motion = |(pair, point): (&ContactPair, &ContactPoint)| {
             relative(point, &moved[pair.first], &moved[pair.second])
         };
-        self.points().map(motion).collect()
+        let mut all: Vec<[f64; 2]> = self.points().map(motion).collect();
+        for couple in &self.couples {
+            let turn = couple.turn_of(moved[couple.body].as_slice());
+            for (point, row) in &couple.rows {
+                for i in 0..2 {
+                    all[*point][i] += turn * row[i];
+                }
+            }
+        }
+        all
     }
 
     /// By how much a closest point may be away from where it is taken for `[length]`.
@@ -100,12 +123,49 @@ fn motion(stencil: &Stencil, normal: [f64; 2], moved: &DVector<f64>) -> [f64; 2]
     [sum[0], sum[1]]
 }
 
-/// The two displaced edges of a pair, without turns about their centres of bodies that are free to turn.
+/// The two displaced edges of a pair, circles without the turns about their centres of bodies that are free to turn.
 struct Edges<'a> {
     facing: &'a Facing,
+    /// The turns that are taken out.
+    turns: [Option<Turn>; 2],
     /// Displacements of the points of the first edge, and of the nodes of the second.
     first: Vec<Point>,
     second: Vec<Point>,
+}
+
+/// The mean turn of an edge about a centre, by the areas of its nodes.
+struct Turn {
+    /// Places of the nodes, seen from the centre.
+    arms: Vec<Point>,
+    /// Weights of the nodes' displacements.
+    weights: Vec<Point>,
+}
+
+impl Turn {
+    fn new(places: impl Iterator<Item = Point>, centre: Point, pair: &ContactPair) -> Self {
+        let arms = places.map(|[x, y]| [x - centre[0], y - centre[1]]);
+        let arms: Vec<Point> = arms.collect();
+        let areas = || pair.points.iter().map(|point| point.area);
+        let whole: f64 = (arms.iter().zip(areas()))
+            .map(|([x, y], area)| area * (x * x + y * y))
+            .sum();
+        let weight = |([x, y], area): (&Point, f64)| [-area * y / whole, area * x / whole];
+        Self {
+            weights: arms.iter().zip(areas()).map(weight).collect(),
+            arms,
+        }
+    }
+
+    /// Takes the turn out of the displacements `moved` of the nodes.
+    fn take_out(&self, moved: &mut [Point]) {
+        let both = moved.iter().zip(&self.weights);
+        let turn: f64 = both
+            .map(|(by, weight)| by[0] * weight[0] + by[1] * weight[1])
+            .sum();
+        for (by, [x, y]) in moved.iter_mut().zip(&self.arms) {
+            *by = [by[0] + turn * y, by[1] - turn * x];
+        }
+    }
 }
 
 impl<'a> Edges<'a> {
@@ -115,27 +175,87 @@ impl<'a> Edges<'a> {
         facing: &'a Facing,
         moved: &[DVector<f64>],
     ) -> Self {
-        let bodies = [pair.first, pair.second].map(|body| &moved[body]);
-        let turns = [pair.first, pair.second].map(|body| is_free_to_turn(gaps.bodies[body]));
-        let at = |body: usize, node: usize| [bodies[body][2 * node], bodies[body][2 * node + 1]];
-        let node = |point: &ContactPoint| point.first.node().unwrap_or_default();
         let curve = &facing.second;
-        let first = (pair.points.iter()).map(|point| at(0, node(point)));
-        let second = curve.nodes().iter().map(|&node| at(1, node));
-        let (mut first, mut second): (Vec<Point>, Vec<Point>) = (first.collect(), second.collect());
-        let areas: Vec<f64> = pair.points.iter().map(|point| point.area).collect();
-        if let (true, Some(centre)) = (turns[0], facing.centre) {
-            take_out_turn(&mut first, &facing.first, centre, &areas);
+        let at = |body: usize, node: usize| {
+            let moved = &moved[body];
+            [moved[2 * node], moved[2 * node + 1]]
+        };
+        let node = |point: &ContactPoint| point.first.node().unwrap_or_default();
+        let first = (pair.points.iter()).map(|point| at(pair.first, node(point)));
+        let second = curve.nodes().iter().map(|&node| at(pair.second, node));
+        let mut both: [Vec<Point>; 2] = [first.collect(), second.collect()];
+        let mut turns = [None, None];
+        // Of a cylinder on a plane the turn about its centre rolls it.
+        if let (Some(first), Some(second)) = (facing.centre, curve.centre()) {
+            let places = facing.first.iter().copied();
+            let nodes = (0..curve.nodes().len()).map(|k| curve.node(k));
+            if is_free_to_turn(gaps.bodies[pair.first]) {
+                turns[0] = Some(Turn::new(places, first, pair));
+            }
+            if is_free_to_turn(gaps.bodies[pair.second]) {
+                turns[1] = Some(Turn::new(nodes, second, pair));
+            }
         }
-        if let (true, Some(centre)) = (turns[1], curve.centre()) {
-            let places: Vec<Point> = (0..second.len()).map(|k| curve.node(k)).collect();
-            take_out_turn(&mut second, &places, centre, &areas);
+        for (turn, moved) in turns.iter().zip(&mut both) {
+            if let Some(turn) = turn {
+                turn.take_out(moved);
+            }
         }
+        let [first, second] = both;
         Self {
             facing,
+            turns,
             first,
             second,
         }
+    }
+
+    /// How the turns that are taken out move `points`, which are at `arms` along the second edge and begin with the number `before`. A turn by φ about the
+    /// centre moves the edge along itself, by `arm` φ, and not as its nodes do.
+    fn couples(
+        &self,
+        pair: &ContactPair,
+        points: &[ContactPoint],
+        arms: &[f64],
+        before: usize,
+    ) -> Vec<Couple> {
+        let sides = [(pair.first, 1.0), (pair.second, -1.0)];
+        let turns = self.turns.iter().zip(sides).enumerate();
+        let couple = |(side, (turn, (body, sign))): (usize, (&Option<Turn>, (usize, f64)))| {
+            let turn = turn.as_ref()?;
+            let nodes: Vec<usize> = if side == 0 {
+                let nodes = points.iter().map(|point| point.first.node());
+                nodes.map(Option::unwrap_or_default).collect()
+            } else {
+                self.facing.second.nodes().to_vec()
+            };
+            let row = |(k, point): (usize, &ContactPoint)| {
+                let stencil = if side == 0 {
+                    &point.first
+                } else {
+                    &point.second
+                };
+                let position = |node: usize| nodes.iter().position(|&own| own == node);
+                let as_nodes = stencil.terms().iter().fold([0.0; 2], |sum, term| {
+                    let [x, y] = position(term.node).map_or([0.0; 2], |own| turn.arms[own]);
+                    let along = frame(point.normal) * nalgebra::Vector2::new(-y, x);
+                    let weight = term.weights[0][0];
+                    [sum[0] + weight * along[0], sum[1] + weight * along[1]]
+                });
+                let row = [-sign * as_nodes[0], sign * (arms[k] - as_nodes[1])];
+                (before + k, row)
+            };
+            Some(Couple {
+                body,
+                turn: nodes
+                    .iter()
+                    .copied()
+                    .zip(turn.weights.iter().copied())
+                    .collect(),
+                rows: points.iter().enumerate().map(row).collect(),
+            })
+        };
+        turns.filter_map(couple).collect()
     }
 
     /// Where the point `k` of the first edge stands.
@@ -159,8 +279,9 @@ impl<'a> Edges<'a> {
         0.5 * by * by * x.hypot(y)
     }
 
-    /// The point `k`, which is `point` on the undeformed edges and faces the place `by` beyond the node `k` of the second one.
-    fn point(&self, k: usize, point: &ContactPoint, by: f64) -> ContactPoint {
+    /// The point `k`, which is `point` on the undeformed edges and faces the place `by` beyond the node `k` of the second one; with the length |x′| of
+    /// that edge by its parameter there.
+    fn point(&self, k: usize, point: &ContactPoint, by: f64) -> (ContactPoint, f64) {
         let curve = &self.facing.second;
         let local = curve.local(&self.second, k, by);
         let normal = if curve.is_mirrored(k) {
@@ -170,12 +291,13 @@ impl<'a> Edges<'a> {
         };
         let to = self.place(k);
         let away = [to[0] - local.place[0], to[1] - local.place[1]];
-        ContactPoint {
+        let found = ContactPoint {
             second: stencil(curve, k, by),
             normal,
             gap: away[0] * normal[0] + away[1] * normal[1],
             ..point.clone()
-        }
+        };
+        (found, local.tangent[0].hypot(local.tangent[1]))
     }
 }
 
@@ -200,20 +322,4 @@ fn is_free_to_turn(body: &dyn InterfaceOperator) -> bool {
         let apart = (2..mode.len()).map(|row| (mode[row] - mode[row % 2]).abs());
         apart.fold(0.0, f64::max) > ROUNDING * mode.amax()
     })
-}
-
-/// Takes the mean turn about `centre` out of the displacements `moved` of `places`, each of which counts by its part of `areas`.
-fn take_out_turn(moved: &mut [Point], places: &[Point], centre: Point, areas: &[f64]) {
-    let arm = |place: &Point| [place[0] - centre[0], place[1] - centre[1]];
-    let (mut turn, mut whole) = (0.0, 0.0);
-    for ((by, place), area) in moved.iter().zip(places).zip(areas) {
-        let [x, y] = arm(place);
-        turn += area * (x * by[1] - y * by[0]);
-        whole += area * (x * x + y * y);
-    }
-    let turn = turn / whole;
-    for (by, place) in moved.iter_mut().zip(places) {
-        let [x, y] = arm(place);
-        *by = [by[0] + turn * y, by[1] - turn * x];
-    }
 }

@@ -48,7 +48,7 @@ impl Interface {
         for (part, record) in self.parts().iter().zip(parts) {
             if let Some(contacts) = &record.contacts {
                 let whole = whole.get_or_insert_with(|| self.contacts().clone());
-                whole.take_points(contacts, &part.group().pairs);
+                whole.take_points(contacts, part);
             }
         }
         whole.map(Arc::new)

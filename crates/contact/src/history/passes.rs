@@ -209,8 +209,8 @@ impl<'a> Passes<'a> {
     /// Takes over `geometry`, where the bodies are displaced by `moved` in `state`.
     fn take(&mut self, geometry: &Geometry, moved: &[DVector<f64>], state: &ContactState) {
         self.in_play = self.beside_contact(state);
-        let pairs = geometry.pairs().to_vec();
-        (self.problem).move_points(self.gaps.bodies(), pairs, &self.in_play);
+        let (pairs, couples) = (geometry.pairs().to_vec(), geometry.couples().to_vec());
+        (self.problem).move_points(self.gaps.bodies(), pairs, couples, &self.in_play);
         let of_bodies = geometry.relative(moved);
         let before = geometry.relative(&self.committed);
         let seen = (self.problem).relative_motion(&state.forces, &state.rigid, &state.multipliers);

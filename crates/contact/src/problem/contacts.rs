@@ -10,6 +10,7 @@ use stickslip_friction::{FrictionLaw, Place};
 
 use super::{BodyRows, Stencil, StencilTerm};
 use crate::error::ContactError;
+use crate::interface::Part;
 
 /// One contact point of a pair: a node of the first body against a node of the second, or a weighted share of both edges.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,11 +64,37 @@ pub struct ProblemPoint {
     pub slides: bool,
 }
 
+/// How the turn of a body's edge enters the motion of contact points in addition to their stencils, and what contact forces do to the edge in turn.
+///
+/// ```text
+/// (u_n, u_t)_k += d_k φ,   φ = Σ_j τ_j · u_j;      f_j += τ_j Σ_k d_k · λ_k
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Couple {
+    /// Index of the body.
+    pub(crate) body: usize,
+    /// τ `[1/length]` of nodes, by their index among the body's contact points.
+    pub(crate) turn: Vec<(usize, [f64; 2])>,
+    /// d `[length]` of points, with − for the second body of a pair.
+    pub(crate) rows: Vec<(usize, [f64; 2])>,
+}
+
+impl Couple {
+    /// The turn φ where the body's contact points are displaced by `moved`, interleaved.
+    pub(crate) fn turn_of(&self, moved: &[f64]) -> f64 {
+        let terms = self.turn.iter();
+        terms
+            .map(|(node, [x, y])| x * moved[2 * node] + y * moved[2 * node + 1])
+            .sum()
+    }
+}
+
 /// The points of all pairs, pair by pair in walk order.
 #[derive(Clone, Debug)]
 pub struct Contacts {
     pairs: Vec<ContactPair>,
     points: Vec<ProblemPoint>,
+    couples: Vec<Couple>,
     /// First point of each pair, and the number of points at the end.
     offsets: Vec<usize>,
 }
@@ -81,9 +108,20 @@ impl Contacts {
         }
         Self {
             points: problem_points(&pairs, bodies),
+            couples: Vec::new(),
             pairs,
             offsets,
         }
+    }
+
+    /// The same points with `couples`.
+    pub(crate) fn with_couples(mut self, couples: Vec<Couple>) -> Self {
+        self.couples = couples;
+        self
+    }
+
+    pub(crate) fn couples(&self) -> &[Couple] {
+        &self.couples
     }
 
     pub(crate) fn points_mut(&mut self) -> &mut [ProblemPoint] {
@@ -98,9 +136,10 @@ impl Contacts {
         }
     }
 
-    /// Takes over the points of `own`, whose pairs are those with the numbers `pairs` here.
-    pub(crate) fn take_points(&mut self, own: &Self, pairs: &[usize]) {
-        for (local, &pair) in pairs.iter().enumerate() {
+    /// Takes over the points of `own`, the contacts of `part`.
+    pub(crate) fn take_points(&mut self, own: &Self, part: &Part) {
+        let group = part.group();
+        for (local, &pair) in group.pairs.iter().enumerate() {
             self.pairs[pair].points.clone_from(&own.pairs[local].points);
             let range = self.pair_points(pair);
             let points = &own.points[own.pair_points(local)];
@@ -111,6 +150,14 @@ impl Contacts {
                 };
             }
         }
+        let couple = |couple: &Couple| Couple {
+            body: group.bodies[couple.body],
+            turn: couple.turn.clone(),
+            rows: (couple.rows.iter())
+                .map(|&(point, row)| (part.points()[point], row))
+                .collect(),
+        };
+        self.couples.extend(own.couples.iter().map(couple));
     }
 
     /// Replaces the friction of pair `pair`.
@@ -174,6 +221,16 @@ impl Contacts {
                 let force = weight.transpose() * at_point;
                 on_body[2 * node] += force[0];
                 on_body[2 * node + 1] += force[1];
+            }
+        }
+        for couple in self.couples.iter().filter(|couple| couple.body == index) {
+            let moment = |(point, [normal, tangential]): &(usize, [f64; 2])| {
+                normal * forces[2 * point] + tangential * forces[2 * point + 1]
+            };
+            let moment: f64 = couple.rows.iter().map(moment).sum();
+            for (node, turn) in &couple.turn {
+                on_body[2 * node] += turn[0] * moment;
+                on_body[2 * node + 1] += turn[1] * moment;
             }
         }
         on_body

@@ -153,14 +153,15 @@ fn pressures(record: &StepRecord) -> Vec<f64> {
 fn a_hole_on_springs_meets_its_closed_form() {
     let springs = Springs::UNIT;
     let records = springs
-        .follow(&[[2.0, 0.0], [8.0, 0.0], [3.0, 0.0]])
+        .follow(&[[8.0, 0.0], [24.0, 0.0], [12.0, 0.0]])
         .unwrap();
-    for (record, force) in records.iter().zip([2.0, 8.0, 3.0]) {
+    for (record, force) in records.iter().zip([8.0, 24.0, 12.0]) {
         let d = springs.distance(force);
         let exact = springs.forces([d, 0.0]);
         let wanted: Vec<f64> = exact.iter().map(|(press, _)| *press).collect();
-        assert!(d > 1.5 * springs.clearance);
-        assert!(largest_difference(&wanted, &pressures(record)) < 1e-6);
+        assert!(d > 1.5 * springs.clearance, "{d}");
+        let apart = largest_difference(&wanted, &pressures(record));
+        assert!(apart < 1e-6, "{apart:e}");
         let contacts = record.contacts.as_deref().unwrap();
         for (k, (_, normal)) in exact.iter().enumerate() {
             let found = contacts.points()[k].normal;
@@ -180,7 +181,7 @@ fn a_hole_on_springs_meets_its_closed_form() {
 /// The scene turned, and in other units, loaded along and across with friction.
 #[test]
 fn turned_and_rescaled_scenes_have_the_same_answer() {
-    let steps = [[3.0, 0.0], [4.0, 1.5], [1.0, 0.5]];
+    let steps = [[9.0, 0.0], [12.0, 4.0], [3.0, 1.5]];
     let scene = |towards: f64, [length, force]: [f64; 2]| Springs {
         radius: length,
         clearance: 0.02 * length,
@@ -215,18 +216,21 @@ fn small_loads_need_no_deformed_geometry() {
             compliance: 0.05 * scale,
             ..Springs::UNIT
         };
-        let record = &springs.follow(&[[3.0, 0.0]]).unwrap()[0];
+        let record = &springs.follow(&[[12.0, 0.0]]).unwrap()[0];
         let compliance = DMatrix::identity(2 * NODES, 2 * NODES) * springs.compliance;
         let hole = GivenBody::held(compliance, vec![DVector::zeros(2 * NODES); 2]).unwrap();
         let pin = RigidBody::sliding(springs.places(), [true; 2], &[[1.0, 0.0], [0.0, 1.0]]);
         let interface = Interface::new(&[&hole, &pin], vec![springs.pair()]).unwrap();
-        let history = LoadHistory::new(vec![vec![3.0, 0.0]], 1, Ramp::Linear).unwrap();
+        let history = LoadHistory::new(vec![vec![12.0, 0.0]], 1, Ramp::Linear).unwrap();
         let chain = Chain::default();
         let small = history.follow_parts(&interface, &Kinematics::Small, &chain, || {});
         largest_difference(&pressures(&small.unwrap()[0]), &pressures(record))
     };
     let [one, tenth, hundredth] = [1.0, 0.1, 0.01].map(apart);
-    assert!(one > 1e-3 && hundredth < 1e-4);
+    assert!(
+        one > 1e-3 && hundredth < 0.02 * one,
+        "{one} {tenth} {hundredth}"
+    );
     assert!((5.0..20.0).contains(&(one / tenth)), "{one} {tenth}");
     assert!((5.0..20.0).contains(&(tenth / hundredth)));
 }
