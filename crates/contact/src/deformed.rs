@@ -154,12 +154,14 @@ impl<'a> DeformedGaps<'a> {
         &self.bodies
     }
 
-    /// Displacements `[length]` of the contact points of each body in `state` of `problem`, whose contacts are `contacts`.
+    /// Displacements `[length]` of the contact points of each body in `state` of `problem`, whose contacts are `contacts`, under the
+    /// load multipliers `multipliers`.
     pub(crate) fn displacements(
         &self,
         problem: &InterfaceProblem,
         contacts: &Contacts,
         state: &ContactState,
+        multipliers: &[f64],
     ) -> Vec<DVector<f64>> {
         let displacement = |(index, body): (usize, &&dyn InterfaceOperator)| {
             let count = body.points().len();
@@ -173,7 +175,7 @@ impl<'a> DeformedGaps<'a> {
                     }
                 }
             }
-            for (case, &factor) in state.multipliers.iter().enumerate() {
+            for (case, &factor) in multipliers.iter().enumerate() {
                 if let Some(response) = body.load_response(case) {
                     displacement.axpy(factor, response, 1.0);
                 }

@@ -9,7 +9,7 @@ use crate::deformed::{DeformedGaps, Kinematics};
 use crate::interface::{Interface, Part};
 use crate::problem::InterfaceProblem;
 use crate::solver::{InterfaceSolver, Step, StepFailure, StepSolution};
-use crate::state::{ContactState, TrialState};
+use crate::state::TrialState;
 
 /// A problem, and the edges of its pairs where contact is found on the deformed geometry.
 #[derive(Debug)]
@@ -65,35 +65,29 @@ impl<'a> Course<'a> {
             }
         };
         let Some(Deformed { gaps, last }) = &self.deformed else {
-            let solved = one(self.problem, &from.state, multipliers, None, by);
-            return solved.map(|(record, _)| record);
+            let ends = [&*from.state.multipliers, multipliers];
+            let travelled = travelled(self.problem, &from.state, ends);
+            let start = travelled.as_ref().unwrap_or(&from.state);
+            return one(Step::new(self.problem, start, multipliers), by).map(|(record, _)| record);
         };
         let known = last.lock().unwrap_or_else(PoisonError::into_inner).take();
         let mut passes = Passes::new(self.problem, gaps, from, known)?;
+        passes.travel(multipliers);
         let record = passes.settle(multipliers, by)?;
         *last.lock().unwrap_or_else(PoisonError::into_inner) = passes.taken(&record);
         Ok(record)
     }
 }
 
-/// The increment on the geometry of `problem`, started near `last`; with what was solved.
+/// The increment `step`, with what was solved.
 pub(super) fn one(
-    problem: &InterfaceProblem,
-    from: &ContactState,
-    multipliers: &[f64],
-    last: Option<&TrialState>,
+    step: Step<'_>,
     by: impl Fn(&Step<'_>) -> Result<StepSolution, StepFailure>,
 ) -> Result<(StepRecord, TrialState), StepFailure> {
-    let travelled = travelled(problem, from, [&from.multipliers, multipliers]);
-    let start = travelled.as_ref().unwrap_or(from);
-    let mut step = Step::new(problem, start, multipliers);
-    if let Some(last) = last {
-        step = step.near(last);
-    }
     let solution = by(&step)?;
     let trial = solution.trial.clone();
     let record = StepRecord {
-        parted: parts(&start.forces, &solution.trial.forces),
+        parted: parts(&step.committed.forces, &trial.forces),
         ..StepRecord::of(&step, solution)
     };
     Ok((record, trial))

@@ -10,6 +10,7 @@ use nalgebra::DVector;
 
 use super::StepRecord;
 use super::course::one;
+use super::travel::travel;
 use crate::deformed::{DeformedGaps, Geometry, LARGEST_ERROR, PASSES, TOLERANCE, Unfaced};
 use crate::problem::{Contacts, InterfaceProblem};
 use crate::solver::{FailureCause, Step, StepFailure, StepSolution, Work};
@@ -64,7 +65,8 @@ impl<'a> Passes<'a> {
         known: Option<Taken>,
     ) -> Result<Self, StepFailure> {
         let before = from.contacts_of(undeformed.contacts());
-        let committed = gaps.displacements(undeformed, before, &from.state);
+        let committed =
+            gaps.displacements(undeformed, before, &from.state, &from.state.multipliers);
         let same = |known: &Taken| {
             let own = from.contacts.as_ref();
             own.is_some_and(|own| Arc::ptr_eq(own, &known.contacts))
@@ -99,6 +101,18 @@ impl<'a> Passes<'a> {
             passes.start.motion[2 * k] = gap;
         }
         Ok(passes)
+    }
+
+    /// Moves bodies that bear nowhere to where they begin to bear on the way to the load multipliers `target`, on the geometry of the start.
+    pub(super) fn travel(&mut self, target: &[f64]) {
+        let ends = [&*self.start.multipliers, target];
+        let Some((state, multipliers)) = travel(&self.problem, &self.start, ends) else {
+            return;
+        };
+        let contacts = self.problem.contacts();
+        (self.committed) =
+            (self.gaps).displacements(self.undeformed, contacts, &state, &multipliers);
+        self.start = state;
     }
 
     /// The increment to the load multipliers `multipliers`, each pass solved by `by`.
@@ -138,7 +152,11 @@ impl<'a> Passes<'a> {
         last: Option<&TrialState>,
         by: impl Fn(&Step<'_>) -> Result<StepSolution, StepFailure>,
     ) -> Result<Found, StepFailure> {
-        let solved = one(&self.problem, &self.start, multipliers, last, by);
+        let mut step = Step::new(&self.problem, &self.start, multipliers);
+        if let Some(last) = last {
+            step = step.near(last);
+        }
+        let solved = one(step, by);
         let (record, trial) = solved.map_err(|mut failure| {
             failure.work += self.work;
             failure
@@ -146,7 +164,8 @@ impl<'a> Passes<'a> {
         self.work += record.work;
         self.work.updates += 1;
         let contacts = self.problem.contacts();
-        let moved = (self.gaps).displacements(self.undeformed, contacts, &record.state);
+        let moved =
+            (self.gaps).displacements(self.undeformed, contacts, &record.state, multipliers);
         let geometry = self.geometry(&moved)?;
         Ok(Found {
             change: self.change(&record.state, &geometry),

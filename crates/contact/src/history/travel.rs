@@ -26,8 +26,17 @@ const HALVINGS: usize = 30;
 pub fn travelled(
     problem: &InterfaceProblem,
     committed: &ContactState,
-    [from, target]: [&[f64]; 2],
+    ends: [&[f64]; 2],
 ) -> Option<ContactState> {
+    travel(problem, committed, ends).map(|(state, _)| state)
+}
+
+/// The state of [`travelled`], and the load multipliers at which bodies begin to bear.
+pub(super) fn travel(
+    problem: &InterfaceProblem,
+    committed: &ContactState,
+    [from, target]: [&[f64]; 2],
+) -> Option<(ContactState, Vec<f64>)> {
     if committed.forces.amax() > 0.0 {
         return None;
     }
@@ -39,12 +48,14 @@ pub fn travelled(
         }
         let still = Step::new(problem, committed, from);
         let rest = settled(&still, whole.mode_load())?;
-        return Some(moved(&still, committed, rest));
+        return Some((moved(&still, committed, rest), from.to_vec()));
     }
     let without_force = |part: f64| {
         let multipliers = at(part);
         let step = Step::new(problem, committed, &multipliers);
-        released(&step).map(|solution| moved(&step, committed, solution.trial.rigid))
+        let solution = released(&step)?;
+        let state = moved(&step, committed, solution.trial.rigid);
+        Some((state, multipliers))
     };
     if without_force(1.0).is_some() {
         return None;
@@ -53,7 +64,7 @@ pub fn travelled(
     for _ in 0..HALVINGS {
         let middle = f64::midpoint(free, pressed);
         match without_force(middle) {
-            Some(state) => (free, last) = (middle, Some(state)),
+            Some(found) => (free, last) = (middle, Some(found)),
             None => pressed = middle,
         }
     }

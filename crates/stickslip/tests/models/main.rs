@@ -2,6 +2,7 @@
 
 mod bearing;
 mod chains;
+mod deformed;
 mod edges;
 mod frames;
 mod halves;
