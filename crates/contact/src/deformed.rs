@@ -21,25 +21,50 @@
 //! 1. the geometry at the last displacement, that of the last accepted state at first;
 //! 2. the step from the last accepted state on it, by any [`InterfaceSolver`](crate::InterfaceSolver);
 //!
-//! until neither gaps nor normals change beyond [`TOLERANCE`]. What it leaves out of the linearisation, the turn of n and the motion of s under the
+//! until neither gaps nor normals change beyond [`TOLERANCE`]. What the linearisation leaves out, the turn of n and the motion of s under the
 //! forces that act, is smaller than the compliance by the size of the strains, which is the factor by which the error falls from pass
-//! to pass. An increment that does not settle fails as [`FailureCause::Geometry`](crate::solver::FailureCause::Geometry) and is cut back.
+//! to pass: convergence is linear and fast, with two to four passes. An increment that does not settle within [`PASSES`] fails as
+//! [`FailureCause::Geometry`](crate::solver::FailureCause::Geometry) and is cut back.
+//!
+//! # The curve between nodes
+//!
+//! Contact points pair node k of one edge with node k of the other. From there the closest point has moved by δ, and displacements are
+//!
+//! ```text
+//! u₂(s_k + δ) = u₂ₖ + δ Σ_j D_kj u₂ⱼ,      W = I + δ D
+//! ```
+//!
+//! with D the derivative in the cells of the edge, at corner nodes the mean of both sides. With the areas A of the nodes, D is skew, A D + Dᵀ A = 0 but for the ends of the
+//! edge. So W moves a uniform pressure as a uniform pressure, also where nodes inside of cells have other areas than corners; the usual interpolation between
+//! neighbours does not, and has pressures that alternate from node to node. What δ² D² u₂/2 would add is an error; beyond [`LARGEST_ERROR`] the
+//! increment is refused ([`FailureCause::Apart`](crate::solver::FailureCause::Apart)).
+//!
+//! # Bodies that turn
+//!
+//! A circle that turns about its centre stays where it is. The mean turn φ of a circular edge of a body that is free to turn is left out of x₁
+//! and x₂, and enters slip as the motion |x₂′| φ of the edge along itself. Of forces, that is a small couple spread over the edge,
+//!
+//! ```text
+//! φ = Σ_j τ_j · u_j,    (u_n, u_t) = B (u − φ e_z × (X − C)) + (0, |x₂′|) φ,      f = Bᵀ λ + τ Σ_k d_k · λ_k
+//! ```
+//!
+//! by which normal forces have no moment about the centre, and tangential ones the arm |x₂′|, the stretched radius: for a disk that is what its
+//! equilibrium on the deformed geometry says. Otherwise normals that tilt with the strains would turn bodies that friction alone holds, or that nothing holds.
 //!
 //! | quantity | geometry |
 //! | --- | --- |
 //! | gap, normal, tangent, closest point | deformed |
 //! | slip of an increment | t · [Δu₁ − Σ w_j Δu₂ⱼ] from the last accepted state, at the end's frame and closest point |
-//! | forces on the bodies | λ_n n + λ_t t at X₁ and −(λ_n n + λ_t t) at the nodes of w: equal and opposite, in one line |
-//! | resultants, moments and balances | deformed normals and closest points at their undeformed places, as the linear bodies take forces |
+//! | forces on the bodies | λ_n n + λ_t t at X₁ and −(λ_n n + λ_t t) at the nodes of W, which are equal and opposite, and the couple |
+//! | resultants, moments and balances | deformed normals and closest points at their undeformed places, as linear bodies take forces |
 //! | areas, tractions | undeformed |
 //! | stiffness and loads of bodies | undeformed, linear; large turns of bodies are not covered |
 //!
-//! A circle that turns about its centre stays where it is. So the mean turn of the edge of a body that is free to turn is left out of x₁ and
-//! x₂: contact forces keep their place on the body, and a pin that has rolled has the lever arms that it had before. On a line of symmetry
-//! points stay, with the normal along it.
+//! On a line of symmetry points stay, with the normal along it. Bodies that bear nowhere travel to where they begin to bear on the geometry of the last accepted
+//! state. Points of the first body are single nodes, and as many nodes face them; mortar stencils are refused.
 //!
-//! Points of the first body are single nodes; mortar stencils are refused. Sources: Wriggers (2006), *Computational Contact Mechanics*, ch. 4 and 9,
-//! node to segment with smooth surfaces; Poulios & Renard (2015), slip on the deformed geometry.
+//! Sources: Wriggers (2006), *Computational Contact Mechanics*, ch. 4 and 9, contact on the deformed geometry; Poulios & Renard (2015), its slip; Strand
+//! (1994), skew derivatives.
 
 mod curve;
 mod geometry;

@@ -137,26 +137,10 @@ impl InterfaceProblem {
             .filter(|couple| couple.body == index)
             .cloned()
             .collect();
-        let modes = self.body_modes(index);
         let size = 2 * self.points().len();
-        let column = |couple: &Couple| {
-            let mut column = DVector::zeros(size);
-            for &(point, row) in &couple.rows {
-                column.fixed_rows_mut::<2>(2 * point).copy_from_slice(&row);
-            }
-            column
-        };
-        let columns: Vec<DVector<f64>> = couples.iter().map(column).collect();
+        let columns: Vec<DVector<f64>> = couples.iter().map(|couple| couple.column(size)).collect();
         for (couple, own) in couples.iter().zip(&columns) {
-            for (mode, motion) in modes.clone().zip(body.modes().column_iter()) {
-                let turn = couple.turn_of(motion.as_slice());
-                self.modes.column_mut(mode).axpy(turn, own, 1.0);
-            }
-            for (case, motion) in self.case_motion.iter_mut().enumerate() {
-                if let Some(response) = body.load_response(case) {
-                    motion.axpy(couple.turn_of(response.as_slice()), own, 1.0);
-                }
-            }
+            self.add_turns(index, body, couple, own);
             let Some(compliance) = body.compliance() else {
                 continue;
             };
@@ -177,6 +161,26 @@ impl InterfaceProblem {
                 seen.axpy(0.5 * other.turn_of(moved.as_slice()), column, 1.0);
             }
             self.add_product(own, &seen, chosen);
+        }
+    }
+
+    /// Adds the turns that rigid motions and loads of body `index` make of the edge of `couple`, whose column of d is `column`.
+    fn add_turns(
+        &mut self,
+        index: usize,
+        body: &dyn InterfaceOperator,
+        couple: &Couple,
+        column: &DVector<f64>,
+    ) {
+        let modes = self.body_modes(index);
+        for (mode, motion) in modes.zip(body.modes().column_iter()) {
+            let turn = couple.turn_of(motion.as_slice());
+            self.modes.column_mut(mode).axpy(turn, column, 1.0);
+        }
+        for (case, motion) in self.case_motion.iter_mut().enumerate() {
+            if let Some(response) = body.load_response(case) {
+                motion.axpy(couple.turn_of(response.as_slice()), column, 1.0);
+            }
         }
     }
 

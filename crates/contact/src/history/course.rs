@@ -68,11 +68,11 @@ impl<'a> Course<'a> {
             let ends = [&*from.state.multipliers, multipliers];
             let travelled = travelled(self.problem, &from.state, ends);
             let start = travelled.as_ref().unwrap_or(&from.state);
-            return one(Step::new(self.problem, start, multipliers), by).map(|(record, _)| record);
+            return one(&Step::new(self.problem, start, multipliers), by).map(|(record, _)| record);
         };
         let known = last.lock().unwrap_or_else(PoisonError::into_inner).take();
         let mut passes = Passes::new(self.problem, gaps, from, known)?;
-        passes.travel(multipliers);
+        passes.travel(multipliers)?;
         let record = passes.settle(multipliers, by)?;
         *last.lock().unwrap_or_else(PoisonError::into_inner) = passes.taken(&record);
         Ok(record)
@@ -81,14 +81,14 @@ impl<'a> Course<'a> {
 
 /// The increment `step`, with what was solved.
 pub(super) fn one(
-    step: Step<'_>,
+    step: &Step<'_>,
     by: impl Fn(&Step<'_>) -> Result<StepSolution, StepFailure>,
 ) -> Result<(StepRecord, TrialState), StepFailure> {
-    let solution = by(&step)?;
+    let solution = by(step)?;
     let trial = solution.trial.clone();
     let record = StepRecord {
         parted: parts(&step.committed.forces, &trial.forces),
-        ..StepRecord::of(&step, solution)
+        ..StepRecord::of(step, solution)
     };
     Ok((record, trial))
 }

@@ -48,7 +48,8 @@ impl Interface {
         for (part, record) in self.parts().iter().zip(parts) {
             if let Some(contacts) = &record.contacts {
                 let whole = whole.get_or_insert_with(|| self.contacts().clone());
-                whole.take_points(contacts, part);
+                let group = part.group();
+                whole.take_points(contacts, [&group.bodies, &group.pairs, part.points()]);
             }
         }
         whole.map(Arc::new)

@@ -103,16 +103,29 @@ impl<'a> Passes<'a> {
         Ok(passes)
     }
 
-    /// Moves bodies that bear nowhere to where they begin to bear on the way to the load multipliers `target`, on the geometry of the start.
-    pub(super) fn travel(&mut self, target: &[f64]) {
-        let ends = [&*self.start.multipliers, target];
-        let Some((state, multipliers)) = travel(&self.problem, &self.start, ends) else {
-            return;
-        };
-        let contacts = self.problem.contacts();
-        (self.committed) =
-            (self.gaps).displacements(self.undeformed, contacts, &state, &multipliers);
-        self.start = state;
+    /// Moves bodies that bear nowhere to where they begin to bear on the way to the load multipliers `target`. Where that is depends on the
+    /// geometry there.
+    pub(super) fn travel(&mut self, target: &[f64]) -> Result<(), StepFailure> {
+        let from = self.start.multipliers.clone();
+        for last in [false, false, true] {
+            let Some((state, multipliers)) = travel(&self.problem, &self.start, [&from, target])
+            else {
+                return Ok(());
+            };
+            let contacts = self.problem.contacts();
+            let moved = (self.gaps).displacements(self.undeformed, contacts, &state, &multipliers);
+            if last {
+                (self.start, self.committed) = (state, moved);
+                break;
+            }
+            let geometry = self.geometry(&moved)?;
+            let there = ContactState {
+                multipliers,
+                ..state
+            };
+            self.take(&geometry, &moved, &there);
+        }
+        Ok(())
     }
 
     /// The increment to the load multipliers `multipliers`, each pass solved by `by`.
@@ -156,7 +169,7 @@ impl<'a> Passes<'a> {
         if let Some(last) = last {
             step = step.near(last);
         }
-        let solved = one(step, by);
+        let solved = one(&step, by);
         let (record, trial) = solved.map_err(|mut failure| {
             failure.work += self.work;
             failure

@@ -10,7 +10,6 @@ use stickslip_friction::{FrictionLaw, Place};
 
 use super::{BodyRows, Stencil, StencilTerm};
 use crate::error::ContactError;
-use crate::interface::Part;
 
 /// One contact point of a pair: a node of the first body against a node of the second, or a weighted share of both edges.
 #[derive(Clone, Debug, PartialEq)]
@@ -80,6 +79,15 @@ pub(crate) struct Couple {
 }
 
 impl Couple {
+    /// Its column of d, of `size` components.
+    pub(crate) fn column(&self, size: usize) -> DVector<f64> {
+        let mut column = DVector::zeros(size);
+        for (point, row) in &self.rows {
+            column.fixed_rows_mut::<2>(2 * point).copy_from_slice(row);
+        }
+        column
+    }
+
     /// The turn φ where the body's contact points are displaced by `moved`, interleaved.
     pub(crate) fn turn_of(&self, moved: &[f64]) -> f64 {
         let terms = self.turn.iter();
@@ -136,14 +144,13 @@ impl Contacts {
         }
     }
 
-    /// Takes over the points of `own`, the contacts of `part`.
-    pub(crate) fn take_points(&mut self, own: &Self, part: &Part) {
-        let group = part.group();
-        for (local, &pair) in group.pairs.iter().enumerate() {
+    /// Takes over the points of `own`, whose bodies, pairs and points have the numbers `bodies`, `pairs` and `points` here.
+    pub(crate) fn take_points(&mut self, own: &Self, [bodies, pairs, points]: [&[usize]; 3]) {
+        for (local, &pair) in pairs.iter().enumerate() {
             self.pairs[pair].points.clone_from(&own.pairs[local].points);
             let range = self.pair_points(pair);
-            let points = &own.points[own.pair_points(local)];
-            for (point, taken) in self.points[range].iter_mut().zip(points) {
+            let moved = &own.points[own.pair_points(local)];
+            for (point, taken) in self.points[range].iter_mut().zip(moved) {
                 *point = ProblemPoint {
                     pair,
                     ..taken.clone()
@@ -151,10 +158,10 @@ impl Contacts {
             }
         }
         let couple = |couple: &Couple| Couple {
-            body: group.bodies[couple.body],
+            body: bodies[couple.body],
             turn: couple.turn.clone(),
             rows: (couple.rows.iter())
-                .map(|&(point, row)| (part.points()[point], row))
+                .map(|&(point, row)| (points[point], row))
                 .collect(),
         };
         self.couples.extend(own.couples.iter().map(couple));

@@ -140,7 +140,7 @@ fn parts_walk_as_each_does_alone() {
     let mut seen = 0;
     let together = history(&steps)
         .follow_parts(&interface, &Kinematics::Small, &Chain::default(), || {
-            seen += 1
+            seen += 1;
         })
         .unwrap();
     assert_eq!((seen, together.len()), (3, 3));
@@ -195,7 +195,7 @@ fn a_history_ends_with_the_part_that_ends_first() {
         let mut seen = 0;
         let error = history(&steps)
             .follow_parts(interface, &Kinematics::Small, &Chain::default(), || {
-                seen += 1
+                seen += 1;
             })
             .unwrap_err();
         let ContactError::StepFailed {

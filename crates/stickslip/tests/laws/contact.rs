@@ -101,3 +101,16 @@ fn laws_that_do_not_mirror_are_fitted_to_the_whole() {
         "{words}"
     );
 }
+
+#[test]
+fn laws_are_not_fitted_on_the_deformed_geometry() {
+    let own = scene(
+        "pin-loaded-aluminium",
+        &["analysis.kinematics=deformed-gaps"],
+    );
+    let refused = ContactModel::new(&own).unwrap_err().to_string();
+    assert!(
+        refused.contains("analysis.kinematics = \"small\""),
+        "{refused}"
+    );
+}

@@ -6,6 +6,7 @@ use stickslip::run::{self, RunError};
 use stickslip::scene::{Format, Scene};
 
 use super::halves::ROLLER;
+use super::travel::JOINT;
 use super::{BUSHING, difference, scene, solved, tractions, upper};
 
 const DEFORMED: &str = "analysis.kinematics=deformed-gaps";
@@ -264,6 +265,29 @@ fn pins_that_travel_slip_from_where_they_bear() {
                 .collect()
         };
         assert!(difference(one, sign(other)) < 1e-6, "{step}");
+    }
+}
+
+/// A pin with a clearance of 1.7 % that travels to the side of a square plate bears there as it does where it touches at the start, which paired
+/// at equal angles it does to 10 %.
+#[test]
+fn a_pin_pulled_aside_bears_as_one_that_touches() {
+    const PULL: &str = "[[loads]]\non = \"plate.EDGE\"\nforce = { direction = WAY, steps = [\"500 N\", \"1 kN\"] }\n";
+    for (mu, tolerance) in [("0", 1e-3), ("0.3", 3e-2)] {
+        let friction = format!("contacts.0.friction.coulomb.mu={mu}");
+        let of = |edge: &str, way: &str| {
+            let pull = PULL.replace("EDGE", edge).replace("WAY", way);
+            let changes = [DEFORMED, &friction, "analysis.model=whole"];
+            solved(&format!("{JOINT}{pull}"), &changes)
+        };
+        let (near, aside) = (of("left", "[-1, 0]"), of("top", "[0, 1]"));
+        for step in 0..2 {
+            let peaks = [&near, &aside].map(|all| peak(all, step));
+            assert!((peaks[1] / peaks[0] - 1.0).abs() < 1e-3, "{mu} {peaks:?}");
+            let friction = [&near, &aside].map(|all| all.steps[step].edges[0].friction_force);
+            let apart = (friction[1] - friction[0]).abs();
+            assert!(apart <= tolerance * friction[0], "{mu} {friction:?}");
+        }
     }
 }
 

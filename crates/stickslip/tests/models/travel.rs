@@ -6,7 +6,7 @@ use stickslip_contact::Status;
 use super::solved;
 
 /// A pin that starts in touch at θ = 0, with a tenth of a millimetre to the other side.
-const JOINT: &str = r#"
+pub(super) const JOINT: &str = r#"
 version = 1
 [materials.aluminium.isotropic]
 young = "70 GPa"

@@ -1,7 +1,7 @@
 //! The undeformed edges of contacts whose gaps follow the displacement.
 
 use stickslip_contact::deformed::{Curve, CurveEnds};
-use stickslip_contact::{ContactPoint, Facing};
+use stickslip_contact::{ContactPoint, Facing, Stencil};
 
 use super::projection::{Side, Tied};
 use crate::model::ModelError;
@@ -24,7 +24,7 @@ impl Tied<'_> {
             );
             return Err(refused(index, "gap", what));
         }
-        let single = |point: &ContactPoint| [&point.first, &point.second].map(|side| side.node());
+        let single = |point: &ContactPoint| [&point.first, &point.second].map(Stencil::node);
         if points.iter().any(|point| single(point).contains(&None)) {
             let what = format!(
                 "analysis.kinematics = \"deformed-gaps\" needs pairs of nodes, and contact '{}' is tied by a mortar projection; give both edges the \
