@@ -269,7 +269,7 @@ impl LoadPath for StepPath<'_> {
     fn attempt(&mut self, increment: &LoadIncrement) -> Result<Progress<Infallible>, StepFailure> {
         let to = (self.history).multipliers(self.index, self.start, self.target, increment.to);
         let quickly = increment.is_between();
-        (self.record).advance(self.course, self.solver, quickly, &to)?;
+        (self.course).advance(&mut self.record, self.solver, quickly, &to)?;
         let easily = increment.refusals == 0 && increment.steady > 0;
         Ok(if easily {
             Progress::Grow

@@ -355,8 +355,8 @@ mod tests {
         }
     }
 
-    /// A circle that is shifted and blown up is a circle, on which the nearest place is known; cells of order 2 miss sine and cosine by
-    /// the third power of their length.
+    /// A circle that is shifted and blown up is a circle, on which the nearest place is known. Slopes are those of the node: 0.01 rad beyond it
+    /// the normal misses 0.01 of the growth over the radius, 5e-5.
     #[test]
     fn the_nearest_place_on_a_circle_is_along_its_radius() {
         let curve = closed(60, 2);
@@ -372,7 +372,7 @@ mod tests {
             let by = curve.nearest(&moved, to, position).unwrap();
             assert!((by - 0.01).abs() < 1e-5, "{by}");
             let normal = curve.normal(curve.local(&moved, position, by).tangent);
-            assert!((0..2).all(|i| (normal[i] - away(angle)[i]).abs() < 1e-5));
+            assert!((0..2).all(|i| (normal[i] - away(angle)[i]).abs() < 7e-5));
         }
     }
 

@@ -1,15 +1,14 @@
-//! One increment of load on the undeformed geometry.
+//! One increment of load on the undeformed or on the deformed geometry.
 
 use std::sync::{Mutex, PoisonError};
 
 use super::StepRecord;
 use super::passes::{Passes, Taken};
-use super::travel::{parts, travelled};
+use super::travel::travelled;
 use crate::deformed::{DeformedGaps, Kinematics};
 use crate::interface::{Interface, Part};
 use crate::problem::InterfaceProblem;
-use crate::solver::{InterfaceSolver, Step, StepFailure, StepSolution};
-use crate::state::TrialState;
+use crate::solver::{InterfaceSolver, Step, StepFailure};
 
 /// A problem, and the edges of its pairs where contact is found on the deformed geometry.
 #[derive(Debug)]
@@ -49,8 +48,20 @@ impl<'a> Course<'a> {
         interface.parts().iter().map(course).collect()
     }
 
-    /// The increment from the end of `from` to the load multipliers `multipliers` by `solver`, by its cheapest means only if `quickly`.
-    pub(super) fn increment(
+    /// Takes `record` from its end to the load multipliers `multipliers` by `solver`, by its cheapest means only if `quickly`.
+    pub(super) fn advance(
+        &self,
+        record: &mut StepRecord,
+        solver: &dyn InterfaceSolver,
+        quickly: bool,
+        multipliers: &[f64],
+    ) -> Result<(), StepFailure> {
+        let increment = self.increment(record, solver, quickly, multipliers)?;
+        record.append(increment);
+        Ok(())
+    }
+
+    fn increment(
         &self,
         from: &StepRecord,
         solver: &dyn InterfaceSolver,
@@ -68,7 +79,8 @@ impl<'a> Course<'a> {
             let ends = [&*from.state.multipliers, multipliers];
             let travelled = travelled(self.problem, &from.state, ends);
             let start = travelled.as_ref().unwrap_or(&from.state);
-            return one(&Step::new(self.problem, start, multipliers), by).map(|(record, _)| record);
+            let step = Step::new(self.problem, start, multipliers);
+            return StepRecord::solved(&step, by).map(|(record, _)| record);
         };
         let known = last.lock().unwrap_or_else(PoisonError::into_inner).take();
         let mut passes = Passes::new(self.problem, gaps, from, known)?;
@@ -77,18 +89,4 @@ impl<'a> Course<'a> {
         *last.lock().unwrap_or_else(PoisonError::into_inner) = passes.taken(&record);
         Ok(record)
     }
-}
-
-/// The increment `step`, with what was solved.
-pub(super) fn one(
-    step: &Step<'_>,
-    by: impl Fn(&Step<'_>) -> Result<StepSolution, StepFailure>,
-) -> Result<(StepRecord, TrialState), StepFailure> {
-    let solution = by(step)?;
-    let trial = solution.trial.clone();
-    let record = StepRecord {
-        parted: parts(&step.committed.forces, &trial.forces),
-        ..StepRecord::of(step, solution)
-    };
-    Ok((record, trial))
 }

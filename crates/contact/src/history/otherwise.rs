@@ -258,8 +258,8 @@ impl Again<'_> {
             let part = part as f64 / increments as f64;
             let start = &self.start.state;
             let multipliers = self.history.multipliers(self.index, start, target, part);
-            walk.advance(self.course, solver, false, &multipliers)
-                .ok()?;
+            let advanced = self.course.advance(&mut walk, solver, false, &multipliers);
+            advanced.ok()?;
         }
         Some(self.difference(&walk, name, increments))
     }

@@ -9,7 +9,6 @@ use std::sync::Arc;
 use nalgebra::DVector;
 
 use super::StepRecord;
-use super::course::one;
 use super::travel::travel;
 use crate::deformed::{DeformedGaps, Geometry, LARGEST_ERROR, PASSES, TOLERANCE, Unfaced};
 use crate::problem::{Contacts, InterfaceProblem};
@@ -169,7 +168,7 @@ impl<'a> Passes<'a> {
         if let Some(last) = last {
             step = step.near(last);
         }
-        let solved = one(&step, by);
+        let solved = StepRecord::solved(&step, by);
         let (record, trial) = solved.map_err(|mut failure| {
             failure.work += self.work;
             failure

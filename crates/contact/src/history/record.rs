@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use nalgebra::DVector;
 
-use super::course::Course;
+use super::travel::parts;
 use super::{Increment, Recovery};
 use crate::audit::Audit;
 use crate::freedom::{loose_pairs, sliding_pairs};
 use crate::problem::Contacts;
-use crate::solver::{InterfaceSolver, Residuals, Step, StepFailure, StepSolution, Stop, Work};
-use crate::state::ContactState;
+use crate::solver::{Residuals, Step, StepFailure, StepSolution, Stop, Work};
+use crate::state::{ContactState, TrialState};
 
 /// One accepted load step, of one problem or of all parts of an [`Interface`](crate::interface::Interface).
 #[derive(Clone, Debug)]
@@ -128,17 +128,18 @@ impl StepRecord {
         }
     }
 
-    /// Goes on along `course` from its end to the load multipliers `multipliers` with `solver`, by its cheapest means only if `quickly`.
-    pub(super) fn advance(
-        &mut self,
-        course: &Course<'_>,
-        solver: &dyn InterfaceSolver,
-        quickly: bool,
-        multipliers: &[f64],
-    ) -> Result<(), StepFailure> {
-        let increment = course.increment(self, solver, quickly, multipliers)?;
-        self.append(increment);
-        Ok(())
+    /// The record of the one increment `step`, solved by `by`; with what was solved.
+    pub(super) fn solved(
+        step: &Step<'_>,
+        by: impl Fn(&Step<'_>) -> Result<StepSolution, StepFailure>,
+    ) -> Result<(Self, TrialState), StepFailure> {
+        let solution = by(step)?;
+        let trial = solution.trial.clone();
+        let record = Self {
+            parted: parts(&step.committed.forces, &trial.forces),
+            ..Self::of(step, solution)
+        };
+        Ok((record, trial))
     }
 
     /// Takes over a refused attempt at an increment.
@@ -150,7 +151,7 @@ impl StepRecord {
 
     /// Adds `next`, which begins where this record ends: sums of work, of slip and of what was tried, the worst of residuals and doubts,
     /// and the state at its end.
-    fn append(&mut self, next: Self) {
+    pub(super) fn append(&mut self, next: Self) {
         self.work += next.work;
         self.residuals = self.residuals.worse(next.residuals);
         self.verified &= next.verified;
