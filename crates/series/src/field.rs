@@ -31,7 +31,7 @@ type C64 = Complex<f64>;
 const ON_EDGE: f64 = 1e-12;
 
 /// Stress `[stress]` along the radius from the circle's centre and around it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PolarStress {
     /// σ_rr.
     pub radial: f64,

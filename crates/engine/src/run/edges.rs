@@ -5,14 +5,18 @@ use stickslip_contact::zones::{
     Zone, carries_friction, ends_of_contact, half_extent, mirrored, zones,
 };
 use stickslip_contact::{ContactState, Contacts, Status, StepRecord};
+use stickslip_fem_core::body::BodyLoad;
 use stickslip_fem_core::stress::{EdgeData, PathEnd, PathEnds, StressError, edge_stresses};
+
+use stickslip_series::PolarStress;
 
 use super::Solved;
 use super::bearing;
-use super::fields::Recovered;
+use super::fields::{Recovered, forces_on_one};
 use super::reported::{Reported, clear_friction, clear_stresses, clear_sums, reported};
 use crate::model::{Model, ModelBodyKind, ModelEdge};
 use crate::results::{EdgeGeometry, EdgeKind, EdgeResults, EdgeRow, wrapped};
+use crate::series::{SeriesBody, stress_at};
 
 /// All edges, with their frames, and their results in every load step: one list of edges per step.
 pub(super) fn all(
@@ -68,6 +72,9 @@ fn rows(
     step: usize,
     edge: &ModelEdge,
 ) -> Result<Vec<EdgeRow>, StressError> {
+    if let Some(series) = solved.operators[edge.geometry.body].series() {
+        return Ok(series_rows(model, solved, reported, step, (edge, series)));
+    }
     let displacement = match edge.pair {
         Some(_) => interface_displacement(solved, &solved.records[step], edge),
         None => moved.to_vec(),
@@ -87,6 +94,51 @@ fn rows(
         &mut rows,
     )?;
     Ok(rows)
+}
+
+/// One row per node of an edge of a body by series: stresses are those of its potentials.
+fn series_rows(
+    model: &Model,
+    solved: &Solved,
+    reported: &Reported,
+    step: usize,
+    (edge, body): (&ModelEdge, &SeriesBody),
+) -> Vec<EdgeRow> {
+    let record = &solved.records[step];
+    let further = further_tractions(edge, &reported.state.multipliers, &[]);
+    let mut rows = bare_rows(solved, reported, edge, &further);
+    let forces = forces_on_one(solved, record, edge.geometry.body);
+    let still = vec![0.0; body.interface().modes().ncols()];
+    let state = BodyLoad {
+        forces: &forces,
+        multipliers: &record.state.multipliers,
+        motions: &still,
+    };
+    // The numbers are those of the body's own operator.
+    let Ok(field) = body.field(&state) else {
+        return rows;
+    };
+    let mesh = model.bodies[edge.geometry.body]
+        .elastic()
+        .map(|own| own.mesh());
+    for (k, row) in rows.iter_mut().enumerate() {
+        let at = edge.geometry.parameter[k];
+        (row.sigma_normal, row.sigma_tangential, row.tau) = match (edge.geometry.kind, mesh) {
+            (EdgeKind::Line, Some(mesh)) => {
+                let [xx, yy, xy] = stress_at(&field, body, mesh.nodes()[edge.nodes[k]]);
+                (yy, xx, xy)
+            }
+            _ => {
+                let PolarStress {
+                    radial,
+                    hoop,
+                    shear,
+                } = field.edge(at);
+                (radial, hoop, shear)
+            }
+        };
+    }
+    rows
 }
 
 /// Displacements of a contact edge's nodes that strain its first body: u = C λ + Σ m_k u_k, no sparse solve.

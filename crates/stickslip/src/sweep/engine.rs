@@ -5,6 +5,7 @@
 
 use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Sender, channel};
 use std::sync::{Mutex, PoisonError};
@@ -219,6 +220,9 @@ impl<'a> Shop<'a> {
         model: &Model,
     ) -> Result<Vec<Operator>, String> {
         let operator = |body: &ModelBody| {
+            if let Some(series) = &body.series {
+                return Ok(Operator::Series(Arc::clone(series)));
+            }
             let elastic = match &body.kind {
                 ModelBodyKind::Rigid(rigid) => return Ok(Operator::Rigid(rigid.clone())),
                 ModelBodyKind::Elastic(elastic) => elastic,
