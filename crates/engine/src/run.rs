@@ -5,6 +5,7 @@ mod doubts;
 mod edges;
 mod failure;
 mod fields;
+mod ladder;
 mod progressive;
 mod remarks;
 mod reported;
@@ -142,12 +143,18 @@ pub struct Solved {
     pub phases: Vec<(&'static str, f64)>,
 }
 
-/// Runs `scene` and reports to `progress`.
+/// Runs `scene` and reports to `progress`. Where the scene asks for an accuracy or gives no mesh, finer and finer models are tried until their
+/// estimated errors meet it.
 ///
 /// # Errors
 /// [`RunError`].
 pub fn run(scene: &Scene, progress: &mut dyn FnMut(Progress)) -> Result<Results, RunError> {
-    run_with(scene, solver(scene.analysis.solver).as_ref(), progress)
+    let solver = solver(scene.analysis.solver);
+    if scene.analysis.accuracy.is_some() || !scene.is_divided_anywhere() {
+        ladder::climb(scene, solver.as_ref(), progress)
+    } else {
+        run_with(scene, solver.as_ref(), progress)
+    }
 }
 
 /// Runs `scene` with a contact solver of the caller's choice instead of the scene's, and reports to `progress`.
@@ -330,6 +337,7 @@ fn reported(
         steps,
         failure: Vec::new(),
         phases: Vec::new(),
+        ladder: None,
     };
     let scale = LoadScale::of(&results);
     for (step, unloading) in results.steps.iter_mut().zip(scale.unloading()) {

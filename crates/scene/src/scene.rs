@@ -87,6 +87,16 @@ impl Scene {
         own || self.is_divided
     }
 
+    /// Whether the scene says how finely any body is divided.
+    pub fn is_divided_anywhere(&self) -> bool {
+        self.bodies.keys().any(|name| self.divides(name))
+    }
+
+    /// Whether the file or an override gives `key`, in full: "analysis.substeps".
+    pub fn is_given(&self, key: &str) -> bool {
+        self.document.get(key).is_some()
+    }
+
     /// Number of load steps, at least 1.
     pub fn steps(&self) -> usize {
         self.loads.first().map_or(1, |load| load.kind.steps().len())

@@ -15,6 +15,7 @@ use std::path::PathBuf;
 use serde::{Deserialize, Serialize};
 use stickslip_fem_core::mesh::ElementKind;
 use stickslip_friction::FrictionLaw;
+use stickslip_text::short;
 
 pub use super::material::{LaminateSheet, Material, OutOfPlane};
 pub use crate::shape::Shape;
@@ -154,6 +155,19 @@ pub enum Division {
     Angular(Grading),
     /// By lengths `[mm]` from the point of first contact.
     Linear(Grading),
+}
+
+impl fmt::Display for Division {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::AngleList(angles) => write!(formatter, "{} angles", angles.len()),
+            Self::Angular(grading) => {
+                let degrees = grading.spacing.to_degrees();
+                write!(formatter, "spacing {} deg", short(degrees))
+            }
+            Self::Linear(grading) => write!(formatter, "spacing {} mm", short(grading.spacing)),
+        }
+    }
 }
 
 impl Division {

@@ -89,7 +89,7 @@ impl<'a> Plan<'a> {
         let (supports, platens) = (scene.supports.iter(), scene.platens.iter());
         Self {
             analysis: scene.analysis,
-            is_divided: scene.bodies.keys().any(|name| scene.divides(name)),
+            is_divided: scene.is_divided_anywhere(),
             bodies: scene.bodies.keys().map(|name| names.body(name)).collect(),
             contacts: scene.contacts.iter().map(contact).collect(),
             supports: supports.map(|of| names.placed(&of.on, of)).collect(),

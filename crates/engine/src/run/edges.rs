@@ -15,7 +15,7 @@ use super::bearing;
 use super::fields::{Recovered, forces_on_one};
 use super::reported::{Reported, clear_friction, clear_stresses, clear_sums, reported};
 use crate::model::{Model, ModelBodyKind, ModelEdge};
-use crate::results::{EdgeGeometry, EdgeKind, EdgeResults, EdgeRow, wrapped};
+use crate::results::{EdgeGeometry, EdgeKind, EdgeResults, EdgeRow, Errors, wrapped};
 use crate::series::{SeriesBody, stress_at};
 
 /// All edges, with their frames, and their results in every load step: one list of edges per step.
@@ -385,5 +385,6 @@ fn summarise(
         peak_hoop: None,
         hoop_at_bearing_point: None,
         friction_force: 0.0,
+        errors: Errors::default(),
     }
 }
