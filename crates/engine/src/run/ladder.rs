@@ -201,7 +201,19 @@ fn division_errors(levels: &[Level]) -> Table {
     let [.., coarse, fine] = levels else {
         return Table::new();
     };
-    let last = difference(fine, coarse, factor);
+    let mut last = difference(fine, coarse, factor);
+    for errors in &mut last {
+        for (errors, spacing) in errors.iter_mut().zip(&fine.spacings) {
+            *errors = Errors::of(|stated| {
+                let least = if stated.is_of_nodes() {
+                    0.5 * spacing
+                } else {
+                    0.0
+                };
+                errors.get(stated).map(|error| error.max(least))
+            });
+        }
+    }
     let before = match levels {
         [.., coarser, coarse, _] => difference(coarse, coarser, |stated| 0.5 * factor(stated)),
         _ => Table::new(),
@@ -212,7 +224,7 @@ fn division_errors(levels: &[Level]) -> Table {
     })
 }
 
-/// `factor` times the differences of the numbers of two levels, and what the spacing of nodes leaves of a place.
+/// `factor` times the differences of the numbers of two levels.
 fn difference(fine: &Level, coarse: &Level, factor: fn(Stated) -> f64) -> Table {
     let edges = |(step, other): (&Vec<_>, &Vec<_>)| {
         let own = step.iter().zip(other).zip(&fine.spacings);

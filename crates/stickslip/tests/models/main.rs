@@ -7,6 +7,7 @@ mod frames;
 mod halves;
 mod mortar;
 mod remarks;
+mod series;
 mod several;
 mod travel;
 mod unbalanced;
