@@ -31,30 +31,50 @@ pub struct EdgeValues<'a> {
 /// Nodes that are looked at on either side of an end.
 const REACH: usize = 12;
 
-/// Estimates the largest stress along an edge: of the cusps at all ends of contact and of stick ([`cusp_peak`]) and of the smooth peaks between them ([`smooth_peak`]).
+/// Estimates the largest stress along an edge: of the cusps at all ends of contact and of stick ([`cusp_peak`]), of the smooth peaks between them ([`smooth_peak`]), and of
+/// nodes beside ends that are not resolved: without, or with a single, sticking node between opposite slips. The error includes how much higher than the largest of these another one may be.
 ///
 /// `None` with fewer than three nodes.
 pub fn edge_peak(edge: &EdgeValues<'_>) -> Option<Peak> {
     let count = edge.places.len();
+    if count < 3 {
+        return None;
+    }
     let last = if edge.closed.is_some() {
         count
     } else {
-        count.saturating_sub(1)
+        count - 1
     };
     let ends: Vec<[Walk; 2]> = (0..last)
         .filter_map(|k| edge.end([k, (k + 1) % count]))
         .collect();
     let cusps = ends
         .iter()
-        .filter_map(|&[held, free]| edge.cusp(held, free));
+        .filter_map(|&[held, free]| (edge.cusp(held, free)).or_else(|| edge.unresolved(held.from)));
+    let turns = (0..last).filter(|&k| {
+        let sign =
+            |k: usize| edge.status[k % count].slip_sign() * f64::from(edge.bound[k % count] > 0.0);
+        sign(k) * sign(k + 1) < 0.0
+    });
+    let turns = turns
+        .flat_map(|k| [edge.unresolved(k), edge.unresolved((k + 1) % count)])
+        .flatten();
     let smooth = edge.between(&ends).into_iter().filter_map(|nodes| {
         let places: Vec<f64> = nodes.iter().map(|node| node.place).collect();
         let values: Vec<f64> = nodes.iter().map(|node| edge.stress[node.index]).collect();
         smooth_peak(&places, &values)
     });
-    smooth
-        .chain(cusps)
-        .reduce(|best, next| if next.value > best.value { next } else { best })
+    let all: Vec<Peak> = smooth.chain(cusps).chain(turns).collect();
+    let best = (all.iter().copied())
+        .reduce(|best, next| if next.value > best.value { next } else { best })?;
+    let highest = all
+        .iter()
+        .map(|peak| peak.value + peak.error)
+        .fold(f64::NEG_INFINITY, f64::max);
+    Some(Peak {
+        error: highest - best.value,
+        ..best
+    })
 }
 
 /// A node of a walk away from an end.
@@ -201,6 +221,27 @@ impl EdgeValues<'_> {
                 excess: &excess,
             }),
             open,
+        })
+    }
+
+    /// The value of a node beside an end that is not resolved, with twice the larger difference to its neighbours as error.
+    fn unresolved(&self, node: usize) -> Option<Peak> {
+        let neighbours = [true, false].map(|forward| {
+            let next = self
+                .walk(
+                    Walk {
+                        from: node,
+                        forward,
+                    },
+                    2,
+                )
+                .nth(1);
+            next.map(|next| (self.stress[next.index] - self.stress[node]).abs())
+        });
+        Some(Peak {
+            value: self.stress[node],
+            place: self.places[node],
+            error: 2.0 * neighbours.into_iter().flatten().reduce(f64::max)?,
         })
     }
 

@@ -1,6 +1,10 @@
 //! Peaks of smooth quantities between nodes.
 
 use super::Peak;
+use super::fit::range;
+
+/// Estimated error of nodal values over their fall within two nodes of the peak.
+const DISCRETISATION: f64 = 0.1;
 
 /// Estimates the largest value of a smooth quantity from its `values` at `places` `[length]`, strictly increasing or decreasing.
 ///
@@ -27,12 +31,14 @@ pub fn smooth_peak(places: &[f64], values: &[f64]) -> Option<Peak> {
     };
     let [value, place] = top(&wide.clone().collect::<Vec<_>>());
     let [low, _] = top(&narrow.collect::<Vec<_>>());
+    let fall = range(&values[wide.clone()]);
     let without: Vec<usize> = wide.filter(|&k| k != largest).collect();
     let other = interpolated(&without, places, values, place);
+    let fits = (value - low).abs().max((value - other).abs());
     Some(Peak {
         value,
         place,
-        error: (value - low).abs().max((value - other).abs()),
+        error: fits.max(DISCRETISATION * fall),
     })
 }
 

@@ -357,7 +357,12 @@ impl Found {
         let pressure = smooth_peak(&edge.angles, &edge.pressure).unwrap();
         [
             Self::new(kind, largest(&edge.hoop), edge.peak(), expected[2]),
-            Self::new(Kind::Pressure, largest(&edge.pressure), pressure, expected[5]),
+            Self::new(
+                Kind::Pressure,
+                largest(&edge.pressure),
+                pressure,
+                expected[5],
+            ),
         ]
     }
 }
@@ -370,7 +375,11 @@ fn quantile(mut values: Vec<f64>, part: f64) -> f64 {
 #[test]
 fn peaks_of_random_pins_are_known_to_their_stated_error() {
     let rows: Vec<Vec<f64>> = (REFERENCE.lines().skip(1))
-        .map(|line| line.split(',').map(|value| value.parse().unwrap()).collect())
+        .map(|line| {
+            line.split(',')
+                .map(|value| value.parse().unwrap())
+                .collect()
+        })
         .collect();
     for count in [61, 121] {
         let nodes = Nodes::uniform_half(count).unwrap();
@@ -380,7 +389,18 @@ fn peaks_of_random_pins_are_known_to_their_stated_error() {
             for row in rows.iter().filter(|row| row[0] == pin as f64) {
                 let step = row[1] as usize;
                 let both = Found::both(&edges[step], step, row);
-                if std::env::var("DUMP").is_ok() { println!("DUMP {count} {pin} {step} {} {:.5} {:.5} {:.5} {:.5} {:.5} {}", row[4], row[2], row[3], largest(&edges[step].hoop), edges[step].peak().value, edges[step].peak().error, edges[step].peak().place.to_degrees()); }
+                if std::env::var("DUMP").is_ok() {
+                    println!(
+                        "DUMP {count} {pin} {step} {} {:.5} {:.5} {:.5} {:.5} {:.5} {}",
+                        row[4],
+                        row[2],
+                        row[3],
+                        largest(&edges[step].hoop),
+                        edges[step].peak().value,
+                        edges[step].peak().error,
+                        edges[step].peak().place.to_degrees()
+                    );
+                }
                 found.extend(both);
             }
         }
@@ -391,13 +411,29 @@ fn peaks_of_random_pins_are_known_to_their_stated_error() {
             ("hoop", vec![Kind::Loading, Kind::Unloading, Kind::Smooth]),
             ("pressure", vec![Kind::Pressure]),
         ] {
-            let of: Vec<&Found> = found.iter().filter(|found| kinds.contains(&found.kind)).collect();
-            let all = |value: fn(&Found) -> f64| of.iter().map(|found| value(found)).collect::<Vec<f64>>();
-            let held = of.iter().filter(|found| found.fitted <= found.stated).count();
+            let of: Vec<&Found> = found
+                .iter()
+                .filter(|found| kinds.contains(&found.kind))
+                .collect();
+            let all = |value: fn(&Found) -> f64| {
+                of.iter().map(|found| value(found)).collect::<Vec<f64>>()
+            };
+            let held = of
+                .iter()
+                .filter(|found| found.fitted <= found.stated)
+                .count();
             let ratio = quantile(all(|found| found.stated / found.fitted.max(1e-5)), 0.5);
-            println!("{count:4} {name:16} {:4} nodal {:.4} {:.4} {:.4} fitted {:.4} {:.4} {:.4} coverage {:.3} ratio {ratio:.2}", of.len(),
-                quantile(all(|f| f.nodal), 0.5), quantile(all(|f| f.nodal), 0.9), quantile(all(|f| f.nodal), 1.0),
-                quantile(all(|f| f.fitted), 0.5), quantile(all(|f| f.fitted), 0.9), quantile(all(|f| f.fitted), 1.0), held as f64 / of.len() as f64);
+            println!(
+                "{count:4} {name:16} {:4} nodal {:.4} {:.4} {:.4} fitted {:.4} {:.4} {:.4} coverage {:.3} ratio {ratio:.2}",
+                of.len(),
+                quantile(all(|f| f.nodal), 0.5),
+                quantile(all(|f| f.nodal), 0.9),
+                quantile(all(|f| f.nodal), 1.0),
+                quantile(all(|f| f.fitted), 0.5),
+                quantile(all(|f| f.fitted), 0.9),
+                quantile(all(|f| f.fitted), 1.0),
+                held as f64 / of.len() as f64
+            );
         }
     }
 }
