@@ -13,6 +13,7 @@ mod oracle;
 mod otherwise;
 mod pairs;
 mod parts;
+mod peaks;
 mod proofs;
 mod random;
 mod recovery;

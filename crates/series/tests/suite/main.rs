@@ -5,5 +5,6 @@ mod contract;
 mod fields;
 mod howland;
 mod orthotropic;
+mod peaks;
 mod persson;
 mod strip;
