@@ -6,6 +6,7 @@ mod edges;
 mod failure;
 mod fields;
 mod ladder;
+mod peaks;
 mod progressive;
 mod remarks;
 mod reported;
@@ -23,6 +24,8 @@ use stickslip_laminate::FailureError;
 use thiserror::Error;
 
 pub use progressive::ProgressiveRunError;
+
+pub(crate) use peaks::is_isotropic;
 
 use crate::load_scale::LoadScale;
 use crate::model::{self, Model, ModelBodyKind, ModelError};

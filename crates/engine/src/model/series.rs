@@ -14,6 +14,7 @@ use super::ModelError;
 use super::meshes::on_circles;
 use super::plan::{BodyPlan, Plan};
 use crate::results::Choice;
+use crate::run::is_isotropic;
 use crate::series::SeriesBody;
 
 /// Decides which bodies of `plan` are modelled by series, and puts their operators there.
@@ -367,13 +368,7 @@ fn isotropic(plan: &Plan<'_>, own: &BodyPlan<'_>) -> Result<Isotropic, String> {
         .map_err(|cause| cause.to_string())?
         .stiffness();
     let (along, cross) = (d[0][0], d[0][1]);
-    let differences = [
-        along - d[1][1],
-        d[0][2],
-        d[1][2],
-        d[2][2] - 0.5 * (along - cross),
-    ];
-    if differences.iter().any(|part| part.abs() > 1e-9 * along) {
+    if !is_isotropic(&d) {
         return Err("is not isotropic".into());
     }
     let poisson = cross / along;

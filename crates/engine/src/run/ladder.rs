@@ -17,7 +17,7 @@ use stickslip_scene::schema::Accuracy;
 
 use self::models::{Division, Level, Models};
 use super::{Progress, RunError, results};
-use crate::results::{Errors, Ladder, LadderEnd, Results, Rung, Stated};
+use crate::results::{EdgeResults, Errors, Ladder, LadderEnd, Results, Rung, Stated};
 
 /// Most increments of a load step that are tried.
 const INCREMENTS: usize = 64;
@@ -27,6 +27,9 @@ const SMALL: f64 = 1e-3;
 const PATH_SHARE: f64 = 0.5;
 /// A finer model takes about so many times as long as the last one.
 const GROWTH: f64 = 4.0;
+
+/// Of two estimates of an error the smaller one counts, but at least this part of the larger one.
+const LEAST: f64 = 0.1;
 
 /// Errors per step, edge and number.
 type Table = Vec<Vec<Errors>>;
@@ -95,7 +98,7 @@ impl Climb<'_> {
         let pinned = self.scene.is_given("analysis.substeps");
         loop {
             let finer = self.models.level(1, 2 * base.substeps, progress)?;
-            let left = difference(&finer, &base, |_| 1.0);
+            let left = difference(&finer, &base);
             let worst = worst(&finer, &left).map_or(0.0, |(error, _)| error);
             if pinned {
                 return Ok((
@@ -172,9 +175,9 @@ impl Climb<'_> {
             return super::run_with(self.scene, self.models.solver(), &mut |_| {});
         };
         let mut found = results(&last.model, self.models.solver(), last.solved)?;
-        for (step, errors) in found.steps.iter_mut().zip(errors) {
-            for (edge, errors) in step.edges.iter_mut().zip(errors) {
-                edge.errors = errors;
+        for ((step, fitted), errors) in found.steps.iter_mut().zip(last.steps).zip(errors) {
+            for ((edge, fitted), errors) in step.edges.iter_mut().zip(fitted).zip(errors) {
+                *edge = EdgeResults { errors, ..fitted };
             }
         }
         found.ladder = Some(Ladder {
@@ -201,43 +204,48 @@ fn division_errors(levels: &[Level]) -> Table {
     let [.., coarse, fine] = levels else {
         return Table::new();
     };
-    let mut last = difference(fine, coarse, factor);
-    for errors in &mut last {
-        for (errors, spacing) in errors.iter_mut().zip(&fine.spacings) {
-            *errors = Errors::of(|stated| {
-                let least = if stated.is_of_nodes() {
-                    0.5 * spacing
-                } else {
-                    0.0
-                };
-                errors.get(stated).map(|error| error.max(least))
-            });
-        }
-    }
+    let last = difference(fine, coarse);
     let before = match levels {
-        [.., coarser, coarse, _] => difference(coarse, coarser, |stated| 0.5 * factor(stated)),
+        [.., coarser, coarse, _] => difference(coarse, coarser),
         _ => Table::new(),
     };
-    zipped(&last, &before, |last, before| match (last, before) {
-        (Some(last), Some(before)) => Some(last.max(before)),
-        (last, _) => last,
-    })
-}
-
-/// `factor` times the differences of the numbers of two levels.
-fn difference(fine: &Level, coarse: &Level, factor: fn(Stated) -> f64) -> Table {
-    let edges = |(step, other): (&Vec<_>, &Vec<_>)| {
-        let own = step.iter().zip(other).zip(&fine.spacings);
-        own.map(|((edge, other), spacing)| {
+    let get =
+        |table: &Table, step: usize, edge: usize, stated| table.get(step)?.get(edge)?.get(stated);
+    let edges = |step: usize| {
+        let own = fine.spacings.iter().enumerate();
+        own.map(|(edge, spacing)| {
             Errors::of(|stated| {
-                let change = stated.value(edge)? - stated.value(other)?;
+                let own = get(&fine.fitted, step, edge, stated);
+                let change = get(&last, step, edge, stated)?;
+                let before = get(&before, step, edge, stated);
+                let change = before.map_or(change, |before| change.max(0.5 * before));
                 let least = if stated.is_of_nodes() {
                     0.5 * spacing
                 } else {
                     0.0
                 };
-                Some((factor(stated) * change.abs()).max(least))
+                let by_models = factor(stated) * change;
+                Some(match (own, before) {
+                    // A fit cannot resolve zones of a few nodes, where three models show how far it is off.
+                    (Some(own), Some(_)) => {
+                        own.max(LEAST * by_models).min(by_models.max(LEAST * own))
+                    }
+                    (Some(own), None) => own.max(by_models),
+                    (None, _) => by_models.max(least),
+                })
             })
+        })
+        .collect()
+    };
+    (0..fine.steps.len()).map(edges).collect()
+}
+
+/// The differences of the numbers of two levels.
+fn difference(fine: &Level, coarse: &Level) -> Table {
+    let edges = |(step, other): (&Vec<_>, &Vec<_>)| {
+        let own = step.iter().zip(other);
+        own.map(|(edge, other)| {
+            Errors::of(|stated| Some((stated.value(edge)? - stated.value(other)?).abs()))
         })
         .collect()
     };

@@ -5,8 +5,8 @@ use stickslip_scene::Scene;
 use stickslip_scene::schema::MeshSettings;
 
 use crate::model::Model;
-use crate::results::{EdgeGeometry, EdgeResults};
-use crate::run::{Progress, RunError, Solved, edges, fields, solve};
+use crate::results::{EdgeGeometry, EdgeResults, Errors};
+use crate::run::{Progress, RunError, Solved, edges, fields, peaks, solve};
 
 /// Nodes on half of a contact circle less one, of the coarsest and the finest model by series.
 const INTERVALS: [usize; 2] = [30, 960];
@@ -33,6 +33,8 @@ pub(super) struct Level {
     pub(super) geometries: Vec<EdgeGeometry>,
     /// Results per step and edge.
     pub(super) steps: Vec<Vec<EdgeResults>>,
+    /// Errors that fits between nodes estimate of themselves.
+    pub(super) fitted: Vec<Vec<Errors>>,
     /// Largest spacing of nodes on each edge `[rad or mm]`.
     pub(super) spacings: Vec<f64>,
     pub(super) seconds: f64,
@@ -114,12 +116,14 @@ impl<'a> Models<'a> {
         let free = model.edges.iter().filter(|edge| edge.pair.is_none());
         let wanted: Vec<usize> = free.map(|edge| edge.geometry.body).collect();
         let recovered = fields::recover_some(&model, &solved, &wanted);
-        let (geometries, steps) = edges::all(&model, &solved, &recovered)?;
+        let (geometries, mut steps) = edges::all(&model, &solved, &recovered)?;
+        let fitted = peaks::between_nodes(&model, &solved, &geometries, &mut steps);
         Ok(Level {
             rung,
             substeps,
             seconds: host.seconds() - start,
             spacings: geometries.iter().map(spacing).collect(),
+            fitted,
             division,
             model,
             solved,
