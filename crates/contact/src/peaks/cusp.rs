@@ -14,6 +14,14 @@ pub struct Side<'a> {
     pub pressure: &'a [f64],
 }
 
+impl Side<'_> {
+    /// Whether all arrays have one entry per node.
+    fn is_complete(&self) -> bool {
+        let count = self.places.len();
+        self.stress.len() == count && self.pressure.len() == count
+    }
+}
+
 /// The held side, and the shear traction on it.
 #[derive(Clone, Copy, Debug)]
 pub struct HeldSide<'a> {
@@ -28,7 +36,7 @@ pub struct HeldSide<'a> {
 pub struct Cusp<'a> {
     /// The end.
     pub end: Located,
-    /// Nodes of the free side: open beyond contact, slipping beyond stick. Up to eight are used; none may lie beyond another end.
+    /// Nodes of the free side: open beyond contact, slipping beyond stick. Up to eight are used, without a held side up to eleven; none may lie beyond another end.
     pub free: Side<'a>,
     /// Nodes of the held side, up to six, as far as the shear traction has one law: slipping one way, or sticking. `None` where the body is not isotropic, or its
     /// stress along the edge follows from more than tractions near the end.
@@ -38,7 +46,9 @@ pub struct Cusp<'a> {
 }
 
 /// Estimated error over the spread of fits and over the rise above the nodes, so that about 19 in 20 hold the truth: at a resolved end of contact, of stick, and elsewhere.
-const CALIBRATION: [[f64; 2]; 3] = [[1.2, 0.1], [1.2, 0.25], [1.2, 0.6]];
+const CALIBRATION: [[f64; 2]; 3] = [[0.8, 0.03], [0.8, 0.15], [1.0, 0.5]];
+/// Line of [`CALIBRATION`] of an end that is not resolved.
+const UNRESOLVED: usize = 2;
 /// Nodes of an end that is resolved: that slip beside an opening, and that slip beside stick.
 const RESOLVED: usize = 3;
 /// Most nodes of the free side.
@@ -61,12 +71,20 @@ struct Choice {
 
 /// Estimates the height A − p of the cusp at a located end by the expansion of the [module](super).
 ///
-/// With a held side, fits of five sets of nodes, with and without the nodes next to the end and with fewer and lower terms, are made; the value is their median. Without it the first
-/// free node, which the discretisation smears, is skipped, and A + B√x + Cx + Dx^{3/2} fitted to the next ones. The error is estimated from the spread of these fits and from what the
-/// error of the end's place does. `None` with fewer than two free nodes or one held node, without a held side with fewer than five free nodes, or values that are not finite.
+/// With a held side five fits are made, with and without the nodes next to the end, with fewer nodes and with fewer terms; the value is their median. Without it the first free node, which
+/// the discretisation smears, is skipped, and A + B√x + Cx + Dx^{3/2} fitted to different sets of the next ones. The error is estimated from the spread of these fits, from what the error of the
+/// end's place does, and from the rise above the nodal values beside the end. Where fewer than three nodes slip beside an opening, or fewer than four beside stick, the last counts most.
 ///
-/// Measured on discrete solutions with friction, in units of the bearing stress: see `crates/series/tests/suite/peaks.rs`.
+/// `None` with fewer than two free nodes or one held node, without a held side with fewer than five free nodes, with arrays of different length or values that are not finite.
 pub fn cusp_peak(cusp: &Cusp<'_>) -> Option<Peak> {
+    let held = cusp.held.iter();
+    let complete = held
+        .clone()
+        .all(|held| held.excess.len() == held.side.places.len());
+    let sides = held.map(|held| held.side).chain([cusp.free]);
+    if !complete || !sides.into_iter().all(|side| side.is_complete()) {
+        return None;
+    }
     let place = cusp.end.place;
     let choices = match &cusp.held {
         Some(held) => joint(cusp, held),
@@ -81,21 +99,25 @@ pub fn cusp_peak(cusp: &Cusp<'_>) -> Option<Peak> {
     let moved = range(&[fit(first, place - error)?, fit(first, place + error)?]);
     let spread = range(&values).hypot(moved);
     let value = median(values)?;
-    let held = cusp.held.iter().flat_map(|held| held.side.stress.iter());
-    let near = cusp.free.stress.iter().take(2).chain(held.take(2)).copied();
-    let highest = near.clone().fold(f64::NEG_INFINITY, f64::max);
-    let rise = (value - highest).abs();
     let [by_spread, by_rise] = CALIBRATION[class(cusp)];
-    let rise = if class(cusp) == 2 {
-        range(&near.chain([value]).collect::<Vec<f64>>())
-    } else {
-        rise
-    };
     Some(Peak {
-        error: by_spread * spread + by_rise * rise,
+        error: by_spread * spread + by_rise * rise(cusp, value),
         value,
         place,
     })
+}
+
+/// How far `value` is above the nodes beside the end; where the end is not resolved, the range of them all.
+fn rise(cusp: &Cusp<'_>, value: f64) -> f64 {
+    let held = cusp.held.iter().flat_map(|held| held.side.stress.iter());
+    let mut near: Vec<f64> = (cusp.free.stress.iter().take(2).chain(held.take(2)))
+        .copied()
+        .collect();
+    if class(cusp) == UNRESOLVED {
+        near.push(value);
+        return range(&near);
+    }
+    (value - near.into_iter().fold(f64::NEG_INFINITY, f64::max)).abs()
 }
 
 /// Line of [`CALIBRATION`].
@@ -103,7 +125,7 @@ fn class(cusp: &Cusp<'_>) -> usize {
     match &cusp.held {
         Some(held) if cusp.open && held.side.places.len() >= RESOLVED => 0,
         Some(_) if !cusp.open && cusp.free.places.len() > RESOLVED => 1,
-        _ => 2,
+        _ => UNRESOLVED,
     }
 }
 

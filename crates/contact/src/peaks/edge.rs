@@ -34,45 +34,18 @@ const REACH: usize = 12;
 /// Estimates the largest stress along an edge: of the cusps at all ends of contact and of stick ([`cusp_peak`]), of the smooth peaks between them ([`smooth_peak`]), and of
 /// nodes beside ends that are not resolved: without, or with a single, sticking node between opposite slips. The error includes how much higher than the largest of these another one may be.
 ///
-/// `None` with fewer than three nodes.
+/// `None` with fewer than three nodes, or arrays of different length.
 pub fn edge_peak(edge: &EdgeValues<'_>) -> Option<Peak> {
     let count = edge.places.len();
-    if count < 3 {
+    if count < 3 || !edge.is_complete() {
         return None;
     }
-    let last = if edge.closed.is_some() {
-        count
-    } else {
-        count - 1
-    };
-    let ends: Vec<[Walk; 2]> = (0..last)
-        .filter_map(|k| edge.end([k, (k + 1) % count]))
-        .collect();
-    let cusps = ends
-        .iter()
-        .filter_map(|&[held, free]| (edge.cusp(held, free)).or_else(|| edge.unresolved(held.from)));
-    let turns = (0..last).filter(|&k| {
-        let sign =
-            |k: usize| edge.status[k % count].slip_sign() * f64::from(edge.bound[k % count] > 0.0);
-        sign(k) * sign(k + 1) < 0.0
-    });
-    let turns = turns
-        .flat_map(|k| [edge.unresolved(k), edge.unresolved((k + 1) % count)])
-        .flatten();
-    let smooth = edge.between(&ends).into_iter().filter_map(|nodes| {
-        let places: Vec<f64> = nodes.iter().map(|node| node.place).collect();
-        let values: Vec<f64> = nodes.iter().map(|node| edge.stress[node.index]).collect();
-        smooth_peak(&places, &values)
-    });
-    let all: Vec<Peak> = smooth.chain(cusps).chain(turns).collect();
-    let best = (all.iter().copied())
-        .reduce(|best, next| if next.value > best.value { next } else { best })?;
-    let highest = all
-        .iter()
-        .map(|peak| peak.value + peak.error)
-        .fold(f64::NEG_INFINITY, f64::max);
+    let all = edge.candidates();
+    let higher = |best: Peak, next: Peak| if next.value > best.value { next } else { best };
+    let best = all.iter().copied().reduce(higher)?;
+    let upper = all.iter().map(|peak| peak.value + peak.error);
     Some(Peak {
-        error: highest - best.value,
+        error: upper.fold(f64::NEG_INFINITY, f64::max) - best.value,
         ..best
     })
 }
@@ -93,6 +66,45 @@ struct Walk {
 }
 
 impl EdgeValues<'_> {
+    /// Whether all arrays have one entry per node.
+    fn is_complete(&self) -> bool {
+        let values = [
+            self.stress,
+            self.pressure,
+            self.shear,
+            self.bound,
+            self.gap,
+            self.slip,
+        ];
+        let count = self.places.len();
+        self.status.len() == count && values.iter().all(|values| values.len() == count)
+    }
+
+    /// Peaks of which the largest is that of the edge.
+    fn candidates(&self) -> Vec<Peak> {
+        let count = self.places.len();
+        let last = if self.closed.is_some() {
+            count
+        } else {
+            count - 1
+        };
+        let pairs = || (0..last).map(|k| [k, (k + 1) % count]);
+        let ends: Vec<[Walk; 2]> = pairs().filter_map(|pair| self.end(pair)).collect();
+        let cusps = ends.iter().filter_map(|&[held, free]| {
+            let cusp = self.cusp(held, free);
+            cusp.or_else(|| self.unresolved(held.from))
+        });
+        let sign = |k: usize| self.status[k].slip_sign() * self.bound[k];
+        let turns = pairs().filter(|&[one, other]| sign(one) * sign(other) < 0.0);
+        let turns = turns.flatten().filter_map(|node| self.unresolved(node));
+        let smooth = self.between(&ends).into_iter().filter_map(|nodes| {
+            let places: Vec<f64> = nodes.iter().map(|node| node.place).collect();
+            let values: Vec<f64> = nodes.iter().map(|node| self.stress[node.index]).collect();
+            smooth_peak(&places, &values)
+        });
+        smooth.chain(cusps).chain(turns).collect()
+    }
+
     /// Walks to the held and the free side, if there is an end between the nodes `pair`.
     fn end(&self, pair: [usize; 2]) -> Option<[Walk; 2]> {
         let [backward, forward] = [
@@ -170,58 +182,40 @@ impl EdgeValues<'_> {
         if !open && held.len() < 2 {
             return None;
         }
-        let sign = if open {
-            0.0
+        let slips = -self.status[beyond.index].slip_sign();
+        let excess = |k: usize| self.shear[k] - slips * self.bound[k];
+        let pairs = |nodes: &[Node], value: &dyn Fn(usize) -> f64| -> Vec<[f64; 2]> {
+            let pair = |node: &Node| [node.place, value(node.index)];
+            nodes.iter().map(pair).collect()
+        };
+        let end = if open {
+            let pressure = pairs(&held, &|k| self.pressure[k]);
+            locate_end(&pressure, &pairs(&free, &|k| self.gap[k]))
         } else {
-            -self.status[beyond.index].slip_sign()
-        };
-        let excess = |node: &Node| self.shear[node.index] - sign * self.bound[node.index];
-        let reserve = |node: &Node| {
-            if open {
-                self.pressure[node.index]
-            } else {
-                excess(node)
-            }
-        };
-        let opening = |node: &Node| {
-            if open {
-                self.gap[node.index]
-            } else {
-                self.slip[node.index].abs()
-            }
-        };
-        let end = locate_end(
-            &held
-                .iter()
-                .map(|node| [node.place, reserve(node)])
-                .collect::<Vec<_>>(),
-            &free
-                .iter()
-                .map(|node| [node.place, opening(node)])
-                .collect::<Vec<_>>(),
-        )?;
-        let of = |nodes: &[Node]| {
-            let value = |values: &[f64]| {
-                nodes
-                    .iter()
-                    .map(|node| values[node.index])
-                    .collect::<Vec<f64>>()
-            };
-            let places = nodes.iter().map(|node| node.place).collect::<Vec<f64>>();
-            [places, value(self.stress), value(self.pressure)]
-        };
-        let [free, held_values] = [of(&free), of(&held)];
-        let excess: Vec<f64> = held.iter().map(excess).collect();
+            locate_end(
+                &pairs(&held, &excess),
+                &pairs(&free, &|k| self.slip[k].abs()),
+            )
+        }?;
+        let excess: Vec<f64> = held.iter().map(|node| excess(node.index)).collect();
+        let [free, held] = [self.side(&free), self.side(&held)];
         let known = self.isotropic && !(open && sticks);
         cusp_peak(&Cusp {
             end,
             free: side(&free),
             held: known.then(|| HeldSide {
-                side: side(&held_values),
+                side: side(&held),
                 excess: &excess,
             }),
             open,
         })
+    }
+
+    /// Places, stresses and pressures of nodes.
+    fn side(&self, nodes: &[Node]) -> [Vec<f64>; 3] {
+        let of = |values: &[f64]| nodes.iter().map(|node| values[node.index]).collect();
+        let places = nodes.iter().map(|node| node.place).collect();
+        [places, of(self.stress), of(self.pressure)]
     }
 
     /// The value of a node beside an end that is not resolved, with twice the larger difference to its neighbours as error.

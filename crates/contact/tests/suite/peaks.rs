@@ -108,8 +108,9 @@ impl Mindlin {
 
     /// Largest stress, of fine samples and both ends.
     fn largest_stress(&self) -> f64 {
-        let samples = (0..20_000).map(|k| f64::from(k) * 1e-4);
-        let ends = [1.0, self.sticks()[usize::from(self.unloads())]];
+        let samples = (-20_000..20_000).map(|k| f64::from(k) * 1e-4);
+        let stick = self.sticks()[usize::from(self.unloads())];
+        let ends = [-1.0, -stick, stick, 1.0];
         let all = samples.chain(ends).map(|x| self.stress(x));
         all.fold(f64::NEG_INFINITY, f64::max)
     }
@@ -192,7 +193,9 @@ fn trailing_edges_have_the_peak_of_cattaneo_and_mindlin() {
         (scaled(edge, scale), 1.0)
     });
     let (errors, held) = compare(cases);
-    println!("{} {} {held}", middle(&errors, 0), middle(&errors, 1));
+    // Measured: nodal 0.165, fitted 0.0014, 119 held.
+    assert!(middle(&errors, 0) > 0.1 && middle(&errors, 1) < 2e-3);
+    assert!(held >= 114, "{held}");
 }
 
 /// The whole edge in other units of stress.
@@ -222,7 +225,9 @@ fn reversed_slip_has_its_peak_at_the_end_of_stick() {
         (case.sample(nodes(k)), case.largest_stress())
     });
     let (errors, held) = compare(cases);
-    println!("{} {} {held}", middle(&errors, 0), middle(&errors, 1));
+    // Measured: nodal 0.155, fitted 0.0016, 111 held.
+    assert!(middle(&errors, 0) > 0.1 && middle(&errors, 1) < 2.5e-3);
+    assert!(held >= 105, "{held}");
 }
 
 /// Half angle of contact `[°]` and mean pressure a₀ R t/Q around the whole circle, of a frictionless pin of the plate's material in an infinite plate (Persson 1964; table R1).
@@ -278,7 +283,9 @@ fn frictionless_pins_have_the_peak_of_persson() {
         (edge, smooth(end))
     });
     let (errors, held) = compare(cases);
-    println!("{} {} {held}", middle(&errors, 0), middle(&errors, 1));
+    // Measured: nodal 0.0042, fitted 0.0002, 120 held.
+    assert!(middle(&errors, 0) > 2e-3 && middle(&errors, 1) < 4e-4);
+    assert!(held >= 114, "{held}");
 }
 
 /// The centre of a Hertz pressure, p₀ = 1, between nodes.

@@ -311,7 +311,7 @@ fn print_reference() {
 }
 
 /// Number of random pins.
-const PINS: u64 = 110;
+const PINS: u64 = 150;
 /// Reference values of [`reference`], one line for each pin and load step but the first.
 const REFERENCE: &str = include_str!("../data/pin_peaks.csv");
 
@@ -367,13 +367,14 @@ impl Found {
     }
 }
 
+/// The value below which `part` of `values` lie.
 fn quantile(mut values: Vec<f64>, part: f64) -> f64 {
     values.sort_by(f64::total_cmp);
     values[((values.len() - 1) as f64 * part).round() as usize]
 }
 
-#[test]
-fn peaks_of_random_pins_are_known_to_their_stated_error() {
+/// Peaks of all pins on uniform nodes, with the number of the pin.
+fn all_found(count: usize) -> Vec<(u64, Found)> {
     let rows: Vec<Vec<f64>> = (REFERENCE.lines().skip(1))
         .map(|line| {
             line.split(',')
@@ -381,59 +382,85 @@ fn peaks_of_random_pins_are_known_to_their_stated_error() {
                 .collect()
         })
         .collect();
+    let nodes = Nodes::uniform_half(count).unwrap();
+    let mut found = Vec::new();
+    for pin in 0..PINS {
+        let edges = Pin::random(pin).solve(&nodes);
+        for row in rows.iter().filter(|row| row[0] == pin as f64) {
+            let step = row[1] as usize;
+            let both = Found::both(&edges[step], step, row);
+            found.extend(both.map(|found| (pin, found)));
+        }
+    }
+    found
+}
+
+/// Part of `found` whose stated error holds the truth; prints it in a line with errors of nodal and fitted peaks (median, 9 in 10, largest) and the median of stated over true error.
+fn coverage(name: &str, found: &[&Found]) -> f64 {
+    let all =
+        |value: fn(&Found) -> f64| found.iter().map(|found| value(found)).collect::<Vec<f64>>();
+    let spread = |value: fn(&Found) -> f64| {
+        [0.5, 0.9, 1.0]
+            .map(|part| format!("{:.4}", quantile(all(value), part)))
+            .join(" ")
+    };
+    let held = found
+        .iter()
+        .filter(|found| found.fitted <= found.stated + ROUNDED);
+    let part = held.count() as f64 / found.len() as f64;
+    // Beside errors that the digits of the table hide the ratio means nothing.
+    let ratio = quantile(all(|found| found.stated / found.fitted.max(ROUNDED)), 0.5);
+    println!(
+        "{name:24} {:4}  nodal {}  fitted {}  held {part:.3}  stated/true {ratio:.1}",
+        found.len(),
+        spread(|found| found.nodal),
+        spread(|found| found.fitted),
+    );
+    part
+}
+
+/// Digits of the table of reference values.
+const ROUNDED: f64 = 1e-5;
+/// Pins on which the calibration of `stickslip_contact::peaks` was chosen; the others it has not seen.
+const CALIBRATED: u64 = 110;
+
+/// Bounds are below what was measured by two standard deviations of a count of that size.
+#[test]
+fn stated_errors_hold_the_peaks_of_random_pins() {
+    let kinds = [
+        ("cusp, loading", vec![Kind::Loading], 0.92),
+        ("cusp, unloading", vec![Kind::Unloading], 0.88),
+        ("smooth", vec![Kind::Smooth], 0.92),
+        (
+            "hoop",
+            vec![Kind::Loading, Kind::Unloading, Kind::Smooth],
+            0.92,
+        ),
+        ("pressure", vec![Kind::Pressure], 0.7),
+    ];
     for count in [61, 121] {
-        let nodes = Nodes::uniform_half(count).unwrap();
-        let mut found = Vec::new();
-        for pin in 0..PINS {
-            let edges = Pin::random(pin).solve(&nodes);
-            for row in rows.iter().filter(|row| row[0] == pin as f64) {
-                let step = row[1] as usize;
-                let both = Found::both(&edges[step], step, row);
-                if std::env::var("DUMP").is_ok() {
-                    println!(
-                        "DUMP {count} {pin} {step} {} {:.5} {:.5} {:.5} {:.5} {:.5} {}",
-                        row[4],
-                        row[2],
-                        row[3],
-                        largest(&edges[step].hoop),
-                        edges[step].peak().value,
-                        edges[step].peak().error,
-                        edges[step].peak().place.to_degrees()
-                    );
-                }
-                found.extend(both);
-            }
-        }
-        for (name, kinds) in [
-            ("cusp, loading", vec![Kind::Loading]),
-            ("cusp, unloading", vec![Kind::Unloading]),
-            ("smooth", vec![Kind::Smooth]),
-            ("hoop", vec![Kind::Loading, Kind::Unloading, Kind::Smooth]),
-            ("pressure", vec![Kind::Pressure]),
-        ] {
-            let of: Vec<&Found> = found
-                .iter()
-                .filter(|found| kinds.contains(&found.kind))
-                .collect();
-            let all = |value: fn(&Found) -> f64| {
-                of.iter().map(|found| value(found)).collect::<Vec<f64>>()
+        let found = all_found(count);
+        for (name, of, least) in &kinds {
+            let seen = |seen: bool| {
+                let right = |(pin, found): &&(u64, Found)| {
+                    (*pin < CALIBRATED) == seen && of.contains(&found.kind)
+                };
+                found
+                    .iter()
+                    .filter(right)
+                    .map(|(_, found)| found)
+                    .collect::<Vec<&Found>>()
             };
-            let held = of
-                .iter()
-                .filter(|found| found.fitted <= found.stated)
-                .count();
-            let ratio = quantile(all(|found| found.stated / found.fitted.max(1e-5)), 0.5);
-            println!(
-                "{count:4} {name:16} {:4} nodal {:.4} {:.4} {:.4} fitted {:.4} {:.4} {:.4} coverage {:.3} ratio {ratio:.2}",
-                of.len(),
-                quantile(all(|f| f.nodal), 0.5),
-                quantile(all(|f| f.nodal), 0.9),
-                quantile(all(|f| f.nodal), 1.0),
-                quantile(all(|f| f.fitted), 0.5),
-                quantile(all(|f| f.fitted), 0.9),
-                quantile(all(|f| f.fitted), 1.0),
-                held as f64 / of.len() as f64
-            );
+            let part = coverage(&format!("{count} {name}"), &seen(true));
+            assert!(part >= *least, "{count} {name}: {part}");
+            let part = coverage(&format!("{count} {name}, unseen"), &seen(false));
+            assert!(part >= *least - 0.1, "{count} {name}, unseen: {part}");
         }
+        let cusps = found.iter().map(|(_, found)| found);
+        let cusps: Vec<&Found> = cusps.filter(|found| found.kind == Kind::Loading).collect();
+        let median = |value: fn(&Found) -> f64| {
+            quantile(cusps.iter().map(|found| value(found)).collect(), 0.5)
+        };
+        assert!(median(|found| found.fitted) < 0.15 * median(|found| found.nodal));
     }
 }
