@@ -273,6 +273,17 @@ impl Nodes {
         &self.elements
     }
 
+    /// Knots where hats begin, 1, or end, −1, instead of going on.
+    pub(crate) fn ends(&self) -> Vec<(usize, f64)> {
+        let mut signs = vec![0.0; self.knots.len()];
+        for element in &self.elements {
+            signs[element.knots[0]] += 1.0;
+            signs[element.knots[1]] -= 1.0;
+        }
+        let all = signs.into_iter().enumerate();
+        all.filter(|(_, sign)| *sign != 0.0).collect()
+    }
+
     pub(crate) fn step(&self) -> Option<f64> {
         self.step
     }

@@ -46,7 +46,13 @@ impl Hold {
     pub(super) fn symmetric(&self, mut compliance: DMatrix<f64>) -> DMatrix<f64> {
         let held = &compliance * &self.forces;
         compliance.gemm(-1.0, &held, &self.motions.transpose(), 1.0);
-        let transposed = compliance.transpose();
-        (compliance + transposed) * 0.5
+        for column in 0..compliance.ncols() {
+            for row in 0..column {
+                let mean = 0.5 * (compliance[(row, column)] + compliance[(column, row)]);
+                compliance[(row, column)] = mean;
+                compliance[(column, row)] = mean;
+            }
+        }
+        compliance
     }
 }
