@@ -21,7 +21,7 @@
 //! | [`edge_peak`] | the largest of a whole edge, from one or the other |
 //!
 //! Errors are estimated from how much the answer depends on the nodes and terms of the fit, and on the place of the end. They are calibrated on discrete solutions of pins in
-//! strips with friction (`crates/series/tests`), where about 19 in 20 hold the truth.
+//! strips with friction (`crates/series/tests/suite/peaks.rs`), where about 19 in 20 hold the truth of the hoop stress; fits by the free side alone are not calibrated on bodies that are not isotropic.
 //!
 //! Sources: the potentials of a half-plane, Muskhelishvili, *Some Basic Problems* (1953), § 93; σ_t beside a slipping end, Hills & Nowell, *Mechanics of Fretting Fatigue* (1994), ch. 4.
 

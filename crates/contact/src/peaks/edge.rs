@@ -120,9 +120,8 @@ impl EdgeValues<'_> {
         // How firmly a node is held.
         let grade = |k: usize| match self.status[k] {
             Status::Open => 0,
-            Status::SlipPositive | Status::SlipNegative => 1,
             Status::Stick if self.bound[k] > 0.0 => 2,
-            Status::Stick => 1,
+            _ => 1,
         };
         match grade(pair[0]).cmp(&grade(pair[1])) {
             std::cmp::Ordering::Greater => Some([backward, forward]),
@@ -174,8 +173,9 @@ impl EdgeValues<'_> {
         // On a closed edge both walks start beside the end, maybe on two sides of the place where it closes.
         if let Some(length) = self.closed {
             let turns = ((first.place - beyond.place) / length).round();
-            free.iter_mut()
-                .for_each(|node| node.place += turns * length);
+            for node in &mut free {
+                node.place += turns * length;
+            }
         }
         let open = self.status[beyond.index] == Status::Open;
         let sticks = self.status[first.index] == Status::Stick && self.bound[first.index] > 0.0;

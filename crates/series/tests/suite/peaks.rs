@@ -424,7 +424,7 @@ const ROUNDED: f64 = 1e-5;
 /// Pins on which the calibration of `stickslip_contact::peaks` was chosen; the others it has not seen.
 const CALIBRATED: u64 = 110;
 
-/// Bounds are below what was measured by two standard deviations of a count of that size.
+/// Bounds are 0.05 to 0.07 below what was measured (0.94 to 0.99; pressures 0.78 and 0.87), for pins not seen a tenth lower: parts of 34 vary by 0.05.
 #[test]
 fn stated_errors_hold_the_peaks_of_random_pins() {
     let kinds = [
