@@ -217,7 +217,13 @@ mod tests {
             let size = basis.degree() + 1;
             let coefficient = |n: usize, k: usize| C64::new(((n * n + k) % 7) as f64 - 3.0, 1.0);
             let [phi, psi] = [0, 3].map(|k| {
-                let own = |n| if n + 1 < size { coefficient(n, k) } else { C64::new(0.0, 0.0) };
+                let own = |n| {
+                    if n + 1 < size {
+                        coefficient(n, k)
+                    } else {
+                        C64::new(0.0, 0.0)
+                    }
+                };
                 (0..size).map(own).collect::<Vec<_>>()
             });
             let outer = Outer::new(Arc::new(basis), phi.clone(), psi.clone(), Vec::new());
