@@ -18,7 +18,7 @@ use crate::nodes::{Knot, Nodes};
 type C64 = Complex<f64>;
 
 /// A traction t `[stress]` of hats.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(crate) struct Hats {
     pub(super) kinks: Vec<Kink>,
     polylogarithms: Polylogarithms,

@@ -61,6 +61,7 @@ fn states(body: &dyn InterfaceOperator, nodes: &Nodes, numbers: &[f64]) -> State
 }
 
 fn check(
+    what: &str,
     body: &dyn InterfaceOperator,
     nodes: &Nodes,
     numbers: &[f64],
@@ -93,7 +94,10 @@ fn check(
         let size = sizes.fold(0.0, |size: f64, part| size.max(part.abs()));
         for (found, expected) in found.iter().zip(&expected) {
             for (a, b) in parts(found).into_iter().zip(parts(expected)) {
-                assert!((a - b).abs() < 1e-12 * size, "{found:?} {expected:?}");
+                assert!(
+                    (a - b).abs() < 1e-12 * size,
+                    "{what} {nodes:?}: {found:?} {expected:?}"
+                );
             }
         }
     }
@@ -126,13 +130,13 @@ proptest! {
             stress: [1.0, -0.4, 0.3 * skews],
         };
         let hole = Hole::floating(nodes.clone(), &material(), CIRCLE, &[far]).unwrap();
-        check(&hole, &nodes, &numbers, |state| hole.field(state).unwrap(), |states, angles| {
+        check("hole", &hole, &nodes, &numbers, |state| hole.field(state).unwrap(), |states, angles| {
             hole.edge_stresses(states, angles)
         });
         let anchor = if skew { Anchor::Area } else { Anchor::default() };
         let load = DiskLoad { force: [3.0, 0.0], ..DiskLoad::default() };
         let disk = Disk::floating(nodes.clone(), &material(), CIRCLE, anchor, &[load]).unwrap();
-        check(&disk, &nodes, &numbers, |state| disk.field(state).unwrap(), |states, angles| {
+        check("disk", &disk, &nodes, &numbers, |state| disk.field(state).unwrap(), |states, angles| {
             disk.edge_stresses(states, angles)
         });
         let loads = [
@@ -142,7 +146,7 @@ proptest! {
         let outline = outline(skew && !nodes.is_mirrored());
         let accuracy = Accuracy { tolerance: 1e-2, degree: 60 };
         let plate = Plate::new(nodes.clone(), &material(), CIRCLE, &outline, &loads, accuracy).unwrap();
-        check(&plate, &nodes, &numbers, |state| plate.field(state).unwrap(), |states, angles| {
+        check("plate", &plate, &nodes, &numbers, |state| plate.field(state).unwrap(), |states, angles| {
             plate.edge_stresses(states, angles)
         });
     }
