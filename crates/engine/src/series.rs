@@ -56,6 +56,21 @@ impl SeriesBody {
         }
     }
 
+    /// Stresses at the angles `angles` `[rad]` of its circle under each of `states`, by state and angle.
+    ///
+    /// # Errors
+    /// [`SeriesError::State`] for numbers that are too few or too many.
+    pub(crate) fn edge_stresses(
+        &self,
+        states: &[BodyLoad<'_>],
+        angles: &[f64],
+    ) -> Result<Vec<Vec<PolarStress>>, SeriesError> {
+        match self {
+            Self::Plate(plate) => plate.edge_stresses(states, angles),
+            Self::Disk(disk) => disk.edge_stresses(states, angles),
+        }
+    }
+
     /// Centre `[mm]` of its circle, and the length by which its turn is divided, the radius `[mm]`.
     fn circle(&self) -> (Point, f64) {
         let circle = match self {

@@ -39,14 +39,10 @@ impl Basis {
     pub(crate) fn new(points: &[C64], degree: usize, symmetric: bool) -> (Self, Values) {
         let count = points.len() as f64;
         let product = |a: &[C64], b: &[C64]| {
-            let pairs = a.iter().zip(b);
             let sum: C64 = if symmetric {
-                pairs
-                    .map(|(a, b)| a.re * b.re + a.im * b.im)
-                    .sum::<f64>()
-                    .into()
+                real_product(a, b).into()
             } else {
-                pairs.map(|(a, b)| a.conj() * b).sum()
+                a.iter().zip(b).map(|(a, b)| a.conj() * b).sum()
             };
             sum / count
         };
@@ -191,6 +187,17 @@ impl Basis {
         let slope = both.map(|((z, q), dq)| (q + z * dq) / self.scale);
         [next.collect(), slope.collect()]
     }
+}
+
+/// Re Σ conj a b, in four sums that do not wait for each other.
+fn real_product(a: &[C64], b: &[C64]) -> f64 {
+    let mut sums = [0.0; 4];
+    for (a, b) in a.chunks(4).zip(b.chunks(4)) {
+        for ((sum, a), b) in sums.iter_mut().zip(a).zip(b) {
+            *sum += a.re * b.re + a.im * b.im;
+        }
+    }
+    sums[0] + sums[1] + (sums[2] + sums[3])
 }
 
 /// Σ parts_j values_j, in four sums that do not wait for each other.

@@ -5,8 +5,8 @@
 //! edge:  σ_rr + iσ_rθ from the hats,   σ_θθ = 4 Re φ′ − σ_rr
 //! ```
 //!
-//! Tractions on the circle are hats, whose potentials are polylogarithms of ζ: no series is cut off, so stresses near the edge and the hoop stress on it between nodes are
-//! exact for these tractions, to about 1e-13 of the largest one over the spacing in radians. At a node the hoop stress has a kink, of infinite slope (s ln s), as a piecewise linear
+//! Tractions on the circle are hats, whose potentials are polylogarithms of ζ, or away from the circle a series that is cut off below rounding: stresses near the edge and
+//! the hoop stress on it between nodes are exact for these tractions, to about 1e-13 of the largest one over the spacing in radians. At a node the hoop stress has a kink, of infinite slope (s ln s), as a piecewise linear
 //! traction has. At the end of an [`arc`](crate::Nodes::arc) where the traction jumps it is infinite.
 
 mod edges;

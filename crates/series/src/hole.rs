@@ -9,9 +9,7 @@ use stickslip_fem_core::mesh::Point;
 use crate::channel::{Channel, Unit, channels, hat_means};
 use crate::circle::{Circle, Kolosov, Side, Surface, compliance};
 use crate::error::SeriesError;
-use crate::field::{
-    Body, Edge, Field, Ingredients, Outside, PolarStress, check, forces, motions,
-};
+use crate::field::{Body, Edge, Field, Ingredients, Outside, PolarStress, check, forces, motions};
 use crate::nodes::Nodes;
 
 /// What acts on the plate far from the hole. In a half model it is that on the whole plate, and has no force along y, moment or shear.

@@ -150,6 +150,13 @@ impl Nodes {
             let before = all.len() - 1;
             elements.push(element([before, 0], [all[before], TAU]));
         }
+        // Angles near a turn have fewer digits than those near 0: an image is as long as its own element.
+        for index in last..elements.len() {
+            let [a, b] = elements[index].knots.map(|knot| knots[knot].node);
+            if a.abs_diff(b) == 1 {
+                elements[index].length = elements[a.min(b)].length;
+            }
+        }
         Ok(Self::of(angles, true, knots, elements, at_start && at_end))
     }
 

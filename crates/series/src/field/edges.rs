@@ -70,15 +70,16 @@ impl Edge<'_> {
     }
 
     /// Stresses by state and place, of `loads` and of what adds `further` to σ_rr + σ_θθ, places × states.
-    pub(crate) fn stresses(
-        &self,
-        loads: &[Load],
-        further: &DMatrix<f64>,
-    ) -> Vec<Vec<PolarStress>> {
+    pub(crate) fn stresses(&self, loads: &[Load], further: &DMatrix<f64>) -> Vec<Vec<PolarStress>> {
         let sums = self.sums(loads);
         let parts = Parts::of(self.nodes);
         let directions = self.directions();
-        let ends: Vec<usize> = self.nodes.ends().into_iter().map(|(knot, _)| knot).collect();
+        let ends: Vec<usize> = self
+            .nodes
+            .ends()
+            .into_iter()
+            .map(|(knot, _)| knot)
+            .collect();
         let side = usize::from(!self.inside);
         let of_state = |(state, load): (usize, &Load)| {
             let jumps: Vec<Kink> = ends.iter().map(|&knot| load.kinks[knot]).collect();
@@ -151,7 +152,13 @@ impl<'a> Kernel<'a> {
         let at = |knot: usize| {
             let li = match here {
                 // Knots are in the order of their angles.
-                Some(here) => self.even[if here < knot { here + knots.len() - knot } else { here - knot }],
+                Some(here) => {
+                    self.even[if here < knot {
+                        here + knots.len() - knot
+                    } else {
+                        here - knot
+                    }]
+                }
                 None => (self.polylogarithms).second_on_circle(wrapped(theta - knots[knot].angle)),
             };
             factor * if self.inside { li } else { li.conj() }

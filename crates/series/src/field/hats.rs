@@ -18,7 +18,7 @@ use crate::nodes::{Knot, Nodes};
 type C64 = Complex<f64>;
 
 /// A traction t `[stress]` of hats.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(crate) struct Hats {
     pub(super) kinks: Vec<Kink>,
     polylogarithms: Polylogarithms,
@@ -209,4 +209,94 @@ pub(super) fn on_edge_of_jumps(kinks: &[Kink], theta: f64, factor: C64) -> [C64;
         negative += own - turned;
     }
     [positive, negative]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn all() -> Vec<Hats> {
+        let graded = vec![0.0, 0.001, 0.01, 0.1, 0.4, 0.9, 1.5, 2.1, 2.5, 2.9];
+        let sets = [
+            Nodes::uniform_circle(16),
+            Nodes::arc(graded.clone()),
+            Nodes::mirrored(graded[1..].to_vec()),
+        ];
+        let hats = |nodes: Result<Nodes, crate::SeriesError>| {
+            let nodes = nodes.unwrap();
+            let value = |k: usize| C64::new((k * k % 7) as f64 - 2.5, (k * k % 5) as f64);
+            let values: Vec<C64> = (0..nodes.knots().len()).map(value).collect();
+            Hats::new(&nodes, &values)
+        };
+        sets.map(hats).into()
+    }
+
+    #[test]
+    fn closed_forms_are_sums_of_modes() {
+        for hats in all() {
+            for (k, radius) in [0.6, 0.8, 0.95, 0.99].into_iter().enumerate() {
+                let x = C64::from_polar(radius, 0.3 + 1.1 * k as f64);
+                let found = hats.sums(x);
+                let mut expected = [Sums::default(); 2];
+                // 0.99^3600 is below rounding.
+                for order in 1..3600 {
+                    let k = f64::from(order);
+                    let power = C64::from_polar(radius.powi(order), k * x.arg());
+                    let pair = [1.0, -1.0].map(|sign| {
+                        let of_kink = |kink: &Kink| {
+                            let amount =
+                                -kink.slope / (k * k) - C64::new(0.0, sign / k) * kink.jump;
+                            amount * C64::from_polar(1.0, -sign * k * kink.angle)
+                        };
+                        hats.kinks.iter().map(of_kink).sum::<C64>()
+                    });
+                    let terms = [pair[0] * power, pair[1] * power.conj()];
+                    for (sums, term) in expected.iter_mut().zip(terms) {
+                        sums[0] += term * k;
+                        sums[1] += term;
+                        sums[2] += term / k;
+                    }
+                }
+                // Slopes are as large as the inverse of the shortest element.
+                let size: f64 = hats.kinks.iter().map(|kink| kink.slope.norm()).sum();
+                for (a, b) in found.as_flattened().iter().zip(expected.as_flattened()) {
+                    assert!((a - b).norm() < 1e-13 * size, "{radius} {a} {b}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn modes_are_those_of_the_kinks() {
+        for hats in all() {
+            let size: f64 = hats.kinks.iter().map(|kink| kink.slope.norm()).sum();
+            for (index, [positive, negative]) in hats.modes(200).enumerate() {
+                let order = index as u32 + 1;
+                assert!((positive - mode(&hats.kinks, order)).norm() < 1e-14 * size);
+                let turned: Vec<Kink> = (hats.kinks.iter())
+                    .map(|kink| Kink {
+                        angle: -kink.angle,
+                        jump: -kink.jump,
+                        ..*kink
+                    })
+                    .collect();
+                assert!((negative - mode(&turned, order)).norm() < 1e-14 * size);
+            }
+        }
+    }
+
+    #[test]
+    fn the_edge_is_the_limit_of_the_inside() {
+        for hats in all() {
+            let size: f64 = hats.kinks.iter().map(|kink| kink.slope.norm()).sum();
+            for theta in [-2.0, 0.05, 1.0, 2.3, 4.4] {
+                let direction = C64::from_polar(1.0, theta);
+                let [positive, negative] = hats.sums(direction);
+                let found = hats.on_edge(theta, direction);
+                for (found, sums) in found.into_iter().zip([positive, negative]) {
+                    assert!((found - direction * sums[1]).norm() < 1e-14 * size);
+                }
+            }
+        }
+    }
 }

@@ -19,7 +19,7 @@ const PER_KINK: usize = 4;
 const ALWAYS: usize = 64;
 
 /// t_K and t_−K by K ≥ 1, level after level.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Modes {
     levels: [OnceLock<Vec<[C64; 2]>>; LEVELS],
 }

@@ -151,11 +151,7 @@ impl OuterFit {
 
     /// What the terms times `amounts` (terms × states), and the series that keep the hole free of them, add to σ_rr + σ_θθ at the places `directions` of the
     /// hole's edge, places × states.
-    pub(crate) fn sums_on_edge(
-        &self,
-        directions: &[C64],
-        amounts: &DMatrix<f64>,
-    ) -> DMatrix<f64> {
+    pub(crate) fn sums_on_edge(&self, directions: &[C64], amounts: &DMatrix<f64>) -> DMatrix<f64> {
         let mut by_terms = DMatrix::zeros(directions.len(), self.terms.len());
         let mut by_channels = DMatrix::zeros(directions.len(), self.channels.len());
         for (place, &direction) in directions.iter().enumerate() {
@@ -302,11 +298,7 @@ fn term_tractions(points: &[EdgePoint], terms: &[Term], values: &Values) -> DMat
 }
 
 /// Right-hand sides: load cases with the reactions that balance them, then −(the tractions of unit modes).
-fn sides(
-    task: &Task<'_>,
-    points: &[EdgePoint],
-    hole: &DMatrix<f64>,
-) -> DMatrix<f64> {
+fn sides(task: &Task<'_>, points: &[EdgePoint], hole: &DMatrix<f64>) -> DMatrix<f64> {
     let (loads, channels) = (task.tractions.len(), task.channels);
     let mut sides = DMatrix::zeros(2 * points.len(), loads + channels.len());
     let given = rows(points.len(), loads, |point, case| {

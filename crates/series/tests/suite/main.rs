@@ -2,6 +2,7 @@
 
 mod contacts;
 mod contract;
+mod edges;
 mod fields;
 mod howland;
 mod orthotropic;
