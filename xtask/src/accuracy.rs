@@ -106,8 +106,19 @@ fn compare(draw: &Draw, asked: f64, tally: &mut Tally) -> Result<(), String> {
             let own = edge.errors.get(stated).unwrap_or(0.0);
             let doubt = truth.errors.get(stated).unwrap_or(0.0);
             let apart = (value - exact).abs();
-            if std::env::var_os("MISSES").is_some() && apart > own && doubt < 0.35 * apart && apart > 1e-7 * exact.abs() {
-                println!("MISS {stated:?} unl {unloading} nodes {half} inc {} value {value:e} truth {exact:e} own {:e} apart {:e} doubt {:e} law {}", last.increments, own/exact.abs(), apart/exact.abs(), doubt/exact.abs(), found_law(&draw.text));
+            if std::env::var_os("MISSES").is_some()
+                && apart > own
+                && doubt < 0.35 * apart
+                && apart > 1e-7 * exact.abs()
+            {
+                println!(
+                    "MISS {stated:?} unl {unloading} nodes {half} inc {} value {value:e} truth {exact:e} own {:e} apart {:e} doubt {:e} law {}",
+                    last.increments,
+                    own / exact.abs(),
+                    apart / exact.abs(),
+                    doubt / exact.abs(),
+                    found_law(&draw.text)
+                );
             }
             tally.count(stated, unloading, [own, apart, doubt]);
             let is_asked = matches!(stated, Stated::PeakPressure | Stated::PeakHoop);
@@ -133,5 +144,7 @@ fn solved(text: &str, changes: &[&str]) -> Result<Results, String> {
 }
 
 fn found_law(text: &str) -> &str {
-    text.lines().find(|line| line.starts_with("friction")).unwrap_or("")
+    text.lines()
+        .find(|line| line.starts_with("friction"))
+        .unwrap_or("")
 }

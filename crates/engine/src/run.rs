@@ -153,7 +153,7 @@ pub struct Solved {
 /// [`RunError`].
 pub fn run(scene: &Scene, progress: &mut dyn FnMut(Progress)) -> Result<Results, RunError> {
     let solver = solver(scene.analysis.solver);
-    if scene.analysis.accuracy.is_some() || !scene.is_divided_anywhere() {
+    if scene.seeks_accuracy() {
         ladder::climb(scene, solver.as_ref(), progress)
     } else {
         run_with(scene, solver.as_ref(), progress)

@@ -92,6 +92,11 @@ impl Scene {
         self.bodies.keys().any(|name| self.divides(name))
     }
 
+    /// Whether models are tried until their errors meet what is asked: with an accuracy, and without a mesh.
+    pub fn seeks_accuracy(&self) -> bool {
+        self.analysis.accuracy.is_some() || !self.is_divided_anywhere()
+    }
+
     /// Whether the file or an override gives `key`, in full: "analysis.substeps".
     pub fn is_given(&self, key: &str) -> bool {
         self.document.get(key).is_some()

@@ -38,7 +38,13 @@ pub(super) fn choose(
             continue;
         }
         let division = division(plan, scene, index);
-        match body(plan, index, &division, half) {
+        let made_of = match scene.failure {
+            Some(_) => {
+                Err("is in a scene whose plies may fail, which is followed on elements".into())
+            }
+            None => body(plan, index, &division, half),
+        };
+        match made_of {
             Ok(body) => made.push((index, division, body)),
             Err(why) if *asked == BodyModel::Series => {
                 return Err(ModelError::NotSeries {

@@ -107,12 +107,6 @@ impl Errors {
         self.0.get(at).copied().flatten()
     }
 
-    /// All of them times `factor`.
-    pub(crate) fn times(&self, factor: f64) -> Self {
-        let scaled = self.0.iter().map(|error| error.map(|error| factor * error));
-        Self(scaled.collect())
-    }
-
     /// Whether none were estimated.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()

@@ -1,10 +1,10 @@
 //! The ladder: finer and finer models of a scene until the estimated errors meet what is asked.
 //!
 //! Errors have two parts, that of the division and that of the load path. A number v of a model with spacing h is compared with that of the
-//! models with 2h and 4h, and that of increments Δ, on a coarse model, with that of 2Δ:
+//! models with 2h and 4h, and that of increments Δ, on a coarse model, with those of 2Δ and 4Δ:
 //!
 //! ```text
-//! error = k max(|v_h − v_2h|, |v_2h − v_4h|/2) + |v_Δ − v_2Δ|
+//! error = k max(|v_h − v_2h|, |v_2h − v_4h|/2) + |v_Δ − v_2Δ| r/(1 − r),     r = |v_Δ − v_2Δ|/|v_2Δ − v_4Δ| between ½ and ⅘
 //! ```
 //!
 //! k depends on the number, [`factor`]. docs/accuracy.md shows how often the truth lies within.
@@ -28,6 +28,8 @@ const PATH_SHARE: f64 = 0.5;
 /// A finer model takes about so many times as long as the last one.
 const GROWTH: f64 = 4.0;
 
+/// The error that increments leave is at most so many times the change that halving them last made.
+const SLOWEST: f64 = 4.0;
 /// Of two estimates of an error the smaller one counts, but at least this part of the larger one.
 const LEAST: f64 = 0.1;
 
@@ -96,26 +98,25 @@ impl Climb<'_> {
             return Ok((base, Table::new()));
         }
         let pinned = self.scene.is_given("analysis.substeps");
+        let mut before = Table::new();
         loop {
             let finer = self.models.level(1, 2 * base.substeps, progress)?;
-            let left = difference(&finer, &base);
-            let worst = worst(&finer, &left).map_or(0.0, |(error, _)| error);
+            let change = difference(&finer, &base);
             if pinned {
-                return Ok((
-                    base,
-                    left.iter()
-                        .map(|step| step.iter().map(|own| own.times(2.0)).collect())
-                        .collect(),
-                ));
+                let left = zipped(&change, &before, |change, _| {
+                    Some((1.0 + SLOWEST) * change?)
+                });
+                return Ok((base, left));
             }
+            let left = zipped(&change, &before, path_error);
+            let worst = worst(&finer, &left).map_or(0.0, |(error, _)| error);
             self.record(&finer, None);
             let asked = self.asked.map(|asked| PATH_SHARE * asked);
-            if asked.is_none_or(|asked| worst <= asked)
-                || finer.substeps >= INCREMENTS
-                || self.is_spent(&finer)
-            {
+            let is_fine = asked.is_none_or(|asked| worst <= asked);
+            if is_fine || finer.substeps >= INCREMENTS || self.is_spent(&finer) {
                 return Ok((finer, left));
             }
+            before = change;
             base = finer;
         }
     }
@@ -197,6 +198,17 @@ fn factor(stated: Stated) -> f64 {
         Stated::PeakHoop => 2.5,
         Stated::StickExtent | Stated::PeakPressurePlace | Stated::PeakHoopPlace => 2.0,
     }
+}
+
+/// What increments leave of a number, by the change that halving them makes and the change of the halving before: the sum of the geometric series that goes on at the
+/// rate of these two, between that of first order and that of [`SLOWEST`].
+fn path_error(change: Option<f64>, before: Option<f64>) -> Option<f64> {
+    let change = change?;
+    let slowest = SLOWEST / (1.0 + SLOWEST);
+    let rate = before.map_or(slowest, |before| (change / before).clamp(0.5, slowest));
+    // Equal numbers have no rate.
+    let rate = if rate.is_finite() { rate } else { slowest };
+    Some(change * rate / (1.0 - rate))
 }
 
 /// What the division leaves, by the last two or three of `levels`.
