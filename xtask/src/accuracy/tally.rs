@@ -13,6 +13,7 @@ const ROUNDING: f64 = 1e-9;
 /// The numbers of all cases.
 #[derive(Default)]
 pub(super) struct Tally {
+    pub(super) shows_misses: bool,
     rows: BTreeMap<(usize, bool), Row>,
     asked: BTreeMap<u64, [usize; 3]>,
     failures: Vec<String>,
