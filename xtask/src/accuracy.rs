@@ -54,10 +54,7 @@ pub(crate) fn main(options: &Options) -> Result<bool, Box<dyn Error + Send + Syn
         .cases
         .unwrap_or(if options.quick { 50 } else { 500 });
     let mut rng = StdRng::seed_from_u64(options.seed);
-    let mut tally = Tally {
-        shows_misses: options.misses,
-        ..Tally::default()
-    };
+    let mut tally = Tally::new(options.misses);
     for case in 0..count {
         let asked = if options.quick {
             ASKED[case % 2]

@@ -31,6 +31,13 @@ struct Row {
 }
 
 impl Tally {
+    pub(super) fn new(shows_misses: bool) -> Self {
+        Self {
+            shows_misses,
+            ..Self::default()
+        }
+    }
+
     /// Counts a number with its stated error, its distance from the truth, and what the truth is good to.
     pub(super) fn count(&mut self, stated: Stated, unloading: bool, [own, apart, doubt]: [f64; 3]) {
         let at = Stated::ALL.iter().position(|other| *other == stated);
