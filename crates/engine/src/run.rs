@@ -25,8 +25,6 @@ use thiserror::Error;
 
 pub use progressive::ProgressiveRunError;
 
-pub(crate) use peaks::is_isotropic;
-
 use crate::load_scale::LoadScale;
 use crate::model::{self, Model, ModelBodyKind, ModelError};
 use crate::results::{

@@ -5,6 +5,7 @@
 use stickslip_contact::StepRecord;
 use stickslip_fem_core::InterfaceOperator;
 use stickslip_fem_core::body::{BodyBalance, BodyLoad};
+use stickslip_fem_core::material::PlaneStiffness;
 use stickslip_fem_core::mesh::Point;
 use stickslip_series::{Disk, Field, Plate, PolarStress};
 
@@ -154,4 +155,16 @@ pub(crate) fn stress_at(field: &Field, body: &SeriesBody, place: Point) -> [f64;
     } else {
         [0.0; 3]
     }
+}
+
+/// Whether a material of this stiffness is isotropic in the plane.
+pub(crate) fn is_isotropic(d: &PlaneStiffness) -> bool {
+    let (along, cross) = (d[0][0], d[0][1]);
+    let differences = [
+        along - d[1][1],
+        d[0][2],
+        d[1][2],
+        d[2][2] - 0.5 * (along - cross),
+    ];
+    differences.iter().all(|part| part.abs() <= 1e-9 * along)
 }

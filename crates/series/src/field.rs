@@ -12,6 +12,7 @@
 mod edges;
 mod hats;
 mod inside;
+mod kink;
 mod modes;
 mod outside;
 mod polylog;

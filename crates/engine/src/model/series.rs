@@ -14,8 +14,7 @@ use super::ModelError;
 use super::meshes::on_circles;
 use super::plan::{BodyPlan, Plan};
 use crate::results::Choice;
-use crate::run::is_isotropic;
-use crate::series::SeriesBody;
+use crate::series::{SeriesBody, is_isotropic};
 
 /// Decides which bodies of `plan` are modelled by series, and puts their operators there.
 pub(super) fn choose(

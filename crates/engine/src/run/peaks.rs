@@ -2,11 +2,11 @@
 
 use stickslip_contact::peaks::{EdgeValues, Located, edge_peak, locate_end};
 use stickslip_contact::{ContactState, Contacts, StepRecord};
-use stickslip_fem_core::material::PlaneStiffness;
 
 use super::Solved;
 use crate::model::{Model, ModelEdge};
 use crate::results::{EdgeGeometry, EdgeKind, EdgeResults, EdgeRow, Errors, Stated};
+use crate::series::is_isotropic;
 
 /// Nodes that are looked at on either side of an end of contact.
 const REACH: i64 = 5;
@@ -29,18 +29,6 @@ pub(super) fn between_nodes(
             .collect()
     });
     each.collect()
-}
-
-/// Whether a material of this stiffness is isotropic in the plane.
-pub(crate) fn is_isotropic(d: &PlaneStiffness) -> bool {
-    let (along, cross) = (d[0][0], d[0][1]);
-    let differences = [
-        along - d[1][1],
-        d[0][2],
-        d[1][2],
-        d[2][2] - 0.5 * (along - cross),
-    ];
-    differences.iter().all(|part| part.abs() <= 1e-9 * along)
 }
 
 /// A contact edge in a step, its nodes in the order of growing places along e_t.

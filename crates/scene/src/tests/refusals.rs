@@ -11,7 +11,7 @@ fn unknown_keys() {
     assert_eq!(message, "unknown key 'thicknes'");
     assert_eq!(
         help,
-        "did you mean 'thickness'? known keys here: material, rigid, thickness, shape, mesh"
+        "did you mean 'thickness'? known keys here: material, rigid, thickness, shape, model, mesh"
     );
     assert_eq!((line, shown.as_str()), (8, "thicknes"));
     let (message, _, line, _) = refused("[mesh]", "[mesh]\nquality = 3");
@@ -508,7 +508,7 @@ fn accuracies_and_models_that_no_run_can_have() {
         ("1e-9", "1e-9"),
     ] {
         let (message, help, line, found) = analysis(&format!("accuracy = {value}"));
-        assert!(message.contains("analysis.accuracy"), "{message}");
+        assert!(message.starts_with("accuracy = "), "{message}");
         assert!((message + &help).contains("at least 1e-8 and at most 50 %"));
         assert_eq!((line, found.as_str()), (17, shown));
     }
@@ -521,7 +521,7 @@ fn accuracies_and_models_that_no_run_can_have() {
     assert!(message.contains("none is asked for"), "{message}");
     assert!(help.contains("analysis.accuracy"), "{help}");
     let (message, ..) = analysis("accuracy = \"1 %\"\nbudget = \"0 s\"");
-    assert!(message.contains("analysis.budget"), "{message}");
+    assert!(message.starts_with("budget = "), "{message}");
     let (message, ..) = analysis("accuracy = \"1 %\"\nbudget = 10");
     assert!(message.contains("'10' is not a time"), "{message}");
     let (message, ..) = analysis("contact_nodes = 3");

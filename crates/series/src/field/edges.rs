@@ -9,8 +9,9 @@
 
 use nalgebra::{Complex, DMatrix};
 
-use super::hats::{Kink, Parts, mean, on_edge_of_jumps, wrapped};
+use super::hats::{Parts, mean, on_edge_of_jumps, wrapped};
 use super::inside::Inside;
+use super::kink::Kink;
 use super::polylog::Polylogarithms;
 use super::{PolarStress, values};
 use crate::circle::Circle;

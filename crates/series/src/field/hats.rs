@@ -11,9 +11,10 @@ use std::f64::consts::TAU;
 
 use nalgebra::Complex;
 
+use super::kink::Kink;
 use super::modes::Modes;
 use super::polylog::{Polylogarithms, first_on_circle};
-use crate::nodes::{Knot, Nodes};
+use crate::nodes::Nodes;
 
 type C64 = Complex<f64>;
 
@@ -30,45 +31,12 @@ pub(crate) struct Hats {
     pub(super) mean: C64,
 }
 
-/// Where the slope of the traction, or the traction itself, jumps.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Kink {
-    /// θ.
-    pub(super) angle: f64,
-    /// D and j over 2π.
-    pub(super) slope: C64,
-    pub(super) jump: C64,
-}
-
 /// Elements, start `[rad]`, length `[rad]` and knots, in the order of their starts.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Parts(Vec<(f64, f64, [usize; 2])>);
 
 /// Σ k t_k x^k, Σ t_k x^k, Σ t_k x^k/k over k ≥ 1.
 pub(crate) type Sums = [C64; 3];
-
-impl Kink {
-    /// The kinks at all knots of `nodes` under the tractions `values` of the knots.
-    pub(super) fn all(nodes: &Nodes, values: &[C64]) -> Vec<Self> {
-        let zero = C64::new(0.0, 0.0);
-        let kink = |knot: &Knot| Self {
-            angle: knot.angle,
-            slope: zero,
-            jump: zero,
-        };
-        let mut kinks: Vec<Self> = nodes.knots().iter().map(kink).collect();
-        for element in nodes.elements() {
-            let [a, b] = element.knots;
-            let slope = (values[b] - values[a]) / (element.length * TAU);
-            kinks[a].slope += slope;
-            kinks[b].slope -= slope;
-        }
-        for (knot, sign) in nodes.ends() {
-            kinks[knot].jump = values[knot] * (sign / TAU);
-        }
-        kinks
-    }
-}
 
 impl Parts {
     pub(super) fn of(nodes: &Nodes) -> Self {
@@ -176,16 +144,6 @@ impl Hats {
     }
 }
 
-/// t_K of kinks, K ≥ 1.
-pub(super) fn mode(kinks: &[Kink], order: u32) -> C64 {
-    let (k, i) = (f64::from(order), C64::new(0.0, 1.0));
-    let term = |kink: &Kink| {
-        let phase = C64::from_polar(1.0, -k * kink.angle);
-        (-kink.slope / (k * k) - i * kink.jump / k) * phase
-    };
-    kinks.iter().map(term).sum()
-}
-
 /// `factor` times the parts of the jumps in the sums on the circle. At a jump the real part is infinite unless the traction along the normal alone jumps there.
 pub(super) fn on_edge_of_jumps(kinks: &[Kink], theta: f64, factor: C64) -> [C64; 2] {
     const NOTHING: f64 = 1e-12;
@@ -213,6 +171,7 @@ pub(super) fn on_edge_of_jumps(kinks: &[Kink], theta: f64, factor: C64) -> [C64;
 
 #[cfg(test)]
 mod tests {
+    use super::super::kink::mode;
     use super::*;
 
     fn all() -> Vec<Hats> {

@@ -9,7 +9,8 @@
 use nalgebra::Complex;
 
 use super::Local;
-use super::hats::{Hats, Kink, mode};
+use super::hats::Hats;
+use super::kink::{Kink, mode};
 
 type C64 = Complex<f64>;
 

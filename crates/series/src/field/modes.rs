@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use nalgebra::Complex;
 
-use super::hats::Kink;
+use super::kink::Kink;
 
 type C64 = Complex<f64>;
 

@@ -7,6 +7,8 @@ use super::{difference, model, results, scene, solved, tractions, upper};
 /// A pin in a strip without a mesh.
 const PIN: &str = r#"
 version = 1
+[analysis]
+substeps = 1
 [materials.aluminium.isotropic]
 young = "72 GPa"
 poisson = 0.33
@@ -41,7 +43,6 @@ figures = false
 
 const NODES: &str = "analysis.contact_nodes=241";
 const MESH: &str = "mesh.spacing=0.75 deg";
-const SUBSTEPS: &str = "analysis.substeps=4";
 /// A second load, so that the pin bears off the axis.
 const ASIDE: &str = r#"loads.1={ on = "plate.top", force = { direction = [0, 1], steps = ["0.5 kN", "2 kN", "1 kN"] } }"#;
 
@@ -78,7 +79,7 @@ fn series_and_elements_agree() {
         ],
         vec![
             ASIDE,
-            r#"bodies.plate.shape.plate_with_hole.outline.strip.right="35 mm""#,
+            r#"bodies.plate.shape.plate_with_hole.outline.strip.right="60 mm""#,
         ],
     ] {
         let by = |own: &[&str]| solved(PIN, &[&changes, own].concat());
@@ -114,7 +115,7 @@ fn a_quasi_isotropic_laminate_is_a_series() {
     let series = solved(PIN, &[&changes[..], &[NODES]].concat());
     let elements = solved(PIN, &[&changes[..], &[MESH]].concat());
     let [pressure, ..] = apart(&series, &elements);
-    assert!(pressure < 1e-4, "{pressure:e}");
+    assert!(pressure < 4e-4, "{pressure:e}");
 }
 
 #[test]
@@ -182,7 +183,7 @@ fn what_no_series_holds_is_named() {
             "several curved edges",
         ),
         (
-            r#"supports.1={ on = "plate.left", fix = ["x"] }"#,
+            r#"supports.1={ on = "plate.right", fix = ["y"] }"#,
             "held along an outer edge",
         ),
         (
@@ -255,11 +256,11 @@ fn a_budget_ends_the_climb_with_an_honest_error() {
 fn a_mesh_of_the_scene_is_kept_and_its_errors_are_stated() {
     let found = solved(
         PIN,
-        &["mesh.spacing=3 deg", r#"analysis.accuracy="0.001 %""#],
+        &["mesh.spacing=1.5 deg", r#"analysis.accuracy="0.001 %""#],
     );
     let ladder = found.ladder.as_ref().unwrap();
     assert_eq!(ladder.end, LadderEnd::Pinned);
-    let fine = solved(PIN, &[MESH, SUBSTEPS]);
+    let fine = solved(PIN, &["mesh.spacing=0.375 deg"]);
     for (step, truth) in found.steps.iter().zip(&fine.steps) {
         let (edge, truth) = (&step.edges[0], &truth.edges[0]);
         let stated = Stated::PeakPressure;
